@@ -1,0 +1,52 @@
+# The two commands of a fresh machine are `make run` and `make test`; both install what they need first.
+PREFIX_RUN := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
+PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-dev libboost-dev \
+  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev node-d3
+TEST_PACKAGES := libgtest-dev libgmock-dev python3
+BENCH_PACKAGES := libbenchmark-dev
+
+.PHONY: build run test verify bench asan tsan tidy format clean setup setup-test setup-bench
+
+define install
+	@missing=""; for p in $(1); do dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
+	if [ -n "$$missing" ]; then echo "installing$$missing"; \
+	  $(PREFIX_RUN) apt-get update -q >/dev/null && \
+	  DEBIAN_FRONTEND=noninteractive $(PREFIX_RUN) apt-get install -y -q --no-install-recommends $$missing >/dev/null; fi
+endef
+
+setup:
+	$(call install,$(PACKAGES))
+
+setup-test: setup
+	$(call install,$(TEST_PACKAGES))
+
+setup-bench: setup
+	$(call install,$(BENCH_PACKAGES))
+
+build: setup
+	@cmake --preset release -DTALUS_TESTS=OFF >/dev/null && cmake --build --preset release
+
+run: build
+	@build/talus run examples/tutorial-1/tutorial-1-2d.toml -o out/tutorial-1-2d
+	@build/talus run examples/tutorial-1/tutorial-1-3d.toml -o out/tutorial-1-3d
+	@echo "Open out/tutorial-1-2d/report.html and out/tutorial-1-3d/report.html in a browser."
+
+test: setup-test
+	@cmake --preset release -DTALUS_TESTS=ON >/dev/null && cmake --build --preset release
+	@ctest --preset release
+
+verify: build
+	@build/talus verify
+
+bench: setup-bench
+	@cmake --preset bench >/dev/null && cmake --build --preset bench
+	@bench/run-all build-bench
+
+asan: setup-test
+	@cmake --preset asan-ubsan >/dev/null && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
+
+tsan: setup-test
+	@cmake --preset tsan >/dev/null && cmake --build --preset tsan && ctest --preset tsan
+
+clean:
+	rm -rf build build-* out

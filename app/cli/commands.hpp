@@ -1,0 +1,61 @@
+#pragma once
+// The commands of the program, one a file. Each returns the exit code and throws BadInput for bad input.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace talus::cli {
+
+enum ExitCode { done = 0, check_failed = 1, bad_input = 2, stopped = 3, internal_error = 4 };
+
+/// What several commands say about a project differently from its file.
+struct ProjectOptions {
+  std::filesystem::path file;
+  std::vector<std::string> settings;
+  std::optional<std::int64_t> rocks;
+  std::optional<std::uint64_t> seed;
+};
+
+struct RunOptions {
+  ProjectOptions project;
+  std::filesystem::path folder;  // empty: the project file's name without its ending, beside it
+  int threads = 0;
+  bool quiet = false;
+};
+int run(const RunOptions& options);
+
+int check(const ProjectOptions& options);
+
+struct ReplayOptions {
+  ProjectOptions project;
+  std::uint64_t rock = 0;
+  bool csv = false;
+};
+int replay(const ReplayOptions& options);
+
+struct ReportOptions {
+  std::vector<std::filesystem::path> folders;
+  std::filesystem::path file;  // empty: report.html in the first folder, or compare.html for several
+};
+int report(const ReportOptions& options);
+
+struct VerifyOptions {
+  std::vector<std::string> cases;   // empty: all
+  std::filesystem::path json;       // empty: none
+  std::filesystem::path page;       // empty: none
+  std::filesystem::path folder;     // of the cases; empty: where they were installed
+};
+int verify(const VerifyOptions& options);
+
+int schema();
+
+struct NewOptions {
+  std::filesystem::path file;
+  bool force = false;
+};
+int start_project(const NewOptions& options);
+
+}  // namespace talus::cli

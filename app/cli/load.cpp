@@ -1,0 +1,23 @@
+#include "load.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "talus/project/model.hpp"
+#include "talus/project/read.hpp"
+
+namespace talus::cli {
+
+Loaded load(const ProjectOptions& options) {
+  project::Reading reading = project::read_project(options.file, {options.settings, options.rocks, options.seed});
+  Loaded loaded{std::move(reading.project), {}, std::move(reading.warnings)};
+  loaded.model = project::build_model(loaded.project, loaded.warnings);
+  return loaded;
+}
+
+void print_warnings(const Problems& warnings) {
+  if (!warnings.list().empty()) fmt::print(stderr, "{}\n", warnings.text());
+}
+
+}  // namespace talus::cli

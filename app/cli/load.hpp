@@ -1,0 +1,23 @@
+#pragma once
+// A project from its file to a model, for every command that needs one.
+
+#include "commands.hpp"
+#include "talus/campaign/model.hpp"
+#include "talus/core/problems.hpp"
+#include "talus/project/project.hpp"
+
+namespace talus::cli {
+
+struct Loaded {
+  project::Project project;
+  Model model;
+  Problems warnings;
+};
+
+/// Throws BadInput with every problem of the file; or, if the file is sound, of what it refers to.
+[[nodiscard]] Loaded load(const ProjectOptions& options);
+
+/// To standard error, one a line.
+void print_warnings(const Problems& warnings);
+
+}  // namespace talus::cli

@@ -1,0 +1,94 @@
+// The command line: parses, dispatches, and turns failures into exit codes.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "commands.hpp"
+#include "talus/core/problems.hpp"
+
+namespace talus::cli {
+namespace {
+
+void add_project_options(CLI::App& command, ProjectOptions& options) {
+  command.add_option("project", options.file, "The project file (TOML)")->required()->type_name("PROJECT.toml");
+  command.add_option("--set", options.settings, "Set one value, for example --set analysis.gravity_m_s2=9.81; repeatable")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--rocks", options.rocks, "Throw this many rocks in all")->type_name("N");
+  command.add_option("--seed", options.seed, "Start the random numbers elsewhere")->type_name("S");
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App app{"Talus: where do the rocks go, how fast, how high, with what energy, and what barrier stops them?", "talus"};
+  app.set_version_flag("--version", std::string("talus ") + TALUS_VERSION);
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 done, 1 a check failed, 2 bad input, 3 stopped by a signal (results so far kept), 4 internal error.\n"
+             "`talus COMMAND --help` says more of each.");
+
+  RunOptions run_options;
+  CLI::App* run_command = app.add_subcommand("run", "Throw the rocks of a project and write tables and a report");
+  add_project_options(*run_command, run_options.project);
+  run_command->add_option("-o,--output", run_options.folder, "Folder for the results (default: the project file's name, beside it)")->type_name("DIR");
+  run_command->add_option("--threads", run_options.threads, "Threads to use (default: all cores)")->check(CLI::Range(1, 4096))->type_name("N");
+  run_command->add_flag("--quiet,-q", run_options.quiet, "Print nothing but warnings and errors");
+
+  ProjectOptions check_options;
+  CLI::App* check_command = app.add_subcommand("check", "Say all that is wrong with a project, with file, line and key");
+  add_project_options(*check_command, check_options);
+
+  ReplayOptions replay_options;
+  CLI::App* replay_command = app.add_subcommand("replay", "Repeat one rock of a project, event by event");
+  add_project_options(*replay_command, replay_options.project);
+  replay_command->add_option("--rock", replay_options.rock, "The rock's number, as in endpoints.csv (from 0)")->required()->type_name("N");
+  replay_command->add_flag("--csv", replay_options.csv, "Print the rows of paths.csv instead of a table");
+
+  ReportOptions report_options;
+  CLI::App* report_command = app.add_subcommand("report", "Make report.html of a run again, or lay two runs over each other");
+  report_command->add_option("folders", report_options.folders, "One run's folder, or two")->required()->expected(1, 2)->type_name("DIR [DIR2]");
+  report_command->add_option("-o,--output", report_options.file, "The page to write (default: report.html, or compare.html for two, in the first folder)")->type_name("FILE");
+
+  VerifyOptions verify_options;
+  CLI::App* verify_command = app.add_subcommand("verify", "Run the published verification cases and compare every number");
+  verify_command->add_option("cases", verify_options.cases, "Names of cases, or beginnings of names (default: all)")->type_name("CASE");
+  verify_command->add_option("--json", verify_options.json, "Write the comparison for machines, too")->type_name("FILE");
+  verify_command->add_option("--page", verify_options.page, "Write the comparison as a Markdown page, too")->type_name("FILE");
+  verify_command->add_option("--cases", verify_options.folder, "The folder that holds the cases")->type_name("DIR");
+
+  CLI::App* schema_command = app.add_subcommand("schema", "Print the JSON Schema of the project file");
+
+  NewOptions new_options;
+  CLI::App* new_command = app.add_subcommand("new", "Write a project file to start from");
+  new_command->add_option("file", new_options.file, "The file to write")->required()->type_name("PROJECT.toml");
+  new_command->add_flag("--force", new_options.force, "Overwrite a file that is there");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : bad_input;
+  }
+  if (*run_command) return run(run_options);
+  if (*check_command) return check(check_options);
+  if (*replay_command) return replay(replay_options);
+  if (*report_command) return report(report_options);
+  if (*verify_command) return verify(verify_options);
+  if (*schema_command) return schema();
+  return start_project(new_options);
+}
+
+}  // namespace
+}  // namespace talus::cli
+
+int main(int argc, char** argv) {
+  try {
+    return talus::cli::dispatch(argc, argv);
+  } catch (const talus::BadInput& bad) {
+    fmt::print(stderr, "{}\n", bad.problems().text());
+    return talus::cli::bad_input;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "talus: internal error: {}\n", error.what());
+    return talus::cli::internal_error;
+  }
+}

@@ -1,0 +1,25 @@
+#pragma once
+// How far a campaign is: a line that renews itself on a terminal, plain lines now and then elsewhere.
+
+#include <chrono>
+#include <cstdint>
+
+namespace talus::cli {
+
+class Progress {
+ public:
+  explicit Progress(std::uint64_t total);
+  ~Progress();
+  void operator()(std::uint64_t done);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void print(std::uint64_t done, Clock::time_point now);
+
+  std::uint64_t total_;
+  bool on_terminal_;
+  bool printed_ = false;
+  Clock::time_point begin_, last_;
+};
+
+}  // namespace talus::cli

@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "commands.hpp"
+#include "load.hpp"
+#include "talus/campaign/simulate.hpp"
+#include "talus/io/result_tables.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+void print_row(const TableContext& context, const RockRecord& record, const char* state, const Motion& motion) {
+  const Vec3 p = context.frame.global_from_local(motion.position);
+  const Vec3 &v = motion.velocity, &w = motion.spin;
+  const double kinetic = 0.5 * record.body.mass * v.squaredNorm() + 0.5 * record.body.inertia * w.squaredNorm();
+  const double potential = record.body.mass * context.gravity * (p.z() - context.energy_datum);
+  fmt::print("{:<11}{:>10.5f}{:>14.5f}{:>14.5f}{:>14.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>12.3f}{:>12.3f}{:>12.3f}\n",
+             state, motion.time, p.x(), p.y(), p.z(), v.x(), v.y(), v.z(), w.x(), w.y(), w.z(), kinetic / 1000,
+             potential / 1000, (kinetic + potential) / 1000);
+}
+
+}  // namespace
+
+int replay(const ReplayOptions& options) {
+  const Loaded loaded = load(options.project);
+  if (options.rock >= loaded.model.rocks()) {
+    throw BadInput(Problem{.file = options.project.file.string(), .where = "--rock",
+                           .what = fmt::format("there is no rock {}", options.rock),
+                           .why = fmt::format("the project has rocks 0 to {}", loaded.model.rocks() - 1)});
+  }
+  Simulator simulator(loaded.model);
+  const RockRecord record = simulator.simulate(options.rock, true);
+  const RockLog& log = simulator.log();
+  const TableContext context = TableContext::of(loaded.model);
+  if (options.csv) {
+    std::string text(path_header());
+    for (std::size_t k = 0; k < log.rows.size(); ++k) append_path_row(text, context, record, k, log.rows[k]);
+    fmt::print("{}", text);
+    return done;
+  }
+
+  print_warnings(loaded.warnings);
+  fmt::print("rock {} of seeder \"{}\": {:.6g} kg, radius {:.6g} m\n", record.rock, context.seeders[record.seeder.index],
+             record.body.mass, record.body.radius);
+  fmt::print("{:<11}{:>10}{:>14}{:>14}{:>14}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}{:>12}{:>12}{:>12}\n", "state", "t [s]",
+             "x [m]", "y [m]", "z [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]", "wx [rad/s]", "wy [rad/s]", "wz [rad/s]",
+             "KE [kJ]", "PE [kJ]", "total [kJ]");
+  auto turn = log.turns.begin();
+  for (const PathRow& row : log.rows) {
+    for (; turn != log.turns.end() && turn->time < row.motion.time; ++turn) print_row(context, record, "turns back", *turn);
+    print_row(context, record, name(row.state), row.motion);
+  }
+  for (const BarrierHit& hit : log.hits) {
+    fmt::print("{}: {} at t = {:.5f} s, {:.3f} m above its foot, {:.1f} degrees to its normal\n",
+               context.barriers[hit.barrier.index], name(hit.outcome), hit.motion.time, hit.height,
+               hit.angle * 180 / std::numbers::pi);
+  }
+  for (const PassedAbove& passed : log.passed_above) {
+    fmt::print("{}: passed above with {:.3f} m to spare\n", context.barriers[passed.barrier.index], passed.clearance);
+  }
+  const RockOutcome& outcome = record.outcome;
+  fmt::print("ended: {}; greatest kinetic energy {:.3f} kJ, greatest height above the ground {:.3f} m\n",
+             name(outcome.reason), outcome.max_kinetic_energy / 1000, outcome.max_bounce);
+  return done;
+}
+
+}  // namespace talus::cli

@@ -1,0 +1,17 @@
+# Compiler settings that every target of Talus shares.
+add_library(talus_flags INTERFACE)
+target_compile_options(talus_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wconversion -Wno-sign-conversion
+  # Designated initializers leave out what has a default on purpose; four doubles side by side have no ABI to keep.
+  -Wno-missing-field-initializers -Wno-psabi
+  # No fused multiply-add: the bits of a result must not depend on what the compiler found to fuse.
+  -ffp-contract=off
+  # sqrt and friends need not set errno; this changes no result and lets them be one instruction.
+  -fno-math-errno)
+if(TALUS_WERROR)
+  target_compile_options(talus_flags INTERFACE -Werror)
+endif()
+if(TALUS_SANITIZE)
+  target_compile_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE})
+endif()

@@ -1,0 +1,111 @@
+#include "talus/barriers/barrier.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "talus/impact/plain.hpp"
+
+namespace talus {
+
+const char* name(BarrierOutcome outcome) {
+  switch (outcome) {
+    case BarrierOutcome::stopped: return "stopped";
+    case BarrierOutcome::rebounded: return "rebounded";
+    case BarrierOutcome::broke_through: return "broke through";
+    case BarrierOutcome::passed: return "passed";
+  }
+  return "";
+}
+
+std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination) {
+  std::vector<Panel> panels;
+  for (std::size_t k = 0; k + 1 < foot.size(); ++k) {
+    const Vec3 d = foot[k + 1] - foot[k];
+    const Vec3 plan = Vec3(d.x(), d.y(), 0).normalized();
+    const Vec3 right(plan.y(), -plan.x(), 0);
+    Panel panel;
+    panel.foot = foot[k];
+    panel.length = d.norm();
+    panel.along = d / panel.length;
+    panel.up = std::cos(inclination) * Vec3::UnitZ() + std::sin(inclination) * right;
+    panel.normal = panel.along.cross(panel.up).normalized();
+    panel.height = height;
+    panels.push_back(panel);
+  }
+  return panels;
+}
+
+namespace {
+
+// Both times at which the quadratic h0 + v t + a t^2/2 is zero, rising; fewer where there are fewer.
+struct Times {
+  std::array<double, 2> t{};
+  int count = 0;
+};
+
+Times zeros(double h0, double v, double a) {
+  if (a == 0) {
+    return v != 0 ? Times{{-h0 / v, 0}, 1} : Times{};
+  }
+  const double discriminant = v * v - 2 * a * h0;
+  if (discriminant < 0) return {};
+  const double q = -(v + std::copysign(std::sqrt(discriminant), v));
+  const double t1 = q / a, t2 = q != 0 ? 2 * h0 / q : 0;
+  return {{std::min(t1, t2), std::max(t1, t2)}, 2};
+}
+
+// Where a point of the panel's plane lies on the panel: along its foot and up its face (which need not be at right
+// angles where the foot climbs).
+struct Place {
+  double along, up;
+};
+
+Place place_on(const Panel& panel, const Vec3& q) {
+  const Vec3 d = q - panel.foot;
+  const double c = panel.along.dot(panel.up), x = d.dot(panel.along), y = d.dot(panel.up);
+  return {(x - c * y) / (1 - c * c), (y - c * x) / (1 - c * c)};
+}
+
+}  // namespace
+
+std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const Parabola& path, double radius,
+                                       double t_min, double t_max) {
+  std::optional<Crossing> first;
+  for (std::uint32_t b = 0; b < barriers.size(); ++b) {
+    for (const Panel& panel : barriers[b].panels) {
+      const double h0 = panel.normal.dot(path.p - panel.foot);
+      const double v = panel.normal.dot(path.v), a = panel.normal.dot(path.a);
+      // From either side, the side being where the rock comes from at that time.
+      for (const double side : {1.0, -1.0}) {
+        const Times times = zeros(h0 - side * radius, v, a);
+        for (int i = 0; i < times.count; ++i) {
+          const double t = times.t[static_cast<std::size_t>(i)];
+          if (!(t > t_min) || t > t_max || (first && t >= first->t)) continue;
+          if (side * (v + a * t) >= 0) continue;  // drawing away
+          const Vec3 contact = path.at(t) - side * radius * panel.normal;
+          const Place place = place_on(panel, contact);
+          // Panels of one barrier meet without a gap; a rounding's breadth beyond an end belongs to it, too.
+          if (place.along < -1e-9 || place.along > panel.length + 1e-9 || place.up < -radius - 1e-6) continue;
+          const bool above = place.up > panel.height;
+          first = Crossing{t, BarrierId{b}, std::max(place.up, 0.0), above ? place.up - panel.height - radius : 0,
+                           side * panel.normal, panel.up, above};
+        }
+      }
+    }
+  }
+  return first;
+}
+
+BarrierResponse respond(const Barrier& barrier, const Motion& motion, const Vec3& normal, const Rock& rock) {
+  const Rebound as_it_came{motion.velocity, motion.spin};
+  if (barrier.is_collector) return {BarrierOutcome::passed, as_it_came};
+  const double energy = 0.5 * rock.mass * motion.velocity.squaredNorm() + 0.5 * rock.inertia * motion.spin.squaredNorm();
+  if (energy > barrier.capacity) {
+    const double kept = std::sqrt(1 - barrier.capacity / energy);
+    return {BarrierOutcome::broke_through, Rebound{kept * motion.velocity, kept * motion.spin}};
+  }
+  if (!barrier.restitution) return {BarrierOutcome::stopped, std::nullopt};
+  return {BarrierOutcome::rebounded, plain_rebound(motion.velocity, motion.spin, normal, *barrier.restitution)};
+}
+
+}  // namespace talus

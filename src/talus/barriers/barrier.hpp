@@ -1,0 +1,79 @@
+#pragma once
+// Barriers and collectors: a line on plan, draped over the ground, that stands up from it.
+//
+// A barrier's face is a row of flat panels, one between each two bends of its foot. A rock meets a panel when its
+// centre comes within its radius of the panel's plane (the lumped mass: when it reaches the plane) and the point of
+// contact lies on the panel. Height is measured from the foot along the face.
+// Source: verification manual, section 4; physics of the break-through: a rock with more energy than the capacity goes
+// on with the excess, its velocity and spin in proportion.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talus/core/id.hpp"
+#include "talus/flight/parabola.hpp"
+#include "talus/impact/restitution.hpp"
+#include "talus/motion/motion.hpp"
+
+namespace talus {
+
+struct Panel {
+  Vec3 foot;           // one end of its foot
+  Vec3 along;          // unit, along the foot
+  double length = 0;   // of the foot [m]
+  Vec3 up;             // unit, up the face
+  Vec3 normal;         // unit, across the face
+  double height = 0;   // [m]
+};
+
+struct Barrier {
+  std::string name;
+  bool is_collector = false;  // it records and does not touch
+  std::vector<Panel> panels;
+  double capacity = 0;                     // kinetic energy that it can take [J]; may be infinite
+  std::optional<Restitution> restitution;  // of what rebounds; without it, what is stopped stays
+};
+
+/// Panels over the bends of a foot line. `inclination` leans the face from the vertical [rad], positive to the right of
+/// the line's direction on plan: a right-handed turn about the line.
+[[nodiscard]] std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination);
+
+/// What becomes of a rock at a barrier.
+enum class BarrierOutcome { stopped, rebounded, broke_through, passed };
+inline constexpr int barrier_outcome_count = 4;
+[[nodiscard]] const char* name(BarrierOutcome outcome);
+
+/// A rock arrives at a barrier.
+struct BarrierHit {
+  BarrierId barrier;
+  Motion motion;            // as it arrives
+  double height = 0;        // of the contact point above the foot, along the face [m]
+  double angle = 0;         // between the velocity and the face's normal, positive towards the foot [rad]
+  BarrierOutcome outcome = BarrierOutcome::passed;
+};
+
+/// A rock crosses the plane of a barrier on a part of its path.
+struct Crossing {
+  double t = 0;
+  BarrierId barrier;
+  double height = 0;        // of the contact point along the face; above the panel's height: it passes above
+  double clearance = 0;     // above the panel's top, along the face [m]; only where it passes above
+  Vec3 normal;              // across the face, against the rock
+  Vec3 up;                  // along the face
+  bool above = false;
+};
+
+/// The first crossing in (t_min, t_max] of a rock's path, the barriers' order deciding ties.
+[[nodiscard]] std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const Parabola& path,
+                                                     double radius, double t_min, double t_max);
+
+/// What the barrier does to the rock, and how the rock leaves: as it came, if it passes; nothing, if it stays.
+struct BarrierResponse {
+  BarrierOutcome outcome = BarrierOutcome::passed;
+  std::optional<Rebound> leaving;
+};
+[[nodiscard]] BarrierResponse respond(const Barrier& barrier, const Motion& motion, const Vec3& normal, const Rock& rock);
+
+}  // namespace talus

@@ -1,0 +1,42 @@
+#pragma once
+// All that a campaign needs: the terrain, the ground, the barriers, the laws and the seeders, in the local frame.
+
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "talus/seeding/seeder.hpp"
+#include "talus/terrain/local_frame.hpp"
+#include "talus/terrain/profile.hpp"
+#include "talus/terrain/triangle_mesh.hpp"
+#include "talus/trajectory/scene.hpp"
+
+namespace talus {
+
+/// A section whose vertices stand elsewhere for every rock: normal about their given places, within three standard
+/// deviations.
+struct VaryingSection {
+  std::vector<Vec2> vertices;                 // local
+  std::vector<std::array<Sampler, 2>> shifts;  // of x and z [m]
+};
+
+struct Model {
+  std::variant<Profile, TriangleMesh> surface;
+  std::optional<VaryingSection> varying;  // only with a Profile
+  LocalFrame frame;
+  std::string terrain_report;  // what mending the mesh found and did, for the user
+  Ground ground;
+  std::vector<Barrier> barriers;
+  Laws laws;
+  std::uint64_t seed = 1;
+  SamplingMethod sampling = SamplingMethod::monte_carlo;
+  std::vector<Seeder> seeders;
+  double energy_datum = 0;  // z at which potential energy is zero, the user's [m]
+
+  [[nodiscard]] std::uint64_t rocks() const {
+    return seeders.empty() ? 0 : seeders.back().first_rock + seeders.back().rocks;
+  }
+};
+
+}  // namespace talus

@@ -1,0 +1,16 @@
+#pragma once
+// A broken promise inside the program, found in debug builds only. Bad data from outside is a Problem (problems.hpp)
+// and a rock that leaves the model is a value (motion/end_reason.hpp); neither belongs here.
+
+#include <cstdio>
+#include <cstdlib>
+
+#ifdef NDEBUG
+#define TALUS_PROMISE(condition, why) static_cast<void>(0)
+#else
+#define TALUS_PROMISE(condition, why)                                                              \
+  ((condition) ? static_cast<void>(0)                                                              \
+               : (std::fprintf(stderr, "%s:%d: broken promise: %s (%s)\n", __FILE__, __LINE__, why, \
+                               #condition),                                                        \
+                  std::abort()))
+#endif

@@ -1,0 +1,20 @@
+#pragma once
+// Typed indices: a facet's number is no material's number, and the compiler says so.
+
+#include <compare>
+#include <cstdint>
+
+namespace talus {
+
+template <class Tag>
+struct Id {
+  std::uint32_t index = 0;
+  friend constexpr auto operator<=>(Id, Id) = default;
+};
+
+using FacetId = Id<struct FacetTag>;
+using MaterialId = Id<struct MaterialTag>;
+using SeederId = Id<struct SeederTag>;
+using BarrierId = Id<struct BarrierTag>;
+
+}  // namespace talus

@@ -1,0 +1,43 @@
+#include "talus/core/problems.hpp"
+
+#include <algorithm>
+
+namespace talus {
+
+std::string Problem::text() const {
+  std::string out;
+  if (!file.empty()) {
+    out += file;
+    if (line > 0) out += ':' + std::to_string(line);
+    out += ": ";
+  }
+  if (severity == Severity::warning) out += "warning: ";
+  if (!where.empty()) out += where + ": ";
+  out += what;
+  if (!why.empty()) out += " (" + why + ")";
+  if (!hint.empty()) out += ". " + hint;
+  return out;
+}
+
+bool Problems::has_errors() const {
+  return std::any_of(list_.begin(), list_.end(), [](const Problem& p) { return p.severity == Severity::error; });
+}
+
+std::string Problems::text() const {
+  std::string out;
+  for (const Problem& problem : list_) {
+    if (!out.empty()) out += '\n';
+    out += problem.text();
+  }
+  return out;
+}
+
+static Problems only(Problem problem) {
+  Problems problems;
+  problems.add(std::move(problem));
+  return problems;
+}
+
+BadInput::BadInput(Problem problem) : BadInput(only(std::move(problem))) {}
+
+}  // namespace talus

@@ -1,0 +1,39 @@
+#pragma once
+// Counter-based random numbers: each is a pure function of (seed, rock, stream, index), so a rock's path depends on
+// nothing but the project, the seed and its number. Generator: Philox 4x32-10, Salmon et al., "Parallel random
+// numbers: as easy as 1, 2, 3", SC11.
+
+#include <array>
+#include <cstdint>
+
+namespace talus {
+
+/// What a random number is for. Each purpose has its own stream, so that asking for one more number of one kind moves
+/// no other. The numbers are part of what `seed` means: append, never renumber.
+enum class Stream : std::uint32_t {
+  release_position = 0,
+  horizontal_velocity = 1,
+  vertical_velocity = 2,
+  spin = 3,
+  size = 4,
+  density = 5,
+  restitution = 6,  // first number: normal, second: tangential
+  friction = 7,     // first number: friction angle, second: dynamic friction
+  rolling_friction = 8,
+  roughness = 9,
+  slope_vertex = 10,  // first number: x, second: z
+};
+
+/// The generator itself: four words, a pure function of the arguments.
+[[nodiscard]] std::array<std::uint32_t, 4> philox(std::uint64_t key, std::uint64_t counter, std::uint32_t high,
+                                                  std::uint32_t highest);
+
+/// Two independent uniform numbers in the open interval (0, 1), with 52 random bits each.
+[[nodiscard]] std::array<double, 2> uniform_pair(std::uint64_t seed, std::uint64_t rock, Stream stream,
+                                                 std::uint32_t index);
+
+/// The place of `i` in a random permutation of 0 ... count-1 that `key` chooses: a bijection, computed without storing
+/// it (a four-round Feistel network over Philox, walked until it lands inside the range).
+[[nodiscard]] std::uint64_t permuted(std::uint64_t i, std::uint64_t count, std::array<std::uint32_t, 2> key);
+
+}  // namespace talus

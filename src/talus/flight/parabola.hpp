@@ -1,0 +1,19 @@
+#pragma once
+// Flight without drag: position p + v t + a t^2 / 2 with a = (0, 0, -g).
+// Source: verification manual, equations 2.1 (which drops the v_z t term; it is kept here) and 2.2.
+
+#include "talus/core/vec.hpp"
+
+namespace talus {
+
+struct Parabola {
+  Vec3 p;  // position at t = 0 [m]
+  Vec3 v;  // velocity at t = 0 [m/s]
+  Vec3 a;  // acceleration [m/s2]; along z while a rock flies, along the facet for a leg of sliding or rolling
+
+  [[nodiscard]] Vec3 at(double t) const { return p + t * v + (0.5 * t * t) * a; }
+  [[nodiscard]] Vec3 velocity(double t) const { return v + t * a; }
+  [[nodiscard]] double z(double t) const { return p.z() + t * (v.z() + 0.5 * t * a.z()); }
+};
+
+}  // namespace talus

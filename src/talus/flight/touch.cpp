@@ -1,0 +1,96 @@
+#include "talus/flight/touch.hpp"
+
+#include <algorithm>
+
+namespace talus {
+
+namespace {
+
+// A polynomial of degree at most 4, lowest power first.
+using Polynomial = std::array<double, 5>;
+
+double value(const Polynomial& c, double t) { return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4]))); }
+
+Polynomial derivative(const Polynomial& c) { return {c[1], 2 * c[2], 3 * c[3], 4 * c[4], 0}; }
+
+// The root of a polynomial between a and b, where its values fa and fb have opposite signs: Newton steps kept inside a
+// shrinking bracket.
+double bracketed_root(const Polynomial& c, double a, double fa, double b) {
+  const Polynomial slope = derivative(c);
+  double t = 0.5 * (a + b);
+  for (int i = 0; i < 100; ++i) {
+    const double f = value(c, t);
+    if (f == 0) return t;
+    if ((f < 0) == (fa < 0)) {
+      a = t;
+    } else {
+      b = t;
+    }
+    double next = t - f / value(slope, t);
+    if (!(next > std::min(a, b) && next < std::max(a, b))) next = 0.5 * (a + b);
+    if (std::abs(next - t) <= 1e-16 * std::abs(t) || next == a || next == b) return next;
+    t = next;
+  }
+  return t;
+}
+
+// All roots in (0, t_max), rising. Between two neighbouring roots of its derivative a polynomial is monotone.
+struct Roots {
+  std::array<double, 4> t{};
+  int count = 0;
+};
+
+Roots roots_within(const Polynomial& c, int degree, double t_max) {
+  Roots roots;
+  if (degree == 0) return roots;
+  const Roots turns = roots_within(derivative(c), degree - 1, t_max);
+  double a = 0, fa = value(c, a);
+  for (int i = 0; i <= turns.count; ++i) {
+    const double b = i < turns.count ? turns.t[static_cast<std::size_t>(i)] : t_max;
+    const double fb = value(c, b);
+    if ((fa < 0) != (fb < 0)) roots.t[static_cast<std::size_t>(roots.count++)] = bracketed_root(c, a, fa, b);
+    a = b;
+    fa = fb;
+  }
+  return roots;
+}
+
+// The squared distance from the path of what lies across some direction, less radius^2, as a polynomial of time.
+Polynomial squared_distance(const Vec3& d, const Vec3& v, const Vec3& a, double radius) {
+  return {d.squaredNorm() - radius * radius, 2 * d.dot(v), v.squaredNorm() + d.dot(a), v.dot(a), 0.25 * a.squaredNorm()};
+}
+
+}  // namespace
+
+Falls falls(const std::array<double, 5>& c, double t_max, double slack) {
+  Falls found;
+  // Touching at the start: caught if it moves in, or rests there and is pulled in.
+  const bool falling = c[1] < 0 || (c[1] == 0 && c[2] < 0);
+  if (c[0] <= slack && falling) found.t[static_cast<std::size_t>(found.count++)] = 0;
+  const Roots roots = roots_within(c, 4, t_max);
+  for (int i = 0; i < roots.count && found.count < 3; ++i) {
+    const double t = roots.t[static_cast<std::size_t>(i)];
+    if (value(derivative(c), t) < 0) found.t[static_cast<std::size_t>(found.count++)] = t;
+  }
+  return found;
+}
+
+std::optional<double> touch_edge(const Parabola& path, const Vec3& a, const Vec3& e, double length, double radius,
+                                 double t_max) {
+  const Vec3 from_a = path.p - a;
+  const Vec3 d = from_a - from_a.dot(e) * e;
+  const Vec3 v = path.v - path.v.dot(e) * e;
+  const Vec3 acceleration = path.a - path.a.dot(e) * e;
+  for (const double t : falls(squared_distance(d, v, acceleration, radius), t_max, 2 * radius * contact_slack)) {
+    const double along = (path.at(t) - a).dot(e);
+    if (along >= 0 && along <= length) return t;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> touch_point(const Parabola& path, const Vec3& q, double radius, double t_max) {
+  const Falls times = falls(squared_distance(path.p - q, path.v, path.a, radius), t_max, 2 * radius * contact_slack);
+  return times.count > 0 ? std::optional(times.t[0]) : std::nullopt;
+}
+
+}  // namespace talus

@@ -1,0 +1,63 @@
+#pragma once
+// When a parabola first touches a plane, a line or a point at a given distance, while approaching it.
+//
+// Along the parabola the height over a plane is a quadratic of time, and the squared distance from a line or a point a
+// quartic. Each function returns the earliest t in [0, t_max] at which the distance falls through `radius`; a rock
+// that leaves a surface which it touches at t = 0 is not approaching it and is not caught by it again.
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "talus/flight/parabola.hpp"
+
+namespace talus {
+
+/// Thickness [m] within which a rock counts as being on a surface. Contacts are found as if every facet were this
+/// thick, so that no rock passes between two facets for want of digits: far above the rounding of coordinates in the
+/// local frame (1e-11 m at 100 km), far below anything a rock could notice.
+inline constexpr double contact_slack = 1e-9;
+
+/// The time at which h0 + vn t + an t^2/2 falls through zero: the root at which the derivative is negative.
+/// Numerically stable in both cases (no difference of nearly equal numbers). `slack` is how far below zero h0 may lie
+/// and still count as touching; deeper starts have no approach from above, except after rising first.
+[[nodiscard]] inline std::optional<double> falling_root(double h0, double vn, double an, double slack) {
+  const double discriminant = vn * vn - 2 * an * h0;
+  if (vn <= 0) {
+    if (h0 <= 0) {
+      // At or in the surface already: touching if it does not draw away.
+      const bool pressing = vn < 0 || an < 0;
+      return h0 >= -slack && pressing ? std::optional(0.0) : std::nullopt;
+    }
+    if (discriminant < 0) return std::nullopt;  // a hollow curve that turns before it arrives
+    const double denominator = -vn + std::sqrt(discriminant);
+    return denominator > 0 ? std::optional(2 * h0 / denominator) : std::nullopt;
+  }
+  if (an >= 0) return std::nullopt;
+  if (discriminant < 0 && h0 < -slack) return std::nullopt;  // its top stays below the surface
+  return (vn + std::sqrt(std::max(discriminant, 0.0))) / -an;
+}
+
+/// Times, rising, at which a polynomial of degree 4 falls through zero: at most two, and the start.
+struct Falls {
+  std::array<double, 3> t{};
+  int count = 0;
+  [[nodiscard]] const double* begin() const { return t.data(); }
+  [[nodiscard]] const double* end() const { return t.data() + count; }
+};
+
+/// The times in [0, t_max] at which c0 + c1 t + ... + c4 t^4 falls through zero, 0 among them if it is not above
+/// `slack` at t = 0 and falling there. Found between the roots of its derivatives, where it is monotone (Yuksel,
+/// "High-performance polynomial root finding for graphics", HPG 2022), so that no root is missed or invented.
+[[nodiscard]] Falls falls(const std::array<double, 5>& c, double t_max, double slack);
+
+/// When the parabola comes within `radius` of the segment from `a` along the unit vector `e`, `length` long, the ends
+/// not counted (they are points, for touch_point).
+[[nodiscard]] std::optional<double> touch_edge(const Parabola& path, const Vec3& a, const Vec3& e, double length,
+                                               double radius, double t_max);
+
+/// When the parabola comes within `radius` of the point `q`.
+[[nodiscard]] std::optional<double> touch_point(const Parabola& path, const Vec3& q, double radius, double t_max);
+
+}  // namespace talus

@@ -1,0 +1,37 @@
+#pragma once
+// Impact of a lumped mass with rotation, in the form of the Colorado Rockfall Simulation Program.
+//
+// Source: verification manual, section 2.3; Pfeiffer and Bowen, "Computer simulation of rockfalls", Bulletin of the
+// Association of Engineering Geologists 26 (1989). Symbols:
+//   vn, v1, v2   velocity along n, t1, t2 [m/s]     w1, w2   spin about t1, t2 [rad/s]
+//   r, m, I      radius, mass, inertia              Rn, Rt   restitution
+//
+//   SF   = Rt / ((vn / (f2 Rn))^2 + 1)                                            scaling factor
+//   f(F) = Rt + (1 - Rt) / (((v1 - w2 r)/f1)^2 + ((v2 + w1 r)/f1)^2 + 1.2)         friction function
+//   vn'  = -Rn vn
+//   v1'  = sign(v1) sqrt(r^2 (I w2^2 + m v1^2) f(F) SF / (I + m r^2)),  w2' =  v1'/r
+//   v2'  = sign(v2) sqrt(r^2 (I w1^2 + m v2^2) f(F) SF / (I + m r^2)),  w1' = -v2'/r
+//
+// The manual prints vn^2/(f2 Rn) in SF; its own number 0.65422 needs the square over the whole quotient.
+// The tangent frame is one in which a spinning rock has w1 = 0 (t2 along the tangential spin, t1 = t2 x n); a rock that
+// does not spin has t1 along its tangential velocity. The manual does not say so; its table 2-4 needs it.
+// With Rn = 0 the scaling factor is 0: the rock keeps no tangential speed.
+// Left out: nothing of the published law. Tested against tables 2-4 and 2-5.
+
+#include "talus/impact/restitution.hpp"
+
+namespace talus {
+
+inline constexpr double crsp_f1 = 6.096;  // [m/s], 20 ft/s
+inline constexpr double crsp_f2 = 76.2;   // [m/s], 250 ft/s
+
+/// CRSP's scaling factor for the normal speed of the impact.
+[[nodiscard]] double crsp_scaling_factor(double vn, Restitution restitution);
+/// CRSP's friction function for the slip speed at the contact point.
+[[nodiscard]] double crsp_friction_function(double slip_speed, double rt);
+
+/// `n` is the surface's unit normal out of the ground.
+[[nodiscard]] Rebound crsp_rebound(const Vec3& velocity, const Vec3& spin, const Vec3& n, const Rock& rock,
+                                   Restitution restitution);
+
+}  // namespace talus

@@ -1,0 +1,38 @@
+#pragma once
+// What a rebound law is given and what it returns; and the scalings of the normal restitution.
+
+#include <optional>
+
+#include "talus/core/vec.hpp"
+#include "talus/rocks/rock.hpp"
+
+namespace talus {
+
+/// Coefficients of restitution at one impact, each in [0, 1].
+struct Restitution {
+  double normal = 0;
+  double tangential = 0;
+};
+
+/// How the rock leaves an impact.
+struct Rebound {
+  Vec3 velocity;  // [m/s]
+  Vec3 spin;      // [rad/s]
+};
+
+/// Rn falls with the impact's speed and the rock's mass; both are off unless their scale is given.
+///  - by velocity: Rn / (1 + (|vn| / scale)^2); Pfeiffer and Bowen 1989, scale 9.144 m/s (30 ft/s);
+///  - by mass: Rn / (1 + (m / scale)^2), the same form in the rock's mass, as RocFall offers it.
+struct RestitutionScaling {
+  std::optional<double> normal_speed;  // [m/s]
+  std::optional<double> mass;          // [kg]
+
+  [[nodiscard]] double scaled(double rn, double vn, double rock_mass) const {
+    const auto fading = [](double x) { return 1 / (1 + x * x); };
+    if (normal_speed) rn *= fading(vn / *normal_speed);
+    if (mass) rn *= fading(rock_mass / *mass);
+    return rn;
+  }
+};
+
+}  // namespace talus

@@ -1,0 +1,29 @@
+#pragma once
+// Slope roughness: the ground that a rock meets is tilted against the facet by a random angle.
+// Source: verification manual, materials' "slope roughness" (an angle's standard deviation); for the rigid sphere also
+// as spacing and amplitude: two neighbouring points of the ground, `spacing` apart, stand off the facet by independent
+// normal amounts, so that the local angle is atan((a2 - a1) / spacing).
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "talus/core/vec.hpp"
+
+namespace talus {
+
+/// The normal `n`, tilted by `ahead` against the heading (positive: the ground rises against the rock) and by `aside`
+/// about it [rad]. `heading` is a tangential unit vector; angles stay within a quarter turn of upright.
+[[nodiscard]] inline Vec3 tilted_normal(const Vec3& n, const Vec3& heading, double ahead, double aside) {
+  static constexpr double most = std::numbers::pi / 2 * 0.95;
+  const auto slope = [](double angle) { return std::tan(std::clamp(angle, -most, most)); };
+  return (n - slope(ahead) * heading + slope(aside) * n.cross(heading)).normalized();
+}
+
+/// A rebound from tilted ground may not lead into the facet itself: what would enter it is taken away.
+[[nodiscard]] inline Vec3 kept_outside(const Vec3& velocity, const Vec3& n) {
+  const double vn = velocity.dot(n);
+  return vn < 0 ? Vec3(velocity - vn * n) : velocity;
+}
+
+}  // namespace talus

@@ -1,0 +1,124 @@
+#include "talus/io/csv_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "talus/core/problems.hpp"
+
+namespace talus::io {
+namespace {
+
+// What a complaint quotes of a row: enough to find it, not a whole file that has lost its line ends.
+std::string excerpt(std::string_view text) {
+  constexpr std::size_t most = 40;
+  return text.size() <= most ? fmt::format("\"{}\"", text) : fmt::format("\"{}...\"", text.substr(0, most));
+}
+
+constexpr auto cut_short = "The file was cut short or damaged; run the project again to get it whole";
+
+}  // namespace
+
+CsvReader::CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns)
+    : file_(file.string()), columns_(columns), buffer_(std::size_t{1} << 20) {
+  stream_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  stream_.open(file, std::ios::binary);
+  if (!stream_) refuse("", "cannot be opened", "it must be a readable file");
+  fields_.reserve(columns.size() + 1);
+  if (!read_record()) refuse("", "the file is empty", "its first line must name the columns", cut_short);
+  split();
+  if (!std::ranges::equal(fields_, columns_)) {
+    refuse("", fmt::format("the columns are {}", excerpt(record_)),
+           fmt::format("expected \"{}\"", fmt::join(columns_, ",")));
+  }
+}
+
+bool CsvReader::read_record() {
+  record_.clear();
+  line_ = lines_read_ + 1;
+  std::string part;
+  for (bool open_quote = false;;) {  // a quoted value may hold a line end: go on while a quote is open
+    if (!std::getline(stream_, open_quote ? part : record_)) {
+      if (stream_.bad()) refuse("", "cannot be read", "the system reports a read error");
+      if (!open_quote) return false;
+      refuse("", "a quoted value has no end", "the file ends inside it", cut_short);
+    }
+    ++lines_read_;
+    if (stream_.eof()) refuse("", "the last line has no line end", "every row ends with one", cut_short);
+    if (open_quote) record_ += '\n' + part;
+    open_quote = std::ranges::count(record_, '"') % 2 != 0;
+    if (!open_quote) break;
+  }
+  if (record_.ends_with('\r')) record_.pop_back();
+  return true;
+}
+
+void CsvReader::split() {
+  fields_.clear();
+  unquoted_.clear();
+  unquoted_.reserve(record_.size());  // so that views into it stay valid while it grows
+  const std::string_view row = record_;
+  for (std::size_t at = 0;;) {
+    if (at < row.size() && row[at] == '"') {
+      const std::size_t start = unquoted_.size();
+      for (++at; at < row.size(); ++at) {
+        if (row[at] == '"' && (at + 1 == row.size() || row[++at] != '"')) break;
+        unquoted_ += row[at];
+      }
+      fields_.push_back(std::string_view(unquoted_).substr(start));
+      at = std::min(row.find(',', at), row.size());
+    } else {
+      const std::size_t end = std::min(row.find(',', at), row.size());
+      fields_.push_back(row.substr(at, end - at));
+      at = end;
+    }
+    if (at == row.size()) return;
+    ++at;
+  }
+}
+
+bool CsvReader::next() {
+  if (!read_record()) return false;
+  split();
+  if (fields_.size() != columns_.size()) {
+    refuse("", fmt::format("the row has {} values", fields_.size()),
+           fmt::format("expected {}, one for each column", columns_.size()), cut_short);
+  }
+  return true;
+}
+
+double CsvReader::number(std::size_t column) const {
+  const std::string_view field = fields_[column];
+  double value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
+    refuse(std::string(columns_[column]), fmt::format("{} is not a number", excerpt(field)),
+           "expected a finite number");
+  }
+  return value;
+}
+
+std::int64_t CsvReader::whole_number(std::size_t column) const {
+  const std::string_view field = fields_[column];
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc{} || end != field.data() + field.size() || value < 0) {
+    refuse(std::string(columns_[column]), fmt::format("{} is not a count", excerpt(field)),
+           "expected a whole number, 0 or more");
+  }
+  return value;
+}
+
+void CsvReader::refuse(std::string where, std::string what, std::string why, std::string hint) const {
+  throw BadInput({.file = file_,
+                  .line = line_,
+                  .where = std::move(where),
+                  .what = std::move(what),
+                  .why = std::move(why),
+                  .hint = std::move(hint)});
+}
+
+}  // namespace talus::io

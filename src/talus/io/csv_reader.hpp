@@ -1,0 +1,47 @@
+#pragma once
+// Reads one of our own comma-separated files row by row, in constant memory, and refuses what it does not understand
+// with file and line. Quoting as in RFC 4180, since names of seeders and barriers are the user's.
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace talus::io {
+
+class CsvReader {
+ public:
+  /// Expects exactly these columns in the file's first line; throws BadInput otherwise.
+  CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns);
+
+  /// Goes to the next row; false after the last. Throws BadInput on a row with too few or too many values, and on a
+  /// last line without an end, the mark of a file that was cut short.
+  [[nodiscard]] bool next();
+
+  // The values of the current row, by column. Views hold until the next call of next().
+  [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
+  [[nodiscard]] double number(std::size_t column) const;              // finite
+  [[nodiscard]] std::int64_t whole_number(std::size_t column) const;  // not negative
+
+  /// Throws BadInput about the current row.
+  [[noreturn]] void refuse(std::string where, std::string what, std::string why, std::string hint = {}) const;
+
+ private:
+  [[nodiscard]] bool read_record();
+  void split();
+
+  std::string file_;
+  std::span<const std::string_view> columns_;
+  std::vector<char> buffer_;
+  std::ifstream stream_;
+  std::string record_;    // the current row as it stands in the file
+  std::string unquoted_;  // text of its quoted values; fields_ may point into it
+  std::vector<std::string_view> fields_;
+  int line_ = 0;  // of the current row's first line
+  int lines_read_ = 0;
+};
+
+}  // namespace talus::io

@@ -1,0 +1,225 @@
+#include "talus/io/report.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "talus/core/problems.hpp"
+#include "talus/io/report/assets.hpp"
+
+namespace talus::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_loss_points = 3'000;  // dots of single impacts; more would hide each other
+
+// A tenth of a millimetre, a tenth of a millimetre per second, a tenth of a joule: finer than any screen or printer
+// shows, and half the page's size.
+double drawn(double value) {
+  const double rounded = std::round(value * 1e4) / 1e4;
+  return std::isfinite(rounded) ? rounded : value;
+}
+double drawn_J(double value) { return std::round(value * 10) / 10; }
+
+Json endpoints_of(const RunFolder& run) {
+  auto rows = Json::array();
+  for (const EndPoint& end : run.endpoints.items) {
+    rows.push_back({end.rock, end.seeder, drawn(end.position_m[0]), drawn(end.position_m[1]), drawn(end.position_m[2]),
+                    drawn(end.runout_xy_m), drawn(end.runout_total_m), drawn(end.time_s), end.end_reason,
+                    drawn_J(end.max_ke_J), drawn(end.max_bounce_m)});
+  }
+  return {
+      {"has_file", run.endpoints.has_file},
+      {"total", run.endpoints.total},
+      {"columns",
+       {"rock", "seeder", "x", "y", "z", "runout_xy", "runout_total", "time", "end_reason", "max_ke", "max_bounce"}},
+      {"rows", std::move(rows)}};
+}
+
+Json paths_of(const RunFolder& run) {
+  auto rocks = Json::array();
+  for (const Path& path : run.paths.items) {
+    auto rows = Json::array();
+    for (const PathRow& row : path.rows) {
+      const auto& [x, y, z] = row.position_m;
+      const auto& [vx, vy, vz] = row.velocity_m_s;
+      rows.push_back({name(row.state), drawn(row.time_s), drawn(x), drawn(y), drawn(z), drawn(vx), drawn(vy), drawn(vz),
+                      drawn_J(row.ke_translational_J), drawn_J(row.ke_rotational_J), drawn_J(row.pe_J)});
+    }
+    rocks.push_back({{"rock", path.rock}, {"rows", std::move(rows)}});
+  }
+  return {{"has_file", run.paths.has_file},
+          {"total", run.paths.total},
+          {"columns", {"state", "time", "x", "y", "z", "vx", "vy", "vz", "ke_translational", "ke_rotational", "pe"}},
+          {"rocks", std::move(rocks)}};
+}
+
+Json hits_of(const RunFolder& run) {
+  auto rows = Json::array();
+  for (const BarrierHit& hit : run.hits.items) {
+    rows.push_back({hit.barrier, hit.rock, drawn(hit.time_s), drawn(hit.position_m[0]), drawn(hit.position_m[1]),
+                    drawn(hit.position_m[2]), drawn(hit.impact_height_m), drawn(hit.angle_deg),
+                    drawn_J(hit.ke_translational_J), drawn_J(hit.ke_total_J), hit.outcome});
+  }
+  return {{"has_file", run.hits.has_file},
+          {"total", run.hits.total},
+          {"columns",
+           {"barrier", "rock", "time", "x", "y", "z", "height", "angle", "ke_translational", "ke_total", "outcome"}},
+          {"rows", std::move(rows)}};
+}
+
+// Energy lost at each impact on the ground of the paths shown: total energy on arrival less total energy on leaving.
+Json losses_of(const RunFolder& run) {
+  struct Loss {
+    std::uint64_t rock, impact;
+    double x_m, lost_J, arrived_with_kinetic_J;
+  };
+  std::vector<Loss> losses;
+  for (const Path& path : run.paths.items) {
+    std::uint64_t impact = 0;
+    for (std::size_t i = 0; i + 1 < path.rows.size(); ++i) {
+      const PathRow& row = path.rows[i];
+      if (row.state != PathState::impact) continue;
+      losses.push_back({path.rock, ++impact, row.position_m[0], row.total_J() - path.rows[i + 1].total_J(),
+                        row.ke_translational_J + row.ke_rotational_J});
+    }
+  }
+  const std::size_t step = losses.size() / most_loss_points + 1;
+  auto rows = Json::array();
+  for (std::size_t i = 0; i < losses.size(); i += step) {
+    const Loss& loss = losses[i];
+    rows.push_back(
+        {loss.rock, loss.impact, drawn(loss.x_m), drawn_J(loss.lost_J), drawn_J(loss.arrived_with_kinetic_J)});
+  }
+  auto by_number = Json::array();
+  for (const ImpactLoss& loss : run.impact_losses) {
+    by_number.push_back({by_number.size() + 1, loss.count, drawn_J(loss.sum_J / static_cast<double>(loss.count)),
+                         drawn_J(loss.least_J), drawn_J(loss.most_J)});
+  }
+  return {{"of_shown_paths", losses.size()},
+          {"columns", {"rock", "impact", "x", "lost", "kinetic_before"}},
+          {"rows", std::move(rows)},
+          {"by_number_columns", {"impact", "rocks", "mean", "least", "most"}},
+          {"by_number", std::move(by_number)}};
+}
+
+Json data_of(const RunFolder& run) {
+  const auto whole = std::filesystem::absolute(run.folder).lexically_normal();
+  const auto last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+  return {{"folder", last.string()},        {"date", run.date},       {"summary", run.summary},
+          {"endpoints", endpoints_of(run)}, {"paths", paths_of(run)}, {"hits", hits_of(run)},
+          {"losses", losses_of(run)},       {"notes", run.notes}};
+}
+
+std::string escaped(std::string_view text) {
+  static const std::map<char, std::string_view> entities{
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
+  std::string out;
+  for (const char c : text) {
+    if (const auto found = entities.find(c); found != entities.end()) {
+      out += found->second;
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+// JSON that can stand inside a script element: no name in it can end the element or open a comment.
+std::string json_for_script(const Json& value) {
+  std::string out;
+  for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      out += "\\u003c";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+// Fills the template's places in one pass, so that what is put in is never taken for a place.
+std::string filled(std::string_view page, const std::map<std::string_view, std::string_view>& values) {
+  std::string out;
+  for (std::size_t at = 0;;) {
+    const std::size_t open = page.find("{{", at);
+    if (open == std::string_view::npos) return out.append(page.substr(at));
+    const std::size_t close = page.find("}}", open);
+    out.append(page.substr(at, open - at)).append(values.at(page.substr(open + 2, close - open - 2)));
+    at = close + 2;
+  }
+}
+
+std::string title_of(std::span<const RunFolder> runs) {
+  std::string title;
+  for (const RunFolder& run : runs) {
+    const std::string name = run.summary.value("name", run.folder.filename().string());
+    title += (title.empty() ? "" : " and ") + name;
+  }
+  return title;
+}
+
+[[noreturn]] void refuse_to_write(const std::filesystem::path& html, const std::string& why) {
+  throw BadInput(Problem{.file = html.string(), .where = "", .what = "cannot be written", .why = why, .hint = ""});
+}
+
+}  // namespace
+
+std::string report_page(std::span<const RunFolder> runs) {
+  Json data{{"version", TALUS_VERSION}, {"runs", Json::array()}};
+  for (const RunFolder& run : runs) data["runs"].push_back(data_of(run));
+  const std::string title = escaped(title_of(runs)), json = json_for_script(data);
+  return filled(
+      assets::page,
+      {{"title", title}, {"style", assets::style}, {"d3", assets::d3}, {"data", json}, {"script", assets::script}});
+}
+
+void write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html) {
+  if (run_folders.empty() || run_folders.size() > 2) {
+    throw BadInput(Problem{.file = "",
+                           .where = "report",
+                           .what = "given " + std::to_string(run_folders.size()) + " run folders",
+                           .why = "a report is of one run, or of two laid over each other",
+                           .hint = ""});
+  }
+  std::vector<RunFolder> runs;
+  Problems problems;
+  for (const std::filesystem::path& folder : run_folders) {
+    try {
+      runs.push_back(read_run_folder(folder));
+    } catch (const BadInput& bad) {
+      problems.append(bad.problems());
+    }
+  }
+  if (problems.has_errors()) throw BadInput(std::move(problems));
+  const std::string page = report_page(runs);
+
+  std::filesystem::path part = html;
+  part += ".part";
+  errno = 0;
+  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+  stream.write(page.data(), static_cast<std::streamsize>(page.size()));
+  stream.close();
+  std::error_code failed;
+  if (!stream) {
+    const std::string why = std::strerror(errno);
+    std::filesystem::remove(part, failed);
+    refuse_to_write(html, why);
+  }
+  std::filesystem::rename(part, html, failed);
+  if (failed) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    refuse_to_write(html, failed.message());
+  }
+}
+
+}  // namespace talus::io

@@ -1,0 +1,13 @@
+#pragma once
+// The fixed parts of the report's page, put into the library when it is built (cmake/embed.cmake).
+
+#include <string_view>
+
+namespace talus::io::assets {
+
+extern const std::string_view page;    // page.html, with places like {{title}}
+extern const std::string_view style;   // style.css
+extern const std::string_view script;  // the .js files beside this one, in the order of cmake/embed.cmake
+extern const std::string_view d3;      // the drawing library D3 (d3js.org; ISC and BSD licences)
+
+}  // namespace talus::io::assets

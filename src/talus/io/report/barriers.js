@@ -1,0 +1,57 @@
+// Each barrier and collector: what reached it, how hard, how high.
+
+function hitFigure(parent, name) {
+  const shown = runs.map((run) => ({run, hits: run.hits.filter((hit) => hit.barrier === name)})).filter((s) => s.hits.length);
+  if (!shown.length) return;
+  const all = shown.flatMap((s) => s.hits.map((hit) => ({...hit, run: s.run})));
+  const reached = (run) => (run.barriers.find((b) => b.name === name) || {}).hits;
+  figure(parent, {
+    title: 'Impact height and energy', label: `Impact height against translational energy at ${name}`,
+    caption: shown.map((s) => `${single ? '' : s.run.label + ': '}${number(s.hits.length)} of ${number(isNumber(reached(s.run)) ? reached(s.run) : s.hits.length)} hits`).join('; ') + '.',
+    draw(svg, width) {
+      const side = {left: 72, right: width - 14, top: 12, bottom: 262};
+      const walls = runs.flatMap((run) => barriersOf(run).filter((b) => b.name === name && isNumber(b.height_m)));
+      const top = d3.max(walls, (b) => b.height_m);
+      const toX = d3.scaleLinear().domain(extentOf([0, ...all.map((h) => h.ke_translational / 1000)])).range([side.left, side.right]);
+      const toY = d3.scaleLinear().domain(extentOf([0, ...(top ? [top] : []), ...all.map((h) => h.height)], 0.05)).range([side.bottom, side.top]);
+      axes(svg, toX, toY, side, {xLabel: 'Translational kinetic energy [kJ]', yLabel: 'Impact height [m]'});
+      for (const height of new Set(walls.map((b) => b.height_m))) {
+        svg.append('line').attr('class', 'barrier').style('stroke-width', 1.5).attr('x1', side.left).attr('x2', side.right).attr('y1', toY(height)).attr('y2', toY(height));
+        svg.append('text').attr('class', 'barrier-name halo').attr('x', side.left + 6).attr('y', toY(height) + 14).text(`top, ${number(height)} m`);
+      }
+      tip(svg.append('g').selectAll('circle').data(all).enter().append('circle').attr('class', 'dot').attr('r', 3.4).style('--run', (h) => h.run.colour)
+        .attr('cx', (h) => toX(h.ke_translational / 1000)).attr('cy', (h) => toY(h.height)),
+      (h) => `Rock ${h.rock}: ${h.outcome}` + (single ? '' : ` · ${h.run.label}`) +
+        `\nheight ${metres(h.height)}, angle ${number(h.angle, 4)}°\ntranslational ${number(kJ(h.ke_translational), 5)} kJ, total ${number(kJ(h.ke_total), 5)} kJ\nat x ${metres(h.x)}, y ${metres(h.y)}, z ${metres(h.z)}`);
+      return single ? side.bottom + 44 : legend(svg, shown.map((s) => ({text: s.run.label, draw: sign.circle('dot', s.run.colour)})), side.left, side.bottom + 56, side.right) + 12;
+    },
+    rows: () => [['run', 'rock', 'impact_height_m', 'angle_deg', 'ke_translational_kJ', 'ke_total_kJ', 'outcome'],
+      ...all.map((h) => [h.run.label, h.rock, h.height, h.angle, h.ke_translational / 1000, h.ke_total / 1000, h.outcome])],
+  });
+}
+
+function barrierSections(parent) {
+  const names = [...new Set(runs.flatMap((run) => run.barriers.map((b) => b.name)))];
+  for (const name of names) {
+    const of = (run) => run.barriers.find((b) => b.name === name) || {};
+    const kind = runs.map((run) => of(run).kind).find((k) => k) || 'barrier';
+    element(parent, 'h3', `${kind.charAt(0).toUpperCase()}${kind.slice(1)}: ${name}`);
+    const outcomes = [...new Set(runs.flatMap((run) => Object.keys(of(run).outcomes || {})))];
+    const rows = [
+      ['Hits', ...runs.map((run) => number(of(run).hits))],
+      ...outcomes.map((word) => [`– ${word}`, ...runs.map((run) => number((of(run).outcomes || {})[word]))]),
+      ['Passed above', ...runs.map((run) => number(of(run).passed_above))],
+      ['Least clearance above [m]', ...runs.map((run) => number(of(run).least_clearance_m))],
+    ];
+    table(parent, {head: [['', ...(single ? ['Rocks'] : runs.map((run) => ({text: run.label, run})))]], rows, numeric: (column) => column > 0});
+    const box = element(parent, 'div', null, {class: 'columns'});
+    histogramFigure(box, {title: 'Translational energy at impact', quantity: 'Translational kinetic energy', unit: 'kJ', per: 1000, thing: 'hits', of: (run) => (of(run).histograms || {}).ke_translational_J});
+    histogramFigure(box, {title: 'Impact height', quantity: 'Impact height', unit: 'm', thing: 'hits', of: (run) => (of(run).histograms || {}).impact_height_m});
+    hitFigure(box, name);
+    statisticsTable(single ? element(box, 'div') : parent, runs, [
+      {text: 'Energy', unit: 'kJ', per: 1000, of: (run) => (of(run).statistics || {}).ke_translational_J},
+      {text: 'Height', unit: 'm', of: (run) => (of(run).statistics || {}).impact_height_m},
+      {text: 'Velocity', unit: 'm/s', of: (run) => (of(run).statistics || {}).velocity_m_s},
+    ], 'Descriptive statistics of the hits');
+  }
+}

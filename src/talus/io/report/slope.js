@@ -1,0 +1,424 @@
+// The slope with its rocks: a section for any run, and a plan where the terrain is one of three dimensions.
+
+// ---- the rock that is shown in red, one for each run
+
+const choice = {rocks: runs.map((run) => run.rocks[0] || null), listeners: []};
+
+function choose(rock) {
+  choice.rocks[rock.run] = rock;
+  choice.listeners.forEach((listener) => listener());
+}
+
+// A frame whose axes have the same scale: as large as the width and `tallest` allow, no wider than what it shows, so that
+// the legend has room beside it.
+function equalFrame(width, left, du, dz, tallest) {
+  const scale = Math.min((width - left - 14) / du, tallest / dz);
+  const room = Math.max(du * scale, Math.min(420, width - left - 14)), height = Math.max(dz * scale, 110);
+  const side = {left, top: 12, right: left + room, bottom: 12 + height};
+  const beside = width - side.right > 190;
+  const lastLine = (svg, entries) => {
+    if (!beside) return legend(svg, entries, side.left, side.bottom + 58, side.right) + 14;
+    entries.forEach((entry, i) => legend(svg, [entry], side.right + 26, side.top + 12 + 23 * i));
+    return Math.max(side.bottom + 46, side.top + 23 * entries.length + 12);
+  };
+  return {side, room, height, scale, legend: lastLine};
+}
+
+// ---- the section's horizontal axis: x where a run is two-dimensional, else the mean direction of travel
+
+const travel = (() => {
+  const starts = [], ends = [];
+  for (const rock of runs.flatMap((run) => run.rocks)) {
+    starts.push(rock.rows[0]);
+    ends.push(rock.rows[rock.rows.length - 1]);
+  }
+  if (runs.some((run) => run.isSection) || !starts.length) {
+    return {along: (x) => x, label: 'x [m]', origin: {x: 0, y: 0}, direction: [1, 0], isX: true};
+  }
+  const origin = {x: d3.mean(starts, (p) => p.x), y: d3.mean(starts, (p) => p.y)};
+  const dx = d3.mean(ends, (p) => p.x) - origin.x, dy = d3.mean(ends, (p) => p.y) - origin.y;
+  const length = Math.hypot(dx, dy);
+  const direction = length > 0 ? [dx / length, dy / length] : [1, 0];
+  const bearing = (Math.atan2(direction[0], direction[1]) * 180 / Math.PI + 360) % 360;
+  return {
+    along: (x, y) => (x - origin.x) * direction[0] + (y - origin.y) * direction[1],
+    label: `Distance along the mean direction of travel, ${bearing.toFixed(0).padStart(3, '0')}° from the y axis clockwise [m]`,
+    origin, direction, isX: false,
+  };
+})();
+
+// A path between rows of paths.csv: in flight a parabola, which is a quadratic Bézier curve whose middle point lies
+// half the flight's time along the tangent of departure; else a straight line.
+function pathText(rock, toX, toY, horizontal, horizontalSpeed) {
+  let text = '';
+  rock.rows.forEach((row, i) => {
+    const to = `${toX(horizontal(row)).toFixed(2)},${toY(row.z).toFixed(2)}`;
+    if (i === 0) {
+      text = 'M' + to;
+      return;
+    }
+    const from = rock.rows[i - 1];
+    const half = (row.time - from.time) / 2;
+    if (from.state === 'projectile' && half > 0) {
+      text += `Q${toX(horizontal(from) + horizontalSpeed(from) * half).toFixed(2)},${toY(from.z + from.vz * half).toFixed(2)} ${to}`;
+    } else {
+      text += 'L' + to;
+    }
+  });
+  return text;
+}
+
+const gravityOf = (run) => (run.project.analysis || {}).gravity_m_s2 || 9.80665;
+
+function heightsOf(rock) {
+  const g = gravityOf(runs[rock.run]);
+  return rock.rows.flatMap((row) => row.state === 'projectile' && row.vz > 0 ? [row.z, row.z + row.vz ** 2 / (2 * g)] : [row.z]);
+}
+
+function rockText(rock) {
+  const run = runs[rock.run];
+  const last = rock.rows[rock.rows.length - 1];
+  const end = run.endpoints.find((e) => e.rock === rock.rock);
+  const lines = [`Rock ${rock.rock}` + (single ? '' : ` · ${run.label}`)];
+  if (end) lines.push(`${end.end_reason} after ${number(last.time, 4)} s`);
+  lines.push(`end: x ${metres(last.x)}` + (run.isSection ? '' : `, y ${metres(last.y)}`) + `, z ${metres(last.z)}`);
+  if (end) lines.push(`runout ${metres(end.runout_xy)}, greatest kinetic energy ${number(kJ(end.max_ke), 4)} kJ`);
+  return lines.join('\n');
+}
+
+const endText = (run) => (end) => [`End of rock ${end.rock}` + (single ? '' : ` · ${run.label}`), end.end_reason,
+  `x ${metres(end.x)}` + (run.isSection ? '' : `, y ${metres(end.y)}`) + `, z ${metres(end.z)}`,
+  `runout ${metres(end.runout_xy)}, time ${number(end.time, 4)} s`,
+  `greatest kinetic energy ${number(kJ(end.max_ke), 4)} kJ`].join('\n');
+
+// Paths and end points into a group; `textOf` gives a rock's path.
+function drawRocks(group, textOf, toX, toY, endX, endY) {
+  for (const run of runs) {
+    const opacity = Math.min(0.85, Math.max(0.16, 5 / Math.sqrt(run.rocks.length || 1)));
+    tip(group.append('g').style('--run', run.colour).selectAll('path').data(run.rocks).enter().append('path')
+      .attr('class', 'path').attr('stroke-opacity', opacity).attr('d', textOf).on('click', choose), rockText);
+  }
+  for (const rock of choice.rocks.filter((r) => r)) {
+    tip(group.append('path').datum(rock).attr('class', rock.run ? 'path chosen second' : 'path chosen').attr('d', textOf(rock)), rockText);
+  }
+  for (const run of runs) {
+    tip(group.append('g').style('--run', run.colour).selectAll('circle').data(run.endpoints).enter().append('circle')
+      .attr('class', 'end').attr('r', run.endpoints.length > 600 ? 1.8 : 2.8)
+      .attr('cx', (e) => toX(endX(e))).attr('cy', (e) => toY(endY(e))), endText(run));
+  }
+  const starts = runs.flatMap((run) => run.rocks.map((rock) => rock.rows[0]));
+  const seen = new Set();
+  for (const start of starts) {
+    const at = [toX(endX(start)).toFixed(0), toY(endY(start)).toFixed(0)].join();
+    if (seen.has(at)) continue;
+    seen.add(at);
+    group.append('circle').attr('class', 'release').attr('r', 3.2).attr('cx', toX(endX(start))).attr('cy', toY(endY(start)));
+  }
+}
+
+// What the CSV buttons of section and plan save: the rows of the paths that are shown.
+function shownRows() {
+  const names = {rock: 'rock', state: 'state', time: 'time_s', x: 'x_m', y: 'y_m', z: 'z_m', vx: 'vx_m_s', vy: 'vy_m_s', vz: 'vz_m_s'};
+  const keys = Object.keys(names);
+  return [['run', ...Object.values(names)], ...runs.flatMap((run) => run.rocks.flatMap((rock) =>
+    rock.rows.map((row) => [run.label, ...keys.map((key) => key === 'rock' ? rock.rock : row[key])])))];
+}
+
+function shownText() {
+  const parts = runs.map((run) => {
+    const mark = single ? '' : `${run.label}: `;
+    const planned = run.summary.rocks && run.summary.rocks.done;
+    const all = isNumber(planned) ? planned : run.rocksWithPaths;
+    const ends = run.endpointTotal > run.endpoints.length ? `, end points of ${number(run.endpoints.length)}` : '';
+    return `${mark}showing ${number(run.rocks.length)} of ${count(all, 'rock')}${ends}`;
+  });
+  return startOfSentence(parts.join('; ')) + '. ';
+}
+
+// ---- the ground in section
+
+const materialColour = (run, name) => {
+  const index = materialsOf(run).findIndex((m) => m.name === name);
+  return index < 0 ? null : `var(--m${index % 6})`;
+};
+
+function interpolated(points, u) {
+  let best = null;
+  for (let i = 0; i + 1 < points.length; ++i) {
+    const [a, b] = [points[i], points[i + 1]];
+    if (u < Math.min(a[0], b[0]) || u > Math.max(a[0], b[0])) continue;
+    const z = a[0] === b[0] ? Math.max(a[1], b[1]) : a[1] + (b[1] - a[1]) * (u - a[0]) / (b[0] - a[0]);
+    best = best === null ? z : Math.max(best, z);
+  }
+  return best;
+}
+
+function reliefHeight(relief, x, y) {
+  const i = (x - relief.x0) / relief.cell_m, j = (y - relief.y0) / relief.cell_m;
+  const i0 = Math.min(Math.floor(i), relief.columns - 2), j0 = Math.min(Math.floor(j), relief.rows - 2);
+  if (i < -1e-6 || j < -1e-6 || i > relief.columns - 1 + 1e-6 || j > relief.rows - 1 + 1e-6 || i0 < 0 || j0 < 0) return null;
+  const at = (a, b) => relief.z_m[b * relief.columns + a];
+  const corners = [at(i0, j0), at(i0 + 1, j0), at(i0, j0 + 1), at(i0 + 1, j0 + 1)];
+  if (corners.some((z) => !isNumber(z))) return null;
+  const s = i - i0, t = j - j0;
+  return (corners[0] * (1 - s) + corners[1] * s) * (1 - t) + (corners[2] * (1 - s) + corners[3] * s) * t;
+}
+
+// The terrain along the section's line through the mean release point, as far as the relief reaches.
+function reliefProfile(relief, low, high) {
+  const points = [];
+  const steps = 600;
+  for (let k = 0; k <= steps; ++k) {
+    const u = low + (high - low) * k / steps;
+    const x = travel.isX ? u : travel.origin.x + u * travel.direction[0];
+    const y = travel.isX ? relief.y0 + relief.cell_m * (relief.rows - 1) / 2 : travel.origin.y + u * travel.direction[1];
+    const z = reliefHeight(relief, x, y);
+    if (z !== null) points.push([u, z]);
+  }
+  return points;
+}
+
+// A barrier's line on plan as points; in two dimensions it may be a plain x.
+function barrierLine(barrier) {
+  const line = barrier.line;
+  if (isNumber(line)) return [[line, 0]];
+  if (!Array.isArray(line) || !line.length) return [];
+  return Array.isArray(line[0]) ? line : [[line[0], line[1] || 0]];
+}
+
+function sectionFigure(parent) {
+  const grounds = [];
+  const us = [], zs = [];
+  for (const run of runs) {
+    for (const rock of run.rocks) {
+      rock.rows.forEach((row) => us.push(travel.along(row.x, row.y)));
+      heightsOf(rock).forEach((z) => zs.push(z));
+    }
+    run.endpoints.forEach((e) => { us.push(travel.along(e.x, e.y)); zs.push(e.z); });
+    if (run.isSection && Array.isArray(run.terrain.section)) grounds.push({run, points: run.terrain.section, section: true});
+  }
+  const reach = extentOf(us, 0.12);
+  for (const run of runs) {
+    if (!run.isSection && run.terrain.relief && !grounds.some((g) => g.section)) grounds.push({run, points: reliefProfile(run.terrain.relief, ...reach), section: false});
+  }
+  for (const ground of grounds) ground.points.forEach(([u, z]) => { us.push(u); zs.push(z); });
+  if (!us.length) return element(parent, 'p', 'The run has neither a section nor paths to draw.', {class: 'quiet'});
+  const walls = runs.flatMap((run) => barriersOf(run).map((barrier) => {
+    const line = barrierLine(barrier);
+    if (!line.length || !isNumber(barrier.height_m)) return null;
+    const middle = line.length === 1 ? line[0] : [d3.mean(line, (p) => p[0]), d3.mean(line, (p) => p[1])];
+    if (line.length > 1) {  // drawn only where the section crosses it rather than runs along it
+      const last = line[line.length - 1];
+      const across = Math.hypot(last[0] - line[0][0], last[1] - line[0][1]);
+      const along = Math.abs((last[0] - line[0][0]) * travel.direction[0] + (last[1] - line[0][1]) * travel.direction[1]);
+      if (along > 0.7 * across) return null;
+    }
+    const u = travel.along(...middle);
+    const from = grounds.find((g) => g.run === run) || grounds[0];
+    const foot = from ? interpolated(from.points, u) : null;
+    if (foot === null) return null;
+    const lean = (barrier.inclination_deg || 0) * Math.PI / 180;
+    return {barrier, u, foot, top: [u - barrier.height_m * Math.sin(lean), foot + barrier.height_m * Math.cos(lean)]};
+  })).filter((wall, i, all) => wall && all.findIndex((w) => w && w.barrier.name === wall.barrier.name && w.u === wall.u) === i);
+  walls.forEach((wall) => zs.push(wall.top[1]));
+
+  const [u0, u1] = extentOf(us, 0.02), [z0, z1] = extentOf(zs, 0.06);
+  const agree = grounds.length === 2 && JSON.stringify(grounds[0].points) === JSON.stringify(grounds[1].points);
+  const made = figure(parent, {
+    title: 'Section with the paths of the rocks',
+    label: 'Section of the slope with the paths of the rocks as parabolas; both axes have the same scale',
+    caption: '',
+    width: drawing.wide,
+    rows: shownRows,
+    draw(svg, width) {
+      const frame = equalFrame(width, 72, u1 - u0, z1 - z0, 600);
+      const {side, room, height, scale} = frame;
+      const middleU = (u0 + u1) / 2, middleZ = (z0 + z1) / 2;
+      const toX = d3.scaleLinear().domain([middleU - room / scale / 2, middleU + room / scale / 2]).range([side.left, side.right]);
+      const toY = d3.scaleLinear().domain([middleZ - height / scale / 2, middleZ + height / scale / 2]).range([side.bottom, side.top]);
+      axes(svg, toX, toY, side, {xLabel: travel.label, yLabel: 'z [m]'});
+      svg.append('clipPath').attr('id', 'section-frame').append('rect').attr('x', side.left).attr('y', side.top).attr('width', room).attr('height', height);
+      const inside = svg.append('g').attr('clip-path', 'url(#section-frame)');
+      const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
+      const used = new Set();
+      grounds.forEach((ground, k) => {
+        if (!ground.points.length || (agree && k > 0)) return;
+        const first = ground.points[0], last = ground.points[ground.points.length - 1];
+        if (k === 0) inside.append('path').attr('class', 'ground').attr('d', `${line(ground.points)}L${toX(last[0])},${side.bottom}L${toX(first[0])},${side.bottom}Z`);
+        inside.append('path').attr('class', 'ground-line').attr('d', line(ground.points))
+          .style('stroke', grounds.length > 1 && !agree ? ground.run.colour : null);
+        const land = ground.run.project.ground || {};
+        if (!ground.section || (grounds.length > 1 && !agree) || !materialsOf(ground.run).length) return;
+        for (let i = 0; i + 1 < ground.points.length; ++i) {
+          const name = (Array.isArray(land.segments) && land.segments[i]) || land.default || land.default_material;
+          const colour = materialColour(ground.run, name);
+          if (!colour) continue;
+          used.add(name);
+          tip(inside.append('path').attr('class', 'ground-line').attr('d', line([ground.points[i], ground.points[i + 1]]))
+            .style('stroke', colour).style('stroke-width', 4), () => `Segment ${i + 1}: ${name}`);
+        }
+      });
+      const horizontal = (row) => travel.along(row.x, row.y);
+      const speed = (row) => row.vx * travel.direction[0] + row.vy * travel.direction[1];
+      drawRocks(inside, (rock) => pathText(rock, toX, toY, horizontal, speed), toX, toY, horizontal, (e) => e.z);
+      for (const wall of walls) {
+        inside.append('line').attr('class', 'barrier').attr('x1', toX(wall.u)).attr('y1', toY(wall.foot)).attr('x2', toX(wall.top[0])).attr('y2', toY(wall.top[1]));
+        inside.append('text').attr('class', 'barrier-name halo').attr('x', toX(wall.top[0]) + 7).attr('y', toY(wall.top[1]) + 2)
+          .text(`${wall.barrier.name}, ${number(wall.barrier.height_m)} m`);
+      }
+      return frame.legend(svg, [
+        ...runs.map((run) => ({text: single ? 'path' : run.label, draw: sign.line('path', run.colour)})),
+        {text: 'chosen rock', draw: sign.line('path chosen', 'var(--chosen)')},
+        {text: 'release', draw: sign.circle('release', '')},
+        ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
+        ...[...used].map((name) => ({text: name, draw: (g) => g.append('line').attr('class', 'ground-line').attr('x2', 22).style('stroke', materialColour(runs[0], name)).style('stroke-width', 4)})),
+      ]);
+    },
+  });
+  const notes = [shownText(), 'Both axes have the same scale; flights are true parabolas. Click a path to choose its rock.'];
+  if (grounds.some((g) => !g.section)) {
+    notes.push(travel.isX ? 'The ground is drawn along the middle of the terrain.' : 'The ground is drawn on a line through the mean release point; rocks beside that line may seem to fly above the ground or sink into it.');
+  }
+  if (!grounds.length) notes.push('The summary holds no ground to draw.');
+  made.caption.text(notes.join(' '));
+  choice.listeners.push(made.redraw);
+}
+
+// ---- the plan
+
+// Shaded relief as a picture, lit from the north-west at 45 degrees, one pixel a grid point.
+function hillshade(relief) {
+  const {columns, rows, cell_m, z_m} = relief;
+  const canvas = document.createElement('canvas');
+  canvas.width = columns;
+  canvas.height = rows;
+  const context = canvas.getContext('2d');
+  const image = context.createImageData(columns, rows);
+  const at = (i, j) => z_m[Math.min(Math.max(j, 0), rows - 1) * columns + Math.min(Math.max(i, 0), columns - 1)];
+  for (let j = 0; j < rows; ++j) {
+    for (let i = 0; i < columns; ++i) {
+      const z = at(i, j);
+      const pixel = 4 * ((rows - 1 - j) * columns + i);
+      if (!isNumber(z)) continue;
+      const near = (a, b) => isNumber(at(a, b)) ? at(a, b) : z;
+      const sx = (near(i + 1, j) - near(i - 1, j)) / (2 * cell_m), sy = (near(i, j + 1) - near(i, j - 1)) / (2 * cell_m);
+      const lit = (sx * 0.5 - sy * 0.5 + Math.SQRT1_2) / Math.hypot(sx, sy, 1);
+      const grey = Math.round(150 + 100 * Math.min(Math.max(lit, 0), 1));
+      image.data.set([grey, grey, Math.max(grey - 6, 0), 255], pixel);
+    }
+  }
+  context.putImageData(image, 0, 0);
+  return canvas.toDataURL('image/png');
+}
+
+// Lines of equal height as lists of points [x, y]; where the relief has a hole or ends there is no line.
+function contourLines(relief, levels) {
+  const {columns, rows, cell_m, x0, y0, z_m} = relief;
+  const low = levels[0] - (levels[1] - levels[0] || 1) * 1000;
+  const values = z_m.map((z) => isNumber(z) ? z : low);
+  const known = (i, j) => i >= 0 && j >= 0 && i < columns && j < rows && isNumber(z_m[j * columns + i]);
+  const inside = ([a, b]) => [Math.floor(a), Math.ceil(a)].every((i) => [Math.floor(b), Math.ceil(b)].every((j) => known(i, j)));
+  return d3.contours().size([columns, rows]).thresholds(levels)(values).map((shape) => {
+    const lines = [];
+    for (const ring of shape.coordinates.flat()) {
+      let line = [];
+      for (const [a, b] of ring) {
+        const point = [a - 0.5, b - 0.5];  // the library puts grid points at halves
+        if (inside(point)) {
+          line.push([x0 + point[0] * cell_m, y0 + point[1] * cell_m]);
+        } else if (line.length) {
+          lines.push(line);
+          line = [];
+        }
+      }
+      if (line.length) lines.push(line);
+    }
+    return {level: shape.value, lines: lines.filter((line) => line.length > 1)};
+  });
+}
+
+function planFigure(parent) {
+  const spatial = runs.filter((run) => !run.isSection);
+  if (!spatial.length) return;
+  const reliefRun = spatial.find((run) => run.terrain.relief);
+  const relief = reliefRun && reliefRun.terrain.relief;
+  const xs = [], ys = [];
+  for (const run of spatial) {
+    run.rocks.forEach((rock) => rock.rows.forEach((row) => { xs.push(row.x); ys.push(row.y); }));
+    run.endpoints.forEach((e) => { xs.push(e.x); ys.push(e.y); });
+    barriersOf(run).forEach((barrier) => barrierLine(barrier).forEach(([x, y]) => { xs.push(x); ys.push(y); }));
+    if (Array.isArray(run.terrain.bounds)) run.terrain.bounds.forEach(([x, y]) => { xs.push(x); ys.push(y); });
+  }
+  if (relief) {
+    xs.push(relief.x0, relief.x0 + (relief.columns - 1) * relief.cell_m);
+    ys.push(relief.y0, relief.y0 + (relief.rows - 1) * relief.cell_m);
+  }
+  if (!xs.length) return;
+  const [x0, x1] = extentOf(xs, 0.01), [y0, y1] = extentOf(ys, 0.01);
+  let contours = [], interval = 0;
+  if (relief) {
+    const [low, high] = d3.extent(relief.z_m.filter(isNumber));
+    const levels = high > low ? d3.ticks(low, high, 25) : [];
+    interval = levels.length > 1 ? levels[1] - levels[0] : 0;
+    if (interval) contours = contourLines(relief, levels);
+  }
+  const picture = relief ? hillshade(relief) : null;
+  const made = figure(parent, {
+    title: 'Plan with the paths of the rocks',
+    label: 'Plan of the terrain with contours, the paths of the rocks and where they ended',
+    caption: shownText() + (relief ? `Contours every ${number(interval)} m; relief lit from the upper left.` : 'The summary holds no relief to draw.') +
+      (spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and lies on y = 0.` : ''),
+    width: drawing.wide,
+    rows: shownRows,
+    draw(svg, width) {
+      const frame = equalFrame(width, 96, x1 - x0, y1 - y0, 660);
+      const {side, room, height, scale} = frame;
+      const middle = (x0 + x1) / 2, middleY = (y0 + y1) / 2;
+      const toX = d3.scaleLinear().domain([middle - room / scale / 2, middle + room / scale / 2]).range([side.left, side.right]);
+      const toY = d3.scaleLinear().domain([middleY - height / scale / 2, middleY + height / scale / 2]).range([side.bottom, side.top]);
+      axes(svg, toX, toY, side, {xLabel: 'x [m]', yLabel: 'y [m]'});
+      svg.append('clipPath').attr('id', 'plan-frame').append('rect').attr('x', side.left).attr('y', side.top).attr('width', room).attr('height', height);
+      const inside = svg.append('g').attr('clip-path', 'url(#plan-frame)');
+      if (relief) {
+        const half = relief.cell_m / 2;
+        inside.append('image').attr('href', picture).attr('preserveAspectRatio', 'none')
+          .attr('x', toX(relief.x0 - half)).attr('y', toY(relief.y0 + relief.cell_m * relief.rows - half))
+          .attr('width', relief.columns * relief.cell_m * scale).attr('height', relief.rows * relief.cell_m * scale);
+        const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
+        const named = [];  // where contours have their heights written, so that none is written over another
+        for (const {level, lines} of contours) {
+          const main = Math.round(level / interval) % 5 === 0;
+          tip(inside.append('path').attr('class', main ? 'contour main' : 'contour').attr('d', lines.map(line).join('')), () => `z = ${number(level)} m`);
+          const longest = lines.reduce((a, b) => b.length > a.length ? b : a, []);
+          if (!main || longest.length < 8) continue;
+          const place = longest[Math.floor(longest.length * 0.12)];
+          const at = [toX(place[0]), toY(place[1])];
+          if (named.some((other) => Math.hypot(other[0] - at[0], other[1] - at[1]) < 46)) continue;
+          named.push(at);
+          inside.append('text').attr('class', 'contour-name halo').attr('x', at[0]).attr('y', at[1] + 4).attr('text-anchor', 'middle').text(`${number(level)} m`);
+        }
+      }
+      const flat = (rock) => 'M' + rock.rows.map((row) => `${toX(row.x).toFixed(2)},${toY(row.y).toFixed(2)}`).join('L');
+      drawRocks(inside, flat, toX, toY, (e) => e.x, (e) => e.y);
+      for (const run of spatial) {
+        for (const barrier of barriersOf(run)) {
+          const line = barrierLine(barrier);
+          if (line.length < 2) continue;
+          inside.append('path').attr('class', 'barrier').attr('d', 'M' + line.map(([x, y]) => `${toX(x)},${toY(y)}`).join('L'));
+          const [x, y] = line[line.length - 1];
+          const atRight = toX(x) > (side.left + side.right) * 0.75;
+          inside.append('text').attr('class', 'barrier-name halo').attr('x', toX(x) + (atRight ? -8 : 8)).attr('y', Math.max(toY(y) + 4, side.top + 14))
+            .attr('text-anchor', atRight ? 'end' : 'start').text(barrier.name);
+        }
+      }
+      return frame.legend(svg, [
+        ...runs.map((run) => ({text: single ? 'path' : run.label, draw: sign.line('path', run.colour)})),
+        {text: 'chosen rock', draw: sign.line('path chosen', 'var(--chosen)')},
+        {text: 'release', draw: sign.circle('release', '')},
+        ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
+        ...(interval ? [{text: 'contour', draw: sign.line('contour main')}] : []),
+      ]);
+    },
+  });
+  choice.listeners.push(made.redraw);
+}

@@ -1,0 +1,100 @@
+#include "talus/project/build_terrain.hpp"
+
+#include <algorithm>
+
+#include "talus/io/mesh_file.hpp"
+#include "talus/terrain/extrude.hpp"
+#include "talus/terrain/mend.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr double sampled_within = 3;  // standard deviations of a slope vertex
+
+std::vector<Vec2> section_vertices(const Terrain& terrain) {
+  std::vector<Vec2> vertices;
+  for (const auto& [x, z] : terrain.section) vertices.emplace_back(x, z);
+  // The ground lies on the right of a section walked from left to right.
+  if (vertices.front().x() > vertices.back().x()) std::reverse(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+BuiltTerrain section_terrain(const Project& project) {
+  const Terrain& terrain = project.terrain;
+  std::vector<Vec2> vertices = section_vertices(terrain);
+  Box box;
+  for (const Vec2& v : vertices) box.grow(Vec3(v.x(), 0, v.y()));
+  BuiltTerrain built;
+  built.frame = LocalFrame::near(0.5 * (box.low + box.high));
+  for (Vec2& v : vertices) v -= Vec2(built.frame.origin.x(), built.frame.origin.z());
+  built.parts = vertices.size() - 1;
+  built.surface = Profile(vertices);
+  if (!terrain.section_std_dev_m.empty()) {
+    auto deviations = terrain.section_std_dev_m;
+    if (terrain.section.front()[0] > terrain.section.back()[0]) std::reverse(deviations.begin(), deviations.end());
+    VaryingSection varying{vertices, {}};
+    for (const auto& [sx, sz] : deviations) {
+      const auto shift = [](double s) {
+        if (s == 0) return Sampler(0.0);
+        return Sampler(Distribution{0, DistributionKind::normal, s, sampled_within * s, sampled_within * s}, Bounds{});
+      };
+      varying.shifts.push_back({shift(sx), shift(sz)});
+    }
+    built.varying = std::move(varying);
+  }
+  return built;
+}
+
+RawMesh raw_mesh(const Project& project, Problems& warnings) {
+  const Terrain& terrain = project.terrain;
+  RawMesh mesh;
+  if (!terrain.section.empty()) {
+    mesh = extruded(section_vertices(terrain), *terrain.width_m);
+  } else if (!terrain.mesh.empty()) {
+    mesh = read_mesh_file(project.file.parent_path() / terrain.mesh, warnings);
+  } else {
+    for (const auto& [x, y, z] : terrain.vertices) mesh.vertices.emplace_back(x, y, z);
+    for (const auto& [a, b, c] : terrain.triangles) {
+      mesh.triangles.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+    }
+  }
+  const auto& about = terrain.rotate_about;
+  turn(mesh, terrain.rotate_deg, {about[0], about[1], about[2]});
+  return mesh;
+}
+
+BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
+  RawMesh raw = raw_mesh(project, warnings);
+  const bool is_extruded = !project.terrain.section.empty();
+  BuiltTerrain built;
+  built.parts = is_extruded ? raw.triangles.size() / 2 : raw.triangles.size();
+  const std::string source = project.terrain.mesh.empty() ? project.file.string() : project.terrain.mesh.string();
+  const MendedMesh mesh = mend(std::move(raw), {.source = source});
+  built.report = mesh.report.text();
+  for (const std::uint32_t original : mesh.original) built.part_of_facet.push_back(is_extruded ? original / 2 : original);
+
+  Box box;
+  for (const Vec3& v : mesh.vertices) box.grow(v);
+  built.frame = LocalFrame::near(0.5 * (box.low + box.high));
+  std::vector<Vec3> local;
+  local.reserve(mesh.vertices.size());
+  for (const Vec3& v : mesh.vertices) local.push_back(built.frame.local_from_global(v));
+  std::vector<TriangleMesh::Corners> neighbours;
+  neighbours.reserve(mesh.neighbours.size());
+  for (const auto& sides : mesh.neighbours) {
+    TriangleMesh::Corners beyond;
+    for (std::size_t k = 0; k < 3; ++k) beyond[k] = sides[k] ? (*sides[k]).index : TriangleMesh::no_neighbour;
+    neighbours.push_back(beyond);
+  }
+  built.surface.emplace<TriangleMesh>(local, mesh.triangles, neighbours);
+  return built;
+}
+
+}  // namespace
+
+BuiltTerrain build_terrain(const Project& project, Problems& warnings) {
+  return project.is_2d() ? section_terrain(project) : mesh_terrain(project, warnings);
+}
+
+}  // namespace talus::project

@@ -1,0 +1,363 @@
+#include "talus/project/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "talus/project/nearest.hpp"
+#include "talus/project/settings.hpp"
+#include "talus/project/values.hpp"
+
+namespace talus::project {
+namespace {
+
+/// What the rules look at, and how they complain.
+class Rules {
+ public:
+  Rules(const Project& project, const Document& document, const std::unordered_set<const toml::node*>& refused,
+        Problems& problems)
+      : project_(project), document_(document), refused_(refused), problems_(problems) {}
+
+  void run() {
+    about_name();
+    about_analysis();
+    about_terrain();
+    about_materials();
+    about_ground();
+    about_seeders();
+    about_barriers();
+  }
+
+ private:
+  using Node = const toml::node*;
+
+  /// Complains in the place of a node, or of none where the node is not there.
+  void complain(Node node, std::string where, std::string what, std::string why, std::string hint = {},
+                Severity severity = Severity::error) {
+    Problem problem = node ? document_.at(*node, severity) : document_.nowhere();
+    problem.where = std::move(where);
+    problem.what = std::move(what);
+    problem.why = std::move(why);
+    problem.hint = std::move(hint);
+    problems_.add(std::move(problem));
+  }
+
+  [[nodiscard]] const toml::table* table(std::string_view key) const { return document_.root()[key].as_table(); }
+
+  /// The value of a key, where the file has it and it was not refused.
+  [[nodiscard]] Node good(const toml::table* row, std::string_view key) const {
+    const Node node = row ? row->get(key) : nullptr;
+    return node && !refused_.contains(node) ? node : nullptr;
+  }
+
+  [[nodiscard]] static Node entry(Node list, std::size_t index) {
+    const toml::array* array = list->as_array();
+    return array && index < array->size() ? array->get(index) : list;
+  }
+
+  /// The rows of [[key]] as they stand in the file; null for an entry that is no table.
+  [[nodiscard]] std::vector<const toml::table*> rows(std::string_view key) const {
+    std::vector<const toml::table*> list;
+    if (const toml::array* array = document_.root()[key].as_array()) {
+      for (const toml::node& node : *array) list.push_back(node.as_table());
+    }
+    return list;
+  }
+
+  void about_name() {
+    const Node node = good(&document_.root(), "name");
+    const std::string& name = project_.name;
+    const bool is_control = std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 127; });
+    if (node && (name.find('/') != std::string::npos || is_control || name == "." || name == "..")) {
+      complain(node, "", fmt::format("name is {}", quoted(*node)), "the folder of the results is called by it",
+               "Use a name without slashes, line breaks and the like");
+    }
+  }
+
+  void about_analysis() {
+    const toml::table* row = table("analysis");
+    const Analysis& analysis = project_.analysis;
+    const auto idle = [&](std::string_view key, bool has_effect, std::string_view needs) {
+      const Node node = good(row, key);
+      if (!node || has_effect) return;
+      complain(node, "[analysis]", fmt::format("{} has no effect", key), fmt::format("it needs {}", needs), "",
+               Severity::warning);
+    };
+    idle("rn_velocity_scale_m_s", analysis.scale_rn_by_velocity, "scale_rn_by_velocity = true");
+    idle("rn_mass_scale_kg", analysis.scale_rn_by_mass, "scale_rn_by_mass = true");
+    idle("tangential_crsp_damping", analysis.model == RockModel::rigid_sphere || !analysis.tangential_crsp_damping,
+         "model = \"rigid_sphere\"");
+    idle("rotation", analysis.model == RockModel::lumped_mass || analysis.rotation, "model = \"lumped_mass\"");
+  }
+
+  void about_terrain() {
+    const std::string where = "[terrain]";
+    const toml::table* row = table("terrain");
+    if (!row) return;
+    const bool has_section = row->contains("section"), has_mesh = row->contains("mesh");
+    const bool has_triangles = row->contains("triangles"), has_vertices = row->contains("vertices");
+    if (!has_section && !has_mesh && !has_triangles && !has_vertices && !row->contains("raster")) {
+      complain(row, where, "there is no terrain", "expected one of section, mesh and triangles");
+    }
+    if (has_triangles != has_vertices && !has_section && !has_mesh) {
+      complain(row, where, fmt::format("{} is missing", has_triangles ? "vertices" : "triangles"),
+               "an inline mesh needs vertices and triangles");
+    }
+    if (!has_section) {
+      for (const std::string_view key : {"width_m", "section_std_dev_m"}) {
+        if (const Node node = good(row, key)) {
+          complain(node, where, fmt::format("{} is given without a section", key), "it would have no effect");
+        }
+      }
+    }
+    if (const Node section = good(row, "section")) about_section(where, section);
+    if (const Node deviations = good(row, "section_std_dev_m"); deviations && good(row, "section")) {
+      const std::size_t found = project_.terrain.section_std_dev_m.size(), wanted = project_.terrain.section.size();
+      if (found != wanted) {
+        complain(deviations, where, fmt::format("section_std_dev_m has {}", counted(found, "entry", "entries")),
+                 fmt::format("expected one for each of the {} vertices of the section", wanted));
+      }
+    }
+    if (is_2d(document_.root()) == true) {
+      for (const std::string_view key : {"rotate_deg", "rotate_about"}) {
+        const Node node = good(row, key);
+        if (!node || (key == "rotate_deg" && project_.terrain.rotate_deg == 0)) continue;
+        if (key == "rotate_about" && project_.terrain.rotate_deg == 0) continue;
+        complain(node, where, fmt::format("{} is given in 2D", key), "a section cannot be turned",
+                 "Give width_m for 3D");
+      }
+    }
+    if (const Node about = good(row, "rotate_about"); about && !row->contains("rotate_deg")) {
+      complain(about, where, "rotate_about has no effect", "it needs rotate_deg", "", Severity::warning);
+    }
+    if (const Node mesh = good(row, "mesh")) about_mesh_file(where, mesh);
+    if (good(row, "vertices") && good(row, "triangles")) about_inline_mesh(where, row);
+  }
+
+  void about_section(const std::string& where, Node section) {
+    const auto& vertices = project_.terrain.section;
+    if (vertices.size() < 2) {
+      complain(section, where, fmt::format("section has {}", counted(vertices.size(), "vertex", "vertices")),
+               "a slope has two or more");
+    }
+    for (std::size_t i = 1; i < vertices.size(); ++i) {
+      if (vertices[i] != vertices[i - 1]) continue;
+      const Node node = entry(section, i);
+      complain(node, where, fmt::format("section[{}] is {}", i, quoted(*node)), "it repeats the vertex before it",
+               "Leave it out");
+    }
+  }
+
+  void about_mesh_file(const std::string& where, Node mesh) {
+    std::string ending = project_.terrain.mesh.extension().string();
+    for (char& letter : ending)
+      letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    if (ending != ".obj" && ending != ".stl" && ending != ".ply") {
+      complain(mesh, where, fmt::format("mesh is {}", quoted(*mesh)),
+               "expected a file that ends in .obj, .stl or .ply");
+      return;
+    }
+    // A project that is only a text has no folder in which its mesh could lie.
+    std::error_code error;
+    const std::filesystem::path path = project_.file.parent_path() / project_.terrain.mesh;
+    if (std::filesystem::exists(project_.file, error) && !std::filesystem::is_regular_file(path, error)) {
+      complain(mesh, where, fmt::format("mesh is {}", quoted(*mesh)), fmt::format("there is no file {}", path.string()),
+               "Its path is relative to the project file");
+    }
+  }
+
+  void about_inline_mesh(const std::string& where, const toml::table* row) {
+    const Node node = row->get("triangles");
+    const auto count = static_cast<std::int64_t>(project_.terrain.vertices.size());
+    if (project_.terrain.triangles.empty()) complain(node, where, "triangles is empty", "a terrain has at least one");
+    for (std::size_t i = 0; i < project_.terrain.triangles.size(); ++i) {
+      const auto& [a, b, c] = project_.terrain.triangles[i];
+      const Node triangle = entry(node, i);
+      if (std::max({a, b, c}) >= count) {
+        complain(triangle, where, fmt::format("triangles[{}] is {}", i, quoted(*triangle)),
+                 count == 0 ? "there are no vertices"
+                            : fmt::format("there are {} vertices; expected 0 to {}", count, count - 1),
+                 std::max({a, b, c}) == count ? "Vertices are counted from 0" : "");
+      } else if (a == b || b == c || c == a) {
+        complain(triangle, where, fmt::format("triangles[{}] is {}", i, quoted(*triangle)),
+                 "a triangle has three different vertices");
+      }
+    }
+  }
+
+  void about_materials() {
+    std::vector<std::string_view> names;
+    for (const Material& material : project_.materials) names.push_back(material.name);
+    about_unique("materials", rows("material"), names);
+  }
+
+  /// Entries that are called by name must not share it. An empty name is one that is missing or was refused.
+  void about_unique(std::string_view kinds, const std::vector<const toml::table*>& list,
+                    const std::vector<std::string_view>& names) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto first = std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]);
+      if (names[i].empty() || first == names.begin() + static_cast<std::ptrdiff_t>(i) || !list[i]) continue;
+      const toml::table* earlier = list[static_cast<std::size_t>(first - names.begin())];
+      const Node node = list[i]->contains("name") ? list[i]->get("name") : list[i];
+      const int line = earlier ? document_.at(*earlier).line : 0;
+      complain(node, "", fmt::format("two {} are called \"{}\"", kinds, names[i]),
+               line > 0 ? fmt::format("the other begins in line {}", line) : "", "Give each its own name");
+    }
+  }
+
+  [[nodiscard]] bool materials_are_known() const {
+    const auto list = rows("material");
+    return !list.empty() &&
+           std::all_of(list.begin(), list.end(), [&](const toml::table* row) { return good(row, "name"); });
+  }
+
+  void about_material_name(const std::string& where, Node node, const std::string& key, const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const Material& material : project_.materials) names.push_back(material.name);
+    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    std::string known;
+    for (const std::string_view material : names) known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", material);
+    const auto near = nearest(name, names);
+    complain(node, where, fmt::format("{} is {}", key, quoted(*node)),
+             fmt::format("there is no material of this name; there {} {}", names.size() == 1 ? "is" : "are", known),
+             near ? fmt::format("Did you mean \"{}\"?", *near) : "");
+  }
+
+  void about_ground() {
+    const std::string where = "[ground]";
+    const toml::table* row = table("ground");
+    const Ground& ground = project_.ground;
+    if (!materials_are_known()) return;
+    if (const Node node = good(row, "default")) about_material_name(where, node, "default", ground.default_material);
+    const bool is_told = row && (row->contains("default") || row->contains("segments") || row->contains("triangles") ||
+                                 row->contains("raster") || row->contains("polygons"));
+    if (!is_told && project_.materials.size() > 1) {
+      complain(row, where, "default is missing", fmt::format("there are {} materials", project_.materials.size()),
+               fmt::format("Write default = \"{}\", or segments with one name for each segment",
+                           project_.materials.front().name));
+    }
+    const toml::table* terrain = table("terrain");
+    if (const Node node = good(row, "segments")) {
+      if (is_2d(document_.root()) && terrain && !terrain->contains("section")) {
+        complain(node, where, "segments is given without a section", "a mesh has triangles",
+                 "Use triangles, with one number for each triangle");
+      } else if (good(terrain, "section") && project_.terrain.section.size() >= 2) {
+        const std::size_t wanted = project_.terrain.section.size() - 1;
+        if (ground.segments.size() != wanted) {
+          complain(node, where, fmt::format("segments has {}", counted(ground.segments.size(), "entry", "entries")),
+                   fmt::format("expected {}: the section has {}", wanted,
+                               counted(project_.terrain.section.size(), "vertex", "vertices")));
+        }
+      }
+      for (std::size_t i = 0; i < ground.segments.size(); ++i) {
+        about_material_name(where, entry(node, i), fmt::format("segments[{}]", i), ground.segments[i]);
+      }
+    }
+    if (const Node node = good(row, "triangles")) about_ground_triangles(where, node, terrain);
+  }
+
+  void about_ground_triangles(const std::string& where, Node node, const toml::table* terrain) {
+    const Ground& ground = project_.ground;
+    if (terrain && terrain->contains("section")) {
+      complain(node, where, "triangles is given for a section", "a section has segments",
+               "Use segments, with one name for each segment");
+    } else if (good(terrain, "triangles") && ground.triangles.size() != project_.terrain.triangles.size()) {
+      complain(node, where, fmt::format("triangles has {}", counted(ground.triangles.size(), "entry", "entries")),
+               fmt::format("expected {}, one for each triangle of the terrain", project_.terrain.triangles.size()));
+    }
+    const auto count = static_cast<std::int64_t>(project_.materials.size());
+    for (std::size_t i = 0; i < ground.triangles.size(); ++i) {
+      if (ground.triangles[i] < count) continue;
+      complain(entry(node, i), where, fmt::format("triangles[{}] is {}", i, ground.triangles[i]),
+               fmt::format("there {} {}, counted from 0; expected {}", count == 1 ? "is" : "are",
+                           counted(static_cast<std::size_t>(count), "material", "materials"),
+                           count == 1 ? "0" : fmt::format("0 to {}", count - 1)));
+    }
+  }
+
+  void about_seeders() {
+    const Table& declared = declaration("seeder");
+    const auto list = rows("seeder");
+    std::vector<std::string_view> names;
+    double rocks = 0;
+    for (std::size_t i = 0; i < project_.seeders.size(); ++i) {
+      const Seeder& seeder = project_.seeders[i];
+      names.push_back(seeder.name);
+      rocks += static_cast<double>(seeder.rocks);
+      if (list[i]) about_seeder(seeder, *list[i], name_of_row(declared, *list[i], i));
+    }
+    about_unique("seeders", list, names);
+    const double most = setting("seeder", "rocks").range.most;
+    if (rocks > most) {
+      complain(list.back(), "", fmt::format("all seeders together have {} rocks", number_text(rocks)),
+               fmt::format("expected at most {}", number_text(most)));
+    }
+  }
+
+  void about_seeder(const Seeder& seeder, const toml::table& row, const std::string& where) {
+    const bool type_is_good = !row.contains("type") || good(&row, "type");
+    const bool has_position = row.contains("position"), has_points = row.contains("points");
+    if (type_is_good && !(has_position && has_points)) {
+      if (seeder.type == SeederType::point && !has_position) {
+        const Node node = has_points ? row.get("points") : &row;
+        complain(node, where, has_points ? "points are given for a point" : "position is missing",
+                 has_points ? "they make a line" : "a point seeder needs it",
+                 has_points ? "Write type = \"line\"" : "");
+      }
+      if (seeder.type == SeederType::line && !has_points) {
+        const Node node = has_position ? row.get("position") : &row;
+        complain(node, where, has_position ? "position is given for a line" : "points is missing",
+                 "a line seeder needs two or more points", has_position ? "Write points = [..., ...]" : "");
+      }
+    }
+    if (!row.contains("mass_kg") && !row.contains("volume_m3") && !row.contains("diameter_m")) {
+      complain(&row, where, "the size of the rocks is missing", "expected one of mass_kg, volume_m3 and diameter_m");
+    }
+  }
+
+  void about_barriers() {
+    std::vector<const toml::table*> all;
+    std::vector<std::string_view> names;
+    for (const std::string_view key : {"barrier", "collector"}) {
+      const Table& declared = declaration(key);
+      const auto list = rows(key);
+      all.insert(all.end(), list.begin(), list.end());
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        if (list[i]) about_restitution(*list[i], name_of_row(declared, *list[i], i), key);
+      }
+    }
+    for (const Barrier& barrier : project_.barriers) names.push_back(barrier.name);
+    about_unique("barriers or collectors", all, names);
+  }
+
+  void about_restitution(const toml::table& row, const std::string& where, std::string_view kind) {
+    if (kind != "barrier" || row.contains("normal_restitution") == row.contains("tangential_restitution")) return;
+    const bool has_normal = row.contains("normal_restitution");
+    complain(row.get(has_normal ? "normal_restitution" : "tangential_restitution"), where,
+             fmt::format("{} is missing", has_normal ? "tangential_restitution" : "normal_restitution"),
+             "a barrier has both restitutions, or neither and holds what it stops");
+  }
+
+  static std::string counted(std::size_t count, std::string_view one, std::string_view several) {
+    return fmt::format("{} {}", count, count == 1 ? one : several);
+  }
+
+  static const Table& declaration(std::string_view key) {
+    return *std::find_if(tables().begin(), tables().end(), [&](const Table& table) { return table.key == key; });
+  }
+
+  const Project& project_;
+  const Document& document_;
+  const std::unordered_set<const toml::node*>& refused_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+void check(const Project& project, const Document& document, const std::unordered_set<const toml::node*>& refused,
+           Problems& problems) {
+  Rules(project, document, refused, problems).run();
+}
+
+}  // namespace talus::project

@@ -1,0 +1,236 @@
+#include "talus/project/document.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+namespace talus::project {
+namespace {
+
+constexpr std::string_view override_mark = "--set ";
+
+Problem about_file(const std::filesystem::path& file, std::string what, std::string why = {}, std::string hint = {}) {
+  return {.file = file.string(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
+}
+
+/// The parts of `material."Type 1.5".roughness_deg`, or nothing where a quote is left open or a part is empty.
+std::optional<std::vector<std::string>> parts_of(std::string_view path) {
+  std::vector<std::string> parts(1);
+  bool quoted_part = false;
+  for (const char letter : path) {
+    if (letter == '"') {
+      quoted_part = !quoted_part;
+    } else if (letter == '.' && !quoted_part) {
+      parts.emplace_back();
+    } else {
+      parts.back() += letter;
+    }
+  }
+  if (quoted_part) return std::nullopt;
+  for (const std::string& part : parts) {
+    if (part.empty()) return std::nullopt;
+  }
+  return parts;
+}
+
+std::optional<std::size_t> whole_number(std::string_view text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// The number of the entry of a list that a part of a path calls by number or by name.
+std::optional<std::size_t> entry(const toml::array& list, const std::string& part) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const toml::table* table = list[i].as_table();
+    if (table && (*table)["name"].value<std::string>() == part) return i;
+  }
+  const std::optional<std::size_t> number = whole_number(part);
+  return number && *number < list.size() ? number : std::nullopt;
+}
+
+/// TOML as people write it: numbers with the digits that tell them apart and no more (toml++ writes 17). Ends early
+/// where enough is written.
+std::string in_one_line(const toml::node& node, std::size_t enough) {
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  std::string text;
+  if (const toml::array* list = node.as_array()) {
+    for (const toml::node& item : *list) {
+      if (text.size() > enough) break;
+      text += (text.empty() ? "" : ", ") + in_one_line(item, enough);
+    }
+    return '[' + text + ']';
+  }
+  if (const toml::table* table = node.as_table()) {
+    for (const auto& [key, item] : *table) {
+      if (text.size() > enough) break;
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key.str(), in_one_line(item, enough));
+    }
+    return "{ " + text + " }";
+  }
+  std::ostringstream stream;
+  // A text is quoted with its line breaks escaped.
+  constexpr auto flags = toml::format_flags::none;
+  node.visit([&](const auto& value) { stream << toml::toml_formatter(value, flags); });
+  return std::move(stream).str();
+}
+
+/// A table `it` in which there is nothing, and which knows where it comes from.
+toml::table empty_table(const std::string& source) { return toml::parse("it = {}", std::string_view(source)); }
+
+std::string entries_of(const toml::array& list) {
+  std::string names;
+  for (const toml::node& node : list) {
+    const toml::table* table = node.as_table();
+    const auto name = table ? (*table)["name"].value<std::string>() : std::nullopt;
+    if (name) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", *name);
+  }
+  std::string numbers = list.empty()       ? "there are none"
+                        : list.size() == 1 ? "0"
+                                           : fmt::format("0 to {}", list.size() - 1);
+  return names.empty() ? numbers : fmt::format("{}, or {}", numbers, names);
+}
+
+bool is_bare_word(std::string_view text) {
+  if (text.empty() || text == "true" || text == "false" || text == "inf" || text == "nan") return false;
+  for (const char letter : text) {
+    const bool fits = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_' ||
+                      letter == ' ' || letter == '/' || letter == '.' || letter == '-';
+    const bool digit = letter >= '0' && letter <= '9';
+    if (!fits && !(digit && &letter != text.data())) return false;
+  }
+  return (text[0] >= 'a' && text[0] <= 'z') || (text[0] >= 'A' && text[0] <= 'Z');
+}
+
+}  // namespace
+
+std::string text_of_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    throw BadInput(about_file(file, "there is no such file", {}, "`talus new` writes a project to start from"));
+  }
+  if (std::filesystem::is_directory(status)) {
+    throw BadInput(about_file(file, "this is a directory", "expected a project file, for example slope.toml"));
+  }
+  if (error) throw BadInput(about_file(file, "the file cannot be read", error.message()));
+  if (!std::filesystem::is_regular_file(status)) {
+    throw BadInput(about_file(file, "this is not a regular file", "expected a project file, for example slope.toml"));
+  }
+  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  if (!error && bytes > most_bytes) {
+    throw BadInput(about_file(file, fmt::format("the file has {} MiB", bytes >> 20u),
+                              fmt::format("a project file has at most {} MiB", most_bytes >> 20u),
+                              "Keep a large terrain in a mesh file and name it by terrain.mesh"));
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw BadInput(about_file(file, "the file cannot be read", std::strerror(errno)));
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (stream.bad()) throw BadInput(about_file(file, "the file cannot be read to its end"));
+  return std::move(text).str();
+}
+
+Document::Document(std::string_view text, std::string file) : file_(std::move(file)) {
+  try {
+    root_ = toml::parse(text, std::string_view(file_));
+  } catch (const toml::parse_error& error) {
+    throw BadInput(Problem{.file = file_,
+                           .line = static_cast<int>(error.source().begin.line),
+                           .where = {},
+                           .what = "this is not TOML",
+                           .why = std::string(error.description()),
+                           .hint = {}});
+  }
+}
+
+void Document::set(const std::string& override_text, Problems& problems) {
+  const std::string source = std::string(override_mark) + override_text;
+  const auto refuse = [&](std::string what, std::string why, std::string hint = {}) {
+    problems.add(about_file(source, std::move(what), std::move(why), std::move(hint)));
+  };
+  const std::size_t equals = override_text.find('=');
+  const auto path = parts_of(std::string_view(override_text).substr(0, equals));
+  if (equals == std::string::npos || !path) {
+    refuse("this is no setting", "expected table.key=value, for example analysis.gravity_m_s2=9.81");
+    return;
+  }
+  std::string value_text = override_text.substr(equals + 1);
+  if (is_bare_word(value_text)) value_text = '"' + value_text + '"';
+  toml::table parsed;
+  try {
+    parsed = toml::parse("value = " + value_text, std::string_view(source));
+  } catch (const toml::parse_error& error) {
+    refuse("the value is not TOML", std::string(error.description()));
+    return;
+  }
+  if (parsed.size() != 1) {
+    refuse("the value is not TOML", "expected a single value");
+    return;
+  }
+
+  toml::node* parent = &root_;
+  for (std::size_t i = 0; i < path->size(); ++i) {
+    const std::string& part = (*path)[i];
+    const bool is_last = i + 1 == path->size();
+    if (toml::array* list = parent->as_array()) {
+      const std::optional<std::size_t> number = entry(*list, part);
+      if (!number) {
+        refuse(fmt::format("{} has no entry {}", (*path)[i - 1], part), fmt::format("expected {}", entries_of(*list)));
+        return;
+      }
+      if (is_last)
+        list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(*number), std::move(*parsed.get("value")));
+      parent = list->get(*number);
+    } else if (toml::table* table = parent->as_table()) {
+      if (is_last) {
+        table->insert_or_assign(part, std::move(*parsed.get("value")));
+      } else if (!table->contains(part)) {
+        table->insert(part, std::move(*empty_table(source).get("it")));
+      } else if (table->get(part)->is_number()) {
+        // A plain number is short for a distribution; it becomes one, so that its parts can be set.
+        toml::table distribution = empty_table(source);
+        distribution.get("it")->as_table()->insert("mean", std::move(*table->get(part)));
+        table->insert_or_assign(part, std::move(*distribution.get("it")));
+      }
+      parent = table->get(part);
+    } else {
+      refuse(fmt::format("{} is {}", (*path)[i - 1], quoted(*parent)), "it has no parts to set");
+      return;
+    }
+  }
+}
+
+Problem Document::at(const toml::node& node, Severity severity) const {
+  const toml::source_region& source = node.source();
+  Problem problem = nowhere();
+  problem.severity = severity;
+  if (source.path) problem.file = *source.path;
+  // An override has no lines: it is its own place.
+  const bool from_override = source.path && source.path->starts_with(override_mark);
+  problem.line = from_override ? 0 : static_cast<int>(source.begin.line);
+  return problem;
+}
+
+Problem Document::nowhere() const { return {.file = file_, .where = {}, .what = {}, .why = {}, .hint = {}}; }
+
+std::string quoted(const toml::node& node) {
+  constexpr std::size_t longest = 60;  // bytes
+  std::string text = in_one_line(node, longest);
+  if (text.size() > longest) {
+    std::size_t cut = longest;
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0u) == 0x80u) --cut;  // not inside a letter
+    text = text.substr(0, cut) + "...";
+  }
+  return text;
+}
+
+}  // namespace talus::project

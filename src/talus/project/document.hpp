@@ -1,0 +1,44 @@
+#pragma once
+// The project file as TOML, with `--set` overrides worked in; every value knows the file and line it came from.
+
+#include <toml++/toml.h>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "talus/core/problems.hpp"
+
+namespace talus::project {
+
+/// A project file is at most this large; terrains that need more belong in a mesh file.
+inline constexpr std::uintmax_t most_bytes = 64u << 20u;
+
+/// Reads a whole file, or says why it cannot be read.
+[[nodiscard]] std::string text_of_file(const std::filesystem::path& file);
+
+class Document {
+ public:
+  /// Throws BadInput where the text is no TOML.
+  Document(std::string_view text, std::string file);
+
+  /// Works `table.key=value` in, the value being TOML (a bare word is taken for a string). Entries of lists are called
+  /// by their number, counted from 0, or by their name: `seeder.0.rocks=10`, `material.Type One.roughness_deg=3`.
+  void set(const std::string& override_text, Problems& problems);
+
+  [[nodiscard]] const toml::table& root() const { return root_; }
+  [[nodiscard]] const std::string& file() const { return file_; }
+
+  /// A complaint about a value, in its place.
+  [[nodiscard]] Problem at(const toml::node& node, Severity severity = Severity::error) const;
+  /// A complaint about what is not there.
+  [[nodiscard]] Problem nowhere() const;
+
+ private:
+  toml::table root_;
+  std::string file_;
+};
+
+/// A value as a complaint quotes it: in one line, cut where it is long.
+[[nodiscard]] std::string quoted(const toml::node& node);
+
+}  // namespace talus::project

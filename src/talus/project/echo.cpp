@@ -1,0 +1,125 @@
+#include "talus/project/echo.hpp"
+
+#include <cmath>
+#include <type_traits>
+
+namespace talus::project {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Written = std::optional<Json>;
+
+Json number(double value) { return std::isinf(value) ? Json(value > 0 ? "inf" : "-inf") : Json(value); }
+
+Written table_of(const Table& table, Row row, bool two_dimensional) {
+  Json out = Json::object();
+  for (const Setting& setting : table.settings) {
+    if (auto value = written(setting.slot(row), two_dimensional)) out[std::string(setting.key)] = std::move(*value);
+  }
+  return out;
+}
+
+/// A seeder's point in the form of the file.
+Json position(const Seeder& seeder, const std::array<double, 3>& point, bool two_dimensional) {
+  Json out = two_dimensional ? Json{point[0]} : Json{point[0], point[1]};
+  if (seeder.height_above_m) return out;
+  out.push_back(seeder.z_is_surface ? Json("surface") : Json(point[2]));
+  return out;
+}
+
+struct Writer {
+  bool two_dimensional;
+
+  Written operator()(const bool* value) const { return *value; }
+  Written operator()(const double* value) const { return number(*value); }
+  Written operator()(const std::optional<double>* value) const {
+    return *value ? Written(number(**value)) : std::nullopt;
+  }
+  Written operator()(const std::int64_t* value) const { return *value; }
+  Written operator()(const std::uint64_t* value) const { return *value; }
+  Written operator()(const std::string* value) const { return value->empty() ? Written() : Written(*value); }
+  Written operator()(const std::filesystem::path* value) const {
+    return value->empty() ? Written() : Written(value->string());
+  }
+  Written operator()(const std::array<double, 3>* value) const { return *value; }
+  Written operator()(Distribution* value) const { return table_of(distribution_table(), value, two_dimensional); }
+  Written operator()(std::optional<Distribution>* value) const { return *value ? (*this)(&**value) : std::nullopt; }
+  template <class Item>
+  Written operator()(const std::vector<Item>* value) const {
+    return value->empty() ? Written() : Written(*value);
+  }
+  template <class Enumeration>
+  requires std::is_enum_v<Enumeration> Written operator()(const Enumeration* value) const {
+    return words(*value)[static_cast<std::size_t>(*value)];
+  }
+  Written operator()(PositionSlot slot) const {
+    if (slot.seeder->type != SeederType::point || slot.seeder->points.empty()) return std::nullopt;
+    return position(*slot.seeder, slot.seeder->points.front(), two_dimensional);
+  }
+  Written operator()(PointsSlot slot) const {
+    if (slot.seeder->type != SeederType::line || slot.seeder->points.empty()) return std::nullopt;
+    Json out = Json::array();
+    for (const auto& point : slot.seeder->points) out.push_back(position(*slot.seeder, point, two_dimensional));
+    return out;
+  }
+  Written operator()(PlanLineSlot slot) const {
+    if (slot.barrier->line.empty()) return std::nullopt;
+    return two_dimensional ? Json(slot.barrier->line.front()[0]) : Json(slot.barrier->line);
+  }
+  Written operator()(DirectionSlot slot) const {
+    const auto& [x, y, z] = *slot.direction;
+    return two_dimensional ? Json{x, z} : Json{x, y, z};
+  }
+  Written operator()(PathLimitSlot slot) const {
+    const auto& limit = *slot.limit;
+    return !limit ? Json("all") : *limit == 0 ? Json("none") : Json(*limit);
+  }
+};
+
+/// Of keys that exclude each other, the one with a default gives way to the one that was set.
+void drop_excluded(const Table& table, Json& row) {
+  for (const Setting& setting : table.settings) {
+    if (!row.contains(setting.key) || !default_of(table, setting)) continue;
+    for (const std::string_view other : setting.excludes) {
+      const Setting* excluded = table.find(other);
+      if (row.contains(other) && !default_of(table, *excluded)) row.erase(std::string(setting.key));
+    }
+  }
+}
+
+}  // namespace
+
+Written written(const Slot& slot, bool two_dimensional) { return std::visit(Writer{two_dimensional}, slot); }
+
+Written default_of(const Table& table, const Setting& setting) {
+  if (setting.required) return std::nullopt;
+  if (!table.add) {
+    Distribution blank;
+    return written(setting.slot(&blank), false);
+  }
+  Project blank;
+  return written(setting.slot(table.add(blank)), false);
+}
+
+Json echo(const Project& project) {
+  Project copy = project;  // the declaration leads to members that can be written to
+  Json out = Json::object();
+  for (const Table& table : tables()) {
+    Json list = Json::array();
+    for (const Row row : table.rows(copy)) {
+      Json written_row = *table_of(table, row, project.is_2d());
+      drop_excluded(table, written_row);
+      list.push_back(std::move(written_row));
+    }
+    if (table.key.empty()) {
+      out.update(list[0]);
+    } else if (!table.repeated) {
+      out[std::string(table.key)] = std::move(list[0]);
+    } else if (!list.empty()) {
+      out[std::string(table.key)] = std::move(list);
+    }
+  }
+  return out;
+}
+
+}  // namespace talus::project

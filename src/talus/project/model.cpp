@@ -1,0 +1,228 @@
+#include "talus/project/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <unordered_map>
+
+#include "talus/project/build_terrain.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+constexpr Bounds share{0, 1};
+constexpr Bounds not_negative{0, 1e300};
+constexpr Bounds positive{1e-300, 1e300};
+
+// A plain number of degrees is the standard deviation of the tilt; a distribution is that of the tilt itself.
+Sampler roughness_sampler(const Distribution& roughness) {
+  if (roughness.kind != DistributionKind::none) return Sampler(roughness, Bounds{}, radians);
+  if (roughness.mean == 0) return Sampler(0.0);
+  return Sampler(Distribution{0, DistributionKind::normal, roughness.mean, {}, {}}, Bounds{-90, 90}, radians);
+}
+
+talus::Material material_of(const Material& m) {
+  talus::Material material;
+  material.name = m.name;
+  material.normal_restitution = Sampler(m.normal_restitution, share);
+  material.tangential_restitution = Sampler(m.tangential_restitution, share);
+  material.friction_angle = Sampler(m.friction_angle_deg, Bounds{0, 89.9}, radians);
+  material.roughness = roughness_sampler(m.roughness_deg);
+  material.roughness_spacing = m.roughness_spacing_m;
+  material.roughness_amplitude = m.roughness_amplitude_m;
+  material.dynamic_friction = Sampler(m.dynamic_friction, not_negative);
+  material.rolling_friction = Sampler(m.rolling_friction, not_negative);
+  return material;
+}
+
+Laws laws_of(const Project& project) {
+  const Analysis& a = project.analysis;
+  Laws laws;
+  laws.model = a.model == RockModel::rigid_sphere ? talus::RockModel::rigid_sphere : talus::RockModel::lumped_mass;
+  laws.rotation = a.rotation;
+  laws.gravity = {0, 0, -a.gravity_m_s2};
+  laws.sliding = a.sliding == SlidingMethod::stepped ? talus::SlidingMethod::stepped : talus::SlidingMethod::closed_form;
+  laws.timestep = a.max_timestep_s;
+  laws.normal_velocity_cutoff = a.normal_velocity_cutoff_m_s;
+  laws.stopped_velocity = a.stopped_velocity_m_s;
+  laws.max_steps = a.max_steps;
+  laws.max_time = a.max_time_s;
+  switch (a.friction_angle) {
+    case FrictionSource::material: laws.friction_source = talus::FrictionSource::material; break;
+    case FrictionSource::tangential_restitution:
+      laws.friction_source = talus::FrictionSource::tangential_restitution;
+      break;
+    case FrictionSource::zero: laws.friction_source = talus::FrictionSource::zero; break;
+  }
+  if (a.scale_rn_by_velocity) laws.restitution_scaling.normal_speed = a.rn_velocity_scale_m_s;
+  if (a.scale_rn_by_mass) laws.restitution_scaling.mass = a.rn_mass_scale_kg;
+  laws.tangential_crsp_damping = a.tangential_crsp_damping;
+  laws.material_sampling = project.sampling.materials == MaterialSampling::per_rock ? talus::MaterialSampling::per_rock
+                                                                                    : talus::MaterialSampling::per_impact;
+  laws.in_section = project.is_2d();
+  return laws;
+}
+
+class Builder {
+ public:
+  Builder(const Project& project, Problems& warnings) : project_(project), warnings_(warnings) {}
+
+  template <class F>
+  auto visit(F&& f) const {
+    return std::visit(std::forward<F>(f), model_.surface);
+  }
+
+  Model build() {
+    BuiltTerrain terrain = build_terrain(project_, warnings_);
+    model_.surface = std::move(terrain.surface);
+    model_.varying = std::move(terrain.varying);
+    model_.frame = terrain.frame;
+    model_.terrain_report = std::move(terrain.report);
+    model_.laws = laws_of(project_);
+    model_.seed = project_.sampling.seed;
+    model_.sampling = project_.sampling.method;
+    const double lowest = visit([](const auto& surface) { return surface.bounds().low.z(); });
+    model_.energy_datum = project_.analysis.energy_datum_m.value_or(lowest + model_.frame.origin.z());
+    add_ground(terrain.parts, terrain.part_of_facet);
+    for (const Seeder& seeder : project_.seeders) add_seeder(seeder);
+    for (const Barrier& barrier : project_.barriers) add_barrier(barrier);
+    if (problems_.has_errors()) throw BadInput(problems_);
+    return std::move(model_);
+  }
+
+ private:
+  Vec3 local(const std::array<double, 3>& p) const {
+    return model_.frame.local_from_global({p[0], p[1], p[2]});
+  }
+  void complain(int line, std::string where, std::string what, std::string why, std::string hint) {
+    problems_.add({Severity::error, project_.file.string(), line, std::move(where), std::move(what), std::move(why),
+                   std::move(hint)});
+  }
+
+  void add_ground(std::size_t parts, const std::vector<std::uint32_t>& part_of_facet) {
+    std::vector<talus::Material> materials;
+    std::unordered_map<std::string, std::uint32_t> number;
+    for (const Material& m : project_.materials) {
+      number[m.name] = static_cast<std::uint32_t>(materials.size());
+      materials.push_back(material_of(m));
+    }
+    const Ground& ground = project_.ground;
+    std::vector<MaterialId> of_part(parts, MaterialId{number.at(ground.default_material)});
+    if (!ground.segments.empty()) {
+      for (std::size_t k = 0; k < parts; ++k) of_part[k] = MaterialId{number.at(ground.segments[k])};
+      // The section was walked from left to right; its materials come with it.
+      if (project_.terrain.section.front()[0] > project_.terrain.section.back()[0]) {
+        std::reverse(of_part.begin(), of_part.end());
+      }
+    }
+    if (!ground.triangles.empty()) {
+      if (ground.triangles.size() != parts) {
+        complain(0, "ground", fmt::format("triangles lists {} materials", ground.triangles.size()),
+                 fmt::format("the terrain has {} triangles, and each needs one", parts), "");
+        return;
+      }
+      for (std::size_t k = 0; k < parts; ++k) of_part[k] = MaterialId{static_cast<std::uint32_t>(ground.triangles[k])};
+    }
+    if (part_of_facet.empty()) {
+      model_.ground = talus::Ground(std::move(materials), std::move(of_part));
+      return;
+    }
+    std::vector<MaterialId> of_facet;
+    of_facet.reserve(part_of_facet.size());
+    for (const std::uint32_t part : part_of_facet) of_facet.push_back(of_part[part]);
+    model_.ground = talus::Ground(std::move(materials), std::move(of_facet));
+  }
+
+  void add_seeder(const Seeder& s) {
+    talus::Seeder seeder;
+    seeder.name = s.name;
+    seeder.first_rock = model_.rocks();
+    seeder.rocks = static_cast<std::uint64_t>(s.rocks);
+    for (const auto& p : s.points) seeder.points.push_back(local(p));
+    if (s.z_is_surface || s.height_above_m) seeder.above_surface = s.height_above_m.value_or(0);
+    if (s.diameter_m) {
+      seeder.size_of = SizeOf::diameter;
+      seeder.size = Sampler(*s.diameter_m, positive);
+    } else if (s.volume_m3) {
+      seeder.size_of = SizeOf::volume;
+      seeder.size = Sampler(*s.volume_m3, positive);
+    } else {
+      seeder.size = Sampler(s.mass_kg, positive);
+    }
+    seeder.density = Sampler(s.density_kg_m3, positive);
+    seeder.direction = Vec3(s.direction[0], s.direction[1], s.direction[2]).normalized();
+    if (s.speed_m_s) seeder.speed = Sampler(*s.speed_m_s, not_negative);
+    seeder.horizontal = Sampler(s.horizontal_velocity_m_s, Bounds{});
+    seeder.vertical = Sampler(s.vertical_velocity_m_s, Bounds{});
+    seeder.spin = Sampler(s.rotational_velocity_deg_s, Bounds{}, radians);
+    check_on_terrain(s);
+    if (seeder.rocks > 0) model_.seeders.push_back(std::move(seeder));
+  }
+
+  void check_on_terrain(const Seeder& s) {
+    for (const auto& p : s.points) {
+      const Vec3 at = local(p);
+      if (visit([&](const auto& surface) { return surface.elevation(at.x(), at.y()).has_value(); })) continue;
+      const Box box = visit([](const auto& surface) { return surface.bounds(); });
+      const Vec3 low = model_.frame.global_from_local(box.low), high = model_.frame.global_from_local(box.high);
+      const bool flat = project_.is_2d();
+      complain(s.line, fmt::format("seeder \"{}\"", s.name),
+               flat ? fmt::format("x = {} is off the terrain", p[0])
+                    : fmt::format("({}, {}) is off the terrain", p[0], p[1]),
+               flat ? fmt::format("the section goes from x = {:g} to {:g}", low.x(), high.x())
+                    : fmt::format("on plan the terrain lies within x = {:g} to {:g}, y = {:g} to {:g}", low.x(), high.x(),
+                                  low.y(), high.y()),
+               project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders" : "");
+    }
+  }
+
+  void add_barrier(const Barrier& b) {
+    talus::Barrier barrier;
+    barrier.name = b.name;
+    barrier.is_collector = b.is_collector;
+    barrier.capacity = b.capacity_kJ * 1000;
+    if (b.normal_restitution && b.tangential_restitution) {
+      barrier.restitution = Restitution{*b.normal_restitution, *b.tangential_restitution};
+    }
+    barrier.panels = panels_over(foot_of(b), b.height_m, b.inclination_deg * radians);
+    if (barrier.panels.empty()) {
+      complain(b.source_line, fmt::format("{} \"{}\"", b.is_collector ? "collector" : "barrier", b.name),
+               "its line does not touch the terrain", "a barrier stands on the ground", "");
+    }
+    model_.barriers.push_back(std::move(barrier));
+  }
+
+  // The barrier's line laid on the ground. In 2D it runs along y, across the section.
+  std::vector<Vec3> foot_of(const Barrier& b) const {
+    std::vector<Vec3> foot;
+    if (const auto* profile = std::get_if<Profile>(&model_.surface)) {
+      const double x = b.line.front()[0] - model_.frame.origin.x();
+      if (const auto z = profile->elevation(x)) foot = {Vec3(x, -1, *z), Vec3(x, 1, *z)};
+      return foot;
+    }
+    const auto& mesh = std::get<TriangleMesh>(model_.surface);
+    const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
+    for (std::size_t k = 0; k + 1 < b.line.size(); ++k) {
+      for (const Vec3& p : mesh.draped(Vec2(b.line[k][0], b.line[k][1]) - origin,
+                                       Vec2(b.line[k + 1][0], b.line[k + 1][1]) - origin)) {
+        const bool repeats = !foot.empty() && (p - foot.back()).squaredNorm() < 1e-12;
+        if (!repeats) foot.push_back(p);
+      }
+    }
+    return foot;
+  }
+
+  const Project& project_;
+  Problems& warnings_;
+  Problems problems_;
+  Model model_;
+};
+
+}  // namespace
+
+Model build_model(const Project& project, Problems& warnings) { return Builder(project, warnings).build(); }
+
+}  // namespace talus::project

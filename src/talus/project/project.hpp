@@ -1,0 +1,148 @@
+#pragma once
+// A project as its file says it: plain values in the file's units, checked, not yet turned into a model. Which keys
+// there are, their units, ranges, defaults and meaning is declared in settings.cpp and nowhere else; the initial values
+// below are the defaults.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "talus/core/vec.hpp"
+#include "talus/sampling/distribution.hpp"
+#include "talus/sampling/draws.hpp"
+
+namespace talus::project {
+
+enum class RockModel { lumped_mass, rigid_sphere };
+enum class SlidingMethod { stepped, closed_form };
+enum class FrictionSource { material, tangential_restitution, zero };
+enum class MaterialSampling { per_impact, per_rock };
+
+/// A property that is the same number every time.
+[[nodiscard]] inline Distribution constant(double value) {
+  Distribution distribution;
+  distribution.mean = value;
+  return distribution;
+}
+
+/// [analysis]
+struct Analysis {
+  RockModel model = RockModel::lumped_mass;
+  bool rotation = true;
+  double gravity_m_s2 = standard_gravity;
+  SlidingMethod sliding = SlidingMethod::stepped;
+  double max_timestep_s = 0.01;
+  double normal_velocity_cutoff_m_s = 0.1;
+  double stopped_velocity_m_s = 0.1;
+  std::int64_t max_steps = 10000;
+  double max_time_s = 600;
+  std::optional<double> energy_datum_m;
+  FrictionSource friction_angle = FrictionSource::material;
+  bool scale_rn_by_velocity = false;
+  double rn_velocity_scale_m_s = 9.144;
+  bool scale_rn_by_mass = false;
+  double rn_mass_scale_kg = 1000;
+  bool tangential_crsp_damping = false;  // rigid sphere only
+};
+
+/// [sampling]
+struct Sampling {
+  std::uint64_t seed = 1;
+  SamplingMethod method = SamplingMethod::monte_carlo;
+  MaterialSampling materials = MaterialSampling::per_impact;
+};
+
+/// [terrain]: exactly one of section, mesh (a file) and triangles (inline, with vertices)
+struct Terrain {
+  std::vector<std::array<double, 2>> section;           // x, z
+  std::vector<std::array<double, 2>> section_std_dev_m;  // of x and z, one per vertex, or empty; 2D only
+  std::optional<double> width_m;                        // of the extrusion along y; without it the analysis is 2D
+  std::filesystem::path mesh;                           // as written in the file; relative to the project file
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::array<std::int64_t, 3>> triangles;
+  double rotate_deg = 0;
+  std::array<double, 3> rotate_about{0, 0, 0};
+};
+
+/// [[material]]
+struct Material {
+  std::string name;
+  Distribution normal_restitution = constant(0.35);
+  Distribution tangential_restitution = constant(0.85);
+  Distribution friction_angle_deg = constant(30);
+  Distribution roughness_deg = constant(0);  // the mean is the standard deviation of the angle; see docs
+  double roughness_spacing_m = 0;         // rigid sphere
+  double roughness_amplitude_m = 0;       // rigid sphere
+  Distribution dynamic_friction = constant(0.5);
+  Distribution rolling_friction = constant(0.1);
+};
+
+/// [ground]
+struct Ground {
+  std::string default_material;             // key `default`; the only material's name where the file is silent
+  std::vector<std::string> segments;        // section: one per segment
+  std::vector<std::int64_t> triangles;      // mesh: index into the materials, one per triangle
+};
+
+enum class SeederType { point, line };
+
+/// [[seeder]]
+struct Seeder {
+  std::string name;  // default: "seeder N"
+  SeederType type = SeederType::point;
+  std::vector<std::array<double, 3>> points;  // one for a point, two or more for a line; 2D: y = 0. From `position` or `points`
+  bool z_is_surface = false;                  // the points' z was given as "surface"
+  std::optional<double> height_above_m;       // above the surface, instead of z
+  std::int64_t rocks = 1;
+  Distribution mass_kg = constant(1000);         // exactly one of mass, volume and diameter is given
+  std::optional<Distribution> volume_m3;
+  std::optional<Distribution> diameter_m;
+  Distribution density_kg_m3 = constant(2700);
+  Distribution horizontal_velocity_m_s = constant(0);
+  Distribution vertical_velocity_m_s = constant(0);     // positive up
+  std::optional<Distribution> speed_m_s;             // along the full `direction`, instead of the two above
+  Distribution rotational_velocity_deg_s = constant(0);  // positive: rolling forwards, about up x direction
+  std::array<double, 3> direction{1, 0, 0};
+  int line = 0;  // in the project file, for later complaints
+};
+
+/// [[barrier]] and [[collector]]
+struct Barrier {
+  std::string name;
+  bool is_collector = false;
+  std::vector<std::array<double, 2>> line;  // plan; 2D: one point (x, 0) from the plain number x
+  double height_m = 0;
+  double inclination_deg = 0;  // from the vertical; positive leans to the right of the line as it is drawn (2D: towards +x)
+  double capacity_kJ = std::numeric_limits<double>::infinity();
+  std::optional<double> normal_restitution;  // both or neither; neither: the barrier holds what it stops
+  std::optional<double> tangential_restitution;
+  int source_line = 0;
+};
+
+/// [output]
+struct Output {
+  std::optional<std::int64_t> path_limit;  // key `paths`: nothing here is "all", 0 is "none", else a number of rocks
+  bool report = true;
+};
+
+struct Project {
+  std::filesystem::path file;  // as the user named it
+  std::string name;            // default: the file's stem
+  Analysis analysis;
+  Sampling sampling;
+  Terrain terrain;
+  std::vector<Material> materials;
+  Ground ground;
+  std::vector<Seeder> seeders;
+  std::vector<Barrier> barriers;  // collectors too
+  Output output;
+
+  [[nodiscard]] bool is_2d() const { return !terrain.section.empty() && !terrain.width_m; }
+  [[nodiscard]] std::uint64_t rocks() const;
+};
+
+}  // namespace talus::project

@@ -1,0 +1,160 @@
+#include "talus/project/read.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "talus/project/check.hpp"
+#include "talus/project/document.hpp"
+#include "talus/project/settings.hpp"
+#include "talus/project/values.hpp"
+
+namespace talus::project {
+namespace {
+
+void note_line(Row row, int line) {
+  if (auto* seeder = std::get_if<Seeder*>(&row)) (*seeder)->line = line;
+  if (auto* barrier = std::get_if<Barrier*>(&row)) (*barrier)->source_line = line;
+}
+
+void read_table(const Table& table, const Document& document, ValueReader& reader, Project& project,
+                Problems& problems) {
+  const toml::node* node = table.key.empty() ? &document.root() : document.root().get(table.key);
+  const auto refuse = [&](Problem problem, std::string what, std::string why) {
+    problem.what = std::move(what);
+    problem.why = std::move(why);
+    problems.add(std::move(problem));
+  };
+  if (!node) {
+    if (!table.required) return;
+    refuse(document.nowhere(), fmt::format("{} is missing", table.heading()),
+           table.repeated ? "a project needs at least one" : "a project needs it");
+    return;
+  }
+  if (!table.repeated) {
+    if (const toml::table* from = node->as_table()) {
+      reader.read(table, *from, table.add(project), name_of_row(table, *from, 0));
+    } else {
+      refuse(document.at(*node),
+             node->is_array_of_tables() ? fmt::format("[[{}]] is a list of tables", table.key)
+                                        : fmt::format("{} is {}", table.key, quoted(*node)),
+             fmt::format("expected one table, {}", table.heading()));
+    }
+    return;
+  }
+  const toml::array* list = node->as_array();
+  if (!list || (list->empty() && table.required)) {
+    refuse(document.at(*node),
+           node->is_table() ? fmt::format("[{}] is a single table", table.key)
+                            : fmt::format("{} is {}", table.key, quoted(*node)),
+           fmt::format("there may be several; expected {}", table.heading()));
+    return;
+  }
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::node& entry = (*list)[i];
+    const Row row = table.add(project);
+    if (const toml::table* from = entry.as_table()) {
+      note_line(row, document.at(entry).line);
+      reader.read(table, *from, row, name_of_row(table, *from, i));
+    } else {
+      refuse(document.at(entry), fmt::format("{}[{}] is {}", table.key, i, quoted(entry)),
+             fmt::format("expected a table {}", table.heading()));
+    }
+  }
+}
+
+template <class Named>
+void name_unnamed(Named& item, std::string_view kind, std::size_t index) {
+  if (item.name.empty()) item.name = fmt::format("{} {}", kind, index + 1);
+}
+
+/// The defaults that follow from other values.
+void complete(Project& project) {
+  if (project.name.empty()) project.name = project.file.stem().string();
+  // Where segments or triangles name every material, the default names nothing; the first material is as good as any.
+  if (project.ground.default_material.empty() && !project.materials.empty()) {
+    project.ground.default_material = project.materials.front().name;
+  }
+  for (std::size_t i = 0; i < project.seeders.size(); ++i) name_unnamed(project.seeders[i], "seeder", i);
+  std::size_t barriers = 0, collectors = 0;
+  for (Barrier& barrier : project.barriers) {
+    if (barrier.is_collector) {
+      name_unnamed(barrier, "collector", collectors++);
+    } else {
+      name_unnamed(barrier, "barrier", barriers++);
+    }
+  }
+}
+
+/// Shares `total` rocks among the seeders in proportion to what they have, by largest remainders.
+void share_rocks(std::vector<Seeder>& seeders, std::int64_t total) {
+  // 64 bits of mantissa, and what the division rounds away the remainders give back.
+  using Exact = long double;
+  Exact all = 0;
+  for (const Seeder& seeder : seeders) all += static_cast<Exact>(seeder.rocks);
+  std::vector<Exact> remainders(seeders.size());
+  std::int64_t left = total;
+  for (std::size_t i = 0; i < seeders.size(); ++i) {
+    const Exact share = static_cast<Exact>(seeders[i].rocks) * static_cast<Exact>(total) / all;
+    seeders[i].rocks = static_cast<std::int64_t>(share);
+    remainders[i] = share - static_cast<Exact>(seeders[i].rocks);
+    left -= seeders[i].rocks;
+  }
+  std::vector<std::size_t> order(seeders.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return remainders[a] > remainders[b]; });
+  for (std::size_t i = 0; left > 0; i = (i + 1) % order.size(), --left) ++seeders[order[i]].rocks;
+}
+
+/// In the order of the file, then of the command line.
+Problems in_order(const Problems& problems, const std::string& file) {
+  std::vector<Problem> list = problems.list();
+  std::stable_sort(list.begin(), list.end(), [&](const Problem& a, const Problem& b) {
+    const bool a_elsewhere = a.file != file, b_elsewhere = b.file != file;
+    return a_elsewhere != b_elsewhere ? b_elsewhere : a.line < b.line;
+  });
+  Problems sorted;
+  for (Problem& problem : list) sorted.add(std::move(problem));
+  return sorted;
+}
+
+Problem about_option(std::string option, std::string what, std::string why) {
+  return {.file = std::move(option), .where = {}, .what = std::move(what), .why = std::move(why), .hint = {}};
+}
+
+}  // namespace
+
+Reading read_project_text(std::string_view text, const std::filesystem::path& file, const Overrides& overrides) {
+  Problems problems;
+  Document document(text, file.string());
+  for (const std::string& setting : overrides.settings) document.set(setting, problems);
+
+  Reading reading;
+  Project& project = reading.project;
+  project.file = file;
+  ValueReader reader(document, problems);
+  for (const Table& table : tables()) read_table(table, document, reader, project, problems);
+
+  const Range& rocks = setting("seeder", "rocks").range;
+  if (overrides.rocks && !rocks.contains(static_cast<double>(*overrides.rocks))) {
+    problems.add(about_option(fmt::format("--rocks {}", *overrides.rocks), "this is no number of rocks",
+                              fmt::format("expected {}", rocks.text())));
+  }
+  if (!problems.has_errors()) complete(project);
+  check(project, document, reader.refused(), problems);
+  problems = in_order(problems, document.file());
+  if (problems.has_errors()) throw BadInput(std::move(problems));
+
+  if (overrides.rocks) share_rocks(project.seeders, *overrides.rocks);
+  if (overrides.seed) project.sampling.seed = *overrides.seed;
+  reading.warnings = std::move(problems);
+  return reading;
+}
+
+Reading read_project(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_project_text(text_of_file(file), file, overrides);
+}
+
+}  // namespace talus::project

@@ -1,0 +1,147 @@
+#include "talus/project/reference.hpp"
+
+#include <fmt/format.h>
+
+#include "talus/project/echo.hpp"
+#include "talus/project/settings.hpp"
+#include "talus/project/starter.hpp"
+#include "talus/project/values.hpp"
+
+namespace talus::project {
+namespace {
+
+std::string words_text(std::span<const std::string_view> list) {
+  std::string out;
+  for (const std::string_view word : list) out += fmt::format("{}`\"{}\"`", out.empty() ? "" : ", ", word);
+  return out;
+}
+
+/// The type of a member for people.
+struct Named {
+  std::string operator()(const bool*) const { return "true or false"; }
+  std::string operator()(const double*) const { return "number"; }
+  std::string operator()(const std::optional<double>*) const { return "number"; }
+  std::string operator()(const std::int64_t*) const { return "whole number"; }
+  std::string operator()(const std::uint64_t*) const { return "whole number"; }
+  std::string operator()(const std::string*) const { return "text"; }
+  std::string operator()(const std::filesystem::path*) const { return "path of a file"; }
+  std::string operator()(const std::array<double, 3>*) const { return "three numbers"; }
+  std::string operator()(const Distribution*) const { return "number or distribution"; }
+  std::string operator()(const std::optional<Distribution>*) const { return "number or distribution"; }
+  std::string operator()(const std::vector<std::array<double, 2>>*) const { return "list of pairs"; }
+  std::string operator()(const std::vector<std::array<double, 3>>*) const { return "list of triples"; }
+  std::string operator()(const std::vector<std::array<std::int64_t, 3>>*) const { return "list of triples"; }
+  std::string operator()(const std::vector<std::string>*) const { return "list of texts"; }
+  std::string operator()(const std::vector<std::int64_t>*) const { return "list of whole numbers"; }
+  template <class Enumeration>
+  requires std::is_enum_v<Enumeration> std::string operator()(const Enumeration*) const {
+    return words_text(words(Enumeration{}));
+  }
+  std::string operator()(PositionSlot) const { return "position"; }
+  std::string operator()(PointsSlot) const { return "list of positions"; }
+  std::string operator()(PlanLineSlot) const { return "number or list of pairs"; }
+  std::string operator()(DirectionSlot) const { return "two or three numbers"; }
+  std::string operator()(PathLimitSlot) const { return "`\"all\"`, `\"none\"` or whole number"; }
+};
+
+std::string type_text(const Table& table, const Setting& setting) {
+  Project blank;
+  Distribution blank_distribution;
+  return std::visit(Named{}, setting.slot(table.add ? table.add(blank) : Row(&blank_distribution)));
+}
+
+std::string range_text(const Range& range) {
+  if (range.is_everything()) return "";
+  return range.infinite_allowed ? range.text() + ", or inf" : range.text();
+}
+
+std::string value_text(const nlohmann::ordered_json& value) {
+  if (value == "inf") return "`inf`";
+  if (value.is_number_float()) return fmt::format("`{}`", number_text(value.get<double>()));
+  // A certain property is written as the plain number that it is.
+  if (value.is_object() && value.value("distribution", "") == "none") return value_text(value["mean"]);
+  if (value.is_array()) {
+    std::string out;
+    for (const auto& item : value) {
+      const std::string text = value_text(item);
+      out += (out.empty() ? "" : ", ") + text.substr(1, text.size() - 2);
+    }
+    return fmt::format("`[{}]`", out);
+  }
+  return fmt::format("`{}`", value.dump());
+}
+
+std::string default_text(const Table& table, const Setting& setting) {
+  if (setting.required) return "required";
+  if (!setting.without_it.empty()) return std::string(setting.without_it);
+  return value_text(default_of(table, setting).value());
+}
+
+std::string rows_of(const Table& table) {
+  std::string out =
+      "| key | type | unit | range | default | meaning | source |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const Setting& setting : table.settings) {
+    out += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", setting.key, type_text(table, setting), setting.unit,
+                       range_text(setting.range), default_text(table, setting), setting.meaning, setting.source);
+  }
+  return out;
+}
+
+std::string later_of(const Table& table) {
+  std::string out;
+  for (const LaterKey& later : table.later) {
+    out += fmt::format("- `{}` ({}) is known and not read yet. {}.\n", later.key, later.what, later.instead);
+  }
+  for (const Setting& setting : table.settings) {
+    if (setting.later_words.empty()) continue;
+    out += fmt::format("- Of `{}`, {} are known and not read yet.\n", setting.key, words_text(setting.later_words));
+  }
+  return out.empty() ? "" : '\n' + out;
+}
+
+}  // namespace
+
+std::string reference_page() {
+  std::string page = R"(# The project file
+
+<!-- Made from the declaration of the settings (src/talus/project/settings.cpp) by reference.cpp; not written by hand.
+     To renew it: TALUS_RENEW_REFERENCE=1 and run the test ReferencePage.IsNotStale. -->
+
+A project is one TOML file. Units are in the names of the keys. A key that is not listed here is an error, and so is a
+value out of range: `talus check` shows all problems at once, with file, line and key. Lengths are in metres, x and y on
+plan, z up.
+
+A section without `width_m` is analysed in 2D: positions then are [x, z]. Everything else is 3D, and positions are
+[x, y, z].
+
+On the command line, `--set table.key=value` overrides a key; the value is TOML, and a bare word is a text. Entries of
+lists are called by their number, counted from 0, or by their name:
+`--set analysis.gravity_m_s2=9.81 --set seeder.0.rocks=10 --set "material.Type One.normal_restitution.mean=0.4"`.
+A name with a dot in it stands in double quotes. `--rocks N` is the number of rocks in all: several seeders share them
+in proportion to what the file gives each. `--seed S` is short for `--set sampling.seed=S`.
+
+*The manual*, named as a source, is Rocscience's verification manual of RocFall3, *Lumped Mass and Rigid Body (Legacy
+Sphere)*.
+
+## Random properties
+
+)";
+  page += std::string(distribution_table().meaning);
+  page += R"(
+Truncation is a renormalisation: draws are not piled up at the limits. Whatever the limits, a draw never leaves the
+range of its property.
+
+)";
+  page += rows_of(distribution_table());
+  for (const Table& table : tables()) {
+    page += fmt::format("\n## {}\n\n{}\n\n", table.key.empty() ? "Before the first table" : '`' + table.heading() + '`',
+                        table.meaning);
+    page += rows_of(table);
+    page += later_of(table);
+  }
+  page += "\n## An example\n\n`talus new` writes this one.\n\n```toml\n" + starter() + "```\n";
+  return page;
+}
+
+}  // namespace talus::project

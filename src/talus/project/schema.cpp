@@ -1,0 +1,134 @@
+#include "talus/project/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "talus/project/echo.hpp"
+#include "talus/project/settings.hpp"
+
+namespace talus::project {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json with_range(Json type, const Range& range) {
+  if (std::isfinite(range.least)) type[range.least_excluded ? "exclusiveMinimum" : "minimum"] = range.least;
+  if (std::isfinite(range.most)) type[range.most_excluded ? "exclusiveMaximum" : "maximum"] = range.most;
+  return type;
+}
+
+Json list_of(Json items, std::size_t least) {
+  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", least}};
+}
+
+Json tuple_of(const Json& item, std::size_t least, std::size_t most) {
+  return {{"type", "array"}, {"items", item}, {"minItems", least}, {"maxItems", most}};
+}
+
+Json table_schema(const Table& table);
+
+/// The JSON type of a member.
+struct Typed {
+  const Range& range;
+
+  Json number() const { return with_range({{"type", "number"}}, range); }
+  Json whole() const { return with_range({{"type", "integer"}}, range); }
+  Json text() const { return {{"type", "string"}, {"minLength", 1}}; }
+
+  Json operator()(const bool*) const { return {{"type", "boolean"}}; }
+  Json operator()(const double*) const { return number(); }
+  Json operator()(const std::optional<double>*) const { return number(); }
+  Json operator()(const std::int64_t*) const { return whole(); }
+  Json operator()(const std::uint64_t*) const { return whole(); }
+  Json operator()(const std::string*) const { return text(); }
+  Json operator()(const std::filesystem::path*) const { return text(); }
+  Json operator()(const std::array<double, 3>*) const { return tuple_of(number(), 3, 3); }
+  Json operator()(const Distribution*) const {
+    Json parts = table_schema(distribution_table());
+    parts["properties"]["mean"].update(number());
+    return {{"anyOf", {number(), std::move(parts)}}};
+  }
+  Json operator()(const std::optional<Distribution>*) const {
+    return (*this)(static_cast<const Distribution*>(nullptr));
+  }
+  Json operator()(const std::vector<std::array<double, 2>>*) const { return list_of(tuple_of(number(), 2, 2), 1); }
+  Json operator()(const std::vector<std::array<double, 3>>*) const { return list_of(tuple_of(number(), 3, 3), 1); }
+  Json operator()(const std::vector<std::array<std::int64_t, 3>>*) const { return list_of(tuple_of(whole(), 3, 3), 1); }
+  Json operator()(const std::vector<std::string>*) const { return list_of(text(), 1); }
+  Json operator()(const std::vector<std::int64_t>*) const { return list_of(whole(), 1); }
+  template <class Enumeration>
+  requires std::is_enum_v<Enumeration> Json operator()(const Enumeration*) const {
+    return {{"enum", Json(words(Enumeration{}))}};
+  }
+  Json position() const {
+    return tuple_of({{"anyOf", Json::array({Json{{"type", "number"}}, Json{{"const", "surface"}}})}}, 1, 3);
+  }
+  Json operator()(PositionSlot) const { return position(); }
+  Json operator()(PointsSlot) const { return list_of(position(), 2); }
+  Json operator()(PlanLineSlot) const {
+    const Json plain{{"type", "number"}};
+    return {{"anyOf", Json::array({plain, tuple_of(plain, 1, 1), list_of(tuple_of(plain, 2, 2), 2)})}};
+  }
+  Json operator()(DirectionSlot) const { return tuple_of({{"type", "number"}}, 2, 3); }
+  Json operator()(PathLimitSlot) const { return {{"anyOf", Json::array({Json{{"enum", {"all", "none"}}}, whole()})}}; }
+};
+
+/// A row to ask a setting for its member: only the type matters.
+Json type_of(const Table& table, const Setting& setting) {
+  Project blank;
+  Distribution blank_distribution;
+  const Row row = table.add ? table.add(blank) : Row(&blank_distribution);
+  return std::visit(Typed{setting.range}, setting.slot(row));
+}
+
+Json table_schema(const Table& table) {
+  Json properties = Json::object();
+  Json required = Json::array();
+  for (const Setting& setting : table.settings) {
+    Json property = type_of(table, setting);
+    property["description"] = std::string(setting.meaning);
+    if (!setting.unit.empty()) property["x-unit"] = std::string(setting.unit);
+    if (auto value = default_of(table, setting); value && setting.without_it.empty() && *value != "inf") {
+      property["default"] = std::move(*value);
+    } else if (!setting.without_it.empty()) {
+      property["x-without-it"] = std::string(setting.without_it);
+    }
+    if (setting.required) required.push_back(std::string(setting.key));
+    properties[std::string(setting.key)] = std::move(property);
+  }
+  for (const LaterKey& later : table.later) {
+    if (later.false_is_fine) properties[std::string(later.key)] = {{"const", false}};
+  }
+  Json out{{"type", "object"}, {"description", std::string(table.meaning)}};
+  out["properties"] = std::move(properties);
+  out["additionalProperties"] = false;
+  if (!required.empty()) out["required"] = std::move(required);
+  return out;
+}
+
+}  // namespace
+
+Json schema() {
+  Json out;
+  Json required = Json::array();
+  for (const Table& table : tables()) {
+    Json described = table_schema(table);
+    if (table.key.empty()) {
+      out = Json{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Talus project"}};
+      out.update(described);
+      out["description"] = "A project file of Talus, an open rockfall simulator.";
+      continue;
+    }
+    if (table.repeated) {
+      described = list_of(std::move(described), table.required ? 1 : 0);
+    }
+    if (table.required) required.push_back(std::string(table.key));
+    out["properties"][std::string(table.key)] = std::move(described);
+  }
+  out["required"] = std::move(required);
+  return out;
+}
+
+}  // namespace talus::project

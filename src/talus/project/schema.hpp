@@ -1,0 +1,10 @@
+#pragma once
+// The project file as a JSON Schema (draft 7, which editors of TOML understand): keys, types, ranges, words, defaults.
+
+#include <nlohmann/json.hpp>
+
+namespace talus::project {
+
+[[nodiscard]] nlohmann::ordered_json schema();
+
+}  // namespace talus::project

@@ -1,0 +1,793 @@
+#include "talus/project/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "talus/core/check.hpp"
+
+namespace talus::project {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The most rocks of one seeder, and of all: far beyond any campaign, far below where 64-bit sums overflow.
+constexpr double most_rocks = 1e12;
+
+template <class Struct, class Member>
+std::function<Slot(Row)> member(Member Struct::*pointer) {
+  return [pointer](Row row) -> Slot { return &(std::get<Struct*>(row)->*pointer); };
+}
+
+std::function<Slot(Row)> position_slot() {
+  return [](Row row) -> Slot { return PositionSlot{std::get<Seeder*>(row)}; };
+}
+std::function<Slot(Row)> points_slot() {
+  return [](Row row) -> Slot { return PointsSlot{std::get<Seeder*>(row)}; };
+}
+std::function<Slot(Row)> direction_slot() {
+  return [](Row row) -> Slot { return DirectionSlot{&std::get<Seeder*>(row)->direction}; };
+}
+std::function<Slot(Row)> plan_line_slot() {
+  return [](Row row) -> Slot { return PlanLineSlot{std::get<Barrier*>(row)}; };
+}
+std::function<Slot(Row)> path_limit_slot() {
+  return [](Row row) -> Slot { return PathLimitSlot{&std::get<Output*>(row)->path_limit}; };
+}
+
+constexpr Range at_least(double least, std::string_view why = {}) { return {.least = least, .too_low = why}; }
+constexpr Range more_than(double least, std::string_view why = {}) {
+  return {.least = least, .least_excluded = true, .too_low = why};
+}
+constexpr Range between(double least, double most) { return {.least = least, .most = most}; }
+
+constexpr Range restitution{.least = 0,
+                            .most = 1,
+                            .too_low = "a restitution cannot turn a velocity round twice",
+                            .too_high = "a rebound cannot gain energy"};
+
+/// A restitution given in percent, or with its point one place off.
+std::optional<double> restitution_slip(double value) {
+  if (value > 1 && value < 10) return value / 10;
+  if (value >= 10 && value <= 100) return value / 100;
+  return std::nullopt;
+}
+
+std::optional<double> sign_slip(double value) { return value < 0 ? std::optional(-value) : std::nullopt; }
+
+/// A density in t/m3 or g/cm3.
+std::optional<double> density_slip(double value) {
+  return value >= 0.5 && value <= 20 ? std::optional(value * 1000) : std::nullopt;
+}
+
+std::optional<Doubt> radians_doubt(double value) {
+  if (value <= 0 || value > std::numbers::pi / 2) return std::nullopt;
+  return Doubt{"this is an angle in degrees, and such a ground would be almost frictionless",
+               fmt::format("If it is in radians, write {:.4g}", value * 180 / std::numbers::pi)};
+}
+
+std::optional<Doubt> tonnes_doubt(double value) {
+  constexpr double pebble = 5;  // kg
+  if (value > pebble) return std::nullopt;
+  return Doubt{"this is a mass in kilograms, of a stone that can be held in a hand",
+               fmt::format("If it is in tonnes, write {}", value * 1000)};
+}
+
+template <class Struct>
+auto one_row(Struct Project::*table) {
+  return std::pair{[table](Project& project) -> Row { return &(project.*table); },
+                   [table](Project& project) { return std::vector<Row>{&(project.*table)}; }};
+}
+
+template <class Struct>
+Row added(std::vector<Struct>& list) {
+  return &list.emplace_back();
+}
+
+template <class Struct>
+std::vector<Row> all(std::vector<Struct>& list) {
+  std::vector<Row> rows;
+  for (Struct& item : list) rows.push_back(&item);
+  return rows;
+}
+
+Row added_barrier(Project& project, bool is_collector) {
+  Barrier& barrier = project.barriers.emplace_back();
+  barrier.is_collector = is_collector;
+  return &barrier;
+}
+
+std::vector<Row> all_barriers(Project& project, bool are_collectors) {
+  std::vector<Row> rows;
+  for (Barrier& barrier : project.barriers) {
+    if (barrier.is_collector == are_collectors) rows.push_back(&barrier);
+  }
+  return rows;
+}
+
+Table head() {
+  return {
+      .key = "",
+      .meaning = "Stands before the first table.",
+      .settings =
+          {
+              {.key = "name",
+               .slot = member(&Project::name),
+               .without_it = "the name of the file, without `.toml`",
+               .meaning = "What the project is called in the report, and the name of the folder with its results.",
+               .source = "Talus"},
+          },
+      .later = {},
+      .add = [](Project& project) -> Row { return &project; },
+      .rows = [](Project& project) { return std::vector<Row>{&project}; },
+  };
+}
+
+Table analysis() {
+  auto [add, rows] = one_row(&Project::analysis);
+  return {
+      .key = "analysis",
+      .meaning = "How rocks move.",
+      .settings =
+          {
+              {.key = "model",
+               .slot = member(&Analysis::model),
+               .meaning = "A rock is a point with mass and spin (`lumped_mass`, the law of CRSP) or a sphere with a "
+                          "radius (`rigid_sphere`).",
+               .source = "the manual, sections 2 and 7"},
+              {.key = "rotation",
+               .slot = member(&Analysis::rotation),
+               .meaning = "Lumped mass: impacts couple spin and velocity; without it they are plain restitution.",
+               .source = "RocFall: \"consider rotational velocity\""},
+              {.key = "gravity_m_s2",
+               .slot = member(&Analysis::gravity_m_s2),
+               .unit = "m/s2",
+               .range = more_than(0, "gravity is given as a magnitude, it points down by itself"),
+               .meaning = "Acceleration of gravity.",
+               .source = "standard gravity, as in the tables of RocFall2 and RocFall3; the manual's hand calculations "
+                         "use 9.81",
+               .slip = sign_slip},
+              {.key = "sliding",
+               .slot = member(&Analysis::sliding),
+               .meaning = "Sliding is integrated in time steps as RocFall3 does (`stepped`) or solved exactly facet by "
+                          "facet as RocFall2 does (`closed_form`).",
+               .source = "the manual, section 3"},
+              {.key = "max_timestep_s",
+               .slot = member(&Analysis::max_timestep_s),
+               .unit = "s",
+               .range = more_than(0),
+               .meaning = "Time step of stepped sliding and of rolling.",
+               .source = "RocFall3"},
+              {.key = "normal_velocity_cutoff_m_s",
+               .slot = member(&Analysis::normal_velocity_cutoff_m_s),
+               .unit = "m/s",
+               .range = at_least(0),
+               .meaning = "A rock that leaves an impact with a smaller normal velocity stays on the ground and slides "
+                          "or rolls.",
+               .source = "RocFall2 and RocFall3"},
+              {.key = "stopped_velocity_m_s",
+               .slot = member(&Analysis::stopped_velocity_m_s),
+               .unit = "m/s",
+               .range = at_least(0),
+               .meaning = "A slower rock is at rest where friction can hold it.",
+               .source = "RocFall2 and RocFall3"},
+              {.key = "max_steps",
+               .slot = member(&Analysis::max_steps),
+               .range = between(1, 1e9),
+               .meaning = "A rock with more contacts and sliding steps than this is ended and counted as such.",
+               .source = "Talus"},
+              {.key = "max_time_s",
+               .slot = member(&Analysis::max_time_s),
+               .unit = "s",
+               .range = more_than(0),
+               .meaning = "A rock that moves longer than this is ended and counted as such.",
+               .source = "Talus"},
+              {.key = "energy_datum_m",
+               .slot = member(&Analysis::energy_datum_m),
+               .unit = "m",
+               .without_it = "the lowest point of the terrain",
+               .meaning = "Height at which potential energy is zero.",
+               .source = "the manual: 0 in sections 2, 3 and 7, the lowest vertex in sections 1 and 6"},
+              {.key = "friction_angle",
+               .slot = member(&Analysis::friction_angle),
+               .meaning = "The friction angle of sliding is the material's, follows from its tangential restitution, "
+                          "phi = arctan((1 - Rt) / Rt), or is zero.",
+               .source = "RocFall"},
+              {.key = "scale_rn_by_velocity",
+               .slot = member(&Analysis::scale_rn_by_velocity),
+               .meaning = "Faster impacts rebound less: Rn / (1 + (vn / K)^2), K being `rn_velocity_scale_m_s`.",
+               .source = "Pfeiffer and Bowen 1989 (CRSP)"},
+              {.key = "rn_velocity_scale_m_s",
+               .slot = member(&Analysis::rn_velocity_scale_m_s),
+               .unit = "m/s",
+               .range = more_than(0),
+               .meaning = "Normal velocity at which scaling by velocity halves the normal restitution.",
+               .source = "30 ft/s, Pfeiffer and Bowen 1989 (CRSP)"},
+              {.key = "scale_rn_by_mass",
+               .slot = member(&Analysis::scale_rn_by_mass),
+               .meaning = "Heavier rocks rebound less: Rn / (1 + (m / K)^2), K being `rn_mass_scale_kg`.",
+               .source = "RocFall"},
+              {.key = "rn_mass_scale_kg",
+               .slot = member(&Analysis::rn_mass_scale_kg),
+               .unit = "kg",
+               .range = more_than(0),
+               .meaning = "Mass at which scaling by mass halves the normal restitution.",
+               .source = "RocFall"},
+              {.key = "tangential_crsp_damping",
+               .slot = member(&Analysis::tangential_crsp_damping),
+               .meaning = "Rigid sphere: the tangential velocity after an impact is damped as by CRSP.",
+               .source = "RocFall3"},
+          },
+      .later = {},
+      .add = add,
+      .rows = rows,
+  };
+}
+
+Table sampling() {
+  auto [add, rows] = one_row(&Project::sampling);
+  return {
+      .key = "sampling",
+      .meaning = "How random properties are drawn.",
+      .settings =
+          {
+              {.key = "seed",
+               .slot = member(&Sampling::seed),
+               .range = at_least(0),
+               .meaning = "A rock's path depends on nothing but the project, this number and the rock's number.",
+               .source = "Talus"},
+              {.key = "method",
+               .slot = member(&Sampling::method),
+               .meaning = "Independent draws, or draws stratified over the rocks of the campaign.",
+               .source = "McKay, Beckman and Conover 1979 for `latin_hypercube`"},
+              {.key = "materials",
+               .slot = member(&Sampling::materials),
+               .meaning = "Material properties are drawn afresh at every impact, or once for each rock.",
+               .source = "Talus; the manual does not say which its programs do"},
+          },
+      .later = {},
+      .add = add,
+      .rows = rows,
+  };
+}
+
+Table terrain() {
+  auto [add, rows] = one_row(&Project::terrain);
+  return {
+      .key = "terrain",
+      .required = true,
+      .meaning = "The slope: exactly one of `section`, `mesh` and `triangles`. z points up.",
+      .settings =
+          {
+              {.key = "section",
+               .slot = member(&Terrain::section),
+               .unit = "m",
+               .without_it = "one of section, mesh and triangles is required",
+               .excludes = {"mesh", "vertices", "triangles"},
+               .meaning = "Vertices [x, z] of a slope in section, along the slope: two or more.",
+               .source = "Talus"},
+              {.key = "section_std_dev_m",
+               .slot = member(&Terrain::section_std_dev_m),
+               .unit = "m",
+               .range = at_least(0),
+               .without_it = "the vertices are certain",
+               .excludes = {"width_m"},
+               .meaning = "2D: standard deviations [of x, of z] of the vertices, one pair for each vertex; every rock "
+                          "falls down its own slope.",
+               .source = "RocFall2"},
+              {.key = "width_m",
+               .slot = member(&Terrain::width_m),
+               .unit = "m",
+               .range = more_than(0),
+               .without_it = "the analysis is 2D",
+               .excludes = {"section_std_dev_m"},
+               .meaning = "Extrudes the section along y, from y = 0 to this width, to a 3D terrain.",
+               .source = "Talus"},
+              {.key = "mesh",
+               .slot = member(&Terrain::mesh),
+               .without_it = "one of section, mesh and triangles is required",
+               .excludes = {"section", "vertices", "triangles"},
+               .meaning = "A file of triangles in metres (.obj, .stl or .ply); its path is relative to the project "
+                          "file.",
+               .source = "Talus"},
+              {.key = "vertices",
+               .slot = member(&Terrain::vertices),
+               .unit = "m",
+               .without_it = "required beside triangles",
+               .excludes = {"section", "mesh"},
+               .meaning = "Vertices [x, y, z] of an inline mesh.",
+               .source = "Talus"},
+              {.key = "triangles",
+               .slot = member(&Terrain::triangles),
+               .range = at_least(0),
+               .without_it = "one of section, mesh and triangles is required",
+               .excludes = {"section", "mesh"},
+               .meaning = "Triangles of an inline mesh: the numbers of three vertices each, counted from 0, in either "
+                          "winding.",
+               .source = "Talus"},
+              {.key = "rotate_deg",
+               .slot = member(&Terrain::rotate_deg),
+               .unit = "deg",
+               .range = between(-360, 360),
+               .meaning = "3D: turns the terrain about the vertical, counter-clockwise seen from above; seeders and "
+                          "barriers stay.",
+               .source = "the manual, section 5"},
+              {.key = "rotate_about",
+               .slot = member(&Terrain::rotate_about),
+               .unit = "m",
+               .meaning = "A point [x, y, z] on the vertical axis of that turn.",
+               .source = "the manual, section 5"},
+          },
+      .later = {{"raster", "terrain from a raster of heights", "Convert the raster to a mesh (.obj, .stl or .ply)"}},
+      .add = add,
+      .rows = rows,
+  };
+}
+
+Table material() {
+  return {
+      .key = "material",
+      .repeated = true,
+      .required = true,
+      .meaning = "What the ground is made of; one entry for each kind.",
+      .settings =
+          {
+              {.key = "name",
+               .slot = member(&Material::name),
+               .required = true,
+               .meaning = "The name by which `[ground]` calls it; no other material has it.",
+               .source = "Talus"},
+              {.key = "normal_restitution",
+               .slot = member(&Material::normal_restitution),
+               .range = restitution,
+               .meaning = "Rn, the part of the velocity normal to the ground that an impact gives back.",
+               .source = "the manual, table 1-2, for how it is given; the default is a choice of Talus",
+               .slip = restitution_slip},
+              {.key = "tangential_restitution",
+               .slot = member(&Material::tangential_restitution),
+               .range = restitution,
+               .meaning = "Rt, the part of the velocity along the ground that an impact leaves.",
+               .source = "the manual, table 1-2, for how it is given; the default is a choice of Talus",
+               .slip = restitution_slip},
+              {.key = "friction_angle_deg",
+               .slot = member(&Material::friction_angle_deg),
+               .unit = "deg",
+               .range = {.least = 0,
+                         .most = 90,
+                         .most_excluded = true,
+                         .too_low = "friction cannot push",
+                         .too_high = "no rock could slide"},
+               .meaning = "phi, the friction angle of sliding.",
+               .source = "the manual, table 1-2",
+               .doubt = radians_doubt},
+              {.key = "roughness_deg",
+               .slot = member(&Material::roughness_deg),
+               .unit = "deg",
+               .range = {.least = 0, .most = 90, .most_excluded = true},
+               .meaning = "Standard deviation of the angle by which an impact finds the ground tilted; 0 is smooth.",
+               .source = "RocFall: slope roughness"},
+              {.key = "roughness_spacing_m",
+               .slot = member(&Material::roughness_spacing_m),
+               .unit = "m",
+               .range = at_least(0),
+               .meaning = "Rigid sphere: distance of the bumps of a rough ground.",
+               .source = "RocFall: slope roughness"},
+              {.key = "roughness_amplitude_m",
+               .slot = member(&Material::roughness_amplitude_m),
+               .unit = "m",
+               .range = at_least(0),
+               .meaning = "Rigid sphere: height of the bumps of a rough ground.",
+               .source = "RocFall: slope roughness"},
+              {.key = "dynamic_friction",
+               .slot = member(&Material::dynamic_friction),
+               .range = at_least(0, "friction cannot push"),
+               .meaning = "Rigid sphere: mu, the coefficient of friction while the contact slips.",
+               .source = "the manual, section 7; the default is a choice of Talus"},
+              {.key = "rolling_friction",
+               .slot = member(&Material::rolling_friction),
+               .range = at_least(0, "friction cannot push"),
+               .meaning = "Rigid sphere: mu_r, the moment against rolling over weight and radius.",
+               .source = "RocFall; the default is a choice of Talus"},
+          },
+      .later = {},
+      .add = [](Project& project) { return added(project.materials); },
+      .rows = [](Project& project) { return all(project.materials); },
+  };
+}
+
+Table ground() {
+  auto [add, rows] = one_row(&Project::ground);
+  constexpr std::string_view instead = "Use default, segments or triangles";
+  return {
+      .key = "ground",
+      .meaning = "Which part of the terrain is made of which material.",
+      .settings =
+          {
+              {.key = "default",
+               .slot = member(&Ground::default_material),
+               .without_it = "the only material; required where there are several and neither segments nor triangles",
+               .meaning = "Name of the material wherever nothing else is said.",
+               .source = "Talus"},
+              {.key = "segments",
+               .slot = member(&Ground::segments),
+               .without_it = "default everywhere",
+               .excludes = {"triangles"},
+               .meaning = "Section: names of materials, one for each segment, in the order of the vertices.",
+               .source = "Talus"},
+              {.key = "triangles",
+               .slot = member(&Ground::triangles),
+               .range = at_least(0),
+               .without_it = "default everywhere",
+               .excludes = {"segments"},
+               .meaning = "Mesh: numbers of materials, counted from 0 in the order of the file, one for each triangle.",
+               .source = "Talus"},
+          },
+      .later = {{"raster", "materials from a class raster", instead},
+                {"classes", "materials from a class raster", instead},
+                {"polygons", "materials from polygons on plan", instead},
+                {"attribute", "materials from polygons on plan", instead}},
+      .add = add,
+      .rows = rows,
+  };
+}
+
+Table seeder() {
+  constexpr std::string_view one_size = "one of mass_kg, volume_m3 and diameter_m is required";
+  return {
+      .key = "seeder",
+      .repeated = true,
+      .required = true,
+      .meaning = "Where rocks start, how many, how large and how fast; any number of entries.",
+      .settings =
+          {
+              {.key = "name",
+               .slot = member(&Seeder::name),
+               .without_it = "`seeder N`, N counted from 1",
+               .meaning = "What results call it; no other seeder has it.",
+               .source = "Talus"},
+              {.key = "type",
+               .slot = member(&Seeder::type),
+               .later_words = {"polygon", "raster"},
+               .meaning = "All rocks start at one `position`, or spread evenly at random along the line through "
+                          "`points`.",
+               .source = "RocFall3"},
+              {.key = "position",
+               .slot = position_slot(),
+               .unit = "m",
+               .without_it = "required for a point",
+               .excludes = {"points"},
+               .meaning = "[x, z] in 2D, [x, y, z] in 3D; z may be `\"surface\"`, or left out with `height_above_m` "
+                          "given.",
+               .source = "Talus"},
+              {.key = "points",
+               .slot = points_slot(),
+               .unit = "m",
+               .without_it = "required for a line",
+               .excludes = {"position"},
+               .meaning = "Two or more positions, each as for a point.",
+               .source = "Talus"},
+              {.key = "height_above_m",
+               .slot = member(&Seeder::height_above_m),
+               .unit = "m",
+               .range = at_least(0, "a rock starts on the ground or above it"),
+               .without_it = "z says it",
+               .meaning = "Height above the terrain, instead of z.",
+               .source = "Talus"},
+              {.key = "rocks",
+               .slot = member(&Seeder::rocks),
+               .range = {.least = 1, .most = most_rocks, .too_low = "a seeder without rocks does nothing"},
+               .meaning = "How many rocks start here.",
+               .source = "Talus"},
+              {.key = "mass_kg",
+               .slot = member(&Seeder::mass_kg),
+               .unit = "kg",
+               .range = more_than(0, "a rock has mass"),
+               .without_it = one_size,
+               .excludes = {"volume_m3", "diameter_m"},
+               .meaning = "Mass of a rock.",
+               .source = "the manual, table 1-1",
+               .doubt = tonnes_doubt},
+              {.key = "volume_m3",
+               .slot = member(&Seeder::volume_m3),
+               .unit = "m3",
+               .range = more_than(0, "a rock has a volume"),
+               .without_it = one_size,
+               .excludes = {"mass_kg", "diameter_m"},
+               .meaning = "Volume of a rock; its mass follows from the density.",
+               .source = "Talus"},
+              {.key = "diameter_m",
+               .slot = member(&Seeder::diameter_m),
+               .unit = "m",
+               .range = more_than(0, "a rock has a size"),
+               .without_it = one_size,
+               .excludes = {"mass_kg", "volume_m3"},
+               .meaning = "Diameter of the sphere with the rock's volume; its mass follows from the density.",
+               .source = "Talus"},
+              {.key = "density_kg_m3",
+               .slot = member(&Seeder::density_kg_m3),
+               .unit = "kg/m3",
+               .range = {.least = 100,
+                         .most = 20000,
+                         .too_low = "rock weighs about 2000 to 3300 kg/m3",
+                         .too_high = "rock weighs about 2000 to 3300 kg/m3"},
+               .meaning = "Density of the rock; with its mass, it gives the radius.",
+               .source = "the manual, table 1-1",
+               .slip = density_slip},
+              {.key = "horizontal_velocity_m_s",
+               .slot = member(&Seeder::horizontal_velocity_m_s),
+               .unit = "m/s",
+               .excludes = {"speed_m_s"},
+               .meaning = "Horizontal velocity at the start, along `direction`.",
+               .source = "the manual, table 1-1"},
+              {.key = "vertical_velocity_m_s",
+               .slot = member(&Seeder::vertical_velocity_m_s),
+               .unit = "m/s",
+               .excludes = {"speed_m_s"},
+               .meaning = "Vertical velocity at the start, positive up.",
+               .source = "the manual, table 1-1"},
+              {.key = "speed_m_s",
+               .slot = member(&Seeder::speed_m_s),
+               .unit = "m/s",
+               .range = at_least(0, "the direction says where to"),
+               .without_it = "horizontal_velocity_m_s and vertical_velocity_m_s hold",
+               .excludes = {"horizontal_velocity_m_s", "vertical_velocity_m_s"},
+               .meaning = "Velocity at the start along a full, not only horizontal, `direction`.",
+               .source = "Talus"},
+              {.key = "rotational_velocity_deg_s",
+               .slot = member(&Seeder::rotational_velocity_deg_s),
+               .unit = "deg/s",
+               .meaning = "Spin at the start, positive where the rock rolls forwards along `direction`.",
+               .source = "the manual, table 1-1"},
+              {.key = "direction",
+               .slot = direction_slot(),
+               .meaning = "[x, z] in 2D, [x, y, z] in 3D, of any length: of the horizontal velocity (then z is 0), or "
+                          "of `speed_m_s`.",
+               .source = "Talus"},
+          },
+      .later = {},
+      .add = [](Project& project) { return added(project.seeders); },
+      .rows = [](Project& project) { return all(project.seeders); },
+  };
+}
+
+/// What barriers and collectors have in common.
+std::vector<Setting> line_settings(std::string_view unnamed) {
+  return {
+      {.key = "name",
+       .slot = member(&Barrier::name),
+       .without_it = unnamed,
+       .meaning = "What results call it; no other barrier or collector has it.",
+       .source = "Talus"},
+      {.key = "line",
+       .slot = plan_line_slot(),
+       .unit = "m",
+       .required = true,
+       .meaning = "Where it stands: x in 2D; two or more points [x, y] on plan in 3D.",
+       .source = "Talus"},
+      {.key = "height_m",
+       .slot = member(&Barrier::height_m),
+       .unit = "m",
+       .range = more_than(0, "it could not be hit"),
+       .required = true,
+       .meaning = "Height along it, from the ground at its foot.",
+       .source = "the manual, section 4"},
+      {.key = "inclination_deg",
+       .slot = member(&Barrier::inclination_deg),
+       .unit = "deg",
+       .range = {.least = -90,
+                 .most = 90,
+                 .least_excluded = true,
+                 .most_excluded = true,
+                 .too_low = "it would lie on the ground",
+                 .too_high = "it would lie on the ground"},
+       .meaning = "Lean from the vertical, positive towards the right of the line's direction (2D: towards -x).",
+       .source = "Talus"},
+  };
+}
+
+Table barrier() {
+  Table table{
+      .key = "barrier",
+      .repeated = true,
+      .meaning = "Something that stops rocks; any number of entries.",
+      .settings = line_settings("`barrier N`, N counted from 1"),
+      .later = {},
+      .add = [](Project& project) { return added_barrier(project, false); },
+      .rows = [](Project& project) { return all_barriers(project, false); },
+  };
+  table.settings.push_back({.key = "capacity_kJ",
+                            .slot = member(&Barrier::capacity_kJ),
+                            .unit = "kJ",
+                            .range = {.least = 0,
+                                      .least_excluded = true,
+                                      .infinite_allowed = true,
+                                      .too_low = "it could stop nothing, and a [[collector]] is what only counts"},
+                            .meaning = "Kinetic energy that it takes; a rock with more breaks through with the excess.",
+                            .source = "the manual, section 4, has barriers of infinite capacity"});
+  table.settings.push_back({.key = "normal_restitution",
+                            .slot = member(&Barrier::normal_restitution),
+                            .range = restitution,
+                            .without_it = "it holds what it stops",
+                            .meaning = "Rn of a rock that bounces off it; given with `tangential_restitution`.",
+                            .source = "Talus",
+                            .slip = restitution_slip});
+  table.settings.push_back({.key = "tangential_restitution",
+                            .slot = member(&Barrier::tangential_restitution),
+                            .range = restitution,
+                            .without_it = "it holds what it stops",
+                            .meaning = "Rt of a rock that bounces off it; given with `normal_restitution`.",
+                            .source = "Talus",
+                            .slip = restitution_slip});
+  return table;
+}
+
+Table collector() {
+  return {
+      .key = "collector",
+      .repeated = true,
+      .meaning = "Something that records the rocks that pass it and does not touch them; any number of entries.",
+      .settings = line_settings("`collector N`, N counted from 1"),
+      .later = {},
+      .add = [](Project& project) { return added_barrier(project, true); },
+      .rows = [](Project& project) { return all_barriers(project, true); },
+  };
+}
+
+Table output() {
+  auto [add, rows] = one_row(&Project::output);
+  return {
+      .key = "output",
+      .meaning = "What is written beside the summary, the end points and the barrier hits.",
+      .settings =
+          {
+              {.key = "paths",
+               .slot = path_limit_slot(),
+               .range = between(0, most_rocks),
+               .meaning = "Of which rocks the whole path is written: `\"all\"`, `\"none\"`, or of so many.",
+               .source = "Talus"},
+              {.key = "report",
+               .slot = member(&Output::report),
+               .meaning = "Writes `report.html`, a page of figures that opens without a network.",
+               .source = "Talus"},
+          },
+      .later = {{"maps", "hazard maps", "Leave it out, or write maps = false", true, {}},
+                {"raster_cell_m", "hazard maps", "Leave it out, or write maps = false beside it", false, "maps"},
+                {"percentiles", "hazard maps", "Leave it out, or write maps = false beside it", false, "maps"}},
+      .add = add,
+      .rows = rows,
+  };
+}
+
+Table distribution() {
+  return {
+      .key = "distribution",
+      .meaning = "A random property. A plain number n is short for `{ mean = n, distribution = \"none\" }`.",
+      .settings =
+          {
+              {.key = "mean",
+               .slot = member(&Distribution::mean),
+               .required = true,
+               .meaning = "The mean before truncation, in the property's unit.",
+               .source = "the manual, tables 1-1 and 1-2"},
+              {.key = "distribution",
+               .slot = member(&Distribution::kind),
+               .meaning = "The kind; with `\"none\"` every draw is the mean, whatever the other keys say.",
+               .source = "the manual, tables 1-1 and 1-2"},
+              {.key = "std_dev",
+               .slot = member(&Distribution::std_dev),
+               .range = at_least(0, "a standard deviation is a width"),
+               .without_it = "required, except for `exponential` (the mean), and for `uniform` and `triangular` with "
+                             "limits",
+               .meaning = "Standard deviation before truncation, in the property's unit.",
+               .source = "the manual, tables 1-1 and 1-2",
+               .slip = sign_slip},
+              {.key = "rel_min",
+               .slot = member(&Distribution::rel_min),
+               .range = at_least(0, "it is a distance below the mean"),
+               .without_it = "no limit but the property's own",
+               .meaning = "No draw is below mean - rel_min.",
+               .source = "the manual, tables 1-1 and 1-2",
+               .slip = sign_slip},
+              {.key = "rel_max",
+               .slot = member(&Distribution::rel_max),
+               .range = at_least(0, "it is a distance above the mean"),
+               .without_it = "no limit but the property's own",
+               .meaning = "No draw is above mean + rel_max.",
+               .source = "the manual, tables 1-1 and 1-2",
+               .slip = sign_slip},
+          },
+      .later = {},
+      .add = nullptr,
+      .rows = nullptr,
+  };
+}
+
+template <std::size_t count>
+using Words = std::array<std::string_view, count>;
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  if (std::isnan(value)) return false;
+  if (std::isinf(value)) return infinite_allowed && value > 0;
+  return (least_excluded ? value > least : value >= least) && (most_excluded ? value < most : value <= most);
+}
+
+bool Range::is_everything() const { return least == -infinity && most == infinity; }
+
+std::string Range::text() const {
+  if (is_everything()) return "any number";
+  if (most == infinity) return least_excluded ? fmt::format("more than {}", least) : fmt::format("{} or more", least);
+  if (!least_excluded && !most_excluded) return fmt::format("{} to {}", least, most);
+  if (!least_excluded) return fmt::format("{} to less than {}", least, most);
+  return fmt::format("more than {}, {} {}", least, most_excluded ? "less than" : "up to", most);
+}
+
+std::span<const std::string_view> words(RockModel) {
+  static constexpr Words<2> list{"lumped_mass", "rigid_sphere"};
+  return list;
+}
+std::span<const std::string_view> words(SlidingMethod) {
+  static constexpr Words<2> list{"stepped", "closed_form"};
+  return list;
+}
+std::span<const std::string_view> words(FrictionSource) {
+  static constexpr Words<3> list{"material", "tangential_restitution", "zero"};
+  return list;
+}
+std::span<const std::string_view> words(MaterialSampling) {
+  static constexpr Words<2> list{"per_impact", "per_rock"};
+  return list;
+}
+std::span<const std::string_view> words(SamplingMethod) {
+  static constexpr Words<2> list{"monte_carlo", "latin_hypercube"};
+  return list;
+}
+std::span<const std::string_view> words(SeederType) {
+  static constexpr Words<2> list{"point", "line"};
+  return list;
+}
+std::span<const std::string_view> words(DistributionKind) {
+  static constexpr Words<8> list{"none", "normal",      "uniform",   "triangular",
+                                 "beta", "exponential", "lognormal", "gamma"};
+  return list;
+}
+
+const Setting* Table::find(std::string_view setting) const {
+  const auto found = std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == setting; });
+  return found == settings.end() ? nullptr : &*found;
+}
+
+std::string Table::heading() const { return fmt::format(fmt::runtime(repeated ? "[[{}]]" : "[{}]"), key); }
+
+const std::vector<Table>& tables() {
+  static const std::vector<Table> list{head(),   analysis(), sampling(), terrain(),   material(),
+                                       ground(), seeder(),   barrier(),  collector(), output()};
+  return list;
+}
+
+const Table& distribution_table() {
+  static const Table table = distribution();
+  return table;
+}
+
+const Setting& setting(std::string_view table, std::string_view key) {
+  for (const Table& candidate : tables()) {
+    if (candidate.key != table) continue;
+    if (const Setting* found = candidate.find(key)) return *found;
+  }
+  TALUS_PROMISE(false, "only declared settings are asked for");
+  throw std::logic_error(fmt::format("no setting {}.{} is declared", table, key));
+}
+
+Bounds bounds(const Range& range) {
+  const Bounds widest;
+  return {std::max(range.least, widest.least), std::min(range.most, widest.most)};
+}
+
+Bounds bounds(std::string_view table, std::string_view key) { return bounds(setting(table, key).range); }
+
+}  // namespace talus::project

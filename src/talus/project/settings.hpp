@@ -1,0 +1,134 @@
+#pragma once
+// The one declaration of every setting of the project file: its table and key, the member of project.hpp that it fills,
+// unit, range, meaning and source. The reader, the JSON Schema, the reference page and the echo in summary.json are all
+// made from it. Defaults are not repeated here: they are the initial values of the structs.
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "talus/project/project.hpp"
+#include "talus/sampling/distribution.hpp"
+
+namespace talus::project {
+
+/// Which numbers a setting may be (for a random property: which means).
+struct Range {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool least_excluded = false;
+  bool most_excluded = false;
+  bool infinite_allowed = false;  // `inf` is a value
+  std::string_view too_low{};     // why a smaller number makes no sense
+  std::string_view too_high{};    // why a larger one makes none
+
+  [[nodiscard]] bool contains(double value) const;
+  [[nodiscard]] bool is_everything() const;
+  /// For people: "0 to 1", "more than 0", "0 or more".
+  [[nodiscard]] std::string text() const;
+};
+
+/// Why a number inside the range is probably not what was meant, and what would then be right.
+struct Doubt {
+  std::string why;
+  std::string hint;
+};
+
+// Members whose form in the file is not that of their type.
+struct PositionSlot {
+  Seeder* seeder;  // [x, z] or [x, y, z], z may be "surface" or left out: the one point of a point seeder
+};
+struct PointsSlot {
+  Seeder* seeder;  // two or more of them: a line seeder
+};
+struct PlanLineSlot {
+  Barrier* barrier;  // x in 2D, [[x, y], ...] in 3D
+};
+struct DirectionSlot {
+  std::array<double, 3>* direction;  // [x, z] or [x, y, z]
+};
+struct PathLimitSlot {
+  std::optional<std::int64_t>* limit;  // "all", "none" or a number of rocks
+};
+
+/// The member that a setting fills, in one row of its table.
+using Slot =
+    std::variant<bool*, double*, std::optional<double>*, std::int64_t*, std::uint64_t*, std::string*,
+                 std::filesystem::path*, std::array<double, 3>*, Distribution*, std::optional<Distribution>*,
+                 std::vector<std::array<double, 2>>*, std::vector<std::array<double, 3>>*,
+                 std::vector<std::array<std::int64_t, 3>>*, std::vector<std::string>*, std::vector<std::int64_t>*,
+                 RockModel*, SlidingMethod*, FrictionSource*, MaterialSampling*, SamplingMethod*, SeederType*,
+                 DistributionKind*, PositionSlot, PointsSlot, PlanLineSlot, DirectionSlot, PathLimitSlot>;
+
+/// One row of a table: the struct that its settings are members of.
+using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Seeder*, Barrier*, Output*,
+                         Distribution*>;
+
+/// The words of an enumeration in the file, in the order of its enumerators.
+std::span<const std::string_view> words(RockModel);
+std::span<const std::string_view> words(SlidingMethod);
+std::span<const std::string_view> words(FrictionSource);
+std::span<const std::string_view> words(MaterialSampling);
+std::span<const std::string_view> words(SamplingMethod);
+std::span<const std::string_view> words(SeederType);
+std::span<const std::string_view> words(DistributionKind);
+
+struct Setting {
+  std::string_view key;
+  std::function<Slot(Row)> slot;
+  std::string_view unit{};  // empty: none
+  Range range{};
+  bool required = false;
+  std::string_view without_it{};  // what holds where the key is absent and the struct's initial value does not say it
+  std::vector<std::string_view> excludes{};     // keys of the same table that may not stand beside this one
+  std::vector<std::string_view> later_words{};  // words of the contract that this version does not read
+  std::string_view meaning{};                   // one sentence
+  std::string_view source{};
+  std::function<std::optional<double>(double)> slip{};  // what a number out of range was probably meant to be
+  std::function<std::optional<Doubt>(double)> doubt{};  // for a number inside the range
+};
+
+/// A key of the contract that this version does not read: recognised, and refused with a reason.
+struct LaterKey {
+  std::string_view key;
+  std::string_view what;           // what it would do
+  std::string_view instead;        // what to do today
+  bool false_is_fine = false;      // `key = false` asks for nothing, and is accepted
+  std::string_view moot_beside{};  // accepted where this other key is there and false
+};
+
+struct Table {
+  std::string_view key;   // empty: the keys before the first table
+  bool repeated = false;  // [[key]]
+  bool required = false;
+  std::string_view meaning;
+  std::vector<Setting> settings;
+  std::vector<LaterKey> later;
+  std::function<Row(Project&)> add;                // the row to read into; a new one for each [[key]]
+  std::function<std::vector<Row>(Project&)> rows;  // all rows that there are
+
+  [[nodiscard]] const Setting* find(std::string_view setting) const;
+  /// As in the file: "[analysis]", "[[seeder]]".
+  [[nodiscard]] std::string heading() const;
+};
+
+/// Every table of the project file, in the order of the contract.
+[[nodiscard]] const std::vector<Table>& tables();
+
+/// The keys of a random property, `{ mean = 0.5, distribution = "normal", ... }`: a table like the others, used by all
+/// settings that are a Distribution.
+[[nodiscard]] const Table& distribution_table();
+
+/// A setting that is known to exist.
+[[nodiscard]] const Setting& setting(std::string_view table, std::string_view key);
+
+/// Limits of what may be drawn for a random property: the range of its setting.
+[[nodiscard]] Bounds bounds(std::string_view table, std::string_view key);
+[[nodiscard]] Bounds bounds(const Range& range);
+
+}  // namespace talus::project

@@ -1,0 +1,10 @@
+#pragma once
+// The project that `talus new` writes: the slope of RocFall2's first tutorial, commented, ready to run.
+
+#include <string>
+
+namespace talus::project {
+
+[[nodiscard]] std::string starter();
+
+}  // namespace talus::project

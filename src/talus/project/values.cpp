@@ -1,0 +1,534 @@
+#include "talus/project/values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "talus/project/nearest.hpp"
+
+namespace talus::project {
+namespace {
+
+/// `a, b or c`, each in double quotes.
+std::string quoted_list(std::span<const std::string_view> words, std::string_view last = " or ") {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) out += i + 1 == words.size() ? last : ", ";
+    out += fmt::format("\"{}\"", words[i]);
+  }
+  return out;
+}
+
+std::string plain_list(std::span<const std::string_view> words, std::string_view last) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) out += i + 1 == words.size() ? last : ", ";
+    out += words[i];
+  }
+  return out;
+}
+
+/// Is this text what a number in quotes would be?
+bool reads_as_number(const toml::node& node) {
+  const auto* text = node.as_string();
+  if (!text || text->get().empty()) return false;
+  char* end = nullptr;
+  std::strtod(text->get().c_str(), &end);
+  return *end == '\0';
+}
+
+std::string number_hint(const toml::node& node) { return reads_as_number(node) ? "Leave out the quotes" : ""; }
+
+std::string reason(const Range& range, double value) {
+  const std::string_view why = value > range.least ? range.too_high : range.too_low;
+  return fmt::format("{}{}expected {}", why, why.empty() ? "" : "; ", range.text());
+}
+
+std::string kind_of_number(std::string_view kind, const Range& range) {
+  return range.is_everything() ? std::string(kind) : fmt::format("{}, {}", kind, range.text());
+}
+
+std::string slip_hint(const Setting& setting, double value) {
+  const std::optional<double> meant = setting.slip ? setting.slip(value) : std::nullopt;
+  return meant && setting.range.contains(*meant) ? fmt::format("Did you mean {}?", number_text(*meant)) : "";
+}
+
+template <std::size_t count>
+constexpr std::string_view coordinates = count == 2 ? "a pair" : "a triple";
+
+}  // namespace
+
+std::optional<bool> is_2d(const toml::table& root) {
+  const toml::table* terrain = root["terrain"].as_table();
+  if (!terrain) return std::nullopt;
+  if (terrain->contains("section")) return !terrain->contains("width_m");
+  for (const std::string_view key : {"mesh", "vertices", "triangles", "raster"}) {
+    if (terrain->contains(key)) return false;
+  }
+  return std::nullopt;
+}
+
+std::string name_of_row(const Table& table, const toml::table& row, std::size_t index) {
+  if (table.key.empty()) return "";
+  if (!table.repeated) return table.heading();
+  const auto name = row["name"].value<std::string>();
+  return name && !name->empty() ? fmt::format("{} \"{}\"", table.key, *name)
+                                : fmt::format("{} {}", table.key, index + 1);
+}
+
+std::string number_text(double value) {
+  constexpr double exact = 9007199254740992.0;  // 2^53: whole numbers up to here are doubles
+  if (std::abs(value) < exact && value == std::floor(value)) return fmt::format("{:.0f}", value);
+  return fmt::format("{}", value);
+}
+
+ValueReader::ValueReader(const Document& document, Problems& problems)
+    : document_(document),
+      problems_(problems),
+      dimension_is_known_(is_2d(document.root()).has_value()),
+      two_dimensional_(is_2d(document.root()).value_or(false)) {}
+
+void ValueReader::read(const Table& table, const toml::table& from, Row row, const std::string& where) {
+  read_rows(table, from, row, where, "");
+}
+
+void ValueReader::read_rows(const Table& table, const toml::table& from, Row row, const std::string& where,
+                            const std::string& lead) {
+  refuse_unknown(table, from, where, lead);
+  refuse_exclusive(table, from, where);
+  for (const Setting& setting : table.settings) {
+    const toml::node* node = from.get(setting.key);
+    if (!node) {
+      if (!setting.required) continue;
+      Problem problem = document_.at(from);
+      problem.where = where;
+      problem.what = fmt::format("{}{} is missing", lead, setting.key);
+      if (!setting.range.is_everything()) problem.why = fmt::format("expected {}", setting.range.text());
+      problems_.add(std::move(problem));
+      continue;
+    }
+    const Value value{setting, *node, from, where, fmt::format("{}{}", lead, setting.key)};
+    if (!std::visit([&](auto slot) { return into(value, slot); }, setting.slot(row))) refused_.insert(node);
+  }
+}
+
+void ValueReader::refuse_unknown(const Table& table, const toml::table& from, const std::string& where,
+                                 const std::string& lead) {
+  std::vector<std::string_view> known;
+  for (const Setting& setting : table.settings) known.push_back(setting.key);
+  for (const auto& [key, node] : from) {
+    const std::string_view name = key.str();
+    if (table.find(name)) continue;
+    if (table.key.empty() &&
+        std::any_of(tables().begin(), tables().end(), [&](const Table& other) { return other.key == name; })) {
+      continue;
+    }
+    Problem problem = document_.at(node);
+    problem.where = where;
+    const auto later =
+        std::find_if(table.later.begin(), table.later.end(), [&](const LaterKey& l) { return l.key == name; });
+    if (later != table.later.end()) {
+      if (later->false_is_fine && node.value<bool>() == false) continue;
+      if (!later->moot_beside.empty() && from[later->moot_beside].value<bool>() == false) continue;
+      problem.what = fmt::format("{} is not read by this version", name);
+      problem.why = fmt::format("{} will come later", later->what);
+      problem.hint = later->instead;
+      problems_.add(std::move(problem));
+      continue;
+    }
+    if (table.key.empty() && node.is_table()) {
+      problem.what = fmt::format("unknown table [{}]", name);
+    } else if (table.key.empty() && node.is_array_of_tables()) {
+      problem.what = fmt::format("unknown table [[{}]]", name);
+    } else {
+      problem.what = fmt::format("unknown key \"{}\"", name);
+      if (!lead.empty()) problem.what += fmt::format(" of {}", lead.substr(0, lead.size() - 1));
+    }
+    if (table.key.empty()) {
+      std::vector<std::string_view> names = known;
+      for (const Table& other : tables()) {
+        if (!other.key.empty()) names.push_back(other.key);
+      }
+      if (const auto near = nearest(name, names)) {
+        const auto meant =
+            std::find_if(tables().begin(), tables().end(), [&](const Table& t) { return t.key == *near; });
+        problem.hint = fmt::format("Did you mean {}?", meant == tables().end() ? std::string(*near) : meant->heading());
+      } else {
+        problem.why = fmt::format("known are {}", plain_list(names, " and "));
+      }
+    } else if (const auto near = nearest(name, known)) {
+      problem.hint = fmt::format("Did you mean \"{}\"?", *near);
+    } else {
+      const auto home = std::find_if(tables().begin(), tables().end(), [&](const Table& t) { return t.find(name); });
+      if (home != tables().end() && !home->key.empty()) {
+        problem.hint = fmt::format("It belongs to {}", home->heading());
+      } else {
+        problem.why = fmt::format("known are {}", plain_list(known, " and "));
+      }
+    }
+    problems_.add(std::move(problem));
+  }
+}
+
+void ValueReader::refuse_exclusive(const Table& table, const toml::table& from, const std::string& where) {
+  std::vector<std::string_view> told;
+  const auto is_told = [&](std::string_view key) { return std::find(told.begin(), told.end(), key) != told.end(); };
+  for (const Setting& setting : table.settings) {
+    if (!from.contains(setting.key) || is_told(setting.key)) continue;
+    std::vector<std::string_view> together{setting.key};
+    for (const std::string_view other : setting.excludes) {
+      if (from.contains(other) && !is_told(other)) together.push_back(other);
+    }
+    if (together.size() == 1) continue;
+    told.insert(told.end(), together.begin(), together.end());
+    Problem problem = document_.at(*from.get(together[1]));
+    problem.where = where;
+    problem.what = fmt::format("{} are given together", plain_list(together, " and "));
+    problem.why = "they exclude each other";
+    problems_.add(std::move(problem));
+  }
+}
+
+bool ValueReader::refuse(const Value& value, std::string what, std::string why, std::string hint) {
+  Problem problem = document_.at(value.node);
+  problem.where = value.where;
+  problem.what = std::move(what);
+  problem.why = std::move(why);
+  problem.hint = std::move(hint);
+  problems_.add(std::move(problem));
+  return false;
+}
+
+bool ValueReader::refuse_kind(const Value& value, const std::string& expected, std::string hint) {
+  return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)), "expected " + expected,
+                std::move(hint));
+}
+
+void ValueReader::doubt(const Value& value, double number) {
+  const std::optional<Doubt> doubt = value.setting.doubt ? value.setting.doubt(number) : std::nullopt;
+  if (!doubt) return;
+  Problem problem = document_.at(value.node, Severity::warning);
+  problem.where = value.where;
+  problem.what = fmt::format("{} is {}", value.name, number_text(number));
+  problem.why = doubt->why;
+  problem.hint = doubt->hint;
+  problems_.add(std::move(problem));
+}
+
+bool ValueReader::into(const Value& value, bool* member) {
+  if (const auto* truth = value.node.as_boolean()) {
+    *member = truth->get();
+    return true;
+  }
+  const auto* text = value.node.as_string();
+  const bool in_quotes = text && (text->get() == "true" || text->get() == "false");
+  return refuse_kind(value, "true or false", in_quotes ? "Leave out the quotes" : "");
+}
+
+bool ValueReader::into(const Value& value, double* member) {
+  const Range& range = value.setting.range;
+  if (!value.node.is_number()) {
+    return refuse_kind(value, kind_of_number("a number", range), number_hint(value.node));
+  }
+  const double number = *value.node.value<double>();
+  if (!std::isfinite(number) && !range.contains(number)) return refuse_kind(value, "a finite number");
+  if (!range.contains(number)) {
+    return refuse(value, fmt::format("{} is {}", value.name, number_text(number)), reason(range, number),
+                  slip_hint(value.setting, number));
+  }
+  doubt(value, number);
+  *member = number;
+  return true;
+}
+
+bool ValueReader::into(const Value& value, std::optional<double>* member) {
+  double number = 0;
+  if (!into(value, &number)) return false;
+  *member = number;
+  return true;
+}
+
+bool ValueReader::into(const Value& value, std::int64_t* member) {
+  const Range& range = value.setting.range;
+  if (const auto* real = value.node.as_floating_point()) {
+    const bool is_whole = std::isfinite(real->get()) && real->get() == std::floor(real->get());
+    std::string hint = is_whole && std::abs(real->get()) < 1e15
+                           ? fmt::format("Write {:.0f}, without a point or an exponent", real->get())
+                           : "";
+    return refuse_kind(value, kind_of_number("a whole number", range), std::move(hint));
+  }
+  const auto* number = value.node.as_integer();
+  if (!number) return refuse_kind(value, kind_of_number("a whole number", range), number_hint(value.node));
+  if (!range.contains(static_cast<double>(number->get()))) {
+    return refuse(value, fmt::format("{} is {}", value.name, number->get()),
+                  reason(range, static_cast<double>(number->get())));
+  }
+  *member = number->get();
+  return true;
+}
+
+bool ValueReader::into(const Value& value, std::uint64_t* member) {
+  std::int64_t number = 0;
+  if (!into(value, &number)) return false;  // the range of the setting keeps out negative numbers
+  *member = static_cast<std::uint64_t>(number);
+  return true;
+}
+
+bool ValueReader::into(const Value& value, std::string* member) {
+  const auto* text = value.node.as_string();
+  if (!text) return refuse_kind(value, "a text in quotes");
+  if (text->get().empty()) return refuse_kind(value, "a text that is not empty");
+  *member = text->get();
+  return true;
+}
+
+bool ValueReader::into(const Value& value, std::filesystem::path* member) {
+  std::string text;
+  if (!into(value, &text)) return false;
+  *member = text;
+  return true;
+}
+
+bool ValueReader::into(const Value& value, std::array<double, 3>* member) { return into<double, 3>(value, member); }
+
+template <class Number, std::size_t count>
+bool ValueReader::into(const Value& value, std::array<Number, count>* member) {
+  const toml::array* list = value.node.as_array();
+  if (!list || list->size() != count) {
+    return refuse_kind(value, count == 2 ? "a pair [x, z]" : "three numbers [..., ..., ...]");
+  }
+  bool good = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Value part{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    good = into(part, &(*member)[i]) && good;
+  }
+  return good;
+}
+
+template <class Item>
+bool ValueReader::into(const Value& value, std::vector<Item>* member) {
+  constexpr std::size_t most_complaints = 10;  // of one list; more would only hide the others
+  const toml::array* list = value.node.as_array();
+  if (!list) return refuse_kind(value, "a list [...]");
+  std::vector<Item> items(list->size());
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    if (into(entry, &items[i])) continue;
+    if (++wrong == most_complaints && i + 1 < list->size()) {
+      return refuse(value, fmt::format("{} was read only up to entry {}", value.name, i),
+                    fmt::format("{} of its entries are wrong so far", wrong));
+    }
+  }
+  if (wrong > 0) return false;
+  *member = std::move(items);
+  return true;
+}
+
+template <class Enumeration>
+requires std::is_enum_v<Enumeration>
+bool ValueReader::into(const Value& value, Enumeration* member) {
+  const std::span<const std::string_view> known = words(Enumeration{});
+  const std::string expected = quoted_list(known);
+  const auto* text = value.node.as_string();
+  if (!text) return refuse_kind(value, expected);
+  const auto found = std::find(known.begin(), known.end(), text->get());
+  if (found != known.end()) {
+    *member = static_cast<Enumeration>(found - known.begin());
+    return true;
+  }
+  const auto& later = value.setting.later_words;
+  if (std::find(later.begin(), later.end(), text->get()) != later.end()) {
+    return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)),
+                  fmt::format("this version does not read it yet; expected {}", expected));
+  }
+  const auto near = nearest(text->get(), known);
+  return refuse_kind(value, expected, near ? fmt::format("Did you mean \"{}\"?", *near) : "");
+}
+
+bool ValueReader::into(const Value& value, Distribution* member) {
+  const Range& range = value.setting.range;
+  Distribution read;
+  const toml::table* parts = value.node.as_table();
+  if (!parts && !value.node.is_number()) {
+    return refuse_kind(value, "a number or { mean = ..., distribution = ..., ... }", number_hint(value.node));
+  }
+  const std::size_t before = problems_.list().size();
+  if (parts) {
+    read_rows(distribution_table(), *parts, &read, value.where, value.name + ' ');
+    const bool kind_unsaid = !parts->contains("distribution");
+    for (const std::string_view key : {"std_dev", "rel_min", "rel_max"}) {
+      if (!kind_unsaid || !parts->contains(key)) continue;
+      refuse(value, fmt::format("{} has {} but no distribution", value.name, key), "it would have no effect",
+             "Add distribution = \"normal\", or another kind");
+      break;
+    }
+  }
+  const toml::node& mean_node = parts && parts->contains("mean") ? *parts->get("mean") : value.node;
+  const Value mean{value.setting, mean_node, value.row, value.where, parts ? value.name + " mean" : value.name};
+  // The mean as a number of any size was checked as a part above; here it is held against the property's range.
+  if (refused_.contains(&mean_node)) return false;
+  if (mean_node.is_number() && !into(mean, &read.mean)) return false;
+  if (problems_.list().size() != before &&
+      std::any_of(problems_.list().begin() + static_cast<std::ptrdiff_t>(before), problems_.list().end(),
+                  [](const Problem& problem) { return problem.severity == Severity::error; })) {
+    return false;
+  }
+  if (const auto why = why_unusable(read, bounds(range)))
+    return refuse(value, fmt::format("{} {}", value.name, *why), "");
+  *member = read;
+  return true;
+}
+
+bool ValueReader::into(const Value& value, std::optional<Distribution>* member) {
+  Distribution read;
+  if (!into(value, &read)) return false;
+  *member = read;
+  return true;
+}
+
+std::optional<ValueReader::Position> ValueReader::position(const Value& value) {
+  if (!dimension_is_known_) return std::nullopt;
+  const std::size_t plan = two_dimensional_ ? 1 : 2;  // coordinates before z
+  const bool has_height = value.row.contains("height_above_m");
+  const std::string form =
+      has_height ? (two_dimensional_ ? "[x]" : "[x, y]") : (two_dimensional_ ? "[x, z]" : "[x, y, z]");
+  const toml::array* list = value.node.as_array();
+  const std::string expected = fmt::format("{}, the analysis being {}", form, two_dimensional_ ? "2D" : "3D");
+  if (!list || list->size() < plan || list->size() > plan + 1) {
+    const bool has_y = two_dimensional_ && list && list->size() == 3;
+    refuse_kind(value, expected, has_y ? "Leave out y, or give terrain.width_m for 3D" : "");
+    return std::nullopt;
+  }
+  if (list->size() == plan && !has_height) {
+    refuse_kind(value, expected, "For a height above the terrain, leave out z and give height_above_m");
+    return std::nullopt;
+  }
+  Position read;
+  bool good = true;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::node& node = (*list)[i];
+    const Value part{value.setting, node, value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    if (i == plan && node.is_string()) {
+      read.on_surface = node.value<std::string>() == "surface";
+      if (!read.on_surface) good = refuse_kind(part, "a number or \"surface\"");
+    } else {
+      good = into(part, &read.point[two_dimensional_ && i == 1 ? 2 : i]) && good;
+    }
+  }
+  if (good && has_height && list->size() > plan && !read.on_surface) {
+    good = refuse(value, fmt::format("{} has z, and height_above_m is given", value.name), "each says how high it is",
+                  "Leave one of them out");
+  }
+  return good ? std::optional(read) : std::nullopt;
+}
+
+bool ValueReader::into(const Value& value, PositionSlot slot) {
+  const std::optional<Position> read = position(value);
+  if (!read) return false;
+  slot.seeder->points = {read->point};
+  slot.seeder->z_is_surface = read->on_surface && !value.row.contains("height_above_m");
+  return true;
+}
+
+bool ValueReader::into(const Value& value, PointsSlot slot) {
+  const toml::array* list = value.node.as_array();
+  if (!list || list->size() < 2) return refuse_kind(value, "a list of two or more positions");
+  std::vector<Position> positions;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    if (const std::optional<Position> read = position(entry)) positions.push_back(*read);
+  }
+  if (positions.size() != list->size()) return false;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    if (positions[i].on_surface != positions[0].on_surface && !value.row.contains("height_above_m")) {
+      return refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)),
+                    "z is either \"surface\" for all points of a line or a number for all");
+    }
+    if (i > 0 && positions[i].point == positions[i - 1].point) {
+      return refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it repeats the point before it",
+                    "Leave it out");
+    }
+  }
+  slot.seeder->points.clear();
+  for (const Position& read : positions) slot.seeder->points.push_back(read.point);
+  slot.seeder->z_is_surface = positions[0].on_surface && !value.row.contains("height_above_m");
+  return true;
+}
+
+bool ValueReader::into(const Value& value, DirectionSlot slot) {
+  if (!dimension_is_known_) return false;
+  const toml::array* list = value.node.as_array();
+  const bool is_pair = two_dimensional_ && list && list->size() == 2;
+  if (!list || (list->size() != 3 && !is_pair)) {
+    return refuse_kind(value, two_dimensional_ ? "[x, z], the analysis being 2D" : "[x, y, z], the analysis being 3D");
+  }
+  std::array<double, 3> read{};
+  bool good = true;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Value part{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    good = into(part, &read[is_pair && i == 1 ? 2 : i]) && good;
+  }
+  if (!good) return false;
+  if (read == std::array<double, 3>{}) return refuse_kind(value, "a direction with a length");
+  if (two_dimensional_ && read[1] != 0) return refuse_kind(value, "y to be 0, the analysis being 2D");
+  if (read[2] != 0 && !value.row.contains("speed_m_s")) {
+    return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)),
+                  "it is the direction of the horizontal velocity; expected z to be 0",
+                  "For a velocity that points up or down, give speed_m_s");
+  }
+  *slot.direction = read;
+  return true;
+}
+
+bool ValueReader::into(const Value& value, PlanLineSlot slot) {
+  if (!dimension_is_known_) return false;
+  const toml::array* list = value.node.as_array();
+  if (two_dimensional_ && !(list && !list->empty() && (*list)[0].is_array())) {
+    if (list && list->size() != 1) return refuse_kind(value, "x, the analysis being 2D");
+    const toml::node& node = list ? (*list)[0] : value.node;
+    double x = 0;
+    if (!into(Value{value.setting, node, value.row, value.where, value.name}, &x)) return false;
+    slot.barrier->line = {{x, 0}};
+    return true;
+  }
+  if (!list || list->size() < 2) return refuse_kind(value, "two or more points on plan, [[x, y], [x, y]]");
+  std::vector<std::array<double, 2>> read(list->size());
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    const toml::array* pair = entry.node.as_array();
+    if (!pair || pair->size() != 2) return refuse_kind(entry, "a point on plan, [x, y]");
+    if (!into(entry, &read[i])) return false;
+    if (i > 0 && read[i] == read[i - 1]) {
+      return refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it repeats the point before it",
+                    "Leave it out");
+    }
+    if (two_dimensional_ && read[i][0] != read[0][0]) {
+      return refuse_kind(value, "x, the analysis being 2D; these points have different x");
+    }
+  }
+  slot.barrier->line = two_dimensional_ ? std::vector<std::array<double, 2>>{{read[0][0], 0}} : std::move(read);
+  return true;
+}
+
+bool ValueReader::into(const Value& value, PathLimitSlot slot) {
+  if (const auto* text = value.node.as_string()) {
+    if (text->get() == "all") {
+      slot.limit->reset();
+      return true;
+    }
+    if (text->get() == "none") {
+      *slot.limit = 0;
+      return true;
+    }
+  }
+  std::int64_t number = 0;
+  if (!value.node.is_integer()) return refuse_kind(value, "\"all\", \"none\" or a number of rocks");
+  if (!into(value, &number)) return false;
+  *slot.limit = number;
+  return true;
+}
+
+}  // namespace talus::project

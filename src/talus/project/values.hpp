@@ -1,0 +1,93 @@
+#pragma once
+// Reads the values of one table into the members that its settings are bound to, and says what is wrong with them.
+
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "talus/core/problems.hpp"
+#include "talus/project/document.hpp"
+#include "talus/project/settings.hpp"
+
+namespace talus::project {
+
+/// Is this a section without a width? Positions are then [x, z]. Known before anything is read, from the keys alone;
+/// nothing where there is no terrain to say it.
+[[nodiscard]] std::optional<bool> is_2d(const toml::table& root);
+
+/// How a complaint calls a row: `[analysis]`, `material "Type One"`, `seeder 2` (counted from 1).
+[[nodiscard]] std::string name_of_row(const Table& table, const toml::table& row, std::size_t index);
+
+/// A number as people write it: whole numbers without a point or an exponent.
+[[nodiscard]] std::string number_text(double value);
+
+class ValueReader {
+ public:
+  ValueReader(const Document& document, Problems& problems);
+
+  /// Reads every key of `from` into `row`. `where` names the row in complaints.
+  void read(const Table& table, const toml::table& from, Row row, const std::string& where);
+
+  /// The values that were complained of and did not get into the project: rules across keys leave them alone.
+  [[nodiscard]] const std::unordered_set<const toml::node*>& refused() const { return refused_; }
+
+ private:
+  /// The value being read and how complaints call it; `Overloads` of one visit share it.
+  struct Value {
+    const Setting& setting;
+    const toml::node& node;
+    const toml::table& row;  // the keys beside it
+    std::string where;
+    std::string name;  // the key, for parts with what leads to it: `normal_restitution std_dev`, `section[2]`
+  };
+
+  void read_rows(const Table& table, const toml::table& from, Row row, const std::string& where,
+                 const std::string& lead);
+  void refuse_unknown(const Table& table, const toml::table& from, const std::string& where, const std::string& lead);
+  void refuse_exclusive(const Table& table, const toml::table& from, const std::string& where);
+
+  bool into(const Value&, bool*);
+  bool into(const Value&, double*);
+  bool into(const Value&, std::optional<double>*);
+  bool into(const Value&, std::int64_t*);
+  bool into(const Value&, std::uint64_t*);
+  bool into(const Value&, std::string*);
+  bool into(const Value&, std::filesystem::path*);
+  bool into(const Value&, std::array<double, 3>*);
+  bool into(const Value&, Distribution*);
+  bool into(const Value&, std::optional<Distribution>*);
+  bool into(const Value&, PositionSlot);
+  bool into(const Value&, PointsSlot);
+  bool into(const Value&, PlanLineSlot);
+  bool into(const Value&, DirectionSlot);
+  bool into(const Value&, PathLimitSlot);
+  template <class Item>
+  bool into(const Value&, std::vector<Item>*);
+  template <class Number, std::size_t count>
+  bool into(const Value&, std::array<Number, count>*);
+  template <class Enumeration>
+  requires std::is_enum_v<Enumeration>
+  bool into(const Value&, Enumeration*);
+
+  struct Position {
+    std::array<double, 3> point{};
+    bool on_surface = false;
+  };
+  std::optional<Position> position(const Value& value);
+  void doubt(const Value& value, double number);
+
+  /// Adds a problem about the value and gives false, so that a reader can return it.
+  bool refuse(const Value& value, std::string what, std::string why, std::string hint = {});
+  /// `refuse` for the commonest problem: the value is not of the kind expected.
+  bool refuse_kind(const Value& value, const std::string& expected, std::string hint = {});
+
+  const Document& document_;
+  Problems& problems_;
+  // Without a terrain nobody knows how many coordinates a position has; positions then count as refused, and only the
+  // missing terrain is complained of.
+  bool dimension_is_known_;
+  bool two_dimensional_;
+  std::unordered_set<const toml::node*> refused_;
+};
+
+}  // namespace talus::project

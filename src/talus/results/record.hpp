@@ -1,0 +1,39 @@
+#pragma once
+// One rock's result, and the interface of everything that observes rocks.
+
+#include <cstdint>
+#include <memory>
+
+#include "talus/core/id.hpp"
+#include "talus/trajectory/rock_path.hpp"
+
+namespace talus {
+
+/// In local coordinates (terrain/local_frame.hpp).
+struct RockRecord {
+  std::uint64_t rock = 0;
+  SeederId seeder;
+  Rock body;
+  RockOutcome outcome;
+  bool was_lifted = false;  // its release point lay below the surface
+};
+
+/// What one observer makes of one block of rocks. Parts of different blocks are made at the same time, each by one
+/// thread.
+class ObserverPart {
+ public:
+  virtual ~ObserverPart() = default;
+  virtual void see(const RockRecord& record, const RockLog& log) = 0;
+};
+
+/// Sees every rock of a campaign. Parts are committed one at a time, in the order of the rocks.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// Whether it wants this rock's path, row by row.
+  [[nodiscard]] virtual bool wants_rows(std::uint64_t rock) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<ObserverPart> new_part() const = 0;
+  virtual void commit(ObserverPart& part) = 0;
+};
+
+}  // namespace talus

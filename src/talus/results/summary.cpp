@@ -1,0 +1,113 @@
+#include "talus/results/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus {
+
+Runout runout(const RockOutcome& outcome) {
+  const Vec3 d = outcome.end.position - outcome.start.position;
+  return {std::hypot(d.x(), d.y()), -d.z(), d.norm()};
+}
+
+std::optional<Histogram> Tally::histogram(std::uint64_t bins) const {
+  const auto values = sketch_.ascending();
+  if (values.empty()) return std::nullopt;
+  Histogram histogram(nice_bins(values.front().value, values.back().value, bins));
+  for (const auto& [value, count] : values) histogram.add(value, count);
+  return histogram;
+}
+
+void BarrierTally::merge(const BarrierTally& other) {
+  translational_energy.merge(other.translational_energy);
+  total_energy.merge(other.total_energy);
+  height.merge(other.height);
+  velocity.merge(other.velocity);
+  for (std::size_t k = 0; k < outcomes.size(); ++k) outcomes[k] += other.outcomes[k];
+  rocks_hit += other.rocks_hit;
+  rocks_passed_above += other.rocks_passed_above;
+  if (other.least_clearance) least_clearance = std::min(least_clearance.value_or(*other.least_clearance), *other.least_clearance);
+}
+
+Summary::Summary(std::uint64_t planned_rocks, std::size_t barrier_count)
+    : planned(planned_rocks), end_x(planned_rocks), runout_plan(planned_rocks), runout_total(planned_rocks),
+      max_kinetic_energy(planned_rocks), max_bounce(planned_rocks),
+      barriers(barrier_count, BarrierTally(planned_rocks)) {}
+
+void Summary::merge(const Summary& other) {
+  done += other.done;
+  for (std::size_t k = 0; k < ends.size(); ++k) ends[k] += other.ends[k];
+  lifted += other.lifted;
+  if (other.first_lost) first_lost = std::min(first_lost.value_or(*other.first_lost), *other.first_lost);
+  events += other.events;
+  end_x.merge(other.end_x);
+  runout_plan.merge(other.runout_plan);
+  runout_total.merge(other.runout_total);
+  max_kinetic_energy.merge(other.max_kinetic_energy);
+  max_bounce.merge(other.max_bounce);
+  for (std::size_t k = 0; k < barriers.size(); ++k) barriers[k].merge(other.barriers[k]);
+}
+
+namespace {
+
+class SummaryPart : public ObserverPart {
+ public:
+  SummaryPart(std::uint64_t planned, std::size_t barriers, const LocalFrame& frame)
+      : summary(planned, barriers), frame_(frame) {}
+
+  void see(const RockRecord& record, const RockLog& log) override {
+    const RockOutcome& outcome = record.outcome;
+    ++summary.done;
+    ++summary.ends[static_cast<std::size_t>(outcome.reason)];
+    summary.lifted += record.was_lifted ? 1 : 0;
+    if (outcome.reason == EndReason::lost && !summary.first_lost) summary.first_lost = record.rock;
+    summary.events += outcome.events;
+    const Runout way = runout(outcome);
+    summary.end_x.add(frame_.global_from_local(outcome.end.position).x());
+    summary.runout_plan.add(way.plan);
+    summary.runout_total.add(way.total);
+    summary.max_kinetic_energy.add(outcome.max_kinetic_energy);
+    summary.max_bounce.add(outcome.max_bounce);
+    see_barriers(record, log);
+  }
+
+  Summary summary;
+
+ private:
+  void see_barriers(const RockRecord& record, const RockLog& log) {
+    for (std::uint32_t b = 0; b < summary.barriers.size(); ++b) {
+      BarrierTally& tally = summary.barriers[b];
+      bool hit_it = false, passed_it = false;
+      for (const BarrierHit& hit : log.hits) {
+        if (hit.barrier.index != b) continue;
+        hit_it = true;
+        const double speed = hit.motion.velocity.norm();
+        const double translational = 0.5 * record.body.mass * speed * speed;
+        tally.translational_energy.add(translational);
+        tally.total_energy.add(translational + 0.5 * record.body.inertia * hit.motion.spin.squaredNorm());
+        tally.height.add(hit.height);
+        tally.velocity.add(speed);
+        ++tally.outcomes[static_cast<std::size_t>(hit.outcome)];
+      }
+      for (const PassedAbove& passed : log.passed_above) {
+        if (passed.barrier.index != b) continue;
+        passed_it = true;
+        tally.least_clearance = std::min(tally.least_clearance.value_or(passed.clearance), passed.clearance);
+      }
+      tally.rocks_hit += hit_it ? 1 : 0;
+      tally.rocks_passed_above += passed_it ? 1 : 0;
+    }
+  }
+
+  LocalFrame frame_;
+};
+
+}  // namespace
+
+std::unique_ptr<ObserverPart> SummaryObserver::new_part() const {
+  return std::make_unique<SummaryPart>(summary_.planned, summary_.barriers.size(), frame_);
+}
+
+void SummaryObserver::commit(ObserverPart& part) { summary_.merge(static_cast<SummaryPart&>(part).summary); }
+
+}  // namespace talus

@@ -1,0 +1,90 @@
+#pragma once
+// The statistics of a campaign, in memory that does not grow with the number of rocks. All sums are order-free, so that
+// any split of the rocks merges to the same bits.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "talus/results/record.hpp"
+#include "talus/statistics/descriptive.hpp"
+#include "talus/statistics/histogram.hpp"
+#include "talus/statistics/quantile_sketch.hpp"
+#include "talus/terrain/local_frame.hpp"
+
+namespace talus {
+
+/// One quantity over all rocks: moments and quantiles.
+class Tally {
+ public:
+  explicit Tally(std::uint64_t planned) : sketch_(planned) {}
+  void add(double x) {
+    moments_.add(x);
+    sketch_.add(x);
+  }
+  void merge(const Tally& other) {
+    moments_.merge(other.moments_);
+    sketch_.merge(other.sketch_);
+  }
+  [[nodiscard]] std::uint64_t count() const { return moments_.count(); }
+  [[nodiscard]] Descriptive describe() const { return moments_.describe(sketch_.quantile(0.5)); }
+  [[nodiscard]] const QuantileSketch& sketch() const { return sketch_; }
+  /// About `bins` bins with round edges over all values; nothing without values.
+  [[nodiscard]] std::optional<Histogram> histogram(std::uint64_t bins) const;
+
+ private:
+  Moments moments_;
+  QuantileSketch sketch_;
+};
+
+struct BarrierTally {
+  explicit BarrierTally(std::uint64_t planned)
+      : translational_energy(planned), total_energy(planned), height(planned), velocity(planned) {}
+  void merge(const BarrierTally& other);
+
+  Tally translational_energy, total_energy;  // [J]
+  Tally height;                              // [m]
+  Tally velocity;                            // [m/s]
+  std::array<std::uint64_t, barrier_outcome_count> outcomes{};
+  std::uint64_t rocks_hit = 0;          // rocks that hit it at least once
+  std::uint64_t rocks_passed_above = 0;  // rocks that passed above it at least once
+  std::optional<double> least_clearance;  // [m]
+};
+
+/// Everything counted and summed over rocks. Positions are the user's.
+struct Summary {
+  Summary(std::uint64_t planned_rocks, std::size_t barriers);
+  void merge(const Summary& other);
+
+  std::uint64_t planned = 0, done = 0;
+  std::array<std::uint64_t, end_reason_count> ends{};
+  std::uint64_t lifted = 0;
+  std::optional<std::uint64_t> first_lost;  // the lowest number among lost rocks, to replay it
+  std::int64_t events = 0;
+  Tally end_x, runout_plan, runout_total;   // [m]
+  Tally max_kinetic_energy;                 // [J]
+  Tally max_bounce;                         // [m]
+  std::vector<BarrierTally> barriers;
+};
+
+class SummaryObserver : public Observer {
+ public:
+  SummaryObserver(std::uint64_t planned_rocks, std::size_t barriers, const LocalFrame& frame)
+      : frame_(frame), summary_(planned_rocks, barriers) {}
+  [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
+  [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
+  void commit(ObserverPart& part) override;
+  [[nodiscard]] const Summary& summary() const { return summary_; }
+
+ private:
+  LocalFrame frame_;
+  Summary summary_;
+};
+
+/// Runout as the tables give it: the way from start to end, on plan and in space [m].
+struct Runout {
+  double plan, drop, total;  // drop: start's z less the end's
+};
+[[nodiscard]] Runout runout(const RockOutcome& outcome);
+
+}  // namespace talus

@@ -1,0 +1,366 @@
+#include "talus/sampling/distribution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/beta.hpp>
+#include <boost/math/distributions/gamma.hpp>
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+
+#include "talus/core/check.hpp"
+#include "talus/sampling/normal_quantile.hpp"
+
+namespace talus {
+
+namespace {
+
+// In the kernel nothing throws and nothing sets errno: what Boost cannot evaluate comes back as it is, and the limits
+// of the draws catch it.
+using Quiet = boost::math::policies::policy<
+    boost::math::policies::domain_error<boost::math::policies::ignore_error>,
+    boost::math::policies::pole_error<boost::math::policies::ignore_error>,
+    boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
+    boost::math::policies::underflow_error<boost::math::policies::ignore_error>,
+    boost::math::policies::denorm_error<boost::math::policies::ignore_error>,
+    boost::math::policies::evaluation_error<boost::math::policies::ignore_error>,
+    boost::math::policies::rounding_error<boost::math::policies::ignore_error>,
+    boost::math::policies::indeterminate_result_error<boost::math::policies::ignore_error>,
+    boost::math::policies::promote_double<false>>;
+using Beta = boost::math::beta_distribution<double, Quiet>;
+using Gamma = boost::math::gamma_distribution<double, Quiet>;
+
+constexpr double no_limit = 1e300;
+
+// What the numbers of an Untruncated stand for:
+//   normal       mean, standard deviation
+//   uniform      start, width
+//   triangular   start, mode, end
+//   beta         alpha, beta, start, width
+//   exponential  start, mean distance from it
+//   lognormal    mean and standard deviation of the logarithm
+//   gamma        shape, scale
+Untruncated untruncated(const Distribution& given) {
+  const double m = given.mean;
+  const double s = given.std_dev.value_or(0);
+  const auto start = [&](double otherwise) { return m - given.rel_min.value_or(otherwise); };
+  const auto end = [&](double otherwise) { return m + given.rel_max.value_or(otherwise); };
+  switch (given.kind) {
+    case DistributionKind::none:
+      break;
+    case DistributionKind::normal:
+      return {given.kind, m, s, 0, 0};
+    case DistributionKind::uniform: {
+      const double half_width = std::sqrt(3.0) * s;
+      return {given.kind, start(half_width), end(half_width) - start(half_width), 0, 0};
+    }
+    case DistributionKind::triangular: {
+      const double half_width = std::sqrt(6.0) * s;
+      const double a = start(half_width), b = end(half_width);
+      return {given.kind, a, std::clamp(3 * m - a - b, a, b), b, 0};  // the mean of a triangle is (a + mode + b) / 3
+    }
+    case DistributionKind::beta: {
+      // By moments: mean and standard deviation as parts of the width give alpha + beta = mean (1 - mean) / var - 1.
+      const double a = start(0), width = end(0) - a;
+      const double mean = (m - a) / width, deviation = s / width;
+      const double both = mean * (1 - mean) / (deviation * deviation) - 1;
+      return {given.kind, mean * both, (1 - mean) * both, a, width};
+    }
+    case DistributionKind::exponential: {
+      const double distance = given.std_dev.value_or(m);
+      return {given.kind, m - distance, distance, 0, 0};
+    }
+    case DistributionKind::lognormal: {
+      const double variance = std::log1p((s / m) * (s / m));
+      return {given.kind, std::log(m) - variance / 2, std::sqrt(variance), 0, 0};
+    }
+    case DistributionKind::gamma:
+      return {given.kind, (m / s) * (m / s), s * (s / m), 0, 0};
+  }
+  return {};
+}
+
+// The probabilities below and above x, each with its full relative precision.
+struct Tails {
+  double below, above;
+};
+
+Tails normal_tails(double z) {
+  const double x = z / std::sqrt(2.0);
+  return {boost::math::erfc(-x, Quiet()) / 2, boost::math::erfc(x, Quiet()) / 2};
+}
+
+Tails tails(const Untruncated& base, double x) {
+  switch (base.kind) {
+    case DistributionKind::none:
+      break;
+    case DistributionKind::normal:
+      return normal_tails((x - base.first) / base.second);
+    case DistributionKind::uniform: {
+      const double below = std::clamp((x - base.first) / base.second, 0.0, 1.0);
+      return {below, 1 - below};
+    }
+    case DistributionKind::triangular: {
+      const double a = base.first, mode = base.second, b = base.third;
+      if (x <= a) return {0, 1};
+      if (x >= b) return {1, 0};
+      if (x <= mode) {
+        const double below = (x - a) / (b - a) * ((x - a) / (mode - a));
+        return {below, 1 - below};
+      }
+      const double above = (b - x) / (b - a) * ((b - x) / (b - mode));
+      return {1 - above, above};
+    }
+    case DistributionKind::beta: {
+      const double part = std::clamp((x - base.third) / base.fourth, 0.0, 1.0);
+      const Beta beta(base.first, base.second);
+      return {cdf(beta, part), cdf(complement(beta, part))};
+    }
+    case DistributionKind::exponential: {
+      const double distance = std::max(0.0, (x - base.first) / base.second);
+      return {-std::expm1(-distance), std::exp(-distance)};
+    }
+    case DistributionKind::lognormal:
+      if (x <= 0) return {0, 1};
+      return normal_tails((std::log(x) - base.first) / base.second);
+    case DistributionKind::gamma: {
+      if (x <= 0) return {0, 1};
+      const Gamma gamma(base.first, base.second);
+      return {cdf(gamma, x), cdf(complement(gamma, x))};
+    }
+  }
+  return {0, 1};
+}
+
+// The x that has these probabilities below and above it; the smaller of the two decides.
+double quantile_of(const Untruncated& base, Tails at) {
+  const bool is_left = at.below < at.above;
+  switch (base.kind) {
+    case DistributionKind::none:
+      break;
+    case DistributionKind::normal:
+      return base.first + base.second * normal_quantile(at.below, at.above);
+    case DistributionKind::uniform:
+      return base.first + base.second * at.below;
+    case DistributionKind::triangular: {
+      const double a = base.first, mode = base.second, b = base.third;
+      return at.below * (b - a) <= mode - a ? a + std::sqrt(at.below * (b - a) * (mode - a))
+                                            : b - std::sqrt(at.above * (b - a) * (b - mode));
+    }
+    case DistributionKind::beta: {
+      const Beta beta(base.first, base.second);
+      return base.third + base.fourth * (is_left ? quantile(beta, at.below) : quantile(complement(beta, at.above)));
+    }
+    case DistributionKind::exponential:
+      return base.first - base.second * (is_left ? std::log1p(-at.below) : std::log(at.above));
+    case DistributionKind::lognormal:
+      return std::exp(base.first + base.second * normal_quantile(at.below, at.above));
+    case DistributionKind::gamma: {
+      const Gamma gamma(base.first, base.second);
+      return is_left ? quantile(gamma, at.below) : quantile(complement(gamma, at.above));
+    }
+  }
+  return 0;
+}
+
+// Where the draws may lie: the relative limits and the bounds together.
+Bounds limits_of(const Distribution& given, Bounds bounds) {
+  return {std::max(given.rel_min ? given.mean - *given.rel_min : -no_limit, bounds.least),
+          std::min(given.rel_max ? given.mean + *given.rel_max : no_limit, bounds.most)};
+}
+
+// F(high) - F(low), from the tails that lose less to cancellation.
+double probability_between(Tails low, Tails high) {
+  return low.below > 0.5 ? low.above - high.above : high.below - low.below;
+}
+
+}  // namespace
+
+Sampler::Sampler(const Distribution& distribution, Bounds bounds, double scale) : scale_(scale) {
+  TALUS_PROMISE(!why_unusable(distribution, bounds), "an unusable distribution is refused before it comes here");
+  if (distribution.kind == DistributionKind::none) {
+    value_ = distribution.mean * scale;
+    return;
+  }
+  base_ = untruncated(distribution);
+  const Bounds limits = limits_of(distribution, bounds);
+  low_ = limits.least;
+  high_ = limits.most;
+  const Tails at_low = tails(base_, low_);
+  const Tails at_high = tails(base_, high_);
+  below_low_ = at_low.below;
+  above_high_ = at_high.above;
+  span_below_ = at_high.below - at_low.below;
+  span_above_ = at_low.above - at_high.above;
+}
+
+double Sampler::draw(double u) const {
+  if (is_constant()) return value_;
+  const Tails at{below_low_ + span_below_ * u, above_high_ + span_above_ * (1 - u)};
+  const double x = quantile_of(base_, at);
+  // In this order a NaN, should Boost ever give one, becomes the lower limit.
+  const double not_below = x > low_ ? x : low_;
+  return (not_below < high_ ? not_below : high_) * scale_;
+}
+
+namespace {
+
+const char* name_of(DistributionKind kind) {
+  switch (kind) {
+    case DistributionKind::none:
+      return "none";
+    case DistributionKind::normal:
+      return "normal";
+    case DistributionKind::uniform:
+      return "uniform";
+    case DistributionKind::triangular:
+      return "triangular";
+    case DistributionKind::beta:
+      return "beta";
+    case DistributionKind::exponential:
+      return "exponential";
+    case DistributionKind::lognormal:
+      return "lognormal";
+    case DistributionKind::gamma:
+      return "gamma";
+  }
+  return "";
+}
+
+std::string expected(Bounds bounds) {
+  if (bounds.least <= -no_limit) return fmt::format("expected at most {}", bounds.most);
+  if (bounds.most >= no_limit) return fmt::format("expected at least {}", bounds.least);
+  return fmt::format("expected {} to {}", bounds.least, bounds.most);
+}
+
+using Complaint = std::optional<std::string>;
+
+Complaint about_numbers(const Distribution& given, Bounds bounds) {
+  if (!std::isfinite(given.mean)) return fmt::format("mean is {} (expected a finite number)", given.mean);
+  if (given.mean < bounds.least || given.mean > bounds.most) {
+    return fmt::format("mean is {} ({})", given.mean, expected(bounds));
+  }
+  if (given.std_dev && !(std::isfinite(*given.std_dev) && *given.std_dev >= 0)) {
+    return fmt::format("std_dev is {} (expected a finite number above 0)", *given.std_dev);
+  }
+  for (const auto& [name, value] : {std::pair{"rel_min", given.rel_min}, std::pair{"rel_max", given.rel_max}}) {
+    if (value && !(std::isfinite(*value) && *value >= 0)) {
+      return fmt::format(
+          "{} is {} (it is a distance from the mean: finite and not negative). For no limit leave it out", name,
+          *value);
+    }
+  }
+  return {};
+}
+
+Complaint about_what_is_missing(const Distribution& given) {
+  const char* kind = name_of(given.kind);
+  const bool has_both_limits = given.rel_min && given.rel_max;
+  switch (given.kind) {
+    case DistributionKind::none:
+      return {};
+    case DistributionKind::normal:
+    case DistributionKind::lognormal:
+    case DistributionKind::gamma:
+      if (!given.std_dev) return fmt::format("std_dev is missing (the {} distribution needs it)", kind);
+      break;
+    case DistributionKind::uniform:
+    case DistributionKind::triangular:
+      if (has_both_limits) return {};
+      if (!given.std_dev) {
+        return fmt::format("limits are missing (the {} distribution needs rel_min and rel_max, or std_dev)", kind);
+      }
+      break;
+    case DistributionKind::beta:
+      if (!given.std_dev) return "std_dev is missing (the beta distribution needs it)";
+      if (!has_both_limits) return "limits are missing (the beta distribution lies between rel_min and rel_max)";
+      break;
+    case DistributionKind::exponential:
+      if (!given.std_dev && given.mean <= 0) {
+        return fmt::format(
+            "std_dev is missing (the exponential distribution takes the mean for it, which here is {}, not above 0)",
+            given.mean);
+      }
+      break;
+  }
+  if (given.std_dev && *given.std_dev == 0) {
+    return fmt::format(
+        "std_dev is 0 (the {} distribution needs one above 0). For a constant use distribution = \"none\"", kind);
+  }
+  return {};
+}
+
+// The gamma and the beta are as good as normal below the smaller ratio, and Boost's quantiles slow or wrong; a larger
+// ratio than the other is taken for a slip of the pen.
+constexpr double least_deviation = 1e-4;
+constexpr double most_deviation_of_mean = 10;
+constexpr double most_variance_of_beta = 0.99;
+constexpr double least_probability = 1e-6;
+
+Complaint about_shape(const Distribution& given) {
+  const char* kind = name_of(given.kind);
+  if (given.kind == DistributionKind::lognormal || given.kind == DistributionKind::gamma) {
+    if (given.mean <= 0) {
+      return fmt::format("mean is {} (the {} distribution has positive values only)", given.mean, kind);
+    }
+    if (*given.std_dev > most_deviation_of_mean * given.mean) {
+      return fmt::format("std_dev is {} (the {} distribution expects at most {} times the mean, {})", *given.std_dev,
+                         kind, most_deviation_of_mean, most_deviation_of_mean * given.mean);
+    }
+    if (*given.std_dev < least_deviation * given.mean) {
+      return fmt::format(
+          "std_dev is {} (the {} distribution expects at least {} times the mean, {}). With less use \"normal\"",
+          *given.std_dev, kind, least_deviation, least_deviation * given.mean);
+    }
+  }
+  if (given.kind == DistributionKind::beta) {
+    const double left = *given.rel_min, right = *given.rel_max, s = *given.std_dev;
+    if (left == 0 || right == 0) {
+      return fmt::format("{} is 0 (the mean of a beta distribution lies between its limits, not on one)",
+                         left == 0 ? "rel_min" : "rel_max");
+    }
+    const double most = std::sqrt(most_variance_of_beta * left * right);
+    if (s > most) {
+      return fmt::format("std_dev is {} (a beta distribution with these limits can have at most {:.4g})", s, most);
+    }
+    const double least = least_deviation * std::min(left, right);
+    if (s < least) {
+      return fmt::format(
+          "std_dev is {} (a beta distribution with these limits expects at least {:.4g}). With less use "
+          "\"normal\"",
+          s, least);
+    }
+  }
+  return {};
+}
+
+Complaint about_limits(const Distribution& given, Bounds bounds) {
+  const Bounds limits = limits_of(given, bounds);
+  if (!(limits.least < limits.most)) {
+    return fmt::format(
+        "rel_min and rel_max leave the one value {} (a random property needs room). For a constant use distribution = "
+        "\"none\"",
+        limits.most);
+  }
+  const Untruncated base = untruncated(given);
+  // Not below: so that a NaN is refused too.
+  if (!(probability_between(tails(base, limits.least), tails(base, limits.most)) >= least_probability)) {
+    return fmt::format(
+        "the limits {} to {} leave less than a millionth of the {} distribution (its std_dev is {}). Compare the units "
+        "of std_dev and of the limits",
+        limits.least, limits.most, name_of(given.kind), given.std_dev.value_or(given.mean));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<std::string> why_unusable(const Distribution& distribution, Bounds bounds) {
+  if (Complaint complaint = about_numbers(distribution, bounds)) return complaint;
+  if (distribution.kind == DistributionKind::none) return {};
+  if (Complaint complaint = about_what_is_missing(distribution)) return complaint;
+  if (Complaint complaint = about_shape(distribution)) return complaint;
+  return about_limits(distribution, bounds);
+}
+
+}  // namespace talus

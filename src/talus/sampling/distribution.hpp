@@ -1,0 +1,74 @@
+#pragma once
+// Random properties: what the user gives (mean, distribution, standard deviation, relative minimum and maximum) and
+// the sampler made of it, which turns one uniform number into one draw by the inverse of the truncated distribution
+// function.
+
+#include <optional>
+#include <string>
+
+namespace talus {
+
+enum class DistributionKind { none, normal, uniform, triangular, beta, exponential, lognormal, gamma };
+
+/// A property as the manual's tables give it. Units are those of the property.
+struct Distribution {
+  double mean = 0;
+  DistributionKind kind = DistributionKind::none;
+  std::optional<double> std_dev{};
+  std::optional<double> rel_min{};  // draws are not below mean - rel_min
+  std::optional<double> rel_max{};  // draws are not above mean + rel_max
+};
+
+/// What a property may be at all, whatever its distribution says: restitution stays in [0, 1], friction is not
+/// negative.
+struct Bounds {
+  double least = -1e300;
+  double most = 1e300;
+};
+
+/// A distribution before its truncation. What the numbers stand for depends on the kind, see distribution.cpp.
+struct Untruncated {
+  DistributionKind kind = DistributionKind::none;
+  double first = 0, second = 0, third = 0, fourth = 0;
+};
+
+/// Draws from a truncated distribution. Made once, used in the kernel: no allocation, no exceptions.
+///
+/// Parameters of each kind, with m the mean, s the standard deviation, a = m - rel_min, b = m + rel_max:
+///  - normal(m, s), lognormal and gamma with mean m and standard deviation s, each truncated to [a, b];
+///  - exponential with standard deviation s (default m), shifted so that its mean is m, truncated to [a, b];
+///  - uniform on [a, b]; a side without a relative limit ends at m -+ sqrt(3) s;
+///  - triangular on [a, b] with mode 3 m - a - b, kept inside [a, b]; a side without a limit ends at m -+ sqrt(6) s;
+///  - beta on [a, b] with mean m and standard deviation s.
+/// All of them are then truncated to `bounds` too. Truncation renormalises (it does not pile up draws at the limits),
+/// so an asymmetric one moves the mean.
+///
+/// Method: u is carried to the part of (0, 1) that the distribution function F leaves between the limits, then through
+/// the inverse of F. Both tails, F and 1 - F, are carried along and the smaller is used, so that the upper tail is as
+/// fine as the lower one. A draw costs 25 ns for the normal and 1 to 3 microseconds for beta and gamma.
+class Sampler {
+ public:
+  Sampler() = default;
+  explicit Sampler(double constant) : value_(constant) {}
+  /// Expects a distribution that `why_unusable` accepts. `scale` multiplies the draws: a user's unit to SI.
+  Sampler(const Distribution& distribution, Bounds bounds, double scale = 1.0);
+
+  [[nodiscard]] bool is_constant() const { return base_.kind == DistributionKind::none; }
+  /// The draw that belongs to the uniform number u in (0, 1). Grows with u.
+  [[nodiscard]] double draw(double u) const;
+
+ private:
+  Untruncated base_;
+  double value_ = 0;                       // of none, scaled
+  double low_ = 0, high_ = 0;              // limits of the draws, in the user's unit
+  double below_low_ = 0, above_high_ = 0;  // F(low) and 1 - F(high)
+  double span_below_ = 1;                  // F(high) - F(low) as a difference of lower tails,
+  double span_above_ = 1;                  // and of upper tails
+  double scale_ = 1;
+};
+
+/// Why a sampler cannot be made of this distribution, or nothing: for example a beta without limits. In the form
+/// `problem (why). hint`, in the words and units of the project file.
+[[nodiscard]] std::optional<std::string> why_unusable(const Distribution& distribution, Bounds bounds);
+
+}  // namespace talus

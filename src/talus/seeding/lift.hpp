@@ -1,0 +1,29 @@
+#pragma once
+// A release point below the surface is lifted onto it.
+
+#include <algorithm>
+#include <optional>
+
+#include "talus/core/vec.hpp"
+
+namespace talus {
+
+/// The height at which a rock of this radius (0: a point) may start at a place, if that is higher than the place:
+/// on the surface that the place is beneath, and far enough out of it for the rock to fit.
+template <class Surface>
+[[nodiscard]] std::optional<double> lifted(const Surface& surface, const Vec3& place, double radius) {
+  Vec3 centre = place;
+  if (const auto ground = surface.ground_over(place)) centre.z() = *ground;
+  // A sphere that reaches into a facet is raised until it only touches; each round clears the deepest one.
+  for (int round = 0; radius > 0 && round < 64; ++round) {
+    double rise = 0;
+    surface.supports(centre, radius, 0, [&](const Vec3& away, const Vec3&, double distance) {
+      if (distance < radius - 1e-9) rise = std::max(rise, (radius - distance) / std::max(away.z(), 0.1));
+    });
+    if (rise == 0) break;
+    centre.z() += rise;
+  }
+  return centre.z() > place.z() ? std::optional(centre.z()) : std::nullopt;
+}
+
+}  // namespace talus

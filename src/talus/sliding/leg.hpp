@@ -1,0 +1,47 @@
+#pragma once
+// Motion along the ground, a leg at a time. A leg has constant acceleration; how long it lasts and how the next one
+// begins is the law's business (closed_form.hpp, stepped.hpp, rolling.hpp), where it is cut short - at a facet's edge,
+// at a barrier - the caller's.
+
+#include "talus/flight/parabola.hpp"
+
+namespace talus {
+
+/// What pulls and what presses a rock that moves along the ground, per unit of its mass.
+struct Footing {
+  Vec3 pull;            // gravity along the directions in which it can move [m/s2]
+  double pressure = 0;  // sum of the normal forces, over mass [m/s2]
+
+  /// On a facet of unit normal `n`. Pressure is negative where gravity pulls away from it.
+  [[nodiscard]] static Footing on_plane(const Vec3& gravity, const Vec3& n) {
+    const double gn = gravity.dot(n);
+    return {gravity - gn * n, -gn};
+  }
+};
+
+/// Whether friction of coefficient `mu` keeps a rock there that does not move.
+[[nodiscard]] inline bool holds(const Footing& footing, double mu) {
+  return footing.pressure > 0 && footing.pull.norm() <= mu * footing.pressure;
+}
+
+/// Whether a rock with this heading stays on a straight line: the pull has no part across it but rounding.
+[[nodiscard]] inline bool is_straight(const Footing& footing, const Vec3& heading) {
+  return footing.pull.cross(heading).norm() <= 1e-9 * footing.pull.norm();
+}
+
+/// What is left of a velocity when its part along the heading has come to zero.
+[[nodiscard]] inline Vec3 halted(const Vec3& velocity, const Footing& footing, const Vec3& heading) {
+  return is_straight(footing, heading) ? Vec3(Vec3::Zero()) : tangential(velocity, heading);
+}
+
+struct Leg {
+  Parabola path;        // of the centre
+  double duration = 0;  // [s]; infinite for a closed form that only something else ends
+  Vec3 end_velocity = Vec3::Zero();
+  Vec3 end_spin = Vec3::Zero();
+
+  /// The velocity and the spin after a part of the leg, as a law that was cut short leaves them.
+  [[nodiscard]] Vec3 velocity_after(double t) const { return t >= duration ? end_velocity : path.velocity(t); }
+};
+
+}  // namespace talus

@@ -1,0 +1,71 @@
+#include "talus/sliding/rolling.hpp"
+
+namespace talus {
+
+namespace {
+
+// Slip slower than this [m/s] is rounding.
+constexpr double no_slip = 1e-9;
+
+Leg rolling_without_slip(const Vec3& position, const Vec3& velocity, const Vec3& spin, const Vec3& n, const Vec3& a,
+                         const Footing& footing, double radius, double timestep) {
+  const double speed = velocity.norm();
+  Leg leg{{position, velocity, a}, timestep, velocity + timestep * a, spin};
+  if (speed > 0) {
+    const Vec3 heading = velocity / speed;
+    const double rate = a.dot(heading);
+    if (rate < 0 && -speed / rate <= timestep) {
+      leg.duration = -speed / rate;
+      leg.end_velocity = halted(velocity + leg.duration * a, footing, heading);
+    }
+  }
+  leg.end_spin = rolling_spin(leg.end_velocity, spin, n, radius);
+  return leg;
+}
+
+}  // namespace
+
+Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, const Vec3& n, const Footing& footing,
+                const Rock& rock, ContactFriction friction, double timestep) {
+  const double pressure = footing.pressure, r = rock.radius;
+  const double speed = velocity.norm(), pull = footing.pull.norm();
+  const Vec3 heading = speed > 0 ? Vec3(velocity / speed) : pull > 0 ? Vec3(footing.pull / pull) : Vec3(Vec3::Zero());
+  const Vec3 slip = slip_velocity(velocity, spin, n, r);
+  Vec3 slip_heading;
+  if (slip.norm() <= no_slip) {
+    const Vec3 a = 5.0 / 7.0 * (footing.pull - friction.rolling * pressure * heading);
+    const Vec3 needed = a - footing.pull;
+    if (needed.norm() <= friction.dynamic * pressure) {
+      return rolling_without_slip(position, velocity, spin, n, a, footing, r, timestep);
+    }
+    slip_heading = -needed.normalized();
+  } else {
+    slip_heading = slip.normalized();
+  }
+
+  const Vec3 a = footing.pull - friction.dynamic * pressure * slip_heading;
+  const double moment = rock.mass * pressure * r / rock.inertia;
+  const Vec3 spun_up = friction.dynamic * moment * n.cross(slip_heading);
+  const Vec3 tangential_spin = tangential(spin, n);
+  const double spin_rate = tangential_spin.norm();
+  // Rolling resistance brakes the spin there is; of a sphere that does not spin it takes from what would start it.
+  const Vec3 resistance = spin_rate * r > no_slip ? Vec3(-friction.rolling * moment * tangential_spin / spin_rate)
+                          : friction.rolling < friction.dynamic ? Vec3(-friction.rolling / friction.dynamic * spun_up)
+                                                                : Vec3(-spun_up);
+  const Vec3 angular = spun_up + resistance;
+  Leg leg{{position, velocity, a}, timestep, velocity + timestep * a, spin + timestep * angular};
+  const Vec3 slip_change = a + r * n.cross(angular);
+  const double slip_rate = slip_change.dot(slip_heading);
+  const double slip_speed = slip.norm();
+  if (slip_speed > no_slip && slip_rate < 0 && -slip_speed / slip_rate <= timestep) {
+    leg.duration = -slip_speed / slip_rate;
+    leg.end_velocity = velocity + leg.duration * a;
+    leg.end_spin = spin + leg.duration * angular;
+    // Rolling begins: the spin is made to agree with the velocity to the last digit where it is close to it.
+    const Vec3 rolling = rolling_spin(leg.end_velocity, leg.end_spin, n, r);
+    if ((rolling - leg.end_spin).norm() * r <= no_slip * (1 + leg.end_velocity.norm())) leg.end_spin = rolling;
+  }
+  return leg;
+}
+
+}  // namespace talus

@@ -1,0 +1,75 @@
+#include "talus/sliding/supports.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr double tolerance = 1e-9;  // on cosines and on shares of gravity
+
+}  // namespace
+
+void Supports::add(const Vec3& n) {
+  for (int i = 0; i < count_; ++i) {
+    if ((*this)[i].dot(n) > 1 - tolerance) return;
+  }
+  if (count_ < static_cast<int>(normals_.size())) normals_[static_cast<std::size_t>(count_++)] = n;
+}
+
+Footing footing_on(const Vec3& gravity, const Supports& supports) {
+  const double g = gravity.norm();
+  const auto enters_none = [&](const Vec3& a) {
+    for (int i = 0; i < supports.count(); ++i) {
+      if (a.dot(supports[i]) < -tolerance * g) return false;
+    }
+    return true;
+  };
+  const int n = supports.count();
+  if (enters_none(gravity)) return {gravity, 0};
+  for (int i = 0; i < n; ++i) {
+    const double force = -gravity.dot(supports[i]);
+    const Vec3 left = gravity + force * supports[i];
+    if (force >= 0 && enters_none(left)) return {left, force};
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int j = i + 1; j < n; ++j) {
+      const double c = supports[i].dot(supports[j]), s = 1 - c * c;
+      if (s < tolerance) continue;
+      const double bi = -gravity.dot(supports[i]), bj = -gravity.dot(supports[j]);
+      const double fi = (bi - c * bj) / s, fj = (bj - c * bi) / s;
+      const Vec3 left = gravity + fi * supports[i] + fj * supports[j];
+      if (fi >= 0 && fj >= 0 && enters_none(left)) return {left, fi + fj};
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int j = i + 1; j < n; ++j) {
+      for (int k = j + 1; k < n; ++k) {
+        Mat3 normals;
+        normals << supports[i], supports[j], supports[k];
+        if (std::abs(normals.determinant()) < tolerance) continue;
+        const Vec3 forces = normals.inverse() * -gravity;
+        if (forces.minCoeff() >= 0) return {Vec3::Zero(), forces.sum()};
+      }
+    }
+  }
+  return {gravity, 0};
+}
+
+std::optional<Valley> caught_between(const Vec3& gravity, const Vec3& first, const Vec3& second, const Vec3& velocity,
+                                     double cutoff) {
+  const Vec3 edge = first.cross(second);
+  const double sine = edge.norm();
+  if (sine < tolerance) return std::nullopt;
+  const Vec3 e = edge / sine;
+  // In each plane, straight away from the other one.
+  Vec3 out_on_second = e.cross(second), out_on_first = e.cross(first);
+  if (out_on_second.dot(first) < 0) out_on_second = -out_on_second;
+  if (out_on_first.dot(second) < 0) out_on_first = -out_on_first;
+  if (gravity.dot(out_on_second) >= 0 || gravity.dot(out_on_first) >= 0) return std::nullopt;
+  if (velocity.dot(out_on_second) >= cutoff) return std::nullopt;
+  Supports both;
+  both.add(first);
+  both.add(second);
+  return Valley{e, footing_on(gravity, both)};
+}
+
+}  // namespace talus

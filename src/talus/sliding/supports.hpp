@@ -1,0 +1,39 @@
+#pragma once
+// Where a rock that several facets touch can go: down one of them, along a valley between two, or nowhere.
+
+#include <array>
+#include <optional>
+
+#include "talus/sliding/leg.hpp"
+
+namespace talus {
+
+/// Unit normals of what touches a rock; nearly equal ones are kept once.
+class Supports {
+ public:
+  void add(const Vec3& n);
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] const Vec3& operator[](int i) const { return normals_[static_cast<std::size_t>(i)]; }
+
+ private:
+  std::array<Vec3, 8> normals_;
+  int count_ = 0;
+};
+
+/// What is left of gravity where the supports push back without friction, and the sum of their normal forces: the
+/// projection of gravity on the cone of directions that enter none of them, found by trying every one, two and three
+/// of them as the ones that carry.
+[[nodiscard]] Footing footing_on(const Vec3& gravity, const Supports& supports);
+
+/// Two supports between which a rock is caught: along which line it can move, and its footing there.
+struct Valley {
+  Vec3 direction;  // unit, along both
+  Footing footing;
+};
+
+/// Whether a rock that leaves a contact with the second of two neighbouring supports at `velocity` stays between them:
+/// gravity drives it from each onto the other, and it parts from the first more slowly than `cutoff` [m/s].
+[[nodiscard]] std::optional<Valley> caught_between(const Vec3& gravity, const Vec3& first, const Vec3& second,
+                                                   const Vec3& velocity, double cutoff);
+
+}  // namespace talus

@@ -1,0 +1,31 @@
+#pragma once
+// The numbers of a box-and-whisker plot.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "talus/statistics/quantile_sketch.hpp"
+
+namespace talus {
+
+/// J. W. Tukey, "Exploratory data analysis" (1977): the box from quartile to quartile (by definition 7, quantile.hpp),
+/// whiskers to the furthest values that lie within 1.5 times the box's height of it, and what lies beyond as outliers.
+struct BoxPlot {
+  double lower_whisker = 0;
+  double lower_quartile = 0;
+  double median = 0;
+  double upper_quartile = 0;
+  double upper_whisker = 0;
+  std::uint64_t outlier_count = 0;
+  std::vector<double> outliers;  // ascending; empty where the values were counted in bins, though there may be some
+  [[nodiscard]] friend bool operator==(const BoxPlot&, const BoxPlot&) = default;
+};
+
+/// Nothing if there are no values.
+[[nodiscard]] std::optional<BoxPlot> box_plot(std::span<const double> sample);
+/// As near as the sketch is: within 0.05 % of each number once it counts in bins.
+[[nodiscard]] std::optional<BoxPlot> box_plot(const QuantileSketch& sketch);
+
+}  // namespace talus

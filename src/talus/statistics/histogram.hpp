@@ -1,0 +1,50 @@
+#pragma once
+// Counts of values in bins of equal width.
+
+#include <cstdint>
+#include <vector>
+
+namespace talus {
+
+/// Edges of bins of equal width that a reader likes: multiples of 1, 2 or 5 times a power of ten. Kept as integers, so
+/// that an edge is the double nearest to its decimal (0.3, not 0.30000000000000004).
+struct BinEdges {
+  std::int64_t first = 0;  // the lowest edge, in steps
+  int step_digit = 1;      // 1, 2 or 5
+  int step_exponent = 0;   // of ten
+  std::uint64_t bins = 1;
+
+  /// Edge number i, from 0 to `bins`.
+  [[nodiscard]] double edge(std::uint64_t i) const;
+  [[nodiscard]] friend bool operator==(const BinEdges&, const BinEdges&) = default;
+};
+
+/// The narrowest such bins that hold `least` and `most` and are at most `most_bins`. Expects finite numbers below
+/// 1e100, least <= most, and 2 to 1000 bins. Where the two are equal, or so near each other that the edges would not be
+/// distinct doubles, the bins reach further.
+[[nodiscard]] BinEdges nice_bins(double least, double most, std::uint64_t most_bins);
+
+/// A bin has its lower edge and not its upper one; the last has both. Counts are integers: the order does not matter.
+class Histogram {
+ public:
+  explicit Histogram(const BinEdges& edges) : edges_(edges), counts_(edges.bins) {}
+
+  /// Expects a finite number.
+  void add(double x, std::uint64_t count = 1);
+  /// Expects the same edges.
+  void merge(const Histogram& other);
+
+  [[nodiscard]] const BinEdges& edges() const { return edges_; }
+  [[nodiscard]] const std::vector<std::uint64_t>& counts() const { return counts_; }
+  [[nodiscard]] std::uint64_t underflow() const { return underflow_; }
+  [[nodiscard]] std::uint64_t overflow() const { return overflow_; }
+  /// All values, those outside too.
+  [[nodiscard]] std::uint64_t total() const;
+
+ private:
+  BinEdges edges_;
+  std::vector<std::uint64_t> counts_;
+  std::uint64_t underflow_ = 0, overflow_ = 0;
+};
+
+}  // namespace talus

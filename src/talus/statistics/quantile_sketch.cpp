@@ -1,0 +1,133 @@
+#include "talus/statistics/quantile_sketch.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "talus/core/check.hpp"
+#include "talus/statistics/quantile.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int dropped_bits = 42;  // of the 52 of the fraction
+constexpr double least_magnitude = 0x1p-40;
+constexpr double most_magnitude = 0x1p80;
+
+std::uint32_t bin_of(double magnitude) {
+  return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(std::min(magnitude, most_magnitude)) >> dropped_bits);
+}
+
+double middle_of(std::uint32_t bin) {
+  return std::bit_cast<double>(std::uint64_t{bin} << dropped_bits | std::uint64_t{1} << (dropped_bits - 1));
+}
+
+}  // namespace
+
+void QuantileSketch::Bins::add(std::uint32_t bin, std::uint64_t count) {
+  constexpr std::uint32_t room = 1024;  // a factor of two at a time, so that growing is rare
+  if (counts.empty()) {
+    first = bin - bin % room;
+    counts.resize(room);
+  } else if (bin < first) {
+    const std::uint32_t new_first = bin - bin % room;
+    counts.insert(counts.begin(), first - new_first, 0);
+    first = new_first;
+  } else if (bin - first >= counts.size()) {
+    counts.resize(bin - first + room - bin % room);
+  }
+  counts[bin - first] += count;
+}
+
+void QuantileSketch::count_in_bins(double x) {
+  const double magnitude = std::abs(x);
+  if (magnitude < least_magnitude) {
+    ++zeros_;
+  } else {
+    (x > 0 ? positive_ : negative_).add(bin_of(magnitude), 1);
+  }
+}
+
+void QuantileSketch::become_binned() {
+  for (const double x : values_) count_in_bins(x);
+  values_ = {};
+  is_exact_ = false;
+}
+
+void QuantileSketch::add(double x) {
+  TALUS_PROMISE(std::isfinite(x), "only finite numbers have quantiles");
+  minimum_ = count_ == 0 ? x : std::min(minimum_, x);
+  maximum_ = count_ == 0 ? x : std::max(maximum_, x);
+  ++count_;
+  if (is_exact_ && count_ > most_exact) become_binned();
+  if (is_exact_) {
+    values_.push_back(x);
+  } else {
+    count_in_bins(x);
+  }
+}
+
+void QuantileSketch::merge(const QuantileSketch& other) {
+  TALUS_PROMISE(planned_ == other.planned_, "only sketches of one plan agree on when to count in bins");
+  if (other.count_ == 0) return;
+  minimum_ = count_ == 0 ? other.minimum_ : std::min(minimum_, other.minimum_);
+  maximum_ = count_ == 0 ? other.maximum_ : std::max(maximum_, other.maximum_);
+  count_ += other.count_;
+  if (is_exact_ && count_ > most_exact) become_binned();
+  if (is_exact_) {
+    values_.insert(values_.end(), other.values_.begin(), other.values_.end());
+    return;
+  }
+  for (const double x : other.values_) count_in_bins(x);
+  for (const auto& [mine, theirs] :
+       {std::pair{&positive_, &other.positive_}, std::pair{&negative_, &other.negative_}}) {
+    for (std::uint32_t i = 0; i < theirs->counts.size(); ++i) {
+      if (theirs->counts[i] > 0) mine->add(theirs->first + i, theirs->counts[i]);
+    }
+  }
+  zeros_ += other.zeros_;
+}
+
+std::vector<QuantileSketch::Counted> QuantileSketch::ascending() const {
+  std::vector<Counted> counted;
+  if (is_exact_) {
+    std::vector<double> sorted = values_;
+    std::sort(sorted.begin(), sorted.end());
+    for (const double x : sorted) {
+      if (counted.empty() || counted.back().value != x) counted.push_back({x, 0});
+      ++counted.back().count;
+    }
+    return counted;
+  }
+  const auto put = [&](double value, std::uint64_t count) {
+    if (count > 0) counted.push_back({std::clamp(value, minimum_, maximum_), count});
+  };
+  for (std::size_t i = negative_.counts.size(); i-- > 0;) {
+    put(-middle_of(negative_.first + static_cast<std::uint32_t>(i)), negative_.counts[i]);
+  }
+  put(0, zeros_);
+  for (std::size_t i = 0; i < positive_.counts.size(); ++i) {
+    put(middle_of(positive_.first + static_cast<std::uint32_t>(i)), positive_.counts[i]);
+  }
+  return counted;
+}
+
+std::optional<double> QuantileSketch::quantile(double p) const {
+  if (count_ == 0) return {};
+  const auto [rank, fraction] = quantile_place(p, count_);
+  const std::vector<Counted> counted = ascending();
+  const auto value_at = [&](std::uint64_t wanted) {
+    if (wanted == 0) return minimum_;
+    if (wanted == count_ - 1) return maximum_;
+    for (const Counted& each : counted) {
+      if (wanted < each.count) return each.value;
+      wanted -= each.count;
+    }
+    return maximum_;
+  };
+  const double low = value_at(rank);
+  return fraction > 0 ? between(low, value_at(rank + 1), fraction) : low;
+}
+
+}  // namespace talus

@@ -1,0 +1,22 @@
+#pragma once
+// The kernel's own origin, near the terrain: coordinates of 2,600,000 m keep all their digits there.
+
+#include <cmath>
+
+#include "talus/core/vec.hpp"
+
+namespace talus {
+
+struct LocalFrame {
+  Vec3 origin = Vec3::Zero();  // in the user's coordinates [m]
+
+  /// An origin at a multiple of 1024 m next to `middle`: subtracting it from a nearby coordinate is exact, and a small
+  /// model near zero stays where it is.
+  [[nodiscard]] static LocalFrame near(const Vec3& middle) {
+    return {(middle / 1024).array().round().matrix() * 1024};
+  }
+  [[nodiscard]] Vec3 local_from_global(const Vec3& p) const { return p - origin; }
+  [[nodiscard]] Vec3 global_from_local(const Vec3& p) const { return p + origin; }
+};
+
+}  // namespace talus

@@ -1,0 +1,210 @@
+#include "talus/terrain/profile.hpp"
+
+#include <algorithm>
+
+#include "talus/core/check.hpp"
+#include "talus/flight/touch.hpp"
+
+namespace talus {
+
+namespace {
+
+// Profiles of fewer segments are searched one by one, which is faster than any tree.
+constexpr std::size_t short_profile = 48;
+
+Vec3 in_plane(const Vec3& v) { return {v.x(), 0, v.z()}; }
+
+}  // namespace
+
+struct Profile::Candidate {
+  double t;
+  Vec3 normal = Vec3::Zero();
+  std::uint32_t facet = 0;
+  Feature feature = Feature::facet;
+  bool found = false;
+
+  void offer(double t_new, Feature feature_new, std::uint32_t facet_new, const Vec3& normal_new) {
+    const bool earlier = t_new < t || (t_new == t && (!found || feature_new < feature));
+    if (earlier) *this = {t_new, normal_new, facet_new, feature_new, true};
+  }
+  [[nodiscard]] std::optional<Contact> contact() const {
+    if (!found) return std::nullopt;
+    return Contact{t, normal, FacetId{facet}, feature};
+  }
+};
+
+Profile::Profile(std::span<const Vec2> vertices) {
+  segments_.resize(vertices.empty() ? 0 : vertices.size() - 1);
+  move_vertices(vertices);
+  if (segments_.size() <= short_profile) return;
+  std::vector<Box> boxes;
+  for (const Segment& segment : segments_) {
+    Box box;
+    box.grow(segment.a);
+    box.grow(Vec3(segment.a + segment.length * segment.along));
+    boxes.push_back(box);
+  }
+  bvh_ = Bvh(boxes);
+}
+
+void Profile::move_vertices(std::span<const Vec2> vertices) {
+  TALUS_PROMISE(vertices.size() == segments_.size() + 1, "a profile keeps its number of vertices");
+  bvh_ = Bvh();
+  bounds_ = Box();
+  is_height_field_ = true;
+  for (const Vec2& v : vertices) bounds_.grow(Vec3(v.x(), 0, v.y()));
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    Segment& segment = segments_[k];
+    const Vec2 d = vertices[k + 1] - vertices[k];
+    segment.length = d.norm();
+    segment.a = {vertices[k].x(), 0, vertices[k].y()};
+    segment.along = Vec3(d.x(), 0, d.y()) / segment.length;
+    segment.normal = {-segment.along.z(), 0, segment.along.x()};
+    segment.sharp_start = k == 0 || segments_[k - 1].normal.dot(segment.along) < -1e-9;
+    segment.sharp_end = k + 1 == segments_.size();
+    if (!(segment.normal.z() > 0)) is_height_field_ = false;
+  }
+}
+
+template <class Visit>
+void Profile::visit_near(const Parabola& path, double pad, double& t_max, Visit&& visit) const {
+  if (bvh_.order().empty()) {
+    for (std::uint32_t k = 0; k < segments_.size(); ++k) visit(k);
+    return;
+  }
+  bvh_.visit_flight(path, pad, t_max, [&](std::uint32_t first, std::uint32_t last, double&) {
+    for (std::uint32_t place = first; place < last; ++place) visit(bvh_.order()[place]);
+  });
+}
+
+void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t k, const LeftPlanes& left,
+                   Candidate& best) const {
+  const Segment& segment = segments_[k];
+  const Vec3& n = segment.normal;
+  const double vn = n.dot(path.v), an = n.dot(path.a);
+  const double h0 = n.dot(path.p - segment.a) - radius;
+  const bool in_left_plane = h0 <= 1e-7 && left.contain(n, 1e-12);
+  const auto t = falling_root(h0, vn, an, radius > 0 ? radius : contact_slack);
+  if (t && *t <= best.t && !in_left_plane) {
+    const double along = segment.along.dot(path.at(*t) - segment.a);
+    const double normal_speed = std::max(-(vn + *t * an), 1e-300);
+    const double slack = contact_slack * (1 + std::min(path.velocity(*t).norm() / normal_speed, 1e4));
+    if (along >= -slack && along <= segment.length + slack) best.offer(*t, Feature::facet, k, n);
+  }
+  if (radius == 0) return;
+  const auto corner = [&](const Vec3& q) {
+    const Parabola planar{in_plane(path.p), in_plane(path.v), in_plane(path.a)};
+    const auto touch = touch_point(planar, q, radius, best.t);
+    if (!touch) return;
+    const Vec3 out = (planar.at(*touch) - q).normalized();
+    if (kind == Path::leg && left.contain(out, 1e-9)) return;  // the plane that it rolls on ends there
+    best.offer(*touch, Feature::edge, k, out);
+  };
+  if (segment.sharp_start) corner(segment.a);
+  if (segment.sharp_end) corner(segment.a + segment.length * segment.along);
+}
+
+std::optional<Contact> Profile::first_contact(const Parabola& path, double radius, double t_max,
+                                              const LeftPlanes& left) const {
+  Candidate best{t_max};
+  visit_near(path, radius + 1e-6, best.t, [&](std::uint32_t k) { meet(path, Path::flight, radius, k, left, best); });
+  return best.contact();
+}
+
+std::optional<Contact> Profile::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
+                                                     const LeftPlanes& on) const {
+  Candidate best{t_max};
+  for (std::uint32_t k = 0; k < segments_.size(); ++k) meet(leg, Path::leg, radius, k, on, best);
+  return best.contact();
+}
+
+Exit Profile::exit(const Parabola& path) const {
+  const double end = path.v.x() > 0 ? bounds_.high.x() : bounds_.low.x();
+  const double t = std::max(0.0, (end - path.p.x()) * bvh_detail::reciprocal(path.v.x()));
+  const Segment& last = path.v.x() > 0 ? segments_.back() : segments_.front();
+  const double z_end = path.v.x() > 0 ? last.a.z() + last.length * last.along.z() : last.a.z();
+  const double x_end = path.v.x() > 0 ? last.a.x() + last.length * last.along.x() : last.a.x();
+  if (path.v.x() == 0) {
+    const auto fallen = falling_root(path.p.z() - bounds_.low.z(), path.v.z(), path.a.z(), 1e300);
+    return {fallen.value_or(0), path.p.x() > bounds_.low.x() && path.p.x() < bounds_.high.x()};
+  }
+  // A disc may touch the end while its centre is beyond it: it has left already.
+  if (path.p.x() <= bounds_.low.x() || path.p.x() >= bounds_.high.x()) return {0, false};
+  // A profile that overhangs beyond its own end can be left below that end; one that does not, cannot.
+  return {t, x_end == end && path.z(t) < z_end - 1e-6};
+}
+
+double Profile::greatest_height(const Parabola& path, double t_end, double known) const {
+  const double inverse_vx = bvh_detail::reciprocal(path.v.x());
+  const auto look = [&](std::uint32_t k) {
+    const Segment& segment = segments_[k];
+    if (segment.along.x() <= 0) return;
+    const double t1 = (segment.a.x() - path.p.x()) * inverse_vx;
+    const double t2 = t1 + segment.length * segment.along.x() * inverse_vx;
+    const double enter = std::max(0.0, std::min(t1, t2)), leave = std::min(t_end, std::max(t1, t2));
+    if (enter > leave) return;
+    const double slope = segment.along.z() / segment.along.x();
+    const double h0 = path.p.z() - segment.a.z() - slope * (path.p.x() - segment.a.x());
+    const double h1 = path.v.z() - slope * path.v.x(), half_a = 0.5 * path.a.z();
+    const double t = std::clamp(half_a < 0 ? -h1 / (2 * half_a) : enter, enter, leave);
+    double height = h0 + t * (h1 + half_a * t);
+    if (height <= known) return;
+    if (!is_height_field_) {
+      const Vec3 q = path.at(t);
+      if (const auto ground = elevation(q.x(), 0, q.z() + contact_slack)) height = q.z() - *ground;
+    }
+    known = std::max(known, height);
+  };
+  if (bvh_.order().empty()) {
+    for (std::uint32_t k = 0; k < segments_.size(); ++k) look(k);
+  } else {
+    bvh_.visit_under(path, t_end, [&] { return known; }, [&](std::uint32_t first, std::uint32_t last) {
+      for (std::uint32_t place = first; place < last; ++place) look(bvh_.order()[place]);
+    });
+  }
+  return known;
+}
+
+template <class Visit>
+void Profile::visit_column(double x, Visit&& visit) const {
+  for (const Segment& segment : segments_) {
+    const double reach = segment.length * segment.along.x();
+    if (reach == 0) continue;
+    const double s = (x - segment.a.x()) / reach;
+    if (s >= -1e-12 && s <= 1 + 1e-12) visit(segment.a.z() + s * segment.length * segment.along.z(), segment.normal.z());
+  }
+}
+
+std::optional<double> Profile::elevation(double x, double, double below) const {
+  std::optional<double> highest;
+  visit_column(x, [&](double z, double) {
+    if (z <= below) highest = std::max(highest.value_or(z), z);
+  });
+  return highest;
+}
+
+std::optional<double> Profile::ground_over(const Vec3& place) const {
+  std::optional<double> nearest;
+  bool faces_up = false;
+  visit_column(place.x(), [&](double z, double n_z) {
+    if (z <= place.z() + contact_slack || (nearest && z >= *nearest)) return;
+    nearest = z;
+    faces_up = n_z > 0;
+  });
+  return faces_up ? nearest : std::nullopt;
+}
+
+Outline Profile::outline(FacetId facet) const {
+  const Segment& segment = segments_[facet.index];
+  Outline outline;
+  outline.point = segment.a;
+  outline.normal = segment.normal;
+  outline.edge_count = 2;
+  outline.edges[0] = {segment.a, segment.along, std::nullopt};
+  outline.edges[1] = {segment.a + segment.length * segment.along, -segment.along, std::nullopt};
+  if (facet.index > 0) outline.edges[0].beyond = FacetId{facet.index - 1};
+  if (facet.index + 1 < segments_.size()) outline.edges[1].beyond = FacetId{facet.index + 1};
+  return outline;
+}
+
+}  // namespace talus

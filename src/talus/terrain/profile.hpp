@@ -1,0 +1,82 @@
+#pragma once
+// A slope in section: a polyline in the x-z plane, the ground on its right-hand side as it is walked. Its facets are
+// its segments, endless along y, so that a rock moving in the plane sees what it would see on the extruded slope.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "talus/terrain/bvh.hpp"
+#include "talus/terrain/contact.hpp"
+
+namespace talus {
+
+class Profile {
+ public:
+  Profile() = default;
+  /// Vertices (x, z) in the order in which the ground lies on the right: from left to right for an ordinary slope.
+  explicit Profile(std::span<const Vec2> vertices);
+
+  /// The same number of vertices, elsewhere: a slope whose vertices vary from rock to rock. Reuses the memory.
+  void move_vertices(std::span<const Vec2> vertices);
+
+  [[nodiscard]] std::size_t facet_count() const { return segments_.size(); }
+  [[nodiscard]] const Box& bounds() const { return bounds_; }
+  [[nodiscard]] std::uint32_t source(FacetId facet) const { return facet.index; }
+
+  /// See TriangleMesh; here a sphere is a disc in the plane y = 0, whose contacts are the sphere's.
+  [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
+                                                     const LeftPlanes& left = {}) const;
+  [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
+                                                            const LeftPlanes& on) const;
+  [[nodiscard]] Exit exit(const Parabola& path) const;
+  [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
+  [[nodiscard]] std::optional<double> elevation(double x, double y = 0,
+                                                double below = std::numeric_limits<double>::infinity()) const;
+
+  [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
+
+  [[nodiscard]] Vec3 normal(FacetId facet) const { return segments_[facet.index].normal; }
+  [[nodiscard]] Outline outline(FacetId facet) const;
+
+  template <class Touch>
+  void supports(const Vec3& centre, double radius, double reach, Touch&& touch) const;
+
+ private:
+  struct Segment {
+    Vec3 a;              // its left end, y = 0
+    Vec3 along;          // unit, towards its right end
+    Vec3 normal;         // unit, out of the ground
+    double length = 0;   // [m]
+    bool sharp_start = false;  // a disc can touch its left end before a segment: the slope is convex there or begins
+    bool sharp_end = false;    // only ever true of the last segment
+  };
+  struct Candidate;
+  template <class Visit>
+  void visit_column(double x, Visit&& visit) const;
+  template <class Visit>
+  void visit_near(const Parabola& path, double pad, double& t_max, Visit&& visit) const;
+  enum class Path { flight, leg };
+  void meet(const Parabola& path, Path kind, double radius, std::uint32_t k, const LeftPlanes& left,
+            Candidate& best) const;
+
+  std::vector<Segment> segments_;
+  Bvh bvh_;  // only of long profiles
+  Box bounds_;
+  bool is_height_field_ = true;
+};
+
+template <class Touch>
+void Profile::supports(const Vec3& centre, double radius, double reach, Touch&& touch) const {
+  for (const Segment& segment : segments_) {
+    const double s = std::clamp((centre - segment.a).dot(segment.along), 0.0, segment.length);
+    Vec3 away = centre - (segment.a + s * segment.along);
+    away.y() = 0;
+    const double distance = away.norm();
+    if (distance > radius + reach) continue;
+    touch(distance > 1e-6 ? Vec3(away / distance) : segment.normal, 
+          Vec3(segment.a + 0.5 * segment.length * segment.along), distance);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,106 @@
+#pragma once
+// A triangulated surface: any shape, overhangs and vertical faces too; mended and oriented before it comes here
+// (mend.hpp). Coordinates are local (see local_frame.hpp).
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "talus/terrain/bvh.hpp"
+#include "talus/terrain/contact.hpp"
+
+namespace talus {
+
+class TriangleMesh {
+ public:
+  using Corners = std::array<std::uint32_t, 3>;
+  /// Stands for "no triangle beyond this edge".
+  static constexpr std::uint32_t no_neighbour = 0xffffffffU;
+
+  /// `neighbours[i][k]` is the triangle beyond the edge from corner k to corner k+1 of triangle i. Windings are
+  /// counter-clockwise seen from outside the ground.
+  TriangleMesh(std::span<const Vec3> vertices, std::span<const Corners> triangles, std::span<const Corners> neighbours);
+
+  [[nodiscard]] std::size_t facet_count() const { return facets_.size(); }
+  /// Facets are numbered as the tree stores them; this is the number that the triangle had when the mesh was made.
+  [[nodiscard]] std::uint32_t source(FacetId facet) const { return facets_[facet.index].source; }
+  [[nodiscard]] const Box& bounds() const { return bounds_; }
+  /// Of everything that grows with the number of triangles.
+  [[nodiscard]] std::size_t bytes() const;
+
+  /// The first time in [0, t_max] at which a sphere of this radius (0: a point), flying, touches the surface while
+  /// approaching it. `left` are planes that the rock has just slid off.
+  [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
+                                                     const LeftPlanes& left = {}) const;
+  /// The same for a short leg with any acceleration, of a rock that rolls on the planes `on`.
+  [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
+                                                            const LeftPlanes& on) const;
+
+  /// Where a flight that meets nothing leaves the model.
+  [[nodiscard]] Exit exit(const Parabola& path) const;
+
+  /// The greatest height [m] of a flight over the ground below it in [0, t_end], if that is above `known`; else `known`.
+  [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
+
+  /// The highest point of the surface at a place on plan, or the highest below `below`.
+  [[nodiscard]] std::optional<double> elevation(double x, double y,
+                                                double below = std::numeric_limits<double>::infinity()) const;
+  /// How high the ground stands over a place that is in it: the facet above it, if that faces up. A place in the open,
+  /// be it under an overhang, has none.
+  [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
+  /// The surface along a straight line on plan, a point wherever it bends; pieces where there is no ground are missing.
+  [[nodiscard]] std::vector<Vec3> draped(const Vec2& from, const Vec2& to) const;
+
+  [[nodiscard]] Vec3 normal(FacetId facet) const;
+  [[nodiscard]] Outline outline(FacetId facet) const;
+
+  /// Calls touch(normal, middle of the facet, distance) for each facet within `radius` + `reach` of a centre: what a rock there
+  /// may rest against.
+  template <class Touch>
+  void supports(const Vec3& centre, double radius, double reach, Touch&& touch) const;
+
+ private:
+  struct Facet {
+    std::array<Vec3, 3> corner;
+    Corners neighbour;     // facets here
+    std::uint32_t source;  // triangle of the input
+    // Edges (bits 0 to 2) and corners (bits 3 to 5) that a sphere can touch before a facet does, because the surface
+    // is convex there or ends. Each belongs to one of the facets that share it.
+    std::uint32_t sharp;
+  };
+  struct Candidate;
+
+  void meet_point(const Parabola& path, std::uint32_t k, const LeftPlanes& left, Candidate& best) const;
+  enum class Path { flight, leg };
+  void meet_sphere(const Parabola& path, Path kind, double radius, std::uint32_t k, const LeftPlanes& left,
+                   Candidate& best) const;
+  void find_sharp_features(std::span<const Corners> triangles);
+  /// Calls visit(z, n_z) for each facet over or under a place on plan that is not vertical, between two heights.
+  template <class Visit>
+  void visit_column(double x, double y, double z_low, double z_high, Visit&& visit) const;
+  [[nodiscard]] Vec3 closest_point(std::uint32_t k, const Vec3& p) const;
+
+  std::vector<Facet> facets_;
+  std::vector<std::array<Vec3, 2>> rim_;  // edges with one triangle; the surface is to the left of each
+  Bvh bvh_;
+  Box bounds_;
+  bool is_height_field_ = true;
+};
+
+template <class Touch>
+void TriangleMesh::supports(const Vec3& centre, double radius, double reach, Touch&& touch) const {
+  const double range = radius + reach;
+  bvh_.visit_box(centre - Vec3::Constant(range), centre + Vec3::Constant(range), [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t k = first; k < last; ++k) {
+      const Vec3 away = centre - closest_point(k, centre);
+      const double distance = away.norm();
+      if (distance > range) continue;
+      const auto& corner = facets_[k].corner;
+      touch(distance > 1e-6 ? Vec3(away / distance) : normal({k}), Vec3((corner[0] + corner[1] + corner[2]) / 3), distance);
+    }
+  });
+}
+
+}  // namespace talus

@@ -1,0 +1,242 @@
+#pragma once
+// One rock's run, phase by phase. Private to trajectory/: rock_path.hpp is the door.
+//
+// The life of a rock: it flies until it meets the ground, a barrier or the model's edge (fly); it strikes the ground
+// (strike) and either flies again or stays on it (slide, roll) until it rests, meets rising ground, or the ground falls
+// away.
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "talus/flight/touch.hpp"
+#include "talus/impact/crsp.hpp"
+#include "talus/impact/plain.hpp"
+#include "talus/impact/rigid_sphere.hpp"
+#include "talus/impact/roughness.hpp"
+#include "talus/sliding/closed_form.hpp"
+#include "talus/sliding/rolling.hpp"
+#include "talus/sliding/stepped.hpp"
+#include "talus/sliding/supports.hpp"
+#include "talus/terrain/contact.hpp"
+#include "talus/trajectory/rock_path.hpp"
+
+namespace talus {
+
+template <class Surface>
+class RockRun {
+ public:
+  RockRun(const Scene<Surface>& scene, const Release& release, const Draws& draws, RockLog& log)
+      : surface_(scene.surface), ground_(scene.ground), barriers_(scene.barriers), laws_(scene.laws), draws_(draws),
+        log_(log), rock_(release.rock), motion_(release.motion),
+        reach_(scene.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0) {}
+
+  RockOutcome follow();
+
+ private:
+  struct Flying {
+    LeftPlanes left;  // what it has just slid off
+  };
+  /// In contact with the ground, the lumped mass sliding, the rigid sphere rolling or slipping.
+  struct OnGround {
+    Vec3 normal;                    // out of the ground, or of the edge or vertex that carries a sphere
+    FacetId facet;                  // the facet it is on, or one of those at the edge or vertex
+    bool on_facet = true;           // otherwise on an edge or a vertex
+    double mu = 0;                  // tan(phi), lumped mass
+    ContactFriction friction;       // rigid sphere
+    std::optional<Vec3> other_normal;  // of the second facet, in a valley
+    std::optional<Valley> valley;
+  };
+  struct Ended {
+    EndReason reason;
+  };
+  using Phase = std::variant<Flying, OnGround, Ended>;
+
+  Phase fly(const Flying& phase);
+  Phase strike(const Contact& contact);
+  Phase move_along(const OnGround& phase);
+  Phase enter_ground(const Contact& contact, const GroundDraw& draw, const Material& material, double rt);
+  /// How a rock goes on from a barrier.
+  enum class AtBarrier { untouched, held, goes_on };
+  AtBarrier meet_barrier(const Crossing& crossing);
+
+  [[nodiscard]] Leg next_leg(const OnGround& phase, const Footing& footing) const;
+  [[nodiscard]] bool rests(const OnGround& phase, const Footing& footing) const;
+  [[nodiscard]] Footing footing(const OnGround& phase) const;
+  [[nodiscard]] Vec3 valley_spin(const OnGround& phase) const;
+  Phase leave_facet(const OnGround& phase, const OutlineEdge& edge);
+  void advance_along(const Leg& leg, double t);
+  void stand_on(const OnGround& phase);
+  void draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material, double rt) const;
+
+  [[nodiscard]] GroundDraw draw_at(FacetId facet) {
+    return GroundDraw(draws_, laws_.material_sampling, ground_.material_of(surface_.source(facet)), contacts_++);
+  }
+  [[nodiscard]] PathState contact_state(const Vec3& normal) const;
+  [[nodiscard]] double kinetic_energy() const {
+    return 0.5 * rock_.mass * motion_.velocity.squaredNorm() + 0.5 * rock_.inertia * motion_.spin.squaredNorm();
+  }
+  void advance(const Parabola& path, double t) {
+    motion_.position = path.at(t);
+    motion_.velocity = path.velocity(t);
+    motion_.time += t;
+  }
+  /// Notes an arrival: the moments at which a rock is fastest.
+  void arrive(PathState state) {
+    ++outcome_.events;
+    outcome_.max_kinetic_energy = std::max(outcome_.max_kinetic_energy, kinetic_energy());
+    log_.row(state, motion_);
+  }
+
+  const Surface& surface_;
+  const Ground& ground_;
+  std::span<const Barrier> barriers_;
+  const Laws& laws_;
+  const Draws& draws_;
+  RockLog& log_;
+  const Rock rock_;
+  Motion motion_;
+  const double reach_;  // from the centre to the contact: the radius of a sphere, 0 for the lumped mass
+
+  RockOutcome outcome_;
+  std::uint32_t contacts_ = 0;           // how often the ground's properties were drawn
+  double barrier_free_until_ = -1;  // on its next path [s]: a rock that has just broken through is still at the barrier
+  Vec3 last_strike_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // where it struck the ground last
+  Vec3 last_normal_ = Vec3::Zero();
+};
+
+template <class Surface>
+RockOutcome RockRun<Surface>::follow() {
+  outcome_.start = motion_;
+  outcome_.max_kinetic_energy = kinetic_energy();
+  log_.row(PathState::projectile, motion_);
+  Phase phase = Flying{};
+  for (std::int64_t steps = 0; !std::holds_alternative<Ended>(phase); ++steps) {
+    if (steps == laws_.max_steps) {
+      phase = Ended{EndReason::maximum_steps};
+    } else if (const auto* flying = std::get_if<Flying>(&phase)) {
+      phase = fly(*flying);
+    } else {
+      phase = move_along(std::get<OnGround>(phase));
+    }
+  }
+  outcome_.max_kinetic_energy = std::max(outcome_.max_kinetic_energy, kinetic_energy());
+  outcome_.reason = std::get<Ended>(phase).reason;
+  outcome_.end = motion_;
+  log_.row(PathState::ended, motion_);
+  return outcome_;
+}
+
+template <class Surface>
+auto RockRun<Surface>::fly(const Flying& phase) -> Phase {
+  const Parabola path{motion_.position, motion_.velocity, laws_.gravity};
+  const double time_left = laws_.max_time - motion_.time;
+  const auto contact = surface_.first_contact(path, reach_, time_left, phase.left);
+  Exit exit{time_left, false};
+  if (!contact) {
+    const Exit edge = surface_.exit(path);
+    if (edge.t <= time_left) exit = edge;
+  }
+  const double t_end = contact ? contact->t : exit.t;
+
+  const double t_free = std::exchange(barrier_free_until_, -1.0);
+  double t_from = t_free;
+  while (const auto crossing = first_crossing(barriers_, path, reach_, t_from, t_end)) {
+    t_from = crossing->t;
+    if (crossing->above) {
+      log_.passed_above.push_back({crossing->barrier, crossing->clearance});
+      continue;
+    }
+    const Motion before = motion_;
+    advance(path, crossing->t);
+    const AtBarrier then = meet_barrier(*crossing);
+    if (then == AtBarrier::untouched) {
+      motion_ = before;
+      continue;
+    }
+    outcome_.max_bounce = surface_.greatest_height(path, crossing->t, outcome_.max_bounce);
+    if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
+    log_.row(PathState::projectile, motion_);
+    return Flying{};
+  }
+
+  outcome_.max_bounce = surface_.greatest_height(path, t_end, outcome_.max_bounce);
+  advance(path, t_end);
+  if (contact) return strike(*contact);
+  if (exit.t == time_left) return Ended{EndReason::maximum_time};
+  return Ended{exit.beneath ? EndReason::lost : EndReason::left_model};
+}
+
+template <class Surface>
+auto RockRun<Surface>::meet_barrier(const Crossing& crossing) -> AtBarrier {
+  const Barrier& barrier = barriers_[crossing.barrier.index];
+  const BarrierResponse response = respond(barrier, motion_, crossing.normal, rock_);
+  const double speed = motion_.velocity.norm();
+  const double across = std::clamp(-motion_.velocity.dot(crossing.normal) / speed, -1.0, 1.0);
+  const double angle = std::copysign(std::acos(across), -motion_.velocity.dot(crossing.up));
+  log_.hits.push_back({crossing.barrier, motion_, crossing.height, angle, response.outcome});
+  if (barrier.is_collector) return AtBarrier::untouched;
+
+  arrive(PathState::barrier);
+  if (!response.leaving) return AtBarrier::held;
+  motion_.velocity = response.leaving->velocity;
+  motion_.spin = response.leaving->spin;
+  barrier_free_until_ = 1e-9;
+  return AtBarrier::goes_on;
+}
+
+/// The rock meets the ground: the impact law, and whether the rock stays on the ground after it.
+template <class Surface>
+auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
+  arrive(PathState::impact);
+  const Material& material = ground_[ground_.material_of(surface_.source(contact.facet))];
+  const std::uint32_t number = contacts_;
+  const GroundDraw draw = draw_at(contact.facet);
+  const auto [rn_drawn, rt] = draw.restitution(material);
+
+  Vec3 n = contact.normal;
+  if (material.is_rough()) {
+    const Vec3 vt = tangential(motion_.velocity, n);
+    const Vec3 across = vt.squaredNorm() > 0 ? vt : tangential(laws_.gravity, n);
+    const double length = across.norm();
+    if (length > 0) {
+      auto [ahead, aside] = draw.roughness(material, number);
+      if (laws_.in_section) aside = 0;
+      const Vec3 tilted = tilted_normal(n, across / length, ahead, aside);
+      if (motion_.velocity.dot(tilted) < 0) n = tilted;  // otherwise the bump is turned away from the rock
+    }
+  }
+
+  const double vn = motion_.velocity.dot(n);
+  const Restitution restitution{laws_.restitution_scaling.scaled(rn_drawn, vn, rock_.mass), rt};
+  Rebound rebound;
+  if (laws_.model == RockModel::rigid_sphere) {
+    Restitution damped = restitution;
+    if (laws_.tangential_crsp_damping) {
+      damped.tangential = crsp_damped_tangential_restitution(motion_.velocity, motion_.spin, n, rock_, restitution);
+    }
+    rebound = rigid_sphere_rebound(motion_.velocity, motion_.spin, n, rock_, damped, draw.dynamic_friction(material));
+  } else if (laws_.rotation) {
+    rebound = crsp_rebound(motion_.velocity, motion_.spin, n, rock_, restitution);
+  } else {
+    rebound = plain_rebound(motion_.velocity, motion_.spin, n, restitution);
+  }
+  motion_.velocity = kept_outside(rebound.velocity, contact.normal);
+  motion_.spin = rebound.spin;
+
+  const bool leaves = motion_.velocity.dot(contact.normal) >= laws_.normal_velocity_cutoff;
+  const bool carried = laws_.gravity.dot(contact.normal) < 0;
+  if (leaves || !carried) {
+    last_strike_ = motion_.position;
+    last_normal_ = contact.normal;
+    log_.row(PathState::projectile, motion_);
+    return Flying{};
+  }
+  return enter_ground(contact, draw, material, rt);
+}
+
+}  // namespace talus
+
+#include "talus/trajectory/rock_run_on_ground.hpp"

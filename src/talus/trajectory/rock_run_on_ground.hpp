@@ -1,0 +1,257 @@
+#pragma once
+// The part of RockRun in which the rock stays on the ground. Included by rock_run.hpp only.
+
+#include "talus/trajectory/rock_run.hpp"
+
+namespace talus {
+
+/// The impact left the rock on the ground.
+template <class Surface>
+auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& draw, const Material& material, double rt)
+    -> Phase {
+  OnGround phase;
+  phase.normal = contact.normal;
+  phase.facet = contact.facet;
+  phase.on_facet = contact.feature == Feature::facet;
+  draw_friction(phase, draw, material, rt);
+  const bool struck_here = (motion_.position - last_strike_).squaredNorm() < 1e-14;
+  if (struck_here && last_normal_.dot(phase.normal) < 1 - 1e-9) {
+    phase.valley = caught_between(laws_.gravity, last_normal_, phase.normal, motion_.velocity, laws_.normal_velocity_cutoff);
+    if (phase.valley) phase.other_normal = last_normal_;
+  }
+  last_strike_ = motion_.position;
+  last_normal_ = phase.normal;
+
+  // RocFall3 lists the small normal velocity in the row in which a slide begins, RocFall2 does not (tables,
+  // row 14). Along the slope they agree, and that is what slides.
+  const Vec3 along = tangential(motion_.velocity, phase.normal);
+  if (laws_.model == RockModel::lumped_mass && laws_.sliding == SlidingMethod::stepped) {
+    log_.row(PathState::sliding, motion_);
+    motion_.velocity = along;
+  } else {
+    motion_.velocity = along;
+    log_.row(contact_state(phase.normal), motion_);
+  }
+  if (phase.valley) {
+    const Vec3& e = phase.valley->direction;
+    double speed = motion_.velocity.dot(e);
+    if (laws_.model == RockModel::rigid_sphere) {
+      // Caught between two facets, the sphere's motion becomes rolling along both: the part of its motion that this
+      // leaves, measured by energy, which therefore cannot rise.
+      const Vec3 axis = valley_spin(phase);
+      speed = (rock_.mass * speed + rock_.inertia * motion_.spin.dot(axis)) /
+              (rock_.mass + rock_.inertia * axis.squaredNorm());
+      motion_.spin = speed * axis;
+    }
+    motion_.velocity = speed * e;
+  }
+  return phase;
+}
+
+template <class Surface>
+void RockRun<Surface>::draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material,
+                                     double rt) const {
+  if (laws_.model == RockModel::rigid_sphere) {
+    phase.friction = {draw.dynamic_friction(material), draw.rolling_friction(material)};
+    return;
+  }
+  switch (laws_.friction_source) {
+    case FrictionSource::material: phase.mu = std::tan(draw.friction_angle(material)); break;
+    case FrictionSource::tangential_restitution: phase.mu = rt > 0 ? (1 - rt) / rt : 1e300; break;
+    case FrictionSource::zero: phase.mu = 0; break;
+  }
+}
+
+template <class Surface>
+PathState RockRun<Surface>::contact_state(const Vec3& normal) const {
+  if (laws_.model == RockModel::lumped_mass) return PathState::sliding;
+  const Vec3 slip = slip_velocity(motion_.velocity, motion_.spin, normal, rock_.radius);
+  return slip.norm() < 1e-6 ? PathState::rolling : PathState::sliding;
+}
+
+template <class Surface>
+Footing RockRun<Surface>::footing(const OnGround& phase) const {
+  return phase.valley ? phase.valley->footing : Footing::on_plane(laws_.gravity, phase.normal);
+}
+
+/// The spin of a sphere that rolls along a valley at 1 m/s, touching both sides without slip.
+template <class Surface>
+Vec3 RockRun<Surface>::valley_spin(const OnGround& phase) const {
+  const Vec3 middle = (phase.normal + *phase.other_normal).normalized();
+  const double effective_radius = rock_.radius * middle.dot(phase.normal);
+  return middle.cross(phase.valley->direction) / effective_radius;
+}
+
+template <class Surface>
+Leg RockRun<Surface>::next_leg(const OnGround& phase, const Footing& footing) const {
+  if (laws_.model == RockModel::lumped_mass) {
+    const auto law = laws_.sliding == SlidingMethod::stepped ? stepped_leg : closed_form_leg;
+    return law(motion_.position, motion_.velocity, motion_.spin, footing, phase.mu, laws_.timestep);
+  }
+  if (!phase.valley) {
+    return rolling_leg(motion_.position, motion_.velocity, motion_.spin, phase.normal, footing, rock_, phase.friction,
+                       laws_.timestep);
+  }
+  // Along a valley the sphere rolls on both sides at once: heavier to start, by the inertia of its spin, and braked by
+  // the rolling resistance of both contacts.
+  const Vec3 axis = valley_spin(phase);
+  const double share = rock_.mass / (rock_.mass + rock_.inertia * axis.squaredNorm());
+  const double resistance = rock_.radius * axis.norm() * std::min(phase.friction.rolling, phase.friction.dynamic);
+  Leg leg = closed_form_leg(motion_.position, motion_.velocity, motion_.spin,
+                            {share * footing.pull, share * footing.pressure}, resistance, laws_.timestep);
+  if (leg.duration > laws_.timestep) {
+    leg.duration = laws_.timestep;
+    leg.end_velocity = leg.path.velocity(leg.duration);
+  }
+  leg.end_spin = leg.end_velocity.dot(phase.valley->direction) * axis;
+  return leg;
+}
+
+/// Whether the rock has come to its end here.
+template <class Surface>
+bool RockRun<Surface>::rests(const OnGround& phase, const Footing& footing) const {
+  const double speed = motion_.velocity.norm();
+  const bool to_the_end = laws_.model == RockModel::lumped_mass && laws_.sliding == SlidingMethod::closed_form;
+  if (speed >= laws_.stopped_velocity) return false;
+  const auto held = [&](const Footing& f) {
+    return laws_.model == RockModel::rigid_sphere ? holds(f, phase.friction) : holds(f, phase.mu);
+  };
+  if (held(footing)) return !to_the_end || speed < 1e-9;  // the closed form slides until it stands
+  // In a corner of several facets it may be held where one of them alone would not.
+  Supports supports;
+  supports.add(phase.normal);
+  surface_.supports(motion_.position, reach_, 1e-6, [&](const Vec3& n, const Vec3& middle, double) {
+    // A point on a ridge touches both its sides and is caught between neither: only what rises from here counts.
+    const bool rises = (middle - motion_.position).dot(phase.normal) > 0;
+    if (reach_ > 0 || rises) supports.add(n);
+  });
+  return supports.count() > 1 && held(footing_on(laws_.gravity, supports));
+}
+
+template <class Surface>
+void RockRun<Surface>::advance_along(const Leg& leg, double t) {
+  const double share = std::isfinite(leg.duration) && leg.duration > 0 ? std::min(1.0, t / leg.duration) : 0;
+  motion_.position = leg.path.at(t);
+  motion_.velocity = leg.velocity_after(t);
+  motion_.spin += share * (leg.end_spin - motion_.spin);
+  motion_.time += t;
+}
+
+/// Rounding must not lift a rock off its facet or press it in, leg after leg.
+template <class Surface>
+void RockRun<Surface>::stand_on(const OnGround& phase) {
+  if (!phase.on_facet) return;
+  const Outline outline = surface_.outline(phase.facet);
+  const double height = outline.normal.dot(motion_.position - outline.point) - reach_;
+  motion_.position -= height * outline.normal;
+}
+
+template <class Surface>
+auto RockRun<Surface>::move_along(const OnGround& phase) -> Phase {
+  const Footing footing = this->footing(phase);
+  const Outline outline = surface_.outline(phase.facet);
+  const LeftPlanes on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
+  bool turned = false;
+  while (true) {
+    if (rests(phase, footing)) {
+      motion_.velocity.setZero();
+      return Ended{EndReason::at_rest};
+    }
+    if (motion_.time >= laws_.max_time) return Ended{EndReason::maximum_time};
+    const bool still = motion_.velocity.squaredNorm() == 0;
+    if (still && std::exchange(turned, true) == false) log_.turn(motion_);
+    const Leg leg = next_leg(phase, footing);
+    double t = std::min(leg.duration, laws_.max_time - motion_.time);
+
+    // What cuts the leg short: the facet's outline, other ground ahead of a sphere, a barrier; in this order at ties.
+    const OutlineEdge* edge = nullptr;
+    if (phase.on_facet) {
+      for (int k = 0; k < outline.edge_count; ++k) {
+        const OutlineEdge& side = outline.edges[static_cast<std::size_t>(k)];
+        const double distance = (leg.path.p - side.point).dot(side.inward);
+        const auto crossed = falling_root(distance, leg.path.v.dot(side.inward), leg.path.a.dot(side.inward), 1e300);
+        if (crossed && *crossed < t) {
+          t = *crossed;
+          edge = &side;
+        }
+      }
+    }
+    std::optional<Contact> ahead;
+    if (reach_ > 0) {
+      ahead = surface_.first_contact_on_leg(leg.path, reach_, t, on);
+      if (ahead) {
+        t = ahead->t;
+        edge = nullptr;
+      }
+    }
+    double t_from = std::exchange(barrier_free_until_, -1.0);
+    bool met = false;
+    while (const auto crossing = first_crossing(barriers_, leg.path, reach_, t_from, t)) {
+      t_from = crossing->t;
+      if (crossing->above) continue;  // a rock on the ground is above no barrier, but a sphere may be above a low one
+      const Motion before = motion_;
+      advance_along(leg, crossing->t);
+      const AtBarrier then = meet_barrier(*crossing);
+      if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
+      met = then == AtBarrier::goes_on;
+      if (met) break;
+      motion_ = before;
+    }
+    if (met) {
+      motion_.velocity = phase.valley ? Vec3(motion_.velocity.dot(phase.valley->direction) * phase.valley->direction)
+                                      : tangential(motion_.velocity, phase.normal);
+      log_.row(contact_state(phase.normal), motion_);
+      continue;
+    }
+
+    advance_along(leg, t);
+    stand_on(phase);
+    if (ahead) return strike(*ahead);
+    if (edge != nullptr) return leave_facet(phase, *edge);
+    if (!phase.on_facet) {
+      // Over an edge or a vertex the ground curves away from a sphere: after a leg it is in the air again, if barely.
+      arrive(PathState::impact);
+      log_.row(PathState::projectile, motion_);
+      return Flying{on};
+    }
+  }
+}
+
+/// The rock has come to the end of its facet.
+template <class Surface>
+auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edge) -> Phase {
+  const LeftPlanes left = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
+  if (!phase.valley && edge.beyond) {
+    const Vec3 n = surface_.normal(*edge.beyond);
+    const double speed = motion_.velocity.norm();
+    const double climb = -motion_.velocity.dot(n);
+    constexpr double level = 1e-7;  // sine of the angle up to which two facets are one plane
+    if (std::abs(climb) <= level * speed && laws_.gravity.dot(n) < 0) {
+      OnGround next = phase;
+      next.facet = *edge.beyond;
+      next.normal = n;
+      const MaterialId here = ground_.material_of(surface_.source(phase.facet));
+      const MaterialId there = ground_.material_of(surface_.source(next.facet));
+      if (here != there) {
+        const GroundDraw draw = draw_at(next.facet);
+        draw_friction(next, draw, ground_[there], draw.restitution(ground_[there])[1]);
+      }
+      const Vec3 along = tangential(motion_.velocity, n);
+      motion_.velocity = along * (speed / std::max(along.norm(), 1e-300));
+      return next;
+    }
+    if (climb > 0) {
+      // A lumped mass slides into ground that rises against it; a sphere touches such ground before it gets here,
+      // unless it rises by next to nothing.
+      last_strike_ = motion_.position;
+      last_normal_ = phase.normal;
+      return strike({0, n, *edge.beyond, Feature::facet});
+    }
+  }
+  // The ground falls away, or ends. The path shows the place: it arrives there and leaves in flight.
+  arrive(PathState::impact);
+  log_.row(PathState::projectile, motion_);
+  return Flying{left};
+}
+
+}  // namespace talus
