@@ -21,7 +21,7 @@ struct ProjectOptions {
 
 struct RunOptions {
   ProjectOptions project;
-  std::filesystem::path folder;  // empty: the project file's name without its ending, beside it
+  std::filesystem::path folder;  // empty: the project's name, beside its file
   int threads = 0;
   bool quiet = false;
 };

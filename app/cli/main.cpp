@@ -31,7 +31,7 @@ int dispatch(int argc, char** argv) {
   RunOptions run_options;
   CLI::App* run_command = app.add_subcommand("run", "Throw the rocks of a project and write tables and a report");
   add_project_options(*run_command, run_options.project);
-  run_command->add_option("-o,--output", run_options.folder, "Folder for the results (default: the project file's name, beside it)")->type_name("DIR");
+  run_command->add_option("-o,--output", run_options.folder, "Folder for the results (default: the project's name, beside its file)")->type_name("DIR");
   run_command->add_option("--threads", run_options.threads, "Threads to use (default: all cores)")->check(CLI::Range(1, 4096))->type_name("N");
   run_command->add_flag("--quiet,-q", run_options.quiet, "Print nothing but warnings and errors");
 

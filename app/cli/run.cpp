@@ -45,16 +45,13 @@ void print_outcome(const Loaded& loaded, const project::RunResult& result, const
   fmt::print("Results are in {}{}\n", folder.string(), loaded.project.output.report ? ", to look at: report.html" : "");
 }
 
-std::filesystem::path default_folder(const std::filesystem::path& file) {
-  return file.parent_path() / file.stem();
-}
-
 }  // namespace
 
 int run(const RunOptions& options) {
   const Loaded loaded = load(options.project);
   print_warnings(loaded.warnings);
-  const std::filesystem::path folder = options.folder.empty() ? default_folder(options.project.file) : options.folder;
+  const std::filesystem::path folder =
+      options.folder.empty() ? options.project.file.parent_path() / loaded.project.name : options.folder;
 
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);

@@ -1,7 +1,6 @@
 #include "talus/barriers/barrier.hpp"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 
 #include "talus/impact/plain.hpp"
 
@@ -69,7 +68,7 @@ Place place_on(const Panel& panel, const Vec3& q) {
 }  // namespace
 
 std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const Parabola& path, double radius,
-                                       double t_min, double t_max) {
+                                       double start, double t_max, const RecentCrossings& recent) {
   std::optional<Crossing> first;
   for (std::uint32_t b = 0; b < barriers.size(); ++b) {
     for (const Panel& panel : barriers[b].panels) {
@@ -79,15 +78,17 @@ std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const 
       for (const double side : {1.0, -1.0}) {
         const Times times = zeros(h0 - side * radius, v, a);
         for (int i = 0; i < times.count; ++i) {
+          // A rock that starts at the barrier, or a rounding beyond it, meets it.
           const double t = times.t[static_cast<std::size_t>(i)];
-          if (!(t > t_min) || t > t_max || (first && t >= first->t)) continue;
+          if (t < -0.5 * same_crossing || t > t_max || (first && t >= first->t)) continue;
           if (side * (v + a * t) >= 0) continue;  // drawing away
           const Vec3 contact = path.at(t) - side * radius * panel.normal;
           const Place place = place_on(panel, contact);
           // Panels of one barrier meet without a gap; a rounding's breadth beyond an end belongs to it, too.
           if (place.along < -1e-9 || place.along > panel.length + 1e-9 || place.up < -radius - 1e-6) continue;
           const bool above = place.up > panel.height;
-          first = Crossing{t, BarrierId{b}, std::max(place.up, 0.0), above ? place.up - panel.height - radius : 0,
+          if (recent.contain(BarrierId{b}, start + t)) continue;
+          first = Crossing{std::max(t, 0.0), BarrierId{b}, std::max(place.up, 0.0), above ? place.up - panel.height - radius : 0,
                            side * panel.normal, panel.up, above};
         }
       }

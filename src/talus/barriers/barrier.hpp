@@ -7,6 +7,8 @@
 // Source: verification manual, section 4; physics of the break-through: a rock with more energy than the capacity goes
 // on with the excess, its velocity and spin in proportion.
 
+#include <array>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -65,9 +67,37 @@ struct Crossing {
   bool above = false;
 };
 
-/// The first crossing in (t_min, t_max] of a rock's path, the barriers' order deciding ties.
+/// Crossings this close in time [s] are one: what one part of a path ends with, the next one does not begin with.
+inline constexpr double same_crossing = 1e-8;
+
+/// Barriers that a rock has just met, so that it does not meet them again at once where one part of its path ends and
+/// the next one begins. Times are the rock's.
+class RecentCrossings {
+ public:
+  void note(BarrierId barrier, double time) {
+    noted_[next_++ % noted_.size()] = {barrier, time};
+  }
+  [[nodiscard]] bool contain(BarrierId barrier, double time) const {
+    for (const auto& [noted_barrier, noted_time] : noted_) {
+      if (noted_barrier == barrier && std::abs(time - noted_time) < same_crossing) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Noted {
+    BarrierId barrier;
+    double time = -1e300;
+  };
+  std::array<Noted, 8> noted_;
+  std::size_t next_ = 0;
+};
+
+/// The first crossing up to t_max of a path that begins at the rock's time `start`, but for those that are recent; the
+/// barriers' order decides ties.
 [[nodiscard]] std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const Parabola& path,
-                                                     double radius, double t_min, double t_max);
+                                                     double radius, double start, double t_max,
+                                                     const RecentCrossings& recent);
 
 /// What the barrier does to the rock, and how the rock leaves: as it came, if it passes; nothing, if it stays.
 struct BarrierResponse {

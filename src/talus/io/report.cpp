@@ -1,10 +1,7 @@
 #include "talus/io/report.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <map>
 #include <utility>
 #include <vector>
@@ -12,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/output_file.hpp"
 #include "talus/io/report/assets.hpp"
 
 namespace talus::io {
@@ -167,10 +165,6 @@ std::string title_of(std::span<const RunFolder> runs) {
   return title;
 }
 
-[[noreturn]] void refuse_to_write(const std::filesystem::path& html, const std::string& why) {
-  throw BadInput(Problem{.file = html.string(), .where = "", .what = "cannot be written", .why = why, .hint = ""});
-}
-
 }  // namespace
 
 std::string report_page(std::span<const RunFolder> runs) {
@@ -201,25 +195,9 @@ void write_report(std::span<const std::filesystem::path> run_folders, const std:
   }
   if (problems.has_errors()) throw BadInput(std::move(problems));
   const std::string page = report_page(runs);
-
-  std::filesystem::path part = html;
-  part += ".part";
-  errno = 0;
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  stream.write(page.data(), static_cast<std::streamsize>(page.size()));
-  stream.close();
-  std::error_code failed;
-  if (!stream) {
-    const std::string why = std::strerror(errno);
-    std::filesystem::remove(part, failed);
-    refuse_to_write(html, why);
-  }
-  std::filesystem::rename(part, html, failed);
-  if (failed) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    refuse_to_write(html, failed.message());
-  }
+  OutputFile file(html);
+  file.write(page);
+  file.commit();
 }
 
 }  // namespace talus::io

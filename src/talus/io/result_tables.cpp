@@ -101,9 +101,9 @@ PathsTable::PathsTable(const std::filesystem::path& file, TableContext context, 
   file_.write(path_header());
 }
 bool PathsTable::wants_rows(std::uint64_t rock) const {
+  if (limit_ == rocks_ || limit_ == 0) return limit_ != 0;
   // Where the count of wanted rocks steps up; in doubles, which hold such products for any campaign that ends.
   const double share = static_cast<double>(limit_) / static_cast<double>(rocks_);
-  if (limit_ == rocks_) return true;
   return std::floor(static_cast<double>(rock + 1) * share + 1e-9) >
          std::floor(static_cast<double>(rock) * share + 1e-9);
 }

@@ -2,6 +2,7 @@
 // The project file as TOML, with `--set` overrides worked in; every value knows the file and line it came from.
 
 #include <toml++/toml.h>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "talus/core/check.hpp"
 
@@ -653,9 +654,9 @@ Table output() {
                .meaning = "Writes `report.html`, a page of figures that opens without a network.",
                .source = "Talus"},
           },
-      .later = {{"maps", "hazard maps", "Leave it out, or write maps = false", true, {}},
-                {"raster_cell_m", "hazard maps", "Leave it out, or write maps = false beside it", false, "maps"},
-                {"percentiles", "hazard maps", "Leave it out, or write maps = false beside it", false, "maps"}},
+      .later = {{"maps", "hazard maps", "No map is written", true},
+                {"raster_cell_m", "hazard maps", "No map is written", true},
+                {"percentiles", "hazard maps", "No map is written", true}},
       .add = add,
       .rows = rows,
   };

@@ -93,13 +93,13 @@ struct Setting {
   std::function<std::optional<Doubt>(double)> doubt{};  // for a number inside the range
 };
 
-/// A key of the contract that this version does not read: recognised, and refused with a reason.
+/// A key of the contract that this version does not read: recognised, and refused (or warned of) with a reason.
 struct LaterKey {
   std::string_view key;
   std::string_view what;           // what it would do
   std::string_view instead;        // what to do today
-  bool false_is_fine = false;      // `key = false` asks for nothing, and is accepted
-  std::string_view moot_beside{};  // accepted where this other key is there and false
+  bool only_warns = false;         // a run is worth having without it: a warning, and none for `key = false`
+};  // accepted where this other key is there and false
 };
 
 struct Table {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "talus/project/nearest.hpp"
 
@@ -53,9 +54,6 @@ std::string slip_hint(const Setting& setting, double value) {
   const std::optional<double> meant = setting.slip ? setting.slip(value) : std::nullopt;
   return meant && setting.range.contains(*meant) ? fmt::format("Did you mean {}?", number_text(*meant)) : "";
 }
-
-template <std::size_t count>
-constexpr std::string_view coordinates = count == 2 ? "a pair" : "a triple";
 
 }  // namespace
 
@@ -129,8 +127,10 @@ void ValueReader::refuse_unknown(const Table& table, const toml::table& from, co
     const auto later =
         std::find_if(table.later.begin(), table.later.end(), [&](const LaterKey& l) { return l.key == name; });
     if (later != table.later.end()) {
-      if (later->false_is_fine && node.value<bool>() == false) continue;
-      if (!later->moot_beside.empty() && from[later->moot_beside].value<bool>() == false) continue;
+      if (later->only_warns) {
+        if (node.value<bool>() == false) continue;
+        problem.severity = Severity::warning;
+      }
       problem.what = fmt::format("{} is not read by this version", name);
       problem.why = fmt::format("{} will come later", later->what);
       problem.hint = later->instead;

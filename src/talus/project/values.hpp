@@ -1,7 +1,10 @@
 #pragma once
 // Reads the values of one table into the members that its settings are bound to, and says what is wrong with them.
 
+#include <array>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <unordered_set>
 #include <vector>
 
@@ -32,7 +35,7 @@ class ValueReader {
   [[nodiscard]] const std::unordered_set<const toml::node*>& refused() const { return refused_; }
 
  private:
-  /// The value being read and how complaints call it; `Overloads` of one visit share it.
+  /// The value being read, and how complaints call it.
   struct Value {
     const Setting& setting;
     const toml::node& node;

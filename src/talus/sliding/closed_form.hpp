@@ -33,7 +33,10 @@ namespace talus {
   }
   const Vec3 middle = velocity + 0.5 * timestep * (footing.pull - drag * heading);
   const double middle_speed = middle.norm();
-  const Vec3 middle_heading = middle_speed > 0 ? Vec3(middle / middle_speed) : heading;
+  Vec3 middle_heading = middle_speed > 0 ? Vec3(middle / middle_speed) : heading;
+  // Close to rest the middle may lie behind: friction that would push the rock is none, that of the start brakes it.
+  const double advance = middle_speed + 0.5 * timestep * drag * (heading.dot(middle_heading) - 1);
+  if (heading.dot(middle_heading) <= 0 || advance <= 0) middle_heading = heading;
   return braked(footing.pull - drag * middle_heading, timestep);
 }
 

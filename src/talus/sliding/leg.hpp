@@ -39,9 +39,6 @@ struct Leg {
   double duration = 0;  // [s]; infinite for a closed form that only something else ends
   Vec3 end_velocity = Vec3::Zero();
   Vec3 end_spin = Vec3::Zero();
-
-  /// The velocity and the spin after a part of the leg, as a law that was cut short leaves them.
-  [[nodiscard]] Vec3 velocity_after(double t) const { return t >= duration ? end_velocity : path.velocity(t); }
 };
 
 }  // namespace talus

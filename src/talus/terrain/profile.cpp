@@ -9,8 +9,11 @@ namespace talus {
 
 namespace {
 
-// Profiles of fewer segments are searched one by one, which is faster than any tree.
+// Folded profiles of fewer segments are searched one by one, which is faster than any tree.
 constexpr std::size_t short_profile = 48;
+
+// More than a contact may ever lie outside the end of its segment [m].
+constexpr double widest_slack = 2e4 * contact_slack;
 
 Vec3 in_plane(const Vec3& v) { return {v.x(), 0, v.z()}; }
 
@@ -36,7 +39,7 @@ struct Profile::Candidate {
 Profile::Profile(std::span<const Vec2> vertices) {
   segments_.resize(vertices.empty() ? 0 : vertices.size() - 1);
   move_vertices(vertices);
-  if (segments_.size() <= short_profile) return;
+  if (is_height_field_ || segments_.size() <= short_profile) return;
   std::vector<Box> boxes;
   for (const Segment& segment : segments_) {
     Box box;
@@ -68,7 +71,23 @@ void Profile::move_vertices(std::span<const Vec2> vertices) {
 
 template <class Visit>
 void Profile::visit_near(const Parabola& path, double pad, double& t_max, Visit&& visit) const {
-  if (bvh_.order().empty()) {
+  if (is_height_field_) {
+    // The segments lie in the order of x: those that the path passes, from where it starts.
+    const auto start_x = [](const Segment& s) { return s.a.x(); };
+    const auto end_x = [](const Segment& s) { return s.a.x() + s.length * s.along.x(); };
+    const double x = path.p.x(), vx = path.v.x(), reach = 0.5 * t_max * t_max * std::abs(path.a.x());
+    if (vx >= 0) {
+      auto k = std::partition_point(segments_.begin(), segments_.end(),
+                                    [&](const Segment& s) { return end_x(s) < x - pad - reach; });
+      for (; k != segments_.end() && start_x(*k) <= x + vx * t_max + pad + reach; ++k) visit(index_of(*k));
+    } else {
+      auto k = std::partition_point(segments_.begin(), segments_.end(),
+                                    [&](const Segment& s) { return start_x(s) <= x + pad + reach; });
+      while (k != segments_.begin() && end_x(*--k) >= x + vx * t_max - pad - reach) visit(index_of(*k));
+    }
+    return;
+  }
+  if (bvh_.order().empty() || path.a.x() != 0) {
     for (std::uint32_t k = 0; k < segments_.size(); ++k) visit(k);
     return;
   }
@@ -107,14 +126,14 @@ void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t
 std::optional<Contact> Profile::first_contact(const Parabola& path, double radius, double t_max,
                                               const LeftPlanes& left) const {
   Candidate best{t_max};
-  visit_near(path, radius + 1e-6, best.t, [&](std::uint32_t k) { meet(path, Path::flight, radius, k, left, best); });
+  visit_near(path, radius + widest_slack, best.t, [&](std::uint32_t k) { meet(path, Path::flight, radius, k, left, best); });
   return best.contact();
 }
 
 std::optional<Contact> Profile::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
                                                      const LeftPlanes& on) const {
   Candidate best{t_max};
-  for (std::uint32_t k = 0; k < segments_.size(); ++k) meet(leg, Path::leg, radius, k, on, best);
+  visit_near(leg, radius + widest_slack, best.t, [&](std::uint32_t k) { meet(leg, Path::leg, radius, k, on, best); });
   return best.contact();
 }
 
@@ -155,13 +174,8 @@ double Profile::greatest_height(const Parabola& path, double t_end, double known
     }
     known = std::max(known, height);
   };
-  if (bvh_.order().empty()) {
-    for (std::uint32_t k = 0; k < segments_.size(); ++k) look(k);
-  } else {
-    bvh_.visit_under(path, t_end, [&] { return known; }, [&](std::uint32_t first, std::uint32_t last) {
-      for (std::uint32_t place = first; place < last; ++place) look(bvh_.order()[place]);
-    });
-  }
+  double t = t_end;
+  visit_near(path, widest_slack, t, look);
   return known;
 }
 

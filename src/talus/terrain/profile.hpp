@@ -52,6 +52,9 @@ class Profile {
     bool sharp_end = false;    // only ever true of the last segment
   };
   struct Candidate;
+  [[nodiscard]] std::uint32_t index_of(const Segment& s) const {
+    return static_cast<std::uint32_t>(&s - segments_.data());
+  }
   template <class Visit>
   void visit_column(double x, Visit&& visit) const;
   template <class Visit>
@@ -61,7 +64,7 @@ class Profile {
             Candidate& best) const;
 
   std::vector<Segment> segments_;
-  Bvh bvh_;  // only of long profiles
+  Bvh bvh_;  // only of long profiles that fold back in x
   Box bounds_;
   bool is_height_field_ = true;
 };

@@ -56,23 +56,30 @@ class RockRun {
 
   Phase fly(const Flying& phase);
   Phase strike(const Contact& contact);
-  Phase move_along(const OnGround& phase);
+  Phase move_along(OnGround phase);
   Phase enter_ground(const Contact& contact, const GroundDraw& draw, const Material& material, double rt);
   /// How a rock goes on from a barrier.
   enum class AtBarrier { untouched, held, goes_on };
   AtBarrier meet_barrier(const Crossing& crossing);
+  void pass_above(const Crossing& crossing) {
+    crossed_.note(crossing.barrier, motion_.time + crossing.t);
+    log_.passed_above.push_back({crossing.barrier, crossing.clearance});
+  }
 
   [[nodiscard]] Leg next_leg(const OnGround& phase, const Footing& footing) const;
   [[nodiscard]] bool rests(const OnGround& phase, const Footing& footing) const;
   [[nodiscard]] Footing footing(const OnGround& phase) const;
   [[nodiscard]] Vec3 valley_spin(const OnGround& phase) const;
   Phase leave_facet(const OnGround& phase, const OutlineEdge& edge);
+  std::optional<OutlineEdge> edge_ahead(OnGround& phase, const Parabola& leg, double& t) const;
+  [[nodiscard]] bool is_level(FacetId facet, const Vec3& velocity) const;
+  [[nodiscard]] MaterialId material_at(FacetId facet) const { return ground_.material_of(surface_.source(facet)); }
   void advance_along(const Leg& leg, double t);
   void stand_on(const OnGround& phase);
   void draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material, double rt) const;
 
   [[nodiscard]] GroundDraw draw_at(FacetId facet) {
-    return GroundDraw(draws_, laws_.material_sampling, ground_.material_of(surface_.source(facet)), contacts_++);
+    return GroundDraw(draws_, laws_.material_sampling, material_at(facet), contacts_++);
   }
   [[nodiscard]] PathState contact_state(const Vec3& normal) const;
   [[nodiscard]] double kinetic_energy() const {
@@ -102,7 +109,7 @@ class RockRun {
 
   RockOutcome outcome_;
   std::uint32_t contacts_ = 0;           // how often the ground's properties were drawn
-  double barrier_free_until_ = -1;  // on its next path [s]: a rock that has just broken through is still at the barrier
+  RecentCrossings crossed_;
   Vec3 last_strike_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // where it struck the ground last
   Vec3 last_normal_ = Vec3::Zero();
 };
@@ -141,12 +148,9 @@ auto RockRun<Surface>::fly(const Flying& phase) -> Phase {
   }
   const double t_end = contact ? contact->t : exit.t;
 
-  const double t_free = std::exchange(barrier_free_until_, -1.0);
-  double t_from = t_free;
-  while (const auto crossing = first_crossing(barriers_, path, reach_, t_from, t_end)) {
-    t_from = crossing->t;
+  while (const auto crossing = first_crossing(barriers_, path, reach_, motion_.time, t_end, crossed_)) {
     if (crossing->above) {
-      log_.passed_above.push_back({crossing->barrier, crossing->clearance});
+      pass_above(*crossing);
       continue;
     }
     const Motion before = motion_;
@@ -176,6 +180,7 @@ auto RockRun<Surface>::meet_barrier(const Crossing& crossing) -> AtBarrier {
   const double speed = motion_.velocity.norm();
   const double across = std::clamp(-motion_.velocity.dot(crossing.normal) / speed, -1.0, 1.0);
   const double angle = std::copysign(std::acos(across), -motion_.velocity.dot(crossing.up));
+  crossed_.note(crossing.barrier, motion_.time);
   log_.hits.push_back({crossing.barrier, motion_, crossing.height, angle, response.outcome});
   if (barrier.is_collector) return AtBarrier::untouched;
 
@@ -183,7 +188,6 @@ auto RockRun<Surface>::meet_barrier(const Crossing& crossing) -> AtBarrier {
   if (!response.leaving) return AtBarrier::held;
   motion_.velocity = response.leaving->velocity;
   motion_.spin = response.leaving->spin;
-  barrier_free_until_ = 1e-9;
   return AtBarrier::goes_on;
 }
 
@@ -191,7 +195,7 @@ auto RockRun<Surface>::meet_barrier(const Crossing& crossing) -> AtBarrier {
 template <class Surface>
 auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
   arrive(PathState::impact);
-  const Material& material = ground_[ground_.material_of(surface_.source(contact.facet))];
+  const Material& material = ground_[material_at(contact.facet)];
   const std::uint32_t number = contacts_;
   const GroundDraw draw = draw_at(contact.facet);
   const auto [rn_drawn, rt] = draw.restitution(material);

@@ -130,11 +130,21 @@ bool RockRun<Surface>::rests(const OnGround& phase, const Footing& footing) cons
 
 template <class Surface>
 void RockRun<Surface>::advance_along(const Leg& leg, double t) {
-  const double share = std::isfinite(leg.duration) && leg.duration > 0 ? std::min(1.0, t / leg.duration) : 0;
   motion_.position = leg.path.at(t);
-  motion_.velocity = leg.velocity_after(t);
-  motion_.spin += share * (leg.end_spin - motion_.spin);
   motion_.time += t;
+  if (t >= leg.duration) {
+    motion_.velocity = leg.end_velocity;
+    motion_.spin = leg.end_spin;
+    return;
+  }
+  if (!std::isfinite(leg.duration)) {  // a closed form; spin does not change
+    motion_.velocity = leg.path.velocity(t);
+    return;
+  }
+  // A step that is cut short changes the velocity by its share only: it must not gain speed for ground not covered.
+  const double share = t / leg.duration;
+  motion_.velocity += share * (leg.end_velocity - motion_.velocity);
+  motion_.spin += share * (leg.end_spin - motion_.spin);
 }
 
 /// Rounding must not lift a rock off its facet or press it in, leg after leg.
@@ -146,13 +156,50 @@ void RockRun<Surface>::stand_on(const OnGround& phase) {
   motion_.position -= height * outline.normal;
 }
 
+/// The edge at which a leg comes to the end of its plane, if that is before `t`, which becomes the time; on the way the
+/// phase is moved from facet to facet of one plane and one material, as if there were no edges between them.
 template <class Surface>
-auto RockRun<Surface>::move_along(const OnGround& phase) -> Phase {
-  const Footing footing = this->footing(phase);
-  const Outline outline = surface_.outline(phase.facet);
+std::optional<OutlineEdge> RockRun<Surface>::edge_ahead(OnGround& phase, const Parabola& leg, double& t) const {
+  constexpr int most_facets_a_leg = 1000;  // no leg has more; what turns in circles at a vertex is cut off
+  for (int facets = 0; facets < most_facets_a_leg; ++facets) {
+    const Outline outline = surface_.outline(phase.facet);
+    double t_edge = t;
+    const OutlineEdge* edge = nullptr;
+    for (int k = 0; k < outline.edge_count; ++k) {
+      const OutlineEdge& side = outline.edges[static_cast<std::size_t>(k)];
+      const double distance = (leg.p - side.point).dot(side.inward);
+      const auto crossed = falling_root(distance, leg.v.dot(side.inward), leg.a.dot(side.inward), 1e300);
+      if (crossed && *crossed < t_edge) {
+        t_edge = *crossed;
+        edge = &side;
+      }
+    }
+    if (edge == nullptr) return std::nullopt;
+    if (!edge->beyond || phase.valley || !is_level(*edge->beyond, leg.v) ||
+        material_at(phase.facet) != material_at(*edge->beyond)) {
+      t = t_edge;
+      return *edge;
+    }
+    phase.facet = *edge->beyond;
+    phase.normal = surface_.normal(phase.facet);
+  }
+  return std::nullopt;
+}
+
+/// Whether a rock that moves along the ground at `velocity` goes on over a facet as if it were the one it is on.
+template <class Surface>
+bool RockRun<Surface>::is_level(FacetId facet, const Vec3& velocity) const {
+  constexpr double level = 1e-7;  // sine of the angle up to which two facets are one plane
+  const Vec3 n = surface_.normal(facet);
+  return std::abs(velocity.dot(n)) <= level * velocity.norm() && laws_.gravity.dot(n) < 0;
+}
+
+template <class Surface>
+auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
   const LeftPlanes on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
   bool turned = false;
   while (true) {
+    const Footing footing = this->footing(phase);
     if (rests(phase, footing)) {
       motion_.velocity.setZero();
       return Ended{EndReason::at_rest};
@@ -164,31 +211,21 @@ auto RockRun<Surface>::move_along(const OnGround& phase) -> Phase {
     double t = std::min(leg.duration, laws_.max_time - motion_.time);
 
     // What cuts the leg short: the facet's outline, other ground ahead of a sphere, a barrier; in this order at ties.
-    const OutlineEdge* edge = nullptr;
-    if (phase.on_facet) {
-      for (int k = 0; k < outline.edge_count; ++k) {
-        const OutlineEdge& side = outline.edges[static_cast<std::size_t>(k)];
-        const double distance = (leg.path.p - side.point).dot(side.inward);
-        const auto crossed = falling_root(distance, leg.path.v.dot(side.inward), leg.path.a.dot(side.inward), 1e300);
-        if (crossed && *crossed < t) {
-          t = *crossed;
-          edge = &side;
-        }
-      }
-    }
+    std::optional<OutlineEdge> edge = phase.on_facet ? edge_ahead(phase, leg.path, t) : std::nullopt;
     std::optional<Contact> ahead;
     if (reach_ > 0) {
       ahead = surface_.first_contact_on_leg(leg.path, reach_, t, on);
       if (ahead) {
         t = ahead->t;
-        edge = nullptr;
+        edge.reset();
       }
     }
-    double t_from = std::exchange(barrier_free_until_, -1.0);
     bool met = false;
-    while (const auto crossing = first_crossing(barriers_, leg.path, reach_, t_from, t)) {
-      t_from = crossing->t;
-      if (crossing->above) continue;  // a rock on the ground is above no barrier, but a sphere may be above a low one
+    while (const auto crossing = first_crossing(barriers_, leg.path, reach_, motion_.time, t, crossed_)) {
+      if (crossing->above) {  // a sphere on the ground may be above a low barrier
+        pass_above(*crossing);
+        continue;
+      }
       const Motion before = motion_;
       advance_along(leg, crossing->t);
       const AtBarrier then = meet_barrier(*crossing);
@@ -207,7 +244,7 @@ auto RockRun<Surface>::move_along(const OnGround& phase) -> Phase {
     advance_along(leg, t);
     stand_on(phase);
     if (ahead) return strike(*ahead);
-    if (edge != nullptr) return leave_facet(phase, *edge);
+    if (edge) return leave_facet(phase, *edge);
     if (!phase.on_facet) {
       // Over an edge or a vertex the ground curves away from a sphere: after a leg it is in the air again, if barely.
       arrive(PathState::impact);
@@ -224,23 +261,20 @@ auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edg
   if (!phase.valley && edge.beyond) {
     const Vec3 n = surface_.normal(*edge.beyond);
     const double speed = motion_.velocity.norm();
-    const double climb = -motion_.velocity.dot(n);
-    constexpr double level = 1e-7;  // sine of the angle up to which two facets are one plane
-    if (std::abs(climb) <= level * speed && laws_.gravity.dot(n) < 0) {
+    if (is_level(*edge.beyond, motion_.velocity)) {
       OnGround next = phase;
       next.facet = *edge.beyond;
       next.normal = n;
-      const MaterialId here = ground_.material_of(surface_.source(phase.facet));
-      const MaterialId there = ground_.material_of(surface_.source(next.facet));
-      if (here != there) {
+      const Material& there = ground_[material_at(next.facet)];
+      if (material_at(phase.facet) != material_at(next.facet)) {
         const GroundDraw draw = draw_at(next.facet);
-        draw_friction(next, draw, ground_[there], draw.restitution(ground_[there])[1]);
+        draw_friction(next, draw, there, draw.restitution(there)[1]);
       }
       const Vec3 along = tangential(motion_.velocity, n);
       motion_.velocity = along * (speed / std::max(along.norm(), 1e-300));
       return next;
     }
-    if (climb > 0) {
+    if (motion_.velocity.dot(n) < 0) {
       // A lumped mass slides into ground that rises against it; a sphere touches such ground before it gets here,
       // unless it rises by next to nothing.
       last_strike_ = motion_.position;

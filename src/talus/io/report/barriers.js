@@ -39,11 +39,12 @@ function barrierSections(parent) {
     const outcomes = [...new Set(runs.flatMap((run) => Object.keys(of(run).outcomes || {})))];
     const rows = [
       ['Hits', ...runs.map((run) => number(of(run).hits))],
-      ...outcomes.map((word) => [`– ${word}`, ...runs.map((run) => number((of(run).outcomes || {})[word]))]),
-      ['Passed above', ...runs.map((run) => number(of(run).passed_above))],
+      ...(runs.some((run) => isNumber(of(run).rocks_hit)) ? [['Rocks that hit', ...runs.map((run) => number(of(run).rocks_hit))]] : []),
+      ...outcomes.map((word) => [`Hits: ${word}`, ...runs.map((run) => number((of(run).outcomes || {})[word]))]),
+      ['Rocks that passed above', ...runs.map((run) => number(of(run).passed_above))],
       ['Least clearance above [m]', ...runs.map((run) => number(of(run).least_clearance_m))],
     ];
-    table(parent, {head: [['', ...(single ? ['Rocks'] : runs.map((run) => ({text: run.label, run})))]], rows, numeric: (column) => column > 0});
+    table(parent, {head: [['', ...(single ? ['Number'] : runs.map((run) => ({text: run.label, run})))]], rows, numeric: (column) => column > 0});
     const box = element(parent, 'div', null, {class: 'columns'});
     histogramFigure(box, {title: 'Translational energy at impact', quantity: 'Translational kinetic energy', unit: 'kJ', per: 1000, thing: 'hits', of: (run) => (of(run).histograms || {}).ke_translational_J});
     histogramFigure(box, {title: 'Impact height', quantity: 'Impact height', unit: 'm', thing: 'hits', of: (run) => (of(run).histograms || {}).impact_height_m});

@@ -19,7 +19,7 @@ function histogramFigure(parent, {title, quantity, unit, per = 1, of, thing = 'r
   const all = series.flatMap((s) => s.bars);
   figure(parent, {
     title, label: `${title}: histogram of ${quantity} in ${unit}`,
-    caption: series.map((s) => `${single ? '' : s.run.label + ': '}${count(s.total, thing.replace(/s$/, ''), thing)}, bins of ${number(s.step, 4)} ${unit}`).join('; ') + '.',
+    caption: series.map((s) => `${single ? '' : s.run.label + ': '}${count(s.total, thing.replace(/s$/, ''), thing)}, ${areEqual(s.step, 0) ? 'all of one value' : `bins of ${number(s.step, 4)} ${unit}`}`).join('; ') + '.',
     width,
     draw(svg) {
       const side = {left: 72, right: width - 14, top: 12, bottom: 262};
@@ -29,7 +29,7 @@ function histogramFigure(parent, {title, quantity, unit, per = 1, of, thing = 'r
       for (const s of series) {
         tip(svg.append('g').style('--run', s.run.colour).selectAll('rect').data(s.bars.filter((bar) => bar.n > 0)).enter().append('rect')
           .attr('class', series.length > 1 ? 'bar over' : 'bar')
-          .attr('x', (bar) => toX(bar.low)).attr('width', (bar) => Math.max(toX(bar.high) - toX(bar.low) - 0.5, 0.5))
+          .attr('x', (bar) => toX(bar.low)).attr('width', (bar) => Math.max(toX(bar.high) - toX(bar.low) - 0.5, 2))
           .attr('y', (bar) => toY(measure(bar))).attr('height', (bar) => side.bottom - toY(measure(bar))),
         (bar) => (single ? '' : bar.run.label + '\n') + `${number(bar.low, 5)} to ${number(bar.high, 5)} ${unit}\n${number(bar.n)} of ${count(s.total, thing.replace(/s$/, ''), thing)} (${number(bar.share, 3)} %)`);
       }

@@ -102,11 +102,13 @@ function tip(selection, textOf) {
 
 // ---- axes
 
-// A range that holds all values, a little wider than they are.
+const areEqual = (a, b) => Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(a), Math.abs(b));
+
+// A range that holds all values, a little wider than they are; equal but for rounding, they get a metre or so to stand in.
 function extentOf(values, margin = 0.04) {
   let [low, high] = d3.extent(values);
   if (low === undefined) [low, high] = [0, 1];
-  if (low === high) [low, high] = [low - 0.5, high + 0.5];
+  if (areEqual(low, high)) [low, high] = [low - 0.5, high + 0.5];
   const more = (high - low) * margin;
   return [low - more, high + more];
 }
