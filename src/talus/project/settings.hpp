@@ -99,7 +99,6 @@ struct LaterKey {
   std::string_view what;           // what it would do
   std::string_view instead;        // what to do today
   bool only_warns = false;         // a run is worth having without it: a warning, and none for `key = false`
-};  // accepted where this other key is there and false
 };
 
 struct Table {

@@ -169,11 +169,6 @@ Bounds limits_of(const Distribution& given, Bounds bounds) {
           std::min(given.rel_max ? given.mean + *given.rel_max : no_limit, bounds.most)};
 }
 
-// F(high) - F(low), from the tails that lose less to cancellation.
-double probability_between(Tails low, Tails high) {
-  return low.below > 0.5 ? low.above - high.above : high.below - low.below;
-}
-
 }  // namespace
 
 Sampler::Sampler(const Distribution& distribution, Bounds bounds, double scale) : scale_(scale) {
@@ -344,7 +339,7 @@ Complaint about_limits(const Distribution& given, Bounds bounds) {
   }
   const Untruncated base = untruncated(given);
   // Not below: so that a NaN is refused too.
-  if (!(probability_between(tails(base, limits.least), tails(base, limits.most)) >= least_probability)) {
+  if (!(tails(base, limits.most).below - tails(base, limits.least).below >= least_probability)) {
     return fmt::format(
         "the limits {} to {} leave less than a millionth of the {} distribution (its std_dev is {}). Compare the units "
         "of std_dev and of the limits",

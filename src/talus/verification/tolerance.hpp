@@ -1,0 +1,26 @@
+#pragma once
+// How far a computed number may be from a printed one.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "talus/verification/printed.hpp"
+
+namespace talus::verification {
+
+/// Each part that is not zero is a limit, and the widest of them counts: "1 unit of the last printed digit or 0.01 %".
+struct Tolerance {
+  double units = 0;     // of the last printed digit
+  double relative = 0;  // of the printed number
+  double absolute = 0;  // in the number's own unit
+  double of_scale = 0;  // of the greatest number of the same kind in the table, velocities with velocities and so on
+
+  [[nodiscard]] double allowed(const Printed& published, double scale) const {
+    return std::max({units * published.unit, relative * std::abs(published.value), absolute, of_scale * scale});
+  }
+  /// `1 unit of the last digit or 0.01 %`
+  [[nodiscard]] std::string text() const;
+};
+
+}  // namespace talus::verification
