@@ -38,6 +38,8 @@ double bracketed_root(const Polynomial& c, double a, double fa, double b) {
 struct Roots {
   std::array<double, 4> t{};
   int count = 0;
+  [[nodiscard]] const double* begin() const { return t.data(); }
+  [[nodiscard]] const double* end() const { return t.data() + count; }
 };
 
 Roots roots_within(const Polynomial& c, int degree, double t_max) {
@@ -64,13 +66,25 @@ Polynomial squared_distance(const Vec3& d, const Vec3& v, const Vec3& a, double 
 
 Falls falls(const std::array<double, 5>& c, double t_max, double slack) {
   Falls found;
-  // Touching at the start: caught if it moves in, or rests there and is pulled in.
-  const bool falling = c[1] < 0 || (c[1] == 0 && c[2] < 0);
-  if (c[0] <= slack && falling) found.t[static_cast<std::size_t>(found.count++)] = 0;
-  const Roots roots = roots_within(c, 4, t_max);
-  for (int i = 0; i < roots.count && found.count < 3; ++i) {
-    const double t = roots.t[static_cast<std::size_t>(i)];
-    if (value(derivative(c), t) < 0) found.t[static_cast<std::size_t>(found.count++)] = t;
+  const auto note = [&](double t) { found.t[static_cast<std::size_t>(found.count++)] = t; };
+  if (c[0] <= slack) {
+    // Touching at the start: caught when it first moves in, unless it has come free before. Rounding may let a rock
+    // that rests on an edge seem to rise by less than the slack.
+    const bool falling = c[1] < 0 || (c[1] == 0 && c[2] < 0);
+    if (falling) {
+      note(0);
+    } else {
+      const Polynomial slope = derivative(c), curve = derivative(slope);
+      for (const double t : roots_within(slope, 3, t_max)) {
+        if (value(curve, t) > 0) continue;  // not a top
+        if (value(c, t) <= slack) note(t);
+        break;
+      }
+    }
+  }
+  for (const double t : roots_within(c, 4, t_max)) {
+    if (found.count == 3) break;
+    if (value(derivative(c), t) < 0 && (found.count == 0 || t > found.t[static_cast<std::size_t>(found.count - 1)])) note(t);
   }
   return found;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "talus/core/id.hpp"
 #include "talus/core/vec.hpp"
 
 namespace talus {
@@ -17,7 +18,7 @@ template <class Surface>
   // A sphere that reaches into a facet is raised until it only touches; each round clears the deepest one.
   for (int round = 0; radius > 0 && round < 64; ++round) {
     double rise = 0;
-    surface.supports(centre, radius, 0, [&](const Vec3& away, const Vec3&, double distance) {
+    surface.supports(centre, radius, 0, [&](const Vec3& away, const Vec3&, double distance, FacetId) {
       if (distance < radius - 1e-9) rise = std::max(rise, (radius - distance) / std::max(away.z(), 0.1));
     });
     if (rise == 0) break;

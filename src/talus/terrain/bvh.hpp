@@ -72,13 +72,34 @@ class Bvh {
 
 namespace bvh_detail {
 
-// Four doubles side by side; the compiler maps them to whatever vector registers there are.
-using Four = double __attribute__((vector_size(32)));
+// Four doubles side by side, as two pairs: pairs are what every 64-bit processor has registers for, and what the
+// compiler turns into one instruction each.
+using Pair = double __attribute__((vector_size(16)));
+using PairMask = decltype(Pair{} < Pair{});
 
-[[nodiscard]] inline Four four(double x) { return Four{x, x, x, x}; }
-[[nodiscard]] inline Four four(const std::array<float, 4>& x) { return Four{x[0], x[1], x[2], x[3]}; }
-[[nodiscard]] inline Four least(Four a, Four b) { return a < b ? a : b; }
-[[nodiscard]] inline Four most(Four a, Four b) { return a > b ? a : b; }
+struct Four {
+  Pair a, b;
+  friend Four operator+(Four x, Four y) { return {x.a + y.a, x.b + y.b}; }
+  friend Four operator-(Four x, Four y) { return {x.a - y.a, x.b - y.b}; }
+  friend Four operator*(Four x, Four y) { return {x.a * y.a, x.b * y.b}; }
+  [[nodiscard]] double operator[](int k) const { return k < 2 ? a[k] : b[k - 2]; }
+};
+
+struct FourMask {
+  PairMask a, b;
+  friend FourMask operator&(FourMask x, FourMask y) { return {x.a & y.a, x.b & y.b}; }
+  [[nodiscard]] bool operator[](int k) const { return (k < 2 ? a[k] : b[k - 2]) != 0; }
+};
+
+[[nodiscard]] inline Four four(double x) { return {Pair{x, x}, Pair{x, x}}; }
+[[nodiscard]] inline Four four(const std::array<float, 4>& x) { return {Pair{x[0], x[1]}, Pair{x[2], x[3]}}; }
+[[nodiscard]] inline Four least(Four x, Four y) { return {x.a < y.a ? x.a : y.a, x.b < y.b ? x.b : y.b}; }
+[[nodiscard]] inline Four most(Four x, Four y) { return {x.a > y.a ? x.a : y.a, x.b > y.b ? x.b : y.b}; }
+[[nodiscard]] inline FourMask at_most(Four x, Four y) { return {x.a <= y.a, x.b <= y.b}; }
+[[nodiscard]] inline FourMask above(Four x, Four y) { return {x.a > y.a, x.b > y.b}; }
+[[nodiscard]] inline Four chosen(FourMask mask, Four x, Four y) {
+  return {mask.a ? x.a : y.a, mask.b ? x.b : y.b};
+}
 
 /// 1/v for slab tests, finite also where the path does not move along an axis.
 [[nodiscard]] inline double reciprocal(double v) { return std::abs(v) > 1e-30 ? 1 / v : 1e30; }
@@ -91,7 +112,7 @@ struct Entry {
 
 /// When a flight is over (or in) four boxes on plan, and how high it is then.
 struct Passage {
-  Four enter, leave;   // [s]
+  Four enter, leave;     // [s]
   Four lowest, highest;  // of the path in between [m]
 };
 
@@ -103,17 +124,20 @@ struct FlightSlabs {
         top_t(path.a.z() < 0 ? -path.v.z() / path.a.z() : 0), top(path.a.z() < 0 ? path.z(top_t) : -1e300) {}
 
   [[nodiscard]] Passage pass(const std::array<std::array<float, 4>, 6>& bound, double pad, double t_max) const {
-    const Four x1 = (four(bound[0]) - pad - px) * inverse_vx, x2 = (four(bound[3]) + pad - px) * inverse_vx;
-    const Four y1 = (four(bound[1]) - pad - py) * inverse_vy, y2 = (four(bound[4]) + pad - py) * inverse_vy;
+    const auto when = [](const std::array<float, 4>& plane, double shift, double inverse_v) {
+      return (four(plane) + four(shift)) * four(inverse_v);
+    };
+    const Four x1 = when(bound[0], -pad - px, inverse_vx), x2 = when(bound[3], pad - px, inverse_vx);
+    const Four y1 = when(bound[1], -pad - py, inverse_vy), y2 = when(bound[4], pad - py, inverse_vy);
     Passage passage;
     passage.enter = most(most(least(x1, x2), least(y1, y2)), four(0));
     passage.leave = least(least(most(x1, x2), most(y1, y2)), four(t_max));
-    const Four z1 = pz + passage.enter * (vz + half_az * passage.enter);
-    const Four z2 = pz + passage.leave * (vz + half_az * passage.leave);
+    const auto height = [&](Four t) { return four(pz) + t * (four(vz) + four(half_az) * t); };
+    const Four z1 = height(passage.enter), z2 = height(passage.leave);
     passage.lowest = least(z1, z2);
     passage.highest = most(z1, z2);
-    const auto top_inside = (passage.enter < top_t) & (passage.leave > top_t);
-    passage.highest = top_inside ? most(passage.highest, four(top)) : passage.highest;
+    const FourMask top_inside = above(four(top_t), passage.enter) & above(passage.leave, four(top_t));
+    passage.highest = chosen(top_inside, most(passage.highest, four(top)), passage.highest);
     return passage;
   }
 
@@ -140,8 +164,9 @@ void Bvh::visit_flight(const Parabola& path, double pad, double& t_max, Leaf&& l
     }
     const Node& node = nodes_[entry.node];
     const Passage passage = slabs.pass(node.bound, pad, t_max);
-    const auto met = (passage.enter <= passage.leave) & (passage.highest >= four(node.bound[2]) - pad) &
-                     (passage.lowest <= four(node.bound[5]) + pad);
+    const FourMask met = at_most(passage.enter, passage.leave) &
+                         at_most(four(node.bound[2]) - four(pad), passage.highest) &
+                         at_most(passage.lowest, four(node.bound[5]) + four(pad));
     // Pushed latest first, so that the nearest is taken next.
     const int base = depth;
     for (int k = 0; k < 4; ++k) {
@@ -189,9 +214,10 @@ void Bvh::visit_under(const Parabola& path, double t_end, Worth&& worth, Leaf&& 
   while (depth > 0) {
     const Node& node = nodes_[stack[--depth]];
     const Passage passage = slabs.pass(node.bound, 1e-6, t_end);
-    const auto met = (passage.enter <= passage.leave) & (passage.highest - four(node.bound[2]) > four(worth()));
+    const FourMask met = at_most(passage.enter, passage.leave) &
+                         above(passage.highest - four(node.bound[2]), four(worth()));
     for (std::size_t k = 0; k < 4; ++k) {
-      if (!met[k]) continue;
+      if (!met[static_cast<int>(k)]) continue;
       if (node.count[k] > 0) {
         leaf(node.first[k], node.first[k] + node.count[k]);
       } else {

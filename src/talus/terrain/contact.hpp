@@ -20,6 +20,10 @@ struct Contact {
   Feature feature = Feature::facet;
 };
 
+/// Two facets whose normals have a greater cosine than 1 minus this are one plane (1.4e-6 rad apart): so far from each
+/// other that rounding cannot confuse it, so near that no rock could tell.
+inline constexpr double same_plane = 1e-12;
+
 /// Planes that a rock has just slid off, or rolls on: it falls beneath such a plane at once, or stays on it, so that
 /// whatever lies in it is not ahead.
 struct LeftPlanes {

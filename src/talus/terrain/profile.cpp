@@ -102,7 +102,7 @@ void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t
   const Vec3& n = segment.normal;
   const double vn = n.dot(path.v), an = n.dot(path.a);
   const double h0 = n.dot(path.p - segment.a) - radius;
-  const bool in_left_plane = h0 <= 1e-7 && left.contain(n, 1e-12);
+  const bool in_left_plane = h0 <= 1e-7 && left.contain(n, same_plane);
   const auto t = falling_root(h0, vn, an, radius > 0 ? radius : contact_slack);
   if (t && *t <= best.t && !in_left_plane) {
     const double along = segment.along.dot(path.at(*t) - segment.a);

@@ -37,6 +37,7 @@ class Profile {
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
 
   [[nodiscard]] Vec3 normal(FacetId facet) const { return segments_[facet.index].normal; }
+  [[nodiscard]] const Vec3& point_of(FacetId facet) const { return segments_[facet.index].a; }
   [[nodiscard]] Outline outline(FacetId facet) const;
 
   template <class Touch>
@@ -78,7 +79,7 @@ void Profile::supports(const Vec3& centre, double radius, double reach, Touch&& 
     const double distance = away.norm();
     if (distance > radius + reach) continue;
     touch(distance > 1e-6 ? Vec3(away / distance) : segment.normal, 
-          Vec3(segment.a + 0.5 * segment.length * segment.along), distance);
+          Vec3(segment.a + 0.5 * segment.length * segment.along), distance, FacetId{index_of(segment)});
   }
 }
 

@@ -156,7 +156,7 @@ void TriangleMesh::meet_point(const Parabola& path, std::uint32_t k, const LeftP
       if (inside[c] < -slack * n_length * side[c].norm()) return;
     }
   }
-  if (h0 <= 1e-7 * n_length && left.contain(unit, 1e-12)) return;
+  if (h0 <= 1e-7 * n_length && left.contain(unit, same_plane)) return;
   best = {*t, unit, k, facet.source, Feature::facet};
 }
 
@@ -168,7 +168,7 @@ void TriangleMesh::meet_sphere(const Parabola& path, Path kind, double radius, s
   const Vec3 n = side[0].cross(side[1]).normalized();
   const double vn = n.dot(path.v), an = n.dot(path.a);
   const double h0 = n.dot(path.p - facet.corner[0]) - radius;
-  const bool in_left_plane = h0 <= 1e-7 && left.contain(n, 1e-12);
+  const bool in_left_plane = h0 <= 1e-7 && left.contain(n, same_plane);
   // A sphere that is in the facet already (its centre still above it) is not let any deeper.
   if (const auto t = falling_root(h0, vn, an, radius);
       t && !in_left_plane && best.beaten_by(*t, Feature::facet, facet.source)) {
@@ -201,11 +201,13 @@ void TriangleMesh::meet_sphere(const Parabola& path, Path kind, double radius, s
   }
 }
 
-std::optional<Contact> TriangleMesh::first_contact(const Parabola& path, double radius, double t_max,
-                                                   const LeftPlanes& left) const {
+template <class EachFacet>
+std::optional<Contact> TriangleMesh::search_flight(const Parabola& path, double radius, double t_max,
+                                                   const LeftPlanes& left, EachFacet&& each_facet) const {
   Candidate best{t_max};
   bvh_.visit_flight(path, radius + 1e-6, best.t, [&](std::uint32_t first, std::uint32_t last, double&) {
     for (std::uint32_t k = first; k < last; ++k) {
+      each_facet();
       if (radius == 0) {
         meet_point(path, k, left, best);
       } else {
@@ -214,6 +216,17 @@ std::optional<Contact> TriangleMesh::first_contact(const Parabola& path, double 
     }
   });
   return best.contact();
+}
+
+std::optional<Contact> TriangleMesh::first_contact(const Parabola& path, double radius, double t_max,
+                                                   const LeftPlanes& left) const {
+  return search_flight(path, radius, t_max, left, [] {});
+}
+
+std::uint32_t TriangleMesh::facets_tested(const Parabola& path, double radius, double t_max) const {
+  std::uint32_t count = 0;
+  (void)search_flight(path, radius, t_max, {}, [&] { ++count; });
+  return count;
 }
 
 std::optional<Contact> TriangleMesh::first_contact_on_leg(const Parabola& leg, double radius, double t_max,

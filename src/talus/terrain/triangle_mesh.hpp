@@ -34,6 +34,8 @@ class TriangleMesh {
   /// approaching it. `left` are planes that the rock has just slid off.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const LeftPlanes& left = {}) const;
+  /// How many facets this search looks at, for benchmarks.
+  [[nodiscard]] std::uint32_t facets_tested(const Parabola& path, double radius, double t_max) const;
   /// The same for a short leg with any acceleration, of a rock that rolls on the planes `on`.
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
                                                             const LeftPlanes& on) const;
@@ -54,9 +56,11 @@ class TriangleMesh {
   [[nodiscard]] std::vector<Vec3> draped(const Vec2& from, const Vec2& to) const;
 
   [[nodiscard]] Vec3 normal(FacetId facet) const;
+  /// Some point of a facet.
+  [[nodiscard]] const Vec3& point_of(FacetId facet) const { return facets_[facet.index].corner[0]; }
   [[nodiscard]] Outline outline(FacetId facet) const;
 
-  /// Calls touch(normal, middle of the facet, distance) for each facet within `radius` + `reach` of a centre: what a rock there
+  /// Calls touch(normal, middle of the facet, distance, facet) for each facet within `radius` + `reach` of a centre: what a rock there
   /// may rest against.
   template <class Touch>
   void supports(const Vec3& centre, double radius, double reach, Touch&& touch) const;
@@ -73,6 +77,9 @@ class TriangleMesh {
   struct Candidate;
 
   void meet_point(const Parabola& path, std::uint32_t k, const LeftPlanes& left, Candidate& best) const;
+  template <class EachFacet>
+  std::optional<Contact> search_flight(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
+                                       EachFacet&& each_facet) const;
   enum class Path { flight, leg };
   void meet_sphere(const Parabola& path, Path kind, double radius, std::uint32_t k, const LeftPlanes& left,
                    Candidate& best) const;
@@ -98,7 +105,8 @@ void TriangleMesh::supports(const Vec3& centre, double radius, double reach, Tou
       const double distance = away.norm();
       if (distance > range) continue;
       const auto& corner = facets_[k].corner;
-      touch(distance > 1e-6 ? Vec3(away / distance) : normal({k}), Vec3((corner[0] + corner[1] + corner[2]) / 3), distance);
+      touch(distance > 1e-6 ? Vec3(away / distance) : normal({k}), Vec3((corner[0] + corner[1] + corner[2]) / 3), distance,
+            FacetId{k});
     }
   });
 }

@@ -47,6 +47,7 @@ class RockRun {
     double mu = 0;                  // tan(phi), lumped mass
     ContactFriction friction;       // rigid sphere
     std::optional<Vec3> other_normal;  // of the second facet, in a valley
+    FacetId other_facet;
     std::optional<Valley> valley;
   };
   struct Ended {
@@ -71,10 +72,19 @@ class RockRun {
   [[nodiscard]] Footing footing(const OnGround& phase) const;
   [[nodiscard]] Vec3 valley_spin(const OnGround& phase) const;
   Phase leave_facet(const OnGround& phase, const OutlineEdge& edge);
-  std::optional<OutlineEdge> edge_ahead(OnGround& phase, const Parabola& leg, double& t) const;
+  void remember_strike(const Vec3& normal, FacetId facet) {
+    last_strike_ = motion_.position;
+    last_normal_ = normal;
+    last_facet_ = facet;
+  }
+  std::optional<OutlineEdge> side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg, double& t);
+  [[nodiscard]] const Outline& outline_of(FacetId facet);
+  std::optional<OutlineEdge> edge_ahead(OnGround& phase, const Parabola& leg, double& t);
   [[nodiscard]] bool is_level(FacetId facet, const Vec3& velocity) const;
   [[nodiscard]] MaterialId material_at(FacetId facet) const { return ground_.material_of(surface_.source(facet)); }
   void advance_along(const Leg& leg, double t);
+  Phase leave_valley(const OnGround& phase);
+  Phase take_off(const LeftPlanes& left);
   void stand_on(const OnGround& phase);
   void draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material, double rt) const;
 
@@ -112,6 +122,9 @@ class RockRun {
   RecentCrossings crossed_;
   Vec3 last_strike_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // where it struck the ground last
   Vec3 last_normal_ = Vec3::Zero();
+  FacetId last_facet_;
+  Outline outline_;
+  std::optional<FacetId> outline_facet_;
 };
 
 template <class Surface>
@@ -233,8 +246,7 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
   const bool leaves = motion_.velocity.dot(contact.normal) >= laws_.normal_velocity_cutoff;
   const bool carried = laws_.gravity.dot(contact.normal) < 0;
   if (leaves || !carried) {
-    last_strike_ = motion_.position;
-    last_normal_ = contact.normal;
+    remember_strike(contact.normal, contact.facet);
     log_.row(PathState::projectile, motion_);
     return Flying{};
   }

@@ -17,10 +17,12 @@ auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& dr
   const bool struck_here = (motion_.position - last_strike_).squaredNorm() < 1e-14;
   if (struck_here && last_normal_.dot(phase.normal) < 1 - 1e-9) {
     phase.valley = caught_between(laws_.gravity, last_normal_, phase.normal, motion_.velocity, laws_.normal_velocity_cutoff);
-    if (phase.valley) phase.other_normal = last_normal_;
+    if (phase.valley) {
+      phase.other_normal = last_normal_;
+      phase.other_facet = last_facet_;
+    }
   }
-  last_strike_ = motion_.position;
-  last_normal_ = phase.normal;
+  remember_strike(phase.normal, phase.facet);
 
   // RocFall3 lists the small normal velocity in the row in which a slide begins, RocFall2 does not (tables,
   // row 14). Along the slope they agree, and that is what slides.
@@ -120,7 +122,7 @@ bool RockRun<Surface>::rests(const OnGround& phase, const Footing& footing) cons
   // In a corner of several facets it may be held where one of them alone would not.
   Supports supports;
   supports.add(phase.normal);
-  surface_.supports(motion_.position, reach_, 1e-6, [&](const Vec3& n, const Vec3& middle, double) {
+  surface_.supports(motion_.position, reach_, 1e-6, [&](const Vec3& n, const Vec3& middle, double, FacetId) {
     // A point on a ridge touches both its sides and is caught between neither: only what rises from here counts.
     const bool rises = (middle - motion_.position).dot(phase.normal) > 0;
     if (reach_ > 0 || rises) supports.add(n);
@@ -151,34 +153,58 @@ void RockRun<Surface>::advance_along(const Leg& leg, double t) {
 template <class Surface>
 void RockRun<Surface>::stand_on(const OnGround& phase) {
   if (!phase.on_facet) return;
-  const Outline outline = surface_.outline(phase.facet);
-  const double height = outline.normal.dot(motion_.position - outline.point) - reach_;
-  motion_.position -= height * outline.normal;
+  const double height = phase.normal.dot(motion_.position - surface_.point_of(phase.facet)) - reach_;
+  motion_.position -= height * phase.normal;
+}
+
+/// The outline of a facet, kept as long as the rock stays on it.
+template <class Surface>
+const Outline& RockRun<Surface>::outline_of(FacetId facet) {
+  if (outline_facet_ != facet) {
+    outline_ = surface_.outline(facet);
+    outline_facet_ = facet;
+  }
+  return outline_;
+}
+
+/// The first side of a facet that a leg crosses outwards before `t`, which becomes the time.
+template <class Surface>
+std::optional<OutlineEdge> RockRun<Surface>::side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg,
+                                                          double& t) {
+  const Outline& outline = outline_of(facet);
+  std::optional<OutlineEdge> crossed_side;
+  for (int k = 0; k < outline.edge_count; ++k) {
+    const OutlineEdge& side = outline.edges[static_cast<std::size_t>(k)];
+    // The bottom of a valley is a side of both its facets; along it there is no crossing it.
+    if (phase.valley && std::abs(side.inward.dot(phase.valley->direction)) < 1e-9) continue;
+    const double distance = (leg.p - side.point).dot(side.inward);
+    const auto crossed = falling_root(distance, leg.v.dot(side.inward), leg.a.dot(side.inward), 1e300);
+    if (crossed && *crossed < t) {
+      t = *crossed;
+      crossed_side = side;
+    }
+  }
+  return crossed_side;
 }
 
 /// The edge at which a leg comes to the end of its plane, if that is before `t`, which becomes the time; on the way the
 /// phase is moved from facet to facet of one plane and one material, as if there were no edges between them.
 template <class Surface>
-std::optional<OutlineEdge> RockRun<Surface>::edge_ahead(OnGround& phase, const Parabola& leg, double& t) const {
+std::optional<OutlineEdge> RockRun<Surface>::edge_ahead(OnGround& phase, const Parabola& leg, double& t) {
+  if (phase.valley) {
+    const auto side = side_crossed(phase, phase.facet, leg, t), other = side_crossed(phase, phase.other_facet, leg, t);
+    return other ? other : side;
+  }
   constexpr int most_facets_a_leg = 1000;  // no leg has more; what turns in circles at a vertex is cut off
   for (int facets = 0; facets < most_facets_a_leg; ++facets) {
-    const Outline outline = surface_.outline(phase.facet);
     double t_edge = t;
-    const OutlineEdge* edge = nullptr;
-    for (int k = 0; k < outline.edge_count; ++k) {
-      const OutlineEdge& side = outline.edges[static_cast<std::size_t>(k)];
-      const double distance = (leg.p - side.point).dot(side.inward);
-      const auto crossed = falling_root(distance, leg.v.dot(side.inward), leg.a.dot(side.inward), 1e300);
-      if (crossed && *crossed < t_edge) {
-        t_edge = *crossed;
-        edge = &side;
-      }
-    }
-    if (edge == nullptr) return std::nullopt;
-    if (!edge->beyond || phase.valley || !is_level(*edge->beyond, leg.v) ||
-        material_at(phase.facet) != material_at(*edge->beyond)) {
+    const auto edge = side_crossed(phase, phase.facet, leg, t_edge);
+    if (!edge) return std::nullopt;
+    const bool goes_on = edge->beyond && phase.normal.dot(surface_.normal(*edge->beyond)) > 1 - same_plane &&
+                         material_at(phase.facet) == material_at(*edge->beyond);
+    if (!goes_on) {
       t = t_edge;
-      return *edge;
+      return edge;
     }
     phase.facet = *edge->beyond;
     phase.normal = surface_.normal(phase.facet);
@@ -189,7 +215,7 @@ std::optional<OutlineEdge> RockRun<Surface>::edge_ahead(OnGround& phase, const P
 /// Whether a rock that moves along the ground at `velocity` goes on over a facet as if it were the one it is on.
 template <class Surface>
 bool RockRun<Surface>::is_level(FacetId facet, const Vec3& velocity) const {
-  constexpr double level = 1e-7;  // sine of the angle up to which two facets are one plane
+  constexpr double level = 2e-6;  // sine of an angle a little above that of same_plane, so that nothing lies between
   const Vec3 n = surface_.normal(facet);
   return std::abs(velocity.dot(n)) <= level * velocity.norm() && laws_.gravity.dot(n) < 0;
 }
@@ -247,9 +273,7 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
     if (edge) return leave_facet(phase, *edge);
     if (!phase.on_facet) {
       // Over an edge or a vertex the ground curves away from a sphere: after a leg it is in the air again, if barely.
-      arrive(PathState::impact);
-      log_.row(PathState::projectile, motion_);
-      return Flying{on};
+      return take_off(on);
     }
   }
 }
@@ -257,8 +281,8 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
 /// The rock has come to the end of its facet.
 template <class Surface>
 auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edge) -> Phase {
-  const LeftPlanes left = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
-  if (!phase.valley && edge.beyond) {
+  if (phase.valley) return leave_valley(phase);
+  if (edge.beyond) {
     const Vec3 n = surface_.normal(*edge.beyond);
     const double speed = motion_.velocity.norm();
     if (is_level(*edge.beyond, motion_.velocity)) {
@@ -277,15 +301,46 @@ auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edg
     if (motion_.velocity.dot(n) < 0) {
       // A lumped mass slides into ground that rises against it; a sphere touches such ground before it gets here,
       // unless it rises by next to nothing.
-      last_strike_ = motion_.position;
-      last_normal_ = phase.normal;
+      remember_strike(phase.normal, phase.facet);
       return strike({0, n, *edge.beyond, Feature::facet});
     }
   }
-  // The ground falls away, or ends. The path shows the place: it arrives there and leaves in flight.
+  return take_off(LeftPlanes(phase.normal));
+}
+
+/// The ground falls away, or ends. The path shows the place: the rock arrives there and leaves in flight.
+template <class Surface>
+auto RockRun<Surface>::take_off(const LeftPlanes& left) -> Phase {
   arrive(PathState::impact);
   log_.row(PathState::projectile, motion_);
   return Flying{left};
+}
+
+/// At the end of a valley's facets the same planes may go on, both or one of them.
+template <class Surface>
+auto RockRun<Surface>::leave_valley(const OnGround& phase) -> Phase {
+  constexpr double step = 1e-6;  // how far to look ahead [m]
+  const Vec3 ahead = motion_.position + step * motion_.velocity.normalized();
+  std::optional<FacetId> first, second;
+  surface_.supports(ahead, reach_, 0.1 * step, [&](const Vec3& n, const Vec3&, double, FacetId facet) {
+    if (n.dot(phase.normal) > 1 - same_plane) first = facet;
+    if (n.dot(*phase.other_normal) > 1 - same_plane) second = facet;
+  });
+  if (first && second) {
+    OnGround next = phase;
+    next.facet = *first;
+    next.other_facet = *second;
+    return next;
+  }
+  if (first || second) {
+    OnGround next = phase;
+    next.facet = first ? *first : *second;
+    next.normal = first ? phase.normal : *phase.other_normal;
+    next.other_normal.reset();
+    next.valley.reset();
+    return next;
+  }
+  return take_off(LeftPlanes(phase.normal, *phase.other_normal));
 }
 
 }  // namespace talus

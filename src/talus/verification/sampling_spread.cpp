@@ -79,11 +79,21 @@ SamplingSpread::SamplingSpread(std::span<const double> many, std::uint64_t size,
   }
 }
 
-std::optional<Interval> SamplingSpread::interval(Statistic statistic) const {
+const std::vector<double>* SamplingSpread::enough(Statistic statistic) const {
   const std::vector<double>& values = values_[static_cast<std::size_t>(statistic)];
-  if (values.empty() || values.size() < options_.samples / 2) return std::nullopt;
+  return values.empty() || values.size() < options_.samples / 2 ? nullptr : &values;
+}
+
+std::optional<Interval> SamplingSpread::interval(Statistic statistic) const {
+  const std::vector<double>* values = enough(statistic);
+  if (values == nullptr) return std::nullopt;
   const double tail = (1 - options_.central) / 2;
-  return Interval{quantile(values, tail), quantile(values, 1 - tail)};
+  return Interval{quantile(*values, tail), quantile(*values, 1 - tail)};
+}
+
+std::optional<double> SamplingSpread::typical(Statistic statistic) const {
+  const std::vector<double>* values = enough(statistic);
+  return values == nullptr ? std::nullopt : std::optional(quantile(*values, 0.5));
 }
 
 Interval binomial_interval(std::uint64_t trials, double probability, double central) {

@@ -58,8 +58,12 @@ class SamplingSpread {
 
   /// Where the central part of the samples has this statistic; nothing where too few samples have it at all.
   [[nodiscard]] std::optional<Interval> interval(Statistic statistic) const;
+  /// The median of the samples: what a table of this size typically has.
+  [[nodiscard]] std::optional<double> typical(Statistic statistic) const;
 
  private:
+  [[nodiscard]] const std::vector<double>* enough(Statistic statistic) const;
+
   SpreadOptions options_;
   std::array<std::vector<double>, statistic_count> values_;  // ascending
 };

@@ -1,0 +1,160 @@
+// A random TIN of two million triangles, lumped mass: rocks a second a core, and where the time goes.
+//
+// z = s(x) + b(x, y) on 1025 x 1025 points 1 m apart, shaken on plan by up to 0.2 m (more would fold it): s = 0.84 (820 - x) for x < 820,
+// else 0; b = six octaves of value noise, amplitude 3 m * 0.5^k, wavelength 80 m / 2.03^k. Rocks of 1 t start along
+// x = 5 to 10 m, 6 m above ground; Rn = 0.35, Rt = 0.85, standard deviation 0.03 each: about 25 impacts a rock.
+// Usage: bench_tin [rocks] [sphere]
+
+#include <cstdlib>
+#include <cstring>
+
+#include "common.hpp"
+#include "talus/campaign/simulate.hpp"
+#include "talus/core/random.hpp"
+#include "talus/terrain/mend.hpp"
+
+using namespace talus;
+
+namespace {
+
+constexpr int side = 1025;
+
+double lattice(int octave, std::int64_t i, std::int64_t j) {
+  return 2 * uniform_pair(7, static_cast<std::uint64_t>(i) << 32 | static_cast<std::uint32_t>(j), Stream::slope_vertex,
+                          static_cast<std::uint32_t>(octave))[0] - 1;
+}
+
+double smooth(double t) { return t * t * (3 - 2 * t); }
+
+double noise(double x, double y) {
+  double sum = 0, amplitude = 3, wavelength = 80;
+  for (int octave = 0; octave < 6; ++octave) {
+    const double u = x / wavelength, v = y / wavelength;
+    const auto i = static_cast<std::int64_t>(std::floor(u)), j = static_cast<std::int64_t>(std::floor(v));
+    const double a = smooth(u - static_cast<double>(i)), b = smooth(v - static_cast<double>(j));
+    sum += amplitude * ((lattice(octave, i, j) * (1 - a) + lattice(octave, i + 1, j) * a) * (1 - b) +
+                        (lattice(octave, i, j + 1) * (1 - a) + lattice(octave, i + 1, j + 1) * a) * b);
+    amplitude *= 0.5;
+    wavelength /= 2.03;
+  }
+  return sum;
+}
+
+RawMesh random_tin() {
+  RawMesh mesh;
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      const auto shake = uniform_pair(11, static_cast<std::uint64_t>(j * side + i), Stream::slope_vertex, 0);
+      const double x = i + 0.4 * (shake[0] - 0.5), y = j + 0.4 * (shake[1] - 0.5);
+      mesh.vertices.emplace_back(x, y, 0.84 * std::max(820 - x, 0.0) + noise(x + 1000, y + 1000));
+    }
+  }
+  for (std::uint32_t j = 0; j + 1 < side; ++j) {
+    for (std::uint32_t i = 0; i + 1 < side; ++i) {
+      const std::uint32_t a = j * side + i, b = a + 1, c = a + side, d = c + 1;
+      mesh.triangles.push_back({a, b, d});
+      mesh.triangles.push_back({a, d, c});
+    }
+  }
+  return mesh;
+}
+
+TriangleMesh surface_of(const MendedMesh& mesh) {
+  std::vector<TriangleMesh::Corners> neighbours;
+  for (const auto& sides : mesh.neighbours) {
+    TriangleMesh::Corners beyond;
+    for (std::size_t k = 0; k < 3; ++k) beyond[k] = sides[k] ? (*sides[k]).index : TriangleMesh::no_neighbour;
+    neighbours.push_back(beyond);
+  }
+  return TriangleMesh(mesh.vertices, mesh.triangles, neighbours);
+}
+
+Model model_on(TriangleMesh surface, std::uint64_t rocks, RockModel rock_model) {
+  Model model;
+  model.surface = std::move(surface);
+  Material material;
+  const auto spread = [](double mean) {
+    return Sampler(Distribution{mean, DistributionKind::normal, 0.03, 0.09, 0.09}, Bounds{0, 1});
+  };
+  material.normal_restitution = spread(0.35);
+  material.tangential_restitution = spread(0.85);
+  material.friction_angle = Sampler(50 * 0.017453292519943295);
+  material.dynamic_friction = Sampler(0.5);
+  material.rolling_friction = Sampler(0.2);
+  model.ground = Ground(material);
+  model.laws.model = rock_model;
+  Seeder seeder;
+  seeder.name = "crest";
+  seeder.rocks = rocks;
+  seeder.points = {{5, 100, 0}, {10, 400, 0}, {5, 700, 0}, {10, 925, 0}};
+  seeder.above_surface = 6;
+  seeder.size = Sampler(1000.0);
+  seeder.density = Sampler(2700.0);
+  seeder.horizontal = Sampler(1.0);
+  model.seeders.push_back(seeder);
+  return model;
+}
+
+// Every flight of some rocks, as the terrain was asked about it.
+struct Flight {
+  Parabola path;
+  double duration;
+};
+
+std::vector<Flight> flights_of(const Model& model, std::uint64_t rocks) {
+  Simulator simulator(model);
+  std::vector<Flight> flights;
+  for (std::uint64_t rock = 0; rock < rocks; ++rock) {
+    (void)simulator.simulate(rock, true);
+    const auto& rows = simulator.log().rows;
+    for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+      if (rows[k].state != PathState::projectile) continue;
+      const Motion& m = rows[k].motion;
+      flights.push_back({{m.position, m.velocity, model.laws.gravity}, rows[k + 1].motion.time - m.time});
+    }
+  }
+  return flights;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::uint64_t rocks = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 100'000;
+  const bool sphere = argc > 2 && std::strcmp(argv[2], "sphere") == 0;
+  MendedMesh mesh;
+  const RawMesh raw = random_tin();
+  const double mending = bench::seconds([&] { mesh = mend(raw); });
+  std::optional<TriangleMesh> surface;
+  const double building = bench::seconds([&] { surface.emplace(surface_of(mesh)); });
+  fmt::print("random TIN: {} triangles; mended in {:.2f} s, tree built in {:.2f} s; {:.1f} bytes a triangle\n",
+             surface->facet_count(), mending, building,
+             static_cast<double>(surface->bytes()) / static_cast<double>(surface->facet_count()));
+
+  const Model model = model_on(std::move(*surface), rocks, sphere ? RockModel::rigid_sphere : RockModel::lumped_mass);
+  bench::EndHash ends;
+  Observer* const observers[] = {&ends};
+  const CampaignOutcome outcome = run_campaign(model, observers, {1, nullptr, {}});
+  const double impacts = static_cast<double>(ends.events);
+  fmt::print("{}: {} rocks, 1 thread, {:.2f} s, {:.0f} rocks/s, {:.1f} impacts a rock, {:.0f} ns an impact, hash {:016x}\n",
+             sphere ? "rigid sphere" : "lumped mass", outcome.done, outcome.seconds,
+             static_cast<double>(outcome.done) / outcome.seconds, impacts / static_cast<double>(outcome.done),
+             outcome.seconds * 1e9 / impacts, ends.hash());
+  bench::print_reasons(ends);
+
+  // Where the time goes: the same flights again, the terrain's answers alone.
+  const auto& tin = std::get<TriangleMesh>(model.surface);
+  const double radius = sphere ? sphere_of_mass(1000, 2700).radius : 0;
+  const auto flights = flights_of(model, std::min<std::uint64_t>(rocks, 5000));
+  double tested = 0, met = 0, highest = 0;
+  for (const Flight& flight : flights) tested += tin.facets_tested(flight.path, radius, 600);
+  const double contacts = bench::seconds([&] {
+    for (const Flight& flight : flights) met += tin.first_contact(flight.path, radius, 600) ? 1 : 0;
+  });
+  const double heights = bench::seconds([&] {
+    for (const Flight& flight : flights) highest = tin.greatest_height(flight.path, flight.duration, highest);
+  });
+  const double count = static_cast<double>(flights.size());
+  fmt::print("{:.0f} flights: {:.1f} facets tested a flight; first contact {:.0f} ns, bounce height {:.0f} ns a flight "
+             "({:.0f} met the ground, highest {:.2f} m)\n",
+             count, tested / count, contacts * 1e9 / count, heights * 1e9 / count, met, highest);
+}
