@@ -50,3 +50,9 @@ tsan: setup-test
 
 clean:
 	rm -rf build build-* out
+
+format: ; @git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+tidy: setup-test
+	@cmake --preset release -DTALUS_TESTS=ON >/dev/null
+	@git ls-files 'src/talus/*.cpp' | xargs -P 2 -n 4 clang-tidy -p build --quiet

@@ -1,2 +1,42 @@
+// `talus verify`: the published cases, number by number.
+
+#include <fmt/format.h>
+
 #include "commands.hpp"
-namespace talus::cli { int verify(const VerifyOptions&) { return done; } }
+#include "talus/io/output_file.hpp"
+#include "talus/verification/cases.hpp"
+#include "talus/verification/show.hpp"
+#include "talus/verification/verify.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  OutputFile output(file);
+  output.write(text);
+  output.commit();
+}
+
+}  // namespace
+
+int verify(const VerifyOptions& options) {
+  using namespace verification;
+  const Files files = options.folder.empty() ? embedded_cases() : cases_in(options.folder);
+  std::vector<Case> cases;
+  for (const std::string& name : chosen_cases(files, options.cases)) cases.push_back(read_case(files, name));
+
+  std::vector<CaseResult> results;
+  bool passes = true;
+  for (const Case& one : cases) {
+    results.push_back(verification::verify(one, files));
+    passes = passes && results.back().passes();
+    fmt::print("{}", verification::text(results.back()));
+  }
+  fmt::print("{}", summary(results));
+  if (!options.json.empty()) write(options.json, json(results).dump(2) + '\n');
+  if (!options.page.empty()) write(options.page, page(cases, results));
+  return passes ? done : check_failed;
+}
+
+}  // namespace talus::cli

@@ -4,141 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <unordered_set>
 
 #include "talus/core/problems.hpp"
 #include "talus/project/document.hpp"
-#include "talus/project/nearest.hpp"
+#include "talus/verification/fields.hpp"
 
 namespace talus::verification {
 namespace {
 
 using project::Document;
-
-std::string meant(std::string_view word, std::span<const std::string_view> known) {
-  const auto near = project::nearest(word, known);
-  return near ? fmt::format("Did you mean {}?", *near) : "";
-}
-
-/// The keys of one table of a case.toml: what is read is known, and `finish` complains of the rest.
-class Fields {
- public:
-  Fields(const Document& document, const toml::table& from, std::string where, Problems& problems)
-      : document_(document), from_(from), where_(std::move(where)), problems_(problems) {}
-
-  [[nodiscard]] const toml::node* find(std::string_view key) {
-    known_.push_back(key);
-    return from_.get(key);
-  }
-  [[nodiscard]] const toml::node* need(std::string_view key) {
-    const toml::node* node = find(key);
-    if (!node) complain(from_, fmt::format("{} is missing", key), "it is required here");
-    return node;
-  }
-  std::string text(std::string_view key) {
-    const toml::node* node = need(key);
-    return node ? text_of(*node, key) : std::string();
-  }
-  std::string text_or(std::string_view key, std::string otherwise) {
-    const toml::node* node = find(key);
-    return node ? text_of(*node, key) : otherwise;
-  }
-  std::vector<std::string> texts(std::string_view key, bool required) {
-    std::vector<std::string> list;
-    const toml::node* node = required ? need(key) : find(key);
-    if (!node) return list;
-    const toml::array* array = node->as_array();
-    if (!array) {
-      complain(*node, fmt::format("{} is {}", key, project::quoted(*node)), "expected a list of texts");
-      return list;
-    }
-    for (const toml::node& item : *array) list.push_back(text_of(item, key));
-    return list;
-  }
-  std::optional<double> number(std::string_view key) {
-    const toml::node* node = find(key);
-    return node ? number_of(*node, key) : std::nullopt;
-  }
-  std::optional<std::int64_t> whole_number(std::string_view key, std::int64_t least) {
-    const toml::node* node = find(key);
-    if (!node) return std::nullopt;
-    const auto value = node->value_exact<std::int64_t>();
-    if (!value || *value < least) {
-      complain(*node, fmt::format("{} is {}", key, project::quoted(*node)),
-               fmt::format("expected a whole number from {}", least));
-      return std::nullopt;
-    }
-    return value;
-  }
-  /// One of the names that `read` knows.
-  template <class Enumeration>
-  std::optional<Enumeration> one_of(const std::string& word, std::string_view key,
-                                    std::optional<Enumeration> (*read)(std::string_view),
-                                    std::span<const std::string_view> known, const toml::node& node) {
-    const auto value = read(word);
-    if (!value) {
-      complain(node, fmt::format("{} is \"{}\"", key, word), fmt::format("expected one of {}", fmt::join(known, ", ")),
-               meant(word, known));
-    }
-    return value;
-  }
-  template <class Each>
-  void tables(std::string_view key, bool required, Each&& each) {
-    const toml::node* node = required ? need(key) : find(key);
-    if (!node) return;
-    const toml::array* array = node->as_array();
-    if (!array) {
-      complain(*node, fmt::format("{} is no list of tables", key), fmt::format("expected [[{}]]", key));
-      return;
-    }
-    for (const toml::node& item : *array) {
-      const toml::table* table = item.as_table();
-      if (table) {
-        each(*table);
-      } else {
-        complain(item, fmt::format("{} holds {}", key, project::quoted(item)), "expected a table");
-      }
-    }
-  }
-  void complain(const toml::node& node, std::string what, std::string why, std::string hint = {}) {
-    Problem problem = document_.at(node);
-    problem.where = where_;
-    problem.what = std::move(what);
-    problem.why = std::move(why);
-    problem.hint = std::move(hint);
-    problems_.add(std::move(problem));
-  }
-  void finish() {
-    for (const auto& [key, node] : from_) {
-      if (std::ranges::find(known_, key.str()) != known_.end()) continue;
-      complain(node, fmt::format("there is no key {}", key.str()), fmt::format("expected one of {}", fmt::join(known_, ", ")),
-               meant(key.str(), known_));
-    }
-  }
-  [[nodiscard]] const toml::table& from() const { return from_; }
-  [[nodiscard]] const Document& document() const { return document_; }
-  [[nodiscard]] Problems& problems() { return problems_; }
-  [[nodiscard]] const std::string& where() const { return where_; }
-
- private:
-  std::string text_of(const toml::node& node, std::string_view key) {
-    if (const auto value = node.value_exact<std::string>()) return *value;
-    complain(node, fmt::format("{} is {}", key, project::quoted(node)), "expected a text");
-    return {};
-  }
-  std::optional<double> number_of(const toml::node& node, std::string_view key) {
-    const auto value = node.value<double>();
-    if (node.is_number() && value && *value >= 0) return value;
-    complain(node, fmt::format("{} is {}", key, project::quoted(node)), "expected a number, not negative");
-    return std::nullopt;
-  }
-
-  const Document& document_;
-  const toml::table& from_;
-  std::string where_;
-  Problems& problems_;
-  std::vector<std::string_view> known_;
-};
 
 std::vector<std::string_view> statistic_names() {
   std::vector<std::string_view> names;
@@ -190,8 +64,11 @@ class CaseReader {
   [[nodiscard]] const std::string& text_of(std::string_view file) const {
     const auto found = files_.find(path_of(file));
     if (found == files_.end()) {
-      throw BadInput(Problem{.file = path_of(file), .where = {}, .what = "there is no such file",
-                             .why = "the case's folder needs it", .hint = {}});
+      throw BadInput(Problem{.file = path_of(file),
+                             .where = {},
+                             .what = "there is no such file",
+                             .why = "the case's folder needs it",
+                             .hint = {}});
     }
     return found->second;
   }
@@ -204,7 +81,8 @@ class CaseReader {
     run.settings = fields.texts("set", false);
     run.rocks = fields.whole_number("rocks", 1);
     if (!run.project.empty() && !files_.contains(path_of(run.project))) {
-      fields.complain(*from.get("project"), fmt::format("there is no file {}", run.project), "it stands beside case.toml");
+      fields.complain(*from.get("project"), fmt::format("there is no file {}", run.project),
+                      "it stands beside case.toml");
     }
     fields.finish();
     return run;
@@ -233,8 +111,8 @@ class CaseReader {
     constexpr std::array<std::string_view, 6> kinds{"path", "statistics", "values", "count", "agreement", "soundness"};
     if (std::ranges::find(kinds, kind) == kinds.end()) {
       if (const toml::node* node = from.get("kind")) {
-        fields.complain(*node, fmt::format("kind is \"{}\"", kind), fmt::format("expected one of {}", fmt::join(kinds, ", ")),
-                        meant(kind, kinds));
+        fields.complain(*node, fmt::format("kind is \"{}\"", kind),
+                        fmt::format("expected one of {}", fmt::join(kinds, ", ")), meant(kind, kinds));
       }
       return std::nullopt;
     }
@@ -283,8 +161,7 @@ class CaseReader {
     const std::string word = fields.text("sample");
     const toml::node* node = fields.from().get("sample");
     if (!node || word.empty()) return {};
-    return fields.one_of(word, "sample", sample_quantity_of, sample_quantity_names(), *node)
-        .value_or(SampleQuantity{});
+    return fields.one_of(word, "sample", sample_quantity_of, sample_quantity_names(), *node).value_or(SampleQuantity{});
   }
   std::vector<Statistic> statistics_in(Fields& fields, std::string_view key) {
     std::vector<Statistic> list;
@@ -368,7 +245,8 @@ class CaseReader {
       check_column(fields, table.published, column, *fields.from().get("columns"));
     }
     const auto complain = [&](std::string what, std::string why) {
-      Problem problem{.file = table.published.file(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = {}};
+      Problem problem{
+          .file = table.published.file(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = {}};
       problems_.add(std::move(problem));
     };
     for (const std::string& row : table.published.rows()) {
@@ -387,8 +265,8 @@ class CaseReader {
     ValuesTable table;
     table_fields.tables("value", true, [&](const toml::table& from) {
       Fields fields(document_, from, "value", problems_);
-      ValuesTable::Value value{fields.text("what"), fields.text("run"), sample_in(fields), Statistic::mean,
-                               Interval{}, tolerance_in(fields).value_or(Tolerance{})};
+      ValuesTable::Value value{fields.text("what"), fields.text("run"), sample_in(fields),
+                               Statistic::mean,     Interval{},         tolerance_in(fields).value_or(Tolerance{})};
       if (const toml::node* node = from.get("run")) check_run(fields, value.run, *node);
       const std::string word = fields.text_or("statistic", "mean");
       const toml::node* named = from.get("statistic");
@@ -451,8 +329,8 @@ class CaseReader {
     }
     table.energy_rise = fields.number("energy_rise").value_or(0);
     for (const std::string& word : fields.texts("shown", false)) {
-      if (const auto q = fields.one_of(word, "shown", sample_quantity_of, sample_quantity_names(),
-                                       *fields.from().get("shown"))) {
+      if (const auto q =
+              fields.one_of(word, "shown", sample_quantity_of, sample_quantity_names(), *fields.from().get("shown"))) {
         table.shown.push_back(*q);
       }
     }
@@ -478,40 +356,6 @@ bool Exception::concerns(const std::string& row, const std::string& column) cons
 
 const Run& Case::run(std::string_view run_name) const { return *std::ranges::find(runs, run_name, &Run::name); }
 
-std::vector<std::string> case_names(const Files& files) {
-  constexpr std::string_view ending = "/case.toml";
-  std::vector<std::string> names;
-  for (const auto& [path, text] : files) {
-    if (path.ends_with(ending)) names.push_back(path.substr(0, path.size() - ending.size()));
-  }
-  return names;
-}
-
 Case read_case(const Files& files, const std::string& name) { return CaseReader(files, name).read(); }
-
-std::vector<std::string> chosen_cases(const Files& files, const std::vector<std::string>& words) {
-  const std::vector<std::string> names = case_names(files);
-  if (words.empty()) return names;
-  Problems problems;
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  std::vector<bool> chosen(names.size(), false);
-  for (const std::string& word : words) {
-    bool found = false;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      if (!names[k].starts_with(word)) continue;
-      chosen[k] = found = true;
-    }
-    if (!found || word.empty()) {
-      problems.add({.where = "verify", .what = fmt::format("there is no case \"{}\"", word),
-                    .why = fmt::format("the cases are {}", fmt::join(names, ", ")), .hint = meant(word, known)});
-    }
-  }
-  if (problems.has_errors()) throw BadInput(std::move(problems));
-  std::vector<std::string> list;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    if (chosen[k]) list.push_back(names[k]);
-  }
-  return list;
-}
 
 }  // namespace talus::verification

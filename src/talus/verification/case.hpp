@@ -28,8 +28,8 @@ struct Run {
 
 /// Numbers of a table that are left out, or have a tolerance of their own; with the reason.
 struct Exception {
-  std::vector<std::string> rows;     // none: all
-  std::vector<std::string> columns;  // none: all
+  std::vector<std::string> rows;       // none: all
+  std::vector<std::string> columns;    // none: all
   std::optional<Tolerance> tolerance;  // nothing: left out
   std::string why;
   [[nodiscard]] bool concerns(const std::string& row, const std::string& column) const;
@@ -50,10 +50,10 @@ inline constexpr std::int64_t fewest_rocks_of_a_spread = 20000;
 
 /// Statistics of a sample, against the spread of samples as large.
 struct StatisticsTable {
-  PublishedTable published;           // rows: statistics
-  std::vector<std::string> columns;   // of the table, each a sample of its own
+  PublishedTable published;          // rows: statistics
+  std::vector<std::string> columns;  // of the table, each a sample of its own
   SampleQuantity sample{};
-  std::vector<Statistic> tested;      // the others are shown
+  std::vector<Statistic> tested;  // the others are shown
 };
 
 /// Single numbers, each a statistic of a sample: of one rock, the value itself.
@@ -90,8 +90,7 @@ struct SoundnessTable {
   std::vector<SampleQuantity> shown;  // samples to lay side by side
 };
 
-using TableKind =
-    std::variant<PathTable, StatisticsTable, ValuesTable, CountTable, AgreementTable, SoundnessTable>;
+using TableKind = std::variant<PathTable, StatisticsTable, ValuesTable, CountTable, AgreementTable, SoundnessTable>;
 
 struct Table {
   std::string title;
@@ -112,14 +111,7 @@ struct Case {
   [[nodiscard]] const Run& run(std::string_view run_name) const;
 };
 
-/// The names of all cases, in their order.
-[[nodiscard]] std::vector<std::string> case_names(const Files& files);
-
 /// Throws BadInput with every problem of its case.toml.
 [[nodiscard]] Case read_case(const Files& files, const std::string& name);
-
-/// The cases that the words mean: a name, or the beginning of one or several. Without words, all. Throws BadInput that
-/// names the nearest where a word means none.
-[[nodiscard]] std::vector<std::string> chosen_cases(const Files& files, const std::vector<std::string>& words);
 
 }  // namespace talus::verification

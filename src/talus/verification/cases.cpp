@@ -1,17 +1,58 @@
+#include "talus/verification/cases.hpp"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <system_error>
 
 #include "talus/core/problems.hpp"
 #include "talus/project/document.hpp"
-#include "talus/verification/cases.hpp"
+#include "talus/verification/fields.hpp"
 
 namespace talus::verification {
+
+std::vector<std::string> case_names(const Files& files) {
+  constexpr std::string_view ending = "/case.toml";
+  std::vector<std::string> names;
+  for (const auto& [path, text] : files) {
+    if (path.ends_with(ending)) names.push_back(path.substr(0, path.size() - ending.size()));
+  }
+  return names;
+}
+
+std::vector<std::string> chosen_cases(const Files& files, const std::vector<std::string>& words) {
+  const std::vector<std::string> names = case_names(files);
+  if (words.empty()) return names;
+  Problems problems;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  std::vector<bool> chosen(names.size(), false);
+  for (const std::string& word : words) {
+    bool found = false;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (!names[k].starts_with(word)) continue;
+      chosen[k] = found = true;
+    }
+    if (!found || word.empty()) {
+      problems.add({.where = "verify",
+                    .what = fmt::format("there is no case \"{}\"", word),
+                    .why = fmt::format("the cases are {}", fmt::join(names, ", ")),
+                    .hint = meant(word, known)});
+    }
+  }
+  if (problems.has_errors()) throw BadInput(std::move(problems));
+  std::vector<std::string> list;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (chosen[k]) list.push_back(names[k]);
+  }
+  return list;
+}
 
 Files cases_in(const std::filesystem::path& folder) {
   std::error_code error;
   const auto refuse = [&](std::string what) {
-    throw BadInput(Problem{.file = folder.string(), .where = {}, .what = std::move(what),
+    throw BadInput(Problem{.file = folder.string(),
+                           .where = {},
+                           .what = std::move(what),
                            .why = "expected a folder that holds one folder a case, each with a case.toml",
                            .hint = "Leave --cases out to run the cases that are built in"});
   };

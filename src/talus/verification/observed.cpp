@@ -136,24 +136,42 @@ std::vector<std::string_view> sample_quantity_names() { return {sample_names.beg
 std::optional<double> value(PathQuantity quantity, const Event& event, const Event* next) {
   const Motion& motion = event.motion;
   switch (quantity) {
-    case time: return motion.time;
-    case time_to_next: return next == nullptr ? std::nullopt : std::optional(next->motion.time - motion.time);
-    case x: return motion.position.x();
-    case y: return motion.position.y();
-    case z: return motion.position.z();
-    case vx: return motion.velocity.x();
-    case vy: return motion.velocity.y();
-    case vz: return motion.velocity.z();
-    case wx: return motion.spin.x();
-    case wy: return motion.spin.y();
-    case wz: return motion.spin.z();
-    case spin: return motion.spin.norm();
-    case kinetic_J: return event.kinetic;
-    case potential_J: return event.potential;
-    case total_J: return event.kinetic + event.potential;
-    case kinetic_kJ: return event.kinetic / 1000;
-    case potential_kJ: return event.potential / 1000;
-    case total_kJ: return (event.kinetic + event.potential) / 1000;
+    case time:
+      return motion.time;
+    case time_to_next:
+      return next == nullptr ? std::nullopt : std::optional(next->motion.time - motion.time);
+    case x:
+      return motion.position.x();
+    case y:
+      return motion.position.y();
+    case z:
+      return motion.position.z();
+    case vx:
+      return motion.velocity.x();
+    case vy:
+      return motion.velocity.y();
+    case vz:
+      return motion.velocity.z();
+    case wx:
+      return motion.spin.x();
+    case wy:
+      return motion.spin.y();
+    case wz:
+      return motion.spin.z();
+    case spin:
+      return motion.spin.norm();
+    case kinetic_J:
+      return event.kinetic;
+    case potential_J:
+      return event.potential;
+    case total_J:
+      return event.kinetic + event.potential;
+    case kinetic_kJ:
+      return event.kinetic / 1000;
+    case potential_kJ:
+      return event.potential / 1000;
+    case total_kJ:
+      return (event.kinetic + event.potential) / 1000;
   }
   return std::nullopt;
 }

@@ -15,14 +15,24 @@
 namespace talus::verification {
 
 enum class PathQuantity {
-  time,             // [s]
-  time_to_next,     // to the next row [s]
-  x, y, z,          // [m]
-  vx, vy, vz,       // [m/s]
-  wx, wy, wz,       // [rad/s]
-  spin,             // magnitude of the angular velocity [rad/s]; signs in section differ between the programs
-  kinetic_J, potential_J, total_J,
-  kinetic_kJ, potential_kJ, total_kJ
+  time,          // [s]
+  time_to_next,  // to the next row [s]
+  x,
+  y,
+  z,  // [m]
+  vx,
+  vy,
+  vz,  // [m/s]
+  wx,
+  wy,
+  wz,    // [rad/s]
+  spin,  // magnitude of the angular velocity [rad/s]; signs in section differ between the programs
+  kinetic_J,
+  potential_J,
+  total_J,
+  kinetic_kJ,
+  potential_kJ,
+  total_kJ
 };
 [[nodiscard]] std::string_view name(PathQuantity quantity);
 [[nodiscard]] std::optional<PathQuantity> path_quantity_of(std::string_view name);
@@ -33,10 +43,10 @@ enum class Kind { time, position, velocity, spin, energy };
 [[nodiscard]] Kind kind_of(PathQuantity quantity);
 
 enum class SampleQuantity {
-  runout_xy_m,                // one a rock: way from start to end on plan
-  end_x_m,                    // one a rock
+  runout_xy_m,                  // one a rock: way from start to end on plan
+  end_x_m,                      // one a rock
   barrier_ke_translational_kJ,  // one a hit
-  barrier_height_m            // one a hit: along the barrier
+  barrier_height_m              // one a hit: along the barrier
 };
 inline constexpr int sample_quantity_count = 4;
 [[nodiscard]] std::string_view name(SampleQuantity quantity);

@@ -75,9 +75,12 @@ PublishedTable::PublishedTable(std::string_view text, std::string file) : file_(
       continue;
     }
     if (fields.size() != columns_.size() + 1) {
-      throw BadInput(Problem{.file = file_, .line = line_number, .where = {},
+      throw BadInput(Problem{.file = file_,
+                             .line = line_number,
+                             .where = {},
                              .what = fmt::format("the row has {} values", fields.size()),
-                             .why = fmt::format("the first line names {} columns", columns_.size() + 1), .hint = {}});
+                             .why = fmt::format("the first line names {} columns", columns_.size() + 1),
+                             .hint = {}});
     }
     rows_.push_back(fields.front());
     for (std::size_t k = 1; k < fields.size(); ++k) {
@@ -86,8 +89,11 @@ PublishedTable::PublishedTable(std::string_view text, std::string file) : file_(
     }
   }
   if (columns_.empty() || rows_.empty()) {
-    throw BadInput(Problem{.file = file_, .where = {}, .what = "the table is empty",
-                           .why = "its first line names the columns, and rows follow", .hint = {}});
+    throw BadInput(Problem{.file = file_,
+                           .where = {},
+                           .what = "the table is empty",
+                           .why = "its first line names the columns, and rows follow",
+                           .hint = {}});
   }
   find_units();
 }

@@ -21,7 +21,8 @@ struct Printed {
 /// A published table: comma-separated, names of the columns first, the name of each row in the first column.
 ///
 /// Programs print 15.4900 as 15.49 and 0.00000 as 0. A number that was cut short like this keeps the unit that its
-/// column has: the coarsest unit among the column's numbers with the most significant digits, which cannot have been cut.
+/// column has: the coarsest unit among the column's numbers with the most significant digits, which cannot have been
+/// cut.
 class PublishedTable {
  public:
   /// Throws BadInput where the text is no such table; `file` is how complaints call it.

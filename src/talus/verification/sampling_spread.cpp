@@ -13,9 +13,19 @@
 namespace talus::verification {
 namespace {
 
-constexpr std::array<std::string_view, statistic_count> names{
-    "mean",  "standard_error", "median",  "standard_deviation", "sample_variance", "kurtosis",           "skewness",
-    "range", "minimum",        "maximum", "sum",                "count",           "confidence_level_95"};
+constexpr std::array<std::string_view, statistic_count> names{"mean",
+                                                              "standard_error",
+                                                              "median",
+                                                              "standard_deviation",
+                                                              "sample_variance",
+                                                              "kurtosis",
+                                                              "skewness",
+                                                              "range",
+                                                              "minimum",
+                                                              "maximum",
+                                                              "sum",
+                                                              "count",
+                                                              "confidence_level_95"};
 
 /// A number of 0 ... count-1 from 32 random bits, by their product's upper half; the bias of count/2^32 is far below
 /// what the samples could show.
@@ -41,19 +51,32 @@ std::optional<Statistic> statistic_of(std::string_view text) {
 
 std::optional<double> value(const Descriptive& rows, Statistic statistic) {
   switch (statistic) {
-    case Statistic::mean: return rows.mean;
-    case Statistic::standard_error: return rows.standard_error;
-    case Statistic::median: return rows.median;
-    case Statistic::standard_deviation: return rows.standard_deviation;
-    case Statistic::sample_variance: return rows.sample_variance;
-    case Statistic::kurtosis: return rows.kurtosis;
-    case Statistic::skewness: return rows.skewness;
-    case Statistic::range: return rows.range;
-    case Statistic::minimum: return rows.minimum;
-    case Statistic::maximum: return rows.maximum;
-    case Statistic::sum: return rows.sum;
-    case Statistic::count: return static_cast<double>(rows.count);
-    case Statistic::confidence_level_95: return rows.confidence_half_width_95;
+    case Statistic::mean:
+      return rows.mean;
+    case Statistic::standard_error:
+      return rows.standard_error;
+    case Statistic::median:
+      return rows.median;
+    case Statistic::standard_deviation:
+      return rows.standard_deviation;
+    case Statistic::sample_variance:
+      return rows.sample_variance;
+    case Statistic::kurtosis:
+      return rows.kurtosis;
+    case Statistic::skewness:
+      return rows.skewness;
+    case Statistic::range:
+      return rows.range;
+    case Statistic::minimum:
+      return rows.minimum;
+    case Statistic::maximum:
+      return rows.maximum;
+    case Statistic::sum:
+      return rows.sum;
+    case Statistic::count:
+      return static_cast<double>(rows.count);
+    case Statistic::confidence_level_95:
+      return rows.confidence_half_width_95;
   }
   return std::nullopt;
 }

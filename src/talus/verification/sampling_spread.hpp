@@ -47,8 +47,8 @@ struct Interval {
 
 struct SpreadOptions {
   std::uint64_t samples = 4000;
-  double central = 0.99;      // the share of the samples inside the interval
-  std::uint64_t seed = 1;     // the same numbers every time
+  double central = 0.99;   // the share of the samples inside the interval
+  std::uint64_t seed = 1;  // the same numbers every time
 };
 
 class SamplingSpread {

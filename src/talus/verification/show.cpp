@@ -38,14 +38,20 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::stri
 }
 
 std::vector<std::string> cells(const Line& line) {
-  return {line.row, line.quantity, line.published.empty() ? "-" : line.published, number(line.ours),
-          difference(line.difference), line.allowed, name(line.verdict)};
+  return {line.row,
+          line.quantity,
+          line.published.empty() ? "-" : line.published,
+          number(line.ours),
+          difference(line.difference),
+          line.allowed,
+          name(line.verdict)};
 }
 
 const std::vector<std::string> heads{"row", "quantity", "published", "Talus", "difference", "allowed", "verdict"};
 
 std::string counted(std::size_t agree, std::size_t differ, std::size_t left_out) {
-  std::string text = fmt::format("{} of {} numbers agree", agree, agree + differ);
+  std::string text = agree + differ == 0 ? std::string("shown, not tested")
+                                         : fmt::format("{} of {} numbers agree", agree, agree + differ);
   if (left_out > 0) text += fmt::format(", {} left out with a reason", left_out);
   return text;
 }
@@ -57,7 +63,8 @@ std::string counted(const Counting& result) {
 std::string tolerances(const std::vector<Exception>& exceptions) {
   std::string text;
   for (const Exception& e : exceptions) {
-    const std::string rows = e.rows.empty() ? "all rows" : fmt::format("row {}", fmt::join(e.rows, ", "));
+    const std::string rows =
+        e.rows.empty() ? "all rows" : fmt::format("row{} {}", e.rows.size() == 1 ? "" : "s", fmt::join(e.rows, ", "));
     const std::string columns = e.columns.empty() ? "all columns" : fmt::format("{}", fmt::join(e.columns, ", "));
     text += fmt::format("- {}, {}: {}. {}\n", rows, columns,
                         e.tolerance ? "tolerance " + e.tolerance->text() : std::string("left out"), e.why);
@@ -82,7 +89,8 @@ std::string compared_with(const TableKind& kind) {
             for (const Statistic s : table.tested) tested.push_back(name(s));
             if (tested.empty()) return fmt::format("Statistics of {}, shown.", name(table.sample));
             return fmt::format(
-                "Statistics of {}. Each of {} must lie inside the central 99 % of samples as large as the table's, drawn "
+                "Statistics of {}. Each of {} must lie inside the central 99 % of samples as large as the table's, "
+                "drawn "
                 "from many rocks; the others follow from these and are shown.",
                 name(table.sample), fmt::join(tested, ", "));
           },
@@ -90,10 +98,10 @@ std::string compared_with(const TableKind& kind) {
             std::string text = "Single numbers.\n\n";
             for (const auto& v : table.values) {
               const auto* interval = std::get_if<Interval>(&v.published);
-              text += fmt::format("- {} [{}]: {}\n", v.what, v.run,
-                                  interval ? fmt::format("between {:g} and {:g}", interval->low, interval->high)
-                                           : fmt::format("{}, tolerance {}", std::get<Printed>(v.published).text,
-                                                         v.tolerance.text()));
+              text += fmt::format(
+                  "- {} [{}]: {}\n", v.what, v.run,
+                  interval ? fmt::format("between {:g} and {:g}", interval->low, interval->high)
+                           : fmt::format("{}, tolerance {}", std::get<Printed>(v.published).text, v.tolerance.text()));
             }
             return text;
           },
@@ -113,7 +121,8 @@ std::string compared_with(const TableKind& kind) {
             std::vector<std::string_view> ends;
             for (const EndReason reason : table.ends) ends.emplace_back(name(reason));
             return fmt::format(
-                "What must be true of every rock: it ends ({}), and from row to row of its path its total energy does not "
+                "What must be true of every rock: it ends ({}), and from row to row of its path its total energy does "
+                "not "
                 "rise by more than {:g} of the path's energy, which is rounding.",
                 fmt::join(ends, ", or "), table.energy_rise);
           }},
@@ -128,8 +137,9 @@ std::string worst_of_columns(const TableResult& table) {
   for (const Line& line : table.lines) {
     if (std::ranges::find(quantities, line.quantity) == quantities.end()) quantities.push_back(line.quantity);
   }
-  std::string text = "| column | agree | differ | left out | greatest difference | in row | published | Talus | allowed |\n"
-                     "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::string text =
+      "| column | agree | differ | left out | greatest difference | in row | published | Talus | allowed |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const std::string& quantity : quantities) {
     const Line* worst = nullptr;
     double worst_share = -1;
@@ -148,7 +158,8 @@ std::string worst_of_columns(const TableResult& table) {
     std::vector<std::string> row{quantity, fmt::format("{}", counts[0]), fmt::format("{}", counts[1]),
                                  fmt::format("{}", counts[2])};
     if (worst != nullptr) {
-      row.insert(row.end(), {difference(worst->difference), worst->row, worst->published, number(worst->ours), worst->allowed});
+      row.insert(row.end(),
+                 {difference(worst->difference), worst->row, worst->published, number(worst->ours), worst->allowed});
     } else {
       row.insert(row.end(), 5, "");
     }
@@ -170,8 +181,8 @@ std::string text(const CaseResult& result) {
   for (const TableResult& table : result.tables) {
     std::vector<std::vector<std::string>> rows{heads};
     for (const Line& line : table.lines) rows.push_back(cells(line));
-    text += fmt::format("\n  {}, {}\n{}  {}: {}\n", with_run(table), table.manual, aligned(rows, "    "), with_run(table),
-                        counted(table));
+    text += fmt::format("\n  {}, {}\n{}  {}: {}\n", with_run(table), table.manual, aligned(rows, "    "),
+                        with_run(table), counted(table));
   }
   return text + fmt::format("\n{}: {}\n\n", result.name, counted(result));
 }

@@ -73,7 +73,8 @@ std::array<double, 5> scales(const PathTable& table) {
 }
 
 const Exception* exception_of(const PathTable& table, const std::string& row, const std::string& column) {
-  const auto found = std::ranges::find_if(table.exceptions, [&](const Exception& e) { return e.concerns(row, column); });
+  const auto found =
+      std::ranges::find_if(table.exceptions, [&](const Exception& e) { return e.concerns(row, column); });
   return found == table.exceptions.end() ? nullptr : &*found;
 }
 
@@ -121,8 +122,10 @@ bool is_of_any_size(Statistic statistic) {
     case Statistic::standard_deviation:
     case Statistic::sample_variance:
     case Statistic::kurtosis:
-    case Statistic::skewness: return true;
-    default: return false;
+    case Statistic::skewness:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -139,8 +142,14 @@ std::vector<Line> compare(const StatisticsTable& table, const std::string& run, 
       const Statistic statistic = *statistic_of(table.published.rows()[r]);
       if (!number || statistic == Statistic::count) continue;
       const bool is_tested = std::ranges::find(table.tested, statistic) != table.tested.end();
-      Line line{table.published.rows()[r], column, number->text, {}, {}, {},
-                is_tested ? Verdict::differs : Verdict::shown, {}};
+      Line line{table.published.rows()[r],
+                column,
+                number->text,
+                {},
+                {},
+                {},
+                is_tested ? Verdict::differs : Verdict::shown,
+                {}};
       if (count && count->value >= 1 && !many.empty()) {
         const auto size = static_cast<std::uint64_t>(count->value);
         const SamplingSpread& spread = spreads.try_emplace(size, many, size).first->second;
@@ -160,7 +169,8 @@ std::vector<Line> compare(const StatisticsTable& table, const std::string& run, 
 std::vector<Line> compare(const ValuesTable& table, Runs& runs) {
   std::vector<Line> lines;
   for (const ValuesTable::Value& v : table.values) {
-    Line line{v.what, fmt::format("{} of {}", name(v.statistic), name(v.sample)), {}, {}, {}, {}, Verdict::differs, v.run};
+    Line line{v.what, fmt::format("{} of {}", name(v.statistic), name(v.sample)), {}, {}, {}, {}, Verdict::differs,
+              v.run};
     line.ours = value(describe(runs.observed(v.run).sample(v.sample)), v.statistic);
     if (const auto* number = std::get_if<Printed>(&v.published)) {
       const double allowed = v.tolerance.allowed(*number, std::abs(number->value));
@@ -189,8 +199,14 @@ std::vector<Line> compare(const CountTable& table, const std::string& run, Runs&
   std::vector<Line> lines;
   for (const auto& [whose, number] : table.published) {
     const double ours = probability * static_cast<double>(table.rocks);
-    lines.push_back({fmt::format("of {} rocks", table.rocks), whose, number.text, ours, ours - number.value,
-                     between(interval), verdict(interval.contains(number.value)), {}});
+    lines.push_back({fmt::format("of {} rocks", table.rocks),
+                     whose,
+                     number.text,
+                     ours,
+                     ours - number.value,
+                     between(interval),
+                     verdict(interval.contains(number.value)),
+                     {}});
   }
   return lines;
 }
@@ -203,8 +219,14 @@ std::vector<Line> compare(const AgreementTable& table, const std::vector<std::st
     const Descriptive rows = describe(runs.observed(run).sample(table.sample));
     for (const Statistic statistic : table.statistics) {
       const auto expected = value(reference, statistic);
-      Line line{run, std::string(name(statistic)), fmt::format("{:.{}f}", expected.value_or(0), table.decimals),
-                value(rows, statistic), {}, fmt::format("{:.3g}", allowed), Verdict::differs, {}};
+      Line line{run,
+                std::string(name(statistic)),
+                fmt::format("{:.{}f}", expected.value_or(0), table.decimals),
+                value(rows, statistic),
+                {},
+                fmt::format("{:.3g}", allowed),
+                Verdict::differs,
+                {}};
       if (line.ours && expected) {
         line.difference = *line.ours - *expected;
         line.verdict = verdict(std::abs(*line.difference) <= allowed);
@@ -250,10 +272,14 @@ struct Overloaded : Each... {
 
 const char* name(Verdict verdict) {
   switch (verdict) {
-    case Verdict::agrees: return "agrees";
-    case Verdict::differs: return "DIFFERS";
-    case Verdict::left_out: return "left out";
-    case Verdict::shown: return "shown";
+    case Verdict::agrees:
+      return "agrees";
+    case Verdict::differs:
+      return "DIFFERS";
+    case Verdict::left_out:
+      return "left out";
+    case Verdict::shown:
+      return "shown";
   }
   return "";
 }
