@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 
 #include "commands.hpp"
 #include "load.hpp"
@@ -17,10 +18,17 @@ namespace {
 std::atomic<bool> stop_wanted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
-// The first signal asks the campaign to stop and keep what it has; the second one ends the program.
+// The first signal asks the campaign to stop and keep what it has. One that comes two seconds later or more ends the
+// program; until then it is taken for the same wish, since some callers signal a program and its group.
+volatile std::sig_atomic_t stop_asked_at = 0;
 extern "C" void ask_to_stop(int signal) {
-  stop_wanted.store(true);
-  std::signal(signal, SIG_DFL);
+  const auto now = static_cast<std::sig_atomic_t>(std::time(nullptr));
+  if (stop_wanted.exchange(true) && now - stop_asked_at >= 2) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  } else if (stop_asked_at == 0) {
+    stop_asked_at = now;
+  }
 }
 
 void print_outcome(const Loaded& loaded, const project::RunResult& result, const std::filesystem::path& folder) {

@@ -62,29 +62,35 @@ Polynomial squared_distance(const Vec3& d, const Vec3& v, const Vec3& a, double 
   return {d.squaredNorm() - radius * radius, 2 * d.dot(v), v.squaredNorm() + d.dot(a), v.dot(a), 0.25 * a.squaredNorm()};
 }
 
+// The first time at which a polynomial takes a value, or never.
+double first_at(Polynomial c, double level, double t_max) {
+  c[0] -= level;
+  const Roots roots = roots_within(c, 4, t_max);
+  return roots.count > 0 ? roots.t[0] : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 Falls falls(const std::array<double, 5>& c, double t_max, double slack) {
   Falls found;
   const auto note = [&](double t) { found.t[static_cast<std::size_t>(found.count++)] = t; };
+  double free_from = 0;
   if (c[0] <= slack) {
-    // Touching at the start: caught when it first moves in, unless it has come free before. Rounding may let a rock
-    // that rests on an edge seem to rise by less than the slack.
-    const bool falling = c[1] < 0 || (c[1] == 0 && c[2] < 0);
-    if (falling) {
-      note(0);
-    } else {
-      const Polynomial slope = derivative(c), curve = derivative(slope);
-      for (const double t : roots_within(slope, 3, t_max)) {
-        if (value(curve, t) > 0) continue;  // not a top
-        if (value(c, t) <= slack) note(t);
-        break;
+    // Of a rock that touches at the start, rounding alone cannot say whether it moves in or out. It is pressed in if
+    // it sinks by the slack before it has come free by as much; then the contact is where it begins to sink.
+    free_from = first_at(c, slack, t_max);
+    const double sunk = first_at(c, std::min(c[0], 0.0) - slack, t_max);
+    if (sunk < free_from) {
+      double top = 0;
+      const Polynomial slope = derivative(c);
+      for (const double t : roots_within(slope, 3, sunk)) {
+        if (value(derivative(slope), t) < 0) top = t;
       }
+      note(top);
     }
   }
   for (const double t : roots_within(c, 4, t_max)) {
-    if (found.count == 3) break;
-    if (value(derivative(c), t) < 0 && (found.count == 0 || t > found.t[static_cast<std::size_t>(found.count - 1)])) note(t);
+    if (found.count < 3 && t > free_from && value(derivative(c), t) < 0) note(t);
   }
   return found;
 }

@@ -47,9 +47,10 @@ struct Falls {
   [[nodiscard]] const double* end() const { return t.data() + count; }
 };
 
-/// The times in [0, t_max] at which c0 + c1 t + ... + c4 t^4 falls through zero, 0 among them if it is not above
-/// `slack` at t = 0 and falling there. Found between the roots of its derivatives, where it is monotone (Yuksel,
-/// "High-performance polynomial root finding for graphics", HPG 2022), so that no root is missed or invented.
+/// The times in [0, t_max] at which c0 + c1 t + ... + c4 t^4 falls through zero. If it is not above `slack` (> 0) at
+/// t = 0, it touches already: then it has fallen where it begins to sink, unless it comes free by the slack before it
+/// sinks by as much. Found between the roots of its derivatives, where it is monotone (Yuksel, "High-performance
+/// polynomial root finding for graphics", HPG 2022), so that no root is missed or invented.
 [[nodiscard]] Falls falls(const std::array<double, 5>& c, double t_max, double slack);
 
 /// When the parabola comes within `radius` of the segment from `a` along the unit vector `e`, `length` long, the ends

@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "talus/rocks/rock.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
-#include "talus/trajectory/rock_path.hpp"
+#include "talus/seeding/release.hpp"
 
 namespace talus {
 

@@ -7,6 +7,7 @@
 // is curved. Such a path is followed by legs of `timestep`, each with the friction of its own middle (second order).
 // Checked against the exact hodograph v(psi) = C tan(psi/2)^k / sin(psi), k = mu N / |pull|, psi from the pull.
 
+#include <algorithm>
 #include <limits>
 
 #include "talus/sliding/leg.hpp"
@@ -31,13 +32,17 @@ namespace talus {
   if (is_straight(footing, heading)) {
     return braked((footing.pull.dot(heading) - drag) * heading, std::numeric_limits<double>::infinity());
   }
-  const Vec3 middle = velocity + 0.5 * timestep * (footing.pull - drag * heading);
-  const double middle_speed = middle.norm();
-  Vec3 middle_heading = middle_speed > 0 ? Vec3(middle / middle_speed) : heading;
-  // Close to rest the middle may lie behind: friction that would push the rock is none, that of the start brakes it.
-  const double advance = middle_speed + 0.5 * timestep * drag * (heading.dot(middle_heading) - 1);
-  if (heading.dot(middle_heading) <= 0 || advance <= 0) middle_heading = heading;
-  return braked(footing.pull - drag * middle_heading, timestep);
+  const double along_pull = footing.pull.dot(heading) / pull;
+  if (drag > pull && along_pull >= 0 && speed < 0.5 * timestep * drag) {
+    // The last of a path that ends: its time is exact, v (k + cos psi) / (|pull| (k^2 - 1)); its bend no longer shows.
+    const double k = drag / pull;
+    const double left = speed * (k + along_pull) / (pull * (k * k - 1));
+    return {{position, velocity, -velocity / left}, left, Vec3::Zero(), spin};
+  }
+  // Close to rest friction turns fast: legs in which the velocity changes by less than half of itself.
+  const double duration = std::min(timestep, 0.5 * speed / (drag + pull));
+  const Vec3 middle = velocity + 0.5 * duration * (footing.pull - drag * heading);
+  return braked(footing.pull - drag * middle.normalized(), duration);
 }
 
 }  // namespace talus

@@ -57,7 +57,14 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
   const Vec3 slip_change = a + r * n.cross(angular);
   const double slip_rate = slip_change.dot(slip_heading);
   const double slip_speed = slip.norm();
-  if (slip_speed > no_slip && slip_rate < 0 && -slip_speed / slip_rate <= timestep) {
+  // Resistance brakes the spin until there is none left; beyond it would drive it.
+  const double spin_change = spin_rate * r > no_slip ? angular.dot(tangential_spin) / spin_rate : 0;
+  if (spin_change < 0 && -spin_rate / spin_change <= timestep) {
+    leg.duration = -spin_rate / spin_change;
+    leg.end_velocity = velocity + leg.duration * a;
+    leg.end_spin = spin + leg.duration * angular;
+  }
+  if (slip_speed > no_slip && slip_rate < 0 && -slip_speed / slip_rate <= leg.duration) {
     leg.duration = -slip_speed / slip_rate;
     leg.end_velocity = velocity + leg.duration * a;
     leg.end_spin = spin + leg.duration * angular;

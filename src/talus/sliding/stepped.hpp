@@ -19,7 +19,7 @@ namespace talus {
   leg.end_spin = spin;
   if (speed > 0 && after.dot(heading) < 0) {
     leg.duration = -speed / a.dot(heading);
-    leg.end_velocity = halted(velocity + leg.duration * a, footing, heading);
+    leg.end_velocity = Vec3::Zero();  // what pulls across the motion would be speed without way
     leg.path = {position, Vec3::Zero(), Vec3::Zero()};
     return leg;
   }

@@ -111,16 +111,17 @@ void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t
     if (along >= -slack && along <= segment.length + slack) best.offer(*t, Feature::facet, k, n);
   }
   if (radius == 0) return;
-  const auto corner = [&](const Vec3& q) {
+  const auto corner = [&](const Vec3& q, std::uint32_t owner) {
     const Parabola planar{in_plane(path.p), in_plane(path.v), in_plane(path.a)};
     const auto touch = touch_point(planar, q, radius, best.t);
     if (!touch) return;
     const Vec3 out = (planar.at(*touch) - q).normalized();
     if (kind == Path::leg && left.contain(out, 1e-9)) return;  // the plane that it rolls on ends there
-    best.offer(*touch, Feature::edge, k, out);
+    best.offer(*touch, Feature::edge, owner, out);
   };
-  if (segment.sharp_start) corner(segment.a);
-  if (segment.sharp_end) corner(segment.a + segment.length * segment.along);
+  // Where two segments meet the corner belongs to the first, as the edges of a mesh do.
+  if (segment.sharp_start) corner(segment.a, k > 0 ? k - 1 : k);
+  if (segment.sharp_end) corner(segment.a + segment.length * segment.along, k);
 }
 
 std::optional<Contact> Profile::first_contact(const Parabola& path, double radius, double t_max,

@@ -2,18 +2,12 @@
 // The path of one rock from release to rest: the only place where flight, impact, motion along the ground and barriers
 // meet. A path is a pure function of (scene, release, draws).
 
-#include "talus/rocks/rock.hpp"
 #include "talus/sampling/draws.hpp"
+#include "talus/seeding/release.hpp"
 #include "talus/trajectory/rock_log.hpp"
 #include "talus/trajectory/scene.hpp"
 
 namespace talus {
-
-/// How a rock starts.
-struct Release {
-  Motion motion;
-  Rock rock;
-};
 
 /// How a rock's path came out.
 struct RockOutcome {

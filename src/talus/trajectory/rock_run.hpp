@@ -72,6 +72,17 @@ class RockRun {
   [[nodiscard]] Footing footing(const OnGround& phase) const;
   [[nodiscard]] Vec3 valley_spin(const OnGround& phase) const;
   Phase leave_facet(const OnGround& phase, const OutlineEdge& edge);
+  /// Contact upon contact without getting anywhere: the rock is caught between what it touches, and every contact has
+  /// taken of its energy. Asked once a phase and once a leg.
+  [[nodiscard]] bool is_wedged() {
+    constexpr int most_contacts = 200;
+    constexpr double nowhere = 1e-5;  // [m]
+    if ((motion_.position - wedge_).squaredNorm() > nowhere * nowhere) {
+      wedge_ = motion_.position;
+      contacts_in_wedge_ = 0;
+    }
+    return ++contacts_in_wedge_ > most_contacts;
+  }
   void remember_strike(const Vec3& normal, FacetId facet) {
     last_strike_ = motion_.position;
     last_normal_ = normal;
@@ -123,6 +134,8 @@ class RockRun {
   Vec3 last_strike_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // where it struck the ground last
   Vec3 last_normal_ = Vec3::Zero();
   FacetId last_facet_;
+  Vec3 wedge_ = Vec3::Zero();  // where it has been for the last contacts
+  int contacts_in_wedge_ = 0;
   Outline outline_;
   std::optional<FacetId> outline_facet_;
 };
@@ -136,6 +149,9 @@ RockOutcome RockRun<Surface>::follow() {
   for (std::int64_t steps = 0; !std::holds_alternative<Ended>(phase); ++steps) {
     if (steps == laws_.max_steps) {
       phase = Ended{EndReason::maximum_steps};
+    } else if (is_wedged()) {
+      motion_.velocity.setZero();
+      phase = Ended{EndReason::at_rest};
     } else if (const auto* flying = std::get_if<Flying>(&phase)) {
       phase = fly(*flying);
     } else {
@@ -153,11 +169,13 @@ template <class Surface>
 auto RockRun<Surface>::fly(const Flying& phase) -> Phase {
   const Parabola path{motion_.position, motion_.velocity, laws_.gravity};
   const double time_left = laws_.max_time - motion_.time;
-  const auto contact = surface_.first_contact(path, reach_, time_left, phase.left);
+  auto contact = surface_.first_contact(path, reach_, time_left, phase.left);
   Exit exit{time_left, false};
   if (!contact) {
     const Exit edge = surface_.exit(path);
     if (edge.t <= time_left) exit = edge;
+    // Falling through where it took off means that the plane which it left goes on there after all.
+    if (exit.beneath && phase.left.count > 0) contact = surface_.first_contact(path, reach_, time_left);
   }
   const double t_end = contact ? contact->t : exit.t;
 

@@ -14,7 +14,8 @@ auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& dr
   phase.facet = contact.facet;
   phase.on_facet = contact.feature == Feature::facet;
   draw_friction(phase, draw, material, rt);
-  const bool struck_here = (motion_.position - last_strike_).squaredNorm() < 1e-14;
+  constexpr double here = 1e-5;  // [m]: contacts so near each other are one contact with both facets
+  const bool struck_here = (motion_.position - last_strike_).squaredNorm() < here * here;
   if (struck_here && last_normal_.dot(phase.normal) < 1 - 1e-9) {
     phase.valley = caught_between(laws_.gravity, last_normal_, phase.normal, motion_.velocity, laws_.normal_velocity_cutoff);
     if (phase.valley) {
@@ -145,7 +146,11 @@ void RockRun<Surface>::advance_along(const Leg& leg, double t) {
   }
   // A step that is cut short changes the velocity by its share only: it must not gain speed for ground not covered.
   const double share = t / leg.duration;
-  motion_.velocity += share * (leg.end_velocity - motion_.velocity);
+  const Vec3 reached = motion_.velocity + share * (leg.end_velocity - motion_.velocity);
+  // A step moves along its last velocity. The rock leaves it that way, so that it does not seem to come back over an
+  // edge that it has just crossed.
+  const Vec3 way = leg.path.velocity(t);
+  motion_.velocity = way.squaredNorm() > 0 ? Vec3(reached.norm() * way.normalized()) : reached;
   motion_.spin += share * (leg.end_spin - motion_.spin);
 }
 
@@ -224,9 +229,10 @@ template <class Surface>
 auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
   const LeftPlanes on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
   bool turned = false;
+  double past_edge = 0;  // time spent rolling over an edge or a vertex [s]
   while (true) {
     const Footing footing = this->footing(phase);
-    if (rests(phase, footing)) {
+    if (rests(phase, footing) || is_wedged()) {
       motion_.velocity.setZero();
       return Ended{EndReason::at_rest};
     }
@@ -271,10 +277,10 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
     stand_on(phase);
     if (ahead) return strike(*ahead);
     if (edge) return leave_facet(phase, *edge);
-    if (!phase.on_facet) {
-      // Over an edge or a vertex the ground curves away from a sphere: after a leg it is in the air again, if barely.
-      return take_off(on);
-    }
+    // Over an edge or a vertex the ground curves away from a sphere: after a timestep it is in the air again, if barely.
+    // (Not after a leg: where slip ends at once and rolling begins, that would be for ever.)
+    past_edge += t;
+    if (!phase.on_facet && past_edge >= 0.5 * laws_.timestep) return take_off(on);
   }
 }
 
@@ -303,6 +309,15 @@ auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edg
       // unless it rises by next to nothing.
       remember_strike(phase.normal, phase.facet);
       return strike({0, n, *edge.beyond, Feature::facet});
+    }
+  }
+  if (!edge.beyond) {
+    // At the rim the model ends under the rock's centre; whether its skin would still brush the rim is no matter.
+    const Exit exit = surface_.exit({motion_.position, motion_.velocity, laws_.gravity});
+    if (exit.t <= 1e-9 && !exit.beneath) {
+      arrive(PathState::impact);
+      log_.row(PathState::projectile, motion_);
+      return Ended{EndReason::left_model};
     }
   }
   return take_off(LeftPlanes(phase.normal));
