@@ -75,13 +75,14 @@ class RockRun {
   /// Contact upon contact without getting anywhere: the rock is caught between what it touches, and every contact has
   /// taken of its energy. Asked once a phase and once a leg.
   [[nodiscard]] bool is_wedged() {
-    constexpr int most_contacts = 200;
-    constexpr double nowhere = 1e-5;  // [m]
+    constexpr int most_contacts = 200;  // of a rock that is as good as stopped; ten times as many of any
+    constexpr double nowhere = 1e-4;    // [m]
     if ((motion_.position - wedge_).squaredNorm() > nowhere * nowhere) {
       wedge_ = motion_.position;
       contacts_in_wedge_ = 0;
     }
-    return ++contacts_in_wedge_ > most_contacts;
+    const bool is_slow = motion_.velocity.norm() < laws_.stopped_velocity;
+    return ++contacts_in_wedge_ > (is_slow ? most_contacts : 10 * most_contacts);
   }
   void remember_strike(const Vec3& normal, FacetId facet) {
     last_strike_ = motion_.position;
@@ -92,6 +93,10 @@ class RockRun {
   [[nodiscard]] const Outline& outline_of(FacetId facet);
   std::optional<OutlineEdge> edge_ahead(OnGround& phase, const Parabola& leg, double& t);
   [[nodiscard]] bool is_level(FacetId facet, const Vec3& velocity) const;
+  /// Whether a support of this normal is the facet itself and not one of its edges or vertices.
+  [[nodiscard]] bool carries(FacetId facet, const Vec3& normal) const {
+    return surface_.normal(facet).dot(normal) > 1 - 1e-9;
+  }
   [[nodiscard]] MaterialId material_at(FacetId facet) const { return ground_.material_of(surface_.source(facet)); }
   void advance_along(const Leg& leg, double t);
   Phase leave_valley(const OnGround& phase);

@@ -157,7 +157,7 @@ void RockRun<Surface>::advance_along(const Leg& leg, double t) {
 /// Rounding must not lift a rock off its facet or press it in, leg after leg.
 template <class Surface>
 void RockRun<Surface>::stand_on(const OnGround& phase) {
-  if (!phase.on_facet) return;
+  if (!phase.on_facet || phase.valley) return;
   const double height = phase.normal.dot(motion_.position - surface_.point_of(phase.facet)) - reach_;
   motion_.position -= height * phase.normal;
 }
@@ -197,8 +197,11 @@ std::optional<OutlineEdge> RockRun<Surface>::side_crossed(const OnGround& phase,
 template <class Surface>
 std::optional<OutlineEdge> RockRun<Surface>::edge_ahead(OnGround& phase, const Parabola& leg, double& t) {
   if (phase.valley) {
-    const auto side = side_crossed(phase, phase.facet, leg, t), other = side_crossed(phase, phase.other_facet, leg, t);
-    return other ? other : side;
+    auto side = side_crossed(phase, phase.facet, leg, t);
+    if (carries(phase.other_facet, *phase.other_normal)) {
+      if (auto other = side_crossed(phase, phase.other_facet, leg, t)) side = other;
+    }
+    return side;
   }
   constexpr int most_facets_a_leg = 1000;  // no leg has more; what turns in circles at a vertex is cut off
   for (int facets = 0; facets < most_facets_a_leg; ++facets) {
@@ -280,7 +283,7 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
     // Over an edge or a vertex the ground curves away from a sphere: after a timestep it is in the air again, if barely.
     // (Not after a leg: where slip ends at once and rolling begins, that would be for ever.)
     past_edge += t;
-    if (!phase.on_facet && past_edge >= 0.5 * laws_.timestep) return take_off(on);
+    if (!phase.on_facet && past_edge >= 0.5 * laws_.timestep) return take_off(LeftPlanes(phase.normal));
   }
 }
 
@@ -337,14 +340,28 @@ auto RockRun<Surface>::leave_valley(const OnGround& phase) -> Phase {
   constexpr double step = 1e-6;  // how far to look ahead [m]
   const Vec3 ahead = motion_.position + step * motion_.velocity.normalized();
   std::optional<FacetId> first, second;
+  double first_depth = 0, second_depth = 0;
   surface_.supports(ahead, reach_, 0.1 * step, [&](const Vec3& n, const Vec3&, double, FacetId facet) {
-    if (n.dot(phase.normal) > 1 - same_plane) first = facet;
-    if (n.dot(*phase.other_normal) > 1 - same_plane) second = facet;
+    // Several facets of one plane may touch there: the rock goes on over the one in whose outline it is.
+    const Outline& outline = outline_of(facet);
+    double depth = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < outline.edge_count; ++k) {
+      const OutlineEdge& side = outline.edges[static_cast<std::size_t>(k)];
+      depth = std::min(depth, (ahead - side.point).dot(side.inward));
+    }
+    const auto choose = [&](std::optional<FacetId>& chosen, double& chosen_depth) {
+      if (chosen && depth <= chosen_depth) return;
+      chosen = facet;
+      chosen_depth = depth;
+    };
+    if (n.dot(phase.normal) > 1 - same_plane) choose(first, first_depth);
+    if (n.dot(*phase.other_normal) > 1 - same_plane) choose(second, second_depth);
   });
   if (first && second) {
     OnGround next = phase;
     next.facet = *first;
     next.other_facet = *second;
+    next.on_facet = carries(next.facet, next.normal);
     return next;
   }
   if (first || second) {
@@ -353,6 +370,7 @@ auto RockRun<Surface>::leave_valley(const OnGround& phase) -> Phase {
     next.normal = first ? phase.normal : *phase.other_normal;
     next.other_normal.reset();
     next.valley.reset();
+    next.on_facet = carries(next.facet, next.normal);
     return next;
   }
   return take_off(LeftPlanes(phase.normal, *phase.other_normal));

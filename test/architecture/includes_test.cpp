@@ -1,0 +1,148 @@
+// The house rules that the compiler does not know: lower folders do not know higher ones, files stay small.
+//
+// Reads the sources as text. Each folder of src/talus has a floor; a file may include from its own folder and from
+// lower floors, and some folders are closed to others altogether.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, int> floors{{"core", 0},       {"motion", 1},   {"sampling", 1}, {"statistics", 1},
+                                        {"rocks", 1},      {"flight", 2},   {"ground", 2},   {"terrain", 3},
+                                        {"impact", 3},     {"sliding", 3},  {"barriers", 4}, {"seeding", 5},
+                                        {"trajectory", 6}, {"results", 7},  {"campaign", 8}, {"io", 9},
+                                        {"project", 10},   {"verification", 11}};
+
+// A law of physics is a function of a contact, not of a mesh.
+const std::map<std::string, std::set<std::string>> closed{
+    {"impact", {"terrain"}}, {"sliding", {"terrain"}}, {"flight", {"terrain"}}, {"terrain", {"impact", "sliding"}}};
+
+// Libraries of file formats belong to io, and nobody else has to be built against them.
+const std::regex file_format_library("^(gdal|ogr|cpl_|proj\\.h|assimp/|mpi\\.h|httplib)");
+
+constexpr std::size_t longest_file = 550;  // lines
+
+// One list, of which every entry is alike: the declaration of all settings.
+const std::string list_of_settings = "settings.cpp";
+
+struct Include {
+  std::string name;
+  std::size_t line;
+};
+
+std::vector<std::string> lines_of(const fs::path& file) {
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<Include> includes_of(const std::vector<std::string>& lines) {
+  static const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<Include> includes;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::smatch match;
+    if (std::regex_search(lines[i], match, pattern)) includes.push_back({match[1], i + 1});
+  }
+  return includes;
+}
+
+// Why a file of `folder` may not include `name`, if it may not.
+std::optional<std::string> objection(const std::string& folder, const std::string& name) {
+  if (folder != "io" && std::regex_search(name, file_format_library)) {
+    return "only io/ knows libraries of file formats";
+  }
+  if (!name.starts_with("talus/")) return std::nullopt;
+  const std::string other = name.substr(6, name.find('/', 6) - 6);
+  if (other == folder || !floors.contains(other)) {
+    return other == folder ? std::nullopt : std::optional<std::string>("there is no folder of that name");
+  }
+  const auto ban = closed.find(folder);
+  if (ban != closed.end() && ban->second.contains(other)) return folder + "/ never includes " + other + '/';
+  if (floors.at(other) > floors.at(folder)) return folder + "/ is below " + other + '/';
+  return std::nullopt;
+}
+
+std::vector<fs::path> sources(const fs::path& root) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    const std::string extension = entry.path().extension().string();
+    if (entry.is_regular_file() && (extension == ".hpp" || extension == ".cpp")) files.push_back(entry.path());
+  }
+  return files;
+}
+
+const fs::path root = fs::path(TALUS_SOURCE_DIR);
+
+TEST(Architecture, EveryFolderHasItsFloor) {
+  for (const auto& entry : fs::directory_iterator(root / "src" / "talus")) {
+    if (!entry.is_directory()) continue;
+    EXPECT_TRUE(floors.contains(entry.path().filename().string())) << entry.path();
+  }
+}
+
+TEST(Architecture, NoIncludePointsUpwards) {
+  const fs::path source = root / "src" / "talus";
+  std::size_t seen = 0;
+  for (const fs::path& file : sources(source)) {
+    const std::string folder = file.lexically_relative(source).begin()->string();
+    if (!floors.contains(folder)) continue;  // reported above
+    for (const Include& include : includes_of(lines_of(file))) {
+      ++seen;
+      const auto why = objection(folder, include.name);
+      EXPECT_FALSE(why) << file.string() << ':' << include.line << ": includes " << include.name << " (" << *why << ')';
+    }
+  }
+  EXPECT_GT(seen, 100U);
+}
+
+// The rule must be able to fail.
+TEST(Architecture, AnUpwardIncludeWouldBeFound) {
+  EXPECT_TRUE(objection("impact", "talus/terrain/contact.hpp"));
+  EXPECT_TRUE(objection("core", "talus/motion/motion.hpp"));
+  EXPECT_TRUE(objection("trajectory", "talus/campaign/campaign.hpp"));
+  EXPECT_TRUE(objection("results", "gdal_priv.h"));
+  EXPECT_TRUE(objection("core", "talus/nowhere/nothing.hpp"));
+  EXPECT_FALSE(objection("trajectory", "talus/terrain/contact.hpp"));
+  EXPECT_FALSE(objection("io", "gdal_priv.h"));
+  EXPECT_FALSE(objection("core", "vector"));
+  const auto includes = includes_of({"// #include <a>", "#include <b>", " # include \"talus/c/d.hpp\"  // why"});
+  ASSERT_EQ(includes.size(), 2U);
+  EXPECT_EQ(includes[0].name, "b");
+  EXPECT_EQ(includes[1].name, "talus/c/d.hpp");
+  EXPECT_EQ(includes[1].line, 3U);
+}
+
+TEST(Architecture, HeadersAreIncludedOnce) {
+  for (const char* part : {"src", "app", "test"}) {
+    for (const fs::path& file : sources(root / part)) {
+      if (file.extension() != ".hpp") continue;
+      const auto lines = lines_of(file);
+      EXPECT_TRUE(!lines.empty() && lines.front() == "#pragma once") << file << ":1: a header begins with #pragma once";
+    }
+  }
+}
+
+TEST(Architecture, FilesOfTheSourceStaySmall) {
+  for (const char* part : {"src", "app"}) {
+    for (const fs::path& file : sources(root / part)) {
+      if (file.filename() == list_of_settings) continue;
+      EXPECT_LE(lines_of(file).size(), longest_file) << file << " has outgrown one idea";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,110 @@
+// Results do not depend on threads, on blocks, or on the order of rocks; a campaign can be stopped.
+
+#include "talus/campaign/campaign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <filesystem>
+
+#include "talus/campaign/simulate.hpp"
+#include "talus/project/model.hpp"
+#include "talus/project/read.hpp"
+#include "talus/results/summary.hpp"
+
+namespace talus {
+namespace {
+
+Model tutorial_model(const char* dimensions, std::int64_t rocks, std::vector<std::string> settings = {}) {
+  Problems warnings;
+  const auto file = std::filesystem::path(TALUS_SOURCE_DIR "/examples/tutorial-1") / (std::string("tutorial-1-") + dimensions + ".toml");
+  return project::build_model(project::read_project(file, {std::move(settings), rocks, {}}).project, warnings);
+}
+
+std::uint64_t bits_of(const RockOutcome& outcome) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const double x : {outcome.end.position.x(), outcome.end.position.y(), outcome.end.position.z(), outcome.end.time,
+                         outcome.max_kinetic_energy, outcome.max_bounce}) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3;
+  }
+  return hash;
+}
+
+TEST(Campaign, ComputesARockTheSameInAnyOrder) {
+  for (const char* model_kind : {"lumped_mass", "rigid_sphere"}) {
+    const Model model = tutorial_model("3d", 200, {std::string("analysis.model=") + model_kind});
+    Simulator forwards(model), backwards(model);
+    std::vector<std::uint64_t> hashes(200);
+    for (std::uint64_t rock = 0; rock < 200; ++rock) hashes[rock] = bits_of(forwards.simulate(rock, false).outcome);
+    for (std::uint64_t rock = 200; rock-- > 0;) EXPECT_EQ(bits_of(backwards.simulate(rock, true).outcome), hashes[rock]) << rock;
+  }
+}
+
+TEST(Campaign, SummarisesTheSameBitsOnAnyNumberOfThreads) {
+  const Model model = tutorial_model("2d", 3000);
+  std::vector<Descriptive> seen;
+  for (const int threads : {1, 2, 8}) {
+    SummaryObserver summary(model.rocks(), model.barriers.size(), model.frame);
+    Observer* const observers[] = {&summary};
+    EXPECT_EQ(run_campaign(model, observers, {threads, nullptr, {}}).done, 3000U);
+    seen.push_back(summary.summary().runout_plan.describe());
+  }
+  for (const Descriptive& d : seen) {
+    EXPECT_EQ(d.mean, seen[0].mean);
+    EXPECT_EQ(d.skewness, seen[0].skewness);
+    EXPECT_EQ(d.median, seen[0].median);
+    EXPECT_EQ(d.sum, seen[0].sum);
+  }
+}
+
+TEST(Campaign, CountsEveryRockOnceAndLosesNone) {
+  const Model model = tutorial_model("3d", 10'000);
+  SummaryObserver summary(model.rocks(), model.barriers.size(), model.frame);
+  Observer* const observers[] = {&summary};
+  (void)run_campaign(model, observers, {});
+  std::uint64_t ended = 0;
+  for (const std::uint64_t count : summary.summary().ends) ended += count;
+  EXPECT_EQ(ended, 10'000U);
+  EXPECT_EQ(summary.summary().ends[static_cast<std::size_t>(EndReason::lost)], 0U);
+}
+
+TEST(Campaign, StopsWhenAskedAndKeepsAPrefix) {
+  const Model model = tutorial_model("2d", 1'000'000);
+  SummaryObserver summary(model.rocks(), model.barriers.size(), model.frame);
+  Observer* const observers[] = {&summary};
+  std::atomic<bool> stop{false};
+  CampaignOptions options{2, &stop, [&](std::uint64_t done) { stop = stop || done > 2000; }};
+  const CampaignOutcome outcome = run_campaign(model, observers, options);
+  EXPECT_TRUE(outcome.interrupted);
+  EXPECT_GT(outcome.done, 2000U);
+  EXPECT_LT(outcome.done, 1'000'000U);
+  EXPECT_EQ(summary.summary().done, outcome.done);
+}
+
+TEST(Campaign, LatinHypercubeNarrowsTheMean) {
+  // Over several seeds the mean start speed scatters far less when it is stratified.
+  const auto scatter = [](const char* method) {
+    double squares = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      Model model = tutorial_model("2d", 50, {std::string("sampling.method=") + method});
+      model.seed = seed;
+      Simulator simulator(model);
+      double sum = 0;
+      for (std::uint64_t rock = 0; rock < 50; ++rock) sum += simulator.simulate(rock, false).outcome.start.velocity.x();
+      squares += (sum / 50 - 1.5) * (sum / 50 - 1.5);
+    }
+    return std::sqrt(squares / 20);
+  };
+  EXPECT_NEAR(scatter("monte_carlo"), 0.15 / std::sqrt(50.0), 0.008);
+  EXPECT_LT(scatter("latin_hypercube"), 0.002);
+}
+
+TEST(Campaign, DrawsMaterialsOncePerRockIfAskedTo) {
+  const Model per_rock = tutorial_model("2d", 1, {"sampling.materials=per_rock"});
+  const Model per_impact = tutorial_model("2d", 1);
+  EXPECT_NE(bits_of(Simulator(per_rock).simulate(0, false).outcome), bits_of(Simulator(per_impact).simulate(0, false).outcome));
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,268 @@
+#include "talus/flight/touch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/dice.hpp"
+
+namespace talus {
+namespace {
+
+using testing_tools::Dice;
+
+// ---- planes ----
+
+TEST(FallingRoot, OfAFallFromRest) {
+  const auto t = falling_root(5, 0, -10, 0);
+  ASSERT_TRUE(t);
+  EXPECT_DOUBLE_EQ(*t, 1);
+}
+
+TEST(FallingRoot, TakesTheLaterRootOfARisingRock) {
+  const auto t = falling_root(0, 5, -10, 0);  // thrown up from the plane: it leaves, and comes back after a second
+  ASSERT_TRUE(t);
+  EXPECT_DOUBLE_EQ(*t, 1);
+}
+
+TEST(FallingRoot, IsNoneForARockThatNeverFallsBack) {
+  EXPECT_FALSE(falling_root(1, 1, 0, 0));
+  EXPECT_FALSE(falling_root(1, 0, 0, 0));
+  EXPECT_FALSE(falling_root(1, -1, 2, 0));   // pulled away, it turns half a metre above the plane
+  EXPECT_FALSE(falling_root(0, 1, 1, 0));
+  EXPECT_FALSE(falling_root(0, 0, 1, 0));
+}
+
+TEST(FallingRoot, AtTheSurfaceOnlyIfItMovesIn) {
+  EXPECT_EQ(falling_root(0, -1, 0, 0), 0.0);
+  EXPECT_EQ(falling_root(0, 0, -1, 0), 0.0);
+  EXPECT_EQ(falling_root(-1e-10, -1, 0, 1e-9), 0.0);
+  EXPECT_FALSE(falling_root(-1e-8, -1, 0, 1e-9));
+  EXPECT_FALSE(falling_root(-1, 1, -1, 1e-9));  // from below it comes up to half a metre under the plane and sinks
+}
+
+// Without the stable form a slow fall onto a near plane would lose half its digits.
+TEST(FallingRoot, AgreesWithLongDouble) {
+  Dice dice(31);
+  int compared = 0;
+  for (int i = 0; i < 1'000'000; ++i) {
+    const double h0 = dice.magnitude(1e-12, 1e4), sense = dice.chance(0.5) ? 1.0 : -1.0;
+    const double vn = dice.chance(0.1) ? 0.0 : sense * dice.magnitude(1e-8, 1e2);
+    const double an = dice.chance(0.1) ? 0.0 : (dice.chance(0.8) ? -1.0 : 1.0) * dice.magnitude(1e-6, 10);
+    const auto t = falling_root(h0, vn, an, 0);
+    const long double h = h0, v = vn, a = an, discriminant = v * v - 2 * a * h;
+    // A curve that all but misses has a root that no rounding can pin down.
+    if (std::abs(discriminant) < 1e-10L * (v * v + std::abs(2 * a * h))) continue;
+    if (a == 0 && v == 0) {
+      ASSERT_FALSE(t);
+      continue;
+    }
+    if (discriminant < 0 || (v >= 0 && a >= 0)) {
+      ASSERT_FALSE(t) << h0 << ' ' << vn << ' ' << an;
+      continue;
+    }
+    const long double root = v <= 0 ? 2 * h / (-v + std::sqrt(discriminant)) : (v + std::sqrt(discriminant)) / -a;
+    ASSERT_TRUE(t) << h0 << ' ' << vn << ' ' << an;
+    // The discriminant itself is rounded; near a double root that shows.
+    const long double sharp = 4e-16L * (1 + (v * v + std::abs(2 * a * h)) / discriminant);
+    ASSERT_NEAR(static_cast<double>(*t / root), 1.0, static_cast<double>(sharp));
+    ++compared;
+  }
+  EXPECT_GT(compared, 500'000);
+}
+
+// ---- polynomials ----
+
+TEST(FallsThroughZero, OfAQuarticWithKnownRoots) {
+  Dice dice(32);
+  for (int i = 0; i < 100'000; ++i) {
+    std::array<double, 4> root;
+    for (double& r : root) r = dice.between(-2, 8);
+    std::sort(root.begin(), root.end());
+    if (root[1] - root[0] < 1e-3 || root[2] - root[1] < 1e-3 || root[3] - root[2] < 1e-3) continue;
+    if (std::any_of(root.begin(), root.end(), [](double r) { return std::abs(r) < 1e-3 || std::abs(r - 5) < 1e-3; })) {
+      continue;
+    }
+    std::array<double, 5> c{1, 0, 0, 0, 0};
+    for (const double r : root) {
+      for (std::size_t k = 4; k > 0; --k) c[k] = c[k - 1] - r * c[k];
+      c[0] *= -r;
+    }
+    const Falls found = falls(c, 5.0, 0.0);
+    // With a positive leading coefficient it falls through its first and third root.
+    std::array<double, 2> expected{};
+    int count = 0;
+    const bool falling_at_start = c[0] <= 0 && c[1] < 0;
+    if (falling_at_start) expected[static_cast<std::size_t>(count++)] = 0;
+    for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
+      if (root[k] > 0 && root[k] < 5) expected[static_cast<std::size_t>(count++)] = root[k];
+    }
+    // Beneath zero and rising it may top out beneath: that is a touch at the top.
+    if (c[0] <= 0 && c[1] > 0) continue;
+    ASSERT_EQ(found.count, count) << root[0] << ' ' << root[1] << ' ' << root[2] << ' ' << root[3];
+    for (int k = 0; k < count; ++k) {
+      ASSERT_NEAR(found.t[static_cast<std::size_t>(k)], expected[static_cast<std::size_t>(k)], 1e-8);
+    }
+  }
+}
+
+TEST(FallsThroughZero, LowDegrees) {
+  EXPECT_EQ(falls({1, 0, 0, 0, 0}, 10, 0).count, 0);
+  const Falls line = falls({1, -2, 0, 0, 0}, 10, 0);
+  ASSERT_EQ(line.count, 1);
+  EXPECT_DOUBLE_EQ(line.t[0], 0.5);
+  EXPECT_EQ(falls({1, -2, 0, 0, 0}, 0.4, 0).count, 0);
+  const Falls parabola = falls({0, 4, -2, 0, 0}, 10, 1e-9);
+  ASSERT_EQ(parabola.count, 1);
+  EXPECT_DOUBLE_EQ(parabola.t[0], 2);
+}
+
+// A rock that rests on an edge: rounding has it a hair inside and rising a hair, gravity presses it back.
+TEST(FallsThroughZero, AHairInsideAndRisingIsStillTouching) {
+  const Falls found = falls({-1e-16, 1e-16, -5, 0, 24}, 1, 1e-9);
+  ASSERT_GE(found.count, 1);
+  EXPECT_LT(found.t[0], 1e-15);
+}
+
+TEST(FallsThroughZero, ARockThatLeavesIsNotHeld) {
+  EXPECT_EQ(falls({0, 1, 0, 0, 0}, 10, 1e-9).count, 0);
+  const Falls found = falls({-1e-12, 1, -0.1, 0, 0}, 20, 1e-9);  // it rises by 2.5 and comes back
+  ASSERT_EQ(found.count, 1);
+  EXPECT_NEAR(found.t[0], 10, 1e-9);
+}
+
+// Over an edge faster than sqrt(g r): rounding has it move in at first, but it comes free.
+TEST(FallsThroughZero, AHairOfSpeedInwardsIsNoContact) {
+  EXPECT_EQ(falls({-1e-16, -1e-15, 5, 0, 24}, 1, 1e-9).count, 0);
+  EXPECT_EQ(falls({1e-16, -1e-15, 5, 0, 24}, 1, 1e-9).count, 0);
+  EXPECT_EQ(falls({1e-16, -1e-3, 5, 0, 24}, 1, 1e-9).count, 1);
+}
+
+// ---- edges and points: against minimisation by brute force ----
+
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& e, double length) {
+  const double s = std::clamp((p - a).dot(e), 0.0, length);
+  return (p - a - s * e).norm();
+}
+
+// The first time at which `distance` falls through `radius`, by steps and bisection; none if it stays above.
+template <class Distance>
+std::optional<double> first_fall(const Distance& distance, double radius, double t_max, int steps) {
+  double before = distance(0.0);
+  for (int i = 1; i <= steps; ++i) {
+    const double t = t_max * i / steps, now = distance(t);
+    if (before > radius && now <= radius) {
+      double low = t_max * (i - 1) / steps, high = t;
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (distance(middle) > radius ? low : high) = middle;
+      }
+      return high;
+    }
+    before = now;
+  }
+  return std::nullopt;
+}
+
+// From some metres away, roughly towards a place, which it reaches after half a second to one and a half.
+Parabola random_flight(Dice& dice, const Vec3& towards) {
+  const Vec3 gravity(0, 0, -9.81), from = towards + 5 * dice.direction();
+  const double t = dice.between(0.5, 1.5);
+  const Vec3 goal = towards + dice.in_cube(0.7);
+  return {from, (goal - from) / t - 0.5 * t * gravity, gravity};
+}
+
+// The least distance over a flight, sampled.
+template <class Distance>
+double closest(const Distance& distance, double t_max, int steps) {
+  double least = distance(0.0);
+  for (int i = 1; i <= steps; ++i) least = std::min(least, distance(t_max * i / steps));
+  return least;
+}
+
+TEST(TouchPoint, AgreesWithBruteForce) {
+  Dice dice(33);
+  int touched = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 q = dice.in_cube(3);
+    const Parabola path = random_flight(dice, q);
+    const double radius = dice.magnitude(0.01, 2);
+    const auto distance = [&](double t) { return (path.at(t) - q).norm(); };
+    if (distance(0) <= radius * 1.001) continue;
+    const auto expected = first_fall(distance, radius, 2.0, 1000);
+    const auto t = touch_point(path, q, radius, 2.0);
+    // Steps of 2 ms can pass by a touch that is shallower than what the path bends in one.
+    if (!expected && t) {
+      ASSERT_NEAR(distance(*t), radius, 1e-9);
+      ASSERT_GT(closest(distance, 2.0, 1000), radius);
+      continue;
+    }
+    ASSERT_EQ(t.has_value(), expected.has_value());
+    if (!t) continue;
+    ++touched;
+    ASSERT_LE(*t, *expected + 1e-9);
+    ASSERT_NEAR(distance(*t), radius, 1e-9);
+    ASSERT_LT(distance(*t + 1e-7), radius + 1e-12);
+  }
+  EXPECT_GT(touched, 500);
+}
+
+TEST(TouchEdge, AgreesWithBruteForce) {
+  Dice dice(34);
+  int touched = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 a = dice.in_cube(3), e = dice.direction();
+    const double length = dice.between(0.5, 6), radius = dice.magnitude(0.01, 2);
+    const Parabola path = random_flight(dice, a + dice.unit() * length * e);
+    const auto distance = [&](double t) { return distance_to_segment(path.at(t), a, e, length); };
+    if (distance(0) <= radius * 1.001) continue;
+    // What touches the whole segment first touches its line or one of its ends first.
+    auto t = touch_edge(path, a, e, length, radius, 2.0);
+    for (const Vec3& end : {a, Vec3(a + length * e)}) {
+      const auto at_end = touch_point(path, end, radius, 2.0);
+      if (at_end && (!t || *at_end < *t)) t = at_end;
+    }
+    const auto expected = first_fall(distance, radius, 2.0, 1000);
+    if (!expected && t) {
+      ASSERT_NEAR(distance(*t), radius, 1e-9);
+      ASSERT_GT(closest(distance, 2.0, 1000), radius);
+      continue;
+    }
+    ASSERT_EQ(t.has_value(), expected.has_value());
+    if (!t) continue;
+    ++touched;
+    ASSERT_LE(*t, *expected + 1e-9);
+    ASSERT_NEAR(distance(*t), radius, 1e-9);
+  }
+  EXPECT_GT(touched, 500);
+}
+
+TEST(TouchEdge, LeavesTheEndsToThePoints) {
+  const Parabola beside{{-0.5, 0, 2}, {0, 0, -1}, {0, 0, -9.81}};
+  EXPECT_FALSE(touch_edge(beside, Vec3::Zero(), Vec3::UnitX(), 1, 1, 10));
+  EXPECT_TRUE(touch_point(beside, Vec3::Zero(), 1, 10));
+  const Parabola above{{0.5, 0, 2}, {0, 0, -1}, {0, 0, 0}};
+  const auto t = touch_edge(above, Vec3::Zero(), Vec3::UnitX(), 1, 1, 10);
+  ASSERT_TRUE(t);
+  EXPECT_DOUBLE_EQ(*t, 1);
+}
+
+TEST(TouchPoint, AtRestOnItIsATouchNow) {
+  const Parabola path{{0, 0, 1}, {0, 0, 0}, {0, 0, -9.81}};
+  const auto t = touch_point(path, Vec3::Zero(), 1, 10);
+  ASSERT_TRUE(t);
+  EXPECT_LT(*t, 1e-12);
+}
+
+// Faster than sqrt(g r) over the top of a sphere a rock flies off; slower it stays on.
+TEST(TouchPoint, AFastRockFliesOffTheTop) {
+  const double limit = std::sqrt(9.81 * 1.0);
+  const Parabola slow{{0, 0, 1}, {0.99 * limit, 0, 0}, {0, 0, -9.81}};
+  EXPECT_TRUE(touch_point(slow, Vec3::Zero(), 1, 10));
+  const Parabola fast{{0, 0, 1}, {1.01 * limit, 0, 0}, {0, 0, -9.81}};
+  EXPECT_FALSE(touch_point(fast, Vec3::Zero(), 1, 10));
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,92 @@
+#include "talus/ground/material.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scenes.hpp"
+
+namespace talus {
+namespace {
+
+using namespace testing_tools;
+
+Material varying() {
+  Material material;
+  material.name = "varying";
+  Distribution uniform;
+  uniform.kind = DistributionKind::uniform;
+  uniform.mean = 0.5;
+  uniform.rel_min = uniform.rel_max = 0.4;
+  const Sampler sampler(uniform, Bounds{0, 1});
+  material.normal_restitution = material.tangential_restitution = sampler;
+  material.friction_angle = material.dynamic_friction = material.rolling_friction = sampler;
+  material.roughness = sampler;
+  return material;
+}
+
+TEST(Ground, OneMaterialIsEverywhere) {
+  const Ground ground = ground_of({});
+  EXPECT_EQ(ground.material_of(0), MaterialId{0});
+  EXPECT_EQ(ground.material_of(123456), MaterialId{0});
+  EXPECT_EQ(ground[MaterialId{0}].name, "test");
+}
+
+TEST(Ground, MaterialsByTheTerrainsNumbers) {
+  Material a = material_of({}), b = material_of({});
+  b.name = "other";
+  const Ground ground({a, b}, {MaterialId{1}, MaterialId{0}, MaterialId{1}});
+  EXPECT_EQ(ground[ground.material_of(0)].name, "other");
+  EXPECT_EQ(ground[ground.material_of(1)].name, "test");
+  EXPECT_EQ(ground.materials().size(), 2U);
+}
+
+TEST(GroundDraw, ConstantsNeedNoDraw) {
+  Soil soil;
+  const Material material = material_of(soil);
+  const Draws draws(SamplingPlan{}, 7);
+  const GroundDraw draw(draws, MaterialSampling::per_impact, MaterialId{0}, 4);
+  EXPECT_EQ(draw.restitution(material)[0], soil.rn);
+  EXPECT_EQ(draw.restitution(material)[1], soil.rt);
+  EXPECT_EQ(draw.friction_angle(material), soil.phi);
+  EXPECT_EQ(draw.dynamic_friction(material), soil.mu);
+  EXPECT_EQ(draw.rolling_friction(material), soil.rolling);
+  EXPECT_EQ(draw.roughness(material, 4)[0], 0);
+}
+
+TEST(GroundDraw, PerImpactEveryContactIsDrawnAfresh) {
+  const Material material = varying();
+  const Draws draws(SamplingPlan{}, 7);
+  const auto rn = [&](std::uint32_t contact) {
+    return GroundDraw(draws, MaterialSampling::per_impact, MaterialId{0}, contact).restitution(material)[0];
+  };
+  EXPECT_NE(rn(0), rn(1));
+  EXPECT_EQ(rn(1), rn(1));
+}
+
+TEST(GroundDraw, PerRockAMaterialIsTheSameWhereverItIsMet) {
+  const Material material = varying();
+  const Draws draws(SamplingPlan{}, 7), other_rock(SamplingPlan{}, 8);
+  const auto draw = [&](const Draws& d, std::uint32_t id, std::uint32_t contact) {
+    return GroundDraw(d, MaterialSampling::per_rock, MaterialId{id}, contact);
+  };
+  EXPECT_EQ(draw(draws, 0, 1).restitution(material), draw(draws, 0, 5).restitution(material));
+  EXPECT_EQ(draw(draws, 0, 1).friction_angle(material), draw(draws, 0, 5).friction_angle(material));
+  EXPECT_NE(draw(draws, 0, 1).restitution(material), draw(draws, 1, 1).restitution(material));
+  EXPECT_NE(draw(draws, 0, 1).restitution(material), draw(other_rock, 0, 1).restitution(material));
+  // The ground's shape is no property of the material: it differs from place to place.
+  EXPECT_NE(draw(draws, 0, 1).roughness(material, 1), draw(draws, 0, 5).roughness(material, 5));
+}
+
+TEST(GroundDraw, PropertiesOfOneContactAreIndependent) {
+  const Material material = varying();
+  const Draws draws(SamplingPlan{}, 7);
+  const GroundDraw draw(draws, MaterialSampling::per_impact, MaterialId{0}, 2);
+  const auto [rn, rt] = draw.restitution(material);
+  const double values[] = {rn, rt, draw.friction_angle(material), draw.dynamic_friction(material),
+                           draw.rolling_friction(material)};
+  for (std::size_t i = 0; i < 5; ++i) {
+    for (std::size_t k = i + 1; k < 5; ++k) EXPECT_NE(values[i], values[k]);
+  }
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,153 @@
+#include "talus/impact/rigid_sphere.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/dice.hpp"
+#include "talus/impact/crsp.hpp"
+
+namespace talus {
+namespace {
+
+using testing_tools::Dice;
+
+double energy(const Vec3& v, const Vec3& w, const Rock& r) {
+  return 0.5 * r.mass * v.squaredNorm() + 0.5 * r.inertia * w.squaredNorm();
+}
+
+Vec3 contact_velocity(const Vec3& v, const Vec3& w, const Vec3& n, double radius) { return v - radius * w.cross(n); }
+
+// Section 7.3 of the manual, step by step, in its frame n, t1, t2.
+TEST(RigidSphere, SectionSevenThree) {
+  const Rock rock = sphere_of_diameter(1.0, 2700);
+  const Vec3 n(-0.816496581, 0.471404521, 0.3333333333), t1(-0.197654221, 0.314231598, -0.928542574);
+  const Vec3 t2(-0.542463033, -0.824036577, -0.163393933);
+  const Vec3 v(3, 0, -9.9599);
+  EXPECT_NEAR(v.dot(n), -5.76946, 2e-5);
+  EXPECT_NEAR(v.dot(t1), 8.65523, 2e-5);  // the manual prints 8.65552 and goes on with 0.7 times 8.65523
+  EXPECT_NEAR(v.dot(t2), 0, 2e-5);
+  const double slip_mass = 1 / (1 / rock.mass + rock.radius * rock.radius / rock.inertia);
+  EXPECT_NEAR(slip_mass, 403.92, 0.005);
+
+  const Rebound after = rigid_sphere_rebound(v, Vec3::Zero(), n, rock, {0.3, 0.7}, std::tan(std::numbers::pi / 6));
+  const Vec3 u = contact_velocity(after.velocity, after.spin, n, rock.radius);
+  EXPECT_NEAR(u.dot(n), 1.73084, 2e-5);
+  EXPECT_NEAR(u.dot(t1), 6.05867, 2e-5);
+  const Vec3 impulse = rock.mass * (after.velocity - v);
+  EXPECT_NEAR(impulse.dot(n), 10603.297, 0.1);
+  EXPECT_NEAR(impulse.dot(t1), -1048.805, 0.1);
+  EXPECT_NEAR(after.velocity.dot(n), 1.73084, 2e-5);
+  EXPECT_NEAR(after.velocity.dot(t1), 7.91336, 3e-4);
+  EXPECT_NEAR(after.spin.norm(), 3.7094, 2e-4);
+  EXPECT_LT((after.velocity - Vec3(-2.97733, 3.30255, -6.77095)).norm(), 1e-4);
+  EXPECT_LT((after.spin - Vec3(-2.0122, -3.0567, -0.6061)).norm(), 2e-4);
+}
+
+// Table 7-1, rows 3-4: another triangle, the rock spinning.
+TEST(RigidSphere, SecondImpactOfTableSevenOne) {
+  const Rock rock = sphere_of_diameter(1.0, 2700);
+  const Vec3 v(-2.9777, 3.3027, -16.8975), w(-2.0124, -3.0570, -0.6061);
+  const Vec3 expected(3.6974, 6.7518, -12.7491), spin(-6.04178, 2.7536, 1.0464);
+  // Triangle ACD, the mirror image of BCD.
+  const Vec3 acd(std::sqrt(2.0 / 3), std::sqrt(2.0) / 3, 1.0 / 3);
+  const Rebound after = rigid_sphere_rebound(v, w, acd, rock, {0.3, 0.7}, std::tan(std::numbers::pi / 6));
+  EXPECT_LT((after.velocity - expected).norm(), 2e-4) << after.velocity.transpose();
+  EXPECT_LT((after.spin - spin).norm(), 3e-4) << after.spin.transpose();
+}
+
+// The first two impacts of tables C-1 (Rt = 0) and C-2 (Rt = 0.68). The manual's spin is counted against ours in C-1.
+TEST(RigidSphere, TablesOfAppendixC) {
+  const Rock rock = sphere_of_mass(799.906, 2700);
+  const Vec2 d = Vec2(3.1, -12.2).normalized();
+  const Vec3 n(-d.y(), 0, d.x());
+  const auto first = [&](double rt, double mu) {
+    return rigid_sphere_rebound({1.5, 0, -12.2677}, Vec3::Zero(), n, rock, {0.55, rt}, mu);
+  };
+  const Rebound sticking = first(0.68, 0.47);
+  EXPECT_LT((sticking.velocity - Vec3(3.57856, 0, -10.583)).norm(), 3e-4) << sticking.velocity.transpose();
+  EXPECT_NEAR(sticking.spin.y(), 6.77544, 2e-3);
+  const Rebound slipping = first(0, 0.47);
+  EXPECT_LT((slipping.velocity - Vec3(3.57343, 0, -10.5627)).norm(), 3e-4) << slipping.velocity.transpose();
+  EXPECT_NEAR(slipping.spin.y(), 6.90244, 2e-3);
+}
+
+TEST(RigidSphere, WithoutFrictionNothingTangentialChanges) {
+  const Rock rock = sphere_of_diameter(1.0, 2700);
+  const Vec3 v(3, -2, -5), w(1, 2, 3);
+  const Rebound after = rigid_sphere_rebound(v, w, Vec3::UnitZ(), rock, {0.5, 0.2}, 0);
+  EXPECT_LT((after.velocity - Vec3(3, -2, 2.5)).norm(), 1e-14);
+  EXPECT_EQ(after.spin, w);
+}
+
+TEST(RigidSphere, StickingWithoutRestitutionLeavesRolling) {
+  const Rock rock = sphere_of_diameter(1.0, 2700);
+  const Rebound after = rigid_sphere_rebound({7, 0, -5}, Vec3::Zero(), Vec3::UnitZ(), rock, {0, 0}, 100);
+  EXPECT_NEAR(after.velocity.x(), 5, 1e-12);  // 5/7 of it is left to a sphere that begins to roll
+  EXPECT_NEAR(after.spin.y(), 10, 1e-12);
+  EXPECT_NEAR(after.velocity.z(), 0, 1e-12);
+}
+
+TEST(RigidSphere, RandomImpactsKeepTheLaw) {
+  Dice dice(2);
+  int slipped = 0, stuck = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const Rock r = sphere_of_diameter(dice.magnitude(0.01, 10), dice.between(1500, 3500));
+    const Vec3 n = dice.direction();
+    Vec3 v = dice.direction();
+    v *= dice.magnitude(1e-6, 100);
+    if (v.dot(n) > 0) v = -v;
+    Vec3 w = dice.direction();
+    w *= dice.chance(0.2) ? 0.0 : dice.magnitude(1e-6, 100) / r.radius;
+    const Restitution e{dice.unit(), dice.chance(0.1) ? 1.0 : dice.unit()};
+    const double mu = dice.chance(0.1) ? 0.0 : dice.magnitude(1e-3, 10);
+    const Rebound after = rigid_sphere_rebound(v, w, n, r, e, mu);
+    const double speed = v.norm() + w.norm() * r.radius;
+    ASSERT_LE(energy(after.velocity, after.spin, r), energy(v, w, r) * (1 + 1e-12));
+    ASSERT_NEAR(after.velocity.dot(n), -e.normal * v.dot(n), 1e-13 * speed);
+    ASSERT_NEAR(after.spin.dot(n), w.dot(n), 1e-13 * speed / r.radius);
+
+    // Coulomb: the tangential impulse is at most mu of the normal one, against the slip, and less only where that is
+    // enough to leave Rt of the slip.
+    const Vec3 impulse = r.mass * (after.velocity - v);
+    const double jn = impulse.dot(n), jt = tangential(impulse, n).norm();
+    const Vec3 before_slip = tangential(contact_velocity(v, w, n, r.radius), n);
+    const Vec3 after_slip = tangential(contact_velocity(after.velocity, after.spin, n, r.radius), n);
+    ASSERT_LE(jt, mu * jn + 1e-11 * r.mass * speed);
+    if (jt < mu * jn * (1 - 1e-9) - 1e-11 * r.mass * speed) {
+      ASSERT_LT((after_slip - e.tangential * before_slip).norm(), 1e-11 * speed);
+      ++stuck;
+    } else {
+      ASSERT_GE(after_slip.norm(), e.tangential * before_slip.norm() - 1e-11 * speed);
+      ++slipped;
+    }
+    // The spin that the impulse gives: about the centre, I dw = rc x J.
+    ASSERT_LT((r.inertia * (after.spin - w) + r.radius * n.cross(impulse)).norm(), 1e-11 * r.mass * r.radius * speed);
+
+    const Mat3 turn = dice.turn();
+    const Rebound turned_after = rigid_sphere_rebound(turn * v, turn * w, turn * n, r, e, mu);
+    ASSERT_LT((turned_after.velocity - turn * after.velocity).norm(), 1e-11 * speed);
+    const Vec3 m = dice.direction();
+    const Mat3 mirror = Mat3::Identity() - 2 * m * m.transpose();
+    const Rebound mirrored = rigid_sphere_rebound(mirror * v, -(mirror * w), mirror * n, r, e, mu);
+    ASSERT_LT((mirrored.velocity - mirror * after.velocity).norm(), 1e-11 * speed);
+    ASSERT_LT((mirrored.spin + mirror * after.spin).norm() * r.radius, 1e-10 * speed);
+  }
+  EXPECT_GT(slipped, 10'000);
+  EXPECT_GT(stuck, 10'000);
+}
+
+TEST(RigidSphere, CrspDampingTakesAnEnergysShare) {
+  const Rock rock = sphere_of_diameter(1.0, 2700);
+  const Restitution e{0.3, 0.7};
+  const Vec3 v(3, 0, -6), w(0, 2, 0);
+  const double slip = 3 - 2 * 0.5;
+  const double rt = crsp_damped_tangential_restitution(v, w, Vec3::UnitZ(), rock, e);
+  EXPECT_DOUBLE_EQ(rt * rt, crsp_friction_function(slip, 0.7) * crsp_scaling_factor(-6, e));
+  EXPECT_LE(rt, 1);
+  EXPECT_EQ(crsp_damped_tangential_restitution(v, w, Vec3::UnitZ(), rock, {0, 0.7}), 0);
+}
+
+}  // namespace
+}  // namespace talus

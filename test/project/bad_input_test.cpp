@@ -1,0 +1,963 @@
+// Every way to get a project file wrong that we know of, each with the exact text that the user sees.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "talus/project/read.hpp"
+
+namespace talus::project {
+namespace {
+
+/// A good project. The cases below replace parts of it.
+constexpr const char* good_project = R"(name = "Slope"
+
+[analysis]
+gravity_m_s2 = 9.81
+
+[terrain]
+section = [[0, 0], [10, -10], [20, -10]]
+
+[[material]]
+name = "Rock"
+normal_restitution = 0.4
+friction_angle_deg = 30
+
+[[material]]
+name = "Talus"
+normal_restitution = 0.3
+
+[ground]
+segments = ["Rock", "Talus"]
+
+[[seeder]]
+name = "Crest"
+position = [1, 5]
+rocks = 10
+mass_kg = 1000
+
+[[barrier]]
+name = "Fence"
+line = 15
+height_m = 3
+)";
+
+struct BadProject {
+  const char* name;
+  std::vector<std::pair<std::string, std::string>> replaced;  // in the good project: this by that
+  std::string complaint;
+};
+
+std::string changed(const BadProject& bad) {
+  std::string text = good_project;
+  for (const auto& [from, to] : bad.replaced) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << "the good project has no " << from;
+    if (at != std::string::npos) text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// What the reader complains of, or nothing where it finds the project good.
+std::string complaint_about(const std::string& text, const Overrides& overrides = {}) {
+  try {
+    const Reading reading = read_project_text(text, "slope.toml", overrides);
+    return "";
+  } catch (const BadInput& bad) {
+    return bad.problems().text();
+  }
+}
+
+template <class Case>
+std::string name_of_case(const testing::TestParamInfo<Case>& info) {
+  return info.param.name;
+}
+
+class BadProjectTest : public testing::TestWithParam<BadProject> {};
+
+TEST_P(BadProjectTest, IsRefusedWithThisText) { EXPECT_EQ(complaint_about(changed(GetParam())), GetParam().complaint); }
+
+const std::vector<BadProject> bad_projects{
+    {"SyntaxError",
+     {{"rocks = 10", "rocks 10"}},
+     "slope.toml:24: this is not TOML (Error while parsing key-value pair: expected '=', saw '1')"},
+    {"KeyTwice",
+     {{"rocks = 10",
+       R"(rocks = 10
+rocks = 11)"}},
+     "slope.toml:25: this is not TOML (Error while parsing key-value pair: cannot redefine "
+     "existing integer 'rocks')"},
+    {"NumberTooLargeForToml",
+     {{"rocks = 10", "rocks = 99999999999999999999"}},
+     "slope.toml:24: this is not TOML (Error while parsing decimal integer: "
+     "'99999999999999999999' is not representable in 64 bits)"},
+    {"UnknownKey",
+     {{"gravity_m_s2", "gravity_ms2"}},
+     "slope.toml:4: [analysis]: unknown key \"gravity_ms2\". Did you mean \"gravity_m_s2\"?"},
+    {"UnknownKeyWithoutItsUnit",
+     {{"gravity_m_s2", "gravity"}},
+     "slope.toml:4: [analysis]: unknown key \"gravity\". Did you mean \"gravity_m_s2\"?"},
+    {"UnknownKeyOfAnotherTable",
+     {{"rocks = 10",
+       R"(rocks = 10
+height_m = 2)"}},
+     "slope.toml:25: seeder \"Crest\": unknown key \"height_m\". It belongs to [[barrier]]"},
+    {"UnknownKeyLikeNoOther",
+     {{"gravity_m_s2 = 9.81", "wind = 3"}},
+     "slope.toml:4: [analysis]: unknown key \"wind\" (known are model, rotation, gravity_m_s2, "
+     "sliding, max_timestep_s, normal_velocity_cutoff_m_s, stopped_velocity_m_s, max_steps, "
+     "max_time_s, energy_datum_m, friction_angle, scale_rn_by_velocity, rn_velocity_scale_m_s, "
+     "scale_rn_by_mass, rn_mass_scale_kg and tangential_crsp_damping)"},
+    {"UnknownTable",
+     {{"[analysis]", "[analisys]"}},
+     "slope.toml:3: unknown table [analisys]. Did you mean [analysis]?"},
+    {"UnknownTableLikeNoOther",
+     {{R"([analysis]
+gravity_m_s2 = 9.81)",
+       R"([weather]
+wind = 3)"}},
+     "slope.toml:3: unknown table [weather] (known are name, analysis, sampling, terrain, "
+     "material, ground, seeder, barrier, collector and output)"},
+    {"UnknownKeyBeforeTheFirstTable",
+     {{R"(name = "Slope")", R"(titel = "Slope")"}},
+     "slope.toml:1: unknown key \"titel\" (known are name, analysis, sampling, terrain, material, "
+     "ground, seeder, barrier, collector and output)"},
+    {"TableOnceInsteadOfList",
+     {{"[[barrier]]", "[barrier]"}},
+     "slope.toml:27: [barrier] is a single table (there may be several; expected [[barrier]])"},
+    {"ListInsteadOfTable",
+     {{"[analysis]", "[[analysis]]"}},
+     "slope.toml:3: [[analysis]] is a list of tables (expected one table, [analysis])"},
+    {"TableIsANumber",
+     {{R"(name = "Slope")", "output = 3"}},
+     "slope.toml:1: output is 3 (expected one table, [output])"},
+    {"EntryIsNoTable",
+     {{R"(name = "Slope")", "collector = [3]"}},
+     "slope.toml:1: collector[0] is 3 (expected a table [[collector]])"},
+    {"NumberInQuotes",
+     {{"mass_kg = 1000", R"(mass_kg = "1000")"}},
+     "slope.toml:25: seeder \"Crest\": mass_kg is \"1000\" (expected a number or { mean = ..., "
+     "distribution = ..., ... }). Leave out the quotes"},
+    {"TextForNumber",
+     {{"height_m = 3", R"(height_m = "tall")"}},
+     "slope.toml:30: barrier \"Fence\": height_m is \"tall\" (expected a number, more than 0)"},
+    {"NumberForText",
+     {{R"(name = "Fence")", "name = 7"}},
+     "slope.toml:28: barrier 1: name is 7 (expected a text in quotes)"},
+    {"EmptyName",
+     {{R"(name = "Rock")", R"(name = "")"}},
+     "slope.toml:10: material 1: name is \"\" (expected a text that is not empty)"},
+    {"RealForWhole",
+     {{"rocks = 10", "rocks = 1e3"}},
+     "slope.toml:24: seeder \"Crest\": rocks is 1000 (expected a whole number, 1 to "
+     "1000000000000). Write 1000, without a point or an exponent"},
+    {"FractionOfARock",
+     {{"rocks = 10", "rocks = 2.5"}},
+     "slope.toml:24: seeder \"Crest\": rocks is 2.5 (expected a whole number, 1 to 1000000000000)"},
+    {"TextForTruth",
+     {{"gravity_m_s2 = 9.81", R"(rotation = "true")"}},
+     "slope.toml:4: [analysis]: rotation is \"true\" (expected true or false). Leave out the quotes"},
+    {"UnknownWord",
+     {{"gravity_m_s2 = 9.81", R"(model = "rigid")"}},
+     "slope.toml:4: [analysis]: model is \"rigid\" (expected \"lumped_mass\" or \"rigid_sphere\"). "
+     "Did you mean \"rigid_sphere\"?"},
+    {"NumberForWord",
+     {{"gravity_m_s2 = 9.81", "model = 2"}},
+     "slope.toml:4: [analysis]: model is 2 (expected \"lumped_mass\" or \"rigid_sphere\")"},
+    {"RestitutionGainsEnergy",
+     {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 1.3, distribution = "normal", std_dev = 0.03 })"}},
+     "slope.toml:11: material \"Rock\": normal_restitution mean is 1.3 (a rebound cannot gain "
+     "energy; expected 0 to 1). Did you mean 0.13?"},
+    {"RestitutionInPercent",
+     {{"normal_restitution = 0.4", "normal_restitution = 30"}},
+     "slope.toml:11: material \"Rock\": normal_restitution is 30 (a rebound cannot gain energy; "
+     "expected 0 to 1). Did you mean 0.3?"},
+    {"NegativeRestitution",
+     {{"normal_restitution = 0.4", "normal_restitution = -0.4"}},
+     "slope.toml:11: material \"Rock\": normal_restitution is -0.4 (a restitution cannot turn a "
+     "velocity round twice; expected 0 to 1)"},
+    {"FrictionAngleTooLarge",
+     {{"friction_angle_deg = 30", "friction_angle_deg = 90"}},
+     "slope.toml:12: material \"Rock\": friction_angle_deg is 90 (no rock could slide; expected 0 "
+     "to less than 90)"},
+    {"DensityInTonnes",
+     {{"rocks = 10",
+       R"(rocks = 10
+density_kg_m3 = 2.7)"}},
+     "slope.toml:25: seeder \"Crest\": density_kg_m3 is 2.7 (rock weighs about 2000 to 3300 "
+     "kg/m3; expected 100 to 20000). Did you mean 2700?"},
+    {"NegativeGravity",
+     {{"9.81", "-9.81"}},
+     "slope.toml:4: [analysis]: gravity_m_s2 is -9.81 (gravity is given as a magnitude, it "
+     "points down by itself; expected more than 0). Did you mean 9.81?"},
+    {"NotANumber", {{"9.81", "nan"}}, "slope.toml:4: [analysis]: gravity_m_s2 is nan (expected a finite number)"},
+    {"InfiniteNumber", {{"9.81", "inf"}}, "slope.toml:4: [analysis]: gravity_m_s2 is inf (expected a finite number)"},
+    {"NegativeInfiniteCapacity",
+     {{"height_m = 3",
+       R"(height_m = 3
+capacity_kJ = -inf)"}},
+     "slope.toml:31: barrier \"Fence\": capacity_kJ is -inf (expected a finite number)"},
+    {"ZeroCapacity",
+     {{"height_m = 3",
+       R"(height_m = 3
+capacity_kJ = 0)"}},
+     "slope.toml:31: barrier \"Fence\": capacity_kJ is 0 (it could stop nothing, and a "
+     "[[collector]] is what only counts; expected more than 0)"},
+    {"ZeroRocks",
+     {{"rocks = 10", "rocks = 0"}},
+     "slope.toml:24: seeder \"Crest\": rocks is 0 (a seeder without rocks does nothing; expected "
+     "1 to 1000000000000)"},
+    {"TooManyRocks",
+     {{"rocks = 10", "rocks = 2000000000000"}},
+     "slope.toml:24: seeder \"Crest\": rocks is 2000000000000 (expected 1 to 1000000000000)"},
+    {"NegativeMass",
+     {{"mass_kg = 1000", "mass_kg = -1000"}},
+     "slope.toml:25: seeder \"Crest\": mass_kg is -1000 (a rock has mass; expected more than 0)"},
+    {"NegativeSeed",
+     {{"[terrain]",
+       R"([sampling]
+seed = -1
+
+[terrain])"}},
+     "slope.toml:7: [sampling]: seed is -1 (expected 0 or more)"},
+    {"NoMassNorSize",
+     {{R"(mass_kg = 1000
+)",
+       ""}},
+     "slope.toml:21: seeder \"Crest\": the size of the rocks is missing (expected one of mass_kg, "
+     "volume_m3 and diameter_m)"},
+    {"MassAndDiameter",
+     {{"mass_kg = 1000",
+       R"(mass_kg = 1000
+diameter_m = 1)"}},
+     "slope.toml:26: seeder \"Crest\": mass_kg and diameter_m are given together (they exclude "
+     "each other)"},
+    {"NoStandardDeviation",
+     {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 0.4, distribution = "normal" })"}},
+     "slope.toml:11: material \"Rock\": normal_restitution std_dev is missing (the normal "
+     "distribution needs it)"},
+    {"NegativeStandardDeviation",
+     {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 0.4, distribution = "normal", std_dev = -0.03 })"}},
+     "slope.toml:11: material \"Rock\": normal_restitution std_dev is -0.03 (a standard deviation "
+     "is a width; expected 0 or more). Did you mean 0.03?"},
+    {"NegativeRelativeLimit",
+     {{"normal_restitution = 0.4",
+       R"(normal_restitution = { mean = 0.4, distribution = "normal", std_dev = 0.03, rel_min = -0.1 })"}},
+     "slope.toml:11: material \"Rock\": normal_restitution rel_min is -0.1 (it is a distance "
+     "below the mean; expected 0 or more). Did you mean 0.1?"},
+    {"BetaWithoutLimits",
+     {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 0.4, distribution = "beta", std_dev = 0.03 })"}},
+     "slope.toml:11: material \"Rock\": normal_restitution limits are missing (the beta "
+     "distribution lies between rel_min and rel_max)"},
+    {"SpreadWithoutDistribution",
+     {{"normal_restitution = 0.4", "normal_restitution = { mean = 0.4, std_dev = 0.03 }"}},
+     "slope.toml:11: material \"Rock\": normal_restitution has std_dev but no distribution (it "
+     "would have no effect). Add distribution = \"normal\", or another kind"},
+    {"DistributionWithoutMean",
+     {{"normal_restitution = 0.4", R"(normal_restitution = { distribution = "normal", std_dev = 0.03 })"}},
+     "slope.toml:11: material \"Rock\": normal_restitution mean is missing"},
+    {"UnknownDistribution",
+     {{"normal_restitution = 0.4",
+       R"(normal_restitution = { mean = 0.4, distribution = "gaussian", std_dev = 0.03 })"}},
+     "slope.toml:11: material \"Rock\": normal_restitution distribution is \"gaussian\" (expected "
+     "\"none\", \"normal\", \"uniform\", \"triangular\", \"beta\", \"exponential\", \"lognormal\" or "
+     "\"gamma\")"},
+    {"MisspeltDistribution",
+     {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 0.4, distribution = "nromal", std_dev = 0.03 })"}},
+     "slope.toml:11: material \"Rock\": normal_restitution distribution is \"nromal\" (expected "
+     "\"none\", \"normal\", \"uniform\", \"triangular\", \"beta\", \"exponential\", \"lognormal\" or "
+     "\"gamma\"). Did you mean \"normal\"?"},
+    {"UnknownKeyOfADistribution",
+     {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 0.4, distribution = "normal", stddev = 0.03 })"}},
+     "slope.toml:11: material \"Rock\": unknown key \"stddev\" of normal_restitution. Did you mean "
+     "\"std_dev\"?"},
+    {"MeanInQuotes",
+     {{"normal_restitution = 0.4", R"(normal_restitution = { mean = "0.4" })"}},
+     "slope.toml:11: material \"Rock\": normal_restitution mean is \"0.4\" (expected a number). "
+     "Leave out the quotes"},
+    {"ListForADistribution",
+     {{"normal_restitution = 0.4", "normal_restitution = [0.4, 0.1]"}},
+     "slope.toml:11: material \"Rock\": normal_restitution is [0.4, 0.1] (expected a number or { "
+     "mean = ..., distribution = ..., ... })"},
+    {"TerrainMissing",
+     {{R"([terrain]
+section = [[0, 0], [10, -10], [20, -10]]
+)",
+       ""}},
+     "slope.toml: [terrain] is missing (a project needs it)"},
+    {"TerrainEmpty",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", ""}},
+     "slope.toml:6: [terrain]: there is no terrain (expected one of section, mesh and triangles)"},
+    {"SectionAndMesh",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(section = [[0, 0], [10, -10], [20, -10]]
+mesh = "bowl.obj")"}},
+     "slope.toml:8: [terrain]: section and mesh are given together (they exclude each other)"},
+    {"SectionEmpty",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", "section = []"},
+      {R"([ground]
+segments = ["Rock", "Talus"]
+)",
+       R"([ground]
+default = "Rock"
+)"}},
+     "slope.toml:7: [terrain]: section has 0 vertices (a slope has two or more)"},
+    {"SectionOfOneVertex",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", "section = [[0, 0]]"},
+      {R"([ground]
+segments = ["Rock", "Talus"]
+)",
+       R"([ground]
+default = "Rock"
+)"}},
+     "slope.toml:7: [terrain]: section has 1 vertex (a slope has two or more)"},
+    {"SectionRepeatsAVertex",
+     {{"[20, -10]]", "[10, -10]]"}},
+     "slope.toml:7: [terrain]: section[2] is [10, -10] (it repeats the vertex before it). Leave it out"},
+    {"SectionVertexOfThree",
+     {{"[20, -10]]", "[20, 0, -10]]"}},
+     "slope.toml:7: [terrain]: section[2] is [20, 0, -10] (expected a pair [x, z])"},
+    {"SectionVertexNotANumber",
+     {{"[20, -10]]", "[20, nan]]"}},
+     "slope.toml:7: [terrain]: section[2][1] is nan (expected a finite number)"},
+    {"SectionIsNoList",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", "section = 5"}},
+     "slope.toml:7: [terrain]: section is 5 (expected a list [...])"},
+    {"WidthNegative",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(section = [[0, 0], [10, -10], [20, -10]]
+width_m = -50)"}},
+     "slope.toml:8: [terrain]: width_m is -50 (expected more than 0)\n"
+     "slope.toml:24: seeder \"Crest\": position is [1, 5] (expected [x, y, z], the analysis being "
+     "3D). For a height above the terrain, leave out z and give height_above_m\n"
+     "slope.toml:30: barrier \"Fence\": line is 15 (expected two or more points on plan, [[x, y], "
+     "[x, y]])"},
+    {"WidthWithoutSection",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(mesh = "bowl.obj"
+width_m = 50)"},
+      {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:8: [terrain]: width_m is given without a section (it would have no effect)"},
+    {"DeviationsOfTooFewVertices",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(section = [[0, 0], [10, -10], [20, -10]]
+section_std_dev_m = [[0.1, 0.1]])"}},
+     "slope.toml:8: [terrain]: section_std_dev_m has 1 entry (expected one for each of the 3 "
+     "vertices of the section)"},
+    {"DeviationsIn3D",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(section = [[0, 0], [10, -10], [20, -10]]
+section_std_dev_m = [[0.1, 0.1], [0, 0], [0, 0]]
+width_m = 50)"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:9: [terrain]: section_std_dev_m and width_m are given together (they exclude "
+     "each other)"},
+    {"TurnedIn2D",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(section = [[0, 0], [10, -10], [20, -10]]
+rotate_deg = 30)"}},
+     "slope.toml:8: [terrain]: rotate_deg is given in 2D (a section cannot be turned). Give "
+     "width_m for 3D"},
+    {"UnknownMeshFormat",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(mesh = "bowl.dwg")"},
+      {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:7: [terrain]: mesh is \"bowl.dwg\" (expected a file that ends in .obj, .stl or .ply)"},
+    {"TerrainRaster",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif")"},
+      {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:7: [terrain]: raster is not read by this version (terrain from a raster of "
+     "heights will come later). Convert the raster to a mesh (.obj, .stl or .ply)"},
+    {"TriangleIndexOutOfRange",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0]]
+triangles = [[0, 1, 3]])"},
+      {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:8: [terrain]: triangles[0] is [0, 1, 3] (there are 3 vertices; expected 0 to "
+     "2). Vertices are counted from 0"},
+    {"TriangleOfTwoVertices",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0]]
+triangles = [[0, 1, 1]])"},
+      {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:8: [terrain]: triangles[0] is [0, 1, 1] (a triangle has three different vertices)"},
+    {"NegativeVertexNumber",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0]]
+triangles = [[0, 1, -1]])"},
+      {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:8: [terrain]: triangles[0][2] is -1 (expected 0 or more)"},
+    {"InfiniteVertex",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(vertices = [[0, 0, 0], [10, 0, inf], [0, 10, 0]]
+triangles = [[0, 1, 2]])"},
+      {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:7: [terrain]: vertices[1][2] is inf (expected a finite number)"},
+    {"VerticesWithoutTriangles",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", "vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0]]"},
+      {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:6: [terrain]: triangles is missing (an inline mesh needs vertices and triangles)"},
+    {"MaterialMissing",
+     {{R"([[material]]
+name = "Rock"
+normal_restitution = 0.4
+friction_angle_deg = 30
+
+[[material]]
+name = "Talus"
+normal_restitution = 0.3
+)",
+       ""}},
+     "slope.toml: [[material]] is missing (a project needs at least one)"},
+    {"MaterialWithoutName",
+     {{R"(name = "Rock"
+)",
+       ""}},
+     "slope.toml:9: material 1: name is missing"},
+    {"MaterialTwice",
+     {{R"(name = "Talus")", R"(name = "Rock")"}, {R"(segments = ["Rock", "Talus"])", R"(segments = ["Rock", "Rock"])"}},
+     "slope.toml:15: two materials are called \"Rock\" (the other begins in line 9). Give each "
+     "its own name"},
+    {"MaterialUnknown",
+     {{R"(segments = ["Rock", "Talus"])", R"(segments = ["Rock", "Tallus"])"}},
+     "slope.toml:19: [ground]: segments[1] is \"Tallus\" (there is no material of this name; "
+     "there are \"Rock\", \"Talus\"). Did you mean \"Talus\"?"},
+    {"DefaultMaterialUnknown",
+     {{R"(segments = ["Rock", "Talus"])", R"(default = "Grass")"}},
+     "slope.toml:19: [ground]: default is \"Grass\" (there is no material of this name; there are "
+     "\"Rock\", \"Talus\")"},
+    {"DefaultMaterialMissing",
+     {{R"([ground]
+segments = ["Rock", "Talus"]
+)",
+       ""}},
+     "slope.toml: [ground]: default is missing (there are 2 materials). Write default = \"Rock\", "
+     "or segments with one name for each segment"},
+    {"SegmentMissing",
+     {{R"(segments = ["Rock", "Talus"])", R"(segments = ["Rock"])"}},
+     "slope.toml:19: [ground]: segments has 1 entry (expected 2: the section has 3 vertices)"},
+    {"SegmentsOfAMesh",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0]]
+triangles = [[0, 1, 2]])"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:20: [ground]: segments is given without a section (a mesh has triangles). Use "
+     "triangles, with one number for each triangle"},
+    {"GroundTrianglesOfASection",
+     {{R"(segments = ["Rock", "Talus"])", "triangles = [0, 1]"}},
+     "slope.toml:19: [ground]: triangles is given for a section (a section has segments). Use "
+     "segments, with one name for each segment"},
+    {"GroundTrianglesTooMany",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0]]
+triangles = [[0, 1, 2]])"},
+      {R"(segments = ["Rock", "Talus"])", "triangles = [0, 1]"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:20: [ground]: triangles has 2 entries (expected 1, one for each triangle of "
+     "the terrain)"},
+    {"GroundTriangleWithoutMaterial",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0]]
+triangles = [[0, 1, 2]])"},
+      {R"(segments = ["Rock", "Talus"])", "triangles = [2]"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:20: [ground]: triangles[0] is 2 (there are 2 materials, counted from 0; "
+     "expected 0 to 1)"},
+    {"GroundFromPolygons",
+     {{R"(segments = ["Rock", "Talus"])",
+       R"(default = "Rock"
+polygons = "ground.gpkg"
+attribute = "material")"}},
+     "slope.toml:20: [ground]: polygons is not read by this version (materials from polygons on "
+     "plan will come later). Use default, segments or triangles\n"
+     "slope.toml:21: [ground]: attribute is not read by this version (materials from polygons "
+     "on plan will come later). Use default, segments or triangles"},
+    {"SeederMissing",
+     {{R"([[seeder]]
+name = "Crest"
+position = [1, 5]
+rocks = 10
+mass_kg = 1000
+)",
+       ""}},
+     "slope.toml: [[seeder]] is missing (a project needs at least one)"},
+    {"SeederFromPolygon",
+     {{"position = [1, 5]",
+       R"(type = "polygon"
+position = [1, 5])"}},
+     "slope.toml:23: seeder \"Crest\": type is \"polygon\" (this version does not read it yet; "
+     "expected \"point\" or \"line\")"},
+    {"SeederWithoutPosition",
+     {{R"(position = [1, 5]
+)",
+       ""}},
+     "slope.toml:21: seeder \"Crest\": position is missing (a point seeder needs it)"},
+    {"PointsForAPoint",
+     {{"position = [1, 5]", "points = [[1, 5], [2, 5]]"}},
+     "slope.toml:23: seeder \"Crest\": points are given for a point (they make a line). Write "
+     "type = \"line\""},
+    {"PositionForALine",
+     {{"position = [1, 5]",
+       R"(type = "line"
+position = [1, 5])"}},
+     "slope.toml:24: seeder \"Crest\": position is given for a line (a line seeder needs two or "
+     "more points). Write points = [..., ...]"},
+    {"LineWithOnePoint",
+     {{"position = [1, 5]",
+       R"(type = "line"
+points = [[1, 5]])"}},
+     "slope.toml:24: seeder \"Crest\": points is [[1, 5]] (expected a list of two or more positions)"},
+    {"LineRepeatsAPoint",
+     {{"position = [1, 5]",
+       R"(type = "line"
+points = [[1, 5], [1, 5]])"}},
+     "slope.toml:24: seeder \"Crest\": points[1] is [1, 5] (it repeats the point before it). "
+     "Leave it out"},
+    {"LineHalfOnTheSurface",
+     {{"position = [1, 5]",
+       R"(type = "line"
+points = [[1, 5], [2, "surface"]])"}},
+     "slope.toml:24: seeder \"Crest\": points[1] is [2, \"surface\"] (z is either \"surface\" for all "
+     "points of a line or a number for all)"},
+    {"PositionOfThreeIn2D",
+     {{"position = [1, 5]", "position = [1, 0, 5]"}},
+     "slope.toml:23: seeder \"Crest\": position is [1, 0, 5] (expected [x, z], the analysis being "
+     "2D). Leave out y, or give terrain.width_m for 3D"},
+    {"PositionWithoutZ",
+     {{"position = [1, 5]", "position = [1]"}},
+     "slope.toml:23: seeder \"Crest\": position is [1] (expected [x, z], the analysis being 2D). "
+     "For a height above the terrain, leave out z and give height_above_m"},
+    {"PositionOnTheGround",
+     {{"position = [1, 5]", R"(position = [1, "ground"])"}},
+     "slope.toml:23: seeder \"Crest\": position[1] is \"ground\" (expected a number or \"surface\")"},
+    {"PositionWithZAndHeight",
+     {{"position = [1, 5]",
+       R"(position = [1, 5]
+height_above_m = 2)"}},
+     "slope.toml:23: seeder \"Crest\": position has z, and height_above_m is given (each says how "
+     "high it is). Leave one of them out"},
+    {"HeightBelowTheGround",
+     {{"position = [1, 5]",
+       R"(position = [1]
+height_above_m = -2)"}},
+     "slope.toml:24: seeder \"Crest\": height_above_m is -2 (a rock starts on the ground or above "
+     "it; expected 0 or more)"},
+    {"SpeedAndHorizontalVelocity",
+     {{"rocks = 10",
+       R"(rocks = 10
+speed_m_s = 3
+horizontal_velocity_m_s = 1)"}},
+     "slope.toml:25: seeder \"Crest\": horizontal_velocity_m_s and speed_m_s are given together "
+     "(they exclude each other)"},
+    {"DirectionWithoutLength",
+     {{"rocks = 10",
+       R"(rocks = 10
+direction = [0, 0])"}},
+     "slope.toml:25: seeder \"Crest\": direction is [0, 0] (expected a direction with a length)"},
+    {"DirectionUpWithoutSpeed",
+     {{"rocks = 10",
+       R"(rocks = 10
+direction = [1, 1])"}},
+     "slope.toml:25: seeder \"Crest\": direction is [1, 1] (it is the direction of the horizontal "
+     "velocity; expected z to be 0). For a velocity that points up or down, give speed_m_s"},
+    {"DirectionAcrossIn2D",
+     {{"rocks = 10",
+       R"(rocks = 10
+direction = [1, 1, 0])"}},
+     "slope.toml:25: seeder \"Crest\": direction is [1, 1, 0] (expected y to be 0, the analysis "
+     "being 2D)"},
+    {"SeederTwice",
+     {{"[[barrier]]",
+       R"([[seeder]]
+name = "Crest"
+position = [2, 5]
+mass_kg = 10
+
+[[barrier]])"}},
+     "slope.toml:28: two seeders are called \"Crest\" (the other begins in line 21). Give each "
+     "its own name"},
+    {"SeedersWithTooManyRocks",
+     {{"rocks = 10", "rocks = 1000000000000"},
+      {"[[barrier]]",
+       R"([[seeder]]
+position = [2, 5]
+mass_kg = 10
+
+[[barrier]])"}},
+     "slope.toml:27: all seeders together have 1000000000001 rocks (expected at most 1000000000000)"},
+    {"BarrierWithoutHeight",
+     {{R"(height_m = 3
+)",
+       ""}},
+     "slope.toml:27: barrier \"Fence\": height_m is missing (expected more than 0)"},
+    {"BarrierOfHeightZero",
+     {{"height_m = 3", "height_m = 0"}},
+     "slope.toml:30: barrier \"Fence\": height_m is 0 (it could not be hit; expected more than 0)"},
+    {"BarrierLyingDown",
+     {{"height_m = 3",
+       R"(height_m = 3
+inclination_deg = 90)"}},
+     "slope.toml:31: barrier \"Fence\": inclination_deg is 90 (it would lie on the ground; "
+     "expected more than -90, less than 90)"},
+    {"BarrierWithoutLine",
+     {{R"(line = 15
+)",
+       ""}},
+     "slope.toml:27: barrier \"Fence\": line is missing"},
+    {"BarrierAcrossIn2D",
+     {{"line = 15", "line = [[15, 0], [16, 50]]"}},
+     "slope.toml:29: barrier \"Fence\": line is [[15, 0], [16, 50]] (expected x, the analysis "
+     "being 2D; these points have different x)"},
+    {"BarrierOfOnePointIn3D",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(section = [[0, 0], [10, -10], [20, -10]]
+width_m = 50)"},
+      {"position = [1, 5]", "position = [1, 1, 5]"}},
+     "slope.toml:30: barrier \"Fence\": line is 15 (expected two or more points on plan, [[x, y], "
+     "[x, y]])"},
+    {"BarrierRepeatsAPoint",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(section = [[0, 0], [10, -10], [20, -10]]
+width_m = 50)"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 0]]"}},
+     "slope.toml:30: barrier \"Fence\": line[1] is [15, 0] (it repeats the point before it). "
+     "Leave it out"},
+    {"BarrierWithHalfARestitution",
+     {{"height_m = 3",
+       R"(height_m = 3
+normal_restitution = 0.5)"}},
+     "slope.toml:31: barrier \"Fence\": tangential_restitution is missing (a barrier has both "
+     "restitutions, or neither and holds what it stops)"},
+    {"CollectorWithCapacity",
+     {{"[[barrier]]", "[[collector]]"},
+      {"height_m = 3",
+       R"(height_m = 3
+capacity_kJ = 100)"}},
+     "slope.toml:31: collector \"Fence\": unknown key \"capacity_kJ\". It belongs to [[barrier]]"},
+    {"CollectorCalledAsABarrier",
+     {{"height_m = 3",
+       R"(height_m = 3
+
+[[collector]]
+name = "Fence"
+line = 16
+height_m = 5)"}},
+     "slope.toml:33: two barriers or collectors are called \"Fence\" (the other begins in line "
+     "27). Give each its own name"},
+    {"PathsInWords",
+     {{"[terrain]",
+       R"([output]
+paths = "some"
+
+[terrain])"}},
+     "slope.toml:7: [output]: paths is \"some\" (expected \"all\", \"none\" or a number of rocks)"},
+    {"PathsNegative",
+     {{"[terrain]",
+       R"([output]
+paths = -1
+
+[terrain])"}},
+     "slope.toml:7: [output]: paths is -1 (expected 0 to 1000000000000)"},
+    {"NameIsAFolder",
+     {{R"(name = "Slope")", R"(name = "../Slope")"}},
+     "slope.toml:1: name is \"../Slope\" (the folder of the results is called by it). Use a name "
+     "without slashes, line breaks and the like"},
+    {"TwoMistakesAtOnce",
+     {{"9.81", "-9.81"}, {"rocks = 10", "rocks = 0"}, {"height_m = 3", R"(height_m = "tall")"}},
+     "slope.toml:4: [analysis]: gravity_m_s2 is -9.81 (gravity is given as a magnitude, it "
+     "points down by itself; expected more than 0). Did you mean 9.81?\n"
+     "slope.toml:24: seeder \"Crest\": rocks is 0 (a seeder without rocks does nothing; expected "
+     "1 to 1000000000000)\n"
+     "slope.toml:30: barrier \"Fence\": height_m is \"tall\" (expected a number, more than 0)"},
+    {"OneBadListDoesNotHideTheRest",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       "section = [[0, nan], [1, nan], [2, nan], [3, nan], [4, nan], [5, nan], [6, nan], [7, nan], [8, nan], [9, nan], "
+       "[10, nan], [11, nan]]"},
+      {"rocks = 10", "rocks = 0"}},
+     "slope.toml:7: [terrain]: section[0][1] is nan (expected a finite number)\n"
+     "slope.toml:7: [terrain]: section[1][1] is nan (expected a finite number)\n"
+     "slope.toml:7: [terrain]: section[2][1] is nan (expected a finite number)\n"
+     "slope.toml:7: [terrain]: section[3][1] is nan (expected a finite number)\n"
+     "slope.toml:7: [terrain]: section[4][1] is nan (expected a finite number)\n"
+     "slope.toml:7: [terrain]: section[5][1] is nan (expected a finite number)\n"
+     "slope.toml:7: [terrain]: section[6][1] is nan (expected a finite number)\n"
+     "slope.toml:7: [terrain]: section[7][1] is nan (expected a finite number)\n"
+     "slope.toml:7: [terrain]: section[8][1] is nan (expected a finite number)\n"
+     "slope.toml:7: [terrain]: section[9][1] is nan (expected a finite number)\n"
+     "slope.toml:7: [terrain]: section was read only up to entry 9 (10 of its entries are wrong "
+     "so far)\n"
+     "slope.toml:24: seeder \"Crest\": rocks is 0 (a seeder without rocks does nothing; expected "
+     "1 to 1000000000000)"},
+    {"LongValueIsCut",
+     {{"height_m = 3",
+       R"(height_m = "three and a half metres, measured from the foot of the fence up to its upper cable")"}},
+     "slope.toml:30: barrier \"Fence\": height_m is \"three and a half metres, measured from the "
+     "foot of the fenc... (expected a number, more than 0)"},
+    {"TextWithALineBreak",
+     {{"height_m = 3", R"(height_m = "3\n")"}},
+     "slope.toml:30: barrier \"Fence\": height_m is \"3\\n\" (expected a number, more than 0)"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, BadProjectTest, testing::ValuesIn(bad_projects), name_of_case<BadProject>);
+
+class DoubtfulProjectTest : public testing::TestWithParam<BadProject> {};
+
+TEST_P(DoubtfulProjectTest, IsReadWithThisWarning) {
+  const Reading reading = read_project_text(changed(GetParam()), "slope.toml");
+  EXPECT_EQ(reading.warnings.text(), GetParam().complaint);
+}
+
+const std::vector<BadProject> doubtful_projects{
+    {"Maps",
+     {{"[terrain]",
+       R"([output]
+maps = true
+raster_cell_m = 1.0
+
+[terrain])"}},
+     "slope.toml:7: warning: [output]: maps is not read by this version (hazard maps will come "
+     "later). No map is written\n"
+     "slope.toml:8: warning: [output]: raster_cell_m is not read by this version (hazard maps will come "
+     "later). No map is written"},
+    {"FrictionAngleInRadians",
+     {{"friction_angle_deg = 30", "friction_angle_deg = 0.5236"}},
+     "slope.toml:12: warning: material \"Rock\": friction_angle_deg is 0.5236 (this is an angle "
+     "in degrees, and such a ground would be almost frictionless). If it is in radians, write 30"},
+    {"MassInTonnes",
+     {{"mass_kg = 1000", "mass_kg = 1"}},
+     "slope.toml:25: warning: seeder \"Crest\": mass_kg is 1 (this is a mass in kilograms, of a "
+     "stone that can be held in a hand). If it is in tonnes, write 1000"},
+    {"SettingsWithoutEffect",
+     {{"[analysis]",
+       R"([analysis]
+rn_velocity_scale_m_s = 9
+rn_mass_scale_kg = 9
+tangential_crsp_damping = true)"}},
+     "slope.toml:4: warning: [analysis]: rn_velocity_scale_m_s has no effect (it needs "
+     "scale_rn_by_velocity = true)\n"
+     "slope.toml:5: warning: [analysis]: rn_mass_scale_kg has no effect (it needs "
+     "scale_rn_by_mass = true)\n"
+     "slope.toml:6: warning: [analysis]: tangential_crsp_damping has no effect (it needs model "
+     "= \"rigid_sphere\")"},
+    {"RotationSwitchedOffForASphere",
+     {{"[analysis]",
+       R"([analysis]
+model = "rigid_sphere"
+rotation = false)"}},
+     "slope.toml:5: warning: [analysis]: rotation has no effect (it needs model = \"lumped_mass\")"},
+    {"TurnedAboutWithoutAngle",
+     {{"section = [[0, 0], [10, -10], [20, -10]]",
+       R"(section = [[0, 0], [10, -10], [20, -10]]
+width_m = 50
+rotate_about = [0, 25, 0])"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:9: warning: [terrain]: rotate_about has no effect (it needs rotate_deg)"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, DoubtfulProjectTest, testing::ValuesIn(doubtful_projects), name_of_case<BadProject>);
+
+struct BadOverride {
+  const char* name;
+  std::vector<std::string> settings;
+  std::string complaint;
+};
+
+class BadOverrideTest : public testing::TestWithParam<BadOverride> {};
+
+TEST_P(BadOverrideTest, IsRefusedWithThisText) {
+  EXPECT_EQ(complaint_about(good_project, {.settings = GetParam().settings, .rocks = {}, .seed = {}}),
+            GetParam().complaint);
+}
+
+const std::vector<BadOverride> bad_overrides{
+    {"SetWithoutValue",
+     {"analysis.gravity_m_s2"},
+     "--set analysis.gravity_m_s2: this is no setting (expected table.key=value, for example "
+     "analysis.gravity_m_s2=9.81)"},
+    {"SetWithoutKey",
+     {"=3"},
+     "--set =3: this is no setting (expected table.key=value, for example analysis.gravity_m_s2=9.81)"},
+    {"SetUnknownKey",
+     {"analysis.gravity=9.81"},
+     "--set analysis.gravity=9.81: [analysis]: unknown key \"gravity\". Did you mean \"gravity_m_s2\"?"},
+    {"SetValueOutOfRange",
+     {"analysis.gravity_m_s2=-9.81"},
+     "--set analysis.gravity_m_s2=-9.81: [analysis]: gravity_m_s2 is -9.81 (gravity is given as "
+     "a magnitude, it points down by itself; expected more than 0). Did you mean 9.81?"},
+    {"SetValueNotToml",
+     {"analysis.gravity_m_s2=[9.81"},
+     "--set analysis.gravity_m_s2=[9.81: the value is not TOML (Error while parsing array: "
+     "encountered end-of-file)"},
+    {"SetTwoValues",
+     {"analysis.gravity_m_s2=9\nx=3"},
+     "--set analysis.gravity_m_s2=9\n"
+     "x=3: the value is not TOML (expected a single value)"},
+    {"SetUnknownEntry",
+     {"material.Granite.normal_restitution=0.4"},
+     "--set material.Granite.normal_restitution=0.4: material has no entry Granite (expected 0 "
+     "to 1, or \"Rock\", \"Talus\")"},
+    {"SetEntryOutOfRange",
+     {"seeder.1.rocks=10"},
+     "--set seeder.1.rocks=10: seeder has no entry 1 (expected 0, or \"Crest\")"},
+    {"SetPartOfAWord", {"name.first=3"}, "--set name.first=3: name is \"Slope\" (it has no parts to set)"},
+    {"SetQuoteLeftOpen",
+     {R"(material."Rock.normal_restitution=0.4)"},
+     "--set material.\"Rock.normal_restitution=0.4: this is no setting (expected "
+     "table.key=value, for example analysis.gravity_m_s2=9.81)"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, BadOverrideTest, testing::ValuesIn(bad_overrides), name_of_case<BadOverride>);
+
+TEST(BadProject, TheGoodOneIsGood) {
+  EXPECT_EQ(complaint_about(good_project), "");
+  EXPECT_EQ(read_project_text(good_project, "slope.toml").warnings.text(), "");
+}
+
+TEST(BadProject, EmptyText) {
+  EXPECT_EQ(complaint_about(""),
+            "slope.toml: [terrain] is missing (a project needs it)\n"
+            "slope.toml: [[material]] is missing (a project needs at least one)\n"
+            "slope.toml: [[seeder]] is missing (a project needs at least one)");
+}
+
+TEST(BadProject, NoRocksOnTheCommandLine) {
+  EXPECT_EQ(complaint_about(good_project, {.settings = {}, .rocks = 0, .seed = {}}),
+            "--rocks 0: this is no number of rocks (expected 1 to 1000000000000)");
+}
+
+TEST(BadProject, WarningsStandBesideErrors) {
+  EXPECT_EQ(complaint_about(changed({"", {{"mass_kg = 1000", "mass_kg = 2"}, {"rocks = 10", "rocks = 0"}}, ""})),
+            "slope.toml:24: seeder \"Crest\": rocks is 0 (a seeder without rocks does nothing; expected 1 to "
+            "1000000000000)\n"
+            "slope.toml:25: warning: seeder \"Crest\": mass_kg is 2 (this is a mass in kilograms, of a stone that can "
+            "be held in a hand). If it is in tonnes, write 2000");
+}
+
+TEST(BadProject, OverridesComeAfterTheFile) {
+  EXPECT_EQ(complaint_about(changed({"", {{"height_m = 3", "height_m = 0"}}, ""}),
+                            {.settings = {"seeder.Crest.rocks=0"}, .rocks = {}, .seed = {}}),
+            "slope.toml:30: barrier \"Fence\": height_m is 0 (it could not be hit; expected more than 0)\n"
+            "--set seeder.Crest.rocks=0: seeder \"Crest\": rocks is 0 (a seeder without rocks does nothing; expected 1 "
+            "to 1000000000000)");
+}
+
+/// A folder that goes when the test is done.
+class BadProjectFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (std::filesystem::temp_directory_path() / "talus-project-XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// The complaint, without the folder, which is another at every run.
+  [[nodiscard]] std::string complaint(const std::filesystem::path& file) const {
+    try {
+      const Reading reading = read_project(file);
+      return "";
+    } catch (const BadInput& bad) {
+      std::string text = bad.problems().text();
+      for (std::size_t at = text.find(folder_.string()); at != std::string::npos; at = text.find(folder_.string())) {
+        text.replace(at, folder_.string().size(), "FOLDER");
+      }
+      return text;
+    }
+  }
+
+  [[nodiscard]] std::filesystem::path written(const std::string& text) const {
+    const std::filesystem::path file = folder_ / "slope.toml";
+    std::ofstream(file) << text;
+    return file;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(BadProjectFile, IsReadWhereItIsGood) { EXPECT_EQ(complaint(written(good_project)), ""); }
+
+TEST_F(BadProjectFile, Missing) {
+  EXPECT_EQ(complaint(folder_ / "slope.toml"),
+            "FOLDER/slope.toml: there is no such file. `talus new` writes a project to start from");
+}
+
+TEST_F(BadProjectFile, IsADirectory) {
+  EXPECT_EQ(complaint(folder_), "FOLDER: this is a directory (expected a project file, for example slope.toml)");
+}
+
+TEST_F(BadProjectFile, IsADevice) {
+  EXPECT_EQ(complaint("/dev/null"),
+            "/dev/null: this is not a regular file (expected a project file, for example slope.toml)");
+}
+
+TEST_F(BadProjectFile, Unreadable) {
+  const std::filesystem::path file = written(good_project);
+  std::filesystem::permissions(file, std::filesystem::perms::none);
+  // The administrator may read everything.
+  EXPECT_EQ(complaint(file), geteuid() == 0 ? "" : "FOLDER/slope.toml: the file cannot be read (Permission denied)");
+}
+
+TEST_F(BadProjectFile, TooLarge) {
+  const std::filesystem::path file = written(good_project);
+  std::filesystem::resize_file(file, 300u << 20u);  // a hole, no bytes on the disk
+  EXPECT_EQ(
+      complaint(file),
+      "FOLDER/slope.toml: the file has 300 MiB (a project file has at most 64 MiB). Keep a large terrain in a mesh "
+      "file and name it by terrain.mesh");
+}
+
+TEST_F(BadProjectFile, Truncated) {
+  const std::string text = good_project;
+  EXPECT_EQ(complaint(written(text.substr(0, text.find("[10, -10]") + 4))),
+            "FOLDER/slope.toml:7: this is not TOML (Error while parsing array: encountered end-of-file)");
+}
+
+TEST_F(BadProjectFile, IsNoText) {
+  EXPECT_EQ(complaint(written("name = \"\xff\"")),
+            "FOLDER/slope.toml:1: this is not TOML (Encountered invalid utf-8 sequence)");
+}
+
+TEST_F(BadProjectFile, NamesAMeshThatIsNotThere) {
+  const BadProject with_mesh{"",
+                             {{"section = [[0, 0], [10, -10], [20, -10]]", "mesh = \"bowl.obj\""},
+                              {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
+                              {"position = [1, 5]", "position = [1, 1, 5]"},
+                              {"line = 15", "line = [[15, 0], [15, 50]]"}},
+                             ""};
+  const std::filesystem::path file = written(changed(with_mesh));
+  EXPECT_EQ(complaint(file),
+            "FOLDER/slope.toml:7: [terrain]: mesh is \"bowl.obj\" (there is no file FOLDER/bowl.obj). Its path is "
+            "relative to the project file");
+  std::ofstream(folder_ / "bowl.obj") << "v 0 0 0\n";
+  EXPECT_EQ(complaint(file), "");
+}
+
+}  // namespace
+}  // namespace talus::project

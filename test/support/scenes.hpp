@@ -1,0 +1,89 @@
+#pragma once
+// Rocks, grounds and whole runs for tests, with the energies of a path.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talus/trajectory/rock_path.hpp"
+
+namespace talus::testing_tools {
+
+/// The properties that a test sets; all constant.
+struct Soil {
+  double rn = 0.5, rt = 0.8;
+  double phi = 0.5;                                   // friction angle [rad]
+  double mu = 0.5, rolling = 0.05;                    // rigid sphere
+  double roughness = 0;                               // standard deviation of the tilt [rad]
+};
+
+[[nodiscard]] inline Material material_of(const Soil& soil) {
+  Material material;
+  material.name = "test";
+  material.normal_restitution = Sampler(soil.rn);
+  material.tangential_restitution = Sampler(soil.rt);
+  material.friction_angle = Sampler(soil.phi);
+  material.roughness = Sampler(0.0);
+  if (soil.roughness > 0) {
+    Distribution tilt;
+    tilt.kind = DistributionKind::normal;
+    tilt.std_dev = soil.roughness;
+    material.roughness = Sampler(tilt, Bounds{});
+  }
+  material.dynamic_friction = Sampler(soil.mu);
+  material.rolling_friction = Sampler(soil.rolling);
+  return material;
+}
+
+[[nodiscard]] inline Ground ground_of(const Soil& soil) { return Ground(material_of(soil)); }
+
+struct Followed {
+  RockOutcome outcome;
+  RockLog log{true};
+};
+
+template <class Surface>
+[[nodiscard]] Followed follow(const Surface& surface, const Ground& ground, const Laws& laws, const Release& release,
+                      std::span<const Barrier> barriers = {}, std::uint64_t rock_number = 0) {
+  Followed result;
+  const Draws draws(SamplingPlan{}, rock_number);
+  result.outcome = follow_rock(Scene<Surface>{surface, ground, barriers, laws}, release, draws, result.log);
+  return result;
+}
+
+[[nodiscard]] inline double kinetic_energy(const Motion& motion, const Rock& rock) {
+  return 0.5 * rock.mass * motion.velocity.squaredNorm() + 0.5 * rock.inertia * motion.spin.squaredNorm();
+}
+
+/// Kinetic and potential [J]; the datum is the origin.
+[[nodiscard]] inline double total_energy(const Motion& motion, const Rock& rock, const Vec3& gravity) {
+  return kinetic_energy(motion, rock) - rock.mass * gravity.dot(motion.position);
+}
+
+[[nodiscard]] inline bool is_finite(const Motion& motion) {
+  return motion.position.allFinite() && motion.velocity.allFinite() && motion.spin.allFinite() &&
+         std::isfinite(motion.time);
+}
+
+/// To the last digit, so that a case can be taken out of a test's output and repeated.
+[[nodiscard]] inline std::string text(const Vec3& v) {
+  char line[120];
+  std::snprintf(line, sizeof line, "{%.17g, %.17g, %.17g}", v.x(), v.y(), v.z());
+  return line;
+}
+
+/// The row that is wrong, and some before it.
+[[nodiscard]] inline std::string rows_up_to(const Followed& path, std::size_t last) {
+  std::string lines = "\n";
+  for (std::size_t k = last < 6 ? 0 : last - 6; k <= std::min(last, path.log.rows.size() - 1); ++k) {
+    const auto& [state, motion] = path.log.rows[k];
+    lines += std::to_string(k) + ' ' + name(state) + " t " + std::to_string(motion.time) + " p " +
+             text(motion.position) + " v " + text(motion.velocity) + " w " + text(motion.spin) + '\n';
+  }
+  return lines;
+}
+
+}  // namespace talus::testing_tools

@@ -1,0 +1,145 @@
+#include "talus/terrain/bvh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "support/dice.hpp"
+
+namespace talus {
+namespace {
+
+using testing_tools::Dice;
+
+std::vector<Box> random_boxes(Dice& dice, std::size_t count) {
+  std::vector<Box> boxes(count);
+  for (Box& box : boxes) {
+    const Vec3 middle = dice.in_cube(50);
+    box.grow(middle);
+    if (dice.chance(0.8)) box.grow(Vec3(middle + dice.magnitude(1e-3, 5) * dice.in_cube(1)));
+  }
+  return boxes;
+}
+
+std::set<std::uint32_t> numbers(const Bvh& bvh, std::uint32_t first, std::uint32_t last) {
+  return {bvh.order().begin() + first, bvh.order().begin() + last};
+}
+
+bool overlap(const Box& a, const Vec3& low, const Vec3& high) {
+  return (a.low.array() <= high.array()).all() && (a.high.array() >= low.array()).all();
+}
+
+TEST(Bvh, OrderIsAPermutation) {
+  Dice dice(121);
+  for (const std::size_t count : {1, 2, 3, 4, 5, 17, 1000}) {
+    const Bvh bvh(random_boxes(dice, count));
+    std::vector<std::uint32_t> order = bvh.order();
+    std::sort(order.begin(), order.end());
+    for (std::uint32_t i = 0; i < count; ++i) ASSERT_EQ(order[i], i);
+  }
+}
+
+TEST(Bvh, EmptyMeetsNothing) {
+  const Bvh bvh(std::span<const Box>{});
+  int leaves = 0;
+  double t_max = 10;
+  bvh.visit_box(Vec3::Constant(-1e9), Vec3::Constant(1e9), [&](std::uint32_t, std::uint32_t) { ++leaves; });
+  bvh.visit_flight({Vec3::Zero(), Vec3::UnitX(), Vec3::Zero()}, 1, t_max,
+                   [&](std::uint32_t, std::uint32_t, double&) { ++leaves; });
+  EXPECT_EQ(leaves, 0);
+}
+
+TEST(Bvh, TheSameBoxesGiveTheSameTree) {
+  Dice a(122), b(122);
+  // More than one task's worth, so that threads take part.
+  const Bvh first(random_boxes(a, 60'000)), second(random_boxes(b, 60'000));
+  EXPECT_EQ(first.order(), second.order());
+  EXPECT_EQ(first.bytes(), second.bytes());
+}
+
+TEST(Bvh, ManyEqualBoxesMakeAShallowTree) {
+  std::vector<Box> boxes(10'000);
+  for (Box& box : boxes) box.grow(Vec3(1, 2, 3));
+  const Bvh bvh(boxes);
+  std::size_t met = 0;
+  bvh.visit_box({1, 2, 3}, {1, 2, 3}, [&](std::uint32_t first, std::uint32_t last) { met += last - first; });
+  EXPECT_EQ(met, boxes.size());
+}
+
+TEST(Bvh, VisitBoxMissesNothing) {
+  Dice dice(123);
+  const auto boxes = random_boxes(dice, 3000);
+  const Bvh bvh(boxes);
+  for (int i = 0; i < 300; ++i) {
+    Box query;
+    query.grow(dice.in_cube(60));
+    query.grow(Vec3(query.low + dice.magnitude(0.1, 60) * Vec3(dice.unit(), dice.unit(), dice.unit())));
+    std::set<std::uint32_t> met;
+    std::size_t visited = 0;
+    bvh.visit_box(query.low, query.high, [&](std::uint32_t first, std::uint32_t last) {
+      met.merge(numbers(bvh, first, last));
+      visited += last - first;
+    });
+    ASSERT_EQ(met.size(), visited);  // nobody twice
+    for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+      if (overlap(boxes[k], query.low, query.high)) {
+        ASSERT_TRUE(met.contains(k));
+      }
+    }
+  }
+}
+
+TEST(Bvh, VisitFlightMissesNothing) {
+  Dice dice(124);
+  const auto boxes = random_boxes(dice, 2000);
+  const Bvh bvh(boxes);
+  std::size_t visited = 0;
+  for (int i = 0; i < 500; ++i) {
+    Parabola path{dice.in_cube(60), dice.direction(), {0, 0, dice.chance(0.5) ? -9.81 : 0.0}};
+    path.v *= dice.between(0, 30);
+    if (dice.chance(0.1)) path.v.x() = 0;
+    if (dice.chance(0.1)) path.v.y() = 0;
+    const double pad = dice.between(0, 2), t_end = dice.between(0.1, 6);
+    std::set<std::uint32_t> met;
+    double t_max = t_end;
+    bvh.visit_flight(path, pad, t_max, [&](std::uint32_t first, std::uint32_t last, double&) {
+      met.merge(numbers(bvh, first, last));
+    });
+    visited += met.size();
+    for (int k = 0; k <= 400; ++k) {
+      const Vec3 q = path.at(t_end * k / 400);
+      for (std::uint32_t b = 0; b < boxes.size(); ++b) {
+        if (overlap(boxes[b], q - Vec3::Constant(0.999 * pad), q + Vec3::Constant(0.999 * pad))) {
+          ASSERT_TRUE(met.contains(b));
+        }
+      }
+    }
+  }
+  EXPECT_LT(visited, 500 * boxes.size() / 4);  // and it does leave out most
+}
+
+// The nearest in time come first, and what lies beyond a contact is not looked at.
+TEST(Bvh, VisitFlightStopsAtAContact) {
+  std::vector<Box> boxes;
+  for (int k = 0; k < 1000; ++k) {
+    Box box;
+    box.grow(Vec3(k, -1, -1));
+    box.grow(Vec3(k + 0.5, 1, 1));
+    boxes.push_back(box);
+  }
+  const Bvh bvh(boxes);
+  double t_max = 1e6, previous = -1;
+  int leaves = 0;
+  bvh.visit_flight({{-10, 0, 0}, {1, 0, 0}, {0, 0, 0}}, 0, t_max, [&](std::uint32_t first, std::uint32_t, double& t) {
+    const double x = boxes[bvh.order()[first]].low.x();
+    EXPECT_GE(x, previous - 4);
+    previous = x;
+    if (++leaves == 3) t = x + 10 + 4;
+  });
+  EXPECT_LT(leaves, 8);
+}
+
+}  // namespace
+}  // namespace talus
