@@ -20,7 +20,8 @@ class EndHash : public Observer {
   void commit(ObserverPart& part) override {
     const Part& seen = static_cast<Part&>(part);
     for (const Vec3& end : seen.ends) {
-      for (const double x : {end.x(), end.y(), end.z()}) hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3;
+      for (const double x : {end.x(), end.y(), end.z()})
+        hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3;
     }
     rocks += seen.ends.size();
     events += seen.events;

@@ -1,9 +1,9 @@
 // A random TIN of two million triangles, lumped mass: rocks a second a core, and where the time goes.
 //
-// z = s(x) + b(x, y) on 1025 x 1025 points 1 m apart, shaken on plan by up to 0.2 m (more would fold it): s = 0.84 (820 - x) for x < 820,
-// else 0; b = six octaves of value noise, amplitude 3 m * 0.5^k, wavelength 80 m / 2.03^k. Rocks of 1 t start along
-// x = 5 to 10 m, 6 m above ground; Rn = 0.35, Rt = 0.85, standard deviation 0.03 each: about 25 impacts a rock.
-// Usage: bench_tin [rocks] [sphere]
+// z = s(x) + b(x, y) on 1025 x 1025 points 1 m apart, shaken on plan by up to 0.2 m (more would fold it): s = 0.84 (820
+// - x) for x < 820, else 0; b = six octaves of value noise, amplitude 3 m * 0.5^k, wavelength 80 m / 2.03^k. Rocks of 1
+// t start along x = 5 to 10 m, 6 m above ground; Rn = 0.35, Rt = 0.85, standard deviation 0.03 each: about 25 impacts a
+// rock. Usage: bench_tin [rocks] [sphere]
 
 #include <cstdlib>
 #include <cstring>
@@ -21,7 +21,8 @@ constexpr int side = 1025;
 
 double lattice(int octave, std::int64_t i, std::int64_t j) {
   return 2 * uniform_pair(7, static_cast<std::uint64_t>(i) << 32 | static_cast<std::uint32_t>(j), Stream::slope_vertex,
-                          static_cast<std::uint32_t>(octave))[0] - 1;
+                          static_cast<std::uint32_t>(octave))[0] -
+         1;
 }
 
 double smooth(double t) { return t * t * (3 - 2 * t); }
@@ -135,10 +136,11 @@ int main(int argc, char** argv) {
   Observer* const observers[] = {&ends};
   const CampaignOutcome outcome = run_campaign(model, observers, {1, nullptr, {}});
   const double impacts = static_cast<double>(ends.events);
-  fmt::print("{}: {} rocks, 1 thread, {:.2f} s, {:.0f} rocks/s, {:.1f} impacts a rock, {:.0f} ns an impact, hash {:016x}\n",
-             sphere ? "rigid sphere" : "lumped mass", outcome.done, outcome.seconds,
-             static_cast<double>(outcome.done) / outcome.seconds, impacts / static_cast<double>(outcome.done),
-             outcome.seconds * 1e9 / impacts, ends.hash());
+  fmt::print(
+      "{}: {} rocks, 1 thread, {:.2f} s, {:.0f} rocks/s, {:.1f} impacts a rock, {:.0f} ns an impact, hash {:016x}\n",
+      sphere ? "rigid sphere" : "lumped mass", outcome.done, outcome.seconds,
+      static_cast<double>(outcome.done) / outcome.seconds, impacts / static_cast<double>(outcome.done),
+      outcome.seconds * 1e9 / impacts, ends.hash());
   bench::print_reasons(ends);
 
   // Where the time goes: the same flights again, the terrain's answers alone.
@@ -154,7 +156,8 @@ int main(int argc, char** argv) {
     for (const Flight& flight : flights) highest = tin.greatest_height(flight.path, flight.duration, highest);
   });
   const double count = static_cast<double>(flights.size());
-  fmt::print("{:.0f} flights: {:.1f} facets tested a flight; first contact {:.0f} ns, bounce height {:.0f} ns a flight "
-             "({:.0f} met the ground, highest {:.2f} m)\n",
-             count, tested / count, contacts * 1e9 / count, heights * 1e9 / count, met, highest);
+  fmt::print(
+      "{:.0f} flights: {:.1f} facets tested a flight; first contact {:.0f} ns, bounce height {:.0f} ns a flight "
+      "({:.0f} met the ground, highest {:.2f} m)\n",
+      count, tested / count, contacts * 1e9 / count, heights * 1e9 / count, met, highest);
 }

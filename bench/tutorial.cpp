@@ -26,10 +26,12 @@ int main(int argc, char** argv) {
       SummaryObserver summary(model.rocks(), 0, model.frame);
       Observer* const observers[] = {&ends, &summary};
       const CampaignOutcome outcome = run_campaign(model, observers, {threads, nullptr, {}});
-      fmt::print("{}: {} rocks, {} threads, {:.2f} s, {:.0f} rocks/s, {:.0f} rocks/s a thread, {:.1f} events a rock, hash {:016x}\n",
-                 file, outcome.done, threads, outcome.seconds, static_cast<double>(outcome.done) / outcome.seconds,
-                 static_cast<double>(outcome.done) / outcome.seconds / threads,
-                 static_cast<double>(ends.events) / static_cast<double>(ends.rocks), ends.hash());
+      fmt::print(
+          "{}: {} rocks, {} threads, {:.2f} s, {:.0f} rocks/s, {:.0f} rocks/s a thread, {:.1f} events a rock, hash "
+          "{:016x}\n",
+          file, outcome.done, threads, outcome.seconds, static_cast<double>(outcome.done) / outcome.seconds,
+          static_cast<double>(outcome.done) / outcome.seconds / threads,
+          static_cast<double>(ends.events) / static_cast<double>(ends.rocks), ends.hash());
     }
   }
 }

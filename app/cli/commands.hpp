@@ -43,10 +43,10 @@ struct ReportOptions {
 int report(const ReportOptions& options);
 
 struct VerifyOptions {
-  std::vector<std::string> cases;   // empty: all
-  std::filesystem::path json;       // empty: none
-  std::filesystem::path page;       // empty: none
-  std::filesystem::path folder;     // of the cases; empty: where they were installed
+  std::vector<std::string> cases;  // empty: all
+  std::filesystem::path json;      // empty: none
+  std::filesystem::path page;      // empty: none
+  std::filesystem::path folder;    // of the cases; empty: where they were installed
 };
 int verify(const VerifyOptions& options);
 

@@ -13,7 +13,8 @@ namespace {
 
 void add_project_options(CLI::App& command, ProjectOptions& options) {
   command.add_option("project", options.file, "The project file (TOML)")->required()->type_name("PROJECT.toml");
-  command.add_option("--set", options.settings, "Set one value, for example --set analysis.gravity_m_s2=9.81; repeatable")
+  command
+      .add_option("--set", options.settings, "Set one value, for example --set analysis.gravity_m_s2=9.81; repeatable")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -22,39 +23,61 @@ void add_project_options(CLI::App& command, ProjectOptions& options) {
 }
 
 int dispatch(int argc, char** argv) {
-  CLI::App app{"Talus: where do the rocks go, how fast, how high, with what energy, and what barrier stops them?", "talus"};
+  CLI::App app{"Talus: where do the rocks go, how fast, how high, with what energy, and what barrier stops them?",
+               "talus"};
   app.set_version_flag("--version", std::string("talus ") + TALUS_VERSION);
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 done, 1 a check failed, 2 bad input, 3 stopped by a signal (results so far kept), 4 internal error.\n"
-             "`talus COMMAND --help` says more of each.");
+  app.footer(
+      "Exit codes: 0 done, 1 a check failed, 2 bad input, 3 stopped by a signal (results so far kept), 4 internal "
+      "error.\n"
+      "`talus COMMAND --help` says more of each.");
 
   RunOptions run_options;
   CLI::App* run_command = app.add_subcommand("run", "Throw the rocks of a project and write tables and a report");
   add_project_options(*run_command, run_options.project);
-  run_command->add_option("-o,--output", run_options.folder, "Folder for the results (default: the project's name, beside its file)")->type_name("DIR");
-  run_command->add_option("--threads", run_options.threads, "Threads to use (default: all cores)")->check(CLI::Range(1, 4096))->type_name("N");
+  run_command
+      ->add_option("-o,--output", run_options.folder,
+                   "Folder for the results (default: the project's name, beside its file)")
+      ->type_name("DIR");
+  run_command->add_option("--threads", run_options.threads, "Threads to use (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
   run_command->add_flag("--quiet,-q", run_options.quiet, "Print nothing but warnings and errors");
 
   ProjectOptions check_options;
-  CLI::App* check_command = app.add_subcommand("check", "Say all that is wrong with a project, with file, line and key");
+  CLI::App* check_command =
+      app.add_subcommand("check", "Say all that is wrong with a project, with file, line and key");
   add_project_options(*check_command, check_options);
 
   ReplayOptions replay_options;
   CLI::App* replay_command = app.add_subcommand("replay", "Repeat one rock of a project, event by event");
   add_project_options(*replay_command, replay_options.project);
-  replay_command->add_option("--rock", replay_options.rock, "The rock's number, as in endpoints.csv (from 0)")->required()->type_name("N");
+  replay_command->add_option("--rock", replay_options.rock, "The rock's number, as in endpoints.csv (from 0)")
+      ->required()
+      ->type_name("N");
   replay_command->add_flag("--csv", replay_options.csv, "Print the rows of paths.csv instead of a table");
 
   ReportOptions report_options;
-  CLI::App* report_command = app.add_subcommand("report", "Make report.html of a run again, or lay two runs over each other");
-  report_command->add_option("folders", report_options.folders, "One run's folder, or two")->required()->expected(1, 2)->type_name("DIR [DIR2]");
-  report_command->add_option("-o,--output", report_options.file, "The page to write (default: report.html, or compare.html for two, in the first folder)")->type_name("FILE");
+  CLI::App* report_command =
+      app.add_subcommand("report", "Make report.html of a run again, or lay two runs over each other");
+  report_command->add_option("folders", report_options.folders, "One run's folder, or two")
+      ->required()
+      ->expected(1, 2)
+      ->type_name("DIR [DIR2]");
+  report_command
+      ->add_option("-o,--output", report_options.file,
+                   "The page to write (default: report.html, or compare.html for two, in the first folder)")
+      ->type_name("FILE");
 
   VerifyOptions verify_options;
-  CLI::App* verify_command = app.add_subcommand("verify", "Run the published verification cases and compare every number");
-  verify_command->add_option("cases", verify_options.cases, "Names of cases, or beginnings of names (default: all)")->type_name("CASE");
-  verify_command->add_option("--json", verify_options.json, "Write the comparison for machines, too")->type_name("FILE");
-  verify_command->add_option("--page", verify_options.page, "Write the comparison as a Markdown page, too")->type_name("FILE");
+  CLI::App* verify_command =
+      app.add_subcommand("verify", "Run the published verification cases and compare every number");
+  verify_command->add_option("cases", verify_options.cases, "Names of cases, or beginnings of names (default: all)")
+      ->type_name("CASE");
+  verify_command->add_option("--json", verify_options.json, "Write the comparison for machines, too")
+      ->type_name("FILE");
+  verify_command->add_option("--page", verify_options.page, "Write the comparison as a Markdown page, too")
+      ->type_name("FILE");
   verify_command->add_option("--cases", verify_options.folder, "The folder that holds the cases")->type_name("DIR");
 
   CLI::App* schema_command = app.add_subcommand("schema", "Print the JSON Schema of the project file");

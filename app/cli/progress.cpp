@@ -40,7 +40,8 @@ void Progress::print(std::uint64_t done, Clock::time_point now) {
   const double rate = static_cast<double>(done) / seconds;
   const double left = static_cast<double>(total_ - done) / rate;
   const int percent = static_cast<int>(100.0 * static_cast<double>(done) / static_cast<double>(total_));
-  const std::string text = fmt::format("{} of {} rocks ({} %), {:.0f} rocks/s, {} left", done, total_, percent, rate, clock_text(left));
+  const std::string text =
+      fmt::format("{} of {} rocks ({} %), {:.0f} rocks/s, {} left", done, total_, percent, rate, clock_text(left));
   if (on_terminal_) {
     constexpr int width = 24;
     const int full = percent * width / 100;

@@ -17,8 +17,10 @@ int schema() {
 
 int start_project(const NewOptions& options) {
   if (!options.force && std::filesystem::exists(options.file)) {
-    throw BadInput(Problem{.file = options.file.string(), .what = "this file is there already",
-                           .why = "talus new does not overwrite", .hint = "Choose another name, or say --force"});
+    throw BadInput(Problem{.file = options.file.string(),
+                           .what = "this file is there already",
+                           .why = "talus new does not overwrite",
+                           .hint = "Choose another name, or say --force"});
   }
   OutputFile file(options.file);
   file.write(project::starter());

@@ -17,9 +17,11 @@ void print_row(const TableContext& context, const RockRecord& record, const char
   const Vec3 &v = motion.velocity, &w = motion.spin;
   const double kinetic = 0.5 * record.body.mass * v.squaredNorm() + 0.5 * record.body.inertia * w.squaredNorm();
   const double potential = record.body.mass * context.gravity * (p.z() - context.energy_datum);
-  fmt::print("{:<11}{:>10.5f}{:>14.5f}{:>14.5f}{:>14.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>12.3f}{:>12.3f}{:>12.3f}\n",
-             state, motion.time, p.x(), p.y(), p.z(), v.x(), v.y(), v.z(), w.x(), w.y(), w.z(), kinetic / 1000,
-             potential / 1000, (kinetic + potential) / 1000);
+  fmt::print(
+      "{:<11}{:>10.5f}{:>14.5f}{:>14.5f}{:>14.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>12.3f}{:>12."
+      "3f}{:>12.3f}\n",
+      state, motion.time, p.x(), p.y(), p.z(), v.x(), v.y(), v.z(), w.x(), w.y(), w.z(), kinetic / 1000,
+      potential / 1000, (kinetic + potential) / 1000);
 }
 
 }  // namespace
@@ -27,7 +29,8 @@ void print_row(const TableContext& context, const RockRecord& record, const char
 int replay(const ReplayOptions& options) {
   const Loaded loaded = load(options.project);
   if (options.rock >= loaded.model.rocks()) {
-    throw BadInput(Problem{.file = options.project.file.string(), .where = "--rock",
+    throw BadInput(Problem{.file = options.project.file.string(),
+                           .where = "--rock",
                            .what = fmt::format("there is no rock {}", options.rock),
                            .why = fmt::format("the project has rocks 0 to {}", loaded.model.rocks() - 1)});
   }
@@ -43,14 +46,15 @@ int replay(const ReplayOptions& options) {
   }
 
   print_warnings(loaded.warnings);
-  fmt::print("rock {} of seeder \"{}\": {:.6g} kg, radius {:.6g} m\n", record.rock, context.seeders[record.seeder.index],
-             record.body.mass, record.body.radius);
+  fmt::print("rock {} of seeder \"{}\": {:.6g} kg, radius {:.6g} m\n", record.rock,
+             context.seeders[record.seeder.index], record.body.mass, record.body.radius);
   fmt::print("{:<11}{:>10}{:>14}{:>14}{:>14}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}{:>12}{:>12}{:>12}\n", "state", "t [s]",
              "x [m]", "y [m]", "z [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]", "wx [rad/s]", "wy [rad/s]", "wz [rad/s]",
              "KE [kJ]", "PE [kJ]", "total [kJ]");
   auto turn = log.turns.begin();
   for (const PathRow& row : log.rows) {
-    for (; turn != log.turns.end() && turn->time < row.motion.time; ++turn) print_row(context, record, "turns back", *turn);
+    for (; turn != log.turns.end() && turn->time < row.motion.time; ++turn)
+      print_row(context, record, "turns back", *turn);
     print_row(context, record, name(row.state), row.motion);
   }
   for (const BarrierHit& hit : log.hits) {

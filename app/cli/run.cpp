@@ -42,11 +42,13 @@ void print_outcome(const Loaded& loaded, const project::RunResult& result, const
     if (count > 0) fmt::print("  {:<22}{:>10}\n", name(static_cast<EndReason>(k)), count);
   }
   const Descriptive way = summary.runout_plan.describe();
-  if (way.mean && way.maximum) fmt::print("  runout on plan: mean {:.2f} m, greatest {:.2f} m\n", *way.mean, *way.maximum);
+  if (way.mean && way.maximum)
+    fmt::print("  runout on plan: mean {:.2f} m, greatest {:.2f} m\n", *way.mean, *way.maximum);
   for (std::size_t b = 0; b < summary.barriers.size(); ++b) {
     const BarrierTally& tally = summary.barriers[b];
     const Descriptive energy = tally.total_energy.describe(), height = tally.height.describe();
-    fmt::print("  {}: {} rocks hit it, {} passed above", loaded.model.barriers[b].name, tally.rocks_hit, tally.rocks_passed_above);
+    fmt::print("  {}: {} rocks hit it, {} passed above", loaded.model.barriers[b].name, tally.rocks_hit,
+               tally.rocks_passed_above);
     if (energy.maximum) fmt::print("; at most {:.1f} kJ, {:.2f} m high", *energy.maximum / 1000, *height.maximum);
     fmt::print("\n");
   }

@@ -8,10 +8,14 @@ namespace talus {
 
 const char* name(BarrierOutcome outcome) {
   switch (outcome) {
-    case BarrierOutcome::stopped: return "stopped";
-    case BarrierOutcome::rebounded: return "rebounded";
-    case BarrierOutcome::broke_through: return "broke through";
-    case BarrierOutcome::passed: return "passed";
+    case BarrierOutcome::stopped:
+      return "stopped";
+    case BarrierOutcome::rebounded:
+      return "rebounded";
+    case BarrierOutcome::broke_through:
+      return "broke through";
+    case BarrierOutcome::passed:
+      return "passed";
   }
   return "";
 }
@@ -88,8 +92,13 @@ std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const 
           if (place.along < -1e-9 || place.along > panel.length + 1e-9 || place.up < -radius - 1e-6) continue;
           const bool above = place.up > panel.height;
           if (recent.contain(BarrierId{b}, start + t)) continue;
-          first = Crossing{std::max(t, 0.0), BarrierId{b}, std::max(place.up, 0.0), above ? place.up - panel.height - radius : 0,
-                           side * panel.normal, panel.up, above};
+          first = Crossing{std::max(t, 0.0),
+                           BarrierId{b},
+                           std::max(place.up, 0.0),
+                           above ? place.up - panel.height - radius : 0,
+                           side * panel.normal,
+                           panel.up,
+                           above};
         }
       }
     }
@@ -100,7 +109,8 @@ std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const 
 BarrierResponse respond(const Barrier& barrier, const Motion& motion, const Vec3& normal, const Rock& rock) {
   const Rebound as_it_came{motion.velocity, motion.spin};
   if (barrier.is_collector) return {BarrierOutcome::passed, as_it_came};
-  const double energy = 0.5 * rock.mass * motion.velocity.squaredNorm() + 0.5 * rock.inertia * motion.spin.squaredNorm();
+  const double energy =
+      0.5 * rock.mass * motion.velocity.squaredNorm() + 0.5 * rock.inertia * motion.spin.squaredNorm();
   if (energy > barrier.capacity) {
     const double kept = std::sqrt(1 - barrier.capacity / energy);
     return {BarrierOutcome::broke_through, Rebound{kept * motion.velocity, kept * motion.spin}};

@@ -22,12 +22,12 @@
 namespace talus {
 
 struct Panel {
-  Vec3 foot;           // one end of its foot
-  Vec3 along;          // unit, along the foot
-  double length = 0;   // of the foot [m]
-  Vec3 up;             // unit, up the face
-  Vec3 normal;         // unit, across the face
-  double height = 0;   // [m]
+  Vec3 foot;          // one end of its foot
+  Vec3 along;         // unit, along the foot
+  double length = 0;  // of the foot [m]
+  Vec3 up;            // unit, up the face
+  Vec3 normal;        // unit, across the face
+  double height = 0;  // [m]
 };
 
 struct Barrier {
@@ -50,9 +50,9 @@ inline constexpr int barrier_outcome_count = 4;
 /// A rock arrives at a barrier.
 struct BarrierHit {
   BarrierId barrier;
-  Motion motion;            // as it arrives
-  double height = 0;        // of the contact point above the foot, along the face [m]
-  double angle = 0;         // between the velocity and the face's normal, positive towards the foot [rad]
+  Motion motion;      // as it arrives
+  double height = 0;  // of the contact point above the foot, along the face [m]
+  double angle = 0;   // between the velocity and the face's normal, positive towards the foot [rad]
   BarrierOutcome outcome = BarrierOutcome::passed;
 };
 
@@ -60,10 +60,10 @@ struct BarrierHit {
 struct Crossing {
   double t = 0;
   BarrierId barrier;
-  double height = 0;        // of the contact point along the face; above the panel's height: it passes above
-  double clearance = 0;     // above the panel's top, along the face [m]; only where it passes above
-  Vec3 normal;              // across the face, against the rock
-  Vec3 up;                  // along the face
+  double height = 0;     // of the contact point along the face; above the panel's height: it passes above
+  double clearance = 0;  // above the panel's top, along the face [m]; only where it passes above
+  Vec3 normal;           // across the face, against the rock
+  Vec3 up;               // along the face
   bool above = false;
 };
 
@@ -74,9 +74,7 @@ inline constexpr double same_crossing = 1e-8;
 /// the next one begins. Times are the rock's.
 class RecentCrossings {
  public:
-  void note(BarrierId barrier, double time) {
-    noted_[next_++ % noted_.size()] = {barrier, time};
-  }
+  void note(BarrierId barrier, double time) { noted_[next_++ % noted_.size()] = {barrier, time}; }
   [[nodiscard]] bool contain(BarrierId barrier, double time) const {
     for (const auto& [noted_barrier, noted_time] : noted_) {
       if (noted_barrier == barrier && std::abs(time - noted_time) < same_crossing) return true;
@@ -104,6 +102,7 @@ struct BarrierResponse {
   BarrierOutcome outcome = BarrierOutcome::passed;
   std::optional<Rebound> leaving;
 };
-[[nodiscard]] BarrierResponse respond(const Barrier& barrier, const Motion& motion, const Vec3& normal, const Rock& rock);
+[[nodiscard]] BarrierResponse respond(const Barrier& barrier, const Motion& motion, const Vec3& normal,
+                                      const Rock& rock);
 
 }  // namespace talus

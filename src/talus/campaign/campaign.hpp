@@ -13,13 +13,13 @@
 namespace talus {
 
 struct CampaignOptions {
-  int threads = 0;                               // 0: as many as there are cores
-  const std::atomic<bool>* stop = nullptr;       // set from outside: blocks begun are finished, no more are begun
-  std::function<void(std::uint64_t)> progress;   // called with the number of rocks done, by one thread at a time
+  int threads = 0;                              // 0: as many as there are cores
+  const std::atomic<bool>* stop = nullptr;      // set from outside: blocks begun are finished, no more are begun
+  std::function<void(std::uint64_t)> progress;  // called with the number of rocks done, by one thread at a time
 };
 
 struct CampaignOutcome {
-  std::uint64_t done = 0;     // rocks 0 to done - 1 were computed
+  std::uint64_t done = 0;  // rocks 0 to done - 1 were computed
   bool interrupted = false;
   double seconds = 0;
   int threads = 1;

@@ -17,7 +17,7 @@ namespace talus {
 /// A section whose vertices stand elsewhere for every rock: normal about their given places, within three standard
 /// deviations.
 struct VaryingSection {
-  std::vector<Vec2> vertices;                 // local
+  std::vector<Vec2> vertices;                  // local
   std::vector<std::array<Sampler, 2>> shifts;  // of x and z [m]
 };
 

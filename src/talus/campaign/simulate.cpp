@@ -51,7 +51,8 @@ RockRecord Simulator::simulate_on(const Surface& surface, std::uint64_t rock) {
     record.was_lifted = !seeder.above_surface;
   }
   record.body = release.rock;
-  record.outcome = follow_rock(Scene<Surface>{surface, model_.ground, model_.barriers, model_.laws}, release, draws, log_);
+  record.outcome =
+      follow_rock(Scene<Surface>{surface, model_.ground, model_.barriers, model_.laws}, release, draws, log_);
   return record;
 }
 

@@ -8,9 +8,8 @@
 #ifdef NDEBUG
 #define TALUS_PROMISE(condition, why) static_cast<void>(0)
 #else
-#define TALUS_PROMISE(condition, why)                                                              \
-  ((condition) ? static_cast<void>(0)                                                              \
-               : (std::fprintf(stderr, "%s:%d: broken promise: %s (%s)\n", __FILE__, __LINE__, why, \
-                               #condition),                                                        \
+#define TALUS_PROMISE(condition, why)                                                                            \
+  ((condition) ? static_cast<void>(0)                                                                            \
+               : (std::fprintf(stderr, "%s:%d: broken promise: %s (%s)\n", __FILE__, __LINE__, why, #condition), \
                   std::abort()))
 #endif

@@ -59,7 +59,8 @@ Roots roots_within(const Polynomial& c, int degree, double t_max) {
 
 // The squared distance from the path of what lies across some direction, less radius^2, as a polynomial of time.
 Polynomial squared_distance(const Vec3& d, const Vec3& v, const Vec3& a, double radius) {
-  return {d.squaredNorm() - radius * radius, 2 * d.dot(v), v.squaredNorm() + d.dot(a), v.dot(a), 0.25 * a.squaredNorm()};
+  return {d.squaredNorm() - radius * radius, 2 * d.dot(v), v.squaredNorm() + d.dot(a), v.dot(a),
+          0.25 * a.squaredNorm()};
 }
 
 // The first time at which a polynomial takes a value, or never.

@@ -35,8 +35,7 @@ Rebound crsp_rebound(const Vec3& velocity, const Vec3& spin, const Vec3& n, cons
   const double direction = v1 != 0 ? v1 : w2;
   const double v1_after = std::copysign(std::sqrt(kept * (rock.inertia * w2 * w2 + rock.mass * v1 * v1)), direction);
   const double v2_after = std::copysign(std::sqrt(kept * rock.mass * v2 * v2), v2);
-  return {-restitution.normal * vn * n + v1_after * t1 + v2_after * t2,
-          wn * n - v2_after / r * t1 + v1_after / r * t2};
+  return {-restitution.normal * vn * n + v1_after * t1 + v2_after * t2, wn * n - v2_after / r * t1 + v1_after / r * t2};
 }
 
 }  // namespace talus

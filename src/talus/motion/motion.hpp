@@ -19,11 +19,11 @@ enum class PathState { projectile, impact, sliding, rolling, barrier, ended };
 /// Why a rock's path is over.
 enum class EndReason {
   at_rest,
-  left_model,          // its centre crossed the edge of the terrain
+  left_model,  // its centre crossed the edge of the terrain
   stopped_by_barrier,
   maximum_steps,
   maximum_time,
-  lost,                // it got beneath the surface: a defect of the program, counted and reported
+  lost,  // it got beneath the surface: a defect of the program, counted and reported
 };
 inline constexpr int end_reason_count = 6;
 

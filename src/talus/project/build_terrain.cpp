@@ -56,7 +56,8 @@ RawMesh raw_mesh(const Project& project, Problems& warnings) {
   } else {
     for (const auto& [x, y, z] : terrain.vertices) mesh.vertices.emplace_back(x, y, z);
     for (const auto& [a, b, c] : terrain.triangles) {
-      mesh.triangles.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+      mesh.triangles.push_back(
+          {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
     }
   }
   const auto& about = terrain.rotate_about;
@@ -72,7 +73,8 @@ BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
   const std::string source = project.terrain.mesh.empty() ? project.file.string() : project.terrain.mesh.string();
   const MendedMesh mesh = mend(std::move(raw), {.source = source});
   built.report = mesh.report.text();
-  for (const std::uint32_t original : mesh.original) built.part_of_facet.push_back(is_extruded ? original / 2 : original);
+  for (const std::uint32_t original : mesh.original)
+    built.part_of_facet.push_back(is_extruded ? original / 2 : original);
 
   Box box;
   for (const Vec3& v : mesh.vertices) box.grow(v);

@@ -15,7 +15,7 @@ struct BuiltTerrain {
   std::variant<Profile, TriangleMesh> surface;
   std::optional<VaryingSection> varying;
   LocalFrame frame;
-  std::size_t parts = 0;                    // segments of a section, triangles of a mesh: what [ground] speaks of
+  std::size_t parts = 0;                     // segments of a section, triangles of a mesh: what [ground] speaks of
   std::string report;                        // what mending a mesh found and did
   std::vector<std::uint32_t> part_of_facet;  // for each facet as the surface's source numbers it
 };

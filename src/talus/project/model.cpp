@@ -44,24 +44,30 @@ Laws laws_of(const Project& project) {
   laws.model = a.model == RockModel::rigid_sphere ? talus::RockModel::rigid_sphere : talus::RockModel::lumped_mass;
   laws.rotation = a.rotation;
   laws.gravity = {0, 0, -a.gravity_m_s2};
-  laws.sliding = a.sliding == SlidingMethod::stepped ? talus::SlidingMethod::stepped : talus::SlidingMethod::closed_form;
+  laws.sliding =
+      a.sliding == SlidingMethod::stepped ? talus::SlidingMethod::stepped : talus::SlidingMethod::closed_form;
   laws.timestep = a.max_timestep_s;
   laws.normal_velocity_cutoff = a.normal_velocity_cutoff_m_s;
   laws.stopped_velocity = a.stopped_velocity_m_s;
   laws.max_steps = a.max_steps;
   laws.max_time = a.max_time_s;
   switch (a.friction_angle) {
-    case FrictionSource::material: laws.friction_source = talus::FrictionSource::material; break;
+    case FrictionSource::material:
+      laws.friction_source = talus::FrictionSource::material;
+      break;
     case FrictionSource::tangential_restitution:
       laws.friction_source = talus::FrictionSource::tangential_restitution;
       break;
-    case FrictionSource::zero: laws.friction_source = talus::FrictionSource::zero; break;
+    case FrictionSource::zero:
+      laws.friction_source = talus::FrictionSource::zero;
+      break;
   }
   if (a.scale_rn_by_velocity) laws.restitution_scaling.normal_speed = a.rn_velocity_scale_m_s;
   if (a.scale_rn_by_mass) laws.restitution_scaling.mass = a.rn_mass_scale_kg;
   laws.tangential_crsp_damping = a.tangential_crsp_damping;
-  laws.material_sampling = project.sampling.materials == MaterialSampling::per_rock ? talus::MaterialSampling::per_rock
-                                                                                    : talus::MaterialSampling::per_impact;
+  laws.material_sampling = project.sampling.materials == MaterialSampling::per_rock
+                               ? talus::MaterialSampling::per_rock
+                               : talus::MaterialSampling::per_impact;
   laws.in_section = project.is_2d();
   return laws;
 }
@@ -94,9 +100,7 @@ class Builder {
   }
 
  private:
-  Vec3 local(const std::array<double, 3>& p) const {
-    return model_.frame.local_from_global({p[0], p[1], p[2]});
-  }
+  Vec3 local(const std::array<double, 3>& p) const { return model_.frame.local_from_global({p[0], p[1], p[2]}); }
   void complain(int line, std::string where, std::string what, std::string why, std::string hint) {
     problems_.add({Severity::error, project_.file.string(), line, std::move(where), std::move(what), std::move(why),
                    std::move(hint)});
@@ -173,8 +177,8 @@ class Builder {
                flat ? fmt::format("x = {} is off the terrain", p[0])
                     : fmt::format("({}, {}) is off the terrain", p[0], p[1]),
                flat ? fmt::format("the section goes from x = {:g} to {:g}", low.x(), high.x())
-                    : fmt::format("on plan the terrain lies within x = {:g} to {:g}, y = {:g} to {:g}", low.x(), high.x(),
-                                  low.y(), high.y()),
+                    : fmt::format("on plan the terrain lies within x = {:g} to {:g}, y = {:g} to {:g}", low.x(),
+                                  high.x(), low.y(), high.y()),
                project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders" : "");
     }
   }
@@ -206,8 +210,8 @@ class Builder {
     const auto& mesh = std::get<TriangleMesh>(model_.surface);
     const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
     for (std::size_t k = 0; k + 1 < b.line.size(); ++k) {
-      for (const Vec3& p : mesh.draped(Vec2(b.line[k][0], b.line[k][1]) - origin,
-                                       Vec2(b.line[k + 1][0], b.line[k + 1][1]) - origin)) {
+      for (const Vec3& p :
+           mesh.draped(Vec2(b.line[k][0], b.line[k][1]) - origin, Vec2(b.line[k + 1][0], b.line[k + 1][1]) - origin)) {
         const bool repeats = !foot.empty() && (p - foot.back()).squaredNorm() < 1e-12;
         if (!repeats) foot.push_back(p);
       }

@@ -58,10 +58,10 @@ struct Sampling {
 
 /// [terrain]: exactly one of section, mesh (a file) and triangles (inline, with vertices)
 struct Terrain {
-  std::vector<std::array<double, 2>> section;           // x, z
+  std::vector<std::array<double, 2>> section;            // x, z
   std::vector<std::array<double, 2>> section_std_dev_m;  // of x and z, one per vertex, or empty; 2D only
-  std::optional<double> width_m;                        // of the extrusion along y; without it the analysis is 2D
-  std::filesystem::path mesh;                           // as written in the file; relative to the project file
+  std::optional<double> width_m;                         // of the extrusion along y; without it the analysis is 2D
+  std::filesystem::path mesh;                            // as written in the file; relative to the project file
   std::vector<std::array<double, 3>> vertices;
   std::vector<std::array<std::int64_t, 3>> triangles;
   double rotate_deg = 0;
@@ -75,17 +75,17 @@ struct Material {
   Distribution tangential_restitution = constant(0.85);
   Distribution friction_angle_deg = constant(30);
   Distribution roughness_deg = constant(0);  // the mean is the standard deviation of the angle; see docs
-  double roughness_spacing_m = 0;         // rigid sphere
-  double roughness_amplitude_m = 0;       // rigid sphere
+  double roughness_spacing_m = 0;            // rigid sphere
+  double roughness_amplitude_m = 0;          // rigid sphere
   Distribution dynamic_friction = constant(0.5);
   Distribution rolling_friction = constant(0.1);
 };
 
 /// [ground]
 struct Ground {
-  std::string default_material;             // key `default`; the only material's name where the file is silent
-  std::vector<std::string> segments;        // section: one per segment
-  std::vector<std::int64_t> triangles;      // mesh: index into the materials, one per triangle
+  std::string default_material;         // key `default`; the only material's name where the file is silent
+  std::vector<std::string> segments;    // section: one per segment
+  std::vector<std::int64_t> triangles;  // mesh: index into the materials, one per triangle
 };
 
 enum class SeederType { point, line };
@@ -94,17 +94,18 @@ enum class SeederType { point, line };
 struct Seeder {
   std::string name;  // default: "seeder N"
   SeederType type = SeederType::point;
-  std::vector<std::array<double, 3>> points;  // one for a point, two or more for a line; 2D: y = 0. From `position` or `points`
-  bool z_is_surface = false;                  // the points' z was given as "surface"
-  std::optional<double> height_above_m;       // above the surface, instead of z
+  std::vector<std::array<double, 3>>
+      points;                 // one for a point, two or more for a line; 2D: y = 0. From `position` or `points`
+  bool z_is_surface = false;  // the points' z was given as "surface"
+  std::optional<double> height_above_m;  // above the surface, instead of z
   std::int64_t rocks = 1;
-  Distribution mass_kg = constant(1000);         // exactly one of mass, volume and diameter is given
+  Distribution mass_kg = constant(1000);  // exactly one of mass, volume and diameter is given
   std::optional<Distribution> volume_m3;
   std::optional<Distribution> diameter_m;
   Distribution density_kg_m3 = constant(2700);
   Distribution horizontal_velocity_m_s = constant(0);
-  Distribution vertical_velocity_m_s = constant(0);     // positive up
-  std::optional<Distribution> speed_m_s;             // along the full `direction`, instead of the two above
+  Distribution vertical_velocity_m_s = constant(0);      // positive up
+  std::optional<Distribution> speed_m_s;                 // along the full `direction`, instead of the two above
   Distribution rotational_velocity_deg_s = constant(0);  // positive: rolling forwards, about up x direction
   std::array<double, 3> direction{1, 0, 0};
   int line = 0;  // in the project file, for later complaints
@@ -116,7 +117,8 @@ struct Barrier {
   bool is_collector = false;
   std::vector<std::array<double, 2>> line;  // plan; 2D: one point (x, 0) from the plain number x
   double height_m = 0;
-  double inclination_deg = 0;  // from the vertical; positive leans to the right of the line as it is drawn (2D: towards +x)
+  double inclination_deg =
+      0;  // from the vertical; positive leans to the right of the line as it is drawn (2D: towards +x)
   double capacity_kJ = std::numeric_limits<double>::infinity();
   std::optional<double> normal_restitution;  // both or neither; neither: the barrier holds what it stops
   std::optional<double> tangential_restitution;

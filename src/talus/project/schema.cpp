@@ -99,7 +99,8 @@ Json table_schema(const Table& table) {
     properties[std::string(setting.key)] = std::move(property);
   }
   for (const LaterKey& later : table.later) {
-    if (later.only_warns) properties[std::string(later.key)] = {{"description", "Not read yet. " + std::string(later.instead)}};
+    if (later.only_warns)
+      properties[std::string(later.key)] = {{"description", "Not read yet. " + std::string(later.instead)}};
   }
   Json out{{"type", "object"}, {"description", std::string(table.meaning)}};
   out["properties"] = std::move(properties);

@@ -96,9 +96,9 @@ struct Setting {
 /// A key of the contract that this version does not read: recognised, and refused (or warned of) with a reason.
 struct LaterKey {
   std::string_view key;
-  std::string_view what;           // what it would do
-  std::string_view instead;        // what to do today
-  bool only_warns = false;         // a run is worth having without it: a warning, and none for `key = false`
+  std::string_view what;     // what it would do
+  std::string_view instead;  // what to do today
+  bool only_warns = false;   // a run is worth having without it: a warning, and none for `key = false`
 };
 
 struct Table {

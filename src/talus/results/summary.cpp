@@ -26,12 +26,17 @@ void BarrierTally::merge(const BarrierTally& other) {
   for (std::size_t k = 0; k < outcomes.size(); ++k) outcomes[k] += other.outcomes[k];
   rocks_hit += other.rocks_hit;
   rocks_passed_above += other.rocks_passed_above;
-  if (other.least_clearance) least_clearance = std::min(least_clearance.value_or(*other.least_clearance), *other.least_clearance);
+  if (other.least_clearance)
+    least_clearance = std::min(least_clearance.value_or(*other.least_clearance), *other.least_clearance);
 }
 
 Summary::Summary(std::uint64_t planned_rocks, std::size_t barrier_count)
-    : planned(planned_rocks), end_x(planned_rocks), runout_plan(planned_rocks), runout_total(planned_rocks),
-      max_kinetic_energy(planned_rocks), max_bounce(planned_rocks),
+    : planned(planned_rocks),
+      end_x(planned_rocks),
+      runout_plan(planned_rocks),
+      runout_total(planned_rocks),
+      max_kinetic_energy(planned_rocks),
+      max_bounce(planned_rocks),
       barriers(barrier_count, BarrierTally(planned_rocks)) {}
 
 void Summary::merge(const Summary& other) {

@@ -46,8 +46,8 @@ struct BarrierTally {
   Tally height;                              // [m]
   Tally velocity;                            // [m/s]
   std::array<std::uint64_t, barrier_outcome_count> outcomes{};
-  std::uint64_t rocks_hit = 0;          // rocks that hit it at least once
-  std::uint64_t rocks_passed_above = 0;  // rocks that passed above it at least once
+  std::uint64_t rocks_hit = 0;            // rocks that hit it at least once
+  std::uint64_t rocks_passed_above = 0;   // rocks that passed above it at least once
   std::optional<double> least_clearance;  // [m]
 };
 
@@ -61,9 +61,9 @@ struct Summary {
   std::uint64_t lifted = 0;
   std::optional<std::uint64_t> first_lost;  // the lowest number among lost rocks, to replay it
   std::int64_t events = 0;
-  Tally end_x, runout_plan, runout_total;   // [m]
-  Tally max_kinetic_energy;                 // [J]
-  Tally max_bounce;                         // [m]
+  Tally end_x, runout_plan, runout_total;  // [m]
+  Tally max_kinetic_energy;                // [J]
+  Tally max_bounce;                        // [m]
   std::vector<BarrierTally> barriers;
 };
 

@@ -24,9 +24,15 @@ Release release_at(const Seeder& seeder, const Vec3& place, const Draws& draws) 
   const double size = drawn(seeder.size, draws, Stream::size);
   Release release;
   switch (seeder.size_of) {
-    case SizeOf::mass: release.rock = sphere_of_mass(size, density); break;
-    case SizeOf::volume: release.rock = sphere_of_mass(size * density, density); break;
-    case SizeOf::diameter: release.rock = sphere_of_diameter(size, density); break;
+    case SizeOf::mass:
+      release.rock = sphere_of_mass(size, density);
+      break;
+    case SizeOf::volume:
+      release.rock = sphere_of_mass(size * density, density);
+      break;
+    case SizeOf::diameter:
+      release.rock = sphere_of_diameter(size, density);
+      break;
   }
   const Vec3 plan = Vec3(seeder.direction.x(), seeder.direction.y(), 0);
   const Vec3 heading = plan.norm() > 0 ? Vec3(plan.normalized()) : Vec3(Vec3::UnitX());

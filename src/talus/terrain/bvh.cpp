@@ -10,8 +10,8 @@ namespace talus {
 namespace {
 
 constexpr std::size_t bins = 16;
-constexpr std::uint32_t leaf_size = 4;          // measured: 2 to 6 differ by less than the noise
-constexpr int deepest_by_heuristic = 40;         // below that ranges are halved, so that no input makes a deep tree
+constexpr std::uint32_t leaf_size = 4;            // measured: 2 to 6 differ by less than the noise
+constexpr int deepest_by_heuristic = 40;          // below that ranges are halved, so that no input makes a deep tree
 constexpr std::uint32_t parallel_size = 1 << 14;  // ranges below this are not worth a task
 
 float rounded_down(double x) {

@@ -97,9 +97,7 @@ struct FourMask {
 [[nodiscard]] inline Four most(Four x, Four y) { return {x.a > y.a ? x.a : y.a, x.b > y.b ? x.b : y.b}; }
 [[nodiscard]] inline FourMask at_most(Four x, Four y) { return {x.a <= y.a, x.b <= y.b}; }
 [[nodiscard]] inline FourMask above(Four x, Four y) { return {x.a > y.a, x.b > y.b}; }
-[[nodiscard]] inline Four chosen(FourMask mask, Four x, Four y) {
-  return {mask.a ? x.a : y.a, mask.b ? x.b : y.b};
-}
+[[nodiscard]] inline Four chosen(FourMask mask, Four x, Four y) { return {mask.a ? x.a : y.a, mask.b ? x.b : y.b}; }
 
 /// 1/v for slab tests, finite also where the path does not move along an axis.
 [[nodiscard]] inline double reciprocal(double v) { return std::abs(v) > 1e-30 ? 1 / v : 1e30; }
@@ -119,9 +117,15 @@ struct Passage {
 /// A flight made ready for slab tests.
 struct FlightSlabs {
   explicit FlightSlabs(const Parabola& path)
-      : px(path.p.x()), py(path.p.y()), pz(path.p.z()), vz(path.v.z()), half_az(0.5 * path.a.z()),
-        inverse_vx(reciprocal(path.v.x())), inverse_vy(reciprocal(path.v.y())),
-        top_t(path.a.z() < 0 ? -path.v.z() / path.a.z() : 0), top(path.a.z() < 0 ? path.z(top_t) : -1e300) {}
+      : px(path.p.x()),
+        py(path.p.y()),
+        pz(path.p.z()),
+        vz(path.v.z()),
+        half_az(0.5 * path.a.z()),
+        inverse_vx(reciprocal(path.v.x())),
+        inverse_vy(reciprocal(path.v.y())),
+        top_t(path.a.z() < 0 ? -path.v.z() / path.a.z() : 0),
+        top(path.a.z() < 0 ? path.z(top_t) : -1e300) {}
 
   [[nodiscard]] Passage pass(const std::array<std::array<float, 4>, 6>& bound, double pad, double t_max) const {
     const auto when = [](const std::array<float, 4>& plane, double shift, double inverse_v) {
@@ -214,8 +218,8 @@ void Bvh::visit_under(const Parabola& path, double t_end, Worth&& worth, Leaf&& 
   while (depth > 0) {
     const Node& node = nodes_[stack[--depth]];
     const Passage passage = slabs.pass(node.bound, 1e-6, t_end);
-    const FourMask met = at_most(passage.enter, passage.leave) &
-                         above(passage.highest - four(node.bound[2]), four(worth()));
+    const FourMask met =
+        at_most(passage.enter, passage.leave) & above(passage.highest - four(node.bound[2]), four(worth()));
     for (std::size_t k = 0; k < 4; ++k) {
       if (!met[static_cast<int>(k)]) continue;
       if (node.count[k] > 0) {

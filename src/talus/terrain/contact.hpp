@@ -14,9 +14,9 @@ enum class Feature { facet, edge, vertex };
 
 /// The first contact of a rock with the surface.
 struct Contact {
-  double t = 0;       // on the path asked about [s]
-  Vec3 normal;        // unit, out of the ground; at an edge or a vertex from there to the rock's centre
-  FacetId facet;      // at an edge or a vertex: one of the facets that meet there
+  double t = 0;   // on the path asked about [s]
+  Vec3 normal;    // unit, out of the ground; at an edge or a vertex from there to the rock's centre
+  FacetId facet;  // at an edge or a vertex: one of the facets that meet there
   Feature feature = Feature::facet;
 };
 
@@ -49,9 +49,9 @@ struct Exit {
 
 /// One side of a facet: points with (x - point) . inward >= 0 are on the facet's side of it.
 struct OutlineEdge {
-  Vec3 point;                      // somewhere on the edge
-  Vec3 inward;                     // unit, in the facet's plane
-  std::optional<FacetId> beyond;   // the facet on the other side; none at the surface's edge
+  Vec3 point;                     // somewhere on the edge
+  Vec3 inward;                    // unit, in the facet's plane
+  std::optional<FacetId> beyond;  // the facet on the other side; none at the surface's edge
 };
 
 /// A facet as a law of sliding needs it: a plane and the lines that bound it.

@@ -10,7 +10,8 @@ namespace talus {
 /// `section` holds (x, z) from left to right; the slope goes from y = 0 to y = `width` [m].
 [[nodiscard]] RawMesh extruded(std::span<const Vec2> section, double width);
 
-/// Turns a mesh about the vertical through `about`, counter-clockwise seen from above [degrees]. Quarter turns are exact.
+/// Turns a mesh about the vertical through `about`, counter-clockwise seen from above [degrees]. Quarter turns are
+/// exact.
 void turn(RawMesh& mesh, double degrees, const Vec3& about);
 
 }  // namespace talus

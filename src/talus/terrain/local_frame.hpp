@@ -12,9 +12,7 @@ struct LocalFrame {
 
   /// An origin at a multiple of 1024 m next to `middle`: subtracting it from a nearby coordinate is exact, and a small
   /// model near zero stays where it is.
-  [[nodiscard]] static LocalFrame near(const Vec3& middle) {
-    return {(middle / 1024).array().round().matrix() * 1024};
-  }
+  [[nodiscard]] static LocalFrame near(const Vec3& middle) { return {(middle / 1024).array().round().matrix() * 1024}; }
   [[nodiscard]] Vec3 local_from_global(const Vec3& p) const { return p - origin; }
   [[nodiscard]] Vec3 global_from_local(const Vec3& p) const { return p + origin; }
 };

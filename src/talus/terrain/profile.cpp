@@ -127,7 +127,8 @@ void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t
 std::optional<Contact> Profile::first_contact(const Parabola& path, double radius, double t_max,
                                               const LeftPlanes& left) const {
   Candidate best{t_max};
-  visit_near(path, radius + widest_slack, best.t, [&](std::uint32_t k) { meet(path, Path::flight, radius, k, left, best); });
+  visit_near(path, radius + widest_slack, best.t,
+             [&](std::uint32_t k) { meet(path, Path::flight, radius, k, left, best); });
   return best.contact();
 }
 
@@ -186,7 +187,8 @@ void Profile::visit_column(double x, Visit&& visit) const {
     const double reach = segment.length * segment.along.x();
     if (reach == 0) continue;
     const double s = (x - segment.a.x()) / reach;
-    if (s >= -1e-12 && s <= 1 + 1e-12) visit(segment.a.z() + s * segment.length * segment.along.z(), segment.normal.z());
+    if (s >= -1e-12 && s <= 1 + 1e-12)
+      visit(segment.a.z() + s * segment.length * segment.along.z(), segment.normal.z());
   }
 }
 

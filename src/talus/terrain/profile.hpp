@@ -45,10 +45,10 @@ class Profile {
 
  private:
   struct Segment {
-    Vec3 a;              // its left end, y = 0
-    Vec3 along;          // unit, towards its right end
-    Vec3 normal;         // unit, out of the ground
-    double length = 0;   // [m]
+    Vec3 a;                    // its left end, y = 0
+    Vec3 along;                // unit, towards its right end
+    Vec3 normal;               // unit, out of the ground
+    double length = 0;         // [m]
     bool sharp_start = false;  // a disc can touch its left end before a segment: the slope is convex there or begins
     bool sharp_end = false;    // only ever true of the last segment
   };
@@ -78,7 +78,7 @@ void Profile::supports(const Vec3& centre, double radius, double reach, Touch&& 
     away.y() = 0;
     const double distance = away.norm();
     if (distance > radius + reach) continue;
-    touch(distance > 1e-6 ? Vec3(away / distance) : segment.normal, 
+    touch(distance > 1e-6 ? Vec3(away / distance) : segment.normal,
           Vec3(segment.a + 0.5 * segment.length * segment.along), distance, FacetId{index_of(segment)});
   }
 }

@@ -131,8 +131,7 @@ Outline TriangleMesh::outline(FacetId id) const {
   return outline;
 }
 
-void TriangleMesh::meet_point(const Parabola& path, std::uint32_t k, const LeftPlanes& left,
-                              Candidate& best) const {
+void TriangleMesh::meet_point(const Parabola& path, std::uint32_t k, const LeftPlanes& left, Candidate& best) const {
   const Facet& facet = facets_[k];
   const std::array<Vec3, 3> side{facet.corner[1] - facet.corner[0], facet.corner[2] - facet.corner[1],
                                  facet.corner[0] - facet.corner[2]};
@@ -160,8 +159,8 @@ void TriangleMesh::meet_point(const Parabola& path, std::uint32_t k, const LeftP
   best = {*t, unit, k, facet.source, Feature::facet};
 }
 
-void TriangleMesh::meet_sphere(const Parabola& path, Path kind, double radius, std::uint32_t k,
-                               const LeftPlanes& left, Candidate& best) const {
+void TriangleMesh::meet_sphere(const Parabola& path, Path kind, double radius, std::uint32_t k, const LeftPlanes& left,
+                               Candidate& best) const {
   const Facet& facet = facets_[k];
   const std::array<Vec3, 3> side{facet.corner[1] - facet.corner[0], facet.corner[2] - facet.corner[1],
                                  facet.corner[0] - facet.corner[2]};
@@ -230,7 +229,7 @@ std::uint32_t TriangleMesh::facets_tested(const Parabola& path, double radius, d
 }
 
 std::optional<Contact> TriangleMesh::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
-                                                            const LeftPlanes& on) const {
+                                                          const LeftPlanes& on) const {
   Candidate best{t_max};
   Box swept;
   swept.grow(leg.p);
@@ -255,8 +254,9 @@ Exit TriangleMesh::exit(const Parabola& path) const {
     const double t = std::max(0.0, distance / outward_speed);
     if (distance < -contact_slack * (std::abs(along.x()) + std::abs(along.y())) || t <= last) continue;
     const double plan_length2 = along.x() * along.x() + along.y() * along.y();
-    const double s = ((path.p.x() + t * path.v.x() - a.x()) * along.x() +
-                      (path.p.y() + t * path.v.y() - a.y()) * along.y()) / plan_length2;
+    const double s =
+        ((path.p.x() + t * path.v.x() - a.x()) * along.x() + (path.p.y() + t * path.v.y() - a.y()) * along.y()) /
+        plan_length2;
     if (s < -1e-9 || s > 1 + 1e-9) continue;
     if (path.z(t) >= a.z() + s * along.z() - 1e-6) last = t;
   }
@@ -271,38 +271,40 @@ Exit TriangleMesh::exit(const Parabola& path) const {
 
 double TriangleMesh::greatest_height(const Parabola& path, double t_end, double known) const {
   const double half_g = 0.5 * path.a.z();
-  bvh_.visit_under(path, t_end, [&] { return known; }, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t k = first; k < last; ++k) {
-      const auto& corner = facets_[k].corner;
-      const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-      if (n.z() <= 0) continue;
-      // The part of the path above this triangle: three lines cut it on plan.
-      double enter = 0, leave = t_end;
-      for (std::size_t c = 0; c < 3 && enter <= leave; ++c) {
-        const Vec3 along = corner[next[c]] - corner[c];
-        const double inside = along.x() * (path.p.y() - corner[c].y()) - along.y() * (path.p.x() - corner[c].x());
-        const double rate = along.x() * path.v.y() - along.y() * path.v.x();
-        if (rate > 0) {
-          enter = std::max(enter, -inside / rate);
-        } else if (rate < 0) {
-          leave = std::min(leave, -inside / rate);
-        } else if (inside < 0) {
-          leave = -1;
+  bvh_.visit_under(
+      path, t_end, [&] { return known; },
+      [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t k = first; k < last; ++k) {
+          const auto& corner = facets_[k].corner;
+          const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+          if (n.z() <= 0) continue;
+          // The part of the path above this triangle: three lines cut it on plan.
+          double enter = 0, leave = t_end;
+          for (std::size_t c = 0; c < 3 && enter <= leave; ++c) {
+            const Vec3 along = corner[next[c]] - corner[c];
+            const double inside = along.x() * (path.p.y() - corner[c].y()) - along.y() * (path.p.x() - corner[c].x());
+            const double rate = along.x() * path.v.y() - along.y() * path.v.x();
+            if (rate > 0) {
+              enter = std::max(enter, -inside / rate);
+            } else if (rate < 0) {
+              leave = std::min(leave, -inside / rate);
+            } else if (inside < 0) {
+              leave = -1;
+            }
+          }
+          if (enter > leave) continue;
+          // Height above the facet's plane: h0 + h1 t + half_g t^2, greatest where its derivative is zero.
+          const double h0 = n.dot(path.p - corner[0]) / n.z(), h1 = n.dot(path.v) / n.z();
+          const double t = std::clamp(half_g < 0 ? -h1 / (2 * half_g) : enter, enter, leave);
+          double height = h0 + t * (h1 + half_g * t);
+          if (height <= known) continue;
+          if (!is_height_field_) {
+            const Vec3 q = path.at(t);
+            if (const auto ground = elevation(q.x(), q.y(), q.z() + contact_slack)) height = q.z() - *ground;
+          }
+          known = std::max(known, height);
         }
-      }
-      if (enter > leave) continue;
-      // Height above the facet's plane: h0 + h1 t + half_g t^2, greatest where its derivative is zero.
-      const double h0 = n.dot(path.p - corner[0]) / n.z(), h1 = n.dot(path.v) / n.z();
-      const double t = std::clamp(half_g < 0 ? -h1 / (2 * half_g) : enter, enter, leave);
-      double height = h0 + t * (h1 + half_g * t);
-      if (height <= known) continue;
-      if (!is_height_field_) {
-        const Vec3 q = path.at(t);
-        if (const auto ground = elevation(q.x(), q.y(), q.z() + contact_slack)) height = q.z() - *ground;
-      }
-      known = std::max(known, height);
-    }
-  });
+      });
   return known;
 }
 

@@ -43,7 +43,8 @@ class TriangleMesh {
   /// Where a flight that meets nothing leaves the model.
   [[nodiscard]] Exit exit(const Parabola& path) const;
 
-  /// The greatest height [m] of a flight over the ground below it in [0, t_end], if that is above `known`; else `known`.
+  /// The greatest height [m] of a flight over the ground below it in [0, t_end], if that is above `known`; else
+  /// `known`.
   [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
 
   /// The highest point of the surface at a place on plan, or the highest below `below`.
@@ -60,8 +61,8 @@ class TriangleMesh {
   [[nodiscard]] const Vec3& point_of(FacetId facet) const { return facets_[facet.index].corner[0]; }
   [[nodiscard]] Outline outline(FacetId facet) const;
 
-  /// Calls touch(normal, middle of the facet, distance, facet) for each facet within `radius` + `reach` of a centre: what a rock there
-  /// may rest against.
+  /// Calls touch(normal, middle of the facet, distance, facet) for each facet within `radius` + `reach` of a centre:
+  /// what a rock there may rest against.
   template <class Touch>
   void supports(const Vec3& centre, double radius, double reach, Touch&& touch) const;
 
@@ -99,16 +100,17 @@ class TriangleMesh {
 template <class Touch>
 void TriangleMesh::supports(const Vec3& centre, double radius, double reach, Touch&& touch) const {
   const double range = radius + reach;
-  bvh_.visit_box(centre - Vec3::Constant(range), centre + Vec3::Constant(range), [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t k = first; k < last; ++k) {
-      const Vec3 away = centre - closest_point(k, centre);
-      const double distance = away.norm();
-      if (distance > range) continue;
-      const auto& corner = facets_[k].corner;
-      touch(distance > 1e-6 ? Vec3(away / distance) : normal({k}), Vec3((corner[0] + corner[1] + corner[2]) / 3), distance,
-            FacetId{k});
-    }
-  });
+  bvh_.visit_box(centre - Vec3::Constant(range), centre + Vec3::Constant(range),
+                 [&](std::uint32_t first, std::uint32_t last) {
+                   for (std::uint32_t k = first; k < last; ++k) {
+                     const Vec3 away = centre - closest_point(k, centre);
+                     const double distance = away.norm();
+                     if (distance > range) continue;
+                     const auto& corner = facets_[k].corner;
+                     touch(distance > 1e-6 ? Vec3(away / distance) : normal({k}),
+                           Vec3((corner[0] + corner[1] + corner[2]) / 3), distance, FacetId{k});
+                   }
+                 });
 }
 
 }  // namespace talus

@@ -13,9 +13,9 @@ namespace talus {
 struct RockOutcome {
   Motion start, end;
   EndReason reason = EndReason::at_rest;
-  std::int64_t events = 0;           // impacts, arrivals at barriers
-  double max_kinetic_energy = 0;     // translational and rotational [J]
-  double max_bounce = 0;             // greatest height of the centre above the ground below it [m]
+  std::int64_t events = 0;        // impacts, arrivals at barriers
+  double max_kinetic_energy = 0;  // translational and rotational [J]
+  double max_bounce = 0;          // greatest height of the centre above the ground below it [m]
 };
 
 /// Follows one rock; rows, turns and barrier hits go to the log.

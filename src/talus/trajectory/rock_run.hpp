@@ -29,8 +29,14 @@ template <class Surface>
 class RockRun {
  public:
   RockRun(const Scene<Surface>& scene, const Release& release, const Draws& draws, RockLog& log)
-      : surface_(scene.surface), ground_(scene.ground), barriers_(scene.barriers), laws_(scene.laws), draws_(draws),
-        log_(log), rock_(release.rock), motion_(release.motion),
+      : surface_(scene.surface),
+        ground_(scene.ground),
+        barriers_(scene.barriers),
+        laws_(scene.laws),
+        draws_(draws),
+        log_(log),
+        rock_(release.rock),
+        motion_(release.motion),
         reach_(scene.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0) {}
 
   RockOutcome follow();
@@ -41,11 +47,11 @@ class RockRun {
   };
   /// In contact with the ground, the lumped mass sliding, the rigid sphere rolling or slipping.
   struct OnGround {
-    Vec3 normal;                    // out of the ground, or of the edge or vertex that carries a sphere
-    FacetId facet;                  // the facet it is on, or one of those at the edge or vertex
-    bool on_facet = true;           // otherwise on an edge or a vertex
-    double mu = 0;                  // tan(phi), lumped mass
-    ContactFriction friction;       // rigid sphere
+    Vec3 normal;                       // out of the ground, or of the edge or vertex that carries a sphere
+    FacetId facet;                     // the facet it is on, or one of those at the edge or vertex
+    bool on_facet = true;              // otherwise on an edge or a vertex
+    double mu = 0;                     // tan(phi), lumped mass
+    ContactFriction friction;          // rigid sphere
     std::optional<Vec3> other_normal;  // of the second facet, in a valley
     FacetId other_facet;
     std::optional<Valley> valley;
@@ -134,7 +140,7 @@ class RockRun {
   const double reach_;  // from the centre to the contact: the radius of a sphere, 0 for the lumped mass
 
   RockOutcome outcome_;
-  std::uint32_t contacts_ = 0;           // how often the ground's properties were drawn
+  std::uint32_t contacts_ = 0;  // how often the ground's properties were drawn
   RecentCrossings crossed_;
   Vec3 last_strike_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // where it struck the ground last
   Vec3 last_normal_ = Vec3::Zero();

@@ -17,7 +17,8 @@ auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& dr
   constexpr double here = 1e-5;  // [m]: contacts so near each other are one contact with both facets
   const bool struck_here = (motion_.position - last_strike_).squaredNorm() < here * here;
   if (struck_here && last_normal_.dot(phase.normal) < 1 - 1e-9) {
-    phase.valley = caught_between(laws_.gravity, last_normal_, phase.normal, motion_.velocity, laws_.normal_velocity_cutoff);
+    phase.valley =
+        caught_between(laws_.gravity, last_normal_, phase.normal, motion_.velocity, laws_.normal_velocity_cutoff);
     if (phase.valley) {
       phase.other_normal = last_normal_;
       phase.other_facet = last_facet_;
@@ -59,9 +60,15 @@ void RockRun<Surface>::draw_friction(OnGround& phase, const GroundDraw& draw, co
     return;
   }
   switch (laws_.friction_source) {
-    case FrictionSource::material: phase.mu = std::tan(draw.friction_angle(material)); break;
-    case FrictionSource::tangential_restitution: phase.mu = rt > 0 ? (1 - rt) / rt : 1e300; break;
-    case FrictionSource::zero: phase.mu = 0; break;
+    case FrictionSource::material:
+      phase.mu = std::tan(draw.friction_angle(material));
+      break;
+    case FrictionSource::tangential_restitution:
+      phase.mu = rt > 0 ? (1 - rt) / rt : 1e300;
+      break;
+    case FrictionSource::zero:
+      phase.mu = 0;
+      break;
   }
 }
 
@@ -160,6 +167,13 @@ void RockRun<Surface>::stand_on(const OnGround& phase) {
   if (!phase.on_facet || phase.valley) return;
   const double height = phase.normal.dot(motion_.position - surface_.point_of(phase.facet)) - reach_;
   motion_.position -= height * phase.normal;
+  // Between a facet and an edge a sphere may have sunk in by more than rounding: what lifting it costs, it pays.
+  const double work = height < -contact_slack ? rock_.mass * height * laws_.gravity.dot(phase.normal) : 0;
+  if (const double energy = kinetic_energy(); work > 0 && energy > 0) {
+    const double kept = std::sqrt(std::max(0.0, 1 - work / energy));
+    motion_.velocity *= kept;
+    motion_.spin *= kept;
+  }
 }
 
 /// The outline of a facet, kept as long as the rock stays on it.
@@ -280,8 +294,8 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
     stand_on(phase);
     if (ahead) return strike(*ahead);
     if (edge) return leave_facet(phase, *edge);
-    // Over an edge or a vertex the ground curves away from a sphere: after a timestep it is in the air again, if barely.
-    // (Not after a leg: where slip ends at once and rolling begins, that would be for ever.)
+    // Over an edge or a vertex the ground curves away from a sphere: after a timestep it is in the air again, if
+    // barely. (Not after a leg: where slip ends at once and rolling begins, that would be for ever.)
     past_edge += t;
     if (!phase.on_facet && past_edge >= 0.5 * laws_.timestep) return take_off(LeftPlanes(phase.normal));
   }
