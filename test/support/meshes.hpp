@@ -87,9 +87,9 @@ template <class Height>
   return net(
       columns, rows,
       [&](std::uint32_t i, std::uint32_t j) {
-        // The rim stays straight; inside, vertices stray by less than would fold a cell.
-        const double x = dx * (i + (i > 0 && i < columns ? dice.between(-0.3, 0.3) : 0.0));
-        const double y = dy * (j + (j > 0 && j < rows ? dice.between(-0.3, 0.3) : 0.0));
+        // The rim stays straight; inside, vertices stray by less than the quarter that could turn a triangle over.
+        const double x = dx * (i + (i > 0 && i < columns ? dice.between(-0.24, 0.24) : 0.0));
+        const double y = dy * (j + (j > 0 && j < rows ? dice.between(-0.24, 0.24) : 0.0));
         return Vec3(x, y, height(x, y));
       },
       [&](std::uint32_t, std::uint32_t) { return dice.chance(0.5); });

@@ -102,6 +102,13 @@ Release random_release(Dice& dice, const Surface& surface, double x, double y, c
   const double reach = laws.model == RockModel::rigid_sphere ? radius : 0;
   const double height = dice.between(0, 5);
   release.motion.position = {x, y, *surface.elevation(x, y) + 4 * reach + height};
+  // Beside a wall it may be in it: lifted until it is clear.
+  bool is_clear = false;
+  while (!is_clear) {
+    is_clear = true;
+    surface.supports(release.motion.position, reach, 1e-3, [&](auto&&...) { is_clear = false; });
+    if (!is_clear) release.motion.position.z() += 0.5;
+  }
   release.motion.velocity = dice.direction();
   release.motion.velocity *= dice.between(0, 8);
   if (dice.chance(0.5)) {

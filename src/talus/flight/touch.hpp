@@ -5,6 +5,7 @@
 // quartic. Each function returns the earliest t in [0, t_max] at which the distance falls through `radius`; a rock
 // that leaves a surface which it touches at t = 0 is not approaching it and is not caught by it again.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -27,7 +28,8 @@ inline constexpr double contact_slack = 1e-9;
   if (vn <= 0) {
     if (h0 <= 0) {
       // At or in the surface already: touching if it does not draw away.
-      const bool pressing = vn < 0 || an < 0;
+      // (A path that bends away and would sink by less than the slack draws away: its vn may be rounding.)
+      const bool pressing = an > 0 ? vn * vn > 2 * an * std::min(slack, contact_slack) : vn < 0 || an < 0;
       return h0 >= -slack && pressing ? std::optional(0.0) : std::nullopt;
     }
     if (discriminant < 0) return std::nullopt;  // a hollow curve that turns before it arrives

@@ -13,16 +13,20 @@ namespace talus {
                                      const Footing& footing, double mu, double timestep) {
   const double speed = velocity.norm(), pull = footing.pull.norm();
   const Vec3 heading = speed > 0 ? Vec3(velocity / speed) : pull > 0 ? Vec3(footing.pull / pull) : Vec3(Vec3::Zero());
-  const Vec3 a = footing.pull - mu * footing.pressure * heading;
-  const Vec3 after = velocity + timestep * a;
+  const double drag = mu * footing.pressure;
+  const Vec3 pulled = velocity + timestep * footing.pull;
   Leg leg;
   leg.end_spin = spin;
-  if (speed > 0 && after.dot(heading) < 0) {
-    leg.duration = -speed / a.dot(heading);
+  if (speed > 0 && pulled.dot(heading) < timestep * drag) {
+    leg.duration = speed / (drag - footing.pull.dot(heading));
     leg.end_velocity = Vec3::Zero();  // what pulls across the motion would be speed without way
     leg.path = {position, Vec3::Zero(), Vec3::Zero()};
     return leg;
   }
+  // Friction acts against the motion at the end of the step. On a straight line that is its motion at the start; across
+  // it, friction of the start would make rounding grow a hundredfold a step where the rock is slow.
+  const double size = pulled.norm();
+  const Vec3 after = size > timestep * drag ? Vec3((1 - timestep * drag / size) * pulled) : Vec3(Vec3::Zero());
   leg.duration = timestep;
   leg.end_velocity = after;
   leg.path = {position, after, Vec3::Zero()};
