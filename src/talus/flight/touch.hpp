@@ -28,8 +28,11 @@ inline constexpr double contact_slack = 1e-9;
   if (vn <= 0) {
     if (h0 <= 0) {
       // At or in the surface already: touching if it does not draw away.
-      // (A path that bends away and would sink by less than the slack draws away: its vn may be rounding.)
-      const bool pressing = an > 0 ? vn * vn > 2 * an * std::min(slack, contact_slack) : vn < 0 || an < 0;
+      // (Its vn and an may be rounding. A path that would not sink by the slack before it bends away, or not in the time
+      // a run may last, draws away.)
+      constexpr double long_time = 1e3;  // [s]
+      const double depth = std::min(slack, contact_slack);
+      const bool pressing = an > 0 ? vn * vn > 2 * an * depth : -long_time * (vn + 0.5 * long_time * an) > depth;
       return h0 >= -slack && pressing ? std::optional(0.0) : std::nullopt;
     }
     if (discriminant < 0) return std::nullopt;  // a hollow curve that turns before it arrives

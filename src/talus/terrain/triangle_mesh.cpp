@@ -310,7 +310,8 @@ double TriangleMesh::greatest_height(const Parabola& path, double t_end, double 
 
 template <class Visit>
 void TriangleMesh::visit_column(double x, double y, double z_low, double z_high, Visit&& visit) const {
-  bvh_.visit_box({x, y, z_low}, {x, y, z_high}, [&](std::uint32_t first, std::uint32_t last) {
+  const Vec3 low(x - contact_slack, y - contact_slack, z_low), high(x + contact_slack, y + contact_slack, z_high);
+  bvh_.visit_box(low, high, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t k = first; k < last; ++k) {
       const auto& corner = facets_[k].corner;
       const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
