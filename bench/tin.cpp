@@ -79,7 +79,7 @@ Model model_on(TriangleMesh surface, std::uint64_t rocks, RockModel rock_model) 
   };
   material.normal_restitution = spread(0.35);
   material.tangential_restitution = spread(0.85);
-  material.friction_angle = Sampler(50 * 0.017453292519943295);
+  material.friction_angle = Sampler(46 * 0.017453292519943295);
   material.dynamic_friction = Sampler(0.5);
   material.rolling_friction = Sampler(0.2);
   model.ground = Ground(material);

@@ -29,7 +29,7 @@ TEST(FallingRoot, TakesTheLaterRootOfARisingRock) {
 TEST(FallingRoot, IsNoneForARockThatNeverFallsBack) {
   EXPECT_FALSE(falling_root(1, 1, 0, 0));
   EXPECT_FALSE(falling_root(1, 0, 0, 0));
-  EXPECT_FALSE(falling_root(1, -1, 2, 0));   // pulled away, it turns half a metre above the plane
+  EXPECT_FALSE(falling_root(1, -1, 2, 0));  // pulled away, it turns half a metre above the plane
   EXPECT_FALSE(falling_root(0, 1, 1, 0));
   EXPECT_FALSE(falling_root(0, 0, 1, 0));
 }
@@ -191,7 +191,7 @@ TEST(TouchPoint, AgreesWithBruteForce) {
     const auto distance = [&](double t) { return (path.at(t) - q).norm(); };
     if (distance(0) <= radius * 1.001) continue;
     const auto expected = first_fall(distance, radius, 2.0, 1000);
-    const auto t = touch_point(path, q, radius, 2.0);
+    const auto t = touch_point(path, q, radius, {0, 2});
     // Steps of 2 ms can pass by a touch that is shallower than what the path bends in one.
     if (!expected && t) {
       ASSERT_NEAR(distance(*t), radius, 1e-9);
@@ -218,9 +218,9 @@ TEST(TouchEdge, AgreesWithBruteForce) {
     const auto distance = [&](double t) { return distance_to_segment(path.at(t), a, e, length); };
     if (distance(0) <= radius * 1.001) continue;
     // What touches the whole segment first touches its line or one of its ends first.
-    auto t = touch_edge(path, a, e, length, radius, 2.0);
+    auto t = touch_edge(path, a, e, length, radius, {0, 2});
     for (const Vec3& end : {a, Vec3(a + length * e)}) {
-      const auto at_end = touch_point(path, end, radius, 2.0);
+      const auto at_end = touch_point(path, end, radius, {0, 2});
       if (at_end && (!t || *at_end < *t)) t = at_end;
     }
     const auto expected = first_fall(distance, radius, 2.0, 1000);
@@ -238,19 +238,41 @@ TEST(TouchEdge, AgreesWithBruteForce) {
   EXPECT_GT(touched, 500);
 }
 
+TEST(TouchPoint, APartOfThePathHasTheTouchesOfThatPart) {
+  Dice dice(35);
+  int inside = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 q = dice.in_cube(3);
+    const Parabola path = random_flight(dice, q);
+    const double radius = dice.magnitude(0.01, 2);
+    if ((path.p - q).norm() <= radius * 1.001) continue;
+    const auto t = touch_point(path, q, radius, {0, 2});
+    const TimeWindow window{dice.between(0, 1.5), 2 * dice.unit()};
+    const auto in_window = touch_point(path, q, radius, window);
+    if (!t || *t > window.leave) {
+      ASSERT_FALSE(in_window);
+    } else if (*t >= window.enter) {
+      ++inside;
+      ASSERT_TRUE(in_window);
+      ASSERT_NEAR(*in_window, *t, 1e-12);
+    }
+  }
+  EXPECT_GT(inside, 100);
+}
+
 TEST(TouchEdge, LeavesTheEndsToThePoints) {
   const Parabola beside{{-0.5, 0, 2}, {0, 0, -1}, {0, 0, -9.81}};
-  EXPECT_FALSE(touch_edge(beside, Vec3::Zero(), Vec3::UnitX(), 1, 1, 10));
-  EXPECT_TRUE(touch_point(beside, Vec3::Zero(), 1, 10));
+  EXPECT_FALSE(touch_edge(beside, Vec3::Zero(), Vec3::UnitX(), 1, 1, {0, 10}));
+  EXPECT_TRUE(touch_point(beside, Vec3::Zero(), 1, {0, 10}));
   const Parabola above{{0.5, 0, 2}, {0, 0, -1}, {0, 0, 0}};
-  const auto t = touch_edge(above, Vec3::Zero(), Vec3::UnitX(), 1, 1, 10);
+  const auto t = touch_edge(above, Vec3::Zero(), Vec3::UnitX(), 1, 1, {0, 10});
   ASSERT_TRUE(t);
   EXPECT_DOUBLE_EQ(*t, 1);
 }
 
 TEST(TouchPoint, AtRestOnItIsATouchNow) {
   const Parabola path{{0, 0, 1}, {0, 0, 0}, {0, 0, -9.81}};
-  const auto t = touch_point(path, Vec3::Zero(), 1, 10);
+  const auto t = touch_point(path, Vec3::Zero(), 1, {0, 10});
   ASSERT_TRUE(t);
   EXPECT_LT(*t, 1e-12);
 }
@@ -259,9 +281,9 @@ TEST(TouchPoint, AtRestOnItIsATouchNow) {
 TEST(TouchPoint, AFastRockFliesOffTheTop) {
   const double limit = std::sqrt(9.81 * 1.0);
   const Parabola slow{{0, 0, 1}, {0.99 * limit, 0, 0}, {0, 0, -9.81}};
-  EXPECT_TRUE(touch_point(slow, Vec3::Zero(), 1, 10));
+  EXPECT_TRUE(touch_point(slow, Vec3::Zero(), 1, {0, 10}));
   const Parabola fast{{0, 0, 1}, {1.01 * limit, 0, 0}, {0, 0, -9.81}};
-  EXPECT_FALSE(touch_point(fast, Vec3::Zero(), 1, 10));
+  EXPECT_FALSE(touch_point(fast, Vec3::Zero(), 1, {0, 10}));
 }
 
 }  // namespace

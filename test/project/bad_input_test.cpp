@@ -74,6 +74,8 @@ std::string complaint_about(const std::string& text, const Overrides& overrides 
   }
 }
 
+void PrintTo(const BadProject& bad, std::ostream* out) { *out << bad.name; }
+
 template <class Case>
 std::string name_of_case(const testing::TestParamInfo<Case>& info) {
   return info.param.name;
@@ -788,6 +790,8 @@ struct BadOverride {
   std::vector<std::string> settings;
   std::string complaint;
 };
+
+void PrintTo(const BadOverride& bad, std::ostream* out) { *out << bad.name; }
 
 class BadOverrideTest : public testing::TestWithParam<BadOverride> {};
 

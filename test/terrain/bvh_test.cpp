@@ -104,9 +104,8 @@ TEST(Bvh, VisitFlightMissesNothing) {
     const double pad = dice.between(0, 2), t_end = dice.between(0.1, 6);
     std::set<std::uint32_t> met;
     double t_max = t_end;
-    bvh.visit_flight(path, pad, t_max, [&](std::uint32_t first, std::uint32_t last, double&) {
-      met.merge(numbers(bvh, first, last));
-    });
+    bvh.visit_flight(path, pad, t_max,
+                     [&](std::uint32_t first, std::uint32_t last, double&) { met.merge(numbers(bvh, first, last)); });
     visited += met.size();
     for (int k = 0; k <= 400; ++k) {
       const Vec3 q = path.at(t_end * k / 400);
@@ -139,6 +138,31 @@ TEST(Bvh, VisitFlightStopsAtAContact) {
     if (++leaves == 3) t = x + 10 + 4;
   });
   EXPECT_LT(leaves, 8);
+}
+
+TEST(FlightSlabs, EveryMomentNearABoxIsInItsWindow) {
+  Dice dice(129);
+  int near = 0, far = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Box box;
+    box.grow(dice.in_cube(3));
+    box.grow(dice.in_cube(3));
+    const double pad = dice.magnitude(0.01, 1), t_max = 2;
+    const Parabola path{dice.in_cube(6), dice.in_cube(8), {0, 0, dice.chance(0.9) ? -9.81 : 0.0}};
+    const TimeWindow window = FlightSlabs(path).window(box, pad, t_max);
+    if (window.is_empty()) ++far;
+    for (int k = 0; k <= 200; ++k) {
+      const double t = t_max * k / 200;
+      const Vec3 q = path.at(t);
+      const bool is_near = (q.array() >= box.low.array() - pad).all() && (q.array() <= box.high.array() + pad).all();
+      if (!is_near) continue;
+      ++near;
+      ASSERT_GE(t, window.enter - 1e-12);
+      ASSERT_LE(t, window.leave + 1e-12);
+    }
+  }
+  EXPECT_GT(near, 1000);
+  EXPECT_GT(far, 200);
 }
 
 }  // namespace

@@ -16,4 +16,10 @@ struct Parabola {
   [[nodiscard]] double z(double t) const { return p.z() + t * (v.z() + 0.5 * t * a.z()); }
 };
 
+/// A part of a path [s].
+struct TimeWindow {
+  double enter, leave;
+  [[nodiscard]] bool is_empty() const { return enter > leave; }
+};
+
 }  // namespace talus

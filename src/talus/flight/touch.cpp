@@ -70,6 +70,30 @@ double first_at(Polynomial c, double level, double t_max) {
   return roots.count > 0 ? roots.t[0] : std::numeric_limits<double>::infinity();
 }
 
+// Whether a polynomial is surely positive in a window: it lies between its least and its greatest Bernstein
+// coefficient (Farin, "Curves and surfaces for CAGD", 5th ed. 2002, section 6.6).
+bool stays_positive(const Polynomial& c, const TimeWindow& window) {
+  const double a = window.enter, h = window.leave - a;
+  // The polynomial of s in [0, 1] with t = a + s h.
+  const double d0 = value(c, a);
+  if (d0 <= 0) return false;
+  const double d1 = h * (c[1] + a * (2 * c[2] + a * (3 * c[3] + a * 4 * c[4])));
+  const double d2 = h * h * (c[2] + a * (3 * c[3] + a * 6 * c[4]));
+  const double d3 = h * h * h * (c[3] + a * 4 * c[4]);
+  const double d4 = h * h * h * h * c[4];
+  return d0 + d1 / 4 > 0 && d0 + d1 / 2 + d2 / 6 > 0 && d0 + 3 * d1 / 4 + d2 / 2 + d3 / 4 > 0 &&
+         d0 + d1 + d2 + d3 + d4 > 0;
+}
+
+// The falls of a squared distance, less radius^2, up to the window's end.
+Falls falls_in(const Polynomial& c, double radius, const TimeWindow& window) {
+  const double slack = 2 * radius * contact_slack;
+  Polynomial above = c;
+  above[0] -= slack;
+  if (stays_positive(above, window)) return {};
+  return falls(c, window.leave, slack);
+}
+
 }  // namespace
 
 Falls falls(const std::array<double, 5>& c, double t_max, double slack) {
@@ -97,20 +121,20 @@ Falls falls(const std::array<double, 5>& c, double t_max, double slack) {
 }
 
 std::optional<double> touch_edge(const Parabola& path, const Vec3& a, const Vec3& e, double length, double radius,
-                                 double t_max) {
+                                 const TimeWindow& window) {
   const Vec3 from_a = path.p - a;
   const Vec3 d = from_a - from_a.dot(e) * e;
   const Vec3 v = path.v - path.v.dot(e) * e;
   const Vec3 acceleration = path.a - path.a.dot(e) * e;
-  for (const double t : falls(squared_distance(d, v, acceleration, radius), t_max, 2 * radius * contact_slack)) {
+  for (const double t : falls_in(squared_distance(d, v, acceleration, radius), radius, window)) {
     const double along = (path.at(t) - a).dot(e);
     if (along >= 0 && along <= length) return t;
   }
   return std::nullopt;
 }
 
-std::optional<double> touch_point(const Parabola& path, const Vec3& q, double radius, double t_max) {
-  const Falls times = falls(squared_distance(path.p - q, path.v, path.a, radius), t_max, 2 * radius * contact_slack);
+std::optional<double> touch_point(const Parabola& path, const Vec3& q, double radius, const TimeWindow& window) {
+  const Falls times = falls_in(squared_distance(path.p - q, path.v, path.a, radius), radius, window);
   return times.count > 0 ? std::optional(times.t[0]) : std::nullopt;
 }
 

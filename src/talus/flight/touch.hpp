@@ -28,8 +28,8 @@ inline constexpr double contact_slack = 1e-9;
   if (vn <= 0) {
     if (h0 <= 0) {
       // At or in the surface already: touching if it does not draw away.
-      // (Its vn and an may be rounding. A path that would not sink by the slack before it bends away, or not in the time
-      // a run may last, draws away.)
+      // (Its vn and an may be rounding. A path that would not sink by the slack before it bends away, or not in the
+      // time a run may last, draws away.)
       constexpr double long_time = 1e3;  // [s]
       const double depth = std::min(slack, contact_slack);
       const bool pressing = an > 0 ? vn * vn > 2 * an * depth : -long_time * (vn + 0.5 * long_time * an) > depth;
@@ -59,11 +59,13 @@ struct Falls {
 [[nodiscard]] Falls falls(const std::array<double, 5>& c, double t_max, double slack);
 
 /// When the parabola comes within `radius` of the segment from `a` along the unit vector `e`, `length` long, the ends
-/// not counted (they are points, for touch_point).
+/// not counted (they are points, for touch_point). Only `window` is asked about; whether the path touches there already
+/// when it begins is known from t = 0 on.
 [[nodiscard]] std::optional<double> touch_edge(const Parabola& path, const Vec3& a, const Vec3& e, double length,
-                                               double radius, double t_max);
+                                               double radius, const TimeWindow& window);
 
-/// When the parabola comes within `radius` of the point `q`.
-[[nodiscard]] std::optional<double> touch_point(const Parabola& path, const Vec3& q, double radius, double t_max);
+/// When the parabola comes within `radius` of the point `q`, in a window.
+[[nodiscard]] std::optional<double> touch_point(const Parabola& path, const Vec3& q, double radius,
+                                                const TimeWindow& window);
 
 }  // namespace talus

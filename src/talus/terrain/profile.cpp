@@ -113,7 +113,7 @@ void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t
   if (radius == 0) return;
   const auto corner = [&](const Vec3& q, std::uint32_t owner) {
     const Parabola planar{in_plane(path.p), in_plane(path.v), in_plane(path.a)};
-    const auto touch = touch_point(planar, q, radius, best.t);
+    const auto touch = touch_point(planar, q, radius, {0, best.t});
     if (!touch) return;
     const Vec3 out = (planar.at(*touch) - q).normalized();
     if (kind == Path::leg && left.contain(out, 1e-9)) return;  // the plane that it rolls on ends there
@@ -141,7 +141,7 @@ std::optional<Contact> Profile::first_contact_on_leg(const Parabola& leg, double
 
 Exit Profile::exit(const Parabola& path) const {
   const double end = path.v.x() > 0 ? bounds_.high.x() : bounds_.low.x();
-  const double t = std::max(0.0, (end - path.p.x()) * bvh_detail::reciprocal(path.v.x()));
+  const double t = std::max(0.0, (end - path.p.x()) * slabs_detail::reciprocal(path.v.x()));
   const Segment& last = path.v.x() > 0 ? segments_.back() : segments_.front();
   const double z_end = path.v.x() > 0 ? last.a.z() + last.length * last.along.z() : last.a.z();
   const double x_end = path.v.x() > 0 ? last.a.x() + last.length * last.along.x() : last.a.x();
@@ -156,7 +156,7 @@ Exit Profile::exit(const Parabola& path) const {
 }
 
 double Profile::greatest_height(const Parabola& path, double t_end, double known) const {
-  const double inverse_vx = bvh_detail::reciprocal(path.v.x());
+  const double inverse_vx = slabs_detail::reciprocal(path.v.x());
   const auto look = [&](std::uint32_t k) {
     const Segment& segment = segments_[k];
     if (segment.along.x() <= 0) return;

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::array<std::size_t, 3> next{1, 2, 0};
 
+constexpr double pad = 1e-6;  // by which boxes are grown, so that rounding hides no contact [m]
+
 // How far outside a facet's outline [m] a contact may lie and still belong to it: what a facet of thickness
 // contact_slack shows to a path that comes in under the given ratio of tangential to normal speed. Beyond a ratio of
 // 1e4 it grows no further (a rock cannot fall on a facet so flatly; only rounding can).
@@ -133,34 +135,37 @@ Outline TriangleMesh::outline(FacetId id) const {
 
 void TriangleMesh::meet_point(const Parabola& path, std::uint32_t k, const LeftPlanes& left, Candidate& best) const {
   const Facet& facet = facets_[k];
-  const std::array<Vec3, 3> side{facet.corner[1] - facet.corner[0], facet.corner[2] - facet.corner[1],
-                                 facet.corner[0] - facet.corner[2]};
+  const Vec3 first = facet.corner[1] - facet.corner[0], last = facet.corner[2] - facet.corner[0];
   // The normal is not made a unit vector before that is needed: times do not depend on its length.
-  const Vec3 n = side[0].cross(side[1]);
+  const Vec3 n = first.cross(last);
   const double vn = n.dot(path.v), an = n.dot(path.a);
   if (vn >= 0 && an >= 0) return;
-  const double h0 = n.dot(path.p - facet.corner[0]);
+  const Vec3 from_corner = path.p - facet.corner[0];
+  const double h0 = n.dot(from_corner);
   const auto t = falling_root(h0, vn, an, contact_slack * n.lpNorm<1>());
   if (!t || !best.beaten_by(*t, Feature::facet, facet.source)) return;
 
-  const Vec3 q = path.at(*t);
-  std::array<double, 3> inside;  // distance from each side, times the lengths of n and of the side
-  for (std::size_t c = 0; c < 3; ++c) inside[c] = n.dot(side[c].cross(q - facet.corner[c]));
-  const double n_length = n.norm();
+  // Distances from the sides, times the lengths of n and of the side; they sum up to the square of n.
+  const Vec3 q = from_corner + *t * path.v + (0.5 * *t * *t) * path.a;
+  const double n2 = n.squaredNorm();
+  const double inside_first = n.dot(first.cross(q)), inside_last = n.dot(q.cross(last));
+  const double inside_middle = n2 - inside_first - inside_last;
+  const double n_length = std::sqrt(n2);
   const Vec3 unit = n / n_length;
-  if (std::min({inside[0], inside[1], inside[2]}) < 0) {
+  if (std::min({inside_first, inside_middle, inside_last}) < 0) {
     const Vec3 arriving = path.velocity(*t);
-    const double slack = outline_slack(arriving.norm(), -unit.dot(arriving));
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (inside[c] < -slack * n_length * side[c].norm()) return;
+    const double slack = outline_slack(arriving.norm(), -unit.dot(arriving)) * n_length;
+    if (inside_first < -slack * first.norm() || inside_last < -slack * last.norm() ||
+        inside_middle < -slack * (last - first).norm()) {
+      return;
     }
   }
   if (h0 <= 1e-7 * n_length && left.contain(unit, same_plane)) return;
   best = {*t, unit, k, facet.source, Feature::facet};
 }
 
-void TriangleMesh::meet_sphere(const Parabola& path, Path kind, double radius, std::uint32_t k, const LeftPlanes& left,
-                               Candidate& best) const {
+void TriangleMesh::meet_sphere(const Parabola& path, Path kind, double radius, const TimeWindow& window,
+                               std::uint32_t k, const LeftPlanes& left, Candidate& best) const {
   const Facet& facet = facets_[k];
   const std::array<Vec3, 3> side{facet.corner[1] - facet.corner[0], facet.corner[2] - facet.corner[1],
                                  facet.corner[0] - facet.corner[2]};
@@ -187,14 +192,16 @@ void TriangleMesh::meet_sphere(const Parabola& path, Path kind, double radius, s
     if (best.beaten_by(t, feature, facet.source)) best = {t, out, k, facet.source, feature};
   };
   for (std::size_t c = 0; c < 3; ++c) {
+    const TimeWindow until_now{window.enter, std::min(window.leave, best.t)};
+    if (until_now.is_empty()) return;
     if ((facet.sharp & (1U << c)) != 0) {
       const double length = side[c].norm();
       const Vec3 e = side[c] / length;
-      const auto t = touch_edge(path, facet.corner[c], e, length, radius, best.t);
+      const auto t = touch_edge(path, facet.corner[c], e, length, radius, until_now);
       if (t) offer(*t, tangential(path.at(*t) - facet.corner[c], e), Feature::edge);
     }
     if ((facet.sharp & (8U << c)) != 0) {
-      const auto t = touch_point(path, facet.corner[c], radius, best.t);
+      const auto t = touch_point(path, facet.corner[c], radius, until_now);
       if (t) offer(*t, path.at(*t) - facet.corner[c], Feature::vertex);
     }
   }
@@ -204,14 +211,25 @@ template <class EachFacet>
 std::optional<Contact> TriangleMesh::search_flight(const Parabola& path, double radius, double t_max,
                                                    const LeftPlanes& left, EachFacet&& each_facet) const {
   Candidate best{t_max};
-  bvh_.visit_flight(path, radius + 1e-6, best.t, [&](std::uint32_t first, std::uint32_t last, double&) {
-    for (std::uint32_t k = first; k < last; ++k) {
-      each_facet();
-      if (radius == 0) {
+  if (radius == 0) {
+    bvh_.visit_flight(path, pad, best.t, [&](std::uint32_t first, std::uint32_t last, double&) {
+      for (std::uint32_t k = first; k < last; ++k) {
+        each_facet();
         meet_point(path, k, left, best);
-      } else {
-        meet_sphere(path, Path::flight, radius, k, left, best);
       }
+    });
+    return best.contact();
+  }
+  const FlightSlabs slabs(path);
+  bvh_.visit_flight(path, radius + pad, best.t, [&](std::uint32_t first, std::uint32_t last, double&) {
+    for (std::uint32_t k = first; k < last; ++k) {
+      const auto& corner = facets_[k].corner;
+      const Box box{corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
+                    corner[0].cwiseMax(corner[1]).cwiseMax(corner[2])};
+      const TimeWindow window = slabs.window(box, radius + pad, best.t);
+      if (window.is_empty()) continue;
+      each_facet();
+      meet_sphere(path, Path::flight, radius, window, k, left, best);
     }
   });
   return best.contact();
@@ -236,9 +254,9 @@ std::optional<Contact> TriangleMesh::first_contact_on_leg(const Parabola& leg, d
   swept.grow(leg.at(0.5 * t_max));
   swept.grow(leg.at(t_max));
   // The arc between these three points stays within an eighth of a t^2 of their box.
-  const Vec3 margin = Vec3::Constant(radius + 1e-6) + 0.125 * t_max * t_max * leg.a.cwiseAbs();
+  const Vec3 margin = Vec3::Constant(radius + pad) + 0.125 * t_max * t_max * leg.a.cwiseAbs();
   bvh_.visit_box(swept.low - margin, swept.high + margin, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t k = first; k < last; ++k) meet_sphere(leg, Path::leg, radius, k, on, best);
+    for (std::uint32_t k = first; k < last; ++k) meet_sphere(leg, Path::leg, radius, {0, t_max}, k, on, best);
   });
   return best.contact();
 }

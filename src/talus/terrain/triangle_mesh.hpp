@@ -82,8 +82,9 @@ class TriangleMesh {
   std::optional<Contact> search_flight(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
                                        EachFacet&& each_facet) const;
   enum class Path { flight, leg };
-  void meet_sphere(const Parabola& path, Path kind, double radius, std::uint32_t k, const LeftPlanes& left,
-                   Candidate& best) const;
+  /// `window` holds every time at which the sphere may touch the facet or its sides.
+  void meet_sphere(const Parabola& path, Path kind, double radius, const TimeWindow& window, std::uint32_t k,
+                   const LeftPlanes& left, Candidate& best) const;
   void find_sharp_features(std::span<const Corners> triangles);
   /// Calls visit(z, n_z) for each facet over or under a place on plan that is not vertical, between two heights.
   template <class Visit>

@@ -67,6 +67,10 @@ class RockRun {
   Phase enter_ground(const Contact& contact, const GroundDraw& draw, const Material& material, double rt);
   /// How a rock goes on from a barrier.
   enum class AtBarrier { untouched, held, goes_on };
+  [[nodiscard]] std::optional<Crossing> next_crossing(const Parabola& path, double t_max) const {
+    if (barriers_.empty()) return std::nullopt;
+    return first_crossing(barriers_, path, reach_, motion_.time, t_max, crossed_);
+  }
   AtBarrier meet_barrier(const Crossing& crossing);
   void pass_above(const Crossing& crossing) {
     crossed_.note(crossing.barrier, motion_.time + crossing.t);
@@ -190,7 +194,7 @@ auto RockRun<Surface>::fly(const Flying& phase) -> Phase {
   }
   const double t_end = contact ? contact->t : exit.t;
 
-  while (const auto crossing = first_crossing(barriers_, path, reach_, motion_.time, t_end, crossed_)) {
+  while (const auto crossing = next_crossing(path, t_end)) {
     if (crossing->above) {
       pass_above(*crossing);
       continue;

@@ -191,19 +191,23 @@ template <class Surface>
 std::optional<OutlineEdge> RockRun<Surface>::side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg,
                                                           double& t) {
   const Outline& outline = outline_of(facet);
-  std::optional<OutlineEdge> crossed_side;
+  std::optional<int> crossed_side;
   for (int k = 0; k < outline.edge_count; ++k) {
     const OutlineEdge& side = outline.edges[static_cast<std::size_t>(k)];
     // The bottom of a valley is a side of both its facets; along it there is no crossing it.
     if (phase.valley && std::abs(side.inward.dot(phase.valley->direction)) < 1e-9) continue;
     const double distance = (leg.p - side.point).dot(side.inward);
-    const auto crossed = falling_root(distance, leg.v.dot(side.inward), leg.a.dot(side.inward), 1e300);
+    const double speed = leg.v.dot(side.inward), acceleration = leg.a.dot(side.inward);
+    // Most legs are short and stay far from all sides.
+    const double nearest = distance + std::min(speed, 0.0) * t + 0.5 * std::min(acceleration, 0.0) * t * t;
+    if (nearest > 0) continue;
+    const auto crossed = falling_root(distance, speed, acceleration, 1e300);
     if (crossed && *crossed < t) {
       t = *crossed;
-      crossed_side = side;
+      crossed_side = k;
     }
   }
-  return crossed_side;
+  return crossed_side ? std::optional(outline.edges[static_cast<std::size_t>(*crossed_side)]) : std::nullopt;
 }
 
 /// The edge at which a leg comes to the end of its plane, if that is before `t`, which becomes the time; on the way the
@@ -270,7 +274,7 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
       }
     }
     bool met = false;
-    while (const auto crossing = first_crossing(barriers_, leg.path, reach_, motion_.time, t, crossed_)) {
+    while (const auto crossing = next_crossing(leg.path, t)) {
       if (crossing->above) {  // a sphere on the ground may be above a low barrier
         pass_above(*crossing);
         continue;

@@ -1,0 +1,119 @@
+#pragma once
+// When a flight passes boxes: four of them at once, for a node of the tree, or one.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "talus/flight/parabola.hpp"
+
+namespace talus {
+
+struct Box {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  void grow(const Vec3& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  void grow(const Box& other) {
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
+  }
+};
+
+namespace slabs_detail {
+
+// Four doubles side by side, as two pairs: pairs are what every 64-bit processor has registers for, and what the
+// compiler turns into one instruction each.
+using Pair = double __attribute__((vector_size(16)));
+using PairMask = decltype(Pair{} < Pair{});
+
+struct Four {
+  Pair a, b;
+  friend Four operator+(Four x, Four y) { return {x.a + y.a, x.b + y.b}; }
+  friend Four operator-(Four x, Four y) { return {x.a - y.a, x.b - y.b}; }
+  friend Four operator*(Four x, Four y) { return {x.a * y.a, x.b * y.b}; }
+  [[nodiscard]] double operator[](int k) const { return k < 2 ? a[k] : b[k - 2]; }
+};
+
+struct FourMask {
+  PairMask a, b;
+  friend FourMask operator&(FourMask x, FourMask y) { return {x.a & y.a, x.b & y.b}; }
+  [[nodiscard]] bool operator[](int k) const { return (k < 2 ? a[k] : b[k - 2]) != 0; }
+};
+
+[[nodiscard]] inline Four four(double x) { return {Pair{x, x}, Pair{x, x}}; }
+[[nodiscard]] inline Four four(const std::array<float, 4>& x) { return {Pair{x[0], x[1]}, Pair{x[2], x[3]}}; }
+[[nodiscard]] inline Four least(Four x, Four y) { return {x.a < y.a ? x.a : y.a, x.b < y.b ? x.b : y.b}; }
+[[nodiscard]] inline Four most(Four x, Four y) { return {x.a > y.a ? x.a : y.a, x.b > y.b ? x.b : y.b}; }
+[[nodiscard]] inline FourMask at_most(Four x, Four y) { return {x.a <= y.a, x.b <= y.b}; }
+[[nodiscard]] inline FourMask above(Four x, Four y) { return {x.a > y.a, x.b > y.b}; }
+[[nodiscard]] inline Four chosen(FourMask mask, Four x, Four y) { return {mask.a ? x.a : y.a, mask.b ? x.b : y.b}; }
+
+/// 1/v for slab tests, finite also where the path does not move along an axis.
+[[nodiscard]] inline double reciprocal(double v) { return std::abs(v) > 1e-30 ? 1 / v : 1e30; }
+
+}  // namespace slabs_detail
+
+/// A flight made ready for slab tests. Its acceleration must be vertical.
+class FlightSlabs {
+ public:
+  /// When the flight is over (or in) four boxes on plan, and how high it is then.
+  struct Passage {
+    slabs_detail::Four enter, leave;     // [s]
+    slabs_detail::Four lowest, highest;  // of the path in between [m]
+  };
+  using Bounds = std::array<std::array<float, 4>, 6>;  // rows: low x, low y, low z, high x, high y, high z
+
+  explicit FlightSlabs(const Parabola& path)
+      : px_(path.p.x()),
+        py_(path.p.y()),
+        pz_(path.p.z()),
+        vz_(path.v.z()),
+        half_az_(0.5 * path.a.z()),
+        inverse_vx_(slabs_detail::reciprocal(path.v.x())),
+        inverse_vy_(slabs_detail::reciprocal(path.v.y())),
+        top_t_(path.a.z() < 0 ? -path.v.z() / path.a.z() : 0),
+        top_(path.a.z() < 0 ? path.z(top_t_) : -1e300) {}
+
+  [[nodiscard]] Passage pass(const Bounds& bound, double pad, double t_max) const {
+    using namespace slabs_detail;
+    const auto when = [](const std::array<float, 4>& plane, double shift, double inverse_v) {
+      return (four(plane) + four(shift)) * four(inverse_v);
+    };
+    const Four x1 = when(bound[0], -pad - px_, inverse_vx_), x2 = when(bound[3], pad - px_, inverse_vx_);
+    const Four y1 = when(bound[1], -pad - py_, inverse_vy_), y2 = when(bound[4], pad - py_, inverse_vy_);
+    Passage passage;
+    passage.enter = most(most(least(x1, x2), least(y1, y2)), four(0));
+    passage.leave = least(least(most(x1, x2), most(y1, y2)), four(t_max));
+    const auto height = [&](Four t) { return four(pz_) + t * (four(vz_) + four(half_az_) * t); };
+    const Four z1 = height(passage.enter), z2 = height(passage.leave);
+    passage.lowest = least(z1, z2);
+    passage.highest = most(z1, z2);
+    const FourMask top_inside = above(four(top_t_), passage.enter) & above(passage.leave, four(top_t_));
+    passage.highest = chosen(top_inside, most(passage.highest, four(top_)), passage.highest);
+    return passage;
+  }
+
+  /// A part of [0, t_max] that holds every time at which the flight is within `pad` of one box.
+  [[nodiscard]] TimeWindow window(const Box& box, double pad, double t_max) const {
+    const double x1 = (box.low.x() - pad - px_) * inverse_vx_, x2 = (box.high.x() + pad - px_) * inverse_vx_;
+    const double y1 = (box.low.y() - pad - py_) * inverse_vy_, y2 = (box.high.y() + pad - py_) * inverse_vy_;
+    const TimeWindow window{std::max({0.0, std::min(x1, x2), std::min(y1, y2)}),
+                            std::min({t_max, std::max(x1, x2), std::max(y1, y2)})};
+    if (window.is_empty()) return window;
+    const auto height = [&](double t) { return pz_ + t * (vz_ + half_az_ * t); };
+    const double z1 = height(window.enter), z2 = height(window.leave);
+    const bool top_inside = top_t_ > window.enter && top_t_ < window.leave;
+    const double lowest = std::min(z1, z2), highest = top_inside ? top_ : std::max(z1, z2);
+    const bool meets = lowest <= box.high.z() + pad && highest >= box.low.z() - pad;
+    return meets ? window : TimeWindow{1, 0};
+  }
+
+ private:
+  double px_, py_, pz_, vz_, half_az_, inverse_vx_, inverse_vy_, top_t_, top_;
+};
+
+}  // namespace talus
