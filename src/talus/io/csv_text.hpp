@@ -1,51 +1,105 @@
 #pragma once
 // Rows of comma-separated text. Numbers are written with the fewest digits that read back as the same number.
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <charconv>
 #include <concepts>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace talus {
 
+/// The numbers of the row before. One that comes again in its column is not turned into digits again: a rock leaves
+/// where and when it arrived, which is every other row of its path.
+class CsvMemory {
+ public:
+  /// The digits of a number that stands in a column.
+  [[nodiscard]] std::string_view digits(std::size_t column, double x) {
+    Cell& cell = cells_[column % cells_.size()];
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    if (cell.length == 0 || cell.bits != bits) {
+      const char* const last = std::to_chars(cell.digits.data(), cell.digits.data() + cell.digits.size(), x).ptr;
+      cell.length = static_cast<std::uint8_t>(last - cell.digits.data());
+      cell.bits = bits;
+    }
+    return {cell.digits.data(), cell.length};
+  }
+
+ private:
+  struct Cell {
+    std::uint64_t bits = 0;
+    std::array<char, 31> digits{};
+    std::uint8_t length = 0;
+  };
+  std::array<Cell, 16> cells_;
+};
+
 class CsvRow {
  public:
-  explicit CsvRow(std::string& text) : text_(text) {}
-  CsvRow& operator<<(double x) { return number(x); }
+  explicit CsvRow(std::string& text, CsvMemory* memory = nullptr) : text_(text), memory_(memory) {}
+  CsvRow& operator<<(double x) {
+    if (memory_ == nullptr) return number(x);
+    const std::string_view digits = memory_->digits(column_, x);
+    separate();
+    put(digits);
+    return *this;
+  }
   CsvRow& operator<<(std::integral auto x) { return number(x); }
   /// Quoted where it must be (RFC 4180).
   CsvRow& operator<<(std::string_view word) {
     separate();
     if (word.find_first_of(",\"\r\n") == std::string_view::npos) {
-      text_ += word;
+      put(word);
       return *this;
     }
-    text_ += '"';
-    for (const char c : word) {
-      if (c == '"') text_ += '"';
-      text_ += c;
-    }
-    text_ += '"';
+    put("\"");
+    for (const char c : word) put(c == '"' ? "\"\"" : std::string_view(&c, 1));
+    put("\"");
     return *this;
   }
   CsvRow& operator<<(const char* word) { return *this << std::string_view(word); }
-  void end() { text_ += '\n'; }
+  /// Adds the row to the text.
+  void end() {
+    put("\n");
+    flush();
+  }
 
  private:
+  static constexpr std::size_t longest_number = 32;
+
   template <class Number>
   CsvRow& number(Number x) {
     separate();
-    char digits[32];
-    const auto [last, error] = std::to_chars(digits, digits + sizeof digits, x);
-    text_.append(digits, last);
+    if (line_.size() - length_ < longest_number) flush();
+    char* const begin = line_.data() + length_;
+    length_ += static_cast<std::size_t>(std::to_chars(begin, begin + longest_number, x).ptr - begin);
     return *this;
   }
-  void separate() {
-    if (!first_) text_ += ',';
-    first_ = false;
+  void put(std::string_view part) {
+    if (line_.size() - length_ < part.size()) flush();
+    if (line_.size() < part.size()) {
+      text_ += part;
+      return;
+    }
+    std::copy(part.begin(), part.end(), line_.data() + length_);
+    length_ += part.size();
   }
+  void separate() {
+    if (column_++ > 0) put(",");
+  }
+  void flush() {
+    text_.append(line_.data(), length_);
+    length_ = 0;
+  }
+
   std::string& text_;
-  bool first_ = true;
+  CsvMemory* memory_;
+  std::size_t column_ = 0;
+  std::array<char, 512> line_;  // what is not yet in the text: one large addition is faster than many small ones
+  std::size_t length_ = 0;
 };
 
 }  // namespace talus

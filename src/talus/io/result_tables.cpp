@@ -48,9 +48,10 @@ struct PathsPart : TextPart {
   PathsPart(const TableContext& c, const PathsTable& t) : TextPart(c), table(t) {}
   void see(const RockRecord& record, const RockLog& log) override {
     if (!table.wants_rows(record.rock)) return;
-    for (std::size_t k = 0; k < log.rows.size(); ++k) append_path_row(text, context, record, k, log.rows[k]);
+    for (std::size_t k = 0; k < log.rows.size(); ++k) append_path_row(text, context, record, k, log.rows[k], &memory);
   }
   const PathsTable& table;
+  CsvMemory memory;
 };
 
 struct BarriersPart : TextPart {
@@ -72,9 +73,9 @@ struct BarriersPart : TextPart {
 }  // namespace
 
 void append_path_row(std::string& text, const TableContext& context, const RockRecord& record, std::size_t event,
-                     const PathRow& row) {
+                     const PathRow& row, CsvMemory* memory) {
   const Vec3 position = context.frame.global_from_local(row.motion.position);
-  CsvRow out(text);
+  CsvRow out(text, memory);
   out << record.rock << event << name(row.state) << row.motion.time << position << row.motion.velocity
       << row.motion.spin << translational_energy(record.body, row.motion) << rotational_energy(record.body, row.motion)
       << record.body.mass * context.gravity * (position.z() - context.energy_datum);

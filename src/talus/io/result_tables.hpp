@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "talus/campaign/model.hpp"
+#include "talus/io/csv_text.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/results/record.hpp"
 
@@ -66,9 +67,9 @@ class BarriersTable : public Observer {
   TableContext context_;
 };
 
-/// A path's row as the table has it, for those who show a path elsewhere.
+/// A path's row as the table has it, for those who show a path elsewhere; `memory` (may be null) of the rows before.
 void append_path_row(std::string& text, const TableContext& context, const RockRecord& record, std::size_t event,
-                     const PathRow& row);
+                     const PathRow& row, CsvMemory* memory = nullptr);
 [[nodiscard]] std::string_view path_header();
 
 }  // namespace talus

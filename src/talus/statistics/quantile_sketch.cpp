@@ -116,6 +116,12 @@ std::vector<QuantileSketch::Counted> QuantileSketch::ascending() const {
 std::optional<double> QuantileSketch::quantile(double p) const {
   if (count_ == 0) return {};
   const auto [rank, fraction] = quantile_place(p, count_);
+  if (is_exact_) {
+    std::vector<double> values = values_;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(values.begin(), at, values.end());
+    return fraction > 0 ? between(*at, *std::min_element(at + 1, values.end()), fraction) : *at;
+  }
   const std::vector<Counted> counted = ascending();
   const auto value_at = [&](std::uint64_t wanted) {
     if (wanted == 0) return minimum_;
