@@ -5,7 +5,7 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-d
 TEST_PACKAGES := libgtest-dev libgmock-dev python3
 BENCH_PACKAGES := libbenchmark-dev
 
-.PHONY: build run test verify bench asan tsan tidy format clean setup setup-test setup-bench
+.PHONY: build run test verify bench soak asan tsan tidy format clean setup setup-test setup-bench
 
 define install
 	@missing=""; for p in $(1); do dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
@@ -47,6 +47,11 @@ asan: setup-test
 
 tsan: setup-test
 	@cmake --preset tsan >/dev/null && cmake --build --preset tsan && ctest --preset tsan
+
+# Random rocks on random ground by the hundred thousand.
+soak: setup-test
+	@cmake --preset release -DTALUS_TESTS=ON >/dev/null && cmake --build --preset release
+	@TALUS_TEST_EFFORT=50 build/talus_tests --gtest_filter='*RandomRocks*'
 
 clean:
 	rm -rf build build-* out

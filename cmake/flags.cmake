@@ -12,6 +12,9 @@ if(TALUS_WERROR)
   target_compile_options(talus_flags INTERFACE -Werror)
 endif()
 if(TALUS_SANITIZE)
-  target_compile_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_compile_options(talus_flags INTERFACE -O1 -g1
+    -fsanitize=${TALUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
+    # Instrumented code makes g++ 12 see optionals used before they are set.
+    -Wno-maybe-uninitialized)
   target_link_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE})
 endif()

@@ -20,11 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::map<std::string, int> floors{{"core", 0},       {"motion", 1},   {"sampling", 1}, {"statistics", 1},
-                                        {"rocks", 1},      {"flight", 2},   {"ground", 2},   {"terrain", 3},
-                                        {"impact", 3},     {"sliding", 3},  {"barriers", 4}, {"seeding", 5},
-                                        {"trajectory", 6}, {"results", 7},  {"campaign", 8}, {"io", 9},
-                                        {"project", 10},   {"verification", 11}};
+const std::map<std::string, int> floors{
+    {"core", 0},       {"motion", 1},  {"sampling", 1}, {"statistics", 1}, {"rocks", 1},    {"flight", 2},
+    {"ground", 2},     {"terrain", 3}, {"impact", 3},   {"sliding", 3},    {"barriers", 4}, {"seeding", 5},
+    {"trajectory", 6}, {"results", 7}, {"campaign", 8}, {"io", 9},         {"project", 10}, {"verification", 11}};
 
 // A law of physics is a function of a contact, not of a mesh.
 const std::map<std::string, std::set<std::string>> closed{

@@ -67,7 +67,8 @@ TEST(Crossing, OfAFlight) {
 }
 
 TEST(Crossing, HeightIsMeasuredUpTheFace) {
-  // Leaning by 30 degrees away from the rock, to the right of its line; met 2 m above the foot's level, hence 2 / cos 30 up the face.
+  // Leaning by 30 degrees away from the rock, to the right of its line; met 2 m above the foot's level, hence 2 / cos
+  // 30 up the face.
   const double lean = std::numbers::pi / 6;
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 4, lean, infinite)};
   const Parabola path{{0, 0, 2}, {5, 0, 0}, {0, 0, 0}};
@@ -144,8 +145,10 @@ TEST(BarrierResponse, HoldsUpToItsCapacity) {
   motion.velocity = {10, 0, 0};
   motion.spin = {0, 3, 0};
   const double energy = kinetic_energy(motion, rock);
-  EXPECT_EQ(respond(fence(Vec3::Zero(), {0, 1, 0}, 4, 0, energy), motion, {-1, 0, 0}, rock).outcome, BarrierOutcome::stopped);
-  EXPECT_EQ(respond(fence(Vec3::Zero(), {0, 1, 0}, 4, 0, infinite), motion, {-1, 0, 0}, rock).outcome, BarrierOutcome::stopped);
+  EXPECT_EQ(respond(fence(Vec3::Zero(), {0, 1, 0}, 4, 0, energy), motion, {-1, 0, 0}, rock).outcome,
+            BarrierOutcome::stopped);
+  EXPECT_EQ(respond(fence(Vec3::Zero(), {0, 1, 0}, 4, 0, infinite), motion, {-1, 0, 0}, rock).outcome,
+            BarrierOutcome::stopped);
 }
 
 TEST(BarrierResponse, BreaksThroughWithTheExcess) {
@@ -275,8 +278,8 @@ TEST(BarrierOnAPath, ReboundsAndDoesNotPass) {
   std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 20, 0, infinite)};
   barriers[0].restitution = Restitution{0.3, 0.9};
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
-    const Followed path = follow(level_ground(), ground_of({}), plain_laws(model), thrown({0, 0, 7}, {10, 0, 0}),
-                                 barriers);
+    const Followed path =
+        follow(level_ground(), ground_of({}), plain_laws(model), thrown({0, 0, 7}, {10, 0, 0}), barriers);
     ASSERT_EQ(path.log.hits.size(), 1U);
     EXPECT_EQ(path.log.hits[0].outcome, BarrierOutcome::rebounded);
     EXPECT_LT(path.outcome.end.position.x(), 10);

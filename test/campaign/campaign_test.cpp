@@ -18,7 +18,8 @@ namespace {
 
 Model tutorial_model(const char* dimensions, std::int64_t rocks, std::vector<std::string> settings = {}) {
   Problems warnings;
-  const auto file = std::filesystem::path(TALUS_SOURCE_DIR "/examples/tutorial-1") / (std::string("tutorial-1-") + dimensions + ".toml");
+  const auto file = std::filesystem::path(TALUS_SOURCE_DIR "/examples/tutorial-1") /
+                    (std::string("tutorial-1-") + dimensions + ".toml");
   return project::build_model(project::read_project(file, {std::move(settings), rocks, {}}).project, warnings);
 }
 
@@ -37,7 +38,8 @@ TEST(Campaign, ComputesARockTheSameInAnyOrder) {
     Simulator forwards(model), backwards(model);
     std::vector<std::uint64_t> hashes(200);
     for (std::uint64_t rock = 0; rock < 200; ++rock) hashes[rock] = bits_of(forwards.simulate(rock, false).outcome);
-    for (std::uint64_t rock = 200; rock-- > 0;) EXPECT_EQ(bits_of(backwards.simulate(rock, true).outcome), hashes[rock]) << rock;
+    for (std::uint64_t rock = 200; rock-- > 0;)
+      EXPECT_EQ(bits_of(backwards.simulate(rock, true).outcome), hashes[rock]) << rock;
   }
 }
 
@@ -103,7 +105,8 @@ TEST(Campaign, LatinHypercubeNarrowsTheMean) {
 TEST(Campaign, DrawsMaterialsOncePerRockIfAskedTo) {
   const Model per_rock = tutorial_model("2d", 1, {"sampling.materials=per_rock"});
   const Model per_impact = tutorial_model("2d", 1);
-  EXPECT_NE(bits_of(Simulator(per_rock).simulate(0, false).outcome), bits_of(Simulator(per_impact).simulate(0, false).outcome));
+  EXPECT_NE(bits_of(Simulator(per_rock).simulate(0, false).outcome),
+            bits_of(Simulator(per_impact).simulate(0, false).outcome));
 }
 
 }  // namespace

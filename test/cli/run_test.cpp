@@ -99,9 +99,9 @@ TEST(TalusRun, DefaultsToTheProjectsNameBesideItsFile) {
 TEST(TalusRun, KeepsWhatIsDoneWhenItIsStopped) {
   const Workplace place;
   // The signal comes when the first results are on their way, and long before two hundred million rocks are done.
-  const auto said = talus_says("run " + tutorial("2d") + " --rocks 200000000 -q --set output.paths=none -o " +
-                                   (place / "out").string(),
-                               "timeout --preserve-status -s INT 2 ");
+  const auto said = talus_says(
+      "run " + tutorial("2d") + " --rocks 200000000 -q --set output.paths=none -o " + (place / "out").string(),
+      "timeout --preserve-status -s INT 2 ");
   EXPECT_EQ(said.exit_code, 3) << said.text;
   EXPECT_NE(said.text.find("stopped after "), std::string::npos);
   const auto summary = nlohmann::json::parse(place.read("out/summary.json"));
@@ -117,7 +117,8 @@ TEST(TalusRun, SaysWhereItCannotWrite) {
   place.write("taken", "a file");
   const auto said = talus_says("run " + tutorial("2d") + " -q -o " + (place / "taken").string());
   EXPECT_EQ(said.exit_code, 2);
-  EXPECT_EQ(said.text, (place / "taken").string() + ": cannot create this folder (Not a directory). Choose another output folder with -o\n");
+  EXPECT_EQ(said.text, (place / "taken").string() +
+                           ": cannot create this folder (Not a directory). Choose another output folder with -o\n");
 }
 
 TEST(TalusRun, SaysThatTheDiskIsFull) {
@@ -127,14 +128,17 @@ TEST(TalusRun, SaysThatTheDiskIsFull) {
   std::filesystem::create_symlink("/dev/full", place / "out/endpoints.csv.part");
   const auto said = talus_says("run " + tutorial("2d") + " -q -o " + (place / "out").string());
   EXPECT_EQ(said.exit_code, 2);
-  EXPECT_EQ(said.text, (place / "out/endpoints.csv").string() +
-                           ": cannot write to this file (No space left on device). Free some space, or write elsewhere with -o\n");
+  EXPECT_EQ(said.text,
+            (place / "out/endpoints.csv").string() +
+                ": cannot write to this file (No space left on device). Free some space, or write elsewhere with -o\n");
   EXPECT_FALSE(std::filesystem::exists(place / "out/endpoints.csv"));
 }
 
 TEST(TalusRun, SpreadsTheWantedPathsOverTheRocks) {
   const Workplace place;
-  ASSERT_EQ(talus_says("run " + tutorial("2d") + " -q --rocks 100 --set output.paths=4 -o " + (place / "out").string()).exit_code, 0);
+  ASSERT_EQ(talus_says("run " + tutorial("2d") + " -q --rocks 100 --set output.paths=4 -o " + (place / "out").string())
+                .exit_code,
+            0);
   std::istringstream rows(place.read("out/paths.csv"));
   std::string line;
   std::set<std::string> rocks;

@@ -60,15 +60,17 @@ TEST(BuildModel, RefusesASeederOffTheSection) {
 }
 
 TEST(BuildModel, RefusesASeederOffTheMesh) {
-  EXPECT_EQ(complaint_of(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]")),
-            "slope.toml:7: seeder \"seeder 1\": (5, 15) is off the terrain (on plan the terrain lies within x = 0 to 10, "
-            "y = 0 to 10)");
+  EXPECT_EQ(
+      complaint_of(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]")),
+      "slope.toml:7: seeder \"seeder 1\": (5, 15) is off the terrain (on plan the terrain lies within x = 0 to 10, "
+      "y = 0 to 10)");
 }
 
 TEST(BuildModel, HintsThatTurningTheTerrainTurnsNothingElse) {
-  EXPECT_EQ(complaint_of(replaced(replaced(square_3d, "[terrain]", "[terrain]\nrotate_deg = 90"), "[5, 5, 5]", "[5, 9, 5]")),
-            "slope.toml:8: seeder \"seeder 1\": (5, 9) is off the terrain (on plan the terrain lies within x = -10 to 0, "
-            "y = 0 to 10). terrain.rotate_deg turns the terrain only, not the seeders");
+  EXPECT_EQ(
+      complaint_of(replaced(replaced(square_3d, "[terrain]", "[terrain]\nrotate_deg = 90"), "[5, 5, 5]", "[5, 9, 5]")),
+      "slope.toml:8: seeder \"seeder 1\": (5, 9) is off the terrain (on plan the terrain lies within x = -10 to 0, "
+      "y = 0 to 10). terrain.rotate_deg turns the terrain only, not the seeders");
 }
 
 TEST(BuildModel, RefusesABarrierOffTheTerrain) {
@@ -83,7 +85,8 @@ TEST(BuildModel, LeavesAMaterialListOfTheWrongLengthToTheReader) {
 }
 
 TEST(BuildModel, RefusesAMeshWithoutArea) {
-  EXPECT_NE(complaint_of(replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]", "[[0,0,0],[10,0,0],[20,0,0],[30,0,0]]")),
+  EXPECT_NE(complaint_of(
+                replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]", "[[0,0,0],[10,0,0],[20,0,0],[30,0,0]]")),
             "no complaint");
 }
 
@@ -97,7 +100,8 @@ TEST(BuildModel, LiftsAReleasePointBelowTheSurfaceAndCountsIt) {
 }
 
 TEST(BuildModel, LiftsASphereUntilItFits) {
-  const Model model = model_of(replaced(square_3d, "[5, 5, 5]", "[5, 5, 0.01]") + "[analysis]\nmodel = \"rigid_sphere\"\n");
+  const Model model =
+      model_of(replaced(square_3d, "[5, 5, 5]", "[5, 5, 0.01]") + "[analysis]\nmodel = \"rigid_sphere\"\n");
   const RockRecord record = Simulator(model).simulate(0, false);
   EXPECT_TRUE(record.was_lifted);
   EXPECT_NEAR(record.outcome.start.position.z(), record.body.radius, 1e-9);
@@ -128,17 +132,19 @@ position = [1, 5]
 mass_kg = 100
 )";
   const Model forwards = model_of(two);
-  const Model backwards = model_of(replaced(replaced(two, "[[0, 0], [10, -10], [20, -10]]", "[[20, -10], [10, -10], [0, 0]]"),
-                                            "[\"A\", \"B\"]", "[\"B\", \"A\"]"));
+  const Model backwards =
+      model_of(replaced(replaced(two, "[[0, 0], [10, -10], [20, -10]]", "[[20, -10], [10, -10], [0, 0]]"),
+                        "[\"A\", \"B\"]", "[\"B\", \"A\"]"));
   const Vec3 a = Simulator(forwards).simulate(0, false).outcome.end.position;
   const Vec3 b = Simulator(backwards).simulate(0, false).outcome.end.position;
   EXPECT_EQ(a, b);
 }
 
 TEST(BuildModel, MovesNothingWhenTheModelIsMovedFarAway) {
-  const std::string far = replaced(replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]",
-                                            "[[2600000,1200000,0],[2600010,1200000,0],[2600010,1200010,0],[2600000,1200010,0]]"),
-                                   "[5, 5, 5]", "[2600005, 1200005, 5]");
+  const std::string far =
+      replaced(replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]",
+                        "[[2600000,1200000,0],[2600010,1200000,0],[2600010,1200010,0],[2600000,1200010,0]]"),
+               "[5, 5, 5]", "[2600005, 1200005, 5]");
   const std::string with_speed = "horizontal_velocity_m_s = 1.25\n";
   const Model near_model = model_of(square_3d + with_speed), far_model = model_of(far + with_speed);
   const auto end = [](const Model& model) {
@@ -148,10 +154,12 @@ TEST(BuildModel, MovesNothingWhenTheModelIsMovedFarAway) {
 }
 
 TEST(BuildModel, VariesTheSectionFromRockToRock) {
-  const Model model = model_of(replaced(flat_2d, "section = ", "section_std_dev_m = [[0, 0], [0, 0.5], [0, 0.5]]\nsection = "));
+  const Model model =
+      model_of(replaced(flat_2d, "section = ", "section_std_dev_m = [[0, 0], [0, 0.5], [0, 0.5]]\nsection = "));
   ASSERT_TRUE(model.varying);
   Simulator simulator(model);
-  EXPECT_NE(simulator.simulate(0, false).outcome.end.position.z(), Simulator(model_of(flat_2d)).simulate(0, false).outcome.end.position.z());
+  EXPECT_NE(simulator.simulate(0, false).outcome.end.position.z(),
+            Simulator(model_of(flat_2d)).simulate(0, false).outcome.end.position.z());
 }
 
 }  // namespace

@@ -283,8 +283,7 @@ TEST(ReadProject, ReadsWhichPathsAreWritten) {
 }
 
 TEST(ReadProject, AcceptsKeysOfLaterWorkThatAskForNothing) {
-  EXPECT_FALSE(read_with(smallest, {"output.maps=false", "output.report=false"})
-                   .output.report);
+  EXPECT_FALSE(read_with(smallest, {"output.maps=false", "output.report=false"}).output.report);
 }
 
 TEST(ReadProject, OverridesPartsByNumberAndByName) {

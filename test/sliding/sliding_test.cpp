@@ -62,8 +62,8 @@ TEST(ClosedForm, TurnsBackAsInTableB1) {
   const Vec3 along = Vec3(73.054 - 50, 0, 45.162 - 30).normalized();
   const Footing footing = Footing::on_plane(gravity, {-along.z(), 0, along.x()});
   const double mu = std::tan(std::numbers::pi / 6);
-  const Leg leg = closed_form_leg({73.054, 0, 45.162}, Vec3(1.4293, 0, 0.94004).norm() * along, Vec3::Zero(), footing,
-                                  mu, 0.01);
+  const Leg leg =
+      closed_form_leg({73.054, 0, 45.162}, Vec3(1.4293, 0, 0.94004).norm() * along, Vec3::Zero(), footing, mu, 0.01);
   EXPECT_NEAR(0.36199 + leg.duration, 0.53105, 2e-5);
   EXPECT_LT((leg.path.at(leg.duration) - Vec3(73.174, 0, 45.241)).norm(), 1e-3);
   EXPECT_FALSE(holds(footing, mu));
@@ -173,8 +173,8 @@ TEST(Stepped, StepsAreSemiImplicit) {
 TEST(Stepped, TurnsBackAsInTableB2) {
   const Vec3 along = Vec3(73.0533 - 50, 0, 45.1624 - 30).normalized();
   const Footing footing = Footing::on_plane(gravity, Vec3(-along.z(), 0, along.x()));
-  const State end = slide(stepped_leg, {{73.0533, 0, 45.1624}, along.dot(Vec3(1.42185, 0, 0.948681)) * along, 0}, footing,
-                          std::tan(std::numbers::pi / 6), 0.01, 1.0);
+  const State end = slide(stepped_leg, {{73.0533, 0, 45.1624}, along.dot(Vec3(1.42185, 0, 0.948681)) * along, 0},
+                          footing, std::tan(std::numbers::pi / 6), 0.01, 1.0);
   EXPECT_NEAR(end.time, 0.16891, 1e-5);
   EXPECT_LT((end.position - Vec3(73.1668, 0, 45.2371)).norm(), 2e-4);
 }

@@ -15,9 +15,9 @@ namespace talus::testing_tools {
 /// The properties that a test sets; all constant.
 struct Soil {
   double rn = 0.5, rt = 0.8;
-  double phi = 0.5;                                   // friction angle [rad]
-  double mu = 0.5, rolling = 0.05;                    // rigid sphere
-  double roughness = 0;                               // standard deviation of the tilt [rad]
+  double phi = 0.5;                 // friction angle [rad]
+  double mu = 0.5, rolling = 0.05;  // rigid sphere
+  double roughness = 0;             // standard deviation of the tilt [rad]
 };
 
 [[nodiscard]] inline Material material_of(const Soil& soil) {
@@ -47,7 +47,7 @@ struct Followed {
 
 template <class Surface>
 [[nodiscard]] Followed follow(const Surface& surface, const Ground& ground, const Laws& laws, const Release& release,
-                      std::span<const Barrier> barriers = {}, std::uint64_t rock_number = 0) {
+                              std::span<const Barrier> barriers = {}, std::uint64_t rock_number = 0) {
   Followed result;
   const Draws draws(SamplingPlan{}, rock_number);
   result.outcome = follow_rock(Scene<Surface>{surface, ground, barriers, laws}, release, draws, result.log);

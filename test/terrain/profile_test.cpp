@@ -17,7 +17,8 @@ const Vec3 gravity(0, 0, -standard_gravity);
 
 std::vector<Vec2> random_section(Dice& dice, int segments) {
   std::vector<Vec2> section{{0, 0}};
-  for (int k = 0; k < segments; ++k) section.emplace_back(section.back() + Vec2(dice.between(0.5, 4), dice.between(-4, 2)));
+  for (int k = 0; k < segments; ++k)
+    section.emplace_back(section.back() + Vec2(dice.between(0.5, 4), dice.between(-4, 2)));
   return section;
 }
 
@@ -52,7 +53,8 @@ TEST(Profile, ContactsAreThoseOfTheExtrusion) {
         const double radius = i % 2 == 0 ? 0.0 : dice.magnitude(0.02, 3);
         const double x = dice.between(0, 1) * section.back().x();
         Parabola path{{x, 0, *profile.elevation(x) + 4 * radius + dice.between(1, 20)},
-                      {dice.between(-15, 15), 0, dice.between(-10, 10)}, gravity};
+                      {dice.between(-15, 15), 0, dice.between(-10, 10)},
+                      gravity};
         const auto flat = profile.first_contact(path, radius, 1e3);
         path.p.y() = 21.7;
         const auto wide = mesh.first_contact(path, radius, 1e3);

@@ -76,9 +76,8 @@ Body random_body(Dice& dice, int number) {
     }
     case 1: {  // drawn out into slivers
       const Vec3 stretch(dice.magnitude(0.02, 20), dice.magnitude(0.02, 20), 1);
-      const Shape shape = random_boulder(dice, 2, 1.0, 0.05).moved([&](const Vec3& v) {
-        return Vec3(size * v.cwiseProduct(stretch));
-      });
+      const Shape shape =
+          random_boulder(dice, 2, 1.0, 0.05).moved([&](const Vec3& v) { return Vec3(size * v.cwiseProduct(stretch)); });
       return body_of(placed(shape), shift, 0.1 * size * stretch.minCoeff());
     }
     default:
@@ -189,7 +188,8 @@ TEST(Watertight, PointsOnHeightFields) {
       const bool at_rim = target.place.x() <= mesh.bounds().low.x() || target.place.x() >= mesh.bounds().high.x() ||
                           target.place.y() <= mesh.bounds().low.y() || target.place.y() >= mesh.bounds().high.y();
       if (at_rim && !contact) continue;  // past the model's edge by a rounding
-      ASSERT_TRUE(contact) << "field " << number << " rock " << i << (target.is_vertex ? " at a vertex" : " at an edge");
+      ASSERT_TRUE(contact) << "field " << number << " rock " << i
+                           << (target.is_vertex ? " at a vertex" : " at an edge");
       ASSERT_LE(contact->t, t + late) << "field " << number << " rock " << i;
     }
   }

@@ -44,8 +44,8 @@ TEST(Slide, OverASeamOfOnePlaneIsOneSlide) {
   const double v = 8, a = std::tan(0.3) * standard_gravity;
   for (const SlidingMethod sliding : both_methods) {
     const Profile seams(std::vector<Vec2>{{0, 0}, {3, 0}, {5, 0}, {5.5, 0}, {50, 0}});
-    const Followed path = follow(seams, ground_of(soil), laws_of(RockModel::lumped_mass, sliding),
-                                 on_slope({1, 0, 0}, {v, 0, 0}));
+    const Followed path =
+        follow(seams, ground_of(soil), laws_of(RockModel::lumped_mass, sliding), on_slope({1, 0, 0}, {v, 0, 0}));
     EXPECT_EQ(path.outcome.reason, EndReason::at_rest);
     EXPECT_EQ(states(path), (std::vector{PathState::impact, PathState::sliding}));
     EXPECT_NEAR(path.outcome.end.position.x(), 1 + v * v / (2 * a), sliding == SlidingMethod::stepped ? 0.05 : 1e-9);
@@ -87,8 +87,8 @@ TEST(Slide, OffAConvexEdgeIsAFlight) {
   soil.phi = 0.1;
   soil.rt = 1;
   for (const SlidingMethod sliding : both_methods) {
-    const Followed path = follow(step, ground_of(soil), laws_of(RockModel::lumped_mass, sliding),
-                                 on_slope({1, 0, 0}, {9, 0, 0}));
+    const Followed path =
+        follow(step, ground_of(soil), laws_of(RockModel::lumped_mass, sliding), on_slope({1, 0, 0}, {9, 0, 0}));
     const auto& rows = path.log.rows;
     ASSERT_GT(rows.size(), 5U);
     EXPECT_EQ(rows[4].state, PathState::projectile);
@@ -125,7 +125,8 @@ TEST(Slide, UphillTurnsBackAndIsNoted) {
   Soil soil;
   soil.phi = 0.3;
   soil.rt = 1;
-  const Followed path = follow(slope, ground_of(soil), laws_of(RockModel::lumped_mass), on_slope(20 * along, 5 * along));
+  const Followed path =
+      follow(slope, ground_of(soil), laws_of(RockModel::lumped_mass), on_slope(20 * along, 5 * along));
   const double up = standard_gravity * (std::sin(angle) + std::tan(0.3) * std::cos(angle));
   const double down = standard_gravity * (std::sin(angle) - std::tan(0.3) * std::cos(angle));
   ASSERT_EQ(path.log.turns.size(), 1U);
@@ -187,7 +188,8 @@ TEST(Rolls, DownAPlaneOfManyFacets) {
   Laws laws = laws_of(RockModel::rigid_sphere);
   laws.max_time = 4;
   const Vec3 n = Vec3(grade, 0, 1).normalized(), down = Vec3(1, 0, -grade).normalized();
-  const Followed path = follow(mesh, ground_of(soil), laws, on_slope(Vec3(5, 14, -5 * grade) + rock.radius * n, {0, 0, 0}));
+  const Followed path =
+      follow(mesh, ground_of(soil), laws, on_slope(Vec3(5, 14, -5 * grade) + rock.radius * n, {0, 0, 0}));
   EXPECT_EQ(path.outcome.reason, EndReason::maximum_time);
   const double a = 5.0 / 7 * standard_gravity * std::sin(0.5);
   EXPECT_NEAR(path.outcome.end.velocity.dot(down), 4 * a, 1e-6);
@@ -200,8 +202,8 @@ TEST(Rolls, OffALedge) {
   const Profile ledge(std::vector<Vec2>{{0, 0}, {10, 0}, {10, -5}, {40, -5}});
   Soil soil;
   soil.rolling = 0.01;
-  const Followed path = follow(ledge, ground_of(soil), laws_of(RockModel::rigid_sphere),
-                               on_slope({2, 0, rock.radius}, {6, 0, 0}));
+  const Followed path =
+      follow(ledge, ground_of(soil), laws_of(RockModel::rigid_sphere), on_slope({2, 0, rock.radius}, {6, 0, 0}));
   // Faster than sqrt(g r) it flies off where its centre passes the ledge.
   const auto& rows = path.log.rows;
   std::size_t k = 0;
@@ -222,8 +224,8 @@ TEST(Rolls, SlowlyOverALedge) {
   const Profile ledge(std::vector<Vec2>{{0, 0}, {10, 0}, {10, -5}, {40, -5}});
   Soil soil;
   soil.rolling = 0.01;
-  const Followed path = follow(ledge, ground_of(soil), laws_of(RockModel::rigid_sphere),
-                               on_slope({9.8, 0, rock.radius}, {0.7, 0, 0}));
+  const Followed path =
+      follow(ledge, ground_of(soil), laws_of(RockModel::rigid_sphere), on_slope({9.8, 0, rock.radius}, {0.7, 0, 0}));
   double first_below = 1e300;
   for (const PathRow& row : path.log.rows) {
     if (row.motion.position.z() < -4) first_below = std::min(first_below, row.motion.position.x());
@@ -240,8 +242,8 @@ TEST(Rolls, IntoAWall) {
   Soil soil;
   soil.rn = 0.5;
   soil.rolling = 0.01;
-  const Followed path = follow(wall, ground_of(soil), laws_of(RockModel::rigid_sphere),
-                               on_slope({2, 0, rock.radius}, {6, 0, 0}));
+  const Followed path =
+      follow(wall, ground_of(soil), laws_of(RockModel::rigid_sphere), on_slope({2, 0, rock.radius}, {6, 0, 0}));
   double farthest = 0;
   const PathRow* before = nullptr;
   for (std::size_t i = 0; i + 1 < path.log.rows.size(); ++i) {

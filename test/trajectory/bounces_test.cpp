@@ -175,8 +175,8 @@ TEST(Outcome, AgreesWithItsRows) {
     RockLog brief(false);
     const Ground ground = ground_of({});
     const Laws laws;
-    const RockOutcome again = follow_rock(Scene<TriangleMesh>{mesh, ground, {}, laws}, release,
-                                          Draws(SamplingPlan{}, 0), brief);
+    const RockOutcome again =
+        follow_rock(Scene<TriangleMesh>{mesh, ground, {}, laws}, release, Draws(SamplingPlan{}, 0), brief);
     EXPECT_EQ(again.end.position, path.outcome.end.position);
     EXPECT_EQ(again.max_kinetic_energy, path.outcome.max_kinetic_energy);
     EXPECT_TRUE(brief.rows.empty());

@@ -117,9 +117,9 @@ TEST(Invariance, MovingTheModelWithinItsFrame) {
     Release release = it.release;
     release.motion.position += shift;
     const auto same = [](const Vec3& v) { return v; };
-    expect_alike(follow(mesh, ground_of(it.soil), it.laws, it.release),
-                 follow(moved_mesh, ground_of(it.soil), it.laws, release), [&](const Vec3& v) { return Vec3(v + shift); },
-                 same, same, 1e-9, "rock " + std::to_string(number));
+    expect_alike(
+        follow(mesh, ground_of(it.soil), it.laws, it.release), follow(moved_mesh, ground_of(it.soil), it.laws, release),
+        [&](const Vec3& v) { return Vec3(v + shift); }, same, same, 1e-9, "rock " + std::to_string(number));
     if (HasFatalFailure()) return;
   }
 }
@@ -202,7 +202,8 @@ TEST(Invariance, ASectionEqualsItsExtrusion) {
     hard.normal_restitution = Sampler(rn, Bounds{0, 1});
     std::vector<MaterialId> of_segment, of_triangle;
     for (std::uint32_t i = 0; i + 1 < section.size(); ++i) of_segment.push_back(MaterialId{i % 2});
-    for (std::size_t i = 0; i < shape.triangles.size(); ++i) of_triangle.push_back(of_segment[(i / 2) % of_segment.size()]);
+    for (std::size_t i = 0; i < shape.triangles.size(); ++i)
+      of_triangle.push_back(of_segment[(i / 2) % of_segment.size()]);
     const Ground ground2({hard, soft}, of_segment), ground3({hard, soft}, of_triangle);
     int alike = 0;
     for (int number = 0; number < 40; ++number) {

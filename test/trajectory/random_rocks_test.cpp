@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <ostream>
 #include <string>
 
@@ -82,8 +83,7 @@ std::string what_is_wrong(const Followed& path, const Rock& rock, const Laws& la
 // Follows many rocks; the first few that go wrong are shown, all are counted.
 class Verdict {
  public:
-  void add(const Followed& path, const Rock& rock, const Laws& laws, const Soil& soil,
-           const std::string& who) {
+  void add(const Followed& path, const Rock& rock, const Laws& laws, const Soil& soil, const std::string& who) {
     const std::string wrong = what_is_wrong(path, rock, laws, soil);
     if (wrong.empty()) return;
     if (++wrong_ <= 3) ADD_FAILURE() << who << '\n' << wrong;
@@ -140,9 +140,8 @@ Shape fine_slope(Dice& dice) {
 
 Shape bowl(Dice& dice) {
   const double depth = dice.between(0.002, 0.05);
-  return irregular_field(dice, 16, 16, 40, 40, [&](double x, double y) {
-    return depth * ((x - 20) * (x - 20) + (y - 20) * (y - 20));
-  });
+  return irregular_field(dice, 16, 16, 40, 40,
+                         [&](double x, double y) { return depth * ((x - 20) * (x - 20) + (y - 20) * (y - 20)); });
 }
 
 Shape valley_or_ridge(Dice& dice) {
@@ -184,12 +183,18 @@ Throw random_throw(const Scenery& scenery, const TriangleMesh& mesh, int ground,
   return it;
 }
 
+// `make soak` asks for many times the rocks that fit into every run of the tests.
+int effort() {
+  const char* wish = std::getenv("TALUS_TEST_EFFORT");
+  return wish == nullptr ? 1 : std::max(1, std::atoi(wish));
+}
+
 class RandomRocks : public testing::TestWithParam<Scenery> {};
 
 TEST_P(RandomRocks, PathsAreLawful) {
   const Scenery& scenery = GetParam();
   Verdict verdict;
-  for (int ground = 0; ground < scenery.grounds; ++ground) {
+  for (int ground = 0; ground < effort() * scenery.grounds; ++ground) {
     Dice dice(static_cast<std::uint64_t>(ground));
     const TriangleMesh mesh = scenery.make(dice).mesh();
     for (int number = 0; number < scenery.rocks; ++number) {
@@ -201,11 +206,10 @@ TEST_P(RandomRocks, PathsAreLawful) {
   }
 }
 
-const std::array sceneries{Scenery{"RoughSlope", rough_slope, 5, 55, 1.0, 40, 100},
-                           Scenery{"LargerThanTheFacets", fine_slope, 4, 16, 3.0, 10, 60},
-                           Scenery{"Bowl", bowl, 8, 32, 1.0, 10, 100},
-                           Scenery{"ValleyOrRidge", valley_or_ridge, 8, 32, 1.0, 10, 100},
-                           Scenery{"Terraces", terraces, 4, 26, 0.8, 10, 100}};
+const std::array sceneries{
+    Scenery{"RoughSlope", rough_slope, 5, 55, 1.0, 40, 100},
+    Scenery{"LargerThanTheFacets", fine_slope, 4, 16, 3.0, 10, 60}, Scenery{"Bowl", bowl, 8, 32, 1.0, 10, 100},
+    Scenery{"ValleyOrRidge", valley_or_ridge, 8, 32, 1.0, 10, 100}, Scenery{"Terraces", terraces, 4, 26, 0.8, 10, 100}};
 
 INSTANTIATE_TEST_SUITE_P(Everywhere, RandomRocks, testing::ValuesIn(sceneries),
                          [](const auto& family) { return std::string(family.param.name); });

@@ -41,4 +41,12 @@ struct Leg {
   Vec3 end_spin = Vec3::Zero();
 };
 
+/// What is left of a leg where two facets, touched at once, let the rock move along the unit vector `e` only.
+[[nodiscard]] inline Leg guided(const Leg& leg, const Vec3& e) {
+  return {{leg.path.p, leg.path.v.dot(e) * e, leg.path.a.dot(e) * e},
+          leg.duration,
+          leg.end_velocity.dot(e) * e,
+          leg.end_spin};
+}
+
 }  // namespace talus

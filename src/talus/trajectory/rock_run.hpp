@@ -47,12 +47,14 @@ class RockRun {
   };
   /// In contact with the ground, the lumped mass sliding, the rigid sphere rolling or slipping.
   struct OnGround {
-    Vec3 normal;                       // out of the ground, or of the edge or vertex that carries a sphere
-    FacetId facet;                     // the facet it is on, or one of those at the edge or vertex
-    bool on_facet = true;              // otherwise on an edge or a vertex
-    double mu = 0;                     // tan(phi), lumped mass
-    ContactFriction friction;          // rigid sphere
-    std::optional<Vec3> other_normal;  // of the second facet, in a valley
+    Vec3 normal;               // out of the ground, or of the edge or vertex that carries a sphere
+    FacetId facet;             // the facet it is on, or one of those at the edge or vertex
+    bool on_facet = true;      // otherwise on an edge or a vertex
+    double mu = 0;             // tan(phi), lumped mass
+    ContactFriction friction;  // rigid sphere
+    // In a valley of the second facet; otherwise of a facet that the rock touches yet but has left.
+    std::optional<Vec3> other_normal;
+    bool is_guided = false;  // the next leg goes along both facets
     FacetId other_facet;
     std::optional<Valley> valley;
   };
@@ -81,18 +83,22 @@ class RockRun {
   [[nodiscard]] bool rests(const OnGround& phase, const Footing& footing) const;
   [[nodiscard]] Footing footing(const OnGround& phase) const;
   [[nodiscard]] Vec3 valley_spin(const OnGround& phase) const;
+  void go_along_valley(const OnGround& phase);
   Phase leave_facet(const OnGround& phase, const OutlineEdge& edge);
-  /// Contact upon contact without getting anywhere: the rock is caught between what it touches, and every contact has
-  /// taken of its energy. Asked once a phase and once a leg.
-  [[nodiscard]] bool is_wedged() {
-    constexpr int most_contacts = 200;  // of a rock that is as good as stopped; ten times as many of any
-    constexpr double nowhere = 1e-4;    // [m]
+  /// Notes where the rock is; asked once a phase and once a leg.
+  void note_progress() {
+    constexpr double nowhere = 1e-3;  // [m]
     if ((motion_.position - wedge_).squaredNorm() > nowhere * nowhere) {
       wedge_ = motion_.position;
       contacts_in_wedge_ = 0;
     }
-    const bool is_slow = motion_.velocity.norm() < laws_.stopped_velocity;
-    return ++contacts_in_wedge_ > (is_slow ? most_contacts : 10 * most_contacts);
+    ++contacts_in_wedge_;
+  }
+  /// Contact upon contact in the same place.
+  [[nodiscard]] bool gets_nowhere() const { return contacts_in_wedge_ > 40; }
+  /// The rock is caught between what it touches and as good as stopped: every contact has taken of its energy.
+  [[nodiscard]] bool is_wedged() const {
+    return contacts_in_wedge_ > 200 && motion_.velocity.norm() < laws_.stopped_velocity;
   }
   void remember_strike(const Vec3& normal, FacetId facet) {
     last_strike_ = motion_.position;
@@ -164,7 +170,7 @@ RockOutcome RockRun<Surface>::follow() {
   for (std::int64_t steps = 0; !std::holds_alternative<Ended>(phase); ++steps) {
     if (steps == laws_.max_steps) {
       phase = Ended{EndReason::maximum_steps};
-    } else if (is_wedged()) {
+    } else if (note_progress(); is_wedged()) {
       motion_.velocity.setZero();
       phase = Ended{EndReason::at_rest};
     } else if (const auto* flying = std::get_if<Flying>(&phase)) {

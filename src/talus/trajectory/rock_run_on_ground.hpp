@@ -22,6 +22,10 @@ auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& dr
     if (phase.valley) {
       phase.other_normal = last_normal_;
       phase.other_facet = last_facet_;
+    } else if (gets_nowhere()) {
+      // What drives it from one to the other is not gravity: friction, or a third contact. It goes along both.
+      phase.other_normal = last_normal_;
+      phase.is_guided = true;
     }
   }
   remember_strike(phase.normal, phase.facet);
@@ -37,19 +41,28 @@ auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& dr
     log_.row(contact_state(phase.normal), motion_);
   }
   if (phase.valley) {
-    const Vec3& e = phase.valley->direction;
-    double speed = motion_.velocity.dot(e);
-    if (laws_.model == RockModel::rigid_sphere) {
-      // Caught between two facets, the sphere's motion becomes rolling along both: the part of its motion that this
-      // leaves, measured by energy, which therefore cannot rise.
-      const Vec3 axis = valley_spin(phase);
-      speed = (rock_.mass * speed + rock_.inertia * motion_.spin.dot(axis)) /
-              (rock_.mass + rock_.inertia * axis.squaredNorm());
-      motion_.spin = speed * axis;
-    }
-    motion_.velocity = speed * e;
+    go_along_valley(phase);
+  } else if (phase.is_guided) {
+    const Vec3 e = phase.normal.cross(*phase.other_normal).normalized();
+    motion_.velocity = motion_.velocity.dot(e) * e;
   }
   return phase;
+}
+
+/// What a valley leaves of the rock's motion.
+template <class Surface>
+void RockRun<Surface>::go_along_valley(const OnGround& phase) {
+  const Vec3& e = phase.valley->direction;
+  double speed = motion_.velocity.dot(e);
+  if (laws_.model == RockModel::rigid_sphere) {
+    // Caught between two facets, the sphere's motion becomes rolling along both: the part of its motion that this
+    // leaves, measured by energy, which therefore cannot rise.
+    const Vec3 axis = valley_spin(phase);
+    speed = (rock_.mass * speed + rock_.inertia * motion_.spin.dot(axis)) /
+            (rock_.mass + rock_.inertia * axis.squaredNorm());
+    motion_.spin = speed * axis;
+  }
+  motion_.velocity = speed * e;
 }
 
 template <class Surface>
@@ -161,19 +174,32 @@ void RockRun<Surface>::advance_along(const Leg& leg, double t) {
   motion_.spin += share * (leg.end_spin - motion_.spin);
 }
 
-/// Rounding must not lift a rock off its facet or press it in, leg after leg.
+/// Rounding must not lift a rock off its facet, or off the bottom of its valley, or press it in, leg after leg.
 template <class Surface>
 void RockRun<Surface>::stand_on(const OnGround& phase) {
-  if (!phase.on_facet || phase.valley) return;
-  const double height = phase.normal.dot(motion_.position - surface_.point_of(phase.facet)) - reach_;
-  motion_.position -= height * phase.normal;
-  // Between a facet and an edge a sphere may have sunk in by more than rounding: what lifting it costs, it pays.
-  const double work = height < -contact_slack ? rock_.mass * height * laws_.gravity.dot(phase.normal) : 0;
-  if (const double energy = kinetic_energy(); work > 0 && energy > 0) {
-    const double kept = std::sqrt(std::max(0.0, 1 - work / energy));
+  if (!phase.on_facet) return;
+  const auto height = [&](const Vec3& n, FacetId facet) {
+    return n.dot(motion_.position - surface_.point_of(facet)) - reach_;
+  };
+  const Vec3& n = phase.normal;
+  Vec3 shift = -height(n, phase.facet) * n;
+  if (phase.valley) {
+    if (!carries(phase.other_facet, *phase.other_normal)) return;
+    // To where the rock touches both planes, the shortest way.
+    const Vec3& m = *phase.other_normal;
+    const Vec3 across = tangential(m, n);  // towards the first plane's side of the second one, in the first plane
+    shift -= (height(m, phase.other_facet) + m.dot(shift)) / across.squaredNorm() * across;
+  }
+  // A sphere may have sunk in by more than rounding: what lifting it costs, it pays, and without the means it stays.
+  const double work = shift.norm() > contact_slack ? -rock_.mass * shift.dot(laws_.gravity) : 0;
+  if (work > 0) {
+    const double energy = kinetic_energy();
+    if (energy <= work) return;
+    const double kept = std::sqrt(1 - work / energy);
     motion_.velocity *= kept;
     motion_.spin *= kept;
   }
+  motion_.position += shift;
 }
 
 /// The outline of a facet, kept as long as the rock stays on it.
@@ -248,11 +274,11 @@ bool RockRun<Surface>::is_level(FacetId facet, const Vec3& velocity) const {
 
 template <class Surface>
 auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
-  const LeftPlanes on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
   bool turned = false;
   double past_edge = 0;  // time spent rolling over an edge or a vertex [s]
   while (true) {
     const Footing footing = this->footing(phase);
+    note_progress();
     if (rests(phase, footing) || is_wedged()) {
       motion_.velocity.setZero();
       return Ended{EndReason::at_rest};
@@ -260,8 +286,19 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
     if (motion_.time >= laws_.max_time) return Ended{EndReason::maximum_time};
     const bool still = motion_.velocity.squaredNorm() == 0;
     if (still && std::exchange(turned, true) == false) log_.turn(motion_);
-    const Leg leg = next_leg(phase, footing);
+    Leg leg = next_leg(phase, footing);
     double t = std::min(leg.duration, laws_.max_time - motion_.time);
+    const LeftPlanes on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
+    if (phase.other_normal && !phase.valley) {
+      if (phase.is_guided) {
+        leg = guided(leg, phase.normal.cross(*phase.other_normal).normalized());
+      } else {
+        constexpr double past_the_end = 1e-3;  // how far it goes before that facet counts again [m]
+        t = std::min(t, past_the_end / std::max(motion_.velocity.norm(), 1e-3));
+      }
+      phase.other_normal.reset();
+      phase.is_guided = false;
+    }
 
     // What cuts the leg short: the facet's outline, other ground ahead of a sphere, a barrier; in this order at ties.
     std::optional<OutlineEdge> edge = phase.on_facet ? edge_ahead(phase, leg.path, t) : std::nullopt;
@@ -296,7 +333,10 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
 
     advance_along(leg, t);
     stand_on(phase);
-    if (ahead) return strike(*ahead);
+    if (ahead) {
+      if (!phase.valley) remember_strike(phase.normal, phase.facet);
+      return strike(*ahead);
+    }
     if (edge) return leave_facet(phase, *edge);
     // Over an edge or a vertex the ground curves away from a sphere: after a timestep it is in the air again, if
     // barely. (Not after a leg: where slip ends at once and rolling begins, that would be for ever.)
@@ -308,6 +348,15 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
 /// The rock has come to the end of its facet.
 template <class Surface>
 auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edge) -> Phase {
+  if (!edge.beyond) {
+    // At the rim the model ends under the rock's centre; whether its skin would still brush the rim is no matter.
+    const Exit exit = surface_.exit({motion_.position, motion_.velocity, laws_.gravity});
+    if (exit.t <= 1e-9 && !exit.beneath) {
+      arrive(PathState::impact);
+      log_.row(PathState::projectile, motion_);
+      return Ended{EndReason::left_model};
+    }
+  }
   if (phase.valley) return leave_valley(phase);
   if (edge.beyond) {
     const Vec3 n = surface_.normal(*edge.beyond);
@@ -316,6 +365,17 @@ auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edg
       OnGround next = phase;
       next.facet = *edge.beyond;
       next.normal = n;
+      if (n.dot(edge.inward) > 0) {
+        // The bottom of a valley, reached along it or over a crease too flat to be struck.
+        next.valley = caught_between(laws_.gravity, phase.normal, n, motion_.velocity, laws_.normal_velocity_cutoff);
+        if (next.valley) {
+          next.other_normal = phase.normal;
+          next.other_facet = phase.facet;
+          go_along_valley(next);
+          return next;
+        }
+      }
+      if (reach_ > 0) next.other_normal = phase.normal;
       const Material& there = ground_[material_at(next.facet)];
       if (material_at(phase.facet) != material_at(next.facet)) {
         const GroundDraw draw = draw_at(next.facet);
@@ -330,15 +390,6 @@ auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edg
       // unless it rises by next to nothing.
       remember_strike(phase.normal, phase.facet);
       return strike({0, n, *edge.beyond, Feature::facet});
-    }
-  }
-  if (!edge.beyond) {
-    // At the rim the model ends under the rock's centre; whether its skin would still brush the rim is no matter.
-    const Exit exit = surface_.exit({motion_.position, motion_.velocity, laws_.gravity});
-    if (exit.t <= 1e-9 && !exit.beneath) {
-      arrive(PathState::impact);
-      log_.row(PathState::projectile, motion_);
-      return Ended{EndReason::left_model};
     }
   }
   return take_off(LeftPlanes(phase.normal));
@@ -360,7 +411,7 @@ auto RockRun<Surface>::leave_valley(const OnGround& phase) -> Phase {
   std::optional<FacetId> first, second;
   double first_depth = 0, second_depth = 0;
   surface_.supports(ahead, reach_, 0.1 * step, [&](const Vec3& n, const Vec3&, double, FacetId facet) {
-    // Several facets of one plane may touch there: the rock goes on over the one in whose outline it is.
+    // Several facets of one plane may touch there: the rock goes on over the one in whose outline it will be.
     const Outline& outline = outline_of(facet);
     double depth = std::numeric_limits<double>::infinity();
     for (int k = 0; k < outline.edge_count; ++k) {
@@ -368,7 +419,7 @@ auto RockRun<Surface>::leave_valley(const OnGround& phase) -> Phase {
       depth = std::min(depth, (ahead - side.point).dot(side.inward));
     }
     const auto choose = [&](std::optional<FacetId>& chosen, double& chosen_depth) {
-      if (chosen && depth <= chosen_depth) return;
+      if (depth < -contact_slack || (chosen && depth <= chosen_depth)) return;
       chosen = facet;
       chosen_depth = depth;
     };
@@ -386,7 +437,8 @@ auto RockRun<Surface>::leave_valley(const OnGround& phase) -> Phase {
     OnGround next = phase;
     next.facet = first ? *first : *second;
     next.normal = first ? phase.normal : *phase.other_normal;
-    next.other_normal.reset();
+    // The other facet ends here. The sphere touches its end for a moment yet, and must not strike it again at once.
+    next.other_normal = first ? *phase.other_normal : phase.normal;
     next.valley.reset();
     next.on_facet = carries(next.facet, next.normal);
     return next;

@@ -1,0 +1,156 @@
+#include "talus/results/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include "support/dice.hpp"
+
+namespace talus {
+namespace {
+
+using testing_tools::Dice;
+
+struct Seen {
+  RockRecord record;
+  RockLog log{false};
+};
+
+Seen ended_at(const Vec3& start, const Vec3& end, EndReason reason = EndReason::at_rest) {
+  Seen seen;
+  seen.record.body = sphere_of_mass(1000, 2700);
+  seen.record.outcome.start.position = start;
+  seen.record.outcome.end.position = end;
+  seen.record.outcome.reason = reason;
+  return seen;
+}
+
+Summary summary_of(const std::vector<Seen>& rocks, std::size_t barriers = 0, const LocalFrame& frame = {}) {
+  SummaryObserver observer(rocks.size(), barriers, frame);
+  const auto part = observer.new_part();
+  for (const Seen& seen : rocks) part->see(seen.record, seen.log);
+  observer.commit(*part);
+  return observer.summary();
+}
+
+TEST(Runout, IsTheWayFromStartToEnd) {
+  const Runout way = runout(ended_at({1, 1, 50}, {4, 5, 38}).record.outcome);
+  EXPECT_DOUBLE_EQ(way.plan, 5);
+  EXPECT_DOUBLE_EQ(way.drop, 12);
+  EXPECT_DOUBLE_EQ(way.total, 13);
+}
+
+TEST(Summary, CountsReasonsEventsAndLiftedRocks) {
+  std::vector<Seen> rocks{ended_at({0, 0, 1}, {2, 0, 0}), ended_at({0, 0, 1}, {4, 0, 0}, EndReason::left_model),
+                          ended_at({0, 0, 1}, {6, 0, 0})};
+  rocks[0].record.outcome.events = 7;
+  rocks[2].record.outcome.events = 5;
+  rocks[1].record.was_lifted = true;
+  const Summary summary = summary_of(rocks);
+  EXPECT_EQ(summary.done, 3U);
+  EXPECT_EQ(summary.ends[static_cast<std::size_t>(EndReason::at_rest)], 2U);
+  EXPECT_EQ(summary.ends[static_cast<std::size_t>(EndReason::left_model)], 1U);
+  EXPECT_EQ(std::accumulate(summary.ends.begin(), summary.ends.end(), std::uint64_t{0}), 3U);
+  EXPECT_EQ(summary.events, 12);
+  EXPECT_EQ(summary.lifted, 1U);
+  EXPECT_FALSE(summary.first_lost);
+  EXPECT_DOUBLE_EQ(summary.end_x.describe().mean.value(), 4);
+}
+
+TEST(Summary, RemembersTheFirstLostRockWhateverTheOrder) {
+  SummaryObserver observer(3, 0, {});
+  for (const std::uint64_t rock : {9, 4, 6}) {
+    Seen seen = ended_at(Vec3::Zero(), Vec3::Zero(), rock == 9 ? EndReason::at_rest : EndReason::lost);
+    seen.record.rock = rock;
+    const auto part = observer.new_part();
+    part->see(seen.record, seen.log);
+    observer.commit(*part);
+  }
+  EXPECT_EQ(observer.summary().first_lost, 4U);
+}
+
+TEST(Summary, PositionsAreTheUsers) {
+  LocalFrame frame;
+  frame.origin = {2'600'000, 1'100'000, 500};
+  EXPECT_DOUBLE_EQ(summary_of({ended_at({0, 0, 0}, {12.5, 0, 0})}, 0, frame).end_x.describe().mean.value(),
+                   2'600'012.5);
+}
+
+TEST(Summary, ABarrierCountsHitsAndTheRocksBehindThem) {
+  Seen twice = ended_at(Vec3::Zero(), Vec3::Zero()), over = twice;
+  const Rock& rock = twice.record.body;
+  for (const double speed : {4.0, 10.0}) {
+    BarrierHit hit;
+    hit.barrier = BarrierId{1};
+    hit.motion.velocity = {0, speed, 0};
+    hit.motion.spin = {3, 0, 0};
+    hit.height = speed / 5;
+    hit.outcome = speed > 5 ? BarrierOutcome::stopped : BarrierOutcome::passed;
+    twice.log.hits.push_back(hit);
+  }
+  over.log.passed_above = {{BarrierId{1}, 0.75}, {BarrierId{1}, 0.25}};
+  const Summary summary = summary_of({twice, over}, 2);
+  const BarrierTally& untouched = summary.barriers[0];
+  EXPECT_EQ(untouched.rocks_hit + untouched.rocks_passed_above + untouched.height.count(), 0U);
+  const BarrierTally& tally = summary.barriers[1];
+  EXPECT_EQ(tally.rocks_hit, 1U);
+  EXPECT_EQ(tally.height.count(), 2U);
+  EXPECT_EQ(tally.rocks_passed_above, 1U);
+  EXPECT_EQ(tally.least_clearance, 0.25);
+  EXPECT_EQ(tally.outcomes[static_cast<std::size_t>(BarrierOutcome::stopped)], 1U);
+  EXPECT_EQ(tally.outcomes[static_cast<std::size_t>(BarrierOutcome::passed)], 1U);
+  EXPECT_DOUBLE_EQ(tally.velocity.describe().mean.value(), 7);
+  EXPECT_DOUBLE_EQ(tally.height.describe().mean.value(), 1.4);
+  EXPECT_DOUBLE_EQ(tally.translational_energy.describe().mean.value(), 0.5 * 1000 * (16 + 100) / 2);
+  EXPECT_NEAR(tally.total_energy.describe().mean.value(), 0.5 * 1000 * 58 + 0.5 * rock.inertia * 9, 1e-9);
+}
+
+// Any split of the rocks into parts, committed in any order, gives the same bits.
+TEST(Summary, DoesNotDependOnHowTheRocksAreSplit) {
+  Dice dice(71);
+  std::vector<Seen> rocks;
+  for (int k = 0; k < 500; ++k) {
+    rocks.push_back(ended_at(dice.in_cube(1e6), dice.in_cube(1e-3)));
+    rocks.back().record.outcome.max_kinetic_energy = dice.magnitude(1e-9, 1e9);
+    rocks.back().record.outcome.max_bounce = dice.unit();
+  }
+  const Summary whole = summary_of(rocks);
+  for (int trial = 0; trial < 20; ++trial) {
+    SummaryObserver observer(rocks.size(), 0, {});
+    std::vector<std::unique_ptr<ObserverPart>> parts;
+    for (int k = 0; k < 7; ++k) parts.push_back(observer.new_part());
+    for (const Seen& seen : rocks) parts[dice.below(parts.size())]->see(seen.record, seen.log);
+    while (!parts.empty()) {
+      const std::size_t k = dice.below(parts.size());
+      observer.commit(*parts[k]);
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    const auto bits = [](const Tally& tally) {
+      const Descriptive d = tally.describe();
+      return std::array{std::bit_cast<std::uint64_t>(*d.mean), std::bit_cast<std::uint64_t>(*d.standard_deviation),
+                        std::bit_cast<std::uint64_t>(*d.median), std::bit_cast<std::uint64_t>(*d.kurtosis)};
+    };
+    const Summary& split = observer.summary();
+    EXPECT_EQ(bits(split.end_x), bits(whole.end_x));
+    EXPECT_EQ(bits(split.runout_total), bits(whole.runout_total));
+    EXPECT_EQ(bits(split.max_kinetic_energy), bits(whole.max_kinetic_energy));
+    EXPECT_EQ(bits(split.max_bounce), bits(whole.max_bounce));
+  }
+}
+
+TEST(Tally, AHistogramHoldsEveryValue) {
+  Tally tally(4);
+  EXPECT_FALSE(tally.histogram(10));
+  for (const double x : {1.0, 2.5, 2.6, 9.0}) tally.add(x);
+  const auto histogram = tally.histogram(10);
+  ASSERT_TRUE(histogram);
+  EXPECT_EQ(histogram->total(), 4U);
+  EXPECT_EQ(histogram->underflow() + histogram->overflow(), 0U);
+}
+
+}  // namespace
+}  // namespace talus

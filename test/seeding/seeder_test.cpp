@@ -1,0 +1,173 @@
+#include "talus/seeding/seeder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "support/meshes.hpp"
+#include "talus/seeding/lift.hpp"
+#include "talus/terrain/profile.hpp"
+
+namespace talus {
+namespace {
+
+using namespace testing_tools;
+
+Seeder point_seeder() {
+  Seeder seeder;
+  seeder.points = {{1, 2, 3}};
+  seeder.size = Sampler(1000.0);
+  seeder.density = Sampler(2700.0);
+  return seeder;
+}
+
+Release release_of(const Seeder& seeder, std::uint64_t rock = 0) {
+  return release_at(seeder, seeder.points.front(), Draws(SamplingPlan{}, rock));
+}
+
+// ---- where ----
+
+TEST(PlaceOn, APointIsThePoint) {
+  const Seeder seeder = point_seeder();
+  for (const double u : {1e-16, 0.3, 1 - 1e-16}) EXPECT_EQ(place_on(seeder, u), Vec3(1, 2, 3));
+}
+
+TEST(PlaceOn, ALineHasEqualChancesPerMetre) {
+  Seeder seeder = point_seeder();
+  seeder.points = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 3, 0}};  // one metre, nothing, three metres
+  EXPECT_LT((place_on(seeder, 0.125) - Vec3(0.5, 0, 0)).norm(), 1e-15);
+  EXPECT_LT((place_on(seeder, 0.25) - Vec3(1, 0, 0)).norm(), 1e-15);
+  EXPECT_LT((place_on(seeder, 0.5) - Vec3(1, 1, 0)).norm(), 1e-15);
+  EXPECT_LT((place_on(seeder, 1 - 1e-16) - Vec3(1, 3, 0)).norm(), 1e-12);
+}
+
+TEST(PlaceOn, EqualPartsOfALineAreEquallyLong) {
+  Seeder seeder = point_seeder();
+  seeder.points = {{0, 0, 10}, {4, 0, 7}, {4, 12, 2}, {-3, 12, 2}};
+  const double length = 5 + 13 + 7;
+  double travelled = 0;
+  Vec3 previous = place_on(seeder, 1e-9);
+  for (int k = 1; k <= 5000; ++k) {
+    const Vec3 here = place_on(seeder, std::min(k / 5000.0, 1 - 1e-16));
+    const double step = (here - previous).norm();
+    ASSERT_LE(step, length / 5000 + 1e-9);  // shorter only where it cuts a corner
+    travelled += step;
+    previous = here;
+  }
+  EXPECT_NEAR(travelled, length, 2 * length / 5000);
+}
+
+// ---- how large ----
+
+TEST(ReleaseAt, SizesAreMassVolumeOrDiameter) {
+  Seeder seeder = point_seeder();
+  EXPECT_DOUBLE_EQ(release_of(seeder).rock.mass, 1000);
+  EXPECT_NEAR(release_of(seeder).rock.radius, std::cbrt(3000 / (4 * std::numbers::pi * 2700)), 1e-15);
+
+  seeder.size_of = SizeOf::volume;
+  seeder.size = Sampler(2.0);
+  EXPECT_DOUBLE_EQ(release_of(seeder).rock.mass, 5400);
+
+  seeder.size_of = SizeOf::diameter;
+  const Rock ball = release_of(seeder).rock;
+  EXPECT_DOUBLE_EQ(ball.radius, 1);
+  EXPECT_NEAR(ball.mass, 2700 * 4.0 / 3 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(ball.inertia, 0.4 * ball.mass, 1e-9);
+}
+
+TEST(ReleaseAt, EveryRockHasItsOwnSizeAndSpeed) {
+  Seeder seeder = point_seeder();
+  seeder.size = Sampler(Distribution{1000, DistributionKind::uniform, {}, 500, 500}, Bounds{});
+  seeder.horizontal = Sampler(Distribution{2, DistributionKind::uniform, {}, 1, 1}, Bounds{});
+  double mass_sum = 0, speed_sum = 0, product_sum = 0;
+  constexpr int rocks = 20'000;
+  for (std::uint64_t rock = 0; rock < rocks; ++rock) {
+    const Release release = release_of(seeder, rock);
+    const double mass = release.rock.mass - 1000, speed = release.motion.velocity.x() - 2;
+    ASSERT_LE(std::abs(mass), 500);
+    ASSERT_LE(std::abs(speed), 1);
+    mass_sum += mass;
+    speed_sum += speed;
+    product_sum += mass * speed;
+  }
+  // Five standard errors; a uniform number on [-h, h] has the standard deviation h / sqrt(3).
+  const double error = 5 / std::sqrt(3.0 * rocks);
+  EXPECT_LT(std::abs(mass_sum / rocks), 500 * error);
+  EXPECT_LT(std::abs(speed_sum / rocks), 1 * error);
+  EXPECT_LT(std::abs(product_sum / rocks), 500 * 5 / (3 * std::sqrt(1.0 * rocks)));  // they do not depend on each other
+}
+
+// ---- how fast ----
+
+TEST(ReleaseAt, HorizontalAndVerticalSpeedsFollowTheHeadingOnPlan) {
+  Seeder seeder = point_seeder();
+  seeder.direction = Vec3(3, 4, 12) / 13;
+  seeder.horizontal = Sampler(5.0);
+  seeder.vertical = Sampler(-2.0);
+  EXPECT_LT((release_of(seeder).motion.velocity - Vec3(3, 4, -2)).norm(), 1e-14);
+}
+
+TEST(ReleaseAt, SpeedFollowsTheDirectionInSpace) {
+  Seeder seeder = point_seeder();
+  seeder.direction = Vec3(3, 4, 12) / 13;
+  seeder.speed = Sampler(26.0);
+  EXPECT_LT((release_of(seeder).motion.velocity - Vec3(6, 8, 24)).norm(), 1e-13);
+}
+
+TEST(ReleaseAt, PositiveSpinRollsForwards) {
+  Seeder seeder = point_seeder();
+  seeder.direction = Vec3(0, 1, 0);
+  seeder.spin = Sampler(3.0);
+  const Motion motion = release_of(seeder).motion;
+  EXPECT_NEAR(motion.spin.norm(), 3, 1e-15);
+  // The top of the rock moves ahead.
+  EXPECT_GT(motion.spin.cross(Vec3::UnitZ()).dot(seeder.direction), 2.9);
+}
+
+TEST(ReleaseAt, ADropStraightDownHasAHeadingAllTheSame) {
+  Seeder seeder = point_seeder();
+  seeder.direction = -Vec3::UnitZ();
+  seeder.speed = Sampler(4.0);
+  seeder.spin = Sampler(1.0);
+  const Motion motion = release_of(seeder).motion;
+  EXPECT_EQ(motion.velocity, Vec3(0, 0, -4));
+  EXPECT_TRUE(motion.spin.allFinite());
+  EXPECT_NEAR(motion.spin.norm(), 1, 1e-15);
+}
+
+// ---- lifting ----
+
+TEST(Lifted, LeavesWhatIsClearOfTheGround) {
+  const Profile flat(std::vector<Vec2>{{0, 0}, {10, 0}});
+  EXPECT_FALSE(lifted(flat, {5, 0, 0.1}, 0));
+  EXPECT_FALSE(lifted(flat, {5, 0, 1.1}, 1));
+}
+
+TEST(Lifted, PutsAPointOnTheGroundAndASphereItsRadiusAboveIt) {
+  const Profile flat(std::vector<Vec2>{{0, 0}, {10, 0}});
+  EXPECT_NEAR(lifted(flat, {5, 0, -3}, 0).value(), 0, 1e-12);
+  EXPECT_NEAR(lifted(flat, {5, 0, -3}, 1).value(), 1, 1e-8);
+  EXPECT_NEAR(lifted(flat, {5, 0, 0.25}, 1).value(), 1, 1e-8);
+}
+
+TEST(Lifted, ASphereFitsOnEverySlope) {
+  Dice dice(61);
+  for (int ground = 0; ground < 20; ++ground) {
+    const TriangleMesh mesh = random_slope(dice, 20, 30, dice.between(0, 1.5), dice.magnitude(0.01, 2)).mesh();
+    for (int k = 0; k < 50; ++k) {
+      const double x = dice.between(5, 25), y = dice.between(5, 25), radius = dice.magnitude(0.05, 1.5);
+      const Vec3 place(x, y, *mesh.elevation(x, y) + dice.between(-2, 1));
+      const auto z = lifted(mesh, place, radius);
+      const Vec3 centre(x, y, z.value_or(place.z()));
+      ASSERT_GE(centre.z(), *mesh.elevation(x, y));
+      mesh.supports(centre, radius, 0,
+                    [&](const Vec3&, const Vec3&, double distance, FacetId) { ASSERT_GE(distance, radius - 1e-6); });
+    }
+  }
+}
+
+}  // namespace
+}  // namespace talus
