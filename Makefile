@@ -1,11 +1,10 @@
 # The two commands of a fresh machine are `make run` and `make test`; both install what they need first.
 PREFIX_RUN := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-dev libboost-dev \
-  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev node-d3
+  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgdal-dev node-d3
 TEST_PACKAGES := libgtest-dev libgmock-dev python3
-BENCH_PACKAGES := libbenchmark-dev
 
-.PHONY: build run test verify bench soak asan tsan tidy format clean setup setup-test setup-bench
+.PHONY: build run test verify bench soak asan tsan tidy format clean setup setup-test
 
 define install
 	@missing=""; for p in $(1); do dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
@@ -21,7 +20,6 @@ setup-test: setup
 	$(call install,$(TEST_PACKAGES))
 
 setup-bench: setup
-	$(call install,$(BENCH_PACKAGES))
 
 build: setup
 	@cmake --preset release -DTALUS_TESTS=OFF >/dev/null && cmake --build --preset release
@@ -38,7 +36,7 @@ test: setup-test
 verify: build
 	@build/talus verify
 
-bench: setup-bench
+bench: setup
 	@cmake --preset bench >/dev/null && cmake --build --preset bench
 	@bench/run-all build-bench
 

@@ -1,58 +1,32 @@
 // A random TIN of two million triangles, lumped mass: rocks a second a core, and where the time goes.
 //
-// z = s(x) + b(x, y) on 1025 x 1025 points 1 m apart, shaken on plan by up to 0.2 m (more would fold it): s = 0.84 (820
-// - x) for x < 820, else 0; b = six octaves of value noise, amplitude 3 m * 0.5^k, wavelength 80 m / 2.03^k. Rocks of 1
-// t start along x = 5 to 10 m, 6 m above ground; Rn = 0.35, Rt = 0.85, standard deviation 0.03 each: about 25 impacts a
-// rock. Usage: bench_tin [rocks] [sphere]
+// The rough slope (rough_slope.hpp), its points shaken on plan by up to 0.2 m (more would fold it). Friction of 46
+// degrees gives about 25 impacts a rock. Usage: bench_tin [rocks] [sphere]
 
 #include <cstdlib>
 #include <cstring>
 
 #include "common.hpp"
+#include "rough_slope.hpp"
 #include "talus/campaign/simulate.hpp"
-#include "talus/core/random.hpp"
 #include "talus/terrain/mend.hpp"
 
 using namespace talus;
 
 namespace {
 
-constexpr int side = 1025;
-
-double lattice(int octave, std::int64_t i, std::int64_t j) {
-  return 2 * uniform_pair(7, static_cast<std::uint64_t>(i) << 32 | static_cast<std::uint32_t>(j), Stream::slope_vertex,
-                          static_cast<std::uint32_t>(octave))[0] -
-         1;
-}
-
-double smooth(double t) { return t * t * (3 - 2 * t); }
-
-double noise(double x, double y) {
-  double sum = 0, amplitude = 3, wavelength = 80;
-  for (int octave = 0; octave < 6; ++octave) {
-    const double u = x / wavelength, v = y / wavelength;
-    const auto i = static_cast<std::int64_t>(std::floor(u)), j = static_cast<std::int64_t>(std::floor(v));
-    const double a = smooth(u - static_cast<double>(i)), b = smooth(v - static_cast<double>(j));
-    sum += amplitude * ((lattice(octave, i, j) * (1 - a) + lattice(octave, i + 1, j) * a) * (1 - b) +
-                        (lattice(octave, i, j + 1) * (1 - a) + lattice(octave, i + 1, j + 1) * a) * b);
-    amplitude *= 0.5;
-    wavelength /= 2.03;
-  }
-  return sum;
-}
-
 RawMesh random_tin() {
   RawMesh mesh;
-  for (int j = 0; j < side; ++j) {
-    for (int i = 0; i < side; ++i) {
-      const auto shake = uniform_pair(11, static_cast<std::uint64_t>(j * side + i), Stream::slope_vertex, 0);
+  for (int j = 0; j < bench::side; ++j) {
+    for (int i = 0; i < bench::side; ++i) {
+      const auto shake = uniform_pair(11, static_cast<std::uint64_t>(j * bench::side + i), Stream::slope_vertex, 0);
       const double x = i + 0.4 * (shake[0] - 0.5), y = j + 0.4 * (shake[1] - 0.5);
-      mesh.vertices.emplace_back(x, y, 0.84 * std::max(820 - x, 0.0) + noise(x + 1000, y + 1000));
+      mesh.vertices.emplace_back(x, y, bench::rough_height(x, y));
     }
   }
-  for (std::uint32_t j = 0; j + 1 < side; ++j) {
-    for (std::uint32_t i = 0; i + 1 < side; ++i) {
-      const std::uint32_t a = j * side + i, b = a + 1, c = a + side, d = c + 1;
+  for (std::uint32_t j = 0; j + 1 < bench::side; ++j) {
+    for (std::uint32_t i = 0; i + 1 < bench::side; ++i) {
+      const std::uint32_t a = j * bench::side + i, b = a + 1, c = a + bench::side, d = c + 1;
       mesh.triangles.push_back({a, b, d});
       mesh.triangles.push_back({a, d, c});
     }
@@ -68,32 +42,6 @@ TriangleMesh surface_of(const MendedMesh& mesh) {
     neighbours.push_back(beyond);
   }
   return TriangleMesh(mesh.vertices, mesh.triangles, neighbours);
-}
-
-Model model_on(TriangleMesh surface, std::uint64_t rocks, RockModel rock_model) {
-  Model model;
-  model.surface = std::move(surface);
-  Material material;
-  const auto spread = [](double mean) {
-    return Sampler(Distribution{mean, DistributionKind::normal, 0.03, 0.09, 0.09}, Bounds{0, 1});
-  };
-  material.normal_restitution = spread(0.35);
-  material.tangential_restitution = spread(0.85);
-  material.friction_angle = Sampler(46 * 0.017453292519943295);
-  material.dynamic_friction = Sampler(0.5);
-  material.rolling_friction = Sampler(0.2);
-  model.ground = Ground(material);
-  model.laws.model = rock_model;
-  Seeder seeder;
-  seeder.name = "crest";
-  seeder.rocks = rocks;
-  seeder.points = {{5, 100, 0}, {10, 400, 0}, {5, 700, 0}, {10, 925, 0}};
-  seeder.above_surface = 6;
-  seeder.size = Sampler(1000.0);
-  seeder.density = Sampler(2700.0);
-  seeder.horizontal = Sampler(1.0);
-  model.seeders.push_back(seeder);
-  return model;
 }
 
 // Every flight of some rocks, as the terrain was asked about it.
@@ -131,7 +79,8 @@ int main(int argc, char** argv) {
              surface->facet_count(), mending, building,
              static_cast<double>(surface->bytes()) / static_cast<double>(surface->facet_count()));
 
-  const Model model = model_on(std::move(*surface), rocks, sphere ? RockModel::rigid_sphere : RockModel::lumped_mass);
+  const Model model =
+      bench::model_on(std::move(*surface), rocks, sphere ? RockModel::rigid_sphere : RockModel::lumped_mass);
   bench::EndHash ends;
   Observer* const observers[] = {&ends};
   const CampaignOutcome outcome = run_campaign(model, observers, {1, nullptr, {}});

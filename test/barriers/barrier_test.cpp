@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "support/dice.hpp"
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
@@ -76,6 +77,28 @@ TEST(Crossing, HeightIsMeasuredUpTheFace) {
   ASSERT_TRUE(crossing);
   EXPECT_NEAR(crossing->height, 2 / std::cos(lean), 1e-12);
   EXPECT_NEAR(crossing->t, (10 + 2 * std::tan(lean)) / 5, 1e-12);
+}
+
+TEST(PlanBounds, HideNoCrossing) {
+  Dice dice(301);
+  int crossed = 0;
+  for (int k = 0; k < 6000; ++k) {
+    std::vector<Vec3> foot;
+    for (std::size_t i = 0; i < 2 + dice.below(4); ++i) foot.push_back(dice.in_cube(20));
+    std::vector<Barrier> barriers(1);
+    barriers[0].panels = panels_over(foot, dice.between(0.5, 5), dice.chance(0.5) ? 0.0 : dice.between(-0.5, 0.5));
+    const double radius = dice.chance(0.5) ? 0.0 : dice.magnitude(0.1, 2);
+    const Parabola path{dice.in_cube(20), dice.in_cube(15), {0, 0, dice.chance(0.8) ? -9.81 : 0.0}};
+    const double t_max = dice.between(0.1, 3);
+    const auto everywhere = first_crossing(barriers, path, radius, 0, t_max, {});
+    barriers[0].bounds = plan_bounds(barriers[0].panels);
+    const auto bounded = first_crossing(barriers, path, radius, 0, t_max, {});
+    ASSERT_EQ(everywhere.has_value(), bounded.has_value());
+    if (!bounded) continue;
+    ++crossed;
+    ASSERT_EQ(everywhere->t, bounded->t);
+  }
+  EXPECT_GT(crossed, 300);
 }
 
 TEST(Crossing, OfASphereBeginsARadiusBefore) {

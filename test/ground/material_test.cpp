@@ -39,6 +39,25 @@ TEST(Ground, MaterialsByTheTerrainsNumbers) {
   EXPECT_EQ(ground.materials().size(), 2U);
 }
 
+TEST(Ground, CellsOfARasterTakeAByteEach) {
+  Material a = material_of({}), b = material_of({});
+  b.name = "other";
+  const Ground ground({a, b}, std::vector<std::uint8_t>{1, 0, 1});
+  EXPECT_EQ(ground.material_of(0), MaterialId{1});
+  EXPECT_EQ(ground.material_of(1), MaterialId{0});
+  EXPECT_EQ(ground.material_of(2), MaterialId{1});
+  EXPECT_EQ(ground.bytes(), 3U);
+}
+
+TEST(Ground, OneMaterialEverywhereTakesNoMemory) {
+  const std::vector<Material> three(3, material_of({}));
+  for (const Ground& ground : {Ground(three, std::vector<std::uint8_t>(1000, 2)), Ground(three, MaterialId{2})}) {
+    EXPECT_EQ(ground.material_of(0), MaterialId{2});
+    EXPECT_EQ(ground.material_of(999), MaterialId{2});
+    EXPECT_EQ(ground.bytes(), 0U);
+  }
+}
+
 TEST(GroundDraw, ConstantsNeedNoDraw) {
   Soil soil;
   const Material material = material_of(soil);

@@ -295,7 +295,7 @@ section = [[0, 0], [10, -10], [20, -10]]
      "slope.toml: [terrain] is missing (a project needs it)"},
     {"TerrainEmpty",
      {{"section = [[0, 0], [10, -10], [20, -10]]", ""}},
-     "slope.toml:6: [terrain]: there is no terrain (expected one of section, mesh and triangles)"},
+     "slope.toml:6: [terrain]: there is no terrain (expected one of section, mesh, triangles and raster)"},
     {"SectionAndMesh",
      {{"section = [[0, 0], [10, -10], [20, -10]]",
        R"(section = [[0, 0], [10, -10], [20, -10]]
@@ -375,13 +375,83 @@ rotate_deg = 30)"}},
       {"position = [1, 5]", "position = [1, 1, 5]"},
       {"line = 15", "line = [[15, 0], [15, 50]]"}},
      "slope.toml:7: [terrain]: mesh is \"bowl.dwg\" (expected a file that ends in .obj, .stl or .ply)"},
-    {"TerrainRaster",
-     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif")"},
+    {"TerrainRasterAndMesh",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif"
+mesh = "bowl.obj")"},
       {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
       {"position = [1, 5]", "position = [1, 1, 5]"},
       {"line = 15", "line = [[15, 0], [15, 50]]"}},
-     "slope.toml:7: [terrain]: raster is not read by this version (terrain from a raster of "
-     "heights will come later). Convert the raster to a mesh (.obj, .stl or .ply)"},
+     "slope.toml:7: [terrain]: mesh and raster are given together (they exclude each other)"},
+    {"TurnedRaster",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif"
+rotate_deg = 30)"},
+      {R"(segments = ["Rock", "Talus"])", R"(default = "Rock")"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:8: [terrain]: rotate_deg is given with a raster (a raster stands where its coordinate system says, in "
+     "rows from west to east). Leave it out"},
+    {"SegmentsOnARaster",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif")"},
+      {R"(segments = ["Rock", "Talus"])", R"(segments = ["Rock", "Talus"])"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:19: [ground]: segments is given without a section (a raster has cells). Use raster and classes"},
+    {"TrianglesOnARaster",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif")"},
+      {R"(segments = ["Rock", "Talus"])", R"(triangles = [0, 1])"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:19: [ground]: triangles is given for a raster (a raster has cells). Use raster and classes"},
+    {"GroundRasterWithoutClasses",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif")"},
+      {R"(segments = ["Rock", "Talus"])", R"(raster = "ground.tif")"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:19: [ground]: classes is missing (nothing says which class of the raster is which material). Write "
+     "classes = { 1 = \"Rock\" }, with one entry for each class"},
+    {"ClassesWithoutARaster",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif")"},
+      {R"(segments = ["Rock", "Talus"])", R"(default = "Rock"
+classes = { 1 = "Rock" })"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:20: [ground]: classes is given without a raster (it would have no effect)"},
+    {"ClassOfAnUnknownMaterial",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif")"},
+      {R"(segments = ["Rock", "Talus"])", R"(raster = "ground.tif"
+classes = { 1 = "Rock", 2 = "Talos" })"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:20: [ground]: classes.2 is \"Talos\" (there is no material of this name; there are \"Rock\", "
+     "\"Talus\"). Did you mean \"Talus\"?"},
+    {"ClassThatIsNoNumber",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif")"},
+      {R"(segments = ["Rock", "Talus"])", R"(raster = "ground.tif"
+classes = { rock = "Rock", 99999999999 = "Rock" })"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:20: [ground]: classes has the key \"99999999999\" (a class is a whole number of at most 32 "
+     "bits)\nslope.toml:20: [ground]: classes has the key \"rock\" (a class is a whole number of at most 32 bits)"},
+    {"ClassNamedTwice",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif")"},
+      {R"(segments = ["Rock", "Talus"])", R"(raster = "ground.tif"
+classes = { 1 = "Rock", 01 = "Talus" })"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:20: [ground]: classes.1 names class 1 again (a class is one material)"},
+    {"ClassesOfTheWrongKind",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "dem.tif")"},
+      {R"(segments = ["Rock", "Talus"])", R"(raster = "ground.tif"
+classes = ["Rock", "Talus"])"},
+      {"position = [1, 5]", "position = [1, 1, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 50]]"}},
+     "slope.toml:20: [ground]: classes is [\"Rock\", \"Talus\"] (expected { 1 = \"...\", 2 = \"...\" } with one entry "
+     "or more)"},
+    {"GroundRasterForASection",
+     {{R"(segments = ["Rock", "Talus"])", R"(raster = "ground.tif"
+classes = { 1 = "Rock" })"}},
+     "slope.toml:19: [ground]: raster is given for a section (a section has segments). Use segments, with one name for "
+     "each segment"},
     {"TriangleIndexOutOfRange",
      {{"section = [[0, 0], [10, -10], [20, -10]]",
        R"(vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0]]
@@ -496,9 +566,9 @@ triangles = [[0, 1, 2]])"},
 polygons = "ground.gpkg"
 attribute = "material")"}},
      "slope.toml:20: [ground]: polygons is not read by this version (materials from polygons on "
-     "plan will come later). Use default, segments or triangles\n"
+     "plan will come later). Use default, segments, triangles or raster\n"
      "slope.toml:21: [ground]: attribute is not read by this version (materials from polygons "
-     "on plan will come later). Use default, segments or triangles"},
+     "on plan will come later). Use default, segments, triangles or raster"},
     {"SeederMissing",
      {{R"([[seeder]]
 name = "Crest"
@@ -736,17 +806,14 @@ TEST_P(DoubtfulProjectTest, IsReadWithThisWarning) {
 }
 
 const std::vector<BadProject> doubtful_projects{
-    {"Maps",
+    {"MapsOfASection",
      {{"[terrain]",
        R"([output]
 maps = true
 raster_cell_m = 1.0
 
 [terrain])"}},
-     "slope.toml:7: warning: [output]: maps is not read by this version (hazard maps will come "
-     "later). No map is written\n"
-     "slope.toml:8: warning: [output]: raster_cell_m is not read by this version (hazard maps will come "
-     "later). No map is written"},
+     "slope.toml:7: warning: [output]: maps has no effect (a section has no area to map). Give terrain.width_m for 3D"},
     {"FrictionAngleInRadians",
      {{"friction_angle_deg = 30", "friction_angle_deg = 0.5236"}},
      "slope.toml:12: warning: material \"Rock\": friction_angle_deg is 0.5236 (this is an angle "

@@ -13,7 +13,7 @@
 namespace talus::project {
 namespace {
 
-/// The example of the design, without the keys that this version does not read (maps).
+/// The example of the design.
 constexpr const char* contract = R"(
 name = "Tutorial 1"
 
@@ -79,7 +79,8 @@ capacity_kJ = inf
 
 [output]
 paths = "all"                      # none, all, or a number of rocks
-maps = false
+maps = true
+raster_cell_m = 1.0                # maps; percentiles = [50, 95, 99]
 report = true
 )";
 

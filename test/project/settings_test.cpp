@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Three projects that between them have every key, each with another value than its default.
+// Projects that between them have every key, each with another value than its default.
 
 constexpr const char* in_2d = R"(
 name = "Other"
@@ -124,6 +124,9 @@ line = [[15, 0], [15, 50]]
 height_m = 3.5
 [output]
 paths = "none"
+maps = false
+raster_cell_m = 2.5
+percentiles = [25, 99.9]
 )";
 
 constexpr const char* mesh_file = R"(
@@ -147,7 +150,23 @@ position = [1, 1, 5]
 mass_kg = 10
 )";
 
-const std::vector<const char*> samples{in_2d, inline_mesh, mesh_file, extruded};
+constexpr const char* raster_file = R"(
+[terrain]
+raster = "dem.tif"
+[[material]]
+name = "Rock"
+[[material]]
+name = "Scree"
+[ground]
+default = "Scree"
+raster = "ground.tif"
+classes = { 1 = "Rock", -2 = "Scree" }
+[[seeder]]
+position = [1, 1, 5]
+mass_kg = 10
+)";
+
+const std::vector<const char*> samples{in_2d, inline_mesh, mesh_file, raster_file, extruded};
 
 Json as_json(const char* toml_text) {
   const toml::table parsed = toml::parse(std::string_view(toml_text));
@@ -399,8 +418,10 @@ std::string broken_rule(const Json& schema, const Json& value, const std::string
   }
   if (value.is_object()) {
     for (const auto& [key, item] : value.items()) {
-      if (!schema["properties"].contains(key)) return path + '.' + key + " is unknown";
-      const std::string broken = broken_rule(schema["properties"][key], item, path + '.' + key);
+      const bool is_named = schema.contains("properties") && schema["properties"].contains(key);
+      const Json& others = schema["additionalProperties"];
+      if (!is_named && !others.is_object()) return path + '.' + key + " is unknown";
+      const std::string broken = broken_rule(is_named ? schema["properties"][key] : others, item, path + '.' + key);
       if (!broken.empty()) return broken;
     }
     for (const Json& key : schema.value("required", Json::array())) {

@@ -38,7 +38,33 @@ std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double
   return panels;
 }
 
+PlanBounds plan_bounds(std::span<const Panel> panels) {
+  constexpr double above = 1e4;  // [m]
+  PlanBounds bounds;
+  std::swap(bounds.low, bounds.high);  // nothing yet
+  for (const Panel& panel : panels) {
+    for (const double along : {0.0, panel.length}) {
+      for (const double up : {0.0, panel.height + above}) {
+        const Vec3 corner = panel.foot + along * panel.along + up * panel.up;
+        bounds.low = bounds.low.cwiseMin(corner.head<2>());
+        bounds.high = bounds.high.cwiseMax(corner.head<2>());
+      }
+    }
+  }
+  return bounds;
+}
+
 namespace {
+
+constexpr double by_rounding = 1e-6;  // by which ranges are widened [m]
+
+// A range that holds p + v t + a t^2 / 2 for all t in [0, t_max], widened by `margin`.
+struct Range {
+  Range(double p, double v, double a, double t_max, double margin)
+      : low(p + std::min(v * t_max, 0.0) + std::min(0.5 * a * t_max * t_max, 0.0) - margin),
+        high(p + std::max(v * t_max, 0.0) + std::max(0.5 * a * t_max * t_max, 0.0) + margin) {}
+  double low, high;
+};
 
 // Both times at which the quadratic h0 + v t + a t^2/2 is zero, rising; fewer where there are fewer.
 struct Times {
@@ -74,10 +100,17 @@ Place place_on(const Panel& panel, const Vec3& q) {
 std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const Parabola& path, double radius,
                                        double start, double t_max, const RecentCrossings& recent) {
   std::optional<Crossing> first;
+  const double margin = radius + by_rounding;
+  const Range x(path.p.x(), path.v.x(), path.a.x(), t_max, margin),
+      y(path.p.y(), path.v.y(), path.a.y(), t_max, margin);
+  const PlanBounds passed{{x.low, y.low}, {x.high, y.high}};
   for (std::uint32_t b = 0; b < barriers.size(); ++b) {
+    if (!barriers[b].bounds.meet(passed)) continue;
     for (const Panel& panel : barriers[b].panels) {
       const double h0 = panel.normal.dot(path.p - panel.foot);
       const double v = panel.normal.dot(path.v), a = panel.normal.dot(path.a);
+      const Range distance(h0, v, a, t_max, margin);
+      if (distance.low > 0 || distance.high < 0) continue;
       // From either side, the side being where the rock comes from at that time.
       for (const double side : {1.0, -1.0}) {
         const Times times = zeros(h0 - side * radius, v, a);

@@ -30,10 +30,19 @@ struct Panel {
   double height = 0;  // [m]
 };
 
+/// A rectangle on plan [m]; everywhere, unless it is set.
+struct PlanBounds {
+  Vec2 low = Vec2::Constant(-1e300), high = Vec2::Constant(1e300);
+  [[nodiscard]] bool meet(const PlanBounds& other) const {
+    return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
+  }
+};
+
 struct Barrier {
   std::string name;
   bool is_collector = false;  // it records and does not touch
   std::vector<Panel> panels;
+  PlanBounds bounds;                       // what plan_bounds(panels) says, to pass by quickly
   double capacity = 0;                     // kinetic energy that it can take [J]; may be infinite
   std::optional<Restitution> restitution;  // of what rebounds; without it, what is stopped stays
 };
@@ -41,6 +50,9 @@ struct Barrier {
 /// Panels over the bends of a foot line. `inclination` leans the face from the vertical [rad], positive to the right of
 /// the line's direction on plan: a right-handed turn about the line.
 [[nodiscard]] std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination);
+
+/// Where on plan panels can be met, or passed above by up to 10 km.
+[[nodiscard]] PlanBounds plan_bounds(std::span<const Panel> panels);
 
 /// What becomes of a rock at a barrier.
 enum class BarrierOutcome { stopped, rebounded, broke_through, passed };

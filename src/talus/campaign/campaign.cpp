@@ -30,6 +30,9 @@ CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> obse
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::enumerable_thread_specific<Simulator> simulators([&] { return Simulator(model); });
 
+  bool pieces = false;
+  for (const Observer* observer : observers) pieces = pieces || observer->wants_pieces();
+
   CampaignOutcome outcome;
   outcome.threads = threads;
   const std::uint64_t total = model.rocks();
@@ -52,7 +55,7 @@ CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> obse
     for (std::uint64_t rock = block->first; rock < block->last; ++rock) {
       bool rows = false;
       for (const Observer* observer : observers) rows = rows || observer->wants_rows(rock);
-      const RockRecord record = simulator.simulate(rock, rows);
+      const RockRecord record = simulator.simulate(rock, rows, pieces);
       for (const auto& part : block->parts) part->see(record, simulator.log());
     }
     return block;

@@ -9,6 +9,7 @@
 #include "talus/seeding/seeder.hpp"
 #include "talus/terrain/local_frame.hpp"
 #include "talus/terrain/profile.hpp"
+#include "talus/terrain/raster_surface.hpp"
 #include "talus/terrain/triangle_mesh.hpp"
 #include "talus/trajectory/scene.hpp"
 
@@ -22,9 +23,10 @@ struct VaryingSection {
 };
 
 struct Model {
-  std::variant<Profile, TriangleMesh> surface;
+  std::variant<Profile, TriangleMesh, RasterSurface> surface;
   std::optional<VaryingSection> varying;  // only with a Profile
   LocalFrame frame;
+  std::string crs_wkt;         // of the user's coordinates; empty: not known
   std::string terrain_report;  // what mending the mesh found and did, for the user
   Ground ground;
   std::vector<Barrier> barriers;

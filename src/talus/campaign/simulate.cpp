@@ -13,8 +13,9 @@ Simulator::Simulator(const Model& model) : model_(model) {
   }
 }
 
-RockRecord Simulator::simulate(std::uint64_t rock, bool keep_rows) {
+RockRecord Simulator::simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces) {
   log_.keep_rows(keep_rows);
+  log_.keep_pieces(keep_pieces);
   if (own_profile_) {
     const VaryingSection& section = *model_.varying;
     const SamplingPlan plan{model_.seed, model_.sampling, 0, model_.rocks()};

@@ -10,8 +10,8 @@ namespace talus {
 class Simulator {
  public:
   explicit Simulator(const Model& model);
-  /// Rows of the path are kept only if asked for; the log is good until the next rock.
-  RockRecord simulate(std::uint64_t rock, bool keep_rows);
+  /// Rows and pieces of the path are kept only if asked for; the log is good until the next rock.
+  RockRecord simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces = false);
   [[nodiscard]] const RockLog& log() const { return log_; }
 
  private:

@@ -1,7 +1,9 @@
 #include "talus/ground/material.hpp"
 
+#include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace talus {
@@ -12,6 +14,15 @@ namespace {
 double standard_normal(double u) { return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * u); }
 
 }  // namespace
+
+Ground::Ground(std::vector<Material> materials, std::vector<std::uint8_t> of_cell) : materials_(std::move(materials)) {
+  const bool varies = std::adjacent_find(of_cell.begin(), of_cell.end(), std::not_equal_to<>()) != of_cell.end();
+  if (varies) {
+    of_cell_ = std::move(of_cell);
+  } else if (!of_cell.empty()) {
+    everywhere_ = MaterialId{of_cell.front()};
+  }
+}
 
 std::array<double, 2> GroundDraw::restitution(const Material& material) const {
   const Sampler &rn = material.normal_restitution, &rt = material.tangential_restitution;

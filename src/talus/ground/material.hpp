@@ -1,6 +1,7 @@
 #pragma once
 // What the ground is made of: its random properties, and which facet has which material.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -34,16 +35,28 @@ class Ground {
   /// `of_facet[i]` is the material of the terrain's i-th segment or triangle, as the terrain's source numbers it.
   Ground(std::vector<Material> materials, std::vector<MaterialId> of_facet)
       : materials_(std::move(materials)), of_facet_(std::move(of_facet)) {}
+  /// One of several materials everywhere.
+  Ground(std::vector<Material> materials, MaterialId everywhere)
+      : materials_(std::move(materials)), everywhere_(everywhere) {}
+  /// The same in a byte a cell, for rasters: `of_cell[i]` is the number of the material of the terrain's i-th cell.
+  /// Where one material is everywhere, nothing is kept.
+  Ground(std::vector<Material> materials, std::vector<std::uint8_t> of_cell);
 
   [[nodiscard]] MaterialId material_of(std::uint32_t source) const {
-    return of_facet_.empty() ? MaterialId{0} : of_facet_[source];
+    if (!of_cell_.empty()) return MaterialId{of_cell_[source]};
+    return of_facet_.empty() ? everywhere_ : of_facet_[source];
   }
   [[nodiscard]] const Material& operator[](MaterialId id) const { return materials_[id.index]; }
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
+  /// Of everything that grows with the terrain.
+  [[nodiscard]] std::size_t bytes() const { return of_facet_.size() * sizeof(MaterialId) + of_cell_.size(); }
 
  private:
   std::vector<Material> materials_;
-  std::vector<MaterialId> of_facet_;  // empty: the first material everywhere
+  // At most one of these has entries; where none has, one material is everywhere.
+  std::vector<MaterialId> of_facet_;
+  std::vector<std::uint8_t> of_cell_;
+  MaterialId everywhere_{0};
 };
 
 enum class MaterialSampling { per_impact, per_rock };

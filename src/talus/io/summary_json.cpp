@@ -34,17 +34,18 @@ Json terrain_json(const Model& model, const Profile& profile) {
 }
 
 // The terrain from above as a coarse grid of elevations, for pictures.
-Json relief_json(const Model& model, const TriangleMesh& mesh) {
+template <class Surface>
+Json relief_json(const Model& model, const Surface& surface) {
   constexpr double most_cells_a_side = 160;
-  const Vec3 size = mesh.bounds().high - mesh.bounds().low;
+  const Vec3 size = surface.bounds().high - surface.bounds().low;
   const double cell = std::max(size.x(), size.y()) / most_cells_a_side;
   const auto columns = static_cast<int>(std::ceil(size.x() / cell - 1e-9));
   const auto rows = static_cast<int>(std::ceil(size.y() / cell - 1e-9));
-  const Vec3 low = mesh.bounds().low + Vec3(0.5 * cell, 0.5 * cell, 0);
+  const Vec3 low = surface.bounds().low + Vec3(0.5 * cell, 0.5 * cell, 0);
   Json z = Json::array();
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      const auto ground = mesh.elevation(low.x() + column * cell, low.y() + row * cell);
+      const auto ground = surface.elevation(low.x() + column * cell, low.y() + row * cell);
       z.push_back(ground ? Json(std::round((*ground + model.frame.origin.z()) * 1000) / 1000) : Json(nullptr));
     }
   }
@@ -52,14 +53,18 @@ Json relief_json(const Model& model, const TriangleMesh& mesh) {
   return {{"x0", first.x()}, {"y0", first.y()}, {"cell_m", cell}, {"columns", columns}, {"rows", rows}, {"z_m", z}};
 }
 
-Json terrain_json(const Model& model, const TriangleMesh& mesh) {
-  const Vec3 low = model.frame.global_from_local(mesh.bounds().low);
-  const Vec3 high = model.frame.global_from_local(mesh.bounds().high);
-  return {{"kind", "mesh"},
+template <class Surface>
+Json surface_json(const Model& model, const Surface& surface, const char* kind) {
+  const Vec3 low = model.frame.global_from_local(surface.bounds().low);
+  const Vec3 high = model.frame.global_from_local(surface.bounds().high);
+  return {{"kind", kind},
           {"bounds", {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}}},
-          {"triangles", mesh.facet_count()},
-          {"relief", relief_json(model, mesh)}};
+          {"triangles", surface.facet_count()},
+          {"relief", relief_json(model, surface)}};
 }
+
+Json terrain_json(const Model& model, const TriangleMesh& mesh) { return surface_json(model, mesh, "mesh"); }
+Json terrain_json(const Model& model, const RasterSurface& raster) { return surface_json(model, raster, "raster"); }
 
 Json barrier_json(const Barrier& barrier, const BarrierTally& tally) {
   Json outcomes = Json::object();

@@ -26,6 +26,8 @@ const char* name(EndReason reason) {
       return "at rest";
     case EndReason::left_model:
       return "left the model";
+    case EndReason::no_data:
+      return "no data";
     case EndReason::stopped_by_barrier:
       return "stopped by a barrier";
     case EndReason::maximum_steps:

@@ -20,12 +20,13 @@ enum class PathState { projectile, impact, sliding, rolling, barrier, ended };
 enum class EndReason {
   at_rest,
   left_model,  // its centre crossed the edge of the terrain
+  no_data,     // its centre came over a hole in the terrain, and into it
   stopped_by_barrier,
   maximum_steps,
   maximum_time,
   lost,  // it got beneath the surface: a defect of the program, counted and reported
 };
-inline constexpr int end_reason_count = 6;
+inline constexpr int end_reason_count = 7;
 
 [[nodiscard]] const char* name(PathState state);
 [[nodiscard]] const char* name(EndReason reason);

@@ -1,8 +1,11 @@
 #include "talus/project/build_terrain.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "talus/io/mesh_file.hpp"
+#include "talus/io/raster_file.hpp"
 #include "talus/terrain/extrude.hpp"
 #include "talus/terrain/mend.hpp"
 
@@ -76,6 +79,13 @@ BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
   for (const std::uint32_t original : mesh.original)
     built.part_of_facet.push_back(is_extruded ? original / 2 : original);
 
+  if (!project.ground.raster.empty()) {
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vec3 centre = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
+      built.facet_centres.emplace_back(centre.x(), centre.y());
+    }
+  }
+
   Box box;
   for (const Vec3& v : mesh.vertices) box.grow(v);
   built.frame = LocalFrame::near(0.5 * (box.low + box.high));
@@ -93,10 +103,30 @@ BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
   return built;
 }
 
+BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
+  RasterFile file = read_raster_file(project.file.parent_path() / project.terrain.raster, warnings);
+  RasterGrid& grid = file.grid;
+  BuiltTerrain built;
+  const std::uint64_t cells = (std::uint64_t{grid.columns} - 1) * (grid.rows - 1);
+  built.report = fmt::format("{}: {} x {} nodes, {:.6g} x {:.6g} m apart, {}, {} without data",
+                             project.terrain.raster.string(), grid.columns, grid.rows, grid.dx, grid.dy,
+                             file.crs_name.empty() ? "no coordinate system" : file.crs_name, file.without_data);
+  built.parts = cells;
+  built.crs_wkt = std::move(file.crs_wkt);
+  // On plan only: elevations keep the file's numbers to the last bit.
+  built.frame =
+      LocalFrame::near({grid.x0 + 0.5 * grid.dx * (grid.columns - 1), grid.y0 + 0.5 * grid.dy * (grid.rows - 1), 0});
+  grid.x0 -= built.frame.origin.x();
+  grid.y0 -= built.frame.origin.y();
+  built.surface.emplace<RasterSurface>(std::move(grid));
+  return built;
+}
+
 }  // namespace
 
 BuiltTerrain build_terrain(const Project& project, Problems& warnings) {
-  return project.is_2d() ? section_terrain(project) : mesh_terrain(project, warnings);
+  if (project.is_2d()) return section_terrain(project);
+  return project.terrain.raster.empty() ? mesh_terrain(project, warnings) : raster_terrain(project, warnings);
 }
 
 }  // namespace talus::project

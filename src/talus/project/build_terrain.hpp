@@ -12,12 +12,14 @@
 namespace talus::project {
 
 struct BuiltTerrain {
-  std::variant<Profile, TriangleMesh> surface;
+  std::variant<Profile, TriangleMesh, RasterSurface> surface;
   std::optional<VaryingSection> varying;
   LocalFrame frame;
-  std::size_t parts = 0;                     // segments of a section, triangles of a mesh: what [ground] speaks of
-  std::string report;                        // what mending a mesh found and did
+  std::size_t parts = 0;                     // segments of a section, triangles of a mesh, cells of a raster
+  std::string crs_wkt;                       // of the user's coordinates; empty: not known
+  std::string report;                        // what mending a mesh found and did; what a raster is
   std::vector<std::uint32_t> part_of_facet;  // for each facet as the surface's source numbers it
+  std::vector<Vec2> facet_centres;  // the same facets on plan, the user's; where a raster of classes needs them
 };
 
 [[nodiscard]] BuiltTerrain build_terrain(const Project& project, Problems& warnings);

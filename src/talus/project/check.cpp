@@ -27,6 +27,7 @@ class Rules {
     about_ground();
     about_seeders();
     about_barriers();
+    about_output();
   }
 
  private:
@@ -97,10 +98,11 @@ class Rules {
     if (!row) return;
     const bool has_section = row->contains("section"), has_mesh = row->contains("mesh");
     const bool has_triangles = row->contains("triangles"), has_vertices = row->contains("vertices");
-    if (!has_section && !has_mesh && !has_triangles && !has_vertices && !row->contains("raster")) {
-      complain(row, where, "there is no terrain", "expected one of section, mesh and triangles");
+    const bool has_raster = row->contains("raster");
+    if (!has_section && !has_mesh && !has_triangles && !has_vertices && !has_raster) {
+      complain(row, where, "there is no terrain", "expected one of section, mesh, triangles and raster");
     }
-    if (has_triangles != has_vertices && !has_section && !has_mesh) {
+    if (has_triangles != has_vertices && !has_section && !has_mesh && !has_raster) {
       complain(row, where, fmt::format("{} is missing", has_triangles ? "vertices" : "triangles"),
                "an inline mesh needs vertices and triangles");
     }
@@ -128,10 +130,15 @@ class Rules {
                  "Give width_m for 3D");
       }
     }
+    if (const Node turn = good(row, "rotate_deg"); turn && has_raster && project_.terrain.rotate_deg != 0) {
+      complain(turn, where, "rotate_deg is given with a raster",
+               "a raster stands where its coordinate system says, in rows from west to east", "Leave it out");
+    }
     if (const Node about = good(row, "rotate_about"); about && !row->contains("rotate_deg")) {
       complain(about, where, "rotate_about has no effect", "it needs rotate_deg", "", Severity::warning);
     }
     if (const Node mesh = good(row, "mesh")) about_mesh_file(where, mesh);
+    if (const Node raster = good(row, "raster")) about_raster_file(where, raster, project_.terrain.raster);
     if (good(row, "vertices") && good(row, "triangles")) about_inline_mesh(where, row);
   }
 
@@ -164,6 +171,17 @@ class Rules {
     if (std::filesystem::exists(project_.file, error) && !std::filesystem::is_regular_file(path, error)) {
       complain(mesh, where, fmt::format("mesh is {}", quoted(*mesh)), fmt::format("there is no file {}", path.string()),
                "Its path is relative to the project file");
+    }
+  }
+
+  void about_raster_file(const std::string& where, Node raster, const std::filesystem::path& file) {
+    // What GDAL opens may be a folder, or lie in a file system of its own.
+    std::error_code error;
+    const std::filesystem::path path = project_.file.parent_path() / file;
+    if (std::filesystem::exists(project_.file, error) && !std::filesystem::exists(path, error) &&
+        !path.string().starts_with("/vsi")) {
+      complain(raster, where, fmt::format("raster is {}", quoted(*raster)),
+               fmt::format("there is no file {}", path.string()), "Its path is relative to the project file");
     }
   }
 
@@ -240,8 +258,10 @@ class Rules {
     const toml::table* terrain = table("terrain");
     if (const Node node = good(row, "segments")) {
       if (is_2d(document_.root()) && terrain && !terrain->contains("section")) {
-        complain(node, where, "segments is given without a section", "a mesh has triangles",
-                 "Use triangles, with one number for each triangle");
+        const bool on_raster = terrain->contains("raster");
+        complain(node, where, "segments is given without a section",
+                 on_raster ? "a raster has cells" : "a mesh has triangles",
+                 on_raster ? "Use raster and classes" : "Use triangles, with one number for each triangle");
       } else if (good(terrain, "section") && project_.terrain.section.size() >= 2) {
         const std::size_t wanted = project_.terrain.section.size() - 1;
         if (ground.segments.size() != wanted) {
@@ -255,6 +275,32 @@ class Rules {
       }
     }
     if (const Node node = good(row, "triangles")) about_ground_triangles(where, node, terrain);
+    about_ground_raster(where, row, terrain);
+  }
+
+  void about_ground_raster(const std::string& where, const toml::table* row, const toml::table* terrain) {
+    const Node raster = good(row, "raster"), classes = good(row, "classes");
+    if (raster) {
+      if (terrain && terrain->contains("section")) {
+        complain(raster, where, "raster is given for a section", "a section has segments",
+                 "Use segments, with one name for each segment");
+      } else {
+        about_raster_file(where, raster, project_.ground.raster);
+      }
+      if (!row->contains("classes")) {
+        complain(raster, where, "classes is missing", "nothing says which class of the raster is which material",
+                 fmt::format("Write classes = {{ 1 = \"{}\" }}, with one entry for each class",
+                             project_.materials.front().name));
+      }
+    }
+    if (!classes) return;
+    if (!row->contains("raster")) {
+      complain(classes, where, "classes is given without a raster", "it would have no effect");
+    }
+    for (const auto& [key, node] : *classes->as_table()) {
+      const std::string name = fmt::format("classes.{}", std::string_view(key.str()));
+      if (const auto material = node.value<std::string>()) about_material_name(where, &node, name, *material);
+    }
   }
 
   void about_ground_triangles(const std::string& where, Node node, const toml::table* terrain) {
@@ -262,6 +308,8 @@ class Rules {
     if (terrain && terrain->contains("section")) {
       complain(node, where, "triangles is given for a section", "a section has segments",
                "Use segments, with one name for each segment");
+    } else if (terrain && terrain->contains("raster")) {
+      complain(node, where, "triangles is given for a raster", "a raster has cells", "Use raster and classes");
     } else if (good(terrain, "triangles") && ground.triangles.size() != project_.terrain.triangles.size()) {
       complain(node, where, fmt::format("triangles has {}", counted(ground.triangles.size(), "entry", "entries")),
                fmt::format("expected {}, one for each triangle of the terrain", project_.terrain.triangles.size()));
@@ -337,6 +385,14 @@ class Rules {
     complain(row.get(has_normal ? "normal_restitution" : "tangential_restitution"), where,
              fmt::format("{} is missing", has_normal ? "tangential_restitution" : "normal_restitution"),
              "a barrier has both restitutions, or neither and holds what it stops");
+  }
+
+  void about_output() {
+    const Node maps = good(table("output"), "maps");
+    if (maps && project_.output.maps && is_2d(document_.root()) == true) {
+      complain(maps, "[output]", "maps has no effect", "a section has no area to map", "Give terrain.width_m for 3D",
+               Severity::warning);
+    }
   }
 
   static std::string counted(std::size_t count, std::string_view one, std::string_view several) {

@@ -44,6 +44,13 @@ struct Writer {
   Written operator()(const std::array<double, 3>* value) const { return *value; }
   Written operator()(Distribution* value) const { return table_of(distribution_table(), value, two_dimensional); }
   Written operator()(std::optional<Distribution>* value) const { return *value ? (*this)(&**value) : std::nullopt; }
+  Written operator()(const std::vector<double>* value) const { return *value; }  // an empty one says something
+  Written operator()(const std::map<std::int32_t, std::string>* value) const {
+    if (value->empty()) return std::nullopt;
+    Json out = Json::object();
+    for (const auto& [number, text] : *value) out[std::to_string(number)] = text;
+    return out;
+  }
   template <class Item>
   Written operator()(const std::vector<Item>* value) const {
     return value->empty() ? Written() : Written(*value);

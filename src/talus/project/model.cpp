@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <numbers>
-#include <unordered_map>
 
+#include "talus/project/build_ground.hpp"
 #include "talus/project/build_terrain.hpp"
 
 namespace talus::project {
@@ -83,16 +82,19 @@ class Builder {
 
   Model build() {
     BuiltTerrain terrain = build_terrain(project_, warnings_);
+    std::vector<talus::Material> materials;
+    for (const Material& material : project_.materials) materials.push_back(material_of(material));
+    model_.ground = build_ground(project_, std::move(materials), terrain, problems_, warnings_);
     model_.surface = std::move(terrain.surface);
     model_.varying = std::move(terrain.varying);
     model_.frame = terrain.frame;
+    model_.crs_wkt = std::move(terrain.crs_wkt);
     model_.terrain_report = std::move(terrain.report);
     model_.laws = laws_of(project_);
     model_.seed = project_.sampling.seed;
     model_.sampling = project_.sampling.method;
     const double lowest = visit([](const auto& surface) { return surface.bounds().low.z(); });
     model_.energy_datum = project_.analysis.energy_datum_m.value_or(lowest + model_.frame.origin.z());
-    add_ground(terrain.parts, terrain.part_of_facet);
     for (const Seeder& seeder : project_.seeders) add_seeder(seeder);
     for (const Barrier& barrier : project_.barriers) add_barrier(barrier);
     if (problems_.has_errors()) throw BadInput(problems_);
@@ -104,40 +106,6 @@ class Builder {
   void complain(int line, std::string where, std::string what, std::string why, std::string hint) {
     problems_.add({Severity::error, project_.file.string(), line, std::move(where), std::move(what), std::move(why),
                    std::move(hint)});
-  }
-
-  void add_ground(std::size_t parts, const std::vector<std::uint32_t>& part_of_facet) {
-    std::vector<talus::Material> materials;
-    std::unordered_map<std::string, std::uint32_t> number;
-    for (const Material& m : project_.materials) {
-      number[m.name] = static_cast<std::uint32_t>(materials.size());
-      materials.push_back(material_of(m));
-    }
-    const Ground& ground = project_.ground;
-    std::vector<MaterialId> of_part(parts, MaterialId{number.at(ground.default_material)});
-    if (!ground.segments.empty()) {
-      for (std::size_t k = 0; k < parts; ++k) of_part[k] = MaterialId{number.at(ground.segments[k])};
-      // The section was walked from left to right; its materials come with it.
-      if (project_.terrain.section.front()[0] > project_.terrain.section.back()[0]) {
-        std::reverse(of_part.begin(), of_part.end());
-      }
-    }
-    if (!ground.triangles.empty()) {
-      if (ground.triangles.size() != parts) {
-        complain(0, "ground", fmt::format("triangles lists {} materials", ground.triangles.size()),
-                 fmt::format("the terrain has {} triangles, and each needs one", parts), "");
-        return;
-      }
-      for (std::size_t k = 0; k < parts; ++k) of_part[k] = MaterialId{static_cast<std::uint32_t>(ground.triangles[k])};
-    }
-    if (part_of_facet.empty()) {
-      model_.ground = talus::Ground(std::move(materials), std::move(of_part));
-      return;
-    }
-    std::vector<MaterialId> of_facet;
-    of_facet.reserve(part_of_facet.size());
-    for (const std::uint32_t part : part_of_facet) of_facet.push_back(of_part[part]);
-    model_.ground = talus::Ground(std::move(materials), std::move(of_facet));
   }
 
   void add_seeder(const Seeder& s) {
@@ -173,12 +141,16 @@ class Builder {
       const Box box = visit([](const auto& surface) { return surface.bounds(); });
       const Vec3 low = model_.frame.global_from_local(box.low), high = model_.frame.global_from_local(box.high);
       const bool flat = project_.is_2d();
+      const bool is_within =
+          at.x() >= box.low.x() && at.x() <= box.high.x() && at.y() >= box.low.y() && at.y() <= box.high.y();
       complain(s.line, fmt::format("seeder \"{}\"", s.name),
                flat ? fmt::format("x = {} is off the terrain", p[0])
                     : fmt::format("({}, {}) is off the terrain", p[0], p[1]),
-               flat ? fmt::format("the section goes from x = {:g} to {:g}", low.x(), high.x())
-                    : fmt::format("on plan the terrain lies within x = {:g} to {:g}, y = {:g} to {:g}", low.x(),
-                                  high.x(), low.y(), high.y()),
+               flat ? fmt::format("the section goes from x = {:.10g} to {:.10g}", low.x(), high.x())
+               : is_within
+                   ? std::string("the terrain has a hole there, without data or triangles")
+                   : fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
+                                 low.x(), high.x(), low.y(), high.y()),
                project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders" : "");
     }
   }
@@ -196,6 +168,7 @@ class Builder {
       complain(b.source_line, fmt::format("{} \"{}\"", b.is_collector ? "collector" : "barrier", b.name),
                "its line does not touch the terrain", "a barrier stands on the ground", "");
     }
+    barrier.bounds = plan_bounds(barrier.panels);
     model_.barriers.push_back(std::move(barrier));
   }
 
@@ -207,11 +180,14 @@ class Builder {
       if (const auto z = profile->elevation(x)) foot = {Vec3(x, -1, *z), Vec3(x, 1, *z)};
       return foot;
     }
-    const auto& mesh = std::get<TriangleMesh>(model_.surface);
     const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
+    const auto drape = [&](const Vec2& from, const Vec2& to) {
+      if (const auto* raster = std::get_if<RasterSurface>(&model_.surface)) return raster->draped(from, to);
+      return std::get<TriangleMesh>(model_.surface).draped(from, to);
+    };
     for (std::size_t k = 0; k + 1 < b.line.size(); ++k) {
       for (const Vec3& p :
-           mesh.draped(Vec2(b.line[k][0], b.line[k][1]) - origin, Vec2(b.line[k + 1][0], b.line[k + 1][1]) - origin)) {
+           drape(Vec2(b.line[k][0], b.line[k][1]) - origin, Vec2(b.line[k + 1][0], b.line[k + 1][1]) - origin)) {
         const bool repeats = !foot.empty() && (p - foot.back()).squaredNorm() < 1e-12;
         if (!repeats) foot.push_back(p);
       }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,7 +57,7 @@ struct Sampling {
   MaterialSampling materials = MaterialSampling::per_impact;
 };
 
-/// [terrain]: exactly one of section, mesh (a file) and triangles (inline, with vertices)
+/// [terrain]: exactly one of section, mesh (a file), triangles (inline, with vertices) and raster (a file)
 struct Terrain {
   std::vector<std::array<double, 2>> section;            // x, z
   std::vector<std::array<double, 2>> section_std_dev_m;  // of x and z, one per vertex, or empty; 2D only
@@ -64,6 +65,7 @@ struct Terrain {
   std::filesystem::path mesh;                            // as written in the file; relative to the project file
   std::vector<std::array<double, 3>> vertices;
   std::vector<std::array<std::int64_t, 3>> triangles;
+  std::filesystem::path raster;  // as written in the file; relative to the project file
   double rotate_deg = 0;
   std::array<double, 3> rotate_about{0, 0, 0};
 };
@@ -83,9 +85,11 @@ struct Material {
 
 /// [ground]
 struct Ground {
-  std::string default_material;         // key `default`; the only material's name where the file is silent
-  std::vector<std::string> segments;    // section: one per segment
-  std::vector<std::int64_t> triangles;  // mesh: index into the materials, one per triangle
+  std::string default_material;                 // key `default`; the only material's name where the file is silent
+  std::vector<std::string> segments;            // section: one per segment
+  std::vector<std::int64_t> triangles;          // mesh: index into the materials, one per triangle
+  std::filesystem::path raster;                 // of classes; as written in the file, relative to the project file
+  std::map<std::int32_t, std::string> classes;  // of that raster: which class is which material
 };
 
 enum class SeederType { point, line };
@@ -128,6 +132,9 @@ struct Barrier {
 /// [output]
 struct Output {
   std::optional<std::int64_t> path_limit;  // key `paths`: nothing here is "all", 0 is "none", else a number of rocks
+  bool maps = true;                        // 3D only
+  double raster_cell_m = 1;
+  std::vector<double> percentiles{50, 95, 99};
   bool report = true;
 };
 

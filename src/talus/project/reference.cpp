@@ -33,6 +33,8 @@ struct Named {
   std::string operator()(const std::vector<std::array<std::int64_t, 3>>*) const { return "list of triples"; }
   std::string operator()(const std::vector<std::string>*) const { return "list of texts"; }
   std::string operator()(const std::vector<std::int64_t>*) const { return "list of whole numbers"; }
+  std::string operator()(const std::vector<double>*) const { return "list of numbers"; }
+  std::string operator()(const std::map<std::int32_t, std::string>*) const { return "table of texts by whole numbers"; }
   template <class Enumeration>
   requires std::is_enum_v<Enumeration> std::string operator()(const Enumeration*) const {
     return words_text(words(Enumeration{}));

@@ -1,7 +1,9 @@
 #include "talus/project/run.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
+#include "talus/io/map_files.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/report.hpp"
 #include "talus/io/result_tables.hpp"
@@ -29,6 +31,19 @@ void warn_of_lost_and_lifted(const Summary& summary, Problems& warnings) {
 
 }  // namespace
 
+std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model) {
+  if (!project.output.maps || std::holds_alternative<Profile>(model.surface)) return nullptr;
+  return std::visit(
+      [&](const auto& surface) {
+        const MapGrid grid =
+            MapGrid::at_multiples(project.output.raster_cell_m, model.frame, Vec2(surface.bounds().low.head(2)));
+        return std::make_unique<MapObserver>(grid, model.laws.model, [&surface](double x, double y, double below) {
+          return surface.elevation(x, y, below);
+        });
+      },
+      model.surface);
+}
+
 RunResult run_in_memory(const Model& model, const CampaignOptions& options) {
   SummaryObserver statistics(model.rocks(), model.barriers.size(), model.frame);
   Observer* const observers[] = {&statistics};
@@ -49,13 +64,27 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   if (project.output.path_limit) limit = static_cast<std::uint64_t>(*project.output.path_limit);
   PathsTable paths(folder / "paths.csv", context, model.rocks(), limit);
 
-  Observer* const observers[] = {&statistics, &endpoints, &barriers, &paths};
+  Problems map_warnings;
+  std::unique_ptr<MapObserver> maps = map_observer(project, model);
+  if (maps && !io::can_write_maps()) {
+    map_warnings.add({Severity::warning, "", 0, "[output]", "no maps are written",
+                      "this program was built without GDAL", "Build it with GDAL, or set maps = false"});
+    maps.reset();
+  }
+
+  std::vector<Observer*> observers{&statistics, &endpoints, &barriers, &paths};
+  if (maps) observers.push_back(maps.get());
   const CampaignOutcome outcome = run_campaign(model, observers, options);
   endpoints.finish();
   barriers.finish();
   paths.finish();
+  if (maps) {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(outcome.threads));
+    io::write_maps(maps->maps(), project.output.percentiles, model.crs_wkt, folder / "maps");
+  }
 
-  RunResult result{outcome, statistics.summary(), {}};
+  RunResult result{outcome, statistics.summary(), std::move(map_warnings)};
   warn_of_lost_and_lifted(result.summary, result.warnings);
   RunDescription description{project.name, echo(project), {}};
   Problems all = warnings;

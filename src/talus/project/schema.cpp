@@ -58,6 +58,13 @@ struct Typed {
   Json operator()(const std::vector<std::array<std::int64_t, 3>>*) const { return list_of(tuple_of(whole(), 3, 3), 1); }
   Json operator()(const std::vector<std::string>*) const { return list_of(text(), 1); }
   Json operator()(const std::vector<std::int64_t>*) const { return list_of(whole(), 1); }
+  Json operator()(const std::vector<double>*) const { return list_of(number(), 0); }
+  Json operator()(const std::map<std::int32_t, std::string>*) const {
+    return {{"type", "object"},
+            {"propertyNames", {{"pattern", "^-?[0-9]+$"}}},
+            {"additionalProperties", text()},
+            {"minProperties", 1}};
+  }
   template <class Enumeration>
   requires std::is_enum_v<Enumeration> Json operator()(const Enumeration*) const {
     return {{"enum", Json(words(Enumeration{}))}};

@@ -260,14 +260,14 @@ Table terrain() {
   return {
       .key = "terrain",
       .required = true,
-      .meaning = "The slope: exactly one of `section`, `mesh` and `triangles`. z points up.",
+      .meaning = "The slope: exactly one of `section`, `mesh`, `triangles` and `raster`. z points up.",
       .settings =
           {
               {.key = "section",
                .slot = member(&Terrain::section),
                .unit = "m",
-               .without_it = "one of section, mesh and triangles is required",
-               .excludes = {"mesh", "vertices", "triangles"},
+               .without_it = "one of section, mesh, triangles and raster is required",
+               .excludes = {"mesh", "vertices", "triangles", "raster"},
                .meaning = "Vertices [x, z] of a slope in section, along the slope: two or more.",
                .source = "Talus"},
               {.key = "section_std_dev_m",
@@ -289,8 +289,8 @@ Table terrain() {
                .source = "Talus"},
               {.key = "mesh",
                .slot = member(&Terrain::mesh),
-               .without_it = "one of section, mesh and triangles is required",
-               .excludes = {"section", "vertices", "triangles"},
+               .without_it = "one of section, mesh, triangles and raster is required",
+               .excludes = {"section", "vertices", "triangles", "raster"},
                .meaning = "A file of triangles in metres (.obj, .stl or .ply); its path is relative to the project "
                           "file.",
                .source = "Talus"},
@@ -298,16 +298,25 @@ Table terrain() {
                .slot = member(&Terrain::vertices),
                .unit = "m",
                .without_it = "required beside triangles",
-               .excludes = {"section", "mesh"},
+               .excludes = {"section", "mesh", "raster"},
                .meaning = "Vertices [x, y, z] of an inline mesh.",
                .source = "Talus"},
               {.key = "triangles",
                .slot = member(&Terrain::triangles),
                .range = at_least(0),
-               .without_it = "one of section, mesh and triangles is required",
-               .excludes = {"section", "mesh"},
+               .without_it = "one of section, mesh, triangles and raster is required",
+               .excludes = {"section", "mesh", "raster"},
                .meaning = "Triangles of an inline mesh: the numbers of three vertices each, counted from 0, in either "
                           "winding.",
+               .source = "Talus"},
+              {.key = "raster",
+               .slot = member(&Terrain::raster),
+               .without_it = "one of section, mesh, triangles and raster is required",
+               .excludes = {"section", "mesh", "vertices", "triangles"},
+               .meaning =
+                   "A file of elevations in metres, on a grid in a projected coordinate system in metres: band 1 "
+                   "of whatever GDAL reads (GeoTIFF, AAIGrid, VRT, ...); its path is relative to the project "
+                   "file.",
                .source = "Talus"},
               {.key = "rotate_deg",
                .slot = member(&Terrain::rotate_deg),
@@ -322,7 +331,7 @@ Table terrain() {
                .meaning = "A point [x, y, z] on the vertical axis of that turn.",
                .source = "the manual, section 5"},
           },
-      .later = {{"raster", "terrain from a raster of heights", "Convert the raster to a mesh (.obj, .stl or .ply)"}},
+      .later = {},
       .add = add,
       .rows = rows,
   };
@@ -401,7 +410,7 @@ Table material() {
 
 Table ground() {
   auto [add, rows] = one_row(&Project::ground);
-  constexpr std::string_view instead = "Use default, segments or triangles";
+  constexpr std::string_view instead = "Use default, segments, triangles or raster";
   return {
       .key = "ground",
       .meaning = "Which part of the terrain is made of which material.",
@@ -409,26 +418,40 @@ Table ground() {
           {
               {.key = "default",
                .slot = member(&Ground::default_material),
-               .without_it = "the only material; required where there are several and neither segments nor triangles",
+               .without_it =
+                   "the only material; required where there are several and none of segments, triangles and raster",
                .meaning = "Name of the material wherever nothing else is said.",
                .source = "Talus"},
               {.key = "segments",
                .slot = member(&Ground::segments),
                .without_it = "default everywhere",
-               .excludes = {"triangles"},
+               .excludes = {"triangles", "raster"},
                .meaning = "Section: names of materials, one for each segment, in the order of the vertices.",
                .source = "Talus"},
               {.key = "triangles",
                .slot = member(&Ground::triangles),
                .range = at_least(0),
                .without_it = "default everywhere",
-               .excludes = {"segments"},
+               .excludes = {"segments", "raster"},
                .meaning = "Mesh: numbers of materials, counted from 0 in the order of the file, one for each triangle.",
                .source = "Talus"},
+              {.key = "raster",
+               .slot = member(&Ground::raster),
+               .without_it = "default everywhere",
+               .excludes = {"segments", "triangles"},
+               .meaning =
+                   "Raster and mesh: a file of classes, in any coordinate system and with cells of any size; the "
+                   "class at the middle of a cell or triangle of the terrain is that of its ground. Its path is "
+                   "relative to the project file.",
+               .source = "Talus"},
+              {.key = "classes",
+               .slot = member(&Ground::classes),
+               .without_it = "required beside raster",
+               .meaning = "Which class of the raster is which material, for example `{ 1 = \"Rock\", 2 = \"Scree\" }`; "
+                          "where there is no class, the default holds.",
+               .source = "Talus"},
           },
-      .later = {{"raster", "materials from a class raster", instead},
-                {"classes", "materials from a class raster", instead},
-                {"polygons", "materials from polygons on plan", instead},
+      .later = {{"polygons", "materials from polygons on plan", instead},
                 {"attribute", "materials from polygons on plan", instead}},
       .add = add,
       .rows = rows,
@@ -649,14 +672,30 @@ Table output() {
                .range = between(0, most_rocks),
                .meaning = "Of which rocks the whole path is written: `\"all\"`, `\"none\"`, or of so many.",
                .source = "Talus"},
+              {.key = "maps",
+               .slot = member(&Output::maps),
+               .meaning = "3D: writes maps of where rocks pass, how fast, how high and with how much energy, as "
+                          "GeoTIFFs in the folder `maps`.",
+               .source = "Talus"},
+              {.key = "raster_cell_m",
+               .slot = member(&Output::raster_cell_m),
+               .unit = "m",
+               .range = at_least(0.01, "nothing is known of the ground on that scale"),
+               .meaning = "Side of a map's cell; the cells' borders are at multiples of it.",
+               .source = "Talus"},
+              {.key = "percentiles",
+               .slot = member(&Output::percentiles),
+               .range = between(0, 100),
+               .meaning =
+                   "Which percentiles of energies, velocity and bounce height are mapped beside the greatest and "
+                   "the mean.",
+               .source = "Talus"},
               {.key = "report",
                .slot = member(&Output::report),
                .meaning = "Writes `report.html`, a page of figures that opens without a network.",
                .source = "Talus"},
           },
-      .later = {{"maps", "hazard maps", "No map is written", true},
-                {"raster_cell_m", "hazard maps", "No map is written", true},
-                {"percentiles", "hazard maps", "No map is written", true}},
+      .later = {},
       .add = add,
       .rows = rows,
   };

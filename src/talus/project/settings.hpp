@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,13 +58,13 @@ struct PathLimitSlot {
 };
 
 /// The member that a setting fills, in one row of its table.
-using Slot =
-    std::variant<bool*, double*, std::optional<double>*, std::int64_t*, std::uint64_t*, std::string*,
-                 std::filesystem::path*, std::array<double, 3>*, Distribution*, std::optional<Distribution>*,
-                 std::vector<std::array<double, 2>>*, std::vector<std::array<double, 3>>*,
-                 std::vector<std::array<std::int64_t, 3>>*, std::vector<std::string>*, std::vector<std::int64_t>*,
-                 RockModel*, SlidingMethod*, FrictionSource*, MaterialSampling*, SamplingMethod*, SeederType*,
-                 DistributionKind*, PositionSlot, PointsSlot, PlanLineSlot, DirectionSlot, PathLimitSlot>;
+using Slot = std::variant<bool*, double*, std::optional<double>*, std::int64_t*, std::uint64_t*, std::string*,
+                          std::filesystem::path*, std::array<double, 3>*, Distribution*, std::optional<Distribution>*,
+                          std::vector<std::array<double, 2>>*, std::vector<std::array<double, 3>>*,
+                          std::vector<std::array<std::int64_t, 3>>*, std::vector<std::string>*,
+                          std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
+                          RockModel*, SlidingMethod*, FrictionSource*, MaterialSampling*, SamplingMethod*, SeederType*,
+                          DistributionKind*, PositionSlot, PointsSlot, PlanLineSlot, DirectionSlot, PathLimitSlot>;
 
 /// One row of a table: the struct that its settings are members of.
 using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Seeder*, Barrier*, Output*,

@@ -59,6 +59,7 @@ class ValueReader {
   bool into(const Value&, std::array<double, 3>*);
   bool into(const Value&, Distribution*);
   bool into(const Value&, std::optional<Distribution>*);
+  bool into(const Value&, std::map<std::int32_t, std::string>*);
   bool into(const Value&, PositionSlot);
   bool into(const Value&, PointsSlot);
   bool into(const Value&, PlanLineSlot);

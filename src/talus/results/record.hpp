@@ -32,6 +32,8 @@ class Observer {
   virtual ~Observer() = default;
   /// Whether it wants this rock's path, row by row.
   [[nodiscard]] virtual bool wants_rows(std::uint64_t rock) const = 0;
+  /// Whether it wants the pieces of which paths are made, and the impacts.
+  [[nodiscard]] virtual bool wants_pieces() const { return false; }
   [[nodiscard]] virtual std::unique_ptr<ObserverPart> new_part() const = 0;
   virtual void commit(ObserverPart& part) = 0;
 };

@@ -45,6 +45,7 @@ struct LeftPlanes {
 struct Exit {
   double t = 0;          // when its centre crosses the edge of the terrain [s]
   bool beneath = false;  // it left below the surface: a lost rock
+  bool in_hole = false;  // where it left, the terrain has no data; otherwise it ends there
 };
 
 /// One side of a facet: points with (x - point) . inward >= 0 are on the facet's side of it.

@@ -3,43 +3,8 @@
 #include <algorithm>
 
 #include "talus/core/check.hpp"
-#include "talus/flight/touch.hpp"
 
 namespace talus {
-
-namespace {
-
-constexpr std::array<std::size_t, 3> next{1, 2, 0};
-
-constexpr double pad = 1e-6;  // by which boxes are grown, so that rounding hides no contact [m]
-
-// How far outside a facet's outline [m] a contact may lie and still belong to it: what a facet of thickness
-// contact_slack shows to a path that comes in under the given ratio of tangential to normal speed. Beyond a ratio of
-// 1e4 it grows no further (a rock cannot fall on a facet so flatly; only rounding can).
-double outline_slack(double tangential_speed, double normal_speed) {
-  return contact_slack * (1 + std::min(tangential_speed / std::max(normal_speed, 1e-300), 1e4));
-}
-
-}  // namespace
-
-// The best contact so far, and on whose side a tie falls: at equal times the triangle that came first in the input.
-struct TriangleMesh::Candidate {
-  double t;
-  Vec3 normal = Vec3::Zero();
-  std::uint32_t facet = no_neighbour;
-  std::uint32_t source = no_neighbour;
-  Feature feature = Feature::facet;
-
-  [[nodiscard]] bool beaten_by(double t_new, Feature feature_new, std::uint32_t source_new) const {
-    if (t_new != t) return t_new < t;
-    if (facet == no_neighbour) return true;
-    return feature_new != feature ? feature_new < feature : source_new < source;
-  }
-  [[nodiscard]] std::optional<Contact> contact() const {
-    if (facet == no_neighbour) return std::nullopt;
-    return Contact{t, normal, FacetId{facet}, feature};
-  }
-};
 
 TriangleMesh::TriangleMesh(std::span<const Vec3> vertices, std::span<const Corners> triangles,
                            std::span<const Corners> neighbours) {
@@ -63,7 +28,7 @@ TriangleMesh::TriangleMesh(std::span<const Vec3> vertices, std::span<const Corne
       facet.corner[c] = vertices[triangles[source][c]];
       const std::uint32_t beyond = neighbours[source][c];
       facet.neighbour[c] = beyond == no_neighbour ? no_neighbour : place[beyond];
-      if (beyond == no_neighbour) rim_.push_back({facet.corner[c], vertices[triangles[source][next[c]]]});
+      if (beyond == no_neighbour) rim_.push_back({facet.corner[c], vertices[triangles[source][next_corner[c]]]});
     }
     if (normal({static_cast<std::uint32_t>(k)}).z() <= 0) is_height_field_ = false;
   }
@@ -96,7 +61,7 @@ void TriangleMesh::find_sharp_features(std::span<const Corners> triangles) {
       if (!sharp) continue;
       if (owned) facet.sharp |= 1U << c;
       sharp_vertex[triangles[facet.source][c]] = true;
-      sharp_vertex[triangles[facet.source][next[c]]] = true;
+      sharp_vertex[triangles[facet.source][next_corner[c]]] = true;
     }
   }
   for (Facet& facet : facets_) {
@@ -127,109 +92,35 @@ Outline TriangleMesh::outline(FacetId id) const {
   for (std::size_t c = 0; c < 3; ++c) {
     OutlineEdge& edge = outline.edges[c];
     edge.point = facet.corner[c];
-    edge.inward = outline.normal.cross(facet.corner[next[c]] - facet.corner[c]).normalized();
+    edge.inward = outline.normal.cross(facet.corner[next_corner[c]] - facet.corner[c]).normalized();
     if (facet.neighbour[c] != no_neighbour) edge.beyond = FacetId{facet.neighbour[c]};
   }
   return outline;
 }
 
-void TriangleMesh::meet_point(const Parabola& path, std::uint32_t k, const LeftPlanes& left, Candidate& best) const {
-  const Facet& facet = facets_[k];
-  const Vec3 first = facet.corner[1] - facet.corner[0], last = facet.corner[2] - facet.corner[0];
-  // The normal is not made a unit vector before that is needed: times do not depend on its length.
-  const Vec3 n = first.cross(last);
-  const double vn = n.dot(path.v), an = n.dot(path.a);
-  if (vn >= 0 && an >= 0) return;
-  const Vec3 from_corner = path.p - facet.corner[0];
-  const double h0 = n.dot(from_corner);
-  const auto t = falling_root(h0, vn, an, contact_slack * n.lpNorm<1>());
-  if (!t || !best.beaten_by(*t, Feature::facet, facet.source)) return;
-
-  // Distances from the sides, times the lengths of n and of the side; they sum up to the square of n.
-  const Vec3 q = from_corner + *t * path.v + (0.5 * *t * *t) * path.a;
-  const double n2 = n.squaredNorm();
-  const double inside_first = n.dot(first.cross(q)), inside_last = n.dot(q.cross(last));
-  const double inside_middle = n2 - inside_first - inside_last;
-  const double n_length = std::sqrt(n2);
-  const Vec3 unit = n / n_length;
-  if (std::min({inside_first, inside_middle, inside_last}) < 0) {
-    const Vec3 arriving = path.velocity(*t);
-    const double slack = outline_slack(arriving.norm(), -unit.dot(arriving)) * n_length;
-    if (inside_first < -slack * first.norm() || inside_last < -slack * last.norm() ||
-        inside_middle < -slack * (last - first).norm()) {
-      return;
-    }
-  }
-  if (h0 <= 1e-7 * n_length && left.contain(unit, same_plane)) return;
-  best = {*t, unit, k, facet.source, Feature::facet};
-}
-
-void TriangleMesh::meet_sphere(const Parabola& path, Path kind, double radius, const TimeWindow& window,
-                               std::uint32_t k, const LeftPlanes& left, Candidate& best) const {
-  const Facet& facet = facets_[k];
-  const std::array<Vec3, 3> side{facet.corner[1] - facet.corner[0], facet.corner[2] - facet.corner[1],
-                                 facet.corner[0] - facet.corner[2]};
-  const Vec3 n = side[0].cross(side[1]).normalized();
-  const double vn = n.dot(path.v), an = n.dot(path.a);
-  const double h0 = n.dot(path.p - facet.corner[0]) - radius;
-  const bool in_left_plane = h0 <= 1e-7 && left.contain(n, same_plane);
-  // A sphere that is in the facet already (its centre still above it) is not let any deeper.
-  if (const auto t = falling_root(h0, vn, an, radius);
-      t && !in_left_plane && best.beaten_by(*t, Feature::facet, facet.source)) {
-    const Vec3 foot = path.at(*t) - radius * n;
-    const Vec3 arriving = path.velocity(*t);
-    const double slack = outline_slack(arriving.norm(), -n.dot(arriving));
-    bool inside = true;
-    for (std::size_t c = 0; c < 3; ++c) {
-      inside = inside && n.dot(side[c].cross(foot - facet.corner[c])) >= -slack * side[c].norm();
-    }
-    if (inside) best = {*t, n, k, facet.source, Feature::facet};
-  }
-  // A rock that rolls on a plane touches that plane's own edges from above, which is no new contact.
-  const auto offer = [&](double t, const Vec3& away, Feature feature) {
-    const Vec3 out = away.normalized();
-    if (kind == Path::leg && left.contain(out, 1e-9)) return;
-    if (best.beaten_by(t, feature, facet.source)) best = {t, out, k, facet.source, feature};
-  };
-  for (std::size_t c = 0; c < 3; ++c) {
-    const TimeWindow until_now{window.enter, std::min(window.leave, best.t)};
-    if (until_now.is_empty()) return;
-    if ((facet.sharp & (1U << c)) != 0) {
-      const double length = side[c].norm();
-      const Vec3 e = side[c] / length;
-      const auto t = touch_edge(path, facet.corner[c], e, length, radius, until_now);
-      if (t) offer(*t, tangential(path.at(*t) - facet.corner[c], e), Feature::edge);
-    }
-    if ((facet.sharp & (8U << c)) != 0) {
-      const auto t = touch_point(path, facet.corner[c], radius, until_now);
-      if (t) offer(*t, path.at(*t) - facet.corner[c], Feature::vertex);
-    }
-  }
-}
-
 template <class EachFacet>
 std::optional<Contact> TriangleMesh::search_flight(const Parabola& path, double radius, double t_max,
                                                    const LeftPlanes& left, EachFacet&& each_facet) const {
-  Candidate best{t_max};
+  ContactCandidate best{t_max};
   if (radius == 0) {
-    bvh_.visit_flight(path, pad, best.t, [&](std::uint32_t first, std::uint32_t last, double&) {
+    bvh_.visit_flight(path, box_pad, best.t, [&](std::uint32_t first, std::uint32_t last, double&) {
       for (std::uint32_t k = first; k < last; ++k) {
         each_facet();
-        meet_point(path, k, left, best);
+        meet_point(path, facets_[k].corner, {k, facets_[k].source}, left, best);
       }
     });
     return best.contact();
   }
   const FlightSlabs slabs(path);
-  bvh_.visit_flight(path, radius + pad, best.t, [&](std::uint32_t first, std::uint32_t last, double&) {
+  bvh_.visit_flight(path, radius + box_pad, best.t, [&](std::uint32_t first, std::uint32_t last, double&) {
     for (std::uint32_t k = first; k < last; ++k) {
-      const auto& corner = facets_[k].corner;
+      const Triangle& corner = facets_[k].corner;
       const Box box{corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
                     corner[0].cwiseMax(corner[1]).cwiseMax(corner[2])};
-      const TimeWindow window = slabs.window(box, radius + pad, best.t);
+      const TimeWindow window = slabs.window(box, radius + box_pad, best.t);
       if (window.is_empty()) continue;
       each_facet();
-      meet_sphere(path, Path::flight, radius, window, k, left, best);
+      meet_sphere(path, SpherePath::flight, radius, window, corner, {k, facets_[k].source}, left, sharp_of(k), best);
     }
   });
   return best.contact();
@@ -248,15 +139,18 @@ std::uint32_t TriangleMesh::facets_tested(const Parabola& path, double radius, d
 
 std::optional<Contact> TriangleMesh::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
                                                           const LeftPlanes& on) const {
-  Candidate best{t_max};
+  ContactCandidate best{t_max};
   Box swept;
   swept.grow(leg.p);
   swept.grow(leg.at(0.5 * t_max));
   swept.grow(leg.at(t_max));
   // The arc between these three points stays within an eighth of a t^2 of their box.
-  const Vec3 margin = Vec3::Constant(radius + pad) + 0.125 * t_max * t_max * leg.a.cwiseAbs();
+  const Vec3 margin = Vec3::Constant(radius + box_pad) + 0.125 * t_max * t_max * leg.a.cwiseAbs();
   bvh_.visit_box(swept.low - margin, swept.high + margin, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t k = first; k < last; ++k) meet_sphere(leg, Path::leg, radius, {0, t_max}, k, on, best);
+    for (std::uint32_t k = first; k < last; ++k) {
+      meet_sphere(leg, SpherePath::leg, radius, {0, t_max}, facets_[k].corner, {k, facets_[k].source}, on, sharp_of(k),
+                  best);
+    }
   });
   return best.contact();
 }
@@ -299,7 +193,7 @@ double TriangleMesh::greatest_height(const Parabola& path, double t_end, double 
           // The part of the path above this triangle: three lines cut it on plan.
           double enter = 0, leave = t_end;
           for (std::size_t c = 0; c < 3 && enter <= leave; ++c) {
-            const Vec3 along = corner[next[c]] - corner[c];
+            const Vec3 along = corner[next_corner[c]] - corner[c];
             const double inside = along.x() * (path.p.y() - corner[c].y()) - along.y() * (path.p.x() - corner[c].x());
             const double rate = along.x() * path.v.y() - along.y() * path.v.x();
             if (rate > 0) {
@@ -336,7 +230,7 @@ void TriangleMesh::visit_column(double x, double y, double z_low, double z_high,
       if (n.z() == 0) continue;
       bool inside = true;
       for (std::size_t c = 0; c < 3; ++c) {
-        const Vec3 along = corner[next[c]] - corner[c];
+        const Vec3 along = corner[next_corner[c]] - corner[c];
         const double area = along.x() * (y - corner[c].y()) - along.y() * (x - corner[c].x());
         inside = inside && (n.z() > 0 ? area : -area) >= -contact_slack * (std::abs(along.x()) + std::abs(along.y()));
       }
@@ -376,7 +270,7 @@ std::vector<Vec3> TriangleMesh::draped(const Vec2& from, const Vec2& to) const {
       double enter = 0, leave = 1;
       const double turn = (corner[1] - corner[0]).cross(corner[2] - corner[0]).z() > 0 ? 1 : -1;
       for (std::size_t c = 0; c < 3 && enter <= leave; ++c) {
-        const Vec3 along = corner[next[c]] - corner[c];
+        const Vec3 along = corner[next_corner[c]] - corner[c];
         const double inside = turn * (along.x() * (from.y() - corner[c].y()) - along.y() * (from.x() - corner[c].x()));
         const double rate = turn * (along.x() * d.y() - along.y() * d.x());
         if (rate > 0) {
@@ -402,28 +296,6 @@ std::vector<Vec3> TriangleMesh::draped(const Vec2& from, const Vec2& to) const {
     if (const auto z = elevation(at.x(), at.y())) line.emplace_back(at.x(), at.y(), *z);
   }
   return line;
-}
-
-// Ericson, "Real-time collision detection" (2005), section 5.1.5.
-Vec3 TriangleMesh::closest_point(std::uint32_t k, const Vec3& p) const {
-  const auto& [a, b, c] = facets_[k].corner;
-  const Vec3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const Vec3 bp = p - b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-  const Vec3 cp = p - c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-  const double scale = 1 / (va + vb + vc);
-  return a + vb * scale * ab + vc * scale * ac;
 }
 
 }  // namespace talus

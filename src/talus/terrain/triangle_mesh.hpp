@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "talus/terrain/bvh.hpp"
-#include "talus/terrain/contact.hpp"
+#include "talus/terrain/facet_contact.hpp"
 
 namespace talus {
 
@@ -68,28 +68,24 @@ class TriangleMesh {
 
  private:
   struct Facet {
-    std::array<Vec3, 3> corner;
+    Triangle corner;
     Corners neighbour;     // facets here
     std::uint32_t source;  // triangle of the input
     // Edges (bits 0 to 2) and corners (bits 3 to 5) that a sphere can touch before a facet does, because the surface
     // is convex there or ends. Each belongs to one of the facets that share it.
     std::uint32_t sharp;
   };
-  struct Candidate;
+  [[nodiscard]] auto sharp_of(std::uint32_t k) const {
+    return [sharp = facets_[k].sharp](std::size_t what, double) { return (sharp & (1U << what)) != 0; };
+  }
 
-  void meet_point(const Parabola& path, std::uint32_t k, const LeftPlanes& left, Candidate& best) const;
   template <class EachFacet>
   std::optional<Contact> search_flight(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
                                        EachFacet&& each_facet) const;
-  enum class Path { flight, leg };
-  /// `window` holds every time at which the sphere may touch the facet or its sides.
-  void meet_sphere(const Parabola& path, Path kind, double radius, const TimeWindow& window, std::uint32_t k,
-                   const LeftPlanes& left, Candidate& best) const;
   void find_sharp_features(std::span<const Corners> triangles);
   /// Calls visit(z, n_z) for each facet over or under a place on plan that is not vertical, between two heights.
   template <class Visit>
   void visit_column(double x, double y, double z_low, double z_high, Visit&& visit) const;
-  [[nodiscard]] Vec3 closest_point(std::uint32_t k, const Vec3& p) const;
 
   std::vector<Facet> facets_;
   std::vector<std::array<Vec3, 2>> rim_;  // edges with one triangle; the surface is to the left of each
@@ -104,7 +100,7 @@ void TriangleMesh::supports(const Vec3& centre, double radius, double reach, Tou
   bvh_.visit_box(centre - Vec3::Constant(range), centre + Vec3::Constant(range),
                  [&](std::uint32_t first, std::uint32_t last) {
                    for (std::uint32_t k = first; k < last; ++k) {
-                     const Vec3 away = centre - closest_point(k, centre);
+                     const Vec3 away = centre - closest_point(facets_[k].corner, centre);
                      const double distance = away.norm();
                      if (distance > range) continue;
                      const auto& corner = facets_[k].corner;

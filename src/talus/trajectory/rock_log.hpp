@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "talus/barriers/barrier.hpp"
+#include "talus/flight/parabola.hpp"
 #include "talus/motion/motion.hpp"
 
 namespace talus {
@@ -12,6 +13,20 @@ namespace talus {
 struct PathRow {
   PathState state;
   Motion motion;
+};
+
+/// A part of a path with constant acceleration, as it was computed: a flight until something ends it, or as much of a
+/// leg along the ground as was gone. The pieces of a path join end to end, but for what rounding moves a rock on the
+/// ground; the first begins at the release, the last ends where the path does. A piece may last no time at all.
+///
+/// On the ground `path` is the way; velocity follows it except where a step's law has it otherwise: a stepped slide
+/// moves with the velocity of the step's end.
+struct PathPiece {
+  Parabola path;          // of the centre, from time 0 of the piece
+  double duration = 0;    // [s]
+  double start_time = 0;  // since release [s]
+  Vec3 spin;              // at its start; constant in flight [rad/s]
+  bool on_ground = false;
 };
 
 /// A rock passed above a barrier.
@@ -22,12 +37,15 @@ struct PassedAbove {
 
 class RockLog {
  public:
-  explicit RockLog(bool keep_rows) : keep_rows_(keep_rows) {}
+  explicit RockLog(bool keep_rows, bool keep_pieces = false) : keep_rows_(keep_rows), keep_pieces_(keep_pieces) {}
 
   void keep_rows(bool keep) { keep_rows_ = keep; }
+  void keep_pieces(bool keep) { keep_pieces_ = keep; }
   void clear() {
     rows.clear();
     turns.clear();
+    pieces.clear();
+    impacts.clear();
     hits.clear();
     passed_above.clear();
   }
@@ -38,14 +56,27 @@ class RockLog {
   void turn(const Motion& motion) {
     if (keep_rows_) turns.push_back(motion);
   }
+  /// The rock is at the piece's start in `motion`, and goes `duration` along `path`.
+  void flight(const Parabola& path, double duration, const Motion& motion) {
+    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false});
+  }
+  void leg(const Parabola& path, double duration, const Motion& motion) {
+    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, true});
+  }
+  /// The rock strikes the ground, its centre being here.
+  void impact(const Vec3& position) {
+    if (keep_pieces_) impacts.push_back(position);
+  }
 
   std::vector<PathRow> rows;
   std::vector<Motion> turns;
+  std::vector<PathPiece> pieces;  // and impacts: only if asked for
+  std::vector<Vec3> impacts;
   std::vector<BarrierHit> hits;
   std::vector<PassedAbove> passed_above;
 
  private:
-  bool keep_rows_;
+  bool keep_rows_, keep_pieces_;
 };
 
 }  // namespace talus

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "talus/terrain/profile.hpp"
+#include "talus/terrain/raster_surface.hpp"
 #include "talus/terrain/triangle_mesh.hpp"
 #include "talus/trajectory/rock_run.hpp"
 
@@ -16,5 +17,6 @@ RockOutcome follow_rock(const Scene<Surface>& scene, const Release& release, con
 
 template RockOutcome follow_rock(const Scene<Profile>&, const Release&, const Draws&, RockLog&);
 template RockOutcome follow_rock(const Scene<TriangleMesh>&, const Release&, const Draws&, RockLog&);
+template RockOutcome follow_rock(const Scene<RasterSurface>&, const Release&, const Draws&, RockLog&);
 
 }  // namespace talus

@@ -66,6 +66,7 @@ class RockRun {
   Phase fly(const Flying& phase);
   Phase strike(const Contact& contact);
   Phase move_along(OnGround phase);
+  void glide(const OnGround& phase, const Footing& footing);
   Phase enter_ground(const Contact& contact, const GroundDraw& draw, const Material& material, double rt);
   /// How a rock goes on from a barrier.
   enum class AtBarrier { untouched, held, goes_on };
@@ -74,6 +75,10 @@ class RockRun {
     return first_crossing(barriers_, path, reach_, motion_.time, t_max, crossed_);
   }
   AtBarrier meet_barrier(const Crossing& crossing);
+  [[nodiscard]] bool is_near_barrier(const Vec3& p, double distance) const {
+    const PlanBounds about{p.head<2>().array() - distance, p.head<2>().array() + distance};
+    return std::any_of(barriers_.begin(), barriers_.end(), [&](const Barrier& b) { return b.bounds.meet(about); });
+  }
   void pass_above(const Crossing& crossing) {
     crossed_.note(crossing.barrier, motion_.time + crossing.t);
     log_.passed_above.push_back({crossing.barrier, crossing.clearance});
@@ -124,6 +129,9 @@ class RockRun {
     return GroundDraw(draws_, laws_.material_sampling, material_at(facet), contacts_++);
   }
   [[nodiscard]] PathState contact_state(const Vec3& normal) const;
+  [[nodiscard]] static EndReason reason_of(const Exit& exit) {
+    return exit.beneath ? EndReason::lost : exit.in_hole ? EndReason::no_data : EndReason::left_model;
+  }
   [[nodiscard]] double kinetic_energy() const {
     return 0.5 * rock_.mass * motion_.velocity.squaredNorm() + 0.5 * rock_.inertia * motion_.spin.squaredNorm();
   }
@@ -212,6 +220,7 @@ auto RockRun<Surface>::fly(const Flying& phase) -> Phase {
       motion_ = before;
       continue;
     }
+    log_.flight(path, crossing->t, before);
     outcome_.max_bounce = surface_.greatest_height(path, crossing->t, outcome_.max_bounce);
     if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
     log_.row(PathState::projectile, motion_);
@@ -219,10 +228,11 @@ auto RockRun<Surface>::fly(const Flying& phase) -> Phase {
   }
 
   outcome_.max_bounce = surface_.greatest_height(path, t_end, outcome_.max_bounce);
+  log_.flight(path, t_end, motion_);
   advance(path, t_end);
   if (contact) return strike(*contact);
   if (exit.t == time_left) return Ended{EndReason::maximum_time};
-  return Ended{exit.beneath ? EndReason::lost : EndReason::left_model};
+  return Ended{reason_of(exit)};
 }
 
 template <class Surface>
@@ -247,6 +257,7 @@ auto RockRun<Surface>::meet_barrier(const Crossing& crossing) -> AtBarrier {
 template <class Surface>
 auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
   arrive(PathState::impact);
+  log_.impact(motion_.position);
   const Material& material = ground_[material_at(contact.facet)];
   const std::uint32_t number = contacts_;
   const GroundDraw draw = draw_at(contact.facet);
@@ -294,4 +305,5 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
 
 }  // namespace talus
 
+#include "talus/trajectory/rock_run_gliding.hpp"
 #include "talus/trajectory/rock_run_on_ground.hpp"

@@ -178,17 +178,15 @@ void RockRun<Surface>::advance_along(const Leg& leg, double t) {
 template <class Surface>
 void RockRun<Surface>::stand_on(const OnGround& phase) {
   if (!phase.on_facet) return;
-  const auto height = [&](const Vec3& n, FacetId facet) {
-    return n.dot(motion_.position - surface_.point_of(facet)) - reach_;
-  };
+  const auto height = [&](const Vec3& n, const Vec3& point) { return n.dot(motion_.position - point) - reach_; };
   const Vec3& n = phase.normal;
-  Vec3 shift = -height(n, phase.facet) * n;
+  Vec3 shift = -height(n, outline_of(phase.facet).point) * n;
   if (phase.valley) {
     if (!carries(phase.other_facet, *phase.other_normal)) return;
     // To where the rock touches both planes, the shortest way.
     const Vec3& m = *phase.other_normal;
     const Vec3 across = tangential(m, n);  // towards the first plane's side of the second one, in the first plane
-    shift -= (height(m, phase.other_facet) + m.dot(shift)) / across.squaredNorm() * across;
+    shift -= (height(m, surface_.point_of(phase.other_facet)) + m.dot(shift)) / across.squaredNorm() * across;
   }
   // A sphere may have sunk in by more than rounding: what lifting it costs, it pays, and without the means it stays.
   const double work = shift.norm() > contact_slack ? -rock_.mass * shift.dot(laws_.gravity) : 0;
@@ -278,6 +276,7 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
   double past_edge = 0;  // time spent rolling over an edge or a vertex [s]
   while (true) {
     const Footing footing = this->footing(phase);
+    glide(phase, footing);
     note_progress();
     if (rests(phase, footing) || is_wedged()) {
       motion_.velocity.setZero();
@@ -319,6 +318,7 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
       const Motion before = motion_;
       advance_along(leg, crossing->t);
       const AtBarrier then = meet_barrier(*crossing);
+      if (then != AtBarrier::untouched) log_.leg(leg.path, crossing->t, before);
       if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
       met = then == AtBarrier::goes_on;
       if (met) break;
@@ -331,6 +331,7 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
       continue;
     }
 
+    log_.leg(leg.path, t, motion_);
     advance_along(leg, t);
     stand_on(phase);
     if (ahead) {
@@ -354,7 +355,7 @@ auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edg
     if (exit.t <= 1e-9 && !exit.beneath) {
       arrive(PathState::impact);
       log_.row(PathState::projectile, motion_);
-      return Ended{EndReason::left_model};
+      return Ended{reason_of(exit)};
     }
   }
   if (phase.valley) return leave_valley(phase);

@@ -8,6 +8,6 @@ namespace talus::io::assets {
 extern const std::string_view page;    // page.html, with places like {{title}}
 extern const std::string_view style;   // style.css
 extern const std::string_view script;  // the .js files beside this one, in the order of cmake/embed.cmake
-extern const std::string_view d3;      // the drawing library D3 (d3js.org; ISC and BSD licences)
+extern const std::string_view d3;      // the drawing library D3 (d3js.org; see NOTICE)
 
 }  // namespace talus::io::assets

@@ -1,0 +1,191 @@
+#include "talus/io/map_files.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for_each.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <system_error>
+
+#include "talus/core/problems.hpp"
+#include "talus/io/map_list.hpp"
+#include "talus/io/output_file.hpp"
+
+#ifdef TALUS_HAS_GDAL
+#include <ogr_spatialref.h>
+
+#include "talus/io/gdal_raster.hpp"
+#endif
+
+namespace talus::io {
+
+#ifdef TALUS_HAS_GDAL
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, std::string why, std::string hint) {
+  throw BadInput(
+      Problem{.file = file.string(), .what = "cannot write this map", .why = std::move(why), .hint = std::move(hint)});
+}
+[[noreturn]] void refuse(const std::filesystem::path& file, const GdalMessages& messages) {
+  refuse(file, messages.failure(), "Free some space, or choose another output folder with -o");
+}
+
+GDALDriver& driver(const char* name, const std::filesystem::path& file) {
+  GDALDriver* found = GetGDALDriverManager()->GetDriverByName(name);
+  if (found == nullptr) {
+    refuse(file, fmt::format("the GDAL library of this machine has no driver {}", name),
+           "Install GDAL with its usual drivers, or set maps = false");
+  }
+  return *found;
+}
+
+class Options {
+ public:
+  Options(std::initializer_list<const char*> options) {
+    for (const char* option : options) list_ = CSLAddString(list_, option);
+  }
+  Options(const Options&) = delete;
+  Options& operator=(const Options&) = delete;
+  ~Options() { CSLDestroy(list_); }
+  operator char**() const { return list_; }
+
+ private:
+  char** list_ = nullptr;
+};
+
+struct Found {
+  double least = 0, greatest = 0;  // of the values above 0
+};
+
+constexpr double no_rock = -9999;
+
+/// All values of one map, in the order of a picture: from north to south. Nothing where GDAL could not take them.
+std::optional<Found> fill(GDALRasterBand& band, const Maps& maps, const MapKind& kind, const Maps::Extent& extent) {
+  Found found;
+  std::vector<double> values;
+  for (const Maps::Tile* tile : maps.tiles()) {
+    const MapCell first{std::max(tile->first().column, extent.first.column),
+                        std::max(tile->first().row, extent.first.row)};
+    const MapCell last{std::min(tile->first().column + Maps::tile_side - 1, extent.last.column),
+                       std::min(tile->first().row + Maps::tile_side - 1, extent.last.row)};
+    const int columns = last.column - first.column + 1, rows = last.row - first.row + 1;
+    values.clear();
+    for (std::int32_t row = last.row; row >= first.row; --row) {
+      for (std::int32_t column = first.column; column <= last.column; ++column) {
+        const MapTally* tally = tile->find(column - tile->first().column, row - tile->first().row);
+        values.push_back(tally != nullptr ? kind.value(*tally) : kind.is_count ? 0 : no_rock);
+        if (values.back() <= 0) continue;
+        found.least = found.least == 0 ? values.back() : std::min(found.least, values.back());
+        found.greatest = std::max(found.greatest, values.back());
+      }
+    }
+    if (band.RasterIO(GF_Write, first.column - extent.first.column, extent.last.row - last.row, columns, rows,
+                      values.data(), columns, rows, GDT_Float64, 0, 0, nullptr) != CE_None) {
+      return std::nullopt;
+    }
+  }
+  return found;
+}
+
+/// The largest count of a map decides how its numbers are kept.
+GDALDataType type_of(const MapKind& kind, const Maps& maps) {
+  if (!kind.is_count) return GDT_Float32;
+  for (const Maps::Tile* tile : maps.tiles()) {
+    for (std::int32_t k = 0; k < Maps::tile_side * Maps::tile_side; ++k) {
+      const MapTally* tally = tile->find(k % Maps::tile_side, k / Maps::tile_side);
+      if (tally != nullptr && kind.value(*tally) > 4294967295.0) return GDT_Float64;
+    }
+  }
+  return GDT_UInt32;
+}
+
+void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent, const std::string& crs_wkt,
+               const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / (kind.name + ".tif");
+  std::filesystem::path part = file;
+  part += ".part";
+  GdalMessages messages;
+
+  // A raster in memory that keeps only those of its blocks that are written to.
+  const std::string scratch = fmt::format("/vsimem/talus-{}.tif", static_cast<const void*>(&kind));
+  struct Unlink {
+    const std::string& name;
+    ~Unlink() { VSIUnlink(name.c_str()); }
+  } const unlink{scratch};
+  const Options sparse{"TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "SPARSE_OK=TRUE", "BIGTIFF=IF_SAFER"};
+  const int columns = extent.last.column - extent.first.column + 1, rows = extent.last.row - extent.first.row + 1;
+  GDALDatasetUniquePtr raster(
+      driver("GTiff", file).Create(scratch.c_str(), columns, rows, 1, type_of(kind, maps), sparse));
+  if (!raster) refuse(file, messages);
+  const MapGrid& grid = maps.grid();
+  std::array<double, 6> geotransform{
+      grid.origin().x() + extent.first.column * grid.cell(),   grid.cell(), 0,
+      grid.origin().y() + (extent.last.row + 1) * grid.cell(), 0,           -grid.cell()};
+  raster->SetGeoTransform(geotransform.data());
+  if (!crs_wkt.empty()) {
+    OGRSpatialReference crs;
+    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    if (crs.importFromWkt(crs_wkt.c_str()) == OGRERR_NONE) raster->SetSpatialRef(&crs);
+  }
+  GDALRasterBand& band = *raster->GetRasterBand(1);
+  band.SetNoDataValue(kind.is_count ? 0 : no_rock);
+  band.SetDescription(kind.meaning.c_str());
+  band.SetUnitType(kind.unit.c_str());
+  const std::optional<Found> found = fill(band, maps, kind, extent);
+  if (!found) refuse(file, messages);
+
+  // Overviews are for the eye: the mean of what rocks touched, so that a narrow track does not vanish.
+  const Options cloud_optimised{"COMPRESS=DEFLATE", "LEVEL=1",       "PREDICTOR=YES",   "OVERVIEW_RESAMPLING=AVERAGE",
+                                "SPARSE_OK=TRUE",   "BLOCKSIZE=256", "BIGTIFF=IF_SAFER"};
+  messages.clear();
+  const bool is_made =
+      GDALDatasetUniquePtr(
+          driver("COG", file).CreateCopy(part.c_str(), raster.get(), FALSE, cloud_optimised, nullptr, nullptr)) !=
+      nullptr;
+  if (!is_made || messages.has_failure()) {  // what goes wrong while a file is closed is only said
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    refuse(file, messages);
+  }
+  std::error_code error;
+  std::filesystem::rename(part, file, error);
+  if (error) refuse(file, error.message(), "Choose another output folder with -o");
+
+  OutputFile style(folder / (kind.name + ".qml"));
+  style.write(qgis_style(kind.scale, found->least, found->greatest));
+  style.commit();
+}
+
+}  // namespace
+
+bool can_write_maps() { return true; }
+
+std::vector<std::string> write_maps(const Maps& maps, std::span<const double> percentiles, const std::string& crs_wkt,
+                                    const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  const auto extent = maps.extent();
+  if (!extent) return names;
+  make_output_folder(folder);
+  const std::vector<MapKind> kinds = map_kinds(maps.rocks(), percentiles);
+  for (const MapKind& kind : kinds) names.push_back(kind.name);
+  tbb::parallel_for_each(kinds, [&](const MapKind& kind) { write_map(maps, kind, *extent, crs_wkt, folder); });
+  return names;
+}
+
+#else
+
+bool can_write_maps() { return false; }
+
+std::vector<std::string> write_maps(const Maps&, std::span<const double>, const std::string&,
+                                    const std::filesystem::path& folder) {
+  throw BadInput(Problem{.file = folder.string(),
+                         .what = "cannot write maps",
+                         .why = "this program was built without GDAL",
+                         .hint = "Build it with GDAL, or set maps = false"});
+}
+
+#endif
+
+}  // namespace talus::io

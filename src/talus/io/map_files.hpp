@@ -1,0 +1,27 @@
+#pragma once
+// Maps as cloud-optimised GeoTIFFs, each with a style for QGIS beside it.
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talus/results/maps.hpp"
+
+namespace talus::io {
+
+/// Whether this program was built with GDAL, which writes the files.
+[[nodiscard]] bool can_write_maps();
+
+/// Writes FOLDER/NAME.tif and FOLDER/NAME.qml for each map: passages, reach_share, deposits and impacts, and of each
+/// quantity the greatest, the mean and the percentiles (`percentiles` in [0, 100]), all over the cells that rocks
+/// touched; docs/outputs.md lists the names. `crs_wkt` is the coordinate system of the user's coordinates, empty where
+/// it is not known. Files appear when they are whole; of the maps of an earlier run, those of the same name are
+/// replaced. Without a rock nothing is written. Throws BadInput where the folder cannot be written to, and where the
+/// program was built without GDAL.
+///
+/// Returns the names of the maps.
+std::vector<std::string> write_maps(const Maps& maps, std::span<const double> percentiles, const std::string& crs_wkt,
+                                    const std::filesystem::path& folder);
+
+}  // namespace talus::io

@@ -1,0 +1,178 @@
+#include "talus/project/build_ground.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "talus/io/class_raster.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr std::size_t points_at_once = 1 << 20;
+
+Problem about_ground(const Project& project, std::string what, std::string why, std::string hint = "") {
+  return {.file = project.file.string(),
+          .where = "[ground]",
+          .what = std::move(what),
+          .why = std::move(why),
+          .hint = std::move(hint)};
+}
+
+std::uint32_t number_of(const Project& project, const std::string& material) {
+  const auto found = std::find_if(project.materials.begin(), project.materials.end(),
+                                  [&](const Material& m) { return m.name == material; });
+  return static_cast<std::uint32_t>(found - project.materials.begin());
+}
+
+/// Calls take(number, middle) for every cell with data or triangle, as the surface's source numbers it, the middle in
+/// the user's coordinates.
+template <class Take>
+void for_each_part(const BuiltTerrain& terrain, Take&& take) {
+  if (const auto* raster = std::get_if<RasterSurface>(&terrain.surface)) {
+    const RasterGrid& grid = raster->grid();
+    const double x = grid.x0 + terrain.frame.origin.x(), y = grid.y0 + terrain.frame.origin.y();
+    std::size_t number = 0;
+    for (std::uint32_t row = 0; row + 1 < grid.rows; ++row) {
+      for (std::uint32_t column = 0; column + 1 < grid.columns; ++column, ++number) {
+        if (raster->has_data(column, row)) take(number, Vec2(x + (column + 0.5) * grid.dx, y + (row + 0.5) * grid.dy));
+      }
+    }
+  } else {
+    for (std::size_t k = 0; k < terrain.facet_centres.size(); ++k) take(k, terrain.facet_centres[k]);
+  }
+}
+
+/// Gives each part of the terrain the material of its class.
+class Classifier {
+ public:
+  Classifier(const Project& project, const BuiltTerrain& terrain, Problems& warnings)
+      : project_(project),
+        raster_(project.file.parent_path() / project.ground.raster, terrain.crs_wkt, warnings),
+        default_(static_cast<std::uint8_t>(number_of(project, project.ground.default_material))),
+        of_part_(terrain.facet_centres.empty() ? terrain.parts : terrain.facet_centres.size(), default_) {
+    for (const auto& [number, material] : project.ground.classes) {
+      material_of_class_[number] = static_cast<std::uint8_t>(number_of(project, material));
+    }
+    for_each_part(terrain, [&](std::size_t number, const Vec2& middle) {
+      numbers_.push_back(number);
+      middles_.push_back(middle);
+      if (middles_.size() == points_at_once) classify();
+    });
+    classify();
+  }
+
+  std::vector<std::uint8_t> materials(const BuiltTerrain& terrain, Problems& problems, Problems& warnings) {
+    const std::string file = project_.ground.raster.string();
+    const char* parts = std::holds_alternative<RasterSurface>(terrain.surface) ? "cells" : "triangles";
+    if (raster_.points_within() == 0) {
+      const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, terrain.surface);
+      const Vec3 low = terrain.frame.global_from_local(box.low), high = terrain.frame.global_from_local(box.high);
+      problems.add(about_ground(project_, fmt::format("raster \"{}\" does not reach the terrain", file),
+                                fmt::format("the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
+                                            low.x(), high.x(), low.y(), high.y()),
+                                "Compare what gdalinfo says of the raster, and its coordinate system"));
+    } else if (!unknown_.empty()) {
+      constexpr std::size_t most_listed = 10;
+      std::string list;
+      std::size_t listed = 0;
+      for (const auto& [number, count] : unknown_) {
+        list += fmt::format("{}{} in {}", list.empty() ? "" : ", ", number, count);
+        if (++listed == most_listed) break;
+      }
+      if (unknown_.size() > listed) list += fmt::format(" and {} other classes", unknown_.size() - listed);
+      problems.add(about_ground(project_, fmt::format("raster \"{}\" has classes that are not in classes", file),
+                                fmt::format("{} of the terrain's {}", list, parts),
+                                fmt::format("Add {} = \"...\" to classes", unknown_.begin()->first)));
+    } else if (without_ > 0) {
+      Problem warning =
+          about_ground(project_, fmt::format("{} of {} {} of the terrain have no class", without_, asked_, parts),
+                       fmt::format("raster \"{}\" has no data there, or ends before", file),
+                       fmt::format("They are given the default material, \"{}\"", project_.ground.default_material));
+      warning.severity = Severity::warning;
+      warnings.add(std::move(warning));
+    }
+    return std::move(of_part_);
+  }
+
+ private:
+  void classify() {
+    const auto classes = raster_.at(middles_);
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+      if (!classes[i]) {
+        ++without_;
+      } else if (const auto known = material_of_class_.find(*classes[i]); known != material_of_class_.end()) {
+        of_part_[numbers_[i]] = known->second;
+      } else {
+        ++unknown_[*classes[i]];
+      }
+    }
+    asked_ += classes.size();
+    numbers_.clear();
+    middles_.clear();
+  }
+
+  const Project& project_;
+  ClassRaster raster_;
+  std::uint8_t default_;
+  std::vector<std::uint8_t> of_part_;
+  std::map<std::int32_t, std::uint8_t> material_of_class_;
+  std::map<std::int32_t, std::uint64_t> unknown_;  // classes without a material, and how many parts they have
+  std::uint64_t asked_ = 0, without_ = 0;
+  std::vector<std::size_t> numbers_;
+  std::vector<Vec2> middles_;
+};
+
+talus::Ground classed(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
+                      Problems& problems, Problems& warnings) {
+  constexpr std::size_t most_materials = std::size_t{std::numeric_limits<std::uint8_t>::max()} + 1;
+  if (materials.size() > most_materials) {
+    problems.add(about_ground(project, fmt::format("raster is given with {} materials", materials.size()),
+                              fmt::format("a ground from a raster has at most {}", most_materials)));
+    return {};
+  }
+  try {
+    Classifier classifier(project, terrain, warnings);
+    return talus::Ground(std::move(materials), classifier.materials(terrain, problems, warnings));
+  } catch (const BadInput& bad) {
+    problems.append(bad.problems());
+    return {};
+  }
+}
+
+}  // namespace
+
+talus::Ground build_ground(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
+                           Problems& problems, Problems& warnings) {
+  const Ground& ground = project.ground;
+  if (!ground.raster.empty()) return classed(project, std::move(materials), terrain, problems, warnings);
+  if (ground.segments.empty() && ground.triangles.empty()) {
+    return talus::Ground(std::move(materials), MaterialId{number_of(project, ground.default_material)});
+  }
+
+  std::vector<MaterialId> of_part;
+  of_part.reserve(terrain.parts);
+  for (const std::string& name : ground.segments) of_part.push_back(MaterialId{number_of(project, name)});
+  // The section was walked from left to right; its materials come with it.
+  if (!ground.segments.empty() && project.terrain.section.front()[0] > project.terrain.section.back()[0]) {
+    std::reverse(of_part.begin(), of_part.end());
+  }
+  for (const std::int64_t number : ground.triangles) of_part.push_back(MaterialId{static_cast<std::uint32_t>(number)});
+  if (of_part.size() != terrain.parts) {
+    Problem problem = about_ground(project, fmt::format("triangles lists {} materials", of_part.size()),
+                                   fmt::format("the terrain has {} triangles, and each needs one", terrain.parts));
+    problem.where = "ground";
+    problems.add(std::move(problem));
+    return {};
+  }
+  if (terrain.part_of_facet.empty()) return talus::Ground(std::move(materials), std::move(of_part));
+  std::vector<MaterialId> of_facet;
+  of_facet.reserve(terrain.part_of_facet.size());
+  for (const std::uint32_t part : terrain.part_of_facet) of_facet.push_back(of_part[part]);
+  return talus::Ground(std::move(materials), std::move(of_facet));
+}
+
+}  // namespace talus::project

@@ -1,0 +1,139 @@
+// The part of the reader of values that knows positions, lines on plan and directions, in 2D and in 3D.
+
+#include <fmt/format.h>
+
+#include "talus/project/values.hpp"
+
+namespace talus::project {
+
+std::optional<ValueReader::Position> ValueReader::position(const Value& value) {
+  if (!dimension_is_known_) return std::nullopt;
+  const std::size_t plan = two_dimensional_ ? 1 : 2;  // coordinates before z
+  const bool has_height = value.row.contains("height_above_m");
+  const std::string form =
+      has_height ? (two_dimensional_ ? "[x]" : "[x, y]") : (two_dimensional_ ? "[x, z]" : "[x, y, z]");
+  const toml::array* list = value.node.as_array();
+  const std::string expected = fmt::format("{}, the analysis being {}", form, two_dimensional_ ? "2D" : "3D");
+  if (!list || list->size() < plan || list->size() > plan + 1) {
+    const bool has_y = two_dimensional_ && list && list->size() == 3;
+    refuse_kind(value, expected, has_y ? "Leave out y, or give terrain.width_m for 3D" : "");
+    return std::nullopt;
+  }
+  if (list->size() == plan && !has_height) {
+    refuse_kind(value, expected, "For a height above the terrain, leave out z and give height_above_m");
+    return std::nullopt;
+  }
+  Position read;
+  bool good = true;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::node& node = (*list)[i];
+    const Value part{value.setting, node, value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    if (i == plan && node.is_string()) {
+      read.on_surface = node.value<std::string>() == "surface";
+      if (!read.on_surface) good = refuse_kind(part, "a number or \"surface\"");
+    } else {
+      good = into(part, &read.point[two_dimensional_ && i == 1 ? 2 : i]) && good;
+    }
+  }
+  if (good && has_height && list->size() > plan && !read.on_surface) {
+    good = refuse(value, fmt::format("{} has z, and height_above_m is given", value.name), "each says how high it is",
+                  "Leave one of them out");
+  }
+  return good ? std::optional(read) : std::nullopt;
+}
+
+bool ValueReader::into(const Value& value, PositionSlot slot) {
+  const std::optional<Position> read = position(value);
+  if (!read) return false;
+  slot.seeder->points = {read->point};
+  slot.seeder->z_is_surface = read->on_surface && !value.row.contains("height_above_m");
+  return true;
+}
+
+bool ValueReader::into(const Value& value, PointsSlot slot) {
+  const toml::array* list = value.node.as_array();
+  if (!list || list->size() < 2) return refuse_kind(value, "a list of two or more positions");
+  std::vector<Position> positions;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    if (const std::optional<Position> read = position(entry)) positions.push_back(*read);
+  }
+  if (positions.size() != list->size()) return false;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    if (positions[i].on_surface != positions[0].on_surface && !value.row.contains("height_above_m")) {
+      return refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)),
+                    "z is either \"surface\" for all points of a line or a number for all");
+    }
+    if (i > 0 && positions[i].point == positions[i - 1].point) {
+      return refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it repeats the point before it",
+                    "Leave it out");
+    }
+  }
+  slot.seeder->points.clear();
+  for (const Position& read : positions) slot.seeder->points.push_back(read.point);
+  slot.seeder->z_is_surface = positions[0].on_surface && !value.row.contains("height_above_m");
+  return true;
+}
+
+bool ValueReader::into(const Value& value, DirectionSlot slot) {
+  if (!dimension_is_known_) return false;
+  const toml::array* list = value.node.as_array();
+  const bool is_pair = two_dimensional_ && list && list->size() == 2;
+  if (!list || (list->size() != 3 && !is_pair)) {
+    return refuse_kind(value, two_dimensional_ ? "[x, z], the analysis being 2D" : "[x, y, z], the analysis being 3D");
+  }
+  std::array<double, 3> read{};
+  bool good = true;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Value part{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    good = into(part, &read[is_pair && i == 1 ? 2 : i]) && good;
+  }
+  if (!good) return false;
+  if (read == std::array<double, 3>{}) return refuse_kind(value, "a direction with a length");
+  if (two_dimensional_ && read[1] != 0) return refuse_kind(value, "y to be 0, the analysis being 2D");
+  if (read[2] != 0 && !value.row.contains("speed_m_s")) {
+    return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)),
+                  "it is the direction of the horizontal velocity; expected z to be 0",
+                  "For a velocity that points up or down, give speed_m_s");
+  }
+  *slot.direction = read;
+  return true;
+}
+
+bool ValueReader::into(const Value& value, PlanLineSlot slot) {
+  if (!dimension_is_known_) return false;
+  const toml::array* list = value.node.as_array();
+  if (two_dimensional_ && !(list && !list->empty() && (*list)[0].is_array())) {
+    if (list && list->size() != 1) return refuse_kind(value, "x, the analysis being 2D");
+    const toml::node& node = list ? (*list)[0] : value.node;
+    double x = 0;
+    if (!into(Value{value.setting, node, value.row, value.where, value.name}, &x)) return false;
+    slot.barrier->line = {{x, 0}};
+    return true;
+  }
+  if (!list || list->size() < 2) return refuse_kind(value, "two or more points on plan, [[x, y], [x, y]]");
+  std::vector<std::array<double, 2>> read(list->size());
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    const toml::array* pair = entry.node.as_array();
+    if (!pair || pair->size() != 2) return refuse_kind(entry, "a point on plan, [x, y]");
+    bool good = true;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Value part{value.setting, (*pair)[k], value.row, value.where, fmt::format("{}[{}]", entry.name, k)};
+      good = into(part, &read[i][k]) && good;
+    }
+    if (!good) return false;
+    if (i > 0 && read[i] == read[i - 1]) {
+      return refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it repeats the point before it",
+                    "Leave it out");
+    }
+    if (two_dimensional_ && read[i][0] != read[0][0]) {
+      return refuse_kind(value, "x, the analysis being 2D; these points have different x");
+    }
+  }
+  slot.barrier->line = two_dimensional_ ? std::vector<std::array<double, 2>>{{read[0][0], 0}} : std::move(read);
+  return true;
+}
+
+}  // namespace talus::project

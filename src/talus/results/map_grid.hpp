@@ -1,0 +1,119 @@
+#pragma once
+// A regular grid on plan, and the walk of a rock's path over its cells.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "talus/terrain/local_frame.hpp"
+#include "talus/trajectory/rock_log.hpp"
+
+namespace talus {
+
+/// A cell: it holds the points from its lower borders up to, but not on, its upper ones.
+struct MapCell {
+  std::int32_t column = 0, row = 0;  // along x and along y, counted from the grid's origin; may be negative
+  friend bool operator==(const MapCell&, const MapCell&) = default;
+};
+
+/// Square cells. Borders are at origin + k cell in the user's coordinates; places are asked for in local ones.
+class MapGrid {
+ public:
+  /// `origin` is a corner of cell (0, 0), the user's [m]; `cell` the length of a side [m], above 0.
+  MapGrid(const Vec2& origin, double cell, const LocalFrame& frame)
+      : origin_(origin), local_(origin - frame.origin.head<2>()), cell_(cell) {}
+  /// Its borders are at multiples of the cell's size in the user's coordinates, so that the maps of different runs lie
+  /// over one another; cell (0, 0) holds the point `low`, which is local.
+  [[nodiscard]] static MapGrid at_multiples(double cell, const LocalFrame& frame, const Vec2& low) {
+    const Vec2 global = low + frame.origin.head<2>();
+    return {Vec2(std::floor(global.x() / cell) * cell, std::floor(global.y() / cell) * cell), cell, frame};
+  }
+
+  [[nodiscard]] const Vec2& origin() const { return origin_; }
+  [[nodiscard]] double cell() const { return cell_; }
+  /// The local coordinate, x for axis 0 and y for axis 1, of the lower border of a column or row.
+  [[nodiscard]] double border(std::size_t axis, std::int32_t k) const { return local_[axis] + k * cell_; }
+  /// The column or row that holds a local coordinate.
+  [[nodiscard]] std::int32_t index(std::size_t axis, double local) const {
+    constexpr double most = 2e9;  // no terrain has so many
+    return static_cast<std::int32_t>(std::clamp(std::floor((local - local_[axis]) / cell_), -most, most));
+  }
+  [[nodiscard]] MapCell cell_at(const Vec3& local) const { return {index(0, local.x()), index(1, local.y())}; }
+
+  friend bool operator==(const MapGrid& a, const MapGrid& b) { return a.origin_ == b.origin_ && a.cell_ == b.cell_; }
+
+ private:
+  Vec2 origin_, local_;
+  double cell_;
+};
+
+namespace map_walk {
+
+/// One coordinate of a path, over a time in which it turns nowhere.
+struct Monotone {
+  double p, v, a;       // p + v t + a t^2 / 2
+  std::int32_t toward;  // 1 upwards, -1 downwards, 0 standing
+
+  /// When it comes to `border`, which lies ahead; a time before or after the monotone part where rounding, or the end
+  /// of the part, has it so.
+  [[nodiscard]] double time_at(double border) const {
+    const double way = border - p, squared = v * v + 2 * a * way;
+    if (squared < 0) return std::numeric_limits<double>::infinity();  // it turns before
+    const double speed = toward * std::sqrt(squared);                 // at the border
+    return toward * v > 0 ? 2 * way / (v + speed) : (speed - v) / a;  // the root that does not cancel
+  }
+};
+
+}  // namespace map_walk
+
+/// Calls visit(cell, enter, leave) for each cell over which a piece leads, in the order of the path: from `enter` to
+/// `leave`, in the piece's time [s], its centre is over the cell. The intervals join, from 0 to the piece's duration.
+/// A cell that the path only touches at a corner may be visited for no time, or not at all.
+template <class Visit>
+void walk(const MapGrid& grid, const PathPiece& piece, Visit&& visit) {
+  const Parabola& path = piece.path;
+  // On plan a coordinate turns once at most: between these times both go one way.
+  std::array<double, 4> part{0, piece.duration, piece.duration, piece.duration};
+  std::size_t parts = 1;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double turn = -path.v[axis] / path.a[axis];  // not a number, or infinite, where there is no acceleration
+    if (turn > 0 && turn < piece.duration) part[parts++] = turn;
+  }
+  if (parts == 3 && part[2] < part[1]) std::swap(part[1], part[2]);
+
+  const MapCell first = grid.cell_at(path.p);
+  std::array<std::int32_t, 2> cell{first.column, first.row};
+  double since = 0;
+  for (std::size_t k = 0; k < parts; ++k) {
+    const double end = part[k + 1];
+    const Vec3 middle = path.velocity(0.5 * (part[k] + end));
+    std::array<map_walk::Monotone, 2> way;
+    std::array<double, 2> next;  // when each coordinate leaves the cell
+    const auto look_ahead = [&](std::size_t axis) {
+      const std::int32_t toward = way[axis].toward;
+      next[axis] = toward == 0 ? std::numeric_limits<double>::infinity()
+                               : std::max(since, way[axis].time_at(grid.border(axis, cell[axis] + (toward > 0))));
+    };
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double v = middle[axis];
+      way[axis] = {path.p[axis], path.v[axis], path.a[axis], v > 0 ? 1 : v < 0 ? -1 : 0};
+      look_ahead(axis);
+    }
+    while (std::min(next[0], next[1]) < end) {
+      const double t = std::min(next[0], next[1]);
+      visit(MapCell{cell[0], cell[1]}, since, t);
+      since = t;
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        if (next[axis] != t) continue;
+        cell[axis] += way[axis].toward;
+        look_ahead(axis);
+      }
+    }
+  }
+  visit(MapCell{cell[0], cell[1]}, since, piece.duration);
+}
+
+}  // namespace talus

@@ -1,0 +1,161 @@
+#include "talus/results/maps.hpp"
+
+#include <tbb/parallel_for_each.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "talus/core/check.hpp"
+
+namespace talus {
+
+void MapTally::add(const MapVisit& visit) {
+  ++passages_;
+  deposits_ += visit.is_deposit ? 1 : 0;
+  impacts_ += visit.impacts;
+  for (std::uint32_t k = 0; k < map_quantity_count; ++k) {
+    const float value = visit.greatest[k];
+    greatest_[k] = std::max(greatest_[k], value);
+    sums_[k].add(static_cast<double>(value));
+    bins_.add(k, value);
+  }
+}
+
+void MapTally::merge(const MapTally& other) {
+  passages_ += other.passages_;
+  deposits_ += other.deposits_;
+  impacts_ += other.impacts_;
+  for (std::size_t k = 0; k < map_quantity_count; ++k) {
+    greatest_[k] = std::max(greatest_[k], other.greatest_[k]);
+    sums_[k].merge(other.sums_[k]);
+  }
+  bins_.merge(other.bins_);
+}
+
+namespace {
+
+// Divisions that round down, also for cells before the origin: a tile's side is a power of two.
+constexpr std::int32_t tile_shift = 5;
+static_assert(1 << tile_shift == Maps::tile_side);
+constexpr std::int32_t within_tile = Maps::tile_side - 1;
+
+std::uint64_t tile_key(MapCell cell) {
+  const auto column = static_cast<std::uint32_t>(cell.column >> tile_shift);
+  const auto row = static_cast<std::uint32_t>(cell.row >> tile_shift);
+  return std::uint64_t{row} << 32 | column;
+}
+
+constexpr std::size_t cells_in_tile = std::size_t{Maps::tile_side} * Maps::tile_side;
+std::size_t place_in_tile(MapCell cell) {
+  return static_cast<std::size_t>((cell.row & within_tile) * Maps::tile_side + (cell.column & within_tile));
+}
+
+}  // namespace
+
+MapTally& Maps::Tile::tally(MapCell cell) {
+  std::uint16_t& place = places_[place_in_tile(cell)];
+  if (place == 0) {
+    // By a quarter: of what is kept for each cell, doubling would waste too much.
+    if (tallies_.size() == tallies_.capacity())
+      tallies_.reserve(tallies_.size() + std::max<std::size_t>(16, tallies_.size() / 4));
+    tallies_.emplace_back();
+    place = static_cast<std::uint16_t>(tallies_.size());
+  }
+  return tallies_[place - 1U];
+}
+
+/// Cell by cell, so that what is known of a cell is fetched once: half the time of the order in which they came.
+void Maps::Tile::add_waiting() {
+  std::array<std::uint32_t, cells_in_tile + 1> ends{};
+  for (const MapVisit* visit : waiting_) ++ends[place_in_tile(visit->cell) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<const MapVisit*> sorted(waiting_.size());
+  for (const MapVisit* visit : waiting_) sorted[ends[place_in_tile(visit->cell)]++] = visit;
+  for (const MapVisit* visit : sorted) tally(visit->cell).add(*visit);
+  waiting_.clear();
+}
+
+Maps::Tile& Maps::tile(MapCell cell) {
+  const MapCell first{cell.column & ~within_tile, cell.row & ~within_tile};
+  if (recent_ == nullptr || recent_->first_ != first) {
+    auto& tile = tiles_[tile_key(cell)];
+    if (!tile) tile = std::make_unique<Tile>(first);
+    recent_ = tile.get();
+  }
+  return *recent_;
+}
+
+void Maps::add(std::uint64_t rocks, std::span<const std::vector<MapVisit>> visits) {
+  rocks_ += rocks;
+  std::vector<Tile*> touched;
+  for (const auto& list : visits) {
+    for (const MapVisit& visit : list) {
+      Tile& there = tile(visit.cell);
+      if (there.waiting_.empty()) touched.push_back(&there);
+      there.waiting_.push_back(&visit);
+    }
+  }
+  // Isolated: a thread that waits for the last tile must not begin a block of rocks meanwhile.
+  tbb::this_task_arena::isolate(
+      [&] { tbb::parallel_for_each(touched.begin(), touched.end(), [](Tile* each) { each->add_waiting(); }); });
+}
+
+void Maps::merge(const Maps& other) {
+  TALUS_PROMISE(grid_ == other.grid_, "only maps on the same grid can be merged");
+  rocks_ += other.rocks_;
+  for (const auto& [key, theirs] : other.tiles_) {
+    Tile& mine = tile(theirs->first_);
+    for (std::int32_t row = 0; row < tile_side; ++row) {
+      for (std::int32_t column = 0; column < tile_side; ++column) {
+        const MapTally* found = theirs->find(column, row);
+        if (found != nullptr) mine.tally({theirs->first_.column + column, theirs->first_.row + row}).merge(*found);
+      }
+    }
+  }
+}
+
+std::size_t Maps::touched_cells() const {
+  std::size_t cells = 0;
+  for (const auto& [key, tile] : tiles_) cells += tile->tallies_.size();
+  return cells;
+}
+
+std::size_t Maps::bytes() const {
+  std::size_t bytes = tiles_.bucket_count() * sizeof(void*);
+  for (const auto& [key, tile] : tiles_) {
+    constexpr std::size_t node = sizeof(void*) + sizeof(*tiles_.begin());  // of the map
+    bytes += node + sizeof(Tile) + tile->tallies_.capacity() * sizeof(MapTally);
+    for (const MapTally& tally : tile->tallies_) bytes += tally.bytes_elsewhere();
+  }
+  return bytes;
+}
+
+std::optional<Maps::Extent> Maps::extent() const {
+  std::optional<Extent> extent;
+  for (const Tile* tile : tiles()) {
+    for (std::int32_t row = 0; row < tile_side; ++row) {
+      for (std::int32_t column = 0; column < tile_side; ++column) {
+        if (tile->find(column, row) == nullptr) continue;
+        const MapCell cell{tile->first().column + column, tile->first().row + row};
+        if (!extent) extent = Extent{cell, cell};
+        extent->first = {std::min(extent->first.column, cell.column), std::min(extent->first.row, cell.row)};
+        extent->last = {std::max(extent->last.column, cell.column), std::max(extent->last.row, cell.row)};
+      }
+    }
+  }
+  return extent;
+}
+
+std::vector<const Maps::Tile*> Maps::tiles() const {
+  std::vector<const Tile*> list;
+  list.reserve(tiles_.size());
+  for (const auto& [key, tile] : tiles_) list.push_back(tile.get());
+  std::sort(list.begin(), list.end(), [](const Tile* a, const Tile* b) {
+    return std::pair(a->first().row, a->first().column) < std::pair(b->first().row, b->first().column);
+  });
+  return list;
+}
+
+}  // namespace talus

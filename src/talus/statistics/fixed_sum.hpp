@@ -1,0 +1,48 @@
+#pragma once
+// A sum in fixed point, 16 bytes small, that does not depend on the order of its terms.
+//
+// ExactSum keeps every bit of every term and takes 544 bytes; where there is a sum for each cell of a map, the range of
+// what is added is known and 2^-24 of its unit is far below what anyone can measure.
+
+#include <cmath>
+#include <cstdint>
+
+#include "talus/core/check.hpp"
+
+namespace talus {
+
+/// Of numbers from 0 to 2^70 (1.2e21), each cut off to a multiple of 2^-24 (6e-8); 2^32 terms of any size at the least.
+class FixedSum {
+ public:
+  static constexpr double largest_term = 0x1p70;
+
+  void add(double term) {
+    TALUS_PROMISE(term >= 0 && term <= largest_term, "a fixed-point sum has a range");
+    const double units = term * 0x1p24;
+    if (units < 0x1p63) {  // almost always
+      add(0, static_cast<std::uint64_t>(static_cast<std::int64_t>(units)));
+      return;
+    }
+    const double high = std::floor(units * 0x1p-64);
+    add(static_cast<std::uint64_t>(high),
+        static_cast<std::uint64_t>(units - high * 0x1p64));  // the difference is exact
+  }
+  void merge(const FixedSum& other) { add(other.high_, other.low_); }
+
+  /// The sum, to a double's precision.
+  [[nodiscard]] double value() const {
+    return (static_cast<double>(high_) * 0x1p64 + static_cast<double>(low_)) * 0x1p-24;
+  }
+
+  friend bool operator==(const FixedSum&, const FixedSum&) = default;
+
+ private:
+  void add(std::uint64_t high, std::uint64_t low) {
+    low_ += low;
+    high_ += high + (low_ < low ? 1 : 0);
+  }
+
+  std::uint64_t high_ = 0, low_ = 0;  // in units of 2^40 and of 2^-24
+};
+
+}  // namespace talus

@@ -1,0 +1,71 @@
+#include "talus/statistics/log_bins.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "talus/core/check.hpp"
+#include "talus/statistics/quantile.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr std::uint32_t dropped_bits = 17;  // of the 23 of the fraction
+constexpr std::uint32_t which_shift = 14;   // a bin's number takes the 8 bits of the exponent and 6 of the fraction
+constexpr std::uint32_t count_bits = 16;
+constexpr std::uint32_t full = (1U << count_bits) - 1;
+constexpr float least = 0x1p-10f;
+constexpr float most = 0x1p80f;
+
+std::uint32_t count_of(std::uint32_t entry) { return entry & full; }
+
+double middle_of(std::uint32_t entry) {
+  const std::uint32_t bin = entry >> count_bits & ((1U << which_shift) - 1);
+  if (bin == 0) return 0;
+  return static_cast<double>(std::bit_cast<float>(bin << dropped_bits | 1U << (dropped_bits - 1)));
+}
+
+}  // namespace
+
+std::uint32_t LogBins::key(std::uint32_t which, float value) {
+  TALUS_PROMISE(which < 4 && value >= 0, "there are four quantities, none of them negative");
+  const std::uint32_t bin = value < least ? 0 : std::bit_cast<std::uint32_t>(std::min(value, most)) >> dropped_bits;
+  return which << which_shift | bin;
+}
+
+void LogBins::add_key(std::uint32_t key, std::uint32_t count) {
+  auto place = std::lower_bound(entries_.begin(), entries_.end(), key << count_bits);
+  std::uint32_t added = key << count_bits | count;
+  if (place != entries_.end() && *place >> count_bits == key) {
+    const std::uint32_t together = count_of(*place) + count;
+    if (together <= full) {
+      *place += count;
+      return;
+    }
+    *place += full - count_of(*place);
+    added = key << count_bits | (together - full);
+  }
+  if (entries_.size() == entries_.capacity()) {
+    const auto index = place - entries_.begin();
+    entries_.reserve(entries_.size() + std::max<std::size_t>(4, entries_.size() / 4));
+    place = entries_.begin() + index;
+  }
+  entries_.insert(place, added);
+}
+
+void LogBins::merge(const LogBins& other) {
+  for (const std::uint32_t entry : other.entries_) add_key(entry >> count_bits, count_of(entry));
+}
+
+double LogBins::quantile(std::uint32_t which, double p, std::uint64_t count) const {
+  const auto [rank, fraction] = quantile_place(p, count);
+  auto entry = std::lower_bound(entries_.begin(), entries_.end(), which << (which_shift + count_bits));
+  std::uint64_t before = 0;  // values in the bins before
+  while (before + count_of(*entry) <= rank) before += count_of(*entry++);
+  const double low = middle_of(*entry);
+  if (fraction == 0) return low;
+  if (before + count_of(*entry) <= rank + 1) ++entry;
+  return between(low, middle_of(*entry), fraction);
+}
+
+}  // namespace talus

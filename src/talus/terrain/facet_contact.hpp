@@ -1,0 +1,127 @@
+#pragma once
+// When a flying point or sphere first touches one triangle, its sides and its corners. What a mesh and a raster do with
+// their triangles is the same; they differ in how they find the ones to ask.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "talus/flight/touch.hpp"
+#include "talus/terrain/contact.hpp"
+
+namespace talus {
+
+/// Corners counter-clockwise, seen from outside the ground.
+using Triangle = std::array<Vec3, 3>;
+
+inline constexpr std::array<std::size_t, 3> next_corner{1, 2, 0};
+
+/// By which boxes are grown, so that rounding hides no contact [m].
+inline constexpr double box_pad = 1e-6;
+
+/// Not of unit length: twice the area.
+[[nodiscard]] inline Vec3 area_normal(const Triangle& corner) {
+  return (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+}
+
+/// The best contact so far. At equal times a facet comes before its sides and corners, then the lower source number.
+struct ContactCandidate {
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+  double t;
+  Vec3 normal = Vec3::Zero();
+  std::uint32_t facet = none;
+  std::uint32_t source = none;
+  Feature feature = Feature::facet;
+
+  [[nodiscard]] bool found() const { return facet != none; }
+  [[nodiscard]] bool beaten_by(double t_new, Feature feature_new, std::uint32_t source_new) const {
+    if (t_new != t) return t_new < t;
+    if (!found()) return true;
+    return feature_new != feature ? feature_new < feature : source_new < source;
+  }
+  [[nodiscard]] std::optional<Contact> contact() const {
+    if (!found()) return std::nullopt;
+    return Contact{t, normal, FacetId{facet}, feature};
+  }
+};
+
+/// Which triangle it is, for the contact.
+struct FacetName {
+  std::uint32_t facet, source;
+};
+
+/// Lets a point meet the triangle; `best` becomes the contact if that is earlier.
+void meet_point(const Parabola& path, const Triangle& corner, FacetName name, const LeftPlanes& left,
+                ContactCandidate& best);
+
+/// Whether a sphere rolls (along a leg) or flies. A leg's own plane is no contact ahead.
+enum class SpherePath { flight, leg };
+
+/// Lets a sphere meet the triangle in `window`, which holds every time at which it may. Sides (0 to 2, from corner k to
+/// the next) and corners (3 to 5) are asked only where sharp(k, t) says that they may be touched before a facet: first
+/// with t < 0, to save the work, then for a contact at t.
+template <class Sharp>
+void meet_sphere(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
+                 FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best);
+
+/// The point of a triangle that is nearest to `p`.
+[[nodiscard]] Vec3 closest_point(const Triangle& corner, const Vec3& p);
+
+/// How far outside a facet's outline [m] a contact may lie and still belong to it: what a facet of thickness
+/// contact_slack shows to a path that comes in under the given ratio of tangential to normal speed. Beyond a ratio of
+/// 1e4 it grows no further (a rock cannot fall on a facet so flatly; only rounding can).
+[[nodiscard]] inline double outline_slack(double tangential_speed, double normal_speed) {
+  return contact_slack * (1 + std::min(tangential_speed / std::max(normal_speed, 1e-300), 1e4));
+}
+
+template <class Sharp>
+void meet_sphere(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
+                 FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best) {
+  const std::array<Vec3, 3> side{corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
+  const Vec3 n = side[0].cross(side[1]).normalized();
+  const double vn = n.dot(path.v), an = n.dot(path.a);
+  const double h0 = n.dot(path.p - corner[0]) - radius;
+  if (an <= 0) {
+    // The height over the plane is a concave function of time: above it at both ends of the window, the sphere is above
+    // it in between, and so above the sides and corners.
+    const auto height = [&](double t) { return h0 + t * (vn + 0.5 * an * t); };
+    if (height(window.enter) > box_pad && height(window.leave) > box_pad) return;
+  }
+  const bool in_left_plane = h0 <= 1e-7 && left.contain(n, same_plane);
+  // A sphere that is in the facet already (its centre still above it) is not let any deeper.
+  if (const auto t = falling_root(h0, vn, an, radius);
+      t && !in_left_plane && best.beaten_by(*t, Feature::facet, name.source)) {
+    const Vec3 foot = path.at(*t) - radius * n;
+    const Vec3 arriving = path.velocity(*t);
+    const double slack = outline_slack(arriving.norm(), -n.dot(arriving));
+    bool inside = true;
+    for (std::size_t c = 0; c < 3; ++c) {
+      inside = inside && n.dot(side[c].cross(foot - corner[c])) >= -slack * side[c].norm();
+    }
+    if (inside) best = {*t, n, name.facet, name.source, Feature::facet};
+  }
+  const auto offer = [&](double t, const Vec3& away, Feature feature, std::size_t what) {
+    const Vec3 out = away.normalized();
+    // A rock that rolls on a plane touches that plane's own edges from above, which is no new contact.
+    if (kind == SpherePath::leg && left.contain(out, 1e-9)) return;
+    if (!best.beaten_by(t, feature, name.source) || !sharp(what, t)) return;
+    best = {t, out, name.facet, name.source, feature};
+  };
+  for (std::size_t c = 0; c < 3; ++c) {
+    const TimeWindow until_now{window.enter, std::min(window.leave, best.t)};
+    if (until_now.is_empty()) return;
+    if (sharp(c, -1.0)) {
+      const double length = side[c].norm();
+      const Vec3 e = side[c] / length;
+      const auto t = touch_edge(path, corner[c], e, length, radius, until_now);
+      if (t) offer(*t, tangential(path.at(*t) - corner[c], e), Feature::edge, c);
+    }
+    if (sharp(3 + c, -1.0)) {
+      const auto t = touch_point(path, corner[c], radius, until_now);
+      if (t) offer(*t, path.at(*t) - corner[c], Feature::vertex, 3 + c);
+    }
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,433 @@
+#include "talus/terrain/raster_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "talus/core/check.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+RasterSurface::RasterSurface(RasterGrid grid) : grid_(std::move(grid)) {
+  TALUS_PROMISE(grid_.columns >= 2 && grid_.rows >= 2, "a surface needs a cell");
+  TALUS_PROMISE(grid_.z.size() == static_cast<std::size_t>(grid_.columns) * grid_.rows, "every node has its z");
+  columns_ = grid_.columns - 1;
+  rows_ = grid_.rows - 1;
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+  for (const float z : grid_.z) {
+    if (std::isnan(z)) continue;
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+  bounds_.low = {grid_.x0, grid_.y0, low};
+  bounds_.high = {grid_.x0 + static_cast<double>(columns_) * grid_.dx, grid_.y0 + static_cast<double>(rows_) * grid_.dy,
+                  high};
+}
+
+bool RasterSurface::has_data(std::size_t column, std::size_t row) const { return cell(column, row).has_data(); }
+
+std::array<Triangle, 2> RasterSurface::triangles(std::int64_t column, std::int64_t row, const Cell& cell) const {
+  const double west = grid_.x0 + static_cast<double>(column) * grid_.dx, east = west + grid_.dx;
+  const double south = grid_.y0 + static_cast<double>(row) * grid_.dy, north = south + grid_.dy;
+  const Vec3 sw(west, south, cell.sw), se(east, south, cell.se), nw(west, north, cell.nw), ne(east, north, cell.ne);
+  if (cell.cut_north_east()) return {Triangle{sw, se, ne}, Triangle{sw, ne, nw}};
+  return {Triangle{sw, se, nw}, Triangle{se, ne, nw}};
+}
+
+Triangle RasterSurface::triangle(FacetId facet) const {
+  const auto [column, row] = place(facet);
+  return triangles(column, row, cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row)))[facet.index % 2];
+}
+
+RasterSurface::Cells RasterSurface::cells_within(double x_low, double x_high, double y_low, double y_high) const {
+  const auto cells = [](double low, double high, double size, std::size_t count) {
+    const double last = static_cast<double>(count) - 1;
+    // A place on a border belongs to the cells on both its sides.
+    return std::pair{static_cast<std::int64_t>(std::clamp(std::ceil((low - box_pad) / size) - 1, 0.0, last + 1)),
+                     static_cast<std::int64_t>(std::clamp(std::floor((high + box_pad) / size), -1.0, last))};
+  };
+  const auto [first_column, last_column] = cells(x_low - grid_.x0, x_high - grid_.x0, grid_.dx, columns_);
+  const auto [first_row, last_row] = cells(y_low - grid_.y0, y_high - grid_.y0, grid_.dy, rows_);
+  return {first_column, last_column, first_row, last_row};
+}
+
+// ---- what lies beside a facet ----
+
+std::array<std::optional<FacetId>, 3> RasterSurface::neighbours(FacetId facet) const {
+  const auto [column, row] = place(facet);
+  const std::uint32_t half = facet.index % 2;
+  const FacetId other{facet.index ^ 1U};
+  // The facet of a neighbouring cell at its south (0), east (1), north (2) or west (3) side.
+  const auto beyond = [&](std::int64_t dx, std::int64_t dy, int side) -> std::optional<FacetId> {
+    const std::int64_t i = column + dx, j = row + dy;
+    if (i < 0 || j < 0 || i >= static_cast<std::int64_t>(columns_) || j >= static_cast<std::int64_t>(rows_)) {
+      return std::nullopt;
+    }
+    const Cell there = cell(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    if (!there.has_data()) return std::nullopt;
+    const bool north_east = there.cut_north_east();
+    const std::uint32_t its_half = side == 0 ? 0 : side == 2 ? 1 : (side == 1) == north_east ? 0 : 1;
+    return FacetId{facet_of(i, j, its_half)};
+  };
+  const bool north_east = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row)).cut_north_east();
+  const auto south = [&] { return beyond(0, -1, 2); };
+  const auto east = [&] { return beyond(1, 0, 3); };
+  const auto north = [&] { return beyond(0, 1, 0); };
+  const auto west = [&] { return beyond(-1, 0, 1); };
+  if (north_east) {
+    if (half == 0) return {south(), east(), other};
+    return {other, north(), west()};
+  }
+  if (half == 0) return {south(), other, west()};
+  return {east(), north(), other};
+}
+
+Outline RasterSurface::outline(FacetId facet) const {
+  const Triangle corner = triangle(facet);
+  const auto beyond = neighbours(facet);
+  Outline outline;
+  outline.point = corner[0];
+  outline.normal = area_normal(corner).normalized();
+  outline.edge_count = 3;
+  for (std::size_t c = 0; c < 3; ++c) {
+    OutlineEdge& edge = outline.edges[c];
+    edge.point = corner[c];
+    edge.inward = outline.normal.cross(corner[next_corner[c]] - corner[c]).normalized();
+    edge.beyond = beyond[c];
+  }
+  return outline;
+}
+
+// As TriangleMesh::find_sharp_features, for one side.
+bool RasterSurface::is_sharp_edge(FacetId facet, std::size_t side) const {
+  const auto beyond = neighbours(facet)[side];
+  if (!beyond) return true;
+  const Triangle here = triangle(facet);
+  const Vec3 n = area_normal(here).normalized();
+  double lowest = 0, reach = 0;
+  for (const Vec3& corner : triangle(*beyond)) {
+    lowest = std::min(lowest, n.dot(corner - here[side]));
+    reach = std::max(reach, (corner - here[side]).norm());
+  }
+  return lowest < -1e-9 * reach;
+}
+
+bool RasterSurface::is_sharp_vertex(const Vec3& vertex) const {
+  bool sharp = false;
+  visit_cells(cells_within(vertex.x(), vertex.x(), vertex.y(), vertex.y()), [&](FacetId facet, const Triangle& corner) {
+    for (std::size_t c = 0; c < 3 && !sharp; ++c) {
+      const bool ends_here = corner[c] == vertex || corner[next_corner[c]] == vertex;
+      sharp = ends_here && is_sharp_edge(facet, c);
+    }
+  });
+  return sharp;
+}
+
+// Every side and corner belongs to one of the facets around it, so that a sphere asks each of them once: a side to the
+// facet of lower number, a corner to the cell of which it is the south-west one, if that has data.
+std::uint32_t RasterSurface::owned_parts(std::int64_t column, std::int64_t row, const Cell& cell,
+                                         std::uint32_t half) const {
+  const bool is_first = half == 0, north_east = cell.cut_north_east();
+  const auto data = [&](std::int64_t dx, std::int64_t dy) {
+    const std::int64_t i = column + dx, j = row + dy;
+    return i >= 0 && j >= 0 && i < static_cast<std::int64_t>(columns_) && j < static_cast<std::int64_t>(rows_) &&
+           has_data(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+  };
+  enum Part { south, east, north, west, diagonal, sw, se, nw, ne };
+  static constexpr std::array<std::array<Part, 6>, 4> parts{{{south, diagonal, west, sw, se, nw},
+                                                             {east, north, diagonal, se, ne, nw},
+                                                             {south, east, diagonal, sw, se, ne},
+                                                             {diagonal, north, west, sw, ne, nw}}};
+  const auto owns = [&](Part part) {
+    switch (part) {
+      case south:
+        return !data(0, -1);
+      case west:
+        return !data(-1, 0);
+      case east:
+      case north:
+        return true;
+      case diagonal:
+      case sw:
+        return is_first;
+      case se:
+        return is_first && !data(1, 0);
+      case nw:
+        return is_first != north_east && !data(0, 1) && !data(-1, 1);
+      case ne:
+        return is_first == north_east && !data(1, 1) && !data(0, 1) && !data(1, 0);
+    }
+    return false;
+  };
+  std::uint32_t owned = 0;
+  for (std::size_t k = 0; k < 6; ++k) owned |= owns(parts[(north_east ? 2U : 0U) + half][k]) ? 1U << k : 0U;
+  return owned;
+}
+
+bool RasterSurface::is_sharp(FacetId facet, std::size_t what) const {
+  return what < 3 ? is_sharp_edge(facet, what) : is_sharp_vertex(triangle(facet)[what - 3]);
+}
+
+// ---- contacts ----
+
+std::optional<Contact> RasterSurface::first_contact(const Parabola& path, double radius, double t_max,
+                                                    const LeftPlanes& left) const {
+  return radius == 0 ? first_contact_of_point(path, t_max, left) : first_contact_of_sphere(path, radius, t_max, left);
+}
+
+// Over a facet the height of a flight is a concave function of time: a point that is above it where it comes over it
+// and where it goes is above it in between. So heights over the crossed borders and diagonals tell which facets are to
+// be asked, and hardly any is.
+std::optional<Contact> RasterSurface::first_contact_of_point(const Parabola& path, double t_max,
+                                                             const LeftPlanes& left) const {
+  ContactCandidate best{t_max};
+  double height_entering = 0;  // the first cell is always asked
+  for (GridWalk at = walk(path, t_max); !at.is_over() && at.enter() <= best.t; at.advance()) {
+    const Cell here = cell(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
+    const double t0 = at.enter(), t1 = at.leave();
+    const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
+
+    double ground;
+    if (at.leaves_along_x()) {
+      ground = at.goes_east() ? here.se + v1 * (here.ne - here.se) : here.sw + v1 * (here.nw - here.sw);
+    } else {
+      ground = at.goes_north() ? here.nw + u1 * (here.ne - here.nw) : here.sw + u1 * (here.se - here.sw);
+    }
+    const double height_leaving = at.is_last() ? 0 : path.z(t1) - ground;
+
+    const bool north_east = here.cut_north_east();
+    const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
+    double height_at_diagonal = infinite;
+    if (side0 * side1 < 0) {
+      const double part = side0 / (side0 - side1);
+      const double u = u0 + part * (u1 - u0);
+      const double diagonal = north_east ? here.sw + u * (here.ne - here.sw) : here.nw + u * (here.se - here.nw);
+      height_at_diagonal = path.z(t0 + part * (t1 - t0)) - diagonal;
+    }
+
+    // (Written so that a height which is not a number, beside a hole, is asked.)
+    const bool is_clear = height_entering > box_pad && height_leaving > box_pad && height_at_diagonal > box_pad;
+    if (!is_clear && here.has_data()) {
+      const auto both = triangles(at.column(), at.row(), here);
+      for (std::uint32_t half = 0; half < 2; ++half) {
+        const std::uint32_t facet = facet_of(at.column(), at.row(), half);
+        meet_point(path, both[half], {facet, facet}, left, best);
+      }
+    }
+    height_entering = height_leaving;
+  }
+  return best.contact();
+}
+
+// The cells that the sphere may touch while its centre is over one cell are a square of cells around that. When the
+// centre goes on to the next cell, one row or column of them is new.
+std::optional<Contact> RasterSurface::first_contact_of_sphere(const Parabola& path, double radius, double t_max,
+                                                              const LeftPlanes& left) const {
+  const double reach = radius + box_pad;
+  const auto across = static_cast<std::int64_t>(std::ceil(reach / grid_.dx));
+  const auto along = static_cast<std::int64_t>(std::ceil(reach / grid_.dy));
+  const auto columns = static_cast<std::int64_t>(columns_), rows = static_cast<std::int64_t>(rows_);
+
+  ContactCandidate best{t_max};
+  const FlightSlabs slabs(path);
+  const auto ask = [&](std::int64_t first_column, std::int64_t last_column, std::int64_t first_row,
+                       std::int64_t last_row) {
+    for (std::int64_t row = std::max<std::int64_t>(first_row, 0); row <= std::min(last_row, rows - 1); ++row) {
+      for (std::int64_t column = std::max<std::int64_t>(first_column, 0); column <= std::min(last_column, columns - 1);
+           ++column) {
+        const Cell here = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
+        if (!here.has_data()) continue;
+        const double west = grid_.x0 + static_cast<double>(column) * grid_.dx;
+        const double south = grid_.y0 + static_cast<double>(row) * grid_.dy;
+        const Box box{{west, south, std::min({here.sw, here.se, here.nw, here.ne})},
+                      {west + grid_.dx, south + grid_.dy, std::max({here.sw, here.se, here.nw, here.ne})}};
+        const TimeWindow window = slabs.window(box, reach, best.t);
+        if (window.is_empty()) continue;
+        const auto both = triangles(column, row, here);
+        for (std::uint32_t half = 0; half < 2; ++half) {
+          const FacetId facet{facet_of(column, row, half)};
+          meet_sphere(path, SpherePath::flight, radius, window, both[half], {facet.index, facet.index}, left,
+                      sharp_parts(column, row, here, half), best);
+        }
+      }
+    }
+  };
+
+  // The centre may be beside the terrain.
+  GridWalk at(path, t_max, grid_.x0 - static_cast<double>(across) * grid_.dx,
+              grid_.y0 - static_cast<double>(along) * grid_.dy, grid_.dx, grid_.dy, columns + 2 * across,
+              rows + 2 * along);
+  if (at.is_over()) return std::nullopt;
+  std::int64_t column = at.column() - across, row = at.row() - along;
+  ask(column - across, column + across, row - along, row + along);
+  for (at.advance(); !at.is_over() && at.enter() <= best.t; at.advance()) {
+    const std::int64_t next_column = at.column() - across, next_row = at.row() - along;
+    if (next_column != column) {
+      const std::int64_t newest = next_column > column ? next_column + across : next_column - across;
+      ask(newest, newest, next_row - along, next_row + along);
+    } else {
+      const std::int64_t newest = next_row > row ? next_row + along : next_row - along;
+      ask(next_column - across, next_column + across, newest, newest);
+    }
+    column = next_column;
+    row = next_row;
+  }
+  return best.contact();
+}
+
+std::optional<Contact> RasterSurface::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
+                                                           const LeftPlanes& on) const {
+  ContactCandidate best{t_max};
+  Box swept;
+  swept.grow(leg.p);
+  swept.grow(leg.at(0.5 * t_max));
+  swept.grow(leg.at(t_max));
+  // The arc between these three points stays within an eighth of a t^2 of their box.
+  const Vec3 margin = Vec3::Constant(radius + box_pad) + 0.125 * t_max * t_max * leg.a.cwiseAbs();
+  const Vec3 low = swept.low - margin, high = swept.high + margin;
+  visit_cells(cells_within(low.x(), high.x(), low.y(), high.y()), [&](FacetId facet, const Triangle& corner) {
+    const auto [column, row] = place(facet);
+    const Cell here = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
+    meet_sphere(leg, SpherePath::leg, radius, {0, t_max}, corner, {facet.index, facet.index}, on,
+                sharp_parts(column, row, here, facet.index % 2), best);
+  });
+  return best.contact();
+}
+
+// ---- where a flight ends that meets nothing ----
+
+Exit RasterSurface::exit(const Parabola& path) const {
+  GridWalk at = walk(path, infinite);
+  if (at.is_over()) return {0, false, false};  // beside the grid
+  const auto is_above = [&](double t, std::int64_t column, std::int64_t row) {
+    const Vec3 q = path.at(t);
+    const auto ground = height_in_cell(q.x(), q.y(), column, row);
+    return ground && q.z() >= *ground - box_pad;
+  };
+  const auto start = elevation(path.p.x(), path.p.y());
+  std::optional<Exit> left;  // the last time it went off the terrain
+  if (!start || path.p.z() >= *start - box_pad) left = Exit{0, false, true};
+  bool is_over_ground = false;
+  std::int64_t column = at.column(), row = at.row();
+  for (; !at.is_over(); at.advance()) {
+    const bool ground_here = has_data(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
+    if (ground_here && !is_over_ground && left) {
+      if (!is_above(at.enter(), at.column(), at.row())) return *left;  // it went down in the hole
+      left.reset();
+    } else if (!ground_here && is_over_ground && is_above(at.enter(), column, row)) {
+      left = Exit{at.enter(), false, true};
+    }
+    is_over_ground = ground_here;
+    column = at.column();
+    row = at.row();
+    if (at.is_last() && ground_here && std::isfinite(at.leave()) && is_above(at.leave(), column, row)) {
+      return {at.leave(), false, false};
+    }
+  }
+  if (left) return *left;
+  // It never crossed the rim: it fell through.
+  const auto t = falling_root(path.p.z() - bounds_.low.z(), path.v.z(), path.a.z(), 1e300);
+  return {t.value_or(0), true, false};
+}
+
+// ---- heights ----
+
+std::optional<double> RasterSurface::height_in_cell(double x, double y, std::int64_t column, std::int64_t row) const {
+  const Cell here = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
+  if (!here.has_data()) return std::nullopt;
+  const double u = std::clamp((x - grid_.x0) / grid_.dx - static_cast<double>(column), 0.0, 1.0);
+  const double v = std::clamp((y - grid_.y0) / grid_.dy - static_cast<double>(row), 0.0, 1.0);
+  if (here.cut_north_east()) {
+    return u >= v ? here.sw + u * (here.se - here.sw) + v * (here.ne - here.se)
+                  : here.sw + v * (here.nw - here.sw) + u * (here.ne - here.nw);
+  }
+  return u + v <= 1 ? here.sw + u * (here.se - here.sw) + v * (here.nw - here.sw)
+                    : here.ne + (1 - u) * (here.nw - here.ne) + (1 - v) * (here.se - here.ne);
+}
+
+std::optional<double> RasterSurface::elevation(double x, double y, double below) const {
+  const Cells cells = cells_within(x, x, y, y);
+  std::optional<double> highest;
+  for (std::int64_t row = cells.first_row; row <= cells.last_row; ++row) {
+    for (std::int64_t column = cells.first_column; column <= cells.last_column; ++column) {
+      const double west = grid_.x0 + static_cast<double>(column) * grid_.dx;
+      const double south = grid_.y0 + static_cast<double>(row) * grid_.dy;
+      if (x < west - contact_slack || x > west + grid_.dx + contact_slack) continue;
+      if (y < south - contact_slack || y > south + grid_.dy + contact_slack) continue;
+      const auto z = height_in_cell(x, y, column, row);
+      if (z && *z <= below) highest = std::max(highest.value_or(*z), *z);
+    }
+  }
+  return highest;
+}
+
+std::optional<double> RasterSurface::ground_over(const Vec3& place) const {
+  const auto z = elevation(place.x(), place.y());
+  return z && *z > place.z() + contact_slack ? z : std::nullopt;
+}
+
+double RasterSurface::greatest_height(const Parabola& path, double t_end, double known) const {
+  const double half_a = 0.5 * path.a.z();
+  for (GridWalk at = walk(path, t_end); !at.is_over(); at.advance()) {
+    const Cell here = cell(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
+    const double t0 = at.enter(), t1 = at.leave();
+    // The flight's highest point over this cell, over the cell's lowest node.
+    const double top = std::clamp(half_a < 0 ? -path.v.z() / (2 * half_a) : t0, t0, t1);
+    const double highest = std::max({path.z(t0), path.z(top), path.z(t1)});
+    if (!(highest - std::min({here.sw, here.se, here.nw, here.ne}) > known) || !here.has_data()) continue;
+
+    const bool north_east = here.cut_north_east();
+    const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
+    const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
+    const double cut = side0 * side1 < 0 ? t0 + side0 / (side0 - side1) * (t1 - t0) : t1;
+    const auto ground = [&](double t) {
+      return *height_in_cell(path.p.x() + t * path.v.x(), path.p.y() + t * path.v.y(), at.column(), at.row());
+    };
+    // On each side of the diagonal the ground is a plane, and the height over it greatest where it neither grows nor
+    // shrinks.
+    const auto look = [&](double from, double to) {
+      if (!(to > from)) return;
+      const double ground_from = ground(from), slope = (ground(to) - ground_from) / (to - from);
+      const double t = std::clamp(half_a < 0 ? (slope - path.v.z()) / (2 * half_a) : to, from, to);
+      for (const double each : {from, t, to}) {
+        known = std::max(known, path.z(each) - (ground_from + slope * (each - from)));
+      }
+    };
+    look(t0, cut);
+    look(cut, t1);
+  }
+  return known;
+}
+
+std::vector<Vec3> RasterSurface::draped(const Vec2& from, const Vec2& to) const {
+  const Parabola line{{from.x(), from.y(), 0}, {to.x() - from.x(), to.y() - from.y(), 0}, Vec3::Zero()};
+  std::vector<Vec3> points;
+  double previous = -1;
+  const auto put = [&](double s) {
+    if (s - previous < 1e-9) return;
+    const Vec3 q = line.at(s);
+    const auto z = elevation(q.x(), q.y());
+    if (!z) return;
+    previous = s;
+    points.emplace_back(q.x(), q.y(), *z);
+  };
+  for (GridWalk at = walk(line, 1); !at.is_over(); at.advance()) {
+    const Cell here = cell(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
+    if (!here.has_data()) continue;
+    const double s0 = at.enter(), s1 = at.leave();
+    put(s0);
+    const bool north_east = here.cut_north_east();
+    const double side0 = north_east ? at.u(s0) - at.v(s0) : at.u(s0) + at.v(s0) - 1;
+    const double side1 = north_east ? at.u(s1) - at.v(s1) : at.u(s1) + at.v(s1) - 1;
+    if (side0 * side1 < 0) put(s0 + side0 / (side0 - side1) * (s1 - s0));
+    put(s1);
+  }
+  return points;
+}
+
+}  // namespace talus

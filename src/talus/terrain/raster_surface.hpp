@@ -1,0 +1,150 @@
+#pragma once
+// A digital elevation model as a surface: between four neighbouring nodes lie two triangles, which are made when they
+// are asked for and stored nowhere. Coordinates are local on plan; elevations are the grid's own.
+//
+// Every cell is cut along the diagonal whose ends differ less in height, the one from south-west to north-east where
+// they agree: the surface then follows ridges and valleys that cross the grid at an angle, and mirroring or turning the
+// grid by quarter turns changes nothing. A cell with a node without data is a hole.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "talus/terrain/facet_contact.hpp"
+#include "talus/terrain/flight_slabs.hpp"
+#include "talus/terrain/grid_walk.hpp"
+#include "talus/terrain/raster_grid.hpp"
+
+namespace talus {
+
+class RasterSurface {
+ public:
+  RasterSurface() = default;
+  /// Expects at least 2 x 2 nodes, fewer than 2^31 cells, and some cell with data.
+  explicit RasterSurface(RasterGrid grid);
+
+  [[nodiscard]] const RasterGrid& grid() const { return grid_; }
+  [[nodiscard]] std::size_t cell_count() const { return columns_ * rows_; }
+  /// Facets 2 c and 2 c + 1 lie in cell c.
+  [[nodiscard]] std::size_t facet_count() const { return 2 * cell_count(); }
+  /// The cell, row by row from the south-west.
+  [[nodiscard]] std::uint32_t source(FacetId facet) const { return facet.index / 2; }
+  [[nodiscard]] const Box& bounds() const { return bounds_; }
+  [[nodiscard]] std::size_t bytes() const { return grid_.z.size() * sizeof(float); }
+  /// Whether all four nodes have data.
+  [[nodiscard]] bool has_data(std::size_t column, std::size_t row) const;
+
+  // The rest as in TriangleMesh.
+  [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
+                                                     const LeftPlanes& left = {}) const;
+  [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
+                                                            const LeftPlanes& on) const;
+  [[nodiscard]] Exit exit(const Parabola& path) const;
+  [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
+  [[nodiscard]] std::optional<double> elevation(double x, double y,
+                                                double below = std::numeric_limits<double>::infinity()) const;
+  [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
+  [[nodiscard]] std::vector<Vec3> draped(const Vec2& from, const Vec2& to) const;
+  [[nodiscard]] Vec3 normal(FacetId facet) const { return area_normal(triangle(facet)).normalized(); }
+  [[nodiscard]] Vec3 point_of(FacetId facet) const { return triangle(facet)[0]; }
+  [[nodiscard]] Outline outline(FacetId facet) const;
+  template <class Touch>
+  void supports(const Vec3& centre, double radius, double reach, Touch&& touch) const;
+
+  [[nodiscard]] Triangle triangle(FacetId facet) const;
+
+ private:
+  // The elevations of a cell's nodes.
+  struct Cell {
+    double sw, se, nw, ne;
+    [[nodiscard]] bool has_data() const { return !std::isnan(sw + se + nw + ne); }
+    /// Whether it is cut from south-west to north-east.
+    [[nodiscard]] bool cut_north_east() const { return std::abs(sw - ne) <= std::abs(se - nw); }
+  };
+  struct Cells {  // columns and rows from (first) to (last), both included; empty where first > last
+    std::int64_t first_column, last_column, first_row, last_row;
+  };
+
+  [[nodiscard]] Cell cell(std::size_t column, std::size_t row) const {
+    const float* south = grid_.z.data() + row * (columns_ + 1) + column;
+    const float* north = south + columns_ + 1;
+    return {south[0], south[1], north[0], north[1]};
+  }
+  [[nodiscard]] GridWalk walk(const Parabola& path, double t_max) const {
+    return {path,
+            t_max,
+            grid_.x0,
+            grid_.y0,
+            grid_.dx,
+            grid_.dy,
+            static_cast<std::int64_t>(columns_),
+            static_cast<std::int64_t>(rows_)};
+  }
+  /// Column and row of a facet's cell. (Divided as 32-bit numbers, which is several times as fast.)
+  [[nodiscard]] std::pair<std::int64_t, std::int64_t> place(FacetId facet) const {
+    const std::uint32_t c = source(facet), width = static_cast<std::uint32_t>(columns_);
+    return {c % width, c / width};
+  }
+  [[nodiscard]] Cells cells_within(double x_low, double x_high, double y_low, double y_high) const;
+  [[nodiscard]] std::uint32_t facet_of(std::int64_t column, std::int64_t row, std::uint32_t half) const {
+    return static_cast<std::uint32_t>(
+        2 * (static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)) + half);
+  }
+  [[nodiscard]] std::array<Triangle, 2> triangles(std::int64_t column, std::int64_t row, const Cell& cell) const;
+  [[nodiscard]] std::array<std::optional<FacetId>, 3> neighbours(FacetId facet) const;
+  /// A bit for each of the sides 0 to 2 and corners 3 to 5 of a facet.
+  [[nodiscard]] std::uint32_t owned_parts(std::int64_t column, std::int64_t row, const Cell& cell,
+                                          std::uint32_t half) const;
+  [[nodiscard]] bool is_sharp(FacetId facet, std::size_t what) const;
+  /// What meet_sphere() asks for. Most facets are never asked, so that nothing is found out before.
+  [[nodiscard]] auto sharp_parts(std::int64_t column, std::int64_t row, const Cell& here, std::uint32_t half) const {
+    return [=, this, owned = std::optional<std::uint32_t>()](std::size_t what, double t) mutable {
+      if (t >= 0) return is_sharp(FacetId{facet_of(column, row, half)}, what);
+      if (!owned) owned = owned_parts(column, row, here, half);
+      return (*owned & (1U << what)) != 0;
+    };
+  }
+  [[nodiscard]] bool is_sharp_edge(FacetId facet, std::size_t side) const;
+  [[nodiscard]] bool is_sharp_vertex(const Vec3& vertex) const;
+  [[nodiscard]] std::optional<Contact> first_contact_of_point(const Parabola& path, double t_max,
+                                                              const LeftPlanes& left) const;
+  [[nodiscard]] std::optional<Contact> first_contact_of_sphere(const Parabola& path, double radius, double t_max,
+                                                               const LeftPlanes& left) const;
+  template <class Visit>
+  void visit_cells(const Cells& cells, Visit&& visit) const;
+  [[nodiscard]] std::optional<double> height_in_cell(double x, double y, std::int64_t column, std::int64_t row) const;
+
+  RasterGrid grid_;
+  std::size_t columns_ = 0, rows_ = 0;  // of cells
+  Box bounds_;
+};
+
+/// Calls visit(facet, triangle) for both facets of each cell with data.
+template <class Visit>
+void RasterSurface::visit_cells(const Cells& cells, Visit&& visit) const {
+  for (std::int64_t row = cells.first_row; row <= cells.last_row; ++row) {
+    for (std::int64_t column = cells.first_column; column <= cells.last_column; ++column) {
+      const Cell here = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
+      if (!here.has_data()) continue;
+      const auto both = triangles(column, row, here);
+      for (std::uint32_t half = 0; half < 2; ++half) visit(FacetId{facet_of(column, row, half)}, both[half]);
+    }
+  }
+}
+
+template <class Touch>
+void RasterSurface::supports(const Vec3& centre, double radius, double reach, Touch&& touch) const {
+  const double range = radius + reach;
+  visit_cells(cells_within(centre.x() - range, centre.x() + range, centre.y() - range, centre.y() + range),
+              [&](FacetId facet, const Triangle& corner) {
+                const Vec3 away = centre - closest_point(corner, centre);
+                const double distance = away.norm();
+                if (distance > range) return;
+                touch(distance > 1e-6 ? Vec3(away / distance) : Vec3(area_normal(corner).normalized()),
+                      Vec3((corner[0] + corner[1] + corner[2]) / 3), distance, facet);
+              });
+}
+
+}  // namespace talus

@@ -1,0 +1,32 @@
+// Every example that the repository carries is found good and runs.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "cli/program.hpp"
+
+namespace talus {
+namespace {
+
+using namespace test;
+
+TEST(Examples, AreFoundGoodAndRun) {
+  const Workplace place;
+  int count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(TALUS_SOURCE_DIR "/examples")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++count;
+    const std::string file = entry.path().string(), out = (place / entry.path().stem().string()).string();
+    const Said checked = talus_says("check " + file);
+    EXPECT_EQ(checked.exit_code, 0) << checked.text;
+    const Said ran = talus_says("run " + file + " -o " + out + " --rocks 50");
+    EXPECT_EQ(ran.exit_code, 0) << ran.text;
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(out) / "report.html")) << file;
+  }
+  EXPECT_GE(count, 3);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,139 @@
+#include "talus/results/map_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "support/dice.hpp"
+
+namespace talus {
+namespace {
+
+using testing_tools::Dice;
+
+struct Stay {
+  MapCell cell;
+  double enter, leave;
+};
+
+std::vector<Stay> stays(const MapGrid& grid, const PathPiece& piece) {
+  std::vector<Stay> list;
+  walk(grid, piece, [&](MapCell cell, double enter, double leave) { list.push_back({cell, enter, leave}); });
+  return list;
+}
+
+PathPiece piece_of(const Vec3& p, const Vec3& v, const Vec3& a, double duration) {
+  return {{p, v, a}, duration, 0, Vec3::Zero(), false};
+}
+
+TEST(MapGrid, HasItsBordersAtMultiplesOfTheCellInTheUsersCoordinates) {
+  LocalFrame frame;
+  frame.origin = {2600 * 1024.0, -1024, 0};
+  const MapGrid grid = MapGrid::at_multiples(2.5, frame, Vec2(-311.3, 7.1));
+  EXPECT_LE(grid.border(0, 0), -311.3);
+  EXPECT_GT(grid.border(0, 1), -311.3);
+  EXPECT_EQ(grid.index(1, 7.1), 0);
+  EXPECT_EQ(std::remainder(grid.border(0, 7) + frame.origin.x(), 2.5), 0);
+  EXPECT_EQ(std::remainder(grid.border(1, -3) + frame.origin.y(), 2.5), 0);
+  EXPECT_EQ(grid.origin().x(), grid.border(0, 0) + frame.origin.x());
+}
+
+TEST(MapGrid, ACellHoldsItsLowerBordersOnly) {
+  const MapGrid grid({10, 20}, 0.5, {});
+  EXPECT_EQ(grid.cell_at({10, 20, 0}), (MapCell{0, 0}));
+  EXPECT_EQ(grid.cell_at({10.5, 20.49, 7}), (MapCell{1, 0}));
+  EXPECT_EQ(grid.cell_at({9.99, 19.5, 0}), (MapCell{-1, -1}));
+}
+
+TEST(MapWalk, AFlightGoesStraightOverTheCells) {
+  const MapGrid grid({0, 0}, 1, {});
+  const auto list = stays(grid, piece_of({0.5, 0.5, 9}, {1, 0.5, 3}, {0, 0, -9.81}, 2));
+  ASSERT_EQ(list.size(), 4U);
+  EXPECT_EQ(list[0].cell, (MapCell{0, 0}));
+  EXPECT_DOUBLE_EQ(list[0].leave, 0.5);
+  EXPECT_EQ(list[1].cell, (MapCell{1, 0}));
+  EXPECT_DOUBLE_EQ(list[1].leave, 1);
+  EXPECT_EQ(list[2].cell, (MapCell{1, 1}));
+  EXPECT_EQ(list[3].cell, (MapCell{2, 1}));
+  EXPECT_EQ(list[3].leave, 2);
+}
+
+TEST(MapWalk, ThroughACornerItGoesToTheCellBeyond) {
+  const MapGrid grid({0, 0}, 1, {});
+  const auto list = stays(grid, piece_of({0.5, 0.5, 0}, {1, 1, 0}, {0, 0, 0}, 1));
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[1].cell, (MapCell{1, 1}));
+}
+
+TEST(MapWalk, ARockThatStandsOrFallsStraightDownStaysInItsCell) {
+  const MapGrid grid({0, 0}, 1, {});
+  const auto list = stays(grid, piece_of({1, 3, 5}, {0, 0, 2}, {0, 0, -9.81}, 1.5));
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list[0].cell, (MapCell{1, 3}));
+  EXPECT_EQ(list[0].enter, 0);
+  EXPECT_EQ(list[0].leave, 1.5);
+}
+
+TEST(MapWalk, UphillAndDownAgainItComesBackOverTheSameBorders) {
+  const MapGrid grid({0, 0}, 1, {});
+  const auto list = stays(grid, piece_of({0.5, 0.5, 0}, {-2, 0, 0}, {1, 0, 0}, 4));  // to x = -1.5 and back
+  ASSERT_EQ(list.size(), 5U);
+  const std::int32_t columns[] = {0, -1, -2, -1, 0};
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(list[k].cell.column, columns[k]);
+  EXPECT_NEAR(list[0].leave + list[3].leave, 4, 1e-12);
+}
+
+// Against looking at very many moments, on paths as legs along the ground may have them: curved, turning, from rest.
+TEST(MapWalk, AgreesWithLookingEverywhere) {
+  Dice dice(5);
+  std::size_t seen = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    LocalFrame frame;
+    if (trial % 2 == 0) frame.origin = {2'600'960, 1'199'104, 0};
+    const MapGrid grid = MapGrid::at_multiples(dice.magnitude(0.1, 10), frame, Vec2(dice.between(-40, 0), -20));
+    const bool flies = dice.chance(0.4);
+    Vec3 v = dice.in_cube(8), a = flies ? Vec3(0, 0, -9.81) : Vec3(dice.in_cube(6));
+    if (dice.chance(0.1)) v.setZero();
+    if (dice.chance(0.1)) v.x() = 0;
+    if (dice.chance(0.1)) a.y() = 0;
+    if (dice.chance(0.2)) a.head<2>() = -dice.between(0.2, 2) * v.head<2>();  // braked: comes back on its own track
+    Vec3 p = dice.in_cube(30);
+    if (dice.chance(0.2)) p.x() = grid.border(0, grid.index(0, p.x()));  // starts on a border
+    const PathPiece piece = piece_of(p, v, a, dice.magnitude(1e-3, 4));
+    const auto list = stays(grid, piece);
+
+    EXPECT_EQ(list.front().enter, 0);
+    EXPECT_EQ(list.back().leave, piece.duration);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      ASSERT_LE(list[k].enter, list[k].leave);
+      if (k == 0) continue;
+      ASSERT_EQ(list[k].enter, list[k - 1].leave);
+      ASSERT_LE(std::abs(list[k].cell.column - list[k - 1].cell.column), 1);
+      ASSERT_LE(std::abs(list[k].cell.row - list[k - 1].cell.row), 1);
+    }
+    std::size_t k = 0;
+    constexpr int looks = 400;
+    for (int i = 0; i <= looks; ++i) {
+      const double t = piece.duration * i / looks;
+      while (k + 1 < list.size() && list[k].leave < t) ++k;
+      const Vec3 q = piece.path.at(t);
+      const MapCell there = list[k].cell;
+      // Within rounding of a border either side will do.
+      const double slack = 1e-8;
+      const auto inside = [&](std::size_t axis, std::int32_t place) {
+        return q[axis] >= grid.border(axis, place) - slack && q[axis] <= grid.border(axis, place + 1) + slack;
+      };
+      ASSERT_TRUE(inside(0, there.column) && inside(1, there.row))
+          << "trial " << trial << " t " << t << " x " << q.x() << " y " << q.y() << " cell " << there.column << ' '
+          << there.row;
+      ++seen;
+    }
+  }
+  EXPECT_EQ(seen, 3000U * 401);
+}
+
+}  // namespace
+}  // namespace talus
