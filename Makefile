@@ -57,5 +57,5 @@ clean:
 format: ; @git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
 
 tidy: setup-test
-	@cmake --preset release -DTALUS_TESTS=ON >/dev/null
-	@git ls-files 'src/talus/*.cpp' | xargs -P 2 -n 4 clang-tidy -p build --quiet
+	@cmake -S . -B build-tidy -G Ninja -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
+	@git ls-files 'src/talus/*.cpp' | xargs -P 2 -n 4 clang-tidy -p build-tidy --quiet

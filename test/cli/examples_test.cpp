@@ -18,6 +18,9 @@ TEST(Examples, AreFoundGoodAndRun) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(TALUS_SOURCE_DIR "/examples")) {
     if (entry.path().extension() != ".toml") continue;
     ++count;
+#ifndef TALUS_HAS_GDAL
+    if (entry.path().stem() == "maungawhau") continue;  // its terrain is a raster
+#endif
     const std::string file = entry.path().string(), out = (place / entry.path().stem().string()).string();
     const Said checked = talus_says("check " + file);
     EXPECT_EQ(checked.exit_code, 0) << checked.text;

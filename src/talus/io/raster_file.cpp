@@ -81,7 +81,7 @@ void judge_size(GDALDataset& dataset, RasterProblems& problems) {
 std::optional<double> metres_of_unit(std::string name) {
   for (char& c : name) c = c == '_' || c == '-' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   struct Known {
-    double metres;
+    double metres = 1;  // of one
     std::array<std::string_view, 6> names;
   };
   // The international foot and that of the US survey: NIST Special Publication 811, appendix B.
@@ -167,7 +167,7 @@ class BandReader {
     band_.GetBlockSize(&block_columns, &block_rows);
     const std::int64_t bytes_of_row = std::int64_t{columns} * GDALGetDataTypeSizeBytes(band_.GetRasterDataType());
     // All blocks that some rows lie in stay at hand while those are read, whatever the shape of the blocks.
-    const BlockMemory memory(std::max<std::int64_t>(64 << 20, 2 * bytes_of_row * block_rows));
+    const BlockMemory memory(std::max<std::int64_t>(std::int64_t{64} << 20, 2 * bytes_of_row * block_rows));
     const std::int64_t most_rows = std::max<std::int64_t>(1, (std::int64_t{32} << 20) / (8 * std::int64_t{columns}));
     const int at_once =
         static_cast<int>(std::min<std::int64_t>(block_rows * (1 + most_rows / (2 * block_rows)), most_rows));
