@@ -49,6 +49,27 @@ TEST(RunMaps, AreTheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
+TEST(RunMaps, OfAnEarlierRunDoNotStay) {
+  if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
+  const Workplace work;
+  const auto run = [&](const std::string& settings) {
+    const Said said =
+        talus_says("run " + tutorial("3d") + " -q --rocks 50 " + settings + " -o " + (work / "out").string());
+    EXPECT_EQ(said.exit_code, 0) << said.text;
+  };
+  run("--set output.percentiles=[50,97.5]");
+  const auto first = contents(work, "out/maps");
+  EXPECT_EQ(first.count("velocity_p97.5_m_s.tif"), 1U);
+  work.write("out/maps/velocity_mine.tif", "somebody else's");
+  run("--set output.percentiles=[90]");
+  const auto second = contents(work, "out/maps");
+  EXPECT_EQ(second.count("velocity_p97.5_m_s.tif") + second.count("velocity_p50_m_s.qml"), 0U);
+  EXPECT_EQ(second.count("velocity_p90_m_s.tif"), 1U);
+  run("--set output.maps=false");
+  EXPECT_EQ(contents(work, "out/maps").size(), 1U);
+  EXPECT_EQ(work.read("out/maps/velocity_mine.tif"), "somebody else's");
+}
+
 TEST(RunMaps, AreWrittenOnlyWhereTheProjectWantsThem) {
   const Workplace work;
   EXPECT_EQ(

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "talus/core/problems.hpp"
@@ -19,6 +20,36 @@
 #endif
 
 namespace talus::io {
+
+namespace {
+
+/// Whether write_maps() could have given a map this name, with whatever percentile.
+bool is_name_of_map(std::string_view name) {
+  const std::vector<MapKind> kinds = map_kinds(1, std::array{50.0});
+  return std::any_of(kinds.begin(), kinds.end(), [&](const MapKind& kind) {
+    if (kind.name == name) return true;
+    const std::size_t at = kind.name.find("p50");
+    if (at == std::string::npos) return false;
+    const std::string_view head(kind.name.data(), at + 1), tail(kind.name.data() + at + 3);
+    if (name.size() <= head.size() + tail.size() || !name.starts_with(head) || !name.ends_with(tail)) return false;
+    name.remove_prefix(head.size());
+    name.remove_suffix(tail.size());
+    return name.find_first_not_of("0123456789.") == std::string_view::npos;
+  });
+}
+
+}  // namespace
+
+void remove_maps(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string extension = entry.path().extension().string();
+    std::error_code ignored;
+    if ((extension == ".tif" || extension == ".qml") && is_name_of_map(entry.path().stem().string())) {
+      std::filesystem::remove(entry.path(), ignored);
+    }
+  }
+}
 
 #ifdef TALUS_HAS_GDAL
 

@@ -13,11 +13,13 @@ namespace talus::io {
 /// Whether this program was built with GDAL, which writes the files.
 [[nodiscard]] bool can_write_maps();
 
+/// Removes the maps that an earlier run left in a folder, so that none is taken for one of this run. Other files stay.
+void remove_maps(const std::filesystem::path& folder);
+
 /// Writes FOLDER/NAME.tif and FOLDER/NAME.qml for each map: passages, reach_share, deposits and impacts, and of each
 /// quantity the greatest, the mean and the percentiles (`percentiles` in [0, 100]), all over the cells that rocks
 /// touched; docs/outputs.md lists the names. `crs_wkt` is the coordinate system of the user's coordinates, empty where
-/// it is not known. Files appear when they are whole; of the maps of an earlier run, those of the same name are
-/// replaced. Without a rock nothing is written. Throws BadInput where the folder cannot be written to, and where the
+/// it is not known. Files appear when they are whole. Without a rock nothing is written. Throws BadInput where the folder cannot be written to, and where the
 /// program was built without GDAL.
 ///
 /// Returns the names of the maps.

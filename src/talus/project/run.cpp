@@ -78,6 +78,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   endpoints.finish();
   barriers.finish();
   paths.finish();
+  io::remove_maps(folder / "maps");
   if (maps) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(outcome.threads));
