@@ -23,6 +23,17 @@ struct Box {
   }
 };
 
+/// A box that holds a short leg with any acceleration until t_max, grown by `pad`.
+[[nodiscard]] inline Box swept_box(const Parabola& leg, double t_max, double pad) {
+  Box swept;
+  swept.grow(leg.p);
+  swept.grow(leg.at(0.5 * t_max));
+  swept.grow(leg.at(t_max));
+  // The arc between these three points stays within an eighth of a t^2 of their box.
+  const Vec3 margin = Vec3::Constant(pad) + 0.125 * t_max * t_max * leg.a.cwiseAbs();
+  return {swept.low - margin, swept.high + margin};
+}
+
 namespace slabs_detail {
 
 // Four doubles side by side, as two pairs: pairs are what every 64-bit processor has registers for, and what the

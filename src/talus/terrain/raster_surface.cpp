@@ -283,19 +283,14 @@ std::optional<Contact> RasterSurface::first_contact_of_sphere(const Parabola& pa
 std::optional<Contact> RasterSurface::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
                                                            const LeftPlanes& on) const {
   ContactCandidate best{t_max};
-  Box swept;
-  swept.grow(leg.p);
-  swept.grow(leg.at(0.5 * t_max));
-  swept.grow(leg.at(t_max));
-  // The arc between these three points stays within an eighth of a t^2 of their box.
-  const Vec3 margin = Vec3::Constant(radius + box_pad) + 0.125 * t_max * t_max * leg.a.cwiseAbs();
-  const Vec3 low = swept.low - margin, high = swept.high + margin;
-  visit_cells(cells_within(low.x(), high.x(), low.y(), high.y()), [&](FacetId facet, const Triangle& corner) {
-    const auto [column, row] = place(facet);
-    const Cell here = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
-    meet_sphere(leg, SpherePath::leg, radius, {0, t_max}, corner, {facet.index, facet.index}, on,
-                sharp_parts(column, row, here, facet.index % 2), best);
-  });
+  const Box swept = swept_box(leg, t_max, radius + box_pad);
+  visit_cells(cells_within(swept.low.x(), swept.high.x(), swept.low.y(), swept.high.y()),
+              [&](FacetId facet, const Triangle& corner) {
+                const auto [column, row] = place(facet);
+                const Cell here = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
+                meet_sphere(leg, SpherePath::leg, radius, {0, t_max}, corner, {facet.index, facet.index}, on,
+                            sharp_parts(column, row, here, facet.index % 2), best);
+              });
   return best.contact();
 }
 

@@ -6,6 +6,29 @@
 
 namespace talus {
 
+namespace {
+
+// When a point that goes from `from` at `velocity` on plan is over a triangle, in [0, t_end]: three lines cut its way.
+TimeWindow time_over(const Triangle& corner, const Vec2& from, const Vec2& velocity, double t_end) {
+  TimeWindow over{0, t_end};
+  const double turn = area_normal(corner).z() > 0 ? 1 : -1;
+  for (std::size_t c = 0; c < 3 && !over.is_empty(); ++c) {
+    const Vec3 along = turn * (corner[next_corner[c]] - corner[c]);
+    const double inside = along.x() * (from.y() - corner[c].y()) - along.y() * (from.x() - corner[c].x());
+    const double rate = along.x() * velocity.y() - along.y() * velocity.x();
+    if (rate > 0) {
+      over.enter = std::max(over.enter, -inside / rate);
+    } else if (rate < 0) {
+      over.leave = std::min(over.leave, -inside / rate);
+    } else if (inside < 0) {
+      over.leave = -1;
+    }
+  }
+  return over;
+}
+
+}  // namespace
+
 TriangleMesh::TriangleMesh(std::span<const Vec3> vertices, std::span<const Corners> triangles,
                            std::span<const Corners> neighbours) {
   TALUS_PROMISE(triangles.size() == neighbours.size(), "every triangle has its neighbours");
@@ -140,13 +163,8 @@ std::uint32_t TriangleMesh::facets_tested(const Parabola& path, double radius, d
 std::optional<Contact> TriangleMesh::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
                                                           const LeftPlanes& on) const {
   ContactCandidate best{t_max};
-  Box swept;
-  swept.grow(leg.p);
-  swept.grow(leg.at(0.5 * t_max));
-  swept.grow(leg.at(t_max));
-  // The arc between these three points stays within an eighth of a t^2 of their box.
-  const Vec3 margin = Vec3::Constant(radius + box_pad) + 0.125 * t_max * t_max * leg.a.cwiseAbs();
-  bvh_.visit_box(swept.low - margin, swept.high + margin, [&](std::uint32_t first, std::uint32_t last) {
+  const Box swept = swept_box(leg, t_max, radius + box_pad);
+  bvh_.visit_box(swept.low, swept.high, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t k = first; k < last; ++k) {
       meet_sphere(leg, SpherePath::leg, radius, {0, t_max}, facets_[k].corner, {k, facets_[k].source}, on, sharp_of(k),
                   best);
@@ -190,24 +208,11 @@ double TriangleMesh::greatest_height(const Parabola& path, double t_end, double 
           const auto& corner = facets_[k].corner;
           const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
           if (n.z() <= 0) continue;
-          // The part of the path above this triangle: three lines cut it on plan.
-          double enter = 0, leave = t_end;
-          for (std::size_t c = 0; c < 3 && enter <= leave; ++c) {
-            const Vec3 along = corner[next_corner[c]] - corner[c];
-            const double inside = along.x() * (path.p.y() - corner[c].y()) - along.y() * (path.p.x() - corner[c].x());
-            const double rate = along.x() * path.v.y() - along.y() * path.v.x();
-            if (rate > 0) {
-              enter = std::max(enter, -inside / rate);
-            } else if (rate < 0) {
-              leave = std::min(leave, -inside / rate);
-            } else if (inside < 0) {
-              leave = -1;
-            }
-          }
-          if (enter > leave) continue;
+          const TimeWindow above = time_over(corner, path.p.head<2>(), path.v.head<2>(), t_end);
+          if (above.is_empty()) continue;
           // Height above the facet's plane: h0 + h1 t + half_g t^2, greatest where its derivative is zero.
           const double h0 = n.dot(path.p - corner[0]) / n.z(), h1 = n.dot(path.v) / n.z();
-          const double t = std::clamp(half_g < 0 ? -h1 / (2 * half_g) : enter, enter, leave);
+          const double t = std::clamp(half_g < 0 ? -h1 / (2 * half_g) : above.enter, above.enter, above.leave);
           double height = h0 + t * (h1 + half_g * t);
           if (height <= known) continue;
           if (!is_height_field_) {
@@ -267,23 +272,10 @@ std::vector<Vec3> TriangleMesh::draped(const Vec2& from, const Vec2& to) const {
   bvh_.visit_box(low, high, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t k = first; k < last; ++k) {
       const auto& corner = facets_[k].corner;
-      double enter = 0, leave = 1;
-      const double turn = (corner[1] - corner[0]).cross(corner[2] - corner[0]).z() > 0 ? 1 : -1;
-      for (std::size_t c = 0; c < 3 && enter <= leave; ++c) {
-        const Vec3 along = corner[next_corner[c]] - corner[c];
-        const double inside = turn * (along.x() * (from.y() - corner[c].y()) - along.y() * (from.x() - corner[c].x()));
-        const double rate = turn * (along.x() * d.y() - along.y() * d.x());
-        if (rate > 0) {
-          enter = std::max(enter, -inside / rate);
-        } else if (rate < 0) {
-          leave = std::min(leave, -inside / rate);
-        } else if (inside < 0) {
-          leave = -1;
-        }
-      }
-      if (enter > leave) continue;
-      bends.push_back(enter);
-      bends.push_back(leave);
+      const TimeWindow over = time_over(corner, from, d, 1);
+      if (over.is_empty()) continue;
+      bends.push_back(over.enter);
+      bends.push_back(over.leave);
     }
   });
   std::sort(bends.begin(), bends.end());
