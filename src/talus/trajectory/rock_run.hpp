@@ -165,8 +165,12 @@ class RockRun {
   FacetId last_facet_;
   Vec3 wedge_ = Vec3::Zero();  // where it has been for the last contacts
   int contacts_in_wedge_ = 0;
-  Outline outline_;
-  std::optional<FacetId> outline_facet_;
+  struct KeptOutline {
+    std::optional<FacetId> facet;
+    Outline outline;
+  };
+  std::array<KeptOutline, 2> outlines_;  // of the facets it was on last: in a valley there are two
+  std::size_t oldest_outline_ = 0;
 };
 
 template <class Surface>

@@ -200,14 +200,15 @@ void RockRun<Surface>::stand_on(const OnGround& phase) {
   motion_.position += shift;
 }
 
-/// The outline of a facet, kept as long as the rock stays on it.
+/// The outline of a facet, kept as long as the rock stays on it. Good until two others were asked for.
 template <class Surface>
 const Outline& RockRun<Surface>::outline_of(FacetId facet) {
-  if (outline_facet_ != facet) {
-    outline_ = surface_.outline(facet);
-    outline_facet_ = facet;
+  for (const KeptOutline& kept : outlines_) {
+    if (kept.facet == facet) return kept.outline;
   }
-  return outline_;
+  KeptOutline& place = outlines_[std::exchange(oldest_outline_, 1 - oldest_outline_)];
+  place = {facet, surface_.outline(facet)};
+  return place.outline;
 }
 
 /// The first side of a facet that a leg crosses outwards before `t`, which becomes the time.
