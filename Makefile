@@ -19,8 +19,6 @@ setup:
 setup-test: setup
 	$(call install,$(TEST_PACKAGES))
 
-setup-bench: setup
-
 build: setup
 	@cmake --preset release -DTALUS_TESTS=OFF >/dev/null && cmake --build --preset release
 

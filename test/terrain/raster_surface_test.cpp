@@ -173,6 +173,7 @@ TEST(RasterSurface, HeightsOutlinesAndExitsAreTheMeshs) {
 // Whole paths, on both, until rounding has had time to grow.
 TEST(RasterSurface, RocksTakeTheSamePath) {
   Dice dice(204);
+  int compared = 0;
   for (int k = 0; k < 40; ++k) {
     const Ground ground = random_ground(dice);
     for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
@@ -187,7 +188,7 @@ TEST(RasterSurface, RocksTakeTheSamePath) {
       const Followed a = follow(ground.raster, ground_of(soil), laws, release);
       const Followed b = follow(ground.mesh, ground_of(soil), laws, release);
       const std::size_t rows = std::min<std::size_t>({a.log.rows.size(), b.log.rows.size(), 8});
-      ASSERT_GE(rows, 2U);
+      if (rows >= 4) ++compared;
       for (std::size_t i = 0; i < rows; ++i) {
         ASSERT_EQ(a.log.rows[i].state, b.log.rows[i].state);
         ASSERT_LT((a.log.rows[i].motion.position - b.log.rows[i].motion.position).norm(), 1e-6);
@@ -195,6 +196,7 @@ TEST(RasterSurface, RocksTakeTheSamePath) {
       ASSERT_NE(a.outcome.reason, EndReason::lost);
     }
   }
+  EXPECT_GT(compared, 40);  // of 80: the others leave the model after an impact or two
 }
 
 // ---- holes ----
