@@ -56,7 +56,8 @@ template <class Surface>
   Seeder seeder;
   seeder.name = "crest";
   seeder.rocks = rocks;
-  seeder.points = {{5, 100, 0}, {10, 400, 0}, {5, 700, 0}, {10, 925, 0}};
+  const Vec3 crest[] = {{5, 100, 0}, {10, 400, 0}, {5, 700, 0}, {10, 925, 0}};
+  seeder.where = ReleaseLines(crest);
   seeder.above_surface = 6;
   seeder.size = Sampler(1000.0);
   seeder.density = Sampler(2700.0);

@@ -9,6 +9,7 @@ int check(const ProjectOptions& options) {
   const Loaded loaded = load(options);
   print_warnings(loaded.warnings);
   if (!loaded.model.terrain_report.empty()) fmt::print("{}\n", loaded.model.terrain_report);
+  if (!loaded.model.seeder_report.empty()) fmt::print("{}\n", loaded.model.seeder_report);
   fmt::print("{}: no errors; {} rocks from {} {}\n", options.file.string(), loaded.model.rocks(),
              loaded.model.seeders.size(), loaded.model.seeders.size() == 1 ? "seeder" : "seeders");
   return done;

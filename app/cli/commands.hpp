@@ -24,8 +24,20 @@ struct RunOptions {
   std::filesystem::path folder;  // empty: the project's name, beside its file
   int threads = 0;
   bool quiet = false;
+  std::string shard;  // "2/7"; empty: the whole campaign
+  bool resume = false;
+  double checkpoint_every = 20;  // [s]; 0: never
 };
 int run(const RunOptions& options);
+
+struct MergeOptions {
+  std::vector<std::filesystem::path> folders;
+  std::filesystem::path folder;  // empty: the only one, or the project's name
+  bool partial = false;
+  int threads = 0;
+  bool quiet = false;
+};
+int merge(const MergeOptions& options);
 
 int check(const ProjectOptions& options);
 
@@ -51,6 +63,8 @@ struct VerifyOptions {
 int verify(const VerifyOptions& options);
 
 int schema();
+
+int materials();
 
 struct NewOptions {
   std::filesystem::path file;

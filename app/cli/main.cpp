@@ -43,6 +43,33 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
   run_command->add_flag("--quiet,-q", run_options.quiet, "Print nothing but warnings and errors");
+  run_command
+      ->add_option("--shard", run_options.shard,
+                   "Throw the rocks of one of n parts of the campaign, i from 1; `talus merge` puts the parts together")
+      ->type_name("i/n");
+  run_command->add_flag("--resume", run_options.resume, "Go on from the last checkpoint in the folder");
+  run_command
+      ->add_option("--checkpoint-every", run_options.checkpoint_every,
+                   "Keep what is done each time so many seconds have passed, to resume from; 0: never")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str()
+      ->type_name("SECONDS");
+
+  MergeOptions merge_options;
+  CLI::App* merge_command = app.add_subcommand("merge", "Put the shards of a campaign together into one result");
+  merge_command
+      ->add_option("folders", merge_options.folders, "Folders of shards, in any order, or one that has them all")
+      ->required()
+      ->type_name("DIR");
+  merge_command
+      ->add_option("-o,--output", merge_options.folder,
+                   "Folder for the results (default: DIR if it is one; of several, the project's name)")
+      ->type_name("DIR");
+  merge_command->add_flag("--partial", merge_options.partial, "Make do with what there is, marked as interrupted");
+  merge_command->add_option("--threads", merge_options.threads, "Threads to write maps with (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  merge_command->add_flag("--quiet,-q", merge_options.quiet, "Print nothing but warnings and errors");
 
   ProjectOptions check_options;
   CLI::App* check_command =
@@ -80,6 +107,9 @@ int dispatch(int argc, char** argv) {
       ->type_name("FILE");
   verify_command->add_option("--cases", verify_options.folder, "The folder that holds the cases")->type_name("DIR");
 
+  CLI::App* materials_command =
+      app.add_subcommand("materials", "List the usual grounds that a project can name, with their sources");
+
   CLI::App* schema_command = app.add_subcommand("schema", "Print the JSON Schema of the project file");
 
   NewOptions new_options;
@@ -93,10 +123,12 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? done : bad_input;
   }
   if (*run_command) return run(run_options);
+  if (*merge_command) return merge(merge_options);
   if (*check_command) return check(check_options);
   if (*replay_command) return replay(replay_options);
   if (*report_command) return report(report_options);
   if (*verify_command) return verify(verify_options);
+  if (*materials_command) return materials();
   if (*schema_command) return schema();
   return start_project(new_options);
 }

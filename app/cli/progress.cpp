@@ -30,6 +30,11 @@ Progress::~Progress() {
 
 void Progress::operator()(std::uint64_t done) {
   const auto now = Clock::now();
+  if (!done_before_) {
+    done_before_ = done;
+    begin_ = last_ = now;
+    return;
+  }
   if (now - last_ < (on_terminal_ ? Clock::duration(100ms) : Clock::duration(10s))) return;
   last_ = now;
   print(done, now);
@@ -37,7 +42,7 @@ void Progress::operator()(std::uint64_t done) {
 
 void Progress::print(std::uint64_t done, Clock::time_point now) {
   const double seconds = std::chrono::duration<double>(now - begin_).count();
-  const double rate = static_cast<double>(done) / seconds;
+  const double rate = static_cast<double>(done - *done_before_) / seconds;
   const double left = static_cast<double>(total_ - done) / rate;
   const int percent = static_cast<int>(100.0 * static_cast<double>(done) / static_cast<double>(total_));
   const std::string text =

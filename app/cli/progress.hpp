@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 
 namespace talus::cli {
 
@@ -19,6 +20,7 @@ class Progress {
   std::uint64_t total_;
   bool on_terminal_;
   bool printed_ = false;
+  std::optional<std::uint64_t> done_before_;  // when the first call came: what was done then tells nothing of the rate
   Clock::time_point begin_, last_;
 };
 

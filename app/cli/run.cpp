@@ -6,9 +6,13 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "load.hpp"
+#include "outcome.hpp"
 #include "progress.hpp"
 
 namespace talus::cli {
@@ -31,54 +35,89 @@ extern "C" void ask_to_stop(int signal) {
   }
 }
 
-void print_outcome(const Loaded& loaded, const project::RunResult& result, const std::filesystem::path& folder) {
+std::string name_of(const RunOptions& options, const project::RunResult& result) {
+  const RockRange& range = result.range;
+  if (options.shard.empty()) return "";
+  if (range.count() == 0) return fmt::format(", shard {} (no rocks)", options.shard);
+  return fmt::format(", shard {} (rocks {} to {})", options.shard, range.first, range.last - 1);
+}
+
+void print_outcome(const Loaded& loaded, const RunOptions& options, const project::RunResult& result,
+                   const std::filesystem::path& folder) {
   const Summary& summary = result.summary;
   const CampaignOutcome& outcome = result.outcome;
-  fmt::print("{}: {} rocks in {:.2f} s ({:.0f} rocks/s on {} {})\n", loaded.project.name, summary.done, outcome.seconds,
-             static_cast<double>(summary.done) / std::max(outcome.seconds, 1e-9), outcome.threads,
+  const std::uint64_t now = summary.done - result.done_before;
+  fmt::print("{}{}: {} rocks in {:.2f} s ({:.0f} rocks/s on {} {})\n", loaded.project.name, name_of(options, result),
+             now, outcome.seconds, static_cast<double>(now) / std::max(outcome.seconds, 1e-9), outcome.threads,
              outcome.threads == 1 ? "thread" : "threads");
-  for (int k = 0; k < end_reason_count; ++k) {
-    const auto count = summary.ends[static_cast<std::size_t>(k)];
-    if (count > 0) fmt::print("  {:<22}{:>10}\n", name(static_cast<EndReason>(k)), count);
+  if (result.done_before > 0) fmt::print("  with those done before {} rocks\n", summary.done);
+  std::vector<std::string> barriers;
+  for (const Barrier& barrier : loaded.model.barriers) barriers.push_back(barrier.name);
+  print_summary(summary, barriers);
+  if (!options.shard.empty()) {
+    fmt::print("The shard is in {}, for `talus merge`\n", folder.string());
+  } else {
+    fmt::print("Results are in {}{}\n", folder.string(),
+               loaded.project.output.report ? ", to look at: report.html" : "");
   }
-  const Descriptive way = summary.runout_plan.describe();
-  if (way.mean && way.maximum)
-    fmt::print("  runout on plan: mean {:.2f} m, greatest {:.2f} m\n", *way.mean, *way.maximum);
-  for (std::size_t b = 0; b < summary.barriers.size(); ++b) {
-    const BarrierTally& tally = summary.barriers[b];
-    const Descriptive energy = tally.total_energy.describe(), height = tally.height.describe();
-    fmt::print("  {}: {} rocks hit it, {} passed above", loaded.model.barriers[b].name, tally.rocks_hit,
-               tally.rocks_passed_above);
-    if (energy.maximum) fmt::print("; at most {:.1f} kJ, {:.2f} m high", *energy.maximum / 1000, *height.maximum);
-    fmt::print("\n");
-  }
-  fmt::print("Results are in {}{}\n", folder.string(), loaded.project.output.report ? ", to look at: report.html" : "");
+}
+
+std::optional<Shard> shard_of(const RunOptions& options) {
+  if (options.shard.empty()) return std::nullopt;
+  if (const auto shard = shard_from(options.shard)) return shard;
+  throw BadInput(Problem{.where = "--shard",
+                         .what = fmt::format("\"{}\" is no shard", options.shard),
+                         .why = "expected i/n with i from 1 to n",
+                         .hint = "For example --shard 2/7"});
+}
+
+/// Beside the project: its name, and which shard it is.
+std::filesystem::path default_folder(const Loaded& loaded, const std::optional<Shard>& shard) {
+  const std::filesystem::path folder = loaded.project.file.parent_path() / loaded.project.name;
+  if (!shard) return folder;
+  return folder.string() + fmt::format("-shard-{}-of-{}", shard->number, shard->of);
 }
 
 }  // namespace
 
 int run(const RunOptions& options) {
+  const std::optional<Shard> shard = shard_of(options);
   const Loaded loaded = load(options.project);
   print_warnings(loaded.warnings);
-  const std::filesystem::path folder =
-      options.folder.empty() ? options.project.file.parent_path() / loaded.project.name : options.folder;
+  const std::filesystem::path folder = options.folder.empty() ? default_folder(loaded, shard) : options.folder;
 
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
-  CampaignOptions campaign{options.threads, &stop_wanted, {}};
+  // A file that outgrows what the system allows is a write that fails, and is answered as such.
+  std::signal(SIGXFSZ, SIG_IGN);
+  project::RunOptions how{.campaign = {options.threads, &stop_wanted, {}},
+                          .shard = shard,
+                          .resume = options.resume,
+                          .checkpoint_every = options.checkpoint_every};
   std::optional<Progress> progress;
   if (!options.quiet) {
     if (!loaded.model.terrain_report.empty()) fmt::print("{}\n", loaded.model.terrain_report);
-    progress.emplace(loaded.model.rocks());
-    campaign.progress = [&](std::uint64_t done) { (*progress)(done); };
+    if (!loaded.model.seeder_report.empty()) fmt::print("{}\n", loaded.model.seeder_report);
+    const std::uint64_t all = loaded.model.rocks();
+    progress.emplace(shard ? rocks_of(*shard, all).count() : all);
+    how.campaign.progress = [&](std::uint64_t done) { (*progress)(done); };
+    how.say = [](const std::string& text) {
+      fmt::print("{}\n", text);
+      std::fflush(stdout);  // a log shows it while the rocks are thrown
+    };
   }
-  const project::RunResult result = project::run_into(folder, loaded.project, loaded.model, loaded.warnings, campaign);
+  const project::RunResult result = project::run_into(folder, loaded.project, loaded.model, loaded.warnings, how);
   progress.reset();
+  if (result.was_complete) {
+    if (!options.quiet) fmt::print("{} is already complete in {}\n", loaded.project.name, folder.string());
+    return done;
+  }
   print_warnings(result.warnings);
-  if (!options.quiet) print_outcome(loaded, result, folder);
+  if (!options.quiet) print_outcome(loaded, options, result, folder);
   if (result.outcome.interrupted) {
-    fmt::print(stderr, "stopped after {} of {} rocks; what is done is in {}\n", result.summary.done,
-               loaded.model.rocks(), folder.string());
+    fmt::print(stderr, "stopped after {} of {} rocks; what is done is in {}{}\n", result.summary.done,
+               result.range.count(), folder.string(),
+               options.checkpoint_every > 0 || shard ? ", and --resume goes on from there" : "");
     return stopped;
   }
   return done;

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 #include <filesystem>
+#include <memory>
+#include <vector>
 
 #include "talus/campaign/simulate.hpp"
 #include "talus/project/model.hpp"
@@ -58,6 +60,44 @@ TEST(Campaign, SummarisesTheSameBitsOnAnyNumberOfThreads) {
     EXPECT_EQ(d.median, seen[0].median);
     EXPECT_EQ(d.sum, seen[0].sum);
   }
+}
+
+// Ranges that together are all rocks, on other borders than those of blocks: each rock is seen once and in its order.
+TEST(Campaign, ThrowsTheRocksOfARange) {
+  struct Numbers : Observer {
+    struct Part : ObserverPart {
+      void see(const RockRecord& record, const RockLog&) override { rocks.push_back(record.rock); }
+      std::vector<std::uint64_t> rocks;
+    };
+    [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
+    [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override { return std::make_unique<Part>(); }
+    void commit(ObserverPart& part) override {
+      for (const std::uint64_t rock : static_cast<Part&>(part).rocks) rocks.push_back(rock);
+    }
+    std::vector<std::uint64_t> rocks;
+  };
+  const Model model = tutorial_model("2d", 2000);
+  Numbers seen;
+  Observer* const observers[] = {&seen};
+  for (const RockRange& range : {RockRange{0, 1}, RockRange{1, 1}, RockRange{1, 1500}, RockRange{1500, 2000}}) {
+    std::uint64_t reported = range.first;
+    CampaignOptions options{4, nullptr, [&](std::uint64_t done) { reported = done; }, range};
+    const CampaignOutcome outcome = run_campaign(model, observers, options);
+    EXPECT_EQ(outcome.done, range.last);
+    EXPECT_EQ(reported, range.last);
+    EXPECT_FALSE(outcome.interrupted);
+  }
+  ASSERT_EQ(seen.rocks.size(), 2000U);
+  for (std::uint64_t rock = 0; rock < 2000; ++rock) EXPECT_EQ(seen.rocks[rock], rock);
+}
+
+// What goes wrong while blocks are committed, a full disk for example, ends the campaign and reaches the caller.
+TEST(Campaign, EndsWithWhatProgressThrows) {
+  const Model model = tutorial_model("2d", 1'000'000'000);
+  const CampaignOptions options{2, nullptr, [](std::uint64_t done) {
+                                  if (done > 1000) throw BadInput(Problem{.what = "the disk is full"});
+                                }};
+  EXPECT_THROW((void)run_campaign(model, {}, options), BadInput);
 }
 
 TEST(Campaign, CountsEveryRockOnceAndLosesNone) {

@@ -23,7 +23,7 @@ std::map<std::string, std::string> contents(const Workplace& work, const std::st
   std::map<std::string, std::string> found;
   for (const auto& entry : std::filesystem::directory_iterator(work / folder)) {
     const std::string name = entry.path().filename();
-    found[name] = work.read(folder + "/" + name);
+    found[name] = entry.is_directory() ? "a folder" : work.read(folder + "/" + name);
   }
   return found;
 }
@@ -47,6 +47,71 @@ TEST(RunMaps, AreTheSameBytesOnAnyNumberOfThreads) {
     std::filesystem::remove_all(work / "two");
     std::filesystem::remove_all(work / "eight");
   }
+}
+
+/// A slope that falls along x, with two cliffs, of which one is the source of two seeders.
+const char* const two_cliffs = R"(
+[terrain]
+vertices = [[0, 0, 60], [200, 0, 0], [200, 100, 0], [0, 100, 60], [260, 0, 0], [260, 100, 0]]
+triangles = [[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2]]
+[[material]]
+name = "Rock"
+normal_restitution = { mean = 0.4, distribution = "normal", std_dev = 0.1 }
+friction_angle_deg = 33
+roughness_deg = 5
+[[seeder]]
+source = "Upper/\u00e4"
+position = [5, 20, "surface"]
+rocks = 300
+mass_kg = 1000
+horizontal_velocity_m_s = 5
+[[seeder]]
+source = "Lower"
+type = "line"
+points = [[60, 20, "surface"], [60, 90, "surface"]]
+rocks = 400
+mass_kg = 1000
+horizontal_velocity_m_s = 5
+[[seeder]]
+source = "Upper/\u00e4"
+position = [5, 70, "surface"]
+rocks = 300
+mass_kg = 1000
+horizontal_velocity_m_s = 5
+[output]
+raster_cell_m = 2
+report = false
+geopackage = "none"
+)";
+
+TEST(RunMaps, SplitBySourceLeaveThoseOfAllRocksAsTheyAre) {
+  if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
+  const Workplace work;
+  const std::string project = work.write("cliffs.toml", two_cliffs);
+  const auto run = [&](const std::string& folder, const std::string& settings) {
+    const Said said = talus_says("run " + project + " -q " + settings + " -o " + (work / folder).string());
+    EXPECT_EQ(said.exit_code, 0) << said.text;
+  };
+  run("whole", "");
+  run("split", "--set output.maps_by_source=true --threads 1");
+  EXPECT_FALSE(std::filesystem::exists(work / "whole/maps/by_source"));
+  auto whole = contents(work, "whole/maps"), split = contents(work, "split/maps");
+  EXPECT_EQ(split.size(), whole.size() + 1);
+  for (const auto& [name, bytes] : whole) EXPECT_TRUE(split[name] == bytes) << name;
+
+  EXPECT_EQ(work.read("split/maps/by_source/sources.csv"),
+            "folder,source,rocks\nUpper_ä,Upper/ä,600\nLower,Lower,400\n");
+  const auto upper = contents(work, "split/maps/by_source/Upper_ä"),
+             lower = contents(work, "split/maps/by_source/Lower");
+  EXPECT_EQ(upper.size(), whole.size());
+  EXPECT_EQ(lower.size(), whole.size());
+  EXPECT_FALSE(upper == lower);
+
+  run("eight", "--set output.maps_by_source=true --threads 8");
+  EXPECT_TRUE(contents(work, "eight/maps/by_source/Upper_ä") == upper);
+  EXPECT_TRUE(contents(work, "eight/maps/by_source/Lower") == lower);
+  run("split", "--set output.maps_by_source=false");
+  EXPECT_FALSE(std::filesystem::exists(work / "split/maps/by_source"));
 }
 
 TEST(RunMaps, OfAnEarlierRunDoNotStay) {

@@ -6,13 +6,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/program.hpp"
+#include "support/dice.hpp"
+#include "support/file_size_limit.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/io/map_style.hpp"
 
@@ -39,7 +44,8 @@ Maps two_rocks() {
   const std::vector<MapVisit> visits[] = {
       {visit({0, 0}, 10, 0, false), visit({1, 0}, 20, 3, false), visit({2, 1}, 30, 1, true)},
       {visit({2, 1}, 50, 2, false)}};
-  maps.add(2, visits);
+  const std::span<const MapVisit> lists[] = {visits[0], visits[1]};
+  maps.add(2, lists);
   return maps;
 }
 
@@ -135,7 +141,8 @@ TEST(MapFiles, LargeOnesHaveOverviewsInWhichATrackStaysVisible) {
   Maps maps(MapGrid({0, 0}, 1, {}));
   std::vector<MapVisit> track;
   for (std::int32_t k = 0; k < 1500; ++k) track.push_back({{k, k / 2}, {1, 1, 1, 1}, 0, false});
-  maps.add(1, std::span(&track, 1));
+  const std::span<const MapVisit> list(track);
+  maps.add(1, std::span(&list, 1));
   (void)write_maps(maps, {}, "", work / "maps");
   const Read read = read_back(work / "maps/velocity_max_m_s.tif");
   EXPECT_EQ(read.columns, 1500);
@@ -151,6 +158,127 @@ TEST(MapFiles, LargeOnesHaveOverviewsInWhichATrackStaysVisible) {
                             coarse.GetYSize(), GDT_Float64, 0, 0, nullptr),
             CE_None);
   EXPECT_GE(std::count(values.begin(), values.end(), 1.0), coarse.GetXSize());
+}
+
+/// All cells of a band, from north to south.
+std::vector<double> values_of(GDALRasterBand& band) {
+  std::vector<double> values(static_cast<std::size_t>(band.GetXSize()) * static_cast<std::size_t>(band.GetYSize()));
+  EXPECT_EQ(band.RasterIO(GF_Read, 0, 0, band.GetXSize(), band.GetYSize(), values.data(), band.GetXSize(),
+                          band.GetYSize(), GDT_Float64, 0, 0, nullptr),
+            CE_None);
+  return values;
+}
+
+// On 601 x 301 cells, which is odd on both sides at every level, with holes of every shape.
+TEST(MapFiles, AnOverviewHoldsTheGreatestOfItsFourCells) {
+  const Workplace work;
+  testing_tools::Dice dice(7);
+  Maps maps(MapGrid({0, 0}, 1, {}));
+  std::vector<MapVisit> visits{{{0, 0}, {1, 1, 1, 1}, 1, true}, {{600, 300}, {1, 1, 1, 1}, 1, true}};
+  for (int k = 0; k < 60'000; ++k) {
+    const auto value = static_cast<float>(dice.magnitude(1, 1e6));
+    visits.push_back({{static_cast<std::int32_t>(dice.below(601)), static_cast<std::int32_t>(dice.below(301))},
+                      {value, value, value, value},
+                      static_cast<std::uint32_t>(dice.below(3)),
+                      dice.chance(0.3)});
+  }
+  const std::span<const MapVisit> list(visits);
+  maps.add(visits.size(), std::span(&list, 1));
+  (void)write_maps(maps, percentiles, "", work / "maps");
+  for (const char* name : {"passages", "deposits", "impacts", "reach_share", "energy_total_max_J", "velocity_p50_m_s",
+                           "bounce_height_mean_m"}) {
+    const bool is_mean = std::string_view(name).find("mean") != std::string_view::npos;
+    const GDALDatasetUniquePtr raster(GDALDataset::Open((work / "maps" / name).replace_extension(".tif").c_str()));
+    ASSERT_TRUE(raster) << name;
+    GDALRasterBand* fine = raster->GetRasterBand(1);
+    const double no_data = fine->GetNoDataValue();
+    ASSERT_EQ(fine->GetOverviewCount(), 2) << name;
+    std::vector<double> cells = values_of(*fine);
+    for (int level = 0; level < 2; ++level) {
+      GDALRasterBand& coarse = *raster->GetRasterBand(1)->GetOverview(level);
+      EXPECT_EQ(coarse.GetXSize(), (fine->GetXSize() + 1) / 2);
+      EXPECT_EQ(coarse.GetYSize(), (fine->GetYSize() + 1) / 2);
+      EXPECT_EQ(coarse.GetNoDataValue(), no_data);
+      const std::vector<double> found = values_of(coarse);
+      std::size_t wrong = 0, empty = 0;
+      for (int row = 0; row < coarse.GetYSize(); ++row) {
+        for (int column = 0; column < coarse.GetXSize(); ++column) {
+          std::vector<double> four;
+          for (const int j : {2 * row, 2 * row + 1}) {
+            for (const int i : {2 * column, 2 * column + 1}) {
+              if (i >= fine->GetXSize() || j >= fine->GetYSize()) continue;
+              const double value = cells[static_cast<std::size_t>(j * fine->GetXSize() + i)];
+              if (value != no_data) four.push_back(value);
+            }
+          }
+          double expected = no_data;
+          if (!four.empty()) {
+            expected = is_mean ? std::accumulate(four.begin(), four.end(), 0.0) / static_cast<double>(four.size())
+                               : *std::max_element(four.begin(), four.end());
+          }
+          const double value = found[static_cast<std::size_t>(row * coarse.GetXSize() + column)];
+          wrong += std::abs(value - expected) > 1e-6 * std::abs(expected);
+          empty += four.empty();
+        }
+      }
+      EXPECT_EQ(wrong, 0U) << name << ", overview " << level;
+      EXPECT_TRUE(level > 0 || empty > 100) << name;  // so that holes are looked at
+      fine = &coarse;
+      cells = found;
+    }
+  }
+}
+
+TEST(MapFiles, WhereNoRockWasTheyTakeNoRoom) {
+  const Workplace work;
+  Maps maps(MapGrid({0, 0}, 1, {}));
+  const std::vector<MapVisit> far_apart{{{0, 0}, {1, 1, 1, 1}, 0, false}, {{6'000, 4'000}, {9, 9, 9, 9}, 0, false}};
+  const std::span<const MapVisit> list(far_apart);
+  maps.add(1, std::span(&list, 1));
+  (void)write_maps(maps, {}, "", work / "maps");
+  const auto file = work / "maps/energy_total_max_J.tif";
+  EXPECT_LT(std::filesystem::file_size(file), 20'000U);  // of 24 million cells
+  const GDALDatasetUniquePtr raster(GDALDataset::Open(file.c_str()));
+  GDALRasterBand& smallest = *raster->GetRasterBand(1)->GetOverview(raster->GetRasterBand(1)->GetOverviewCount() - 1);
+  const std::vector<double> values = values_of(smallest);
+  EXPECT_EQ(std::count(values.begin(), values.end(), -9999), static_cast<std::ptrdiff_t>(values.size()) - 2);
+  EXPECT_EQ(values[static_cast<std::size_t>(smallest.GetXSize()) - 1], 9);
+}
+
+TEST(MapFiles, LieOnTheCellsOfARasterThatAreNoSquares) {
+  const Workplace work;
+  Maps maps(MapGrid::around_nodes({100.5, 201}, {1, 2}, {{2'600'000, 1'200'000, 0}}));
+  const std::vector<MapVisit> visits{{{0, 0}, {1, 1, 1, 1}, 0, false}, {{3, 1}, {2, 2, 2, 2}, 0, false}};
+  const std::span<const MapVisit> list(visits);
+  maps.add(1, std::span(&list, 1));
+  (void)write_maps(maps, {}, "", work / "maps");
+  const Read read = read_back(work / "maps/velocity_max_m_s.tif");
+  EXPECT_EQ(read.geotransform, (std::array<double, 6>{2'600'100, 1, 0, 1'200'204, 0, -2}));
+  EXPECT_EQ(read.values, (std::vector<double>{-9999, -9999, -9999, 2, 1, -9999, -9999, -9999}));
+}
+
+TEST(MapFiles, AFullDiskIsRefusedAndNothingHalfWrittenStays) {
+  const Workplace work;
+  Maps maps(MapGrid({0, 0}, 1, {}));
+  testing_tools::Dice dice(8);
+  std::vector<MapVisit> visits;
+  for (std::int32_t k = 0; k < 250'000; ++k) {
+    const auto value = static_cast<float>(dice.magnitude(1, 1e6));
+    visits.push_back({{k % 500, k / 500}, {value, value, value, value}, 0, false});
+  }
+  const std::span<const MapVisit> list(visits);
+  maps.add(1, std::span(&list, 1));
+  try {
+    const testing_tools::FileSizeLimit limit(65536);
+    (void)write_maps(maps, {}, "", work / "maps");
+    ADD_FAILURE() << "was written";
+  } catch (const BadInput& bad) {
+    const std::string text = bad.what();
+    EXPECT_NE(text.find(": cannot write this map (GDAL: "), std::string::npos) << text;
+    EXPECT_NE(text.find("). Free some space, or choose another output folder with -o"), std::string::npos) << text;
+  }
+  for (const std::string& file : files_in(work / "maps")) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
+  EXPECT_FALSE(files_in(work / "maps").contains("energy_total_max_J.tif"));
 }
 
 TEST(MapFiles, WithoutARockThereAreNone) {

@@ -295,7 +295,8 @@ section = [[0, 0], [10, -10], [20, -10]]
      "slope.toml: [terrain] is missing (a project needs it)"},
     {"TerrainEmpty",
      {{"section = [[0, 0], [10, -10], [20, -10]]", ""}},
-     "slope.toml:6: [terrain]: there is no terrain (expected one of section, mesh, triangles and raster)"},
+     "slope.toml:6: [terrain]: there is no terrain (expected one of section, mesh, triangles, raster, "
+     "points, lines, polylines and polygons)"},
     {"SectionAndMesh",
      {{"section = [[0, 0], [10, -10], [20, -10]]",
        R"(section = [[0, 0], [10, -10], [20, -10]]
@@ -565,10 +566,8 @@ triangles = [[0, 1, 2]])"},
        R"(default = "Rock"
 polygons = "ground.gpkg"
 attribute = "material")"}},
-     "slope.toml:20: [ground]: polygons is not read by this version (materials from polygons on "
-     "plan will come later). Use default, segments, triangles or raster\n"
-     "slope.toml:21: [ground]: attribute is not read by this version (materials from polygons "
-     "on plan will come later). Use default, segments, triangles or raster"},
+     "slope.toml:20: [ground]: polygons is given for a section (a section has segments). Use "
+     "segments, with one name for each segment"},
     {"SeederMissing",
      {{R"([[seeder]]
 name = "Crest"
@@ -582,8 +581,8 @@ mass_kg = 1000
      {{"position = [1, 5]",
        R"(type = "polygon"
 position = [1, 5])"}},
-     "slope.toml:23: seeder \"Crest\": type is \"polygon\" (this version does not read it yet; "
-     "expected \"point\" or \"line\")"},
+     "slope.toml:23: seeder \"Crest\": type is \"polygon\" in 2D (a section has no area). Use a "
+     "point or a line, or give terrain.width_m for 3D"},
     {"SeederWithoutPosition",
      {{R"(position = [1, 5]
 )",
@@ -756,6 +755,28 @@ paths = -1
 
 [terrain])"}},
      "slope.toml:7: [output]: paths is -1 (expected 0 to 1000000000000)"},
+    {"GeoPackageInWords",
+     {{"[terrain]",
+       R"([output]
+geopackage = true
+
+[terrain])"}},
+     "slope.toml:7: [output]: geopackage is true (expected \"all\", \"none\" or a number of rocks)"},
+    {"MapCellsInWords",
+     {{"[terrain]",
+       R"([output]
+raster_cell_m = "fine"
+
+[terrain])"}},
+     "slope.toml:7: [output]: raster_cell_m is \"fine\" (expected a number or \"terrain\")"},
+    {"MapCellsOfATerrainWithoutCells",
+     {{"[terrain]",
+       R"([output]
+raster_cell_m = "terrain"
+
+[terrain])"}},
+     "slope.toml:7: [output]: raster_cell_m is \"terrain\" (the terrain is no raster, so it has no cells). Give the "
+     "side of a cell in metres"},
     {"NameIsAFolder",
      {{R"(name = "Slope")", R"(name = "../Slope")"}},
      "slope.toml:1: name is \"../Slope\" (the folder of the results is called by it). Use a name "
@@ -814,6 +835,41 @@ raster_cell_m = 1.0
 
 [terrain])"}},
      "slope.toml:7: warning: [output]: maps has no effect (a section has no area to map). Give terrain.width_m for 3D"},
+    {"GeoPackageOfASection",
+     {{"[terrain]",
+       R"([output]
+geopackage = 500
+
+[terrain])"}},
+     "slope.toml:7: warning: [output]: geopackage has no effect (a section lies nowhere on a map). Give "
+     "terrain.width_m for 3D"},
+    {"MapsBySourceOfASection",
+     {{"[terrain]",
+       R"([output]
+maps_by_source = true
+
+[terrain])"}},
+     "slope.toml:7: warning: [output]: maps_by_source has no effect (a section has no area to map). Give "
+     "terrain.width_m for 3D"},
+    {"MapsBySourceWithoutMaps",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", "section = [[0, 0], [10, -10], [20, -10]]\nwidth_m = 20"},
+      {"position = [1, 5]", "position = [1, 10, 5]"},
+      {"line = 15", "line = [[15, 0], [15, 20]]"},
+      {"[terrain]",
+       R"([output]
+maps = false
+maps_by_source = true
+
+[terrain])"}},
+     "slope.toml:8: warning: [output]: maps_by_source has no effect (maps is false). Let maps be true"},
+    {"VtkWithoutPaths",
+     {{"[terrain]",
+       R"([output]
+paths = "none"
+vtk = true
+
+[terrain])"}},
+     "slope.toml:8: warning: [output]: vtk has no effect (paths is \"none\"). Let paths be a number of rocks"},
     {"FrictionAngleInRadians",
      {{"friction_angle_deg = 30", "friction_angle_deg = 0.5236"}},
      "slope.toml:12: warning: material \"Rock\": friction_angle_deg is 0.5236 (this is an angle "

@@ -208,7 +208,7 @@ TEST_F(RasterProject, AGroundOfTooManyMaterialsIsRefused) {
   std::string many;
   for (int k = 0; k < 255; ++k) many += fmt::format("[[material]]\nname = \"{}\"\n", k);
   EXPECT_EQ(refusal(terrain_raster + rest + many + from_classes),
-            "slope.toml: [ground]: raster is given with 257 materials (a ground from a raster has at most 256)");
+            "slope.toml: [ground]: raster is given with 257 materials (a ground from a file has at most 255)");
 }
 
 TEST_F(RasterProject, WhatIsWrongWithAFileAndWithTheSeedersIsToldTogether) {

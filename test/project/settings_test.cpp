@@ -106,8 +106,13 @@ rotate_deg = 30
 rotate_about = [0, 25, 0]
 [[material]]
 name = "Rock"
+forest_drag_kg_s = 400
+forest_height_m = 12
 [[material]]
 name = "Talus"
+forest = "dense"
+forest_height_m = 20
+ground_drag_per_s = 0.5
 [ground]
 triangles = [1]
 [[seeder]]
@@ -125,8 +130,11 @@ height_m = 3.5
 [output]
 paths = "none"
 maps = false
+maps_by_source = true
 raster_cell_m = 2.5
 percentiles = [25, 99.9]
+geopackage = "all"
+vtk = true
 )";
 
 constexpr const char* mesh_file = R"(
@@ -164,9 +172,96 @@ classes = { 1 = "Rock", -2 = "Scree" }
 [[seeder]]
 position = [1, 1, 5]
 mass_kg = 10
+[output]
+raster_cell_m = "terrain"
 )";
 
-const std::vector<const char*> samples{in_2d, inline_mesh, mesh_file, raster_file, extruded};
+constexpr const char* survey = R"(
+[terrain]
+points = "ground.las"
+point_classes = [2, 8]
+points_layer = "spots"
+lines = "lines.gpkg"
+lines_layer = "contours"
+elevation_attribute = "elev"
+boundary = "area.gpkg"
+boundary_layer = "slope"
+max_edge_m = 25
+remove_spikes_m = 4
+crs = "EPSG:31287"
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, 1, 5]
+mass_kg = 10
+)";
+
+constexpr const char* inline_polylines = R"(
+[terrain]
+polylines = [[[0, 0, 0], [10, 0, -5], [0, 10, 0.5], [0, 0, 0]]]
+merge_tolerance_m = 0.5
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, 1, 5]
+mass_kg = 10
+)";
+
+constexpr const char* polygon_file = R"(
+[terrain]
+polygons = "faces.dxf"
+polygons_layer = "entities"
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, 1, 5]
+mass_kg = 10
+)";
+
+constexpr const char* from_gis = R"(
+[terrain]
+mesh = "bowl.obj"
+[[material]]
+name = "Rock"
+like = "bedrock_outcrops"
+[[material]]
+name = "Scree"
+[ground]
+polygons = "ground.gpkg"
+layer = "2024"
+attribute = "kind"
+values = { Fels = "Rock", "Schutt, grob" = "Scree" }
+[[seeder]]
+type = "line"
+source = "north face"
+lines = "cliff.gpkg"
+layer = "edges"
+source_attribute = "name"
+mass_kg = 10
+[[seeder]]
+type = "polygon"
+polygons = "cliffs.gpkg"
+min_slope_deg = 45
+cell_m = 5
+rocks_per_cell = 3
+place = "centre"
+mass_kg = 10
+[[seeder]]
+type = "polygon"
+polygon = [[0, 0], [10, 0], [10, 10.5]]
+cell_m = 5
+mass_kg = 10
+[[seeder]]
+type = "raster"
+max_slope_deg = 60.5
+mask = "release.tif"
+mask_value = -2
+cell_m = 2.5
+mass_kg = 10
+)";
+
+const std::vector<const char*> samples{survey,    inline_polylines, polygon_file, in_2d,   inline_mesh,
+                                       mesh_file, raster_file,      from_gis,     extruded};
 
 Json as_json(const char* toml_text) {
   const toml::table parsed = toml::parse(std::string_view(toml_text));
@@ -182,7 +277,9 @@ std::string as_toml(const Json& value) {
   std::string out;
   if (value == "inf") return "inf";
   if (value.is_object()) {
-    for (const auto& [key, item] : value.items()) out += (out.empty() ? "" : ", ") + key + " = " + as_toml(item);
+    for (const auto& [key, item] : value.items()) {
+      out += (out.empty() ? "" : ", ") + Json(key).dump() + " = " + as_toml(item);
+    }
     return "{ " + out + " }";
   }
   if (value.is_array()) {
@@ -293,8 +390,9 @@ TEST(Settings, EveryKeyIsDocumented) {
 TEST(Settings, UnitsAgreeWithTheNamesOfTheKeys) {
   // The ending of a key and the unit that it stands for; longer endings first.
   const std::vector<std::pair<std::string, std::string>> endings{
-      {"_kg_m3", "kg/m3"}, {"_deg_s", "deg/s"}, {"_m_s2", "m/s2"}, {"_m_s", "m/s"}, {"_deg", "deg"},
-      {"_kg", "kg"},       {"_kJ", "kJ"},       {"_m3", "m3"},     {"_m", "m"},     {"_s", "s"}};
+      {"_kg_m3", "kg/m3"}, {"_deg_s", "deg/s"}, {"_m_s2", "m/s2"}, {"_m_s", "m/s"},
+      {"_kg_s", "kg/s"},   {"_per_s", "1/s"},   {"_deg", "deg"},   {"_kg", "kg"},
+      {"_kJ", "kJ"},       {"_m3", "m3"},       {"_m", "m"},       {"_s", "s"}};
   for (const Table& table : tables()) {
     for (const Setting& setting : table.settings) {
       for (const auto& [ending, unit] : endings) {

@@ -41,6 +41,21 @@ TEST(MapGrid, HasItsBordersAtMultiplesOfTheCellInTheUsersCoordinates) {
   EXPECT_EQ(grid.origin().x(), grid.border(0, 0) + frame.origin.x());
 }
 
+TEST(MapGrid, OfARasterHasItsNodesInTheMiddleOfItsCells) {
+  LocalFrame frame;
+  frame.origin = {2600 * 1024.0, -1024, 0};
+  const MapGrid grid = MapGrid::around_nodes({-311.25, 7.5}, {2.5, 5}, frame);
+  EXPECT_EQ(grid.origin(), Vec2(2600 * 1024.0 - 312.5, -1024 + 5));
+  for (const int column : {0, 1, 7}) {
+    for (const int row : {0, 1, 9}) {
+      EXPECT_EQ(grid.cell_at({-311.25 + 2.5 * column, 7.5 + 5 * row, 0}), (MapCell{column, row}));
+    }
+  }
+  EXPECT_EQ(grid.cell_at({-312.5, 5, 0}), (MapCell{0, 0}));
+  EXPECT_EQ(grid.cell_at({-312.51, 4.99, 0}), (MapCell{-1, -1}));
+  EXPECT_FALSE(grid == MapGrid::around_nodes({-311.25, 7.5}, {2.5, 2.5}, frame));
+}
+
 TEST(MapGrid, ACellHoldsItsLowerBordersOnly) {
   const MapGrid grid({10, 20}, 0.5, {});
   EXPECT_EQ(grid.cell_at({10, 20, 0}), (MapCell{0, 0}));
@@ -93,7 +108,9 @@ TEST(MapWalk, AgreesWithLookingEverywhere) {
   for (int trial = 0; trial < 3000; ++trial) {
     LocalFrame frame;
     if (trial % 2 == 0) frame.origin = {2'600'960, 1'199'104, 0};
-    const MapGrid grid = MapGrid::at_multiples(dice.magnitude(0.1, 10), frame, Vec2(dice.between(-40, 0), -20));
+    const Vec2 low(dice.between(-40, 0), -20), sides(dice.magnitude(0.1, 10), dice.magnitude(0.1, 10));
+    const MapGrid grid =
+        trial % 3 == 0 ? MapGrid::around_nodes(low, sides, frame) : MapGrid::at_multiples(sides.x(), frame, low);
     const bool flies = dice.chance(0.4);
     Vec3 v = dice.in_cube(8), a = flies ? Vec3(0, 0, -9.81) : Vec3(dice.in_cube(6));
     if (dice.chance(0.1)) v.setZero();

@@ -274,6 +274,46 @@ TEST(Maps, DoNotDependOnHowTheRocksAreSplit) {
   }
 }
 
+TEST(Maps, SplitBySourceAddUpToThoseOfAllRocks) {
+  Dice dice(37);
+  std::vector<Seen> rocks = random_rocks(dice, 600);
+  constexpr std::uint32_t sources = 4;
+  // In long rows, as seeders give them, and in any order.
+  for (std::uint32_t k = 0; k < rocks.size(); ++k) {
+    const auto any = static_cast<std::uint32_t>(dice.below(sources - 1));
+    rocks[k].record.source = SourceId{k < 300 ? k / 150 : any};
+  }
+  MapObserver split(unit_grid, RockModel::lumped_mass, flat_ground, sources);
+  for (std::size_t first = 0; first < rocks.size(); first += 100) {
+    const auto part = split.new_part();
+    for (std::size_t k = first; k < first + 100; ++k) part->see(rocks[k].record, rocks[k].log);
+    split.commit(*part);
+    EXPECT_EQ(split.maps().rocks(), first + 100);  // asked for in between, too
+  }
+  EXPECT_TRUE(are_same(split.maps(), maps_of(rocks)));
+  ASSERT_EQ(split.by_source().size(), sources);
+  for (std::uint32_t source = 0; source < sources; ++source) {
+    std::vector<Seen> own;
+    for (const Seen& seen : rocks) {
+      if (seen.record.source.index == source) own.push_back(seen);
+    }
+    EXPECT_TRUE(are_same(split.by_source()[source], maps_of(own))) << source;
+  }
+  EXPECT_EQ(split.by_source()[3].rocks(), 0U);
+  EXPECT_FALSE(are_same(split.by_source()[0], split.by_source()[1]));  // the comparison can fail
+}
+
+TEST(Maps, NotSplitHaveNoSources) {
+  MapObserver whole(unit_grid, RockModel::lumped_mass, flat_ground);
+  const auto part = whole.new_part();
+  Seen seen = rock_of({flight({0.5, 0.5, 1}, {1, 0, 0}, 1)});
+  seen.record.source = SourceId{7};
+  part->see(seen.record, seen.log);
+  whole.commit(*part);
+  EXPECT_TRUE(whole.by_source().empty());
+  EXPECT_EQ(whole.maps().rocks(), 1U);
+}
+
 TEST(Maps, TheirExtentIsWhatRocksTouched) {
   EXPECT_FALSE(Maps(unit_grid).extent());
   const Maps maps =

@@ -18,46 +18,26 @@ using namespace testing_tools;
 
 Seeder point_seeder() {
   Seeder seeder;
-  seeder.points = {{1, 2, 3}};
+  seeder.where = Vec3(1, 2, 3);
   seeder.size = Sampler(1000.0);
   seeder.density = Sampler(2700.0);
   return seeder;
 }
 
 Release release_of(const Seeder& seeder, std::uint64_t rock = 0) {
-  return release_at(seeder, seeder.points.front(), Draws(SamplingPlan{}, rock));
+  return release_at(seeder, std::get<Vec3>(seeder.where), Draws(SamplingPlan{}, rock));
 }
 
 // ---- where ----
 
-TEST(PlaceOn, APointIsThePoint) {
-  const Seeder seeder = point_seeder();
-  for (const double u : {1e-16, 0.3, 1 - 1e-16}) EXPECT_EQ(place_on(seeder, u), Vec3(1, 2, 3));
-}
-
-TEST(PlaceOn, ALineHasEqualChancesPerMetre) {
+TEST(PlaceOf, APointIsThePoint) {
   Seeder seeder = point_seeder();
-  seeder.points = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 3, 0}};  // one metre, nothing, three metres
-  EXPECT_LT((place_on(seeder, 0.125) - Vec3(0.5, 0, 0)).norm(), 1e-15);
-  EXPECT_LT((place_on(seeder, 0.25) - Vec3(1, 0, 0)).norm(), 1e-15);
-  EXPECT_LT((place_on(seeder, 0.5) - Vec3(1, 1, 0)).norm(), 1e-15);
-  EXPECT_LT((place_on(seeder, 1 - 1e-16) - Vec3(1, 3, 0)).norm(), 1e-12);
-}
-
-TEST(PlaceOn, EqualPartsOfALineAreEquallyLong) {
-  Seeder seeder = point_seeder();
-  seeder.points = {{0, 0, 10}, {4, 0, 7}, {4, 12, 2}, {-3, 12, 2}};
-  const double length = 5 + 13 + 7;
-  double travelled = 0;
-  Vec3 previous = place_on(seeder, 1e-9);
-  for (int k = 1; k <= 5000; ++k) {
-    const Vec3 here = place_on(seeder, std::min(k / 5000.0, 1 - 1e-16));
-    const double step = (here - previous).norm();
-    ASSERT_LE(step, length / 5000 + 1e-9);  // shorter only where it cuts a corner
-    travelled += step;
-    previous = here;
+  seeder.source = SourceId{4};
+  for (const std::uint64_t rock : {0, 1, 2}) {
+    const ReleasePlace place = place_of(seeder, Draws(SamplingPlan{}, rock));
+    EXPECT_EQ(place.point, Vec3(1, 2, 3));
+    EXPECT_EQ(place.source, SourceId{4});
   }
-  EXPECT_NEAR(travelled, length, 2 * length / 5000);
 }
 
 // ---- how large ----

@@ -1,10 +1,16 @@
 #include "talus/barriers/barrier.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "talus/impact/plain.hpp"
 
 namespace talus {
+
+namespace {
+constexpr double by_rounding = 1e-6;  // by which ranges are widened [m]
+}
 
 const char* name(BarrierOutcome outcome) {
   switch (outcome) {
@@ -22,6 +28,7 @@ const char* name(BarrierOutcome outcome) {
 
 std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination) {
   std::vector<Panel> panels;
+  double station = 0;
   for (std::size_t k = 0; k + 1 < foot.size(); ++k) {
     const Vec3 d = foot[k + 1] - foot[k];
     const Vec3 plan = Vec3(d.x(), d.y(), 0).normalized();
@@ -33,30 +40,36 @@ std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double
     panel.up = std::cos(inclination) * Vec3::UnitZ() + std::sin(inclination) * right;
     panel.normal = panel.along.cross(panel.up).normalized();
     panel.height = height;
+    panel.station = station;
+    panel.plan_length = std::hypot(d.x(), d.y());
+    station += panel.plan_length;
     panels.push_back(panel);
   }
   return panels;
 }
 
-PlanBounds plan_bounds(std::span<const Panel> panels) {
+void Barrier::stand(std::vector<Panel> panels) {
   constexpr double above = 1e4;  // [m]
-  PlanBounds bounds;
-  std::swap(bounds.low, bounds.high);  // nothing yet
-  for (const Panel& panel : panels) {
+  panels_ = std::move(panels);
+  std::vector<PlanBounds> bounds(panels_.size());
+  for (std::size_t k = 0; k < panels_.size(); ++k) {
+    const Panel& panel = panels_[k];
     for (const double along : {0.0, panel.length}) {
       for (const double up : {0.0, panel.height + above}) {
-        const Vec3 corner = panel.foot + along * panel.along + up * panel.up;
-        bounds.low = bounds.low.cwiseMin(corner.head<2>());
-        bounds.high = bounds.high.cwiseMax(corner.head<2>());
+        bounds[k].grow(Vec2((panel.foot + along * panel.along + up * panel.up).head<2>()));
       }
     }
   }
-  return bounds;
+  on_plan_ = PlanIndex(bounds);
+}
+
+double free_way(std::span<const Barrier> barriers, const Vec3& p, double radius) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Barrier& barrier : barriers) nearest = barrier.on_plan().distance(p.head<2>(), nearest);
+  return std::max(0.0, nearest - radius - by_rounding);
 }
 
 namespace {
-
-constexpr double by_rounding = 1e-6;  // by which ranges are widened [m]
 
 // A range that holds p + v t + a t^2 / 2 for all t in [0, t_max], widened by `margin`.
 struct Range {
@@ -105,12 +118,12 @@ std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const 
       y(path.p.y(), path.v.y(), path.a.y(), t_max, margin);
   const PlanBounds passed{{x.low, y.low}, {x.high, y.high}};
   for (std::uint32_t b = 0; b < barriers.size(); ++b) {
-    if (!barriers[b].bounds.meet(passed)) continue;
-    for (const Panel& panel : barriers[b].panels) {
+    barriers[b].on_plan().visit(passed, [&](std::size_t k) {
+      const Panel& panel = barriers[b].panels()[k];
       const double h0 = panel.normal.dot(path.p - panel.foot);
       const double v = panel.normal.dot(path.v), a = panel.normal.dot(path.a);
       const Range distance(h0, v, a, t_max, margin);
-      if (distance.low > 0 || distance.high < 0) continue;
+      if (distance.low > 0 || distance.high < 0) return;
       // From either side, the side being where the rock comes from at that time.
       for (const double side : {1.0, -1.0}) {
         const Times times = zeros(h0 - side * radius, v, a);
@@ -131,10 +144,11 @@ std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const 
                            above ? place.up - panel.height - radius : 0,
                            side * panel.normal,
                            panel.up,
-                           above};
+                           above,
+                           panel.station + place.along / panel.length * panel.plan_length};
         }
       }
-    }
+    });
   }
   return first;
 }

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "talus/barriers/plan_index.hpp"
 #include "talus/core/id.hpp"
 #include "talus/flight/parabola.hpp"
 #include "talus/impact/restitution.hpp"
@@ -22,37 +23,38 @@
 namespace talus {
 
 struct Panel {
-  Vec3 foot;          // one end of its foot
-  Vec3 along;         // unit, along the foot
-  double length = 0;  // of the foot [m]
-  Vec3 up;            // unit, up the face
-  Vec3 normal;        // unit, across the face
-  double height = 0;  // [m]
+  Vec3 foot;                            // one end of its foot
+  Vec3 along;                           // unit, along the foot
+  double length = 0;                    // of the foot [m]
+  Vec3 up;                              // unit, up the face
+  Vec3 normal;                          // unit, across the face
+  double height = 0;                    // [m]
+  double station = 0, plan_length = 0;  // where its foot begins along the line, and how long it is, on plan [m]
 };
 
-/// A rectangle on plan [m]; everywhere, unless it is set.
-struct PlanBounds {
-  Vec2 low = Vec2::Constant(-1e300), high = Vec2::Constant(1e300);
-  [[nodiscard]] bool meet(const PlanBounds& other) const {
-    return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
-  }
-};
-
-struct Barrier {
+class Barrier {
+ public:
   std::string name;
-  bool is_collector = false;  // it records and does not touch
-  std::vector<Panel> panels;
-  PlanBounds bounds;                       // what plan_bounds(panels) says, to pass by quickly
+  bool is_collector = false;               // it records and does not touch
   double capacity = 0;                     // kinetic energy that it can take [J]; may be infinite
   std::optional<Restitution> restitution;  // of what rebounds; without it, what is stopped stays
+
+  void stand(std::vector<Panel> panels);
+  [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
+  /// Where on plan each panel can be met, or passed above by up to 10 km.
+  [[nodiscard]] const PlanIndex& on_plan() const { return on_plan_; }
+
+ private:
+  std::vector<Panel> panels_;
+  PlanIndex on_plan_;
 };
 
 /// Panels over the bends of a foot line. `inclination` leans the face from the vertical [rad], positive to the right of
 /// the line's direction on plan: a right-handed turn about the line.
 [[nodiscard]] std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination);
 
-/// Where on plan panels can be met, or passed above by up to 10 km.
-[[nodiscard]] PlanBounds plan_bounds(std::span<const Panel> panels);
+/// How far on plan [m] a rock may go from `p` before any of it can be at or above a barrier; infinite without barriers.
+[[nodiscard]] double free_way(std::span<const Barrier> barriers, const Vec3& p, double radius);
 
 /// What becomes of a rock at a barrier.
 enum class BarrierOutcome { stopped, rebounded, broke_through, passed };
@@ -66,6 +68,7 @@ struct BarrierHit {
   double height = 0;  // of the contact point above the foot, along the face [m]
   double angle = 0;   // between the velocity and the face's normal, positive towards the foot [rad]
   BarrierOutcome outcome = BarrierOutcome::passed;
+  double station = 0;  // where along the line, on plan [m]
 };
 
 /// A rock crosses the plane of a barrier on a part of its path.
@@ -77,6 +80,7 @@ struct Crossing {
   Vec3 normal;           // across the face, against the rock
   Vec3 up;               // along the face
   bool above = false;
+  double station = 0;  // where along the line, on plan [m]
 };
 
 /// Crossings this close in time [s] are one: what one part of a path ends with, the next one does not begin with.
@@ -92,6 +96,14 @@ class RecentCrossings {
       if (noted_barrier == barrier && std::abs(time - noted_time) < same_crossing) return true;
     }
     return false;
+  }
+  /// Where times since `start` were noted on another clock, gives them the rock's: `time(t)` is how long it is from
+  /// `start` until t on that clock.
+  template <class Time>
+  void retime(double start, Time&& time) {
+    for (Noted& noted : noted_) {
+      if (noted.time >= start) noted.time = start + time(noted.time - start);
+    }
   }
 
  private:

@@ -35,18 +35,19 @@ CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> obse
 
   CampaignOutcome outcome;
   outcome.threads = threads;
-  const std::uint64_t total = model.rocks();
-  std::uint64_t next = 0;
+  const RockRange range = options.rocks.value_or(RockRange{0, model.rocks()});
+  std::uint64_t next = outcome.done = range.first;
   using BlockPointer = std::shared_ptr<Block>;
   const auto hand_out = [&](tbb::flow_control& control) -> BlockPointer {
-    if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed)) outcome.interrupted = next < total;
-    if (outcome.interrupted || next == total) {
+    if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed))
+      outcome.interrupted = next < range.last;
+    if (outcome.interrupted || next == range.last) {
       control.stop();
       return nullptr;
     }
     auto block = std::make_shared<Block>();
     block->first = next;
-    block->last = next = std::min(total, next + rocks_a_block);
+    block->last = next = std::min(range.last, next + rocks_a_block);
     return block;
   };
   const auto compute = [&](BlockPointer block) {

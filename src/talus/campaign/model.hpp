@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -28,13 +29,15 @@ struct Model {
   LocalFrame frame;
   std::string crs_wkt;         // of the user's coordinates; empty: not known
   std::string terrain_report;  // what mending the mesh found and did, for the user
+  std::string seeder_report;   // from where seeders on lines and cells start rocks, a line each, for the user
   Ground ground;
   std::vector<Barrier> barriers;
   Laws laws;
   std::uint64_t seed = 1;
   SamplingMethod sampling = SamplingMethod::monte_carlo;
   std::vector<Seeder> seeders;
-  double energy_datum = 0;  // z at which potential energy is zero, the user's [m]
+  std::vector<std::string> sources;  // the names that a SourceId stands for, each once
+  double energy_datum = 0;           // z at which potential energy is zero, the user's [m]
 
   [[nodiscard]] std::uint64_t rocks() const {
     return seeders.empty() ? 0 : seeders.back().first_rock + seeders.back().rocks;

@@ -40,9 +40,16 @@ RockRecord Simulator::simulate_on(const Surface& surface, std::uint64_t rock) {
   RockRecord record;
   record.rock = rock;
   record.seeder = SeederId{static_cast<std::uint32_t>(&seeder - model_.seeders.data())};
-  Vec3 place = place_on(seeder, seeder.points.size() > 1 ? draws.one(Stream::release_position) : 0.5);
+  const ReleasePlace start = place_of(seeder, draws);
+  record.source = start.source;
+  Vec3 place = start.point;
   if (seeder.above_surface) {
-    place.z() = surface.elevation(place.x(), place.y()).value_or(place.z()) + *seeder.above_surface;
+    auto z = surface.elevation(place.x(), place.y());
+    if (!z && start.middle) {
+      place.head(2) = *start.middle;
+      z = surface.elevation(place.x(), place.y());
+    }
+    place.z() = z.value_or(place.z()) + *seeder.above_surface;
   }
   Release release = release_at(seeder, place, draws);
   const double reach = model_.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0;

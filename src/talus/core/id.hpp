@@ -15,6 +15,7 @@ struct Id {
 using FacetId = Id<struct FacetTag>;
 using MaterialId = Id<struct MaterialTag>;
 using SeederId = Id<struct SeederTag>;
+using SourceId = Id<struct SourceTag>;
 using BarrierId = Id<struct BarrierTag>;
 
 }  // namespace talus

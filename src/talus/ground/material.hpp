@@ -1,6 +1,7 @@
 #pragma once
 // What the ground is made of: its random properties, and which facet has which material.
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,8 +22,12 @@ struct Material {
   double roughness_amplitude = 0;  // standard deviation of their heights [m]
   Sampler dynamic_friction;        // mu, rigid sphere
   Sampler rolling_friction;        // mu_r, rigid sphere
+  double forest_drag = 0;          // b of the force -b v among its trees [kg/s]; 0: no forest
+  double forest_height = 0;        // up to which the forest brakes, above the ground [m]
+  double ground_drag = 0;          // of a rock that slides or rolls on it, over mass and velocity [1/s]
 
   [[nodiscard]] bool is_rough() const { return !roughness.is_constant() || is_bumpy(); }
+  [[nodiscard]] bool has_forest() const { return forest_drag > 0 && forest_height > 0; }
   [[nodiscard]] bool is_bumpy() const { return roughness_spacing > 0 && roughness_amplitude > 0; }
 };
 
@@ -48,6 +53,9 @@ class Ground {
   }
   [[nodiscard]] const Material& operator[](MaterialId id) const { return materials_[id.index]; }
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
+  [[nodiscard]] bool has_forest() const {
+    return std::any_of(materials_.begin(), materials_.end(), [](const Material& m) { return m.has_forest(); });
+  }
   /// Of everything that grows with the terrain.
   [[nodiscard]] std::size_t bytes() const { return of_facet_.size() * sizeof(MaterialId) + of_cell_.size(); }
 

@@ -17,7 +17,8 @@ Problem problem(const std::filesystem::path& file, std::string what, std::string
   return {.file = file.string(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
 }
 
-/// A word that a shell reads back as this text.
+}  // namespace
+
 std::string shell_word(const std::string& text) {
   const auto is_plain = [](unsigned char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c >= 128 ||
@@ -28,8 +29,6 @@ std::string shell_word(const std::string& text) {
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
 }
-
-}  // namespace
 
 GdalMessages::GdalMessages() {
   static const bool registered = (GDALAllRegister(), true);

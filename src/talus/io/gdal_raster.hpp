@@ -31,6 +31,9 @@ class GdalMessages {
   std::string failure_;
 };
 
+/// A word that a shell reads back as this text.
+[[nodiscard]] std::string shell_word(const std::string& text);
+
 /// What is wrong with one raster: collected, so that the user sees all of it at once.
 class RasterProblems {
  public:

@@ -17,6 +17,7 @@
 #include <ogr_spatialref.h>
 
 #include "talus/io/gdal_raster.hpp"
+#include "talus/io/map_overviews.hpp"
 #endif
 
 namespace talus::io {
@@ -151,9 +152,12 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
       driver("GTiff", file).Create(scratch.c_str(), columns, rows, 1, type_of(kind, maps), sparse));
   if (!raster) refuse(file, messages);
   const MapGrid& grid = maps.grid();
-  std::array<double, 6> geotransform{
-      grid.origin().x() + extent.first.column * grid.cell(),   grid.cell(), 0,
-      grid.origin().y() + (extent.last.row + 1) * grid.cell(), 0,           -grid.cell()};
+  std::array<double, 6> geotransform{grid.origin().x() + extent.first.column * grid.cell().x(),
+                                     grid.cell().x(),
+                                     0,
+                                     grid.origin().y() + (extent.last.row + 1) * grid.cell().y(),
+                                     0,
+                                     -grid.cell().y()};
   raster->SetGeoTransform(geotransform.data());
   if (!crs_wkt.empty()) {
     OGRSpatialReference crs;
@@ -165,10 +169,9 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
   band.SetDescription(kind.meaning.c_str());
   band.SetUnitType(kind.unit.c_str());
   const std::optional<Found> found = fill(band, maps, kind, extent);
-  if (!found) refuse(file, messages);
+  if (!found || !build_overviews(*raster, kind.overview)) refuse(file, messages);
 
-  // Overviews are for the eye: the mean of what rocks touched, so that a narrow track does not vanish.
-  const Options cloud_optimised{"COMPRESS=DEFLATE", "LEVEL=1",       "PREDICTOR=YES",   "OVERVIEW_RESAMPLING=AVERAGE",
+  const Options cloud_optimised{"COMPRESS=DEFLATE", "LEVEL=1",       "PREDICTOR=YES",   "OVERVIEWS=FORCE_USE_EXISTING",
                                 "SPARSE_OK=TRUE",   "BLOCKSIZE=256", "BIGTIFF=IF_SAFER"};
   messages.clear();
   const bool is_made =

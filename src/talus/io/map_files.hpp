@@ -19,8 +19,8 @@ void remove_maps(const std::filesystem::path& folder);
 /// Writes FOLDER/NAME.tif and FOLDER/NAME.qml for each map: passages, reach_share, deposits and impacts, and of each
 /// quantity the greatest, the mean and the percentiles (`percentiles` in [0, 100]), all over the cells that rocks
 /// touched; docs/outputs.md lists the names. `crs_wkt` is the coordinate system of the user's coordinates, empty where
-/// it is not known. Files appear when they are whole. Without a rock nothing is written. Throws BadInput where the folder cannot be written to, and where the
-/// program was built without GDAL.
+/// it is not known. Files appear when they are whole. Without a rock nothing is written. Throws BadInput where the
+/// folder cannot be written to, and where the program was built without GDAL.
 ///
 /// Returns the names of the maps.
 std::vector<std::string> write_maps(const Maps& maps, std::span<const double> percentiles, const std::string& crs_wkt,

@@ -30,25 +30,27 @@ constexpr Quantity quantities[] = {
 std::vector<MapKind> map_kinds(std::uint64_t rocks, std::span<const double> percentiles) {
   constexpr auto logarithmic = ColourScale::logarithmic;
   std::vector<MapKind> kinds{
-      {"passages", "rocks that were in the cell", "", logarithmic, true,
+      {"passages", "rocks that were in the cell", "", logarithmic, true, MapOverview::greatest,
        [](const MapTally& cell) { return static_cast<double>(cell.passages()); }},
-      {"reach_share", "share of all rocks that were in the cell", "", logarithmic, false,
+      {"reach_share", "share of all rocks that were in the cell", "", logarithmic, false, MapOverview::greatest,
        [rocks](const MapTally& cell) { return static_cast<double>(cell.passages()) / static_cast<double>(rocks); }},
-      {"deposits", "rocks that came to rest in the cell", "", logarithmic, true,
+      {"deposits", "rocks that came to rest in the cell", "", logarithmic, true, MapOverview::greatest,
        [](const MapTally& cell) { return static_cast<double>(cell.deposits()); }},
-      {"impacts", "impacts on the ground of the cell", "", logarithmic, true,
+      {"impacts", "impacts on the ground of the cell", "", logarithmic, true, MapOverview::greatest,
        [](const MapTally& cell) { return static_cast<double>(cell.impacts()); }}};
   for (const Quantity& q : quantities) {
-    const auto add = [&](const std::string& part, const std::string& meaning,
+    const auto add = [&](const std::string& part, const std::string& meaning, MapOverview overview,
                          std::function<double(const MapTally&)> f) {
       kinds.push_back({fmt::format("{}_{}_{}", q.name, part, q.unit_in_name), fmt::format("{}: {}", q.meaning, meaning),
-                       q.unit, q.scale, false, std::move(f)});
+                       q.unit, q.scale, false, overview, std::move(f)});
     };
     const MapQuantity quantity = q.quantity;
-    add("max", "greatest of all rocks", [quantity](const MapTally& cell) { return cell.maximum(quantity); });
-    add("mean", "mean over the rocks", [quantity](const MapTally& cell) { return cell.mean(quantity); });
+    add("max", "greatest of all rocks", MapOverview::greatest,
+        [quantity](const MapTally& cell) { return cell.maximum(quantity); });
+    add("mean", "mean over the rocks", MapOverview::mean,
+        [quantity](const MapTally& cell) { return cell.mean(quantity); });
     for (const double percent : percentiles) {
-      add(fmt::format("p{}", percent), fmt::format("percentile {} of the rocks", percent),
+      add(fmt::format("p{}", percent), fmt::format("percentile {} of the rocks", percent), MapOverview::greatest,
           [quantity, percent](const MapTally& cell) { return cell.percentile(quantity, percent); });
     }
   }

@@ -11,12 +11,16 @@
 
 namespace talus::io {
 
+/// What a cell of an overview holds of the cells beneath it.
+enum class MapOverview { greatest, mean };
+
 struct MapKind {
   std::string name;     // of the file, with its unit
   std::string meaning;  // one phrase, for who opens the file
   std::string unit;     // empty: a number
   ColourScale scale = ColourScale::linear;
   bool is_count = false;  // a whole number; where there is nothing to count it is 0, as where no rock was
+  MapOverview overview = MapOverview::greatest;
   std::function<double(const MapTally&)> value;
 };
 

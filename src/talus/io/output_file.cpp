@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 #include "talus/core/problems.hpp"
 
@@ -17,46 +18,95 @@ namespace {
   const char* hint = error == ENOSPC || error == EDQUOT ? "Free some space, or write elsewhere with -o"
                      : error == EACCES || error == EROFS || error == EPERM
                          ? "Choose a folder that you may write to with -o"
-                         : "Choose another output folder with -o";
+                     : error == EFBIG ? "Allow larger files (ulimit -f), or write elsewhere with -o"
+                                      : "Choose another output folder with -o";
   throw BadInput(Problem{
       .file = path.string(), .what = fmt::format("cannot {}", doing), .why = std::strerror(error), .hint = hint});
 }
 
+/// Some devices cannot be synchronised; what matters is that they took the data.
+bool is_synchronised(int descriptor) { return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP; }
+
+/// So that a new name outlives a loss of power, too. A system that cannot do this has nothing to be asked for.
+void synchronise_folder_of(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  (void)fsync(descriptor);
+  close(descriptor);
+}
+
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), part_(path_) {
-  part_ += ".part";
+std::filesystem::path OutputFile::part_of(std::filesystem::path path) { return path += ".part"; }
+
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), part_(part_of(path_)) {
   file_ = std::fopen(part_.c_str(), "wb");
   if (file_ == nullptr) fail("create this file");
   std::setvbuf(file_, nullptr, _IOFBF, 1 << 20);
+}
+
+OutputFile::OutputFile(std::filesystem::path path, std::uint64_t bytes)
+    : path_(std::move(path)), part_(part_of(path_)), position_(bytes), keeps_part_(true) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(part_, ignored) && std::rename(path_.c_str(), part_.c_str()) != 0) {
+    fail("go on with this file");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(part_, ignored);
+  if (ignored || size < bytes) {
+    throw BadInput(Problem{.file = part_.string(),
+                           .what = "cannot go on with this file",
+                           .why = fmt::format("it has {} bytes, expected {} at the least", ignored ? 0 : size, bytes)});
+  }
+  file_ = std::fopen(part_.c_str(), "r+b");
+  if (file_ == nullptr) fail("go on with this file");
+  std::setvbuf(file_, nullptr, _IOFBF, 1 << 20);
+  if (ftruncate(fileno(file_), static_cast<off_t>(bytes)) != 0 || std::fseek(file_, 0, SEEK_END) != 0) {
+    const int error = errno;
+    std::fclose(file_);
+    file_ = nullptr;
+    refuse(path_, "go on with this file", error);
+  }
 }
 
 OutputFile::~OutputFile() {
   if (file_ == nullptr) return;
   std::fclose(file_);
   std::error_code ignored;
-  std::filesystem::remove(part_, ignored);
+  if (!keeps_part_) std::filesystem::remove(part_, ignored);
 }
 
 void OutputFile::fail(const char* doing) const { refuse(path_, doing, errno); }
 
 void OutputFile::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail("write to this file");
+  position_ += text.size();
+}
+
+void OutputFile::seek(std::uint64_t position) {
+  if (fseeko(file_, static_cast<off_t>(position), SEEK_SET) != 0) fail("write to this file");
+  position_ = position;
+}
+
+void OutputFile::sync() {
+  if (std::fflush(file_) != 0 || !is_synchronised(fileno(file_))) fail("write to this file");
 }
 
 void OutputFile::commit() {
-  if (std::fflush(file_) != 0 || fsync(fileno(file_)) != 0) {
-    // Some devices cannot be synchronised; what matters is that the data were taken.
-    if (errno != EINVAL && errno != ENOTSUP) fail("write to this file");
-  }
+  sync();
   const int closed = std::fclose(file_);
   file_ = nullptr;
   if (closed != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) {
     const int error = errno;
     std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
+    if (!keeps_part_) std::filesystem::remove(part_, ignored);
     refuse(path_, "finish this file", error);
   }
+  synchronise_folder_of(path_);
+}
+
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0) refuse(to, "finish this file", errno);
 }
 
 void make_output_folder(const std::filesystem::path& folder) {

@@ -51,11 +51,9 @@ std::optional<int> utm_epsg(const OGRSpatialReference& crs, const Vec2& centre) 
 }
 
 std::string command_to_utm(const OGRSpatialReference& crs, const std::optional<Vec2>& centre,
-                           const RasterProblems& problems) {
+                           const CrsCommands& commands) {
   const auto epsg = centre ? utm_epsg(crs, *centre) : std::nullopt;
-  return problems.command(
-      fmt::format("gdalwarp -t_srs EPSG:{} -r bilinear", epsg ? std::to_string(*epsg) : std::string("XXXX")),
-      "_metres.tif");
+  return commands.project("EPSG:" + (epsg ? std::to_string(*epsg) : std::string("XXXX")));
 }
 
 /// How long a step of 1 m along x and along y is on the ground [m].
@@ -80,7 +78,8 @@ std::optional<std::array<double, 2>> ground_lengths(const OGRSpatialReference& c
   return lengths;
 }
 
-void judge_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems) {
+void judge_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
+                 const CrsCommands& commands) {
   const auto lengths = ground_lengths(crs, centre);
   if (!lengths) return;
   const bool x_is_worse = std::abs((*lengths)[0] - 1) > std::abs((*lengths)[1] - 1);
@@ -88,7 +87,7 @@ void judge_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProbl
   if (std::abs(length - 1) <= doubtful_scale) return;
   std::string what = fmt::format("is in {}, whose metres are not metres on the ground", name_of(crs));
   std::string why = fmt::format("at its centre a metre along {} is {:.3f} m", x_is_worse ? "x" : "y", length);
-  std::string hint = "Project it: " + command_to_utm(crs, centre, problems);
+  std::string hint = "Project it: " + command_to_utm(crs, centre, commands);
   if (std::abs(length - 1) > refused_scale) {
     problems.refuse(std::move(what), std::move(why), std::move(hint));
   } else {
@@ -135,16 +134,24 @@ std::optional<LengthUnit> unit_of_height(const OGRSpatialReference& crs) {
 }
 
 void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems) {
+  judge_terrain_crs(crs, centre, problems,
+                    {[&](const std::string& target) {
+                       return problems.command(fmt::format("gdalwarp -t_srs {} -r bilinear", target), "_metres.tif");
+                     },
+                     problems.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif")});
+}
+
+void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems,
+                       const CrsCommands& commands) {
   if (crs.IsGeographic()) {
     problems.refuse("is in degrees",
                     fmt::format("{} is a geographic coordinate system; Talus needs metres on plan", name_of(crs)),
-                    "Project it: " + command_to_utm(crs, centre, problems));
+                    "Project it: " + command_to_utm(crs, centre, commands));
   } else if (!crs.IsProjected()) {
     const char* kind = crs.IsLocal() ? "local" : crs.IsGeocentric() ? "geocentric" : "neither projected nor geographic";
     problems.refuse("has no coordinate system of a map",
                     fmt::format("{} is {}; Talus needs a projected one, in metres", name_of(crs), kind),
-
-                    "Name the true one: " + problems.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif"));
+                    "Name the true one: " + commands.name);
   } else {
     const char* unit = nullptr;
     const double metres = crs.GetLinearUnits(&unit);
@@ -152,9 +159,9 @@ void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>
       problems.refuse("is not in metres on plan",
                       fmt::format("the unit of {} is {}, {:.10g} m", name_of(crs),
                                   unit && *unit ? unit : "one without a name", metres),
-                      "Project it: " + command_to_utm(crs, centre, problems));
+                      "Project it: " + command_to_utm(crs, centre, commands));
     } else if (centre) {
-      judge_scale(crs, *centre, problems);
+      judge_scale(crs, *centre, problems, commands);
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <ogr_spatialref.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -34,6 +35,16 @@ struct LengthUnit {
 /// Refuses coordinate systems whose plan is not in metres, or not in metres of the ground, at `centre` (x and y as in
 /// the file; absent where the file does not say where it lies).
 void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems);
+
+/// The commands that mend a file of another kind than a raster.
+struct CrsCommands {
+  std::function<std::string(const std::string& target)> project;  // to a coordinate system such as "EPSG:32633"
+  std::string name;                                               // gives the file the true one
+};
+
+/// The same for such a file.
+void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems,
+                       const CrsCommands& commands);
 
 /// "gdal_translate ... -scale 0 1 0 FACTOR": makes metres of heights in a unit of so many metres, and leaves a
 /// coordinate system (null: the file names none) that does not say otherwise.

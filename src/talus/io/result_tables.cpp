@@ -1,6 +1,5 @@
 #include "talus/io/result_tables.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "talus/io/csv_text.hpp"
@@ -87,37 +86,23 @@ std::string_view path_header() {
          "ke_rotational_J,pe_J\n";
 }
 
-EndpointsTable::EndpointsTable(const std::filesystem::path& file, TableContext context)
-    : file_(file), context_(std::move(context)) {
-  file_.write(
-      "rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,runout_total_m,time_s,events,end_reason,mass_kg,radius_m,"
-      "max_ke_J,max_bounce_m\n");
-}
-std::unique_ptr<ObserverPart> EndpointsTable::new_part() const { return std::make_unique<EndpointsPart>(context_); }
-void EndpointsTable::commit(ObserverPart& part) { file_.write(static_cast<TextPart&>(part).text); }
+void TableObserver::commit(ObserverPart& part) { sink_.write(static_cast<TextPart&>(part).text); }
 
-PathsTable::PathsTable(const std::filesystem::path& file, TableContext context, std::uint64_t rocks,
-                       std::optional<std::uint64_t> limit)
-    : file_(file), context_(std::move(context)), rocks_(rocks), limit_(std::min(limit.value_or(rocks), rocks)) {
-  file_.write(path_header());
+std::unique_ptr<ObserverPart> EndpointsTable::new_part() const { return std::make_unique<EndpointsPart>(context()); }
+std::string_view EndpointsTable::header() const {
+  return "rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,runout_total_m,time_s,events,end_reason,mass_kg,radius_m,"
+         "max_ke_J,max_bounce_m\n";
 }
-bool PathsTable::wants_rows(std::uint64_t rock) const {
-  if (limit_ == rocks_ || limit_ == 0) return limit_ != 0;
-  // Where the count of wanted rocks steps up; in doubles, which hold such products for any campaign that ends.
-  const double share = static_cast<double>(limit_) / static_cast<double>(rocks_);
-  return std::floor(static_cast<double>(rock + 1) * share + 1e-9) >
-         std::floor(static_cast<double>(rock) * share + 1e-9);
-}
-std::unique_ptr<ObserverPart> PathsTable::new_part() const { return std::make_unique<PathsPart>(context_, *this); }
-void PathsTable::commit(ObserverPart& part) { file_.write(static_cast<TextPart&>(part).text); }
 
-BarriersTable::BarriersTable(const std::filesystem::path& file, TableContext context)
-    : file_(file), context_(std::move(context)) {
-  file_.write(
-      "barrier,rock,time_s,x_m,y_m,z_m,impact_height_m,vx_m_s,vy_m_s,vz_m_s,angle_deg,ke_translational_J,"
-      "ke_rotational_J,ke_total_J,outcome\n");
+PathsTable::PathsTable(TableContext context, TextSink& sink, std::uint64_t rocks, std::optional<std::uint64_t> limit)
+    : TableObserver(std::move(context), sink), choice_(limit.value_or(rocks), rocks) {}
+std::unique_ptr<ObserverPart> PathsTable::new_part() const { return std::make_unique<PathsPart>(context(), *this); }
+std::string_view PathsTable::header() const { return path_header(); }
+
+std::unique_ptr<ObserverPart> BarriersTable::new_part() const { return std::make_unique<BarriersPart>(context()); }
+std::string_view BarriersTable::header() const {
+  return "barrier,rock,time_s,x_m,y_m,z_m,impact_height_m,vx_m_s,vy_m_s,vz_m_s,angle_deg,ke_translational_J,"
+         "ke_rotational_J,ke_total_J,outcome\n";
 }
-std::unique_ptr<ObserverPart> BarriersTable::new_part() const { return std::make_unique<BarriersPart>(context_); }
-void BarriersTable::commit(ObserverPart& part) { file_.write(static_cast<TextPart&>(part).text); }
 
 }  // namespace talus

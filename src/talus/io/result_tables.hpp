@@ -1,6 +1,6 @@
 #pragma once
-// The tables of a run folder: endpoints.csv, paths.csv, barriers.csv. Text is made by the threads that compute the
-// rocks and only appended by the one that commits.
+// The tables of a run folder: endpoints.csv, paths.csv, barriers.csv. How a rock becomes text is told here; where the
+// text goes is the sink's affair (text_sink.hpp): to a file, or to another process that has the file.
 
 #include <optional>
 #include <string>
@@ -8,7 +8,8 @@
 
 #include "talus/campaign/model.hpp"
 #include "talus/io/csv_text.hpp"
-#include "talus/io/output_file.hpp"
+#include "talus/io/even_choice.hpp"
+#include "talus/io/text_sink.hpp"
 #include "talus/results/record.hpp"
 
 namespace talus {
@@ -23,48 +24,57 @@ struct TableContext {
   [[nodiscard]] static TableContext of(const Model& model);
 };
 
-/// One row a rock.
-class EndpointsTable : public Observer {
+/// A table: what rocks say of themselves becomes text in the threads that compute them, and the text of a block goes
+/// to the sink when the block is committed.
+class TableObserver : public Observer {
  public:
-  EndpointsTable(const std::filesystem::path& file, TableContext context);
-  [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
-  [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
+  /// The sink must outlive it; it is given rows only, never the header.
+  TableObserver(TableContext context, TextSink& sink) : context_(std::move(context)), sink_(sink) {}
   void commit(ObserverPart& part) override;
-  void finish() { file_.commit(); }
+
+  /// The name of its file, and the first line there.
+  [[nodiscard]] virtual std::string_view file_name() const = 0;
+  [[nodiscard]] virtual std::string_view header() const = 0;
+
+ protected:
+  [[nodiscard]] const TableContext& context() const { return context_; }
 
  private:
-  OutputFile file_;
   TableContext context_;
+  TextSink& sink_;
+};
+
+/// One row a rock.
+class EndpointsTable : public TableObserver {
+ public:
+  using TableObserver::TableObserver;
+  [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
+  [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
+  [[nodiscard]] std::string_view file_name() const override { return "endpoints.csv"; }
+  [[nodiscard]] std::string_view header() const override;
 };
 
 /// The rows of a path: of all rocks, or of `limit` of them, evenly spread over their numbers.
-class PathsTable : public Observer {
+class PathsTable : public TableObserver {
  public:
-  PathsTable(const std::filesystem::path& file, TableContext context, std::uint64_t rocks,
-             std::optional<std::uint64_t> limit);
-  [[nodiscard]] bool wants_rows(std::uint64_t rock) const override;
+  PathsTable(TableContext context, TextSink& sink, std::uint64_t rocks, std::optional<std::uint64_t> limit);
+  [[nodiscard]] bool wants_rows(std::uint64_t rock) const override { return choice_.contains(rock); }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
-  void commit(ObserverPart& part) override;
-  void finish() { file_.commit(); }
+  [[nodiscard]] std::string_view file_name() const override { return "paths.csv"; }
+  [[nodiscard]] std::string_view header() const override;
 
  private:
-  OutputFile file_;
-  TableContext context_;
-  std::uint64_t rocks_, limit_;
+  io::EvenChoice choice_;
 };
 
 /// One row a hit.
-class BarriersTable : public Observer {
+class BarriersTable : public TableObserver {
  public:
-  BarriersTable(const std::filesystem::path& file, TableContext context);
+  using TableObserver::TableObserver;
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
-  void commit(ObserverPart& part) override;
-  void finish() { file_.commit(); }
-
- private:
-  OutputFile file_;
-  TableContext context_;
+  [[nodiscard]] std::string_view file_name() const override { return "barriers.csv"; }
+  [[nodiscard]] std::string_view header() const override;
 };
 
 /// A path's row as the table has it, for those who show a path elsewhere; `memory` (may be null) of the rows before.

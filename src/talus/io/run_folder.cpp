@@ -13,6 +13,7 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/io/csv_reader.hpp"
+#include "talus/io/path_reader.hpp"
 #include "talus/io/spread_sample.hpp"
 
 namespace talus::io {
@@ -196,16 +197,6 @@ Kept<EndPoint> read_endpoints(const std::filesystem::path& file, std::size_t lim
   return kept;
 }
 
-PathState state_of(const CsvReader& row, std::size_t column) {
-  using enum PathState;
-  std::string known;
-  for (const PathState state : {projectile, impact, sliding, rolling, barrier, ended}) {
-    if (row.text(column) == name(state)) return state;
-    known += (known.empty() ? "" : ", ") + std::string(name(state));
-  }
-  row.refuse("state", fmt::format("\"{}\" is not a state", row.text(column)), "expected one of " + known);
-}
-
 // Follows the rows of paths.csv, one rock after the other.
 class PathTable {
  public:
@@ -214,7 +205,7 @@ class PathTable {
   void add(const CsvReader& row) {
     constexpr auto at = [](std::string_view name) { return place_of(path_columns, name); };
     const auto rock = static_cast<std::uint64_t>(row.whole_number(at("rock")));
-    const PathState state = state_of(row, at("state"));
+    const PathState state = state_in(row, at("state"));
     if (!in_path_) {
       begin(rock);
     } else if (rock != path_.rock) {

@@ -19,81 +19,36 @@ Json histogram_json(const Tally& tally) {
           {"counts", histogram->counts()}};
 }
 
-Json terrain_json(const Model& model, const Profile& profile) {
-  Json section = Json::array();
-  const auto point = [&](const Vec3& local) {
-    const Vec3 p = model.frame.global_from_local(local);
-    section.push_back({p.x(), p.z()});
-  };
-  for (std::uint32_t k = 0; k < profile.facet_count(); ++k) {
-    const Outline outline = profile.outline({k});
-    point(outline.edges[0].point);
-    if (k + 1 == profile.facet_count()) point(outline.edges[1].point);
-  }
-  return {{"kind", "section"}, {"section", section}};
-}
-
-// The terrain from above as a coarse grid of elevations, for pictures.
-template <class Surface>
-Json relief_json(const Model& model, const Surface& surface) {
-  constexpr double most_cells_a_side = 160;
-  const Vec3 size = surface.bounds().high - surface.bounds().low;
-  const double cell = std::max(size.x(), size.y()) / most_cells_a_side;
-  const auto columns = static_cast<int>(std::ceil(size.x() / cell - 1e-9));
-  const auto rows = static_cast<int>(std::ceil(size.y() / cell - 1e-9));
-  const Vec3 low = surface.bounds().low + Vec3(0.5 * cell, 0.5 * cell, 0);
-  Json z = Json::array();
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const auto ground = surface.elevation(low.x() + column * cell, low.y() + row * cell);
-      z.push_back(ground ? Json(std::round((*ground + model.frame.origin.z()) * 1000) / 1000) : Json(nullptr));
-    }
-  }
-  const Vec3 first = model.frame.global_from_local(low);
-  return {{"x0", first.x()}, {"y0", first.y()}, {"cell_m", cell}, {"columns", columns}, {"rows", rows}, {"z_m", z}};
-}
-
-template <class Surface>
-Json surface_json(const Model& model, const Surface& surface, const char* kind) {
-  const Vec3 low = model.frame.global_from_local(surface.bounds().low);
-  const Vec3 high = model.frame.global_from_local(surface.bounds().high);
-  return {{"kind", kind},
-          {"bounds", {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}}},
-          {"triangles", surface.facet_count()},
-          {"relief", relief_json(model, surface)}};
-}
-
-Json terrain_json(const Model& model, const TriangleMesh& mesh) { return surface_json(model, mesh, "mesh"); }
-Json terrain_json(const Model& model, const RasterSurface& raster) { return surface_json(model, raster, "raster"); }
-
-Json barrier_json(const Barrier& barrier, const BarrierTally& tally) {
+/// What the model says of a barrier, and what rocks did there.
+Json barrier_json(const Json& barrier, const BarrierTally& tally) {
   Json outcomes = Json::object();
   for (int k = 0; k < barrier_outcome_count; ++k) {
     const auto kind = static_cast<BarrierOutcome>(k);
     outcomes[name(kind)] = tally.outcomes[static_cast<std::size_t>(k)];
   }
-  return {{"name", barrier.name},
-          {"kind", barrier.is_collector ? "collector" : "barrier"},
-          {"hits", tally.translational_energy.count()},
-          {"rocks_hit", tally.rocks_hit},
-          {"passed_above", tally.rocks_passed_above},
-          {"outcomes", outcomes},
-          {"least_clearance_m", number(tally.least_clearance)},
-          {"statistics",
-           {{"ke_translational_J", statistics_json(tally.translational_energy)},
-            {"ke_total_J", statistics_json(tally.total_energy)},
-            {"impact_height_m", statistics_json(tally.height)},
-            {"velocity_m_s", statistics_json(tally.velocity)}}},
-          {"histograms",
-           {{"ke_translational_J", histogram_json(tally.translational_energy)},
-            {"impact_height_m", histogram_json(tally.height)}}}};
+  const Json found{{"hits", tally.translational_energy.count()},
+                   {"rocks_hit", tally.rocks_hit},
+                   {"passed_above", tally.rocks_passed_above},
+                   {"outcomes", outcomes},
+                   {"least_clearance_m", number(tally.least_clearance)},
+                   {"statistics",
+                    {{"ke_translational_J", statistics_json(tally.translational_energy)},
+                     {"ke_total_J", statistics_json(tally.total_energy)},
+                     {"impact_height_m", statistics_json(tally.height)},
+                     {"velocity_m_s", statistics_json(tally.velocity)}}},
+                   {"histograms",
+                    {{"ke_translational_J", histogram_json(tally.translational_energy)},
+                     {"impact_height_m", histogram_json(tally.height)}}}};
+  Json json = barrier;
+  json.update(found);
+  return json;
 }
 
 }  // namespace
 
 Json statistics_json(const Tally& tally) {
   const Descriptive d = tally.describe();
-  const auto quartile = [&](double p) { return number(tally.sketch().quantile(p)); };
+  const auto quantile = [&](double p) { return number(tally.sketch().quantile(p)); };
   return {{"mean", number(d.mean)},
           {"standard_error", number(d.standard_error)},
           {"median", number(d.median)},
@@ -107,26 +62,49 @@ Json statistics_json(const Tally& tally) {
           {"sum", number(d.sum)},
           {"count", d.count},
           {"confidence_level_95", number(d.confidence_half_width_95)},
-          {"quartiles", {quartile(0.25), quartile(0.5), quartile(0.75)}}};
+          {"quartiles", {quantile(0.25), quantile(0.5), quantile(0.75)}},
+          {"percentiles", {{"95", quantile(0.95)}, {"99", quantile(0.99)}}}};
 }
 
-Json summary_json(const RunDescription& description, const Model& model, const Summary& summary,
-                  const CampaignOutcome& outcome) {
+namespace {
+
+Json timings_json(const Summary& summary, const RunCourse& course) {
+  return {{"seconds", course.seconds},
+          {"rocks_per_second", course.seconds > 0 ? static_cast<double>(summary.done) / course.seconds : 0},
+          {"threads", course.threads}};
+}
+
+}  // namespace
+
+Json summary_json(const io::RunDescription& description, const std::vector<std::string>& warnings,
+                  const Summary& summary, const RunCourse& course) {
   Json ends = Json::object();
   for (int k = 0; k < end_reason_count; ++k) {
     const auto count = summary.ends[static_cast<std::size_t>(k)];
     if (count > 0) ends[name(static_cast<EndReason>(k))] = count;
   }
+  const Json& model = description.model;
   Json barriers = Json::array();
-  for (std::size_t b = 0; b < model.barriers.size(); ++b) {
-    barriers.push_back(barrier_json(model.barriers[b], summary.barriers[b]));
+  for (std::size_t b = 0; b < summary.barriers.size(); ++b) {
+    barriers.push_back(barrier_json(model.at("barriers").at(b), summary.barriers[b]));
   }
   Json json;
   json["talus"] = {{"version", TALUS_VERSION}};
   json["name"] = description.name;
-  json["seed"] = model.seed;
+  json["fingerprint"] = description.fingerprint;
+  json["seed"] = model.at("seed");
   json["rocks"] = {{"planned", summary.planned}, {"done", summary.done}, {"lifted", summary.lifted}};
-  json["interrupted"] = outcome.interrupted;
+  if (course.shard) {
+    json["shard"] = {{"number", course.shard->number},
+                     {"of", course.shard->of},
+                     {"first_rock", course.range.first},
+                     {"rocks", course.range.count()}};
+  }
+  json["interrupted"] = course.interrupted;
+  if (!course.missing.empty()) {
+    Json& missing = json["missing_rocks"] = Json::array();
+    for (const RockRange& range : course.missing) missing.push_back({range.first, range.count()});
+  }
   json["end_reasons"] = ends;
   json["events"] = summary.events;
   json["statistics"] = {{"end_x_m", statistics_json(summary.end_x)},
@@ -137,14 +115,12 @@ Json summary_json(const RunDescription& description, const Model& model, const S
   json["histograms"] = {{"end_x_m", histogram_json(summary.end_x)},
                         {"runout_xy_m", histogram_json(summary.runout_plan)}};
   json["barriers"] = barriers;
-  json["warnings"] = description.warnings;
-  json["energy_datum_m"] = model.energy_datum;
-  json["terrain"] = std::visit([&](const auto& surface) { return terrain_json(model, surface); }, model.surface);
+  json["sources"] = model.at("sources");
+  json["warnings"] = warnings;
+  json["energy_datum_m"] = model.at("energy_datum_m");
+  json["terrain"] = model.at("terrain");
   json["project"] = description.project;
-  json["timings"] = {
-      {"seconds", outcome.seconds},
-      {"rocks_per_second", outcome.seconds > 0 ? static_cast<double>(outcome.done) / outcome.seconds : 0},
-      {"threads", outcome.threads}};
+  json["timings"] = timings_json(summary, course);
   return json;
 }
 

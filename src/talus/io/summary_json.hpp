@@ -2,22 +2,31 @@
 // summary.json: what a run was and how it came out.
 
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "talus/campaign/campaign.hpp"
-#include "talus/campaign/model.hpp"
+#include "talus/campaign/shard.hpp"
+#include "talus/io/run_description.hpp"
 #include "talus/results/summary.hpp"
 
 namespace talus {
 
-struct RunDescription {
-  std::string name;
-  nlohmann::ordered_json project;  // echoed whole, defaults filled in
-  std::vector<std::string> warnings;
+/// How a run went, or several that were merged.
+struct RunCourse {
+  RockRange range;             // the rocks that were to be done
+  std::optional<Shard> shard;  // nothing: the whole campaign
+  bool interrupted = false;
+  std::vector<RockRange> missing;  // of merged runs: rocks that none of them did
+  double seconds = 0;              // spent on computing; of several runs all together
+  int threads = 1;                 // at most, of several runs
 };
 
-/// Everything but `timings` depends on the project, the seed and the rocks done, and on nothing else.
-[[nodiscard]] nlohmann::ordered_json summary_json(const RunDescription& description, const Model& model,
-                                                  const Summary& summary, const CampaignOutcome& outcome);
+/// Everything but `timings` depends on the project, the seed and the rocks done, and on nothing else. `warnings` are
+/// all of the run, those of the description among them.
+[[nodiscard]] nlohmann::ordered_json summary_json(const io::RunDescription& description,
+                                                  const std::vector<std::string>& warnings, const Summary& summary,
+                                                  const RunCourse& course);
 
 /// The thirteen rows of a spreadsheet's descriptive statistics, and the quartiles.
 [[nodiscard]] nlohmann::ordered_json statistics_json(const Tally& tally);

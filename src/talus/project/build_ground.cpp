@@ -7,6 +7,7 @@
 #include <map>
 
 #include "talus/io/class_raster.hpp"
+#include "talus/project/ground_polygons.hpp"
 
 namespace talus::project {
 
@@ -126,15 +127,19 @@ class Classifier {
   std::vector<Vec2> middles_;
 };
 
-talus::Ground classed(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
-                      Problems& problems, Problems& warnings) {
-  constexpr std::size_t most_materials = std::size_t{std::numeric_limits<std::uint8_t>::max()} + 1;
+// A byte a cell or triangle, from a raster of classes or from polygons.
+talus::Ground from_gis(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
+                       Problems& problems, Problems& warnings) {
+  constexpr std::size_t most_materials = std::numeric_limits<std::uint8_t>::max();  // one number stands for none
+  const bool by_raster = !project.ground.raster.empty();
   if (materials.size() > most_materials) {
-    problems.add(about_ground(project, fmt::format("raster is given with {} materials", materials.size()),
-                              fmt::format("a ground from a raster has at most {}", most_materials)));
+    problems.add(about_ground(
+        project, fmt::format("{} is given with {} materials", by_raster ? "raster" : "polygons", materials.size()),
+        fmt::format("a ground from a file has at most {}", most_materials)));
     return {};
   }
   try {
+    if (!by_raster) return talus::Ground(std::move(materials), materials_of_polygons(project, terrain, warnings));
     Classifier classifier(project, terrain, warnings);
     return talus::Ground(std::move(materials), classifier.materials(terrain, problems, warnings));
   } catch (const BadInput& bad) {
@@ -148,7 +153,9 @@ talus::Ground classed(const Project& project, std::vector<talus::Material> mater
 talus::Ground build_ground(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
                            Problems& problems, Problems& warnings) {
   const Ground& ground = project.ground;
-  if (!ground.raster.empty()) return classed(project, std::move(materials), terrain, problems, warnings);
+  if (!ground.raster.empty() || !ground.polygons.empty()) {
+    return from_gis(project, std::move(materials), terrain, problems, warnings);
+  }
   if (ground.segments.empty() && ground.triangles.empty()) {
     return talus::Ground(std::move(materials), MaterialId{number_of(project, ground.default_material)});
   }

@@ -10,7 +10,7 @@
 
 namespace talus::project {
 
-/// `materials` are those of the project, in its order. What only the terrain or the raster of classes shows to be wrong
+/// `materials` are those of the project, in its order. What only the terrain or a file of the ground shows to be wrong
 /// is added to `problems`, and the ground is then not to be used; doubts are added to `warnings`.
 [[nodiscard]] talus::Ground build_ground(const Project& project, std::vector<talus::Material> materials,
                                          const BuiltTerrain& terrain, Problems& problems, Problems& warnings);

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "talus/io/mesh_file.hpp"
 #include "talus/io/raster_file.hpp"
+#include "talus/project/build_survey.hpp"
 #include "talus/terrain/extrude.hpp"
 #include "talus/terrain/mend.hpp"
 
@@ -49,10 +51,14 @@ BuiltTerrain section_terrain(const Project& project) {
   return built;
 }
 
-RawMesh raw_mesh(const Project& project, Problems& warnings) {
+SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {
   const Terrain& terrain = project.terrain;
-  RawMesh mesh;
-  if (!terrain.section.empty()) {
+  if (project.has_survey()) return survey_mesh(project, warnings);
+  SurveyedMesh out;
+  RawMesh& mesh = out.mesh;
+  if (!terrain.polylines.empty() || !terrain.polygons.empty()) {
+    out = polygon_mesh(project, warnings);
+  } else if (!terrain.section.empty()) {
     mesh = extruded(section_vertices(terrain), *terrain.width_m);
   } else if (!terrain.mesh.empty()) {
     mesh = read_mesh_file(project.file.parent_path() / terrain.mesh, warnings);
@@ -65,24 +71,34 @@ RawMesh raw_mesh(const Project& project, Problems& warnings) {
   }
   const auto& about = terrain.rotate_about;
   turn(mesh, terrain.rotate_deg, {about[0], about[1], about[2]});
-  return mesh;
+  if (out.source.empty()) {
+    out.source = terrain.mesh.empty() ? project.file.string() : terrain.mesh.string();
+    out.crs_wkt = crs_wkt_of(project, warnings);
+  }
+  return out;
 }
 
 BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
-  RawMesh raw = raw_mesh(project, warnings);
+  SurveyedMesh raw = raw_mesh(project, warnings);
   const bool is_extruded = !project.terrain.section.empty();
+  const bool is_merged = !project.terrain.polylines.empty() || !project.terrain.polygons.empty();
   BuiltTerrain built;
-  built.parts = is_extruded ? raw.triangles.size() / 2 : raw.triangles.size();
-  const std::string source = project.terrain.mesh.empty() ? project.file.string() : project.terrain.mesh.string();
-  const MendedMesh mesh = mend(std::move(raw), {.source = source});
-  built.report = mesh.report.text();
+  built.parts = is_extruded ? raw.mesh.triangles.size() / 2 : raw.mesh.triangles.size();
+  built.crs_wkt = std::move(raw.crs_wkt);
+  const MendedMesh mesh =
+      mend(std::move(raw.mesh),
+           {.source = raw.source, .weld_tolerance_m = is_merged ? project.terrain.merge_tolerance_m : 0});
+  built.report = raw.report + (raw.report.empty() ? "" : "\n") + mesh.report.text();
   for (const std::uint32_t original : mesh.original)
     built.part_of_facet.push_back(is_extruded ? original / 2 : original);
 
-  if (!project.ground.raster.empty()) {
+  if (!project.ground.raster.empty() || !project.ground.polygons.empty()) {
     for (const auto& [a, b, c] : mesh.triangles) {
       const Vec3 centre = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
       built.facet_centres.emplace_back(centre.x(), centre.y());
+      if (project.ground.polygons.empty()) continue;
+      const Vec3 area = (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
+      built.facet_areas.push_back(0.5 * std::abs(area.z()));
     }
   }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "talus/project/nearest.hpp"
+#include "talus/core/nearest.hpp"
+#include "talus/project/check_seeder.hpp"
+#include "talus/project/check_survey.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/values.hpp"
 
@@ -99,10 +101,13 @@ class Rules {
     const bool has_section = row->contains("section"), has_mesh = row->contains("mesh");
     const bool has_triangles = row->contains("triangles"), has_vertices = row->contains("vertices");
     const bool has_raster = row->contains("raster");
-    if (!has_section && !has_mesh && !has_triangles && !has_vertices && !has_raster) {
-      complain(row, where, "there is no terrain", "expected one of section, mesh, triangles and raster");
+    const bool is_surveyed =
+        row->contains("points") || row->contains("lines") || row->contains("polylines") || row->contains("polygons");
+    if (!has_section && !has_mesh && !has_triangles && !has_vertices && !has_raster && !is_surveyed) {
+      complain(row, where, "there is no terrain",
+               "expected one of section, mesh, triangles, raster, points, lines, polylines and polygons");
     }
-    if (has_triangles != has_vertices && !has_section && !has_mesh && !has_raster) {
+    if (has_triangles != has_vertices && !has_section && !has_mesh && !has_raster && !is_surveyed) {
       complain(row, where, fmt::format("{} is missing", has_triangles ? "vertices" : "triangles"),
                "an inline mesh needs vertices and triangles");
     }
@@ -138,8 +143,13 @@ class Rules {
       complain(about, where, "rotate_about has no effect", "it needs rotate_deg", "", Severity::warning);
     }
     if (const Node mesh = good(row, "mesh")) about_mesh_file(where, mesh);
-    if (const Node raster = good(row, "raster")) about_raster_file(where, raster, project_.terrain.raster);
+    if (const Node raster = good(row, "raster")) about_gis_file(where, "raster", raster, project_.terrain.raster);
     if (good(row, "vertices") && good(row, "triangles")) about_inline_mesh(where, row);
+    SurveyRules{project_, *row, [&](std::string_view key) { return good(row, key); },
+                [&](Node at, std::string what, std::string why, std::string hint, Severity severity) {
+                  complain(at, where, std::move(what), std::move(why), std::move(hint), severity);
+                }}
+        .check();
   }
 
   void about_section(const std::string& where, Node section) {
@@ -174,13 +184,13 @@ class Rules {
     }
   }
 
-  void about_raster_file(const std::string& where, Node raster, const std::filesystem::path& file) {
+  void about_gis_file(const std::string& where, std::string_view key, Node node, const std::filesystem::path& file) {
     // What GDAL opens may be a folder, or lie in a file system of its own.
     std::error_code error;
     const std::filesystem::path path = project_.file.parent_path() / file;
     if (std::filesystem::exists(project_.file, error) && !std::filesystem::exists(path, error) &&
         !path.string().starts_with("/vsi")) {
-      complain(raster, where, fmt::format("raster is {}", quoted(*raster)),
+      complain(node, where, fmt::format("{} is {}", key, quoted(*node)),
                fmt::format("there is no file {}", path.string()), "Its path is relative to the project file");
     }
   }
@@ -207,7 +217,24 @@ class Rules {
   void about_materials() {
     std::vector<std::string_view> names;
     for (const Material& material : project_.materials) names.push_back(material.name);
-    about_unique("materials", rows("material"), names);
+    const auto list = rows("material");
+    about_unique("materials", list, names);
+    for (std::size_t i = 0; i < list.size() && i < project_.materials.size(); ++i) {
+      if (list[i]) about_forest(project_.materials[i], *list[i], name_of_row(declaration("material"), *list[i], i));
+    }
+  }
+
+  void about_forest(const Material& material, const toml::table& row, const std::string& where) {
+    const bool has_forest = material.forest != Forest::none || material.forest_drag_kg_s;
+    if (const Node height = good(&row, "forest_height_m"); height && !has_forest) {
+      complain(height, where, "forest_height_m has no effect", "there is no forest",
+               "Write forest = \"medium\", or give forest_drag_kg_s", Severity::warning);
+    }
+    if (has_forest && !row.contains("forest_height_m")) {
+      const Node forest = row.get(material.forest_drag_kg_s ? "forest_drag_kg_s" : "forest");
+      complain(forest, where, "forest_height_m is missing", "a forest brakes rocks up to its effective height only",
+               "Write how high above the ground its trunks and branches hold rocks up");
+    }
   }
 
   /// Entries that are called by name must not share it. An empty name is one that is missing or was refused.
@@ -276,6 +303,7 @@ class Rules {
     }
     if (const Node node = good(row, "triangles")) about_ground_triangles(where, node, terrain);
     about_ground_raster(where, row, terrain);
+    if (row) about_ground_polygons(where, row, terrain);
   }
 
   void about_ground_raster(const std::string& where, const toml::table* row, const toml::table* terrain) {
@@ -285,7 +313,7 @@ class Rules {
         complain(raster, where, "raster is given for a section", "a section has segments",
                  "Use segments, with one name for each segment");
       } else {
-        about_raster_file(where, raster, project_.ground.raster);
+        about_gis_file(where, "raster", raster, project_.ground.raster);
       }
       if (!row->contains("classes")) {
         complain(raster, where, "classes is missing", "nothing says which class of the raster is which material",
@@ -303,6 +331,34 @@ class Rules {
     }
   }
 
+  void about_ground_polygons(const std::string& where, const toml::table* row, const toml::table* terrain) {
+    const Node polygons = good(row, "polygons");
+    if (!polygons) {
+      for (const std::string_view key : {"layer", "attribute", "values"}) {
+        if (const Node node = good(row, key); node && !row->contains("polygons")) {
+          complain(node, where, fmt::format("{} is given without polygons", key), "it would have no effect");
+        }
+      }
+      return;
+    }
+    if (terrain && terrain->contains("section")) {
+      complain(polygons, where, "polygons is given for a section", "a section has segments",
+               "Use segments, with one name for each segment");
+    } else {
+      about_gis_file(where, "polygons", polygons, project_.ground.polygons);
+    }
+    if (!row->contains("attribute")) {
+      complain(polygons, where, "attribute is missing", "nothing says which polygon is of which material",
+               "Write attribute = \"...\"; ogrinfo -so lists what there is");
+    }
+    if (const Node values = good(row, "values")) {
+      for (const auto& [key, node] : *values->as_table()) {
+        const std::string name = fmt::format("values.{}", std::string_view(key.str()));
+        if (const auto material = node.value<std::string>()) about_material_name(where, &node, name, *material);
+      }
+    }
+  }
+
   void about_ground_triangles(const std::string& where, Node node, const toml::table* terrain) {
     const Ground& ground = project_.ground;
     if (terrain && terrain->contains("section")) {
@@ -310,6 +366,9 @@ class Rules {
                "Use segments, with one name for each segment");
     } else if (terrain && terrain->contains("raster")) {
       complain(node, where, "triangles is given for a raster", "a raster has cells", "Use raster and classes");
+    } else if (terrain && (terrain->contains("points") || terrain->contains("lines"))) {
+      complain(node, where, "triangles is given for a survey", "its triangles are made by Talus",
+               "Use raster and classes, or polygons");
     } else if (good(terrain, "triangles") && ground.triangles.size() != project_.terrain.triangles.size()) {
       complain(node, where, fmt::format("triangles has {}", counted(ground.triangles.size(), "entry", "entries")),
                fmt::format("expected {}, one for each triangle of the terrain", project_.terrain.triangles.size()));
@@ -344,24 +403,17 @@ class Rules {
   }
 
   void about_seeder(const Seeder& seeder, const toml::table& row, const std::string& where) {
-    const bool type_is_good = !row.contains("type") || good(&row, "type");
-    const bool has_position = row.contains("position"), has_points = row.contains("points");
-    if (type_is_good && !(has_position && has_points)) {
-      if (seeder.type == SeederType::point && !has_position) {
-        const Node node = has_points ? row.get("points") : &row;
-        complain(node, where, has_points ? "points are given for a point" : "position is missing",
-                 has_points ? "they make a line" : "a point seeder needs it",
-                 has_points ? "Write type = \"line\"" : "");
-      }
-      if (seeder.type == SeederType::line && !has_points) {
-        const Node node = has_position ? row.get("position") : &row;
-        complain(node, where, has_position ? "position is given for a line" : "points is missing",
-                 "a line seeder needs two or more points", has_position ? "Write points = [..., ...]" : "");
-      }
-    }
-    if (!row.contains("mass_kg") && !row.contains("volume_m3") && !row.contains("diameter_m")) {
-      complain(&row, where, "the size of the rocks is missing", "expected one of mass_kg, volume_m3 and diameter_m");
-    }
+    SeederRules{project_,
+                seeder,
+                row,
+                !row.contains("type") || good(&row, "type"),
+                is_2d(document_.root()) == true,
+                table("terrain") && table("terrain")->contains("raster"),
+                [&](std::string_view key) { return good(&row, key); },
+                [&](Node at, std::string what, std::string why, std::string hint, Severity severity) {
+                  complain(at, where, std::move(what), std::move(why), std::move(hint), severity);
+                }}
+        .check();
   }
 
   void about_barriers() {
@@ -388,10 +440,34 @@ class Rules {
   }
 
   void about_output() {
-    const Node maps = good(table("output"), "maps");
-    if (maps && project_.output.maps && is_2d(document_.root()) == true) {
-      complain(maps, "[output]", "maps has no effect", "a section has no area to map", "Give terrain.width_m for 3D",
+    const toml::table* row = table("output");
+    const Output& output = project_.output;
+    const auto has_no_effect = [&](std::string_view key, std::string why, std::string hint) {
+      complain(row->get(key), "[output]", fmt::format("{} has no effect", key), std::move(why), std::move(hint),
                Severity::warning);
+    };
+    if (is_2d(document_.root()) == true) {
+      if (good(row, "maps") && output.maps) {
+        has_no_effect("maps", "a section has no area to map", "Give terrain.width_m for 3D");
+      }
+      if (good(row, "maps_by_source") && output.maps_by_source) {
+        has_no_effect("maps_by_source", "a section has no area to map", "Give terrain.width_m for 3D");
+      }
+      if (good(row, "geopackage") && output.geopackage_limit != 0) {
+        has_no_effect("geopackage", "a section lies nowhere on a map", "Give terrain.width_m for 3D");
+      }
+    }
+    if (is_2d(document_.root()) == false && good(row, "maps_by_source") && output.maps_by_source && !output.maps) {
+      has_no_effect("maps_by_source", "maps is false", "Let maps be true");
+    }
+    if (good(row, "vtk") && output.vtk && output.path_limit == 0) {
+      has_no_effect("vtk", "paths is \"none\"", "Let paths be a number of rocks");
+    }
+    const toml::table* terrain = table("terrain");
+    if (const Node cell = good(row, "raster_cell_m");
+        cell && !output.raster_cell_m && terrain && !terrain->contains("raster")) {
+      complain(cell, "[output]", "raster_cell_m is \"terrain\"", "the terrain is no raster, so it has no cells",
+               "Give the side of a cell in metres");
     }
   }
 

@@ -41,10 +41,14 @@ struct Writer {
   Written operator()(const std::filesystem::path* value) const {
     return value->empty() ? Written() : Written(value->string());
   }
+  Written operator()(const std::optional<std::int64_t>* value) const { return *value ? Written(**value) : Written(); }
   Written operator()(const std::array<double, 3>* value) const { return *value; }
   Written operator()(Distribution* value) const { return table_of(distribution_table(), value, two_dimensional); }
   Written operator()(std::optional<Distribution>* value) const { return *value ? (*this)(&**value) : std::nullopt; }
   Written operator()(const std::vector<double>* value) const { return *value; }  // an empty one says something
+  Written operator()(const std::map<std::string, std::string>* value) const {
+    return value->empty() ? Written() : Written(Json(*value));
+  }
   Written operator()(const std::map<std::int32_t, std::string>* value) const {
     if (value->empty()) return std::nullopt;
     Json out = Json::object();
@@ -73,14 +77,17 @@ struct Writer {
     if (slot.barrier->line.empty()) return std::nullopt;
     return two_dimensional ? Json(slot.barrier->line.front()[0]) : Json(slot.barrier->line);
   }
+  Written operator()(PlanPolygonSlot slot) const { return (*this)(&slot.seeder->polygon); }
+  Written operator()(LibrarySlot slot) const { return (*this)(&slot.material->like); }
   Written operator()(DirectionSlot slot) const {
     const auto& [x, y, z] = *slot.direction;
     return two_dimensional ? Json{x, z} : Json{x, y, z};
   }
-  Written operator()(PathLimitSlot slot) const {
+  Written operator()(RockLimitSlot slot) const {
     const auto& limit = *slot.limit;
     return !limit ? Json("all") : *limit == 0 ? Json("none") : Json(*limit);
   }
+  Written operator()(MapCellSlot slot) const { return *slot.size ? Json(**slot.size) : Json("terrain"); }
 };
 
 /// Of keys that exclude each other, the one with a default gives way to the one that was set.

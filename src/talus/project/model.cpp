@@ -4,7 +4,9 @@
 
 #include <numbers>
 
+#include "talus/ground/forest.hpp"
 #include "talus/project/build_ground.hpp"
+#include "talus/project/build_seeders.hpp"
 #include "talus/project/build_terrain.hpp"
 
 namespace talus::project {
@@ -14,7 +16,6 @@ namespace {
 constexpr double radians = std::numbers::pi / 180;
 constexpr Bounds share{0, 1};
 constexpr Bounds not_negative{0, 1e300};
-constexpr Bounds positive{1e-300, 1e300};
 
 // A plain number of degrees is the standard deviation of the tilt; a distribution is that of the tilt itself.
 Sampler roughness_sampler(const Distribution& roughness) {
@@ -34,6 +35,15 @@ talus::Material material_of(const Material& m) {
   material.roughness_amplitude = m.roughness_amplitude_m;
   material.dynamic_friction = Sampler(m.dynamic_friction, not_negative);
   material.rolling_friction = Sampler(m.rolling_friction, not_negative);
+  if (m.forest_drag_kg_s) {
+    material.forest_drag = *m.forest_drag_kg_s;
+  } else if (m.forest != Forest::none) {
+    material.forest_drag = forest_drag(m.forest == Forest::open     ? ForestDensity::open
+                                       : m.forest == Forest::medium ? ForestDensity::medium
+                                                                    : ForestDensity::dense);
+  }
+  material.forest_height = m.forest_height_m.value_or(0);
+  material.ground_drag = m.ground_drag_per_s;
   return material;
 }
 
@@ -95,64 +105,16 @@ class Builder {
     model_.sampling = project_.sampling.method;
     const double lowest = visit([](const auto& surface) { return surface.bounds().low.z(); });
     model_.energy_datum = project_.analysis.energy_datum_m.value_or(lowest + model_.frame.origin.z());
-    for (const Seeder& seeder : project_.seeders) add_seeder(seeder);
+    add_seeders(project_, model_, problems_, warnings_);
     for (const Barrier& barrier : project_.barriers) add_barrier(barrier);
     if (problems_.has_errors()) throw BadInput(problems_);
     return std::move(model_);
   }
 
  private:
-  Vec3 local(const std::array<double, 3>& p) const { return model_.frame.local_from_global({p[0], p[1], p[2]}); }
   void complain(int line, std::string where, std::string what, std::string why, std::string hint) {
     problems_.add({Severity::error, project_.file.string(), line, std::move(where), std::move(what), std::move(why),
                    std::move(hint)});
-  }
-
-  void add_seeder(const Seeder& s) {
-    talus::Seeder seeder;
-    seeder.name = s.name;
-    seeder.first_rock = model_.rocks();
-    seeder.rocks = static_cast<std::uint64_t>(s.rocks);
-    for (const auto& p : s.points) seeder.points.push_back(local(p));
-    if (s.z_is_surface || s.height_above_m) seeder.above_surface = s.height_above_m.value_or(0);
-    if (s.diameter_m) {
-      seeder.size_of = SizeOf::diameter;
-      seeder.size = Sampler(*s.diameter_m, positive);
-    } else if (s.volume_m3) {
-      seeder.size_of = SizeOf::volume;
-      seeder.size = Sampler(*s.volume_m3, positive);
-    } else {
-      seeder.size = Sampler(s.mass_kg, positive);
-    }
-    seeder.density = Sampler(s.density_kg_m3, positive);
-    seeder.direction = Vec3(s.direction[0], s.direction[1], s.direction[2]).normalized();
-    if (s.speed_m_s) seeder.speed = Sampler(*s.speed_m_s, not_negative);
-    seeder.horizontal = Sampler(s.horizontal_velocity_m_s, Bounds{});
-    seeder.vertical = Sampler(s.vertical_velocity_m_s, Bounds{});
-    seeder.spin = Sampler(s.rotational_velocity_deg_s, Bounds{}, radians);
-    check_on_terrain(s);
-    if (seeder.rocks > 0) model_.seeders.push_back(std::move(seeder));
-  }
-
-  void check_on_terrain(const Seeder& s) {
-    for (const auto& p : s.points) {
-      const Vec3 at = local(p);
-      if (visit([&](const auto& surface) { return surface.elevation(at.x(), at.y()).has_value(); })) continue;
-      const Box box = visit([](const auto& surface) { return surface.bounds(); });
-      const Vec3 low = model_.frame.global_from_local(box.low), high = model_.frame.global_from_local(box.high);
-      const bool flat = project_.is_2d();
-      const bool is_within =
-          at.x() >= box.low.x() && at.x() <= box.high.x() && at.y() >= box.low.y() && at.y() <= box.high.y();
-      complain(s.line, fmt::format("seeder \"{}\"", s.name),
-               flat ? fmt::format("x = {} is off the terrain", p[0])
-                    : fmt::format("({}, {}) is off the terrain", p[0], p[1]),
-               flat ? fmt::format("the section goes from x = {:.10g} to {:.10g}", low.x(), high.x())
-               : is_within
-                   ? std::string("the terrain has a hole there, without data or triangles")
-                   : fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
-                                 low.x(), high.x(), low.y(), high.y()),
-               project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders" : "");
-    }
   }
 
   void add_barrier(const Barrier& b) {
@@ -163,12 +125,11 @@ class Builder {
     if (b.normal_restitution && b.tangential_restitution) {
       barrier.restitution = Restitution{*b.normal_restitution, *b.tangential_restitution};
     }
-    barrier.panels = panels_over(foot_of(b), b.height_m, b.inclination_deg * radians);
-    if (barrier.panels.empty()) {
+    barrier.stand(panels_over(foot_of(b), b.height_m, b.inclination_deg * radians));
+    if (barrier.panels().empty()) {
       complain(b.source_line, fmt::format("{} \"{}\"", b.is_collector ? "collector" : "barrier", b.name),
                "its line does not touch the terrain", "a barrier stands on the ground", "");
     }
-    barrier.bounds = plan_bounds(barrier.panels);
     model_.barriers.push_back(std::move(barrier));
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "talus/project/values.hpp"
+#include "talus/terrain/plan_polygon.hpp"
 
 namespace talus::project {
 
@@ -101,6 +102,53 @@ bool ValueReader::into(const Value& value, DirectionSlot slot) {
   return true;
 }
 
+std::optional<std::vector<std::array<double, 2>>> ValueReader::plan_points(const Value& value) {
+  const toml::array& list = *value.node.as_array();
+  std::vector<std::array<double, 2>> read(list.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Value entry{value.setting, list[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
+    const toml::array* pair = entry.node.as_array();
+    if (!pair || pair->size() != 2) {
+      refuse_kind(entry, "a point on plan, [x, y]");
+      return std::nullopt;
+    }
+    bool good = true;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Value part{value.setting, (*pair)[k], value.row, value.where, fmt::format("{}[{}]", entry.name, k)};
+      good = into(part, &read[i][k]) && good;
+    }
+    if (!good) return std::nullopt;
+    if (i > 0 && read[i] == read[i - 1]) {
+      refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it repeats the point before it",
+             "Leave it out");
+      return std::nullopt;
+    }
+  }
+  return read;
+}
+
+bool ValueReader::into(const Value& value, PlanPolygonSlot slot) {
+  const toml::array* list = value.node.as_array();
+  if (!list || list->size() < 3) return refuse_kind(value, "three or more points on plan, [[x, y], [x, y], [x, y]]");
+  auto read = plan_points(value);
+  if (!read) return false;
+  if (read->size() > 3 && read->front() == read->back()) read->pop_back();
+  std::vector<Vec2> ring;
+  for (const auto& [x, y] : *read) ring.emplace_back(x, y);
+  constexpr std::size_t most_vertices = 10000;  // more are for a file
+  if (ring.size() > most_vertices) {
+    return refuse(value, fmt::format("{} has {} points", value.name, ring.size()),
+                  fmt::format("expected at most {}", most_vertices), "Put it into a file and name it with polygons");
+  }
+  if (const auto crossing = self_crossing(ring)) {
+    return refuse(value, fmt::format("{} crosses or touches itself", value.name),
+                  fmt::format("at or near ({:.10g}, {:.10g})", crossing->x(), crossing->y()),
+                  "Give its corners in order, once around");
+  }
+  slot.seeder->polygon = std::move(*read);
+  return true;
+}
+
 bool ValueReader::into(const Value& value, PlanLineSlot slot) {
   if (!dimension_is_known_) return false;
   const toml::array* list = value.node.as_array();
@@ -113,26 +161,13 @@ bool ValueReader::into(const Value& value, PlanLineSlot slot) {
     return true;
   }
   if (!list || list->size() < 2) return refuse_kind(value, "two or more points on plan, [[x, y], [x, y]]");
-  std::vector<std::array<double, 2>> read(list->size());
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
-    const toml::array* pair = entry.node.as_array();
-    if (!pair || pair->size() != 2) return refuse_kind(entry, "a point on plan, [x, y]");
-    bool good = true;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Value part{value.setting, (*pair)[k], value.row, value.where, fmt::format("{}[{}]", entry.name, k)};
-      good = into(part, &read[i][k]) && good;
-    }
-    if (!good) return false;
-    if (i > 0 && read[i] == read[i - 1]) {
-      return refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it repeats the point before it",
-                    "Leave it out");
-    }
-    if (two_dimensional_ && read[i][0] != read[0][0]) {
-      return refuse_kind(value, "x, the analysis being 2D; these points have different x");
-    }
+  auto read = plan_points(value);
+  if (!read) return false;
+  for (const auto& point : *read) {
+    if (!two_dimensional_ || point[0] == read->front()[0]) continue;
+    return refuse_kind(value, "x, the analysis being 2D; these points have different x");
   }
-  slot.barrier->line = two_dimensional_ ? std::vector<std::array<double, 2>>{{read[0][0], 0}} : std::move(read);
+  slot.barrier->line = two_dimensional_ ? std::vector<std::array<double, 2>>{{read->front()[0], 0}} : std::move(*read);
   return true;
 }
 

@@ -57,7 +57,9 @@ struct Sampling {
   MaterialSampling materials = MaterialSampling::per_impact;
 };
 
-/// [terrain]: exactly one of section, mesh (a file), triangles (inline, with vertices) and raster (a file)
+/// [terrain]: exactly one of section, mesh (a file), triangles (inline, with vertices), raster (a file), a survey
+/// (points, lines or both: files), polylines (inline) and polygons (a file). Paths are as written in the file; relative
+/// to the project file.
 struct Terrain {
   std::vector<std::array<double, 2>> section;            // x, z
   std::vector<std::array<double, 2>> section_std_dev_m;  // of x and z, one per vertex, or empty; 2D only
@@ -66,13 +68,31 @@ struct Terrain {
   std::vector<std::array<double, 3>> vertices;
   std::vector<std::array<std::int64_t, 3>> triangles;
   std::filesystem::path raster;  // as written in the file; relative to the project file
+  std::filesystem::path points;
+  std::vector<std::int64_t> point_classes;  // of LAS; empty: all but noise
+  std::string points_layer;
+  std::filesystem::path lines;
+  std::string lines_layer;
+  std::string elevation_attribute;
+  std::filesystem::path boundary;  // empty: the convex hull
+  std::string boundary_layer;
+  std::optional<double> max_edge_m;
+  std::optional<double> remove_spikes_m;
+  std::vector<std::vector<std::array<double, 3>>> polylines;  // closed: the last vertex is the first
+  std::filesystem::path polygons;
+  std::string polygons_layer;
+  double merge_tolerance_m = 0.001;
+  std::string crs;  // in words; "local": of no map; empty: that of the files
   double rotate_deg = 0;
   std::array<double, 3> rotate_about{0, 0, 0};
 };
 
+enum class Forest { none, open, medium, dense };
+
 /// [[material]]
 struct Material {
   std::string name;
+  std::string like;  // of the library: where the values came from that the file does not give
   Distribution normal_restitution = constant(0.35);
   Distribution tangential_restitution = constant(0.85);
   Distribution friction_angle_deg = constant(30);
@@ -81,6 +101,10 @@ struct Material {
   double roughness_amplitude_m = 0;          // rigid sphere
   Distribution dynamic_friction = constant(0.5);
   Distribution rolling_friction = constant(0.1);
+  Forest forest = Forest::none;  // or its drag; with either, its height
+  std::optional<double> forest_drag_kg_s;
+  std::optional<double> forest_height_m;
+  double ground_drag_per_s = 0;
 };
 
 /// [ground]
@@ -90,20 +114,37 @@ struct Ground {
   std::vector<std::int64_t> triangles;          // mesh: index into the materials, one per triangle
   std::filesystem::path raster;                 // of classes; as written in the file, relative to the project file
   std::map<std::int32_t, std::string> classes;  // of that raster: which class is which material
+  std::filesystem::path polygons;               // on plan; as written in the file, relative to the project file
+  std::string layer;                            // of that file; where it has several
+  std::string attribute;                        // of the polygons, which says the material
+  std::map<std::string, std::string> values;    // of that attribute: which is which material; empty: its name
 };
 
-enum class SeederType { point, line };
+enum class SeederType { point, line, polygon, raster };
+enum class PlaceInCell { random, centre };
 
 /// [[seeder]]
 struct Seeder {
-  std::string name;  // default: "seeder N"
+  std::string name;    // default: "seeder N"
+  std::string source;  // default: the name
   SeederType type = SeederType::point;
   std::vector<std::array<double, 3>>
       points;                 // one for a point, two or more for a line; 2D: y = 0. From `position` or `points`
   bool z_is_surface = false;  // the points' z was given as "surface"
-  std::optional<double> height_above_m;  // above the surface, instead of z
+  std::optional<double> height_above_m;        // above the surface, instead of z
+  std::filesystem::path lines;                 // a line seeder's, instead of points; relative to the project file
+  std::filesystem::path polygons;              // a polygon seeder's; relative to the project file
+  std::vector<std::array<double, 2>> polygon;  // or one on plan
+  std::string layer;                           // of the file of lines or polygons; where it has several
+  std::string source_attribute;                // of theirs: whose values are the sources of the rocks
+  std::optional<double> min_slope_deg, max_slope_deg;  // of the cells of a polygon or raster seeder
+  std::filesystem::path mask;              // a raster whose cells say where rocks start; relative to the project file
+  std::optional<std::int64_t> mask_value;  // the value that does; without it, all but 0
+  std::optional<double> cell_m;            // side of a cell where the terrain is no raster
+  PlaceInCell place = PlaceInCell::random;
   std::int64_t rocks = 1;
-  Distribution mass_kg = constant(1000);  // exactly one of mass, volume and diameter is given
+  std::optional<std::int64_t> rocks_per_cell;  // instead of rocks
+  Distribution mass_kg = constant(1000);       // exactly one of mass, volume and diameter is given
   std::optional<Distribution> volume_m3;
   std::optional<Distribution> diameter_m;
   Distribution density_kg_m3 = constant(2700);
@@ -133,8 +174,11 @@ struct Barrier {
 struct Output {
   std::optional<std::int64_t> path_limit;  // key `paths`: nothing here is "all", 0 is "none", else a number of rocks
   bool maps = true;                        // 3D only
-  double raster_cell_m = 1;
+  bool maps_by_source = false;
+  std::optional<double> raster_cell_m = 1;  // nothing here is "terrain": the cells of the terrain's raster
   std::vector<double> percentiles{50, 95, 99};
+  std::optional<std::int64_t> geopackage_limit = 10000;  // key `geopackage`, in words as `paths`; 3D only
+  bool vtk = false;
   bool report = true;
 };
 
@@ -150,6 +194,7 @@ struct Project {
   std::vector<Barrier> barriers;  // collectors too
   Output output;
 
+  [[nodiscard]] bool has_survey() const { return !terrain.points.empty() || !terrain.lines.empty(); }
   [[nodiscard]] bool is_2d() const { return !terrain.section.empty() && !terrain.width_m; }
   [[nodiscard]] std::uint64_t rocks() const;
 };

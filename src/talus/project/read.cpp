@@ -76,7 +76,11 @@ void complete(Project& project) {
   if (project.ground.default_material.empty() && !project.materials.empty()) {
     project.ground.default_material = project.materials.front().name;
   }
-  for (std::size_t i = 0; i < project.seeders.size(); ++i) name_unnamed(project.seeders[i], "seeder", i);
+  for (std::size_t i = 0; i < project.seeders.size(); ++i) {
+    Seeder& seeder = project.seeders[i];
+    name_unnamed(seeder, "seeder", i);
+    if (seeder.source.empty()) seeder.source = seeder.name;
+  }
   std::size_t barriers = 0, collectors = 0;
   for (Barrier& barrier : project.barriers) {
     if (barrier.is_collector) {
@@ -84,6 +88,23 @@ void complete(Project& project) {
     } else {
       name_unnamed(barrier, "barrier", barriers++);
     }
+  }
+}
+
+Problem about_option(std::string option, std::string what, std::string why) {
+  return {.file = std::move(option), .where = {}, .what = std::move(what), .why = std::move(why), .hint = {}};
+}
+
+/// How many rocks a seeder with rocks_per_cell has is known only with the terrain, and so is its share of a total.
+void refuse_rocks_per_cell(const Project& project, std::int64_t total, Problems& problems) {
+  for (std::size_t i = 0; i < project.seeders.size(); ++i) {
+    if (!project.seeders[i].rocks_per_cell) continue;
+    Problem problem = about_option(
+        fmt::format("--rocks {}", total), fmt::format("cannot be shared among the {} seeders", project.seeders.size()),
+        fmt::format("number {} has rocks_per_cell, and its cells are not counted yet", i + 1));
+    problem.hint = "Give it rocks instead, or set each on its own: --set seeder.0.rocks=...";
+    problems.add(std::move(problem));
+    return;
   }
 }
 
@@ -120,10 +141,6 @@ Problems in_order(const Problems& problems, const std::string& file) {
   return sorted;
 }
 
-Problem about_option(std::string option, std::string what, std::string why) {
-  return {.file = std::move(option), .where = {}, .what = std::move(what), .why = std::move(why), .hint = {}};
-}
-
 }  // namespace
 
 Reading read_project_text(std::string_view text, const std::filesystem::path& file, const Overrides& overrides) {
@@ -142,12 +159,16 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
     problems.add(about_option(fmt::format("--rocks {}", *overrides.rocks), "this is no number of rocks",
                               fmt::format("expected {}", rocks.text())));
   }
+  if (overrides.rocks && project.seeders.size() > 1) refuse_rocks_per_cell(project, *overrides.rocks, problems);
   if (!problems.has_errors()) complete(project);
   check(project, document, reader.refused(), problems);
   problems = in_order(problems, document.file());
   if (problems.has_errors()) throw BadInput(std::move(problems));
 
-  if (overrides.rocks) share_rocks(project.seeders, *overrides.rocks);
+  if (overrides.rocks) {
+    if (project.seeders.size() == 1) project.seeders.front().rocks_per_cell.reset();
+    share_rocks(project.seeders, *overrides.rocks);
+  }
   if (overrides.seed) project.sampling.seed = *overrides.seed;
   reading.warnings = std::move(problems);
   return reading;

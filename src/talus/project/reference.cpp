@@ -31,10 +31,17 @@ struct Named {
   std::string operator()(const std::vector<std::array<double, 2>>*) const { return "list of pairs"; }
   std::string operator()(const std::vector<std::array<double, 3>>*) const { return "list of triples"; }
   std::string operator()(const std::vector<std::array<std::int64_t, 3>>*) const { return "list of triples"; }
+  std::string operator()(const std::vector<std::vector<std::array<double, 3>>>*) const {
+    return "list of lists of triples";
+  }
   std::string operator()(const std::vector<std::string>*) const { return "list of texts"; }
   std::string operator()(const std::vector<std::int64_t>*) const { return "list of whole numbers"; }
   std::string operator()(const std::vector<double>*) const { return "list of numbers"; }
   std::string operator()(const std::map<std::int32_t, std::string>*) const { return "table of texts by whole numbers"; }
+  std::string operator()(const std::optional<std::int64_t>*) const { return "whole number"; }
+  std::string operator()(const std::map<std::string, std::string>*) const { return "table of texts by texts"; }
+  std::string operator()(PlanPolygonSlot) const { return "list of pairs"; }
+  std::string operator()(LibrarySlot) const { return "text"; }
   template <class Enumeration>
   requires std::is_enum_v<Enumeration> std::string operator()(const Enumeration*) const {
     return words_text(words(Enumeration{}));
@@ -43,7 +50,8 @@ struct Named {
   std::string operator()(PointsSlot) const { return "list of positions"; }
   std::string operator()(PlanLineSlot) const { return "number or list of pairs"; }
   std::string operator()(DirectionSlot) const { return "two or three numbers"; }
-  std::string operator()(PathLimitSlot) const { return "`\"all\"`, `\"none\"` or whole number"; }
+  std::string operator()(RockLimitSlot) const { return "`\"all\"`, `\"none\"` or whole number"; }
+  std::string operator()(MapCellSlot) const { return "number or `\"terrain\"`"; }
 };
 
 std::string type_text(const Table& table, const Setting& setting) {

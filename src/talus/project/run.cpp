@@ -1,104 +1,138 @@
 #include "talus/project/run.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
+
+#include <system_error>
+#include <utility>
 
 #include "talus/io/map_files.hpp"
 #include "talus/io/output_file.hpp"
-#include "talus/io/report.hpp"
-#include "talus/io/result_tables.hpp"
-#include "talus/io/summary_json.hpp"
-#include "talus/project/echo.hpp"
+#include "talus/io/run_state.hpp"
+#include "talus/io/table_files.hpp"
+#include "talus/project/checkpoint.hpp"
 
 namespace talus::project {
 
 namespace {
 
-void warn_of_lost_and_lifted(const Summary& summary, Problems& warnings) {
-  const auto warn = [&](std::string where, std::string what, std::string why, std::string hint) {
-    warnings.add({Severity::warning, "", 0, std::move(where), std::move(what), std::move(why), std::move(hint)});
+/// From where `bad` was caught. A problem on the way need not be the end: says so where a checkpoint is on the disk.
+[[noreturn]] void throw_with_way_on(const BadInput& bad, const Checkpoints& checkpoints) {
+  std::error_code ignored;
+  const auto& last = checkpoints.last();
+  if (!last || !std::filesystem::exists(checkpoints.file(), ignored)) throw;
+  Problems problems;
+  for (Problem problem : bad.problems().list()) {
+    if (problem.severity == Severity::error) {
+      problem.hint += fmt::format("{}The first {} of {} rocks are kept: with --resume the run goes on from there",
+                                  problem.hint.empty() ? "" : ". ", last->rocks().count(), last->range.count());
+    }
+    problems.add(std::move(problem));
+  }
+  throw BadInput(std::move(problems));
+}
+
+/// The state, and one that was being written when its run was killed.
+void remove_state(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+  std::filesystem::remove(OutputFile::part_of(file), ignored);
+}
+
+/// Where a run begins: with its first rock, or after those that an earlier one has done.
+struct Start {
+  io::RunStateHeader state;
+  bool goes_on = false;      // the state is on the disk
+  bool is_complete = false;  // nothing is left to do
+};
+
+Start find_start(const std::filesystem::path& folder, const io::RunDescription& description,
+                 const RunOptions& options) {
+  Start start;
+  start.state.description = description;
+  start.state.shard = options.shard;
+  start.state.range = options.shard ? rocks_of(*options.shard, description.rocks) : RockRange{0, description.rocks};
+  start.state.done = start.state.range.first;
+  if (!options.resume) return start;
+  const Found found = find_checkpoint(folder, description, start.state.range, options.shard);
+  start.is_complete = found.is_complete;
+  start.goes_on = found.state.has_value();
+  if (found.state) start.state = *found.state;
+  if (start.is_complete || !options.say) return start;
+  options.say(start.goes_on
+                  ? fmt::format("going on after {} of {} rocks", start.state.rocks().count(), start.state.range.count())
+                  : fmt::format("there is no checkpoint in {}: the run begins anew", folder.string()));
+  return start;
+}
+
+/// Throws the rocks that are left, and sees to it that the state is on the disk where somebody may need it: of a shard
+/// for merging, of a run that was stopped or has taken long for going on.
+CampaignOutcome throw_rocks(const Model& model, const RunOptions& options, const RockRange& all, std::uint64_t next,
+                            RunSums& sums, io::TableFiles& tables, Checkpoints& checkpoints) {
+  std::vector<Observer*> observers = tables.observers();
+  for (SummingObserver* observer : sums.observers()) observers.push_back(observer);
+  CampaignOptions campaign = options.campaign;
+  campaign.rocks = RockRange{next, all.last};
+  campaign.progress = [&](std::uint64_t done) {
+    if (options.campaign.progress) options.campaign.progress(done - all.first);
+    if (done < all.last) checkpoints.after(done);
   };
-  if (summary.lifted > 0) {
-    warn("seeders", fmt::format("{} of {} rocks were lifted onto the surface", summary.lifted, summary.done),
-         "they would have started below it", "");
-  }
-  if (const auto lost = summary.ends[static_cast<std::size_t>(EndReason::lost)]; lost > 0) {
-    warn("rocks", fmt::format("{} of {} rocks fell through the surface", lost, summary.done),
-         "this is a defect of the program, not of your project",
-         fmt::format("Please report it with the output of `talus replay --rock {}`", *summary.first_lost));
-  }
+  if (options.campaign.progress) options.campaign.progress(next - all.first);
+  const CampaignOutcome outcome = run_campaign(model, observers, campaign);
+  const bool may_be_resumed = options.checkpoint_every > 0 && (outcome.interrupted || checkpoints.last());
+  if (options.shard || may_be_resumed) checkpoints.write(outcome.done);
+  return outcome;
 }
 
 }  // namespace
-
-std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model) {
-  if (!project.output.maps || std::holds_alternative<Profile>(model.surface)) return nullptr;
-  return std::visit(
-      [&](const auto& surface) {
-        const MapGrid grid =
-            MapGrid::at_multiples(project.output.raster_cell_m, model.frame, Vec2(surface.bounds().low.head(2)));
-        return std::make_unique<MapObserver>(grid, model.laws.model, [&surface](double x, double y, double below) {
-          return surface.elevation(x, y, below);
-        });
-      },
-      model.surface);
-}
 
 RunResult run_in_memory(const Model& model, const CampaignOptions& options) {
   SummaryObserver statistics(model.rocks(), model.barriers.size(), model.frame);
   Observer* const observers[] = {&statistics};
   const CampaignOutcome outcome = run_campaign(model, observers, options);
-  RunResult result{outcome, statistics.summary(), {}};
-  warn_of_lost_and_lifted(result.summary, result.warnings);
+  RunResult result{outcome, statistics.summary(), {}, {0, model.rocks()}};
+  warn_of_rocks(result.summary, result.warnings);
   return result;
 }
 
 RunResult run_into(const std::filesystem::path& folder, const Project& project, const Model& model,
-                   const Problems& warnings, const CampaignOptions& options) {
+                   const Problems& warnings, const RunOptions& options) {
   make_output_folder(folder);
-  const TableContext context = TableContext::of(model);
-  SummaryObserver statistics(model.rocks(), model.barriers.size(), model.frame);
-  EndpointsTable endpoints(folder / "endpoints.csv", context);
-  BarriersTable barriers(folder / "barriers.csv", context);
-  std::optional<std::uint64_t> limit;
-  if (project.output.path_limit) limit = static_cast<std::uint64_t>(*project.output.path_limit);
-  PathsTable paths(folder / "paths.csv", context, model.rocks(), limit);
+  io::RunDescription description = describe(project, model, warnings);
+  // What nobody will write need not be gathered; but a shard's maps are written by those who merge it.
+  if (!io::can_write_maps() && !options.shard) description.maps.reset();
+  const Start start = find_start(folder, description, options);
+  const io::RunStateHeader& begun = start.state;
+  if (start.is_complete) return {.summary = Summary(0, 0), .range = begun.range, .was_complete = true};
 
-  Problems map_warnings;
-  std::unique_ptr<MapObserver> maps = map_observer(project, model);
-  if (maps && !io::can_write_maps()) {
-    map_warnings.add({Severity::warning, "", 0, "[output]", "no maps are written",
-                      "this program was built without GDAL", "Build it with GDAL, or set maps = false"});
-    maps.reset();
+  const std::filesystem::path state_file = folder / io::run_state_name;
+  RunSums sums(description, project, model);
+  std::optional<std::uint64_t> path_limit;
+  if (project.output.path_limit) path_limit = static_cast<std::uint64_t>(*project.output.path_limit);
+  io::TableFiles tables(folder, TableContext::of(model), model.rocks(), path_limit);
+  Checkpoints checkpoints(folder, begun, sums, tables, options.checkpoint_every);
+  if (start.goes_on) {
+    const auto observers = sums.observers();
+    io::merge_run_state(state_file, observers);
+    tables.go_on(begun.tables);
+    checkpoints.begin_with(begun);
+  } else {
+    remove_state(state_file);
+    tables.begin();
   }
-
-  std::vector<Observer*> observers{&statistics, &endpoints, &barriers, &paths};
-  if (maps) observers.push_back(maps.get());
-  const CampaignOutcome outcome = run_campaign(model, observers, options);
-  endpoints.finish();
-  barriers.finish();
-  paths.finish();
-  io::remove_maps(folder / "maps");
-  if (maps) {
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                      static_cast<std::size_t>(outcome.threads));
-    io::write_maps(maps->maps(), project.output.percentiles, model.crs_wkt, folder / "maps");
+  try {
+    RunCourse course{begun.range, begun.shard};
+    const CampaignOutcome outcome = throw_rocks(model, options, begun.range, begun.done, sums, tables, checkpoints);
+    course.interrupted = outcome.interrupted;
+    course.seconds = begun.seconds + outcome.seconds;
+    course.threads = outcome.threads;
+    tables.finish();
+    RunResult result{outcome, sums.summary(), write_results(folder, description, sums, course), begun.range,
+                     begun.rocks().count()};
+    if (!outcome.interrupted && !options.shard) remove_state(state_file);
+    return result;
+  } catch (const BadInput& bad) {
+    throw_with_way_on(bad, checkpoints);
   }
-
-  RunResult result{outcome, statistics.summary(), std::move(map_warnings)};
-  warn_of_lost_and_lifted(result.summary, result.warnings);
-  RunDescription description{project.name, echo(project), {}};
-  Problems all = warnings;
-  all.append(result.warnings);
-  for (const Problem& problem : all.list()) description.warnings.push_back(problem.text());
-  OutputFile summary(folder / "summary.json");
-  summary.write(summary_json(description, model, result.summary, outcome).dump(1) + "\n");
-  summary.commit();
-  if (project.output.report) {
-    const std::filesystem::path folders[] = {folder};
-    io::write_report(folders, folder / "report.html");
-  }
-  return result;
 }
 
 }  // namespace talus::project

@@ -2,31 +2,46 @@
 // A whole run: the model's rocks, and its results in a folder.
 
 #include <filesystem>
-#include <memory>
+#include <functional>
+#include <optional>
+#include <string>
 
 #include "talus/campaign/campaign.hpp"
 #include "talus/campaign/model.hpp"
+#include "talus/campaign/shard.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/project/project.hpp"
-#include "talus/results/map_observer.hpp"
+#include "talus/project/run_results.hpp"
 #include "talus/results/summary.hpp"
 
 namespace talus::project {
 
+struct RunOptions {
+  /// Which rocks is not said here but by `shard`. Progress is called with how many rocks of the run are done, those of
+  /// a run that it goes on with included; first once before any rock is thrown.
+  CampaignOptions campaign;
+  std::optional<Shard> shard;                   // nothing: the whole campaign
+  bool resume = false;                          // go on from the last checkpoint in the folder
+  double checkpoint_every = 20;                 // [s]; 0: never
+  std::function<void(const std::string&)> say;  // what the user should know before rocks are thrown
+};
+
 struct RunResult {
   CampaignOutcome outcome;
   Summary summary;
-  Problems warnings;  // those that only the run could know
+  Problems warnings;              // those that only the run could know
+  RockRange range;                // rocks that were to be done
+  std::uint64_t done_before = 0;  // rocks of an earlier run that this one went on with
+  bool was_complete = false;      // there was nothing left to do; the summary is empty
 };
 
 /// Runs the campaign and writes endpoints.csv, paths.csv, barriers.csv, summary.json, report.html and, in 3D, maps,
-/// as the project asks. A run that is stopped writes what it has. Throws BadInput where the folder cannot be written
-/// to; files are there whole or not at all.
+/// as the project asks; of a shard tables, summary.json and run.state, for merging (merge.hpp). While it runs,
+/// run.state is written now and then, and stays if the run does not come to its end: one that resumes goes on from
+/// there and gives the same bytes. A run that is stopped writes what it has. Throws BadInput where the folder cannot be
+/// written to, and then says from where it can be resumed; files are there whole or not at all.
 RunResult run_into(const std::filesystem::path& folder, const Project& project, const Model& model,
-                   const Problems& warnings, const CampaignOptions& options);
-
-/// What makes maps of the model's rocks; nothing where the project wants none, or is 2D. Refers to the model.
-[[nodiscard]] std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model);
+                   const Problems& warnings, const RunOptions& options);
 
 /// Runs the campaign for its statistics alone.
 RunResult run_in_memory(const Model& model, const CampaignOptions& options);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "talus/project/echo.hpp"
+#include "talus/project/material_library.hpp"
 #include "talus/project/settings.hpp"
 
 namespace talus::project {
@@ -56,6 +57,9 @@ struct Typed {
   Json operator()(const std::vector<std::array<double, 2>>*) const { return list_of(tuple_of(number(), 2, 2), 1); }
   Json operator()(const std::vector<std::array<double, 3>>*) const { return list_of(tuple_of(number(), 3, 3), 1); }
   Json operator()(const std::vector<std::array<std::int64_t, 3>>*) const { return list_of(tuple_of(whole(), 3, 3), 1); }
+  Json operator()(const std::vector<std::vector<std::array<double, 3>>>*) const {
+    return list_of(list_of(tuple_of(number(), 3, 3), 4), 1);
+  }
   Json operator()(const std::vector<std::string>*) const { return list_of(text(), 1); }
   Json operator()(const std::vector<std::int64_t>*) const { return list_of(whole(), 1); }
   Json operator()(const std::vector<double>*) const { return list_of(number(), 0); }
@@ -64,6 +68,16 @@ struct Typed {
             {"propertyNames", {{"pattern", "^-?[0-9]+$"}}},
             {"additionalProperties", text()},
             {"minProperties", 1}};
+  }
+  Json operator()(const std::optional<std::int64_t>*) const { return whole(); }
+  Json operator()(const std::map<std::string, std::string>*) const {
+    return {{"type", "object"}, {"additionalProperties", text()}, {"minProperties", 1}};
+  }
+  Json operator()(PlanPolygonSlot) const { return list_of(tuple_of({{"type", "number"}}, 2, 2), 3); }
+  Json operator()(LibrarySlot) const {
+    Json keys = Json::array();
+    for (const LibraryMaterial& entry : material_library()) keys.push_back(entry.key);
+    return {{"enum", std::move(keys)}};
   }
   template <class Enumeration>
   requires std::is_enum_v<Enumeration> Json operator()(const Enumeration*) const {
@@ -79,7 +93,8 @@ struct Typed {
     return {{"anyOf", Json::array({plain, tuple_of(plain, 1, 1), list_of(tuple_of(plain, 2, 2), 2)})}};
   }
   Json operator()(DirectionSlot) const { return tuple_of({{"type", "number"}}, 2, 3); }
-  Json operator()(PathLimitSlot) const { return {{"anyOf", Json::array({Json{{"enum", {"all", "none"}}}, whole()})}}; }
+  Json operator()(RockLimitSlot) const { return {{"anyOf", Json::array({Json{{"enum", {"all", "none"}}}, whole()})}}; }
+  Json operator()(MapCellSlot) const { return {{"anyOf", Json::array({Json{{"const", "terrain"}}, number()})}}; }
 };
 
 /// A row to ask a setting for its member: only the type matters.

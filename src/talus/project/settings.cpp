@@ -32,11 +32,20 @@ std::function<Slot(Row)> points_slot() {
 std::function<Slot(Row)> direction_slot() {
   return [](Row row) -> Slot { return DirectionSlot{&std::get<Seeder*>(row)->direction}; };
 }
+std::function<Slot(Row)> plan_polygon_slot() {
+  return [](Row row) -> Slot { return PlanPolygonSlot{std::get<Seeder*>(row)}; };
+}
+std::function<Slot(Row)> library_slot() {
+  return [](Row row) -> Slot { return LibrarySlot{std::get<Material*>(row)}; };
+}
 std::function<Slot(Row)> plan_line_slot() {
   return [](Row row) -> Slot { return PlanLineSlot{std::get<Barrier*>(row)}; };
 }
-std::function<Slot(Row)> path_limit_slot() {
-  return [](Row row) -> Slot { return PathLimitSlot{&std::get<Output*>(row)->path_limit}; };
+std::function<Slot(Row)> rock_limit_slot(std::optional<std::int64_t> Output::*limit) {
+  return [limit](Row row) -> Slot { return RockLimitSlot{&(std::get<Output*>(row)->*limit)}; };
+}
+std::function<Slot(Row)> map_cell_slot() {
+  return [](Row row) -> Slot { return MapCellSlot{&std::get<Output*>(row)->raster_cell_m}; };
 }
 
 constexpr Range at_least(double least, std::string_view why = {}) { return {.least = least, .too_low = why}; }
@@ -255,19 +264,24 @@ Table sampling() {
   };
 }
 
+constexpr std::string_view one_terrain =
+    "one of section, mesh, triangles, raster, points, lines, polylines and polygons is required";
+
 Table terrain() {
   auto [add, rows] = one_row(&Project::terrain);
   return {
       .key = "terrain",
       .required = true,
-      .meaning = "The slope: exactly one of `section`, `mesh`, `triangles` and `raster`. z points up.",
+      .meaning =
+          "The slope: exactly one of `section`, `mesh`, `triangles`, `raster`, a survey (`points`, `lines` or both), "
+          "`polylines` and `polygons`. z points up.",
       .settings =
           {
               {.key = "section",
                .slot = member(&Terrain::section),
                .unit = "m",
-               .without_it = "one of section, mesh, triangles and raster is required",
-               .excludes = {"mesh", "vertices", "triangles", "raster"},
+               .without_it = one_terrain,
+               .excludes = {"mesh", "vertices", "triangles", "raster", "points", "lines", "polylines", "polygons"},
                .meaning = "Vertices [x, z] of a slope in section, along the slope: two or more.",
                .source = "Talus"},
               {.key = "section_std_dev_m",
@@ -289,8 +303,8 @@ Table terrain() {
                .source = "Talus"},
               {.key = "mesh",
                .slot = member(&Terrain::mesh),
-               .without_it = "one of section, mesh, triangles and raster is required",
-               .excludes = {"section", "vertices", "triangles", "raster"},
+               .without_it = one_terrain,
+               .excludes = {"section", "vertices", "triangles", "raster", "points", "lines", "polylines", "polygons"},
                .meaning = "A file of triangles in metres (.obj, .stl or .ply); its path is relative to the project "
                           "file.",
                .source = "Talus"},
@@ -298,25 +312,126 @@ Table terrain() {
                .slot = member(&Terrain::vertices),
                .unit = "m",
                .without_it = "required beside triangles",
-               .excludes = {"section", "mesh", "raster"},
+               .excludes = {"section", "mesh", "raster", "points", "lines", "polylines", "polygons"},
                .meaning = "Vertices [x, y, z] of an inline mesh.",
                .source = "Talus"},
               {.key = "triangles",
                .slot = member(&Terrain::triangles),
                .range = at_least(0),
-               .without_it = "one of section, mesh, triangles and raster is required",
-               .excludes = {"section", "mesh", "raster"},
+               .without_it = one_terrain,
+               .excludes = {"section", "mesh", "raster", "points", "lines", "polylines", "polygons"},
                .meaning = "Triangles of an inline mesh: the numbers of three vertices each, counted from 0, in either "
                           "winding.",
                .source = "Talus"},
               {.key = "raster",
                .slot = member(&Terrain::raster),
-               .without_it = "one of section, mesh, triangles and raster is required",
-               .excludes = {"section", "mesh", "vertices", "triangles"},
+               .without_it = one_terrain,
+               .excludes = {"section", "mesh", "vertices", "triangles", "points", "lines", "polylines", "polygons"},
                .meaning =
                    "A file of elevations in metres, on a grid in a projected coordinate system in metres: band 1 "
                    "of whatever GDAL reads (GeoTIFF, AAIGrid, VRT, ...); its path is relative to the project "
                    "file.",
+               .source = "Talus"},
+              {.key = "points",
+               .slot = member(&Terrain::points),
+               .without_it = one_terrain,
+               .excludes = {"section", "mesh", "vertices", "triangles", "raster", "polylines", "polygons"},
+               .meaning = "A file of surveyed points in metres, which are triangulated: text (.csv, .xyz, .txt, .pts, "
+                          ".dat), .las, or points in any vector file that GDAL reads; alone or with `lines`; its path "
+                          "is relative to the project file.",
+               .source = "Talus"},
+              {.key = "point_classes",
+               .slot = member(&Terrain::point_classes),
+               .range = between(0, 255),
+               .without_it = "all but noise (7 and 18)",
+               .meaning = "LAS: of which classes points are taken; 2 is the ground.",
+               .source = "ASPRS LAS 1.4"},
+              {.key = "points_layer",
+               .slot = member(&Terrain::points_layer),
+               .without_it = "the only layer",
+               .meaning = "Which layer of a vector file `points` are in.",
+               .source = "Talus"},
+              {.key = "lines",
+               .slot = member(&Terrain::lines),
+               .without_it = one_terrain,
+               .excludes = {"section", "mesh", "vertices", "triangles", "raster", "polylines", "polygons"},
+               .meaning = "A vector file (GeoPackage, Shapefile, DXF, ...) of contours or breaklines with heights: "
+                          "their vertices are points and no triangle crosses them; alone or with `points`; its path is "
+                          "relative to the project file.",
+               .source = "Talus"},
+              {.key = "lines_layer",
+               .slot = member(&Terrain::lines_layer),
+               .without_it = "the only layer",
+               .meaning = "Which layer `lines` are in.",
+               .source = "Talus"},
+              {.key = "elevation_attribute",
+               .slot = member(&Terrain::elevation_attribute),
+               .without_it = "the geometry's own z",
+               .meaning = "Attribute of lines, or of points in a vector file, that holds the height of all their "
+                          "vertices in metres, as that of contours mostly is.",
+               .source = "Talus"},
+              {.key = "boundary",
+               .slot = member(&Terrain::boundary),
+               .without_it = "the convex hull of the survey",
+               .meaning =
+                   "A vector file of polygons: triangles whose middle lies beyond them are left out; its path is "
+                   "relative to the project file.",
+               .source = "Talus"},
+              {.key = "boundary_layer",
+               .slot = member(&Terrain::boundary_layer),
+               .without_it = "the only layer",
+               .meaning = "Which layer `boundary` is in.",
+               .source = "Talus"},
+              {.key = "max_edge_m",
+               .slot = member(&Terrain::max_edge_m),
+               .unit = "m",
+               .range = more_than(0),
+               .without_it = "no limit",
+               .meaning = "Triangles of a survey with a longer side at the rim are left out, from the rim inwards.",
+               .source = "after Duckham et al. 2008"},
+              {.key = "remove_spikes_m",
+               .slot = member(&Terrain::remove_spikes_m),
+               .unit = "m",
+               .range = more_than(0),
+               .without_it = "all points stay",
+               .meaning = "Points of a survey further than this above or below the plane of their neighbours are left "
+                          "out.",
+               .source = "Talus"},
+              {.key = "polylines",
+               .slot = member(&Terrain::polylines),
+               .unit = "m",
+               .without_it = one_terrain,
+               .excludes = {"section", "mesh", "vertices", "triangles", "raster", "points", "lines", "polygons"},
+               .meaning = "Closed polylines [[x, y, z], ...], each made a polygon and cut into triangles; the last "
+                          "vertex repeats the first.",
+               .source = "the manual, section 2"},
+              {.key = "polygons",
+               .slot = member(&Terrain::polygons),
+               .without_it = one_terrain,
+               .excludes = {"section", "mesh", "vertices", "triangles", "raster", "points", "lines", "polylines"},
+               .meaning =
+                   "The same from a vector file (DXF, GeoPackage, ...): closed lines or polygons with heights; its "
+                   "path is relative to the project file.",
+               .source = "the manual, section 2"},
+              {.key = "polygons_layer",
+               .slot = member(&Terrain::polygons_layer),
+               .without_it = "the only layer",
+               .meaning = "Which layer `polygons` are in.",
+               .source = "Talus"},
+              {.key = "merge_tolerance_m",
+               .slot = member(&Terrain::merge_tolerance_m),
+               .unit = "m",
+               .range = at_least(0),
+               .meaning =
+                   "Vertices of `polylines` or `polygons` as near as this become one, which makes one surface of "
+                   "them.",
+               .source = "the manual, section 2"},
+              {.key = "crs",
+               .slot = member(&Terrain::crs),
+               .without_it = "that of the files",
+               .meaning = "Coordinate system of the terrain where its file names none, for example \"EPSG:31287\"; "
+                          "vector files in others are brought to it; \"local\" says that coordinates are metres of no "
+                          "map.",
                .source = "Talus"},
               {.key = "rotate_deg",
                .slot = member(&Terrain::rotate_deg),
@@ -350,6 +465,12 @@ Table material() {
                .required = true,
                .meaning = "The name by which `[ground]` calls it; no other material has it.",
                .source = "Talus"},
+              {.key = "like",
+               .slot = library_slot(),
+               .without_it = "the defaults below hold",
+               .meaning = "A material of the library (docs/materials.md, `talus materials`), whose values hold where "
+                          "this entry gives none.",
+               .source = "the publications that the library names"},
               {.key = "normal_restitution",
                .slot = member(&Material::normal_restitution),
                .range = restitution,
@@ -401,6 +522,35 @@ Table material() {
                .range = at_least(0, "friction cannot push"),
                .meaning = "Rigid sphere: mu_r, the moment against rolling over weight and radius.",
                .source = "RocFall; the default is a choice of Talus"},
+              {.key = "forest",
+               .slot = member(&Material::forest),
+               .excludes = {"forest_drag_kg_s"},
+               .meaning = "A forest on this ground, by its density: `open` brakes with a drag of 250 kg/s, `medium` "
+                          "500 kg/s, `dense` 750 kg/s.",
+               .source = "the densities: RocFall; the drags: as quoted for RAMMS::ROCKFALL, see docs/laws.md"},
+              {.key = "forest_drag_kg_s",
+               .slot = member(&Material::forest_drag_kg_s),
+               .unit = "kg/s",
+               .range = more_than(0, "trees cannot push"),
+               .without_it = "that of `forest`",
+               .excludes = {"forest"},
+               .meaning = "b, the force on a rock among the trees over its velocity.",
+               .source = "RocFall, after Leine et al. 2014 and Bartelt et al. 2016 (RAMMS::ROCKFALL)"},
+              {.key = "forest_height_m",
+               .slot = member(&Material::forest_height_m),
+               .unit = "m",
+               .range = more_than(0, "a forest stands on the ground"),
+               .without_it = "required beside forest or forest_drag_kg_s",
+               .meaning = "Effective height of the forest: it brakes rocks whose centre is less than this above the "
+                          "ground.",
+               .source = "RocFall, after Leine et al. 2014"},
+              {.key = "ground_drag_per_s",
+               .slot = member(&Material::ground_drag_per_s),
+               .unit = "1/s",
+               .range = at_least(0, "ground cannot push"),
+               .meaning = "Viscoplastic drag of soft ground: beside friction, a rock that slides or rolls on it is "
+                          "braked by this times its velocity.",
+               .source = "RAMMS::ROCKFALL (Bartelt et al. 2016): 0.3 on bedrock to 0.9 on a moor, see docs/laws.md"},
           },
       .later = {},
       .add = [](Project& project) { return added(project.materials); },
@@ -410,7 +560,6 @@ Table material() {
 
 Table ground() {
   auto [add, rows] = one_row(&Project::ground);
-  constexpr std::string_view instead = "Use default, segments, triangles or raster";
   return {
       .key = "ground",
       .meaning = "Which part of the terrain is made of which material.",
@@ -419,26 +568,27 @@ Table ground() {
               {.key = "default",
                .slot = member(&Ground::default_material),
                .without_it =
-                   "the only material; required where there are several and none of segments, triangles and raster",
+                   "the only material; required where there are several and none of segments, triangles, raster and "
+                   "polygons",
                .meaning = "Name of the material wherever nothing else is said.",
                .source = "Talus"},
               {.key = "segments",
                .slot = member(&Ground::segments),
                .without_it = "default everywhere",
-               .excludes = {"triangles", "raster"},
+               .excludes = {"triangles", "raster", "polygons"},
                .meaning = "Section: names of materials, one for each segment, in the order of the vertices.",
                .source = "Talus"},
               {.key = "triangles",
                .slot = member(&Ground::triangles),
                .range = at_least(0),
                .without_it = "default everywhere",
-               .excludes = {"segments", "raster"},
+               .excludes = {"segments", "raster", "polygons"},
                .meaning = "Mesh: numbers of materials, counted from 0 in the order of the file, one for each triangle.",
                .source = "Talus"},
               {.key = "raster",
                .slot = member(&Ground::raster),
                .without_it = "default everywhere",
-               .excludes = {"segments", "triangles"},
+               .excludes = {"segments", "triangles", "polygons"},
                .meaning =
                    "Raster and mesh: a file of classes, in any coordinate system and with cells of any size; the "
                    "class at the middle of a cell or triangle of the terrain is that of its ground. Its path is "
@@ -450,9 +600,33 @@ Table ground() {
                .meaning = "Which class of the raster is which material, for example `{ 1 = \"Rock\", 2 = \"Scree\" }`; "
                           "where there is no class, the default holds.",
                .source = "Talus"},
+              {.key = "polygons",
+               .slot = member(&Ground::polygons),
+               .without_it = "default everywhere",
+               .excludes = {"segments", "triangles", "raster"},
+               .meaning =
+                   "Raster and mesh: a file of polygons (GeoPackage, Shapefile, GeoJSON, ...), in any coordinate "
+                   "system; the polygon at the middle of a cell or triangle of the terrain says its ground, the "
+                   "later one where there are several. Its path is relative to the project file.",
+               .source = "Talus"},
+              {.key = "layer",
+               .slot = member(&Ground::layer),
+               .without_it = "the file's only layer",
+               .meaning = "Which layer of the file of polygons.",
+               .source = "Talus"},
+              {.key = "attribute",
+               .slot = member(&Ground::attribute),
+               .without_it = "required beside polygons",
+               .meaning = "Which attribute of the polygons says their material.",
+               .source = "Talus"},
+              {.key = "values",
+               .slot = member(&Ground::values),
+               .without_it = "the attribute is the name of the material",
+               .meaning = "Which value of that attribute is which material, for example `{ Fels = \"Rock\", Schutt = "
+                          "\"Scree\" }`; where there is no polygon, the default holds.",
+               .source = "Talus"},
           },
-      .later = {{"polygons", "materials from polygons on plan", instead},
-                {"attribute", "materials from polygons on plan", instead}},
+      .later = {},
       .add = add,
       .rows = rows,
   };
@@ -472,12 +646,18 @@ Table seeder() {
                .without_it = "`seeder N`, N counted from 1",
                .meaning = "What results call it; no other seeder has it.",
                .source = "Talus"},
+              {.key = "source",
+               .slot = member(&Seeder::source),
+               .without_it = "the seeder's name",
+               .meaning = "Where its rocks come from, for results split by source; several seeders may share one.",
+               .source = "Talus"},
               {.key = "type",
                .slot = member(&Seeder::type),
-               .later_words = {"polygon", "raster"},
-               .meaning = "All rocks start at one `position`, or spread evenly at random along the line through "
-                          "`points`.",
-               .source = "RocFall3"},
+               .meaning =
+                   "Rocks start at one `position`, spread evenly at random along lines (`points` or `lines`), or "
+                   "from the cells within polygons (`polygons` or `polygon`) or of a raster (those of a `mask`, "
+                   "or as steep as `min_slope_deg`).",
+               .source = "RocFall3 for points and lines"},
               {.key = "position",
                .slot = position_slot(),
                .unit = "m",
@@ -490,8 +670,84 @@ Table seeder() {
                .slot = points_slot(),
                .unit = "m",
                .without_it = "required for a line",
-               .excludes = {"position"},
+               .excludes = {"position", "lines"},
                .meaning = "Two or more positions, each as for a point.",
+               .source = "Talus"},
+              {.key = "lines",
+               .slot = member(&Seeder::lines),
+               .without_it = "points say them",
+               .excludes = {"points"},
+               .meaning = "3D: a file of lines (GeoPackage, Shapefile, GeoJSON, ...), in any coordinate system; with "
+                          "heights of their own, or laid on the terrain where they have none or `height_above_m` is "
+                          "given. Its path is relative to the project file.",
+               .source = "Talus"},
+              {.key = "polygons",
+               .slot = member(&Seeder::polygons),
+               .without_it = "polygon says it",
+               .excludes = {"polygon"},
+               .meaning =
+                   "3D: a file of polygons (GeoPackage, Shapefile, GeoJSON, ...), in any coordinate system; rocks "
+                   "start from the cells whose middle is within one. Its path is relative to the project file.",
+               .source = "Talus"},
+              {.key = "polygon",
+               .slot = plan_polygon_slot(),
+               .unit = "m",
+               .without_it = "polygons say it",
+               .excludes = {"polygons"},
+               .meaning = "3D: the corners [x, y] of one polygon on plan, three or more, in the coordinates of the "
+                          "terrain.",
+               .source = "Talus"},
+              {.key = "layer",
+               .slot = member(&Seeder::layer),
+               .without_it = "the file's only layer",
+               .meaning = "Which layer of the file of lines or polygons.",
+               .source = "Talus"},
+              {.key = "source_attribute",
+               .slot = member(&Seeder::source_attribute),
+               .without_it = "source holds for all",
+               .meaning = "An attribute of the lines or polygons whose value is the source of their rocks, for results "
+                          "split by source; where it is empty, `source` holds.",
+               .source = "Talus"},
+              {.key = "min_slope_deg",
+               .slot = member(&Seeder::min_slope_deg),
+               .unit = "deg",
+               .range = {.least = 0, .most = 90, .most_excluded = true},
+               .without_it = "cells of any slope",
+               .meaning = "Polygon and raster: rocks start only from cells at least as steep; the slope of a cell is "
+                          "that of its elevation and those of its eight neighbours.",
+               .source = "Horn 1981, as gdaldem and QGIS compute it"},
+              {.key = "max_slope_deg",
+               .slot = member(&Seeder::max_slope_deg),
+               .unit = "deg",
+               .range = {.least = 0, .most = 90, .least_excluded = true},
+               .without_it = "cells of any slope",
+               .meaning = "Polygon and raster: rocks start only from cells at most as steep.",
+               .source = "Horn 1981, as gdaldem and QGIS compute it"},
+              {.key = "mask",
+               .slot = member(&Seeder::mask),
+               .without_it = "cells are not masked",
+               .meaning =
+                   "Polygon and raster: a raster of whole numbers, in any coordinate system and with cells of any "
+                   "size; rocks start only from cells at whose middle it has data other than 0. Its path is "
+                   "relative to the project file.",
+               .source = "Talus"},
+              {.key = "mask_value",
+               .slot = member(&Seeder::mask_value),
+               .range = between(-2147483648.0, 2147483647.0),
+               .without_it = "all but 0",
+               .meaning = "The value of the mask from whose cells rocks start.",
+               .source = "Talus"},
+              {.key = "cell_m",
+               .slot = member(&Seeder::cell_m),
+               .unit = "m",
+               .range = at_least(0.01, "nothing is known of the ground on that scale"),
+               .without_it =
+                   "required for a polygon or raster seeder where the terrain is no raster, which has its own",
+               .meaning = "Side of a cell from which rocks start; the cells' borders are at multiples of it.",
+               .source = "Talus"},
+              {.key = "place",
+               .slot = member(&Seeder::place),
+               .meaning = "Where in its cell a rock starts: anywhere with equal chance, or in the middle.",
                .source = "Talus"},
               {.key = "height_above_m",
                .slot = member(&Seeder::height_above_m),
@@ -503,7 +759,15 @@ Table seeder() {
               {.key = "rocks",
                .slot = member(&Seeder::rocks),
                .range = {.least = 1, .most = most_rocks, .too_low = "a seeder without rocks does nothing"},
-               .meaning = "How many rocks start here.",
+               .excludes = {"rocks_per_cell"},
+               .meaning = "How many rocks start here, in all; cells get equally many, or one more.",
+               .source = "Talus"},
+              {.key = "rocks_per_cell",
+               .slot = member(&Seeder::rocks_per_cell),
+               .range = {.least = 1, .most = most_rocks, .too_low = "a seeder without rocks does nothing"},
+               .without_it = "rocks holds",
+               .excludes = {"rocks"},
+               .meaning = "Polygon and raster: how many rocks start from each cell.",
                .source = "Talus"},
               {.key = "mass_kg",
                .slot = member(&Seeder::mass_kg),
@@ -668,7 +932,7 @@ Table output() {
       .settings =
           {
               {.key = "paths",
-               .slot = path_limit_slot(),
+               .slot = rock_limit_slot(&Output::path_limit),
                .range = between(0, most_rocks),
                .meaning = "Of which rocks the whole path is written: `\"all\"`, `\"none\"`, or of so many.",
                .source = "Talus"},
@@ -677,11 +941,17 @@ Table output() {
                .meaning = "3D: writes maps of where rocks pass, how fast, how high and with how much energy, as "
                           "GeoTIFFs in the folder `maps`.",
                .source = "Talus"},
+              {.key = "maps_by_source",
+               .slot = member(&Output::maps_by_source),
+               .meaning = "Writes maps of each source's rocks, too, in folders of `maps/by_source`.",
+               .source = "Talus"},
               {.key = "raster_cell_m",
-               .slot = member(&Output::raster_cell_m),
+               .slot = map_cell_slot(),
                .unit = "m",
                .range = at_least(0.01, "nothing is known of the ground on that scale"),
-               .meaning = "Side of a map's cell; the cells' borders are at multiples of it.",
+               .meaning =
+                   "Side of a map's cell, whose borders are at multiples of it; with `\"terrain\"` the cells are "
+                   "those of the terrain's raster.",
                .source = "Talus"},
               {.key = "percentiles",
                .slot = member(&Output::percentiles),
@@ -689,6 +959,16 @@ Table output() {
                .meaning =
                    "Which percentiles of energies, velocity and bounce height are mapped beside the greatest and "
                    "the mean.",
+               .source = "Talus"},
+              {.key = "geopackage",
+               .slot = rock_limit_slot(&Output::geopackage_limit),
+               .range = between(0, most_rocks),
+               .meaning = "3D: of which rocks `results.gpkg` holds end points and paths, beside the barriers: "
+                          "`\"all\"`, or of so many; with `\"none\"` there is no such file.",
+               .source = "Talus"},
+              {.key = "vtk",
+               .slot = member(&Output::vtk),
+               .meaning = "Writes `paths.vtp`, the paths for ParaView, of the rocks that `paths` names.",
                .source = "Talus"},
               {.key = "report",
                .slot = member(&Output::report),
@@ -787,7 +1067,15 @@ std::span<const std::string_view> words(SamplingMethod) {
   return list;
 }
 std::span<const std::string_view> words(SeederType) {
-  static constexpr Words<2> list{"point", "line"};
+  static constexpr Words<4> list{"point", "line", "polygon", "raster"};
+  return list;
+}
+std::span<const std::string_view> words(PlaceInCell) {
+  static constexpr Words<2> list{"random", "centre"};
+  return list;
+}
+std::span<const std::string_view> words(Forest) {
+  static constexpr Words<4> list{"none", "open", "medium", "dense"};
   return list;
 }
 std::span<const std::string_view> words(DistributionKind) {

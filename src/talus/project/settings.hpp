@@ -50,21 +50,33 @@ struct PointsSlot {
 struct PlanLineSlot {
   Barrier* barrier;  // x in 2D, [[x, y], ...] in 3D
 };
+struct PlanPolygonSlot {
+  Seeder* seeder;  // [[x, y], ...], three or more
+};
+struct LibrarySlot {
+  Material* material;  // the key of a material of the library, whose values it takes
+};
 struct DirectionSlot {
   std::array<double, 3>* direction;  // [x, z] or [x, y, z]
 };
-struct PathLimitSlot {
-  std::optional<std::int64_t>* limit;  // "all", "none" or a number of rocks
+struct RockLimitSlot {
+  std::optional<std::int64_t>* limit;  // "all" (nothing here), "none" (0) or a number of rocks
+};
+struct MapCellSlot {
+  std::optional<double>* size;  // "terrain" (nothing here) or a number of metres
 };
 
 /// The member that a setting fills, in one row of its table.
-using Slot = std::variant<bool*, double*, std::optional<double>*, std::int64_t*, std::uint64_t*, std::string*,
-                          std::filesystem::path*, std::array<double, 3>*, Distribution*, std::optional<Distribution>*,
-                          std::vector<std::array<double, 2>>*, std::vector<std::array<double, 3>>*,
-                          std::vector<std::array<std::int64_t, 3>>*, std::vector<std::string>*,
-                          std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
-                          RockModel*, SlidingMethod*, FrictionSource*, MaterialSampling*, SamplingMethod*, SeederType*,
-                          DistributionKind*, PositionSlot, PointsSlot, PlanLineSlot, DirectionSlot, PathLimitSlot>;
+using Slot =
+    std::variant<bool*, double*, std::optional<double>*, std::int64_t*, std::optional<std::int64_t>*, std::uint64_t*,
+                 std::string*, std::filesystem::path*, std::array<double, 3>*, Distribution*,
+                 std::optional<Distribution>*, std::vector<std::array<double, 2>>*, std::vector<std::array<double, 3>>*,
+                 std::vector<std::array<std::int64_t, 3>>*, std::vector<std::vector<std::array<double, 3>>>*,
+                 std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*,
+                 std::map<std::int32_t, std::string>*, std::map<std::string, std::string>*, RockModel*, SlidingMethod*,
+                 FrictionSource*, MaterialSampling*, SamplingMethod*, SeederType*, Forest*, DistributionKind*,
+                 PlaceInCell*, PositionSlot, PointsSlot, PlanLineSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot,
+                 RockLimitSlot, MapCellSlot>;
 
 /// One row of a table: the struct that its settings are members of.
 using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Seeder*, Barrier*, Output*,
@@ -77,6 +89,8 @@ std::span<const std::string_view> words(FrictionSource);
 std::span<const std::string_view> words(MaterialSampling);
 std::span<const std::string_view> words(SamplingMethod);
 std::span<const std::string_view> words(SeederType);
+std::span<const std::string_view> words(PlaceInCell);
+std::span<const std::string_view> words(Forest);
 std::span<const std::string_view> words(DistributionKind);
 
 struct Setting {

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "talus/project/nearest.hpp"
+#include "talus/core/nearest.hpp"
+#include "talus/project/material_library.hpp"
 
 namespace talus::project {
 namespace {
@@ -62,7 +63,8 @@ std::optional<bool> is_2d(const toml::table& root) {
   const toml::table* terrain = root["terrain"].as_table();
   if (!terrain) return std::nullopt;
   if (terrain->contains("section")) return !terrain->contains("width_m");
-  for (const std::string_view key : {"mesh", "vertices", "triangles", "raster"}) {
+  for (const std::string_view key :
+       {"mesh", "vertices", "triangles", "raster", "points", "lines", "polylines", "polygons"}) {
     if (terrain->contains(key)) return false;
   }
   return std::nullopt;
@@ -269,6 +271,13 @@ bool ValueReader::into(const Value& value, std::int64_t* member) {
   return true;
 }
 
+bool ValueReader::into(const Value& value, std::optional<std::int64_t>* member) {
+  std::int64_t number = 0;
+  if (!into(value, &number)) return false;
+  *member = number;
+  return true;
+}
+
 bool ValueReader::into(const Value& value, std::uint64_t* member) {
   std::int64_t number = 0;
   if (!into(value, &number)) return false;  // the range of the setting keeps out negative numbers
@@ -413,7 +422,53 @@ bool ValueReader::into(const Value& value, std::map<std::int32_t, std::string>* 
   return good;
 }
 
-bool ValueReader::into(const Value& value, PathLimitSlot slot) {
+bool ValueReader::into(const Value& value, std::map<std::string, std::string>* member) {
+  const toml::table* parts = value.node.as_table();
+  if (!parts || parts->empty()) return refuse_kind(value, "{ a = \"...\", b = \"...\" } with one entry or more");
+  std::map<std::string, std::string> read;
+  bool good = true;
+  for (const auto& [key, node] : *parts) {
+    const std::string name(key.str());
+    const Value entry{value.setting, node, value.row, value.where, fmt::format("{}.{}", value.name, name)};
+    good = into(entry, &read[name]) && good;
+  }
+  if (good) *member = std::move(read);
+  return good;
+}
+
+bool ValueReader::into(const Value& value, LibrarySlot slot) {
+  std::string key;
+  if (!into(value, &key)) return false;
+  std::vector<std::string_view> known;
+  for (const LibraryMaterial& entry : material_library()) {
+    known.push_back(entry.key);
+    if (entry.key != key) continue;
+    std::string name = std::move(slot.material->name);
+    *slot.material = entry.material;
+    slot.material->name = std::move(name);
+    slot.material->like = key;
+    return true;
+  }
+  const auto near = nearest(key, known);
+  return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)),
+                fmt::format("the library has {}", plain_list(known, " and ")),
+                near ? fmt::format("Did you mean \"{}\"?", *near) : "");
+}
+
+bool ValueReader::into(const Value& value, MapCellSlot slot) {
+  const auto* text = value.node.as_string();
+  if (text != nullptr && text->get() == "terrain") {
+    slot.size->reset();
+    return true;
+  }
+  double number = 0;
+  if (!value.node.is_number()) return refuse_kind(value, "a number or \"terrain\"");
+  if (!into(value, &number)) return false;
+  *slot.size = number;
+  return true;
+}
+
+bool ValueReader::into(const Value& value, RockLimitSlot slot) {
   if (const auto* text = value.node.as_string()) {
     if (text->get() == "all") {
       slot.limit->reset();

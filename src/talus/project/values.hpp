@@ -53,6 +53,7 @@ class ValueReader {
   bool into(const Value&, double*);
   bool into(const Value&, std::optional<double>*);
   bool into(const Value&, std::int64_t*);
+  bool into(const Value&, std::optional<std::int64_t>*);
   bool into(const Value&, std::uint64_t*);
   bool into(const Value&, std::string*);
   bool into(const Value&, std::filesystem::path*);
@@ -60,11 +61,15 @@ class ValueReader {
   bool into(const Value&, Distribution*);
   bool into(const Value&, std::optional<Distribution>*);
   bool into(const Value&, std::map<std::int32_t, std::string>*);
+  bool into(const Value&, std::map<std::string, std::string>*);
   bool into(const Value&, PositionSlot);
   bool into(const Value&, PointsSlot);
   bool into(const Value&, PlanLineSlot);
+  bool into(const Value&, PlanPolygonSlot);
+  bool into(const Value&, LibrarySlot);
   bool into(const Value&, DirectionSlot);
-  bool into(const Value&, PathLimitSlot);
+  bool into(const Value&, RockLimitSlot);
+  bool into(const Value&, MapCellSlot);
   template <class Item>
   bool into(const Value&, std::vector<Item>*);
   template <class Number, std::size_t count>
@@ -78,6 +83,8 @@ class ValueReader {
     bool on_surface = false;
   };
   std::optional<Position> position(const Value& value);
+  /// Points [x, y]; complains of the first that is none, or that repeats the one before it.
+  std::optional<std::vector<std::array<double, 2>>> plan_points(const Value& value);
   void doubt(const Value& value, double number);
 
   /// Adds a problem about the value and gives false, so that a reader can return it.

@@ -19,35 +19,46 @@ struct MapCell {
   friend bool operator==(const MapCell&, const MapCell&) = default;
 };
 
-/// Square cells. Borders are at origin + k cell in the user's coordinates; places are asked for in local ones.
+/// Cells of one size. Borders are at origin + k cell in the user's coordinates; places are asked for in local ones.
 class MapGrid {
  public:
-  /// `origin` is a corner of cell (0, 0), the user's [m]; `cell` the length of a side [m], above 0.
-  MapGrid(const Vec2& origin, double cell, const LocalFrame& frame)
+  /// `origin` is a corner of cell (0, 0), the user's [m]; `cell` the lengths of its sides [m], above 0.
+  MapGrid(const Vec2& origin, const Vec2& cell, const LocalFrame& frame)
       : origin_(origin), local_(origin - frame.origin.head<2>()), cell_(cell) {}
+  MapGrid(const Vec2& origin, double cell, const LocalFrame& frame) : MapGrid(origin, Vec2(cell, cell), frame) {}
   /// Its borders are at multiples of the cell's size in the user's coordinates, so that the maps of different runs lie
   /// over one another; cell (0, 0) holds the point `low`, which is local.
   [[nodiscard]] static MapGrid at_multiples(double cell, const LocalFrame& frame, const Vec2& low) {
     const Vec2 global = low + frame.origin.head<2>();
     return {Vec2(std::floor(global.x() / cell) * cell, std::floor(global.y() / cell) * cell), cell, frame};
   }
+  /// The cells of a raster, of whose nodes the one with least coordinates is at `node`, local: a node is a cell's
+  /// centre, as GDAL sees the pixels of a raster of elevations.
+  [[nodiscard]] static MapGrid around_nodes(const Vec2& node, const Vec2& spacing, const LocalFrame& frame) {
+    return {node + frame.origin.head<2>() - 0.5 * spacing, spacing, frame};
+  }
 
   [[nodiscard]] const Vec2& origin() const { return origin_; }
-  [[nodiscard]] double cell() const { return cell_; }
+  /// The lengths of a cell's sides along x and y [m].
+  [[nodiscard]] const Vec2& cell() const { return cell_; }
   /// The local coordinate, x for axis 0 and y for axis 1, of the lower border of a column or row.
-  [[nodiscard]] double border(std::size_t axis, std::int32_t k) const { return local_[axis] + k * cell_; }
+  [[nodiscard]] double border(std::size_t axis, std::int32_t k) const { return local_[axis] + k * cell_[axis]; }
   /// The column or row that holds a local coordinate.
   [[nodiscard]] std::int32_t index(std::size_t axis, double local) const {
     constexpr double most = 2e9;  // no terrain has so many
-    return static_cast<std::int32_t>(std::clamp(std::floor((local - local_[axis]) / cell_), -most, most));
+    return static_cast<std::int32_t>(std::clamp(std::floor((local - local_[axis]) / cell_[axis]), -most, most));
+  }
+  /// Whether a cell holds a local place.
+  [[nodiscard]] bool holds(MapCell cell, const Vec3& local) const {
+    return local.x() >= border(0, cell.column) && local.x() < border(0, cell.column + 1) &&
+           local.y() >= border(1, cell.row) && local.y() < border(1, cell.row + 1);
   }
   [[nodiscard]] MapCell cell_at(const Vec3& local) const { return {index(0, local.x()), index(1, local.y())}; }
 
   friend bool operator==(const MapGrid& a, const MapGrid& b) { return a.origin_ == b.origin_ && a.cell_ == b.cell_; }
 
  private:
-  Vec2 origin_, local_;
-  double cell_;
+  Vec2 origin_, local_, cell_;
 };
 
 namespace map_walk {

@@ -55,14 +55,17 @@ void raise(float& greatest, double value) {
 
 float& greatest_of(MapVisit& visit, MapQuantity quantity) { return visit.greatest[static_cast<std::size_t>(quantity)]; }
 
+}  // namespace
+
 /// Keeps the visits of a block's rocks: 32 bytes each, added to the maps when the block is committed.
-class MapPart : public ObserverPart {
+class MapObserver::Part : public ObserverPart {
  public:
-  MapPart(const MapGrid& grid, RockModel model, const GroundHeight& ground)
-      : grid_(grid), model_(model), ground_(ground) {}
+  Part(const MapGrid& grid, RockModel model, const GroundHeight& ground, bool is_split)
+      : grid_(grid), model_(model), ground_(ground), is_split_(is_split) {}
 
   void see(const RockRecord& record, const RockLog& log) override {
-    ++rocks;
+    const std::size_t map = is_split_ ? record.source.index : 0;
+    if (stretches.empty() || stretches.back().map != map) stretches.push_back({map, 0, visits.size(), visits.size()});
     cells_.begin_rock(visits.size());
     height_here_.reset();
     for (const PathPiece& piece : log.pieces) follow(piece, record.body);
@@ -70,25 +73,42 @@ class MapPart : public ObserverPart {
     const EndReason reason = record.outcome.reason;
     MapVisit& last = cells_.visit(grid_.cell_at(record.outcome.end.position), visits);
     last.is_deposit = reason == EndReason::at_rest || reason == EndReason::stopped_by_barrier;
+    ++stretches.back().rocks;
+    stretches.back().end_visit = visits.size();
   }
 
-  std::uint64_t rocks = 0;
   std::vector<MapVisit> visits;
+  std::vector<Stretch> stretches;
 
  private:
   void follow(const PathPiece& piece, const Rock& rock) {
     const double rotational = 0.5 * rock.inertia * piece.spin.squaredNorm();
-    const Parabola& path = piece.path;
+    if (is_step_within_cell(piece)) {
+      raise_motion(cells_.visit(cell_, visits), piece.path.v.squaredNorm(), rock, rotational);
+      height_here_ = 0;
+      return;
+    }
     walk(grid_, piece, [&](MapCell cell, double enter, double leave) {
       MapVisit& visit = cells_.visit(cell, visits);
       // The square of the velocity is convex in time.
-      const double squared = std::max(path.velocity(enter).squaredNorm(), path.velocity(leave).squaredNorm());
-      const double translational = 0.5 * rock.mass * squared;
-      raise(greatest_of(visit, MapQuantity::velocity), std::sqrt(squared));
-      raise(greatest_of(visit, MapQuantity::energy_translational), translational);
-      raise(greatest_of(visit, MapQuantity::energy_total), translational + rotational);
+      raise_motion(visit, std::max(piece.velocity(enter).squaredNorm(), piece.velocity(leave).squaredNorm()), rock,
+                   rotational);
       raise(greatest_of(visit, MapQuantity::bounce_height), greatest_height(piece, enter, leave));
+      cell_ = cell;
     });
+  }
+
+  static void raise_motion(MapVisit& visit, double squared_velocity, const Rock& rock, double rotational) {
+    const double translational = 0.5 * rock.mass * squared_velocity;
+    raise(greatest_of(visit, MapQuantity::velocity), std::sqrt(squared_velocity));
+    raise(greatest_of(visit, MapQuantity::energy_translational), translational);
+    raise(greatest_of(visit, MapQuantity::energy_total), translational + rotational);
+  }
+
+  /// Most pieces are steps of a slide, each a few centimetres long: they need no walk.
+  [[nodiscard]] bool is_step_within_cell(const PathPiece& piece) const {
+    if (!piece.on_ground || model_ != RockModel::lumped_mass || !piece.path.a.isZero(0)) return false;
+    return grid_.holds(cell_, piece.path.p) && grid_.holds(cell_, piece.path.at(piece.duration));
   }
 
   /// At the samples; 0 where there is no ground below any.
@@ -115,34 +135,73 @@ class MapPart : public ObserverPart {
   MapGrid grid_;
   RockModel model_;
   const GroundHeight& ground_;
+  bool is_split_;
   VisitedCells cells_;
+  MapCell cell_;                       // the last one walked over
   std::optional<double> height_here_;  // where the last piece, or its part in the last cell, ended
 };
 
-}  // namespace
+MapObserver::MapObserver(const MapGrid& grid, RockModel model, GroundHeight ground, std::optional<std::size_t> sources)
+    : model_(model), ground_(std::move(ground)), is_split_(sources.has_value()) {
+  for (std::size_t k = 0; k < std::max<std::size_t>(1, sources.value_or(1)); ++k) maps_.emplace_back(grid);
+}
 
 std::unique_ptr<ObserverPart> MapObserver::new_part() const {
-  return std::make_unique<MapPart>(maps_.grid(), model_, ground_);
+  return std::make_unique<Part>(maps_.front().grid(), model_, ground_, is_split_);
 }
 
 void MapObserver::commit(ObserverPart& part) {
-  auto& seen = static_cast<MapPart&>(part);
-  waiting_rocks_ += seen.rocks;
+  auto& seen = static_cast<Part&>(part);
+  total_.reset();
   waiting_visits_ += seen.visits.size();
-  waiting_.push_back(std::move(seen.visits));
+  waiting_.push_back({std::move(seen.visits), std::move(seen.stretches)});
   constexpr std::size_t enough = 1U << 20;  // 32 MB
   if (waiting_visits_ >= enough) add_waiting();
 }
 
 void MapObserver::add_waiting() {
-  maps_.add(waiting_rocks_, waiting_);
+  std::vector<std::uint64_t> rocks(maps_.size());
+  std::vector<std::vector<std::span<const MapVisit>>> visits(maps_.size());
+  for (const Block& block : waiting_) {
+    for (const Stretch& stretch : block.stretches) {
+      rocks[stretch.map] += stretch.rocks;
+      visits[stretch.map].push_back(
+          std::span(block.visits).subspan(stretch.first_visit, stretch.end_visit - stretch.first_visit));
+    }
+  }
+  for (std::size_t k = 0; k < maps_.size(); ++k) {
+    if (rocks[k] > 0) maps_[k].add(rocks[k], visits[k]);
+  }
   waiting_.clear();
-  waiting_rocks_ = waiting_visits_ = 0;
+  waiting_visits_ = 0;
+}
+
+void MapObserver::save(ByteWriter& out) {
+  add_waiting();
+  out.flag(is_split_);
+  out.count(maps_.size());
+  for (const Maps& maps : maps_) maps.save(out);
+}
+
+void MapObserver::merge_saved(ByteReader& in) {
+  total_.reset();
+  expect_bytes(in.flag() == is_split_ && in.get<std::uint64_t>() == maps_.size(), "maps are split by other sources");
+  for (Maps& maps : maps_) maps.merge_saved(in);
 }
 
 const Maps& MapObserver::maps() {
   add_waiting();
-  return maps_;
+  if (!is_split_) return maps_.front();
+  if (!total_) {
+    total_.emplace(maps_.front().grid());
+    for (const Maps& maps : maps_) total_->merge(maps);
+  }
+  return *total_;
+}
+
+std::span<const Maps> MapObserver::by_source() {
+  add_waiting();
+  return is_split_ ? std::span<const Maps>(maps_) : std::span<const Maps>();
 }
 
 }  // namespace talus

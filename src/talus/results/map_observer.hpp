@@ -2,6 +2,9 @@
 // Turns the paths of rocks into maps.
 
 #include <functional>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "talus/results/maps.hpp"
 #include "talus/results/record.hpp"
@@ -16,27 +19,48 @@ using GroundHeight = std::function<std::optional<double>(double x, double y, dou
 /// the height above the ground, which need not be smooth, samples are taken: where a flight enters and leaves the cell,
 /// halfway between in time, and at its top if that is over the cell. On the ground a lumped mass has height 0; of a
 /// sphere's legs the ends are sampled.
-class MapObserver : public Observer {
+///
+/// Maps of all rocks are one set of maps. Split by source there is one for each, and that of all rocks is their sum,
+/// made when it is asked for: a run does the same work, and cells that rocks of several sources touch take memory for
+/// each.
+class MapObserver : public SummingObserver {
  public:
-  /// `ground` is called by many threads at the same time.
-  MapObserver(const MapGrid& grid, RockModel model, GroundHeight ground)
-      : model_(model), ground_(std::move(ground)), maps_(grid) {}
+  /// `ground` is called by many threads at the same time. `sources`: how many there are, to split the maps by; nothing
+  /// where they are not to be split.
+  MapObserver(const MapGrid& grid, RockModel model, GroundHeight ground, std::optional<std::size_t> sources = {});
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] bool wants_pieces() const override { return true; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
   void commit(ObserverPart& part) override;
-  /// Of all rocks committed so far.
+  void save(ByteWriter& out) override;
+  void merge_saved(ByteReader& in) override;
+  /// Of all rocks committed so far; good until the next commit.
   [[nodiscard]] const Maps& maps();
+  /// The same by source, in the order of their numbers; empty where maps are not split.
+  [[nodiscard]] std::span<const Maps> by_source();
 
  private:
+  /// Rocks one after the other that belong to the same maps, and which of a block's visits are theirs.
+  struct Stretch {
+    std::size_t map = 0;
+    std::uint64_t rocks = 0;
+    std::size_t first_visit = 0, end_visit = 0;
+  };
+  struct Block {
+    std::vector<MapVisit> visits;
+    std::vector<Stretch> stretches;
+  };
+  class Part;
+
   void add_waiting();
 
   RockModel model_;
   GroundHeight ground_;
-  Maps maps_;
+  bool is_split_;
+  std::vector<Maps> maps_;     // one, or one a source
+  std::optional<Maps> total_;  // of split maps, once it was asked for
   // Committed blocks, until there are enough of them to share the work of adding them between threads.
-  std::vector<std::vector<MapVisit>> waiting_;
-  std::uint64_t waiting_rocks_ = 0;
+  std::vector<Block> waiting_;
   std::size_t waiting_visits_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -32,6 +33,31 @@ void MapTally::merge(const MapTally& other) {
     sums_[k].merge(other.sums_[k]);
   }
   bins_.merge(other.bins_);
+}
+
+void MapTally::save(ByteWriter& out) const {
+  out.put(passages_);
+  out.put(deposits_);
+  out.put(impacts_);
+  out.numbers(std::span(greatest_));
+  for (const FixedSum& sum : sums_) sum.save(out);
+  bins_.save(out);
+}
+
+void MapTally::merge_saved(ByteReader& in) {
+  constexpr const char* damaged = "a cell of maps is damaged";
+  const auto passages = in.get<std::uint64_t>(), deposits = in.get<std::uint64_t>();
+  expect_bytes(passages > 0 && deposits <= passages, damaged);
+  passages_ += passages;
+  deposits_ += deposits;
+  impacts_ += in.get<std::uint64_t>();
+  for (float& greatest : greatest_) {
+    const auto saved = in.get<float>();
+    expect_bytes(saved >= 0 && std::isfinite(saved), damaged);
+    greatest = std::max(greatest, saved);
+  }
+  for (FixedSum& sum : sums_) sum.merge_saved(in);
+  for (const std::uint64_t values : bins_.merge_saved(in)) expect_bytes(values == passages, damaged);
 }
 
 namespace {
@@ -87,10 +113,10 @@ Maps::Tile& Maps::tile(MapCell cell) {
   return *recent_;
 }
 
-void Maps::add(std::uint64_t rocks, std::span<const std::vector<MapVisit>> visits) {
+void Maps::add(std::uint64_t rocks, std::span<const std::span<const MapVisit>> visits) {
   rocks_ += rocks;
   std::vector<Tile*> touched;
-  for (const auto& list : visits) {
+  for (const std::span<const MapVisit> list : visits) {
     for (const MapVisit& visit : list) {
       Tile& there = tile(visit.cell);
       if (there.waiting_.empty()) touched.push_back(&there);
@@ -112,6 +138,56 @@ void Maps::merge(const Maps& other) {
         const MapTally* found = theirs->find(column, row);
         if (found != nullptr) mine.tally({theirs->first_.column + column, theirs->first_.row + row}).merge(*found);
       }
+    }
+  }
+}
+
+void Maps::save(ByteWriter& out) const {
+  out.put(rocks_);
+  for (const Vec2& lengths : {grid_.origin(), grid_.cell()}) {
+    out.put(lengths.x());
+    out.put(lengths.y());
+  }
+  out.count(tiles_.size());
+  for (const Tile* tile : tiles()) {
+    out.put(tile->first_.row);
+    out.put(tile->first_.column);
+    out.count(tile->tallies_.size());
+    for (std::uint16_t place = 0; place < cells_in_tile; ++place) {
+      if (tile->places_[place] == 0) continue;
+      out.put(place);
+      tile->tallies_[tile->places_[place] - 1U].save(out);
+    }
+  }
+}
+
+void Maps::merge_saved(ByteReader& in) {
+  constexpr const char* damaged = "the cells of maps are damaged";
+  rocks_ += in.get<std::uint64_t>();
+  for (const Vec2& lengths : {grid_.origin(), grid_.cell()}) {
+    const auto x = in.get<double>(), y = in.get<double>();
+    expect_bytes(x == lengths.x() && y == lengths.y(), "maps lie on another grid");
+  }
+  std::optional<std::pair<std::int32_t, std::int32_t>> tile_before;
+  for (std::size_t tiles = in.count(sizeof(MapCell) + sizeof(std::uint64_t)); tiles > 0; --tiles) {
+    MapCell first;
+    first.row = in.get<std::int32_t>();
+    first.column = in.get<std::int32_t>();
+    const std::pair order(first.row, first.column);
+    expect_bytes((first.row & within_tile) == 0 && (first.column & within_tile) == 0, damaged);
+    expect_bytes(!tile_before || *tile_before < order, damaged);
+    tile_before = order;
+    const std::size_t cells = in.count(sizeof(std::uint16_t) + MapTally::least_saved);
+    expect_bytes(cells > 0, damaged);
+    std::optional<std::uint16_t> place_before;
+    for (std::size_t k = 0; k < cells; ++k) {
+      const auto place = in.get<std::uint16_t>();
+      expect_bytes(place < cells_in_tile && (!place_before || *place_before < place), damaged);
+      place_before = place;
+      const MapCell cell{first.column + place % tile_side, first.row + place / tile_side};
+      MapTally& tally = tile(cell).tally(cell);
+      tally.merge_saved(in);
+      expect_bytes(tally.passages() <= rocks_, damaged);
     }
   }
 }

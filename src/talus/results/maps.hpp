@@ -40,6 +40,8 @@ class MapTally {
  public:
   void add(const MapVisit& visit);
   void merge(const MapTally& other);
+  void save(ByteWriter& out) const;
+  void merge_saved(ByteReader& in);
 
   [[nodiscard]] std::uint64_t passages() const { return passages_; }  // rocks that were here
   [[nodiscard]] std::uint64_t deposits() const { return deposits_; }  // rocks that came to rest here, or were stopped
@@ -53,6 +55,8 @@ class MapTally {
     return std::min(maximum(quantity), bins_.quantile(static_cast<std::uint32_t>(quantity), percent / 100, passages_));
   }
   [[nodiscard]] std::size_t bytes_elsewhere() const { return bins_.bytes(); }
+  /// Bytes that a saved tally takes at the least: what all have, and a bin a quantity.
+  static constexpr std::size_t least_saved = 3 * 8 + map_quantity_count * (4 + 16) + 8 + map_quantity_count * 4;
 
   friend bool operator==(const MapTally&, const MapTally&) = default;
 
@@ -71,9 +75,12 @@ class Maps {
   explicit Maps(const MapGrid& grid) : grid_(grid) {}
 
   /// So many rocks more, and what they visited. Tiles are worked on by as many threads as the caller may use.
-  void add(std::uint64_t rocks, std::span<const std::vector<MapVisit>> visits);
+  void add(std::uint64_t rocks, std::span<const std::span<const MapVisit>> visits);
   /// Expects maps on the same grid.
   void merge(const Maps& other);
+  void save(ByteWriter& out) const;
+  /// Adds saved maps; throws BadBytes on what are none, or lie on another grid.
+  void merge_saved(ByteReader& in);
 
   [[nodiscard]] const MapGrid& grid() const { return grid_; }
   [[nodiscard]] std::uint64_t rocks() const { return rocks_; }

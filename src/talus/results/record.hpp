@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "talus/core/bytes.hpp"
 #include "talus/core/id.hpp"
 #include "talus/trajectory/rock_path.hpp"
 
@@ -13,6 +14,7 @@ namespace talus {
 struct RockRecord {
   std::uint64_t rock = 0;
   SeederId seeder;
+  SourceId source;
   Rock body;
   RockOutcome outcome;
   bool was_lifted = false;  // its release point lay below the surface
@@ -36,6 +38,17 @@ class Observer {
   [[nodiscard]] virtual bool wants_pieces() const { return false; }
   [[nodiscard]] virtual std::unique_ptr<ObserverPart> new_part() const = 0;
   virtual void commit(ObserverPart& part) = 0;
+};
+
+/// An observer that holds sums over rocks, of which every split merges to the same bits. What it holds can be kept on
+/// disk, sent elsewhere and added to another of its kind that was made for the same model.
+class SummingObserver : public Observer {
+ public:
+  /// What it holds of all rocks committed so far. The same content gives the same bytes, however it came about.
+  virtual void save(ByteWriter& out) = 0;
+  /// Adds what another saved to what is here; into one that has seen no rock it restores the other. Throws BadBytes on
+  /// what save() cannot have written, and may then hold a part of it.
+  virtual void merge_saved(ByteReader& in) = 0;
 };
 
 }  // namespace talus

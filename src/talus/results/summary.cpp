@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <type_traits>
 
 namespace talus {
 
@@ -18,6 +22,41 @@ std::optional<Histogram> Tally::histogram(std::uint64_t bins) const {
   return histogram;
 }
 
+void Tally::save(ByteWriter& out) const {
+  moments_.save(out);
+  sketch_.save(out);
+}
+
+void Tally::merge_saved(ByteReader& in) {
+  moments_.merge_saved(in);
+  sketch_.merge_saved(in);
+  expect_bytes(moments_.count() == sketch_.count(), "a quantity's counts disagree");
+}
+
+namespace {
+
+template <class T>
+void save_optional(ByteWriter& out, const std::optional<T>& value) {
+  out.flag(value.has_value());
+  if (value) out.put(*value);
+}
+
+/// The lesser of what is there and what was saved.
+template <class T>
+void merge_least(ByteReader& in, std::optional<T>& value) {
+  if (!in.flag()) return;
+  const T saved = in.get<T>();
+  if constexpr (std::is_floating_point_v<T>) expect_bytes(std::isfinite(saved), "a least value is damaged");
+  value = std::min(value.value_or(saved), saved);
+}
+
+template <std::size_t n>
+void merge_counts(ByteReader& in, std::array<std::uint64_t, n>& counts) {
+  for (std::uint64_t& count : counts) count += in.get<std::uint64_t>();
+}
+
+}  // namespace
+
 void BarrierTally::merge(const BarrierTally& other) {
   translational_energy.merge(other.translational_energy);
   total_energy.merge(other.total_energy);
@@ -28,6 +67,22 @@ void BarrierTally::merge(const BarrierTally& other) {
   rocks_passed_above += other.rocks_passed_above;
   if (other.least_clearance)
     least_clearance = std::min(least_clearance.value_or(*other.least_clearance), *other.least_clearance);
+}
+
+void BarrierTally::save(ByteWriter& out) const {
+  for (const Tally* tally : {&translational_energy, &total_energy, &height, &velocity}) tally->save(out);
+  out.numbers(std::span(outcomes));
+  out.put(rocks_hit);
+  out.put(rocks_passed_above);
+  save_optional(out, least_clearance);
+}
+
+void BarrierTally::merge_saved(ByteReader& in) {
+  for (Tally* tally : {&translational_energy, &total_energy, &height, &velocity}) tally->merge_saved(in);
+  merge_counts(in, outcomes);
+  rocks_hit += in.get<std::uint64_t>();
+  rocks_passed_above += in.get<std::uint64_t>();
+  merge_least(in, least_clearance);
 }
 
 Summary::Summary(std::uint64_t planned_rocks, std::size_t barrier_count)
@@ -51,6 +106,36 @@ void Summary::merge(const Summary& other) {
   max_kinetic_energy.merge(other.max_kinetic_energy);
   max_bounce.merge(other.max_bounce);
   for (std::size_t k = 0; k < barriers.size(); ++k) barriers[k].merge(other.barriers[k]);
+}
+
+void Summary::save(ByteWriter& out) const {
+  out.put(planned);
+  out.put(done);
+  out.numbers(std::span(ends));
+  out.put(lifted);
+  save_optional(out, first_lost);
+  out.put(events);
+  for (const Tally* tally : {&end_x, &runout_plan, &runout_total, &max_kinetic_energy, &max_bounce}) tally->save(out);
+  out.count(barriers.size());
+  for (const BarrierTally& barrier : barriers) barrier.save(out);
+}
+
+void Summary::merge_saved(ByteReader& in) {
+  expect_bytes(in.get<std::uint64_t>() == planned, "the summary is of a run of another size");
+  done += in.get<std::uint64_t>();
+  merge_counts(in, ends);
+  lifted += in.get<std::uint64_t>();
+  merge_least(in, first_lost);
+  const auto saved_events = in.get<std::int64_t>();
+  expect_bytes(saved_events >= 0 && saved_events <= std::numeric_limits<std::int64_t>::max() - events,
+               "the number of events is damaged");
+  events += saved_events;
+  for (Tally* tally : {&end_x, &runout_plan, &runout_total, &max_kinetic_energy, &max_bounce}) tally->merge_saved(in);
+  expect_bytes(
+      done <= planned && end_x.count() == done && std::accumulate(ends.begin(), ends.end(), std::uint64_t{0}) == done,
+      "the summary's counts disagree");
+  expect_bytes(in.get<std::uint64_t>() == barriers.size(), "the summary is of other barriers");
+  for (BarrierTally& barrier : barriers) barrier.merge_saved(in);
 }
 
 namespace {

@@ -26,6 +26,8 @@ class Tally {
     moments_.merge(other.moments_);
     sketch_.merge(other.sketch_);
   }
+  void save(ByteWriter& out) const;
+  void merge_saved(ByteReader& in);
   [[nodiscard]] std::uint64_t count() const { return moments_.count(); }
   [[nodiscard]] Descriptive describe() const { return moments_.describe(sketch_.quantile(0.5)); }
   [[nodiscard]] const QuantileSketch& sketch() const { return sketch_; }
@@ -41,6 +43,8 @@ struct BarrierTally {
   explicit BarrierTally(std::uint64_t planned)
       : translational_energy(planned), total_energy(planned), height(planned), velocity(planned) {}
   void merge(const BarrierTally& other);
+  void save(ByteWriter& out) const;
+  void merge_saved(ByteReader& in);
 
   Tally translational_energy, total_energy;  // [J]
   Tally height;                              // [m]
@@ -55,6 +59,9 @@ struct BarrierTally {
 struct Summary {
   Summary(std::uint64_t planned_rocks, std::size_t barriers);
   void merge(const Summary& other);
+  void save(ByteWriter& out) const;
+  /// Adds a saved summary; throws BadBytes on what is none, or not of as many planned rocks and barriers.
+  void merge_saved(ByteReader& in);
 
   std::uint64_t planned = 0, done = 0;
   std::array<std::uint64_t, end_reason_count> ends{};
@@ -67,13 +74,15 @@ struct Summary {
   std::vector<BarrierTally> barriers;
 };
 
-class SummaryObserver : public Observer {
+class SummaryObserver : public SummingObserver {
  public:
   SummaryObserver(std::uint64_t planned_rocks, std::size_t barriers, const LocalFrame& frame)
       : frame_(frame), summary_(planned_rocks, barriers) {}
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
   void commit(ObserverPart& part) override;
+  void save(ByteWriter& out) override { summary_.save(out); }
+  void merge_saved(ByteReader& in) override { summary_.merge_saved(in); }
   [[nodiscard]] const Summary& summary() const { return summary_; }
 
  private:

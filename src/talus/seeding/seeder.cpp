@@ -2,17 +2,19 @@
 
 namespace talus {
 
-Vec3 place_on(const Seeder& seeder, double u) {
-  const auto& points = seeder.points;
-  double length = 0;
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) length += (points[k + 1] - points[k]).norm();
-  double left = u * length;
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const double piece = (points[k + 1] - points[k]).norm();
-    if (left <= piece && piece > 0) return points[k] + left / piece * (points[k + 1] - points[k]);
-    left -= piece;
+ReleasePlace place_of(const Seeder& seeder, const Draws& draws) {
+  if (const auto* lines = std::get_if<ReleaseLines>(&seeder.where)) {
+    const ReleaseLines::Place place = lines->at(draws.one(Stream::release_position));
+    return {place.point, place.source, {}};
   }
-  return points.back();
+  if (const auto* cells = std::get_if<ReleaseCells>(&seeder.where)) {
+    const std::size_t entry = cells->entry_of(draws.rock() - seeder.first_rock, seeder.rocks);
+    const Vec2 middle = cells->centre_of(entry);
+    const Vec2 place =
+        cells->place == PlaceInCell::centre ? middle : cells->at(entry, draws.pair(Stream::release_position));
+    return {Vec3(place.x(), place.y(), 0), cells->source_of(entry), middle};
+  }
+  return {std::get<Vec3>(seeder.where), seeder.source, {}};
 }
 
 static double drawn(const Sampler& sampler, const Draws& draws, Stream stream) {

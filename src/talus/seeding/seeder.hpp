@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
+#include <variant>
 
+#include "talus/core/id.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
 #include "talus/seeding/release.hpp"
+#include "talus/seeding/release_cells.hpp"
+#include "talus/seeding/release_lines.hpp"
 
 namespace talus {
 
@@ -16,11 +19,11 @@ enum class SizeOf { mass, volume, diameter };
 
 struct Seeder {
   std::string name;
+  SourceId source;  // by which results tell the rocks of a point apart; lines and cells have their own
   std::uint64_t first_rock = 0;
   std::uint64_t rocks = 1;
-  /// One point, or a line along which rocks start with equal chance per metre. Local coordinates.
-  std::vector<Vec3> points;
-  /// Where rocks start this far above the surface [m] instead of at the points' own z.
+  std::variant<Vec3, ReleaseLines, ReleaseCells> where = Vec3(0, 0, 0);  // a point, lines or cells; local coordinates
+  /// Where rocks start this far above the surface [m] instead of at the places' own z; always, with cells.
   std::optional<double> above_surface;
   SizeOf size_of = SizeOf::mass;
   Sampler size;     // of the mass [kg], the volume [m3] or the diameter [m]
@@ -32,8 +35,15 @@ struct Seeder {
   Sampler spin;                    // [rad/s], about up x direction: positive rolls forwards
 };
 
-/// The place on the seeder that belongs to the uniform number u, before any lifting to the surface.
-[[nodiscard]] Vec3 place_on(const Seeder& seeder, double u);
+/// Where one rock starts, before any lifting to the surface.
+struct ReleasePlace {
+  Vec3 point;
+  SourceId source;
+  /// The middle of its cell, which is known to be on the terrain: `point` may lie over a small hole.
+  std::optional<Vec2> middle;
+};
+
+[[nodiscard]] ReleasePlace place_of(const Seeder& seeder, const Draws& draws);
 
 /// The rock and its motion, at `place`.
 [[nodiscard]] Release release_at(const Seeder& seeder, const Vec3& place, const Draws& draws);

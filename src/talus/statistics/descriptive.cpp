@@ -37,6 +37,7 @@ void add(ExactSum& sum, Product product) {
 
 void Moments::add(double x) {
   TALUS_PROMISE(std::abs(x) < 1e75, "the fourth power of a value is summed");
+  x += 0.0;  // there is one zero: extremes must not depend on which came first
   // Without rounding: x^2 = a + b, x^3 = a x + b x, x^4 = a^2 + 2 a b + b^2.
   const Product square(x, x);
   const double a = square.rounded, b = square.lost;
@@ -61,6 +62,24 @@ void Moments::merge(const Moments& other) {
   minimum_ = count_ == 0 ? other.minimum_ : std::min(minimum_, other.minimum_);
   maximum_ = count_ == 0 ? other.maximum_ : std::max(maximum_, other.maximum_);
   count_ += other.count_;
+}
+
+void Moments::save(ByteWriter& out) const {
+  out.put(count_);
+  out.put(minimum_);
+  out.put(maximum_);
+  for (const ExactSum* sum : {&first_, &second_, &third_, &fourth_}) sum->save(out);
+}
+
+void Moments::merge_saved(ByteReader& in) {
+  Moments saved;
+  saved.count_ = in.get<std::uint64_t>();
+  saved.minimum_ = in.get<double>();
+  saved.maximum_ = in.get<double>();
+  for (ExactSum* sum : {&saved.first_, &saved.second_, &saved.third_, &saved.fourth_}) sum->merge_saved(in);
+  expect_bytes(std::isfinite(saved.minimum_) && std::isfinite(saved.maximum_) && saved.minimum_ <= saved.maximum_,
+               "the extremes of a quantity are damaged");
+  merge(saved);
 }
 
 Descriptive Moments::describe(std::optional<double> median) const {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "talus/core/bytes.hpp"
 #include "talus/statistics/exact_sum.hpp"
 
 namespace talus {
@@ -40,6 +41,9 @@ class Moments {
   /// Expects |x| < 1e75, so that its fourth power is finite. Below 1e-60 the powers lose what is under 1e-300.
   void add(double x);
   void merge(const Moments& other);
+  void save(ByteWriter& out) const;
+  /// Adds saved moments; throws BadBytes on what are none.
+  void merge_saved(ByteReader& in);
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
   /// All rows. The sums do not know the median: it is what the caller found, or empty.

@@ -21,6 +21,23 @@ void ExactSum::merge(const ExactSum& other) {
   carry();
 }
 
+void ExactSum::save(ByteWriter& out) const {
+  ExactSum carried = *this;
+  carried.carry();
+  out.numbers(std::span<const std::int64_t>(carried.limbs_));
+}
+
+void ExactSum::merge_saved(ByteReader& in) {
+  ExactSum saved;
+  in.numbers(std::span(saved.limbs_));
+  for (std::size_t i = 0; i + 1 < limb_count; ++i) {
+    expect_bytes(saved.limbs_[i] >= 0 && saved.limbs_[i] <= static_cast<std::int64_t>(limb_mask), "a sum is damaged");
+  }
+  constexpr std::int64_t most = std::int64_t{1} << 47;  // 2^60 terms of 2^1024 give the last limb, 2^1038, 2^46
+  expect_bytes(saved.limbs_.back() >= -most && saved.limbs_.back() <= most, "a sum is damaged");
+  merge(saved);
+}
+
 double ExactSum::value() const {
   ExactSum magnitude = *this;
   magnitude.carry();

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "talus/core/bytes.hpp"
 #include "talus/core/check.hpp"
 
 namespace talus {
@@ -46,6 +47,11 @@ class ExactSum {
   }
 
   void merge(const ExactSum& other);
+
+  /// The same number gives the same bytes, whatever its terms were.
+  void save(ByteWriter& out) const;
+  /// Adds a saved sum; throws BadBytes on what is none.
+  void merge_saved(ByteReader& in);
 
   /// The double nearest to the sum, ties to even; infinite if the sum lies beyond the largest double.
   [[nodiscard]] double value() const;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "talus/core/bytes.hpp"
 #include "talus/core/check.hpp"
 
 namespace talus {
@@ -28,6 +29,14 @@ class FixedSum {
         static_cast<std::uint64_t>(units - high * 0x1p64));  // the difference is exact
   }
   void merge(const FixedSum& other) { add(other.high_, other.low_); }
+  void save(ByteWriter& out) const {
+    out.put(high_);
+    out.put(low_);
+  }
+  void merge_saved(ByteReader& in) {
+    const auto high = in.get<std::uint64_t>(), low = in.get<std::uint64_t>();
+    add(high, low);
+  }
 
   /// The sum, to a double's precision.
   [[nodiscard]] double value() const {

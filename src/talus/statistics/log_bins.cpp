@@ -57,6 +57,31 @@ void LogBins::merge(const LogBins& other) {
   for (const std::uint32_t entry : other.entries_) add_key(entry >> count_bits, count_of(entry));
 }
 
+std::array<std::uint64_t, 4> LogBins::merge_saved(ByteReader& in) {
+  constexpr const char* damaged = "counts in bins are damaged";
+  constexpr std::uint32_t first_bin = std::bit_cast<std::uint32_t>(least) >> dropped_bits;
+  constexpr std::uint32_t last_bin = std::bit_cast<std::uint32_t>(most) >> dropped_bits;
+  LogBins saved;
+  saved.entries_ = in.list<std::uint32_t>();
+  std::array<std::uint64_t, 4> counts{};
+  std::uint32_t before = 0;
+  for (std::size_t k = 0; k < saved.entries_.size(); ++k) {
+    const std::uint32_t entry = saved.entries_[k], entry_key = entry >> count_bits;
+    const std::uint32_t bin = entry_key & ((1U << which_shift) - 1);
+    expect_bytes(bin == 0 || (bin >= first_bin && bin <= last_bin), damaged);
+    expect_bytes(k == 0 || entry_key > before || (entry_key == before && count_of(entry) == full), damaged);
+    expect_bytes(count_of(entry) > 0, damaged);
+    counts[entry_key >> which_shift] += count_of(entry);
+    before = entry_key;
+  }
+  if (entries_.empty()) {
+    entries_ = std::move(saved.entries_);
+  } else {
+    merge(saved);
+  }
+  return counts;
+}
+
 double LogBins::quantile(std::uint32_t which, double p, std::uint64_t count) const {
   const auto [rank, fraction] = quantile_place(p, count);
   auto entry = std::lower_bound(entries_.begin(), entries_.end(), which << (which_shift + count_bits));

@@ -2,8 +2,11 @@
 // Counts of values in bins of nearly equal relative width, kept only where there are any: quantiles of a few quantities
 // at each of very many places.
 
+#include <array>
 #include <cstdint>
 #include <vector>
+
+#include "talus/core/bytes.hpp"
 
 namespace talus {
 
@@ -18,6 +21,10 @@ class LogBins {
  public:
   void add(std::uint32_t which, float value) { add_key(key(which, value), 1); }
   void merge(const LogBins& other);
+
+  void save(ByteWriter& out) const { out.list(entries_); }
+  /// Adds saved bins, and gives how many values of each quantity they hold. Throws BadBytes on what are none.
+  std::array<std::uint64_t, 4> merge_saved(ByteReader& in);
 
   /// The quantile p in [0, 1] of one of the quantities by definition 7 (quantile.hpp), each order statistic within
   /// 0.78 %. `count`, at least 1, is how many values of this quantity were added: the caller knows it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "talus/core/check.hpp"
 #include "talus/statistics/quantile.hpp"
@@ -14,6 +15,10 @@ namespace {
 constexpr int dropped_bits = 42;  // of the 52 of the fraction
 constexpr double least_magnitude = 0x1p-40;
 constexpr double most_magnitude = 0x1p80;
+
+// Of saved sketches: more than any campaign has, and small enough that sums of a few of them cannot wrap around.
+constexpr std::uint64_t most_values = std::uint64_t{1} << 60;
+constexpr const char* damaged = "the counts behind quantiles are damaged";
 
 std::uint32_t bin_of(double magnitude) {
   return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(std::min(magnitude, most_magnitude)) >> dropped_bits);
@@ -57,6 +62,7 @@ void QuantileSketch::become_binned() {
 
 void QuantileSketch::add(double x) {
   TALUS_PROMISE(std::isfinite(x), "only finite numbers have quantiles");
+  x += 0.0;  // there is one zero: extremes and order must not depend on which came first
   minimum_ = count_ == 0 ? x : std::min(minimum_, x);
   maximum_ = count_ == 0 ? x : std::max(maximum_, x);
   ++count_;
@@ -87,6 +93,76 @@ void QuantileSketch::merge(const QuantileSketch& other) {
     }
   }
   zeros_ += other.zeros_;
+}
+
+void QuantileSketch::Bins::save(ByteWriter& out) const {
+  out.count(counts.size() - static_cast<std::size_t>(std::count(counts.begin(), counts.end(), 0U)));
+  for (std::uint32_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    out.put(first + i);
+    out.put(counts[i]);
+  }
+}
+
+std::uint64_t QuantileSketch::Bins::read(ByteReader& in) {
+  std::uint64_t values = 0;
+  std::optional<std::uint32_t> before;
+  for (std::size_t left = in.count(sizeof(std::uint32_t) + sizeof(std::uint64_t)); left > 0; --left) {
+    const auto bin = in.get<std::uint32_t>();
+    const auto count = in.get<std::uint64_t>();
+    expect_bytes((!before || bin > *before) && bin >= bin_of(least_magnitude) && bin <= bin_of(most_magnitude),
+                 damaged);
+    expect_bytes(count > 0 && count <= most_values - values, damaged);
+    add(bin, count);
+    values += count;
+    before = bin;
+  }
+  return values;
+}
+
+void QuantileSketch::save(ByteWriter& out) const {
+  out.put(planned_);
+  out.put(count_);
+  if (count_ == 0) return;
+  out.put(minimum_);
+  out.put(maximum_);
+  if (is_exact_) {
+    std::vector<double> sorted = values_;
+    std::sort(sorted.begin(), sorted.end());
+    out.numbers(std::span<const double>(sorted));
+    return;
+  }
+  negative_.save(out);
+  out.put(zeros_);
+  positive_.save(out);
+}
+
+void QuantileSketch::merge_saved(ByteReader& in) {
+  QuantileSketch saved(in.get<std::uint64_t>());
+  expect_bytes(saved.planned_ == planned_, "quantiles are of a run of another size");
+  saved.count_ = in.get<std::uint64_t>();
+  expect_bytes(saved.count_ <= most_values, damaged);
+  if (saved.count_ == 0) return;
+  saved.minimum_ = in.get<double>();
+  saved.maximum_ = in.get<double>();
+  expect_bytes(std::isfinite(saved.minimum_) && std::isfinite(saved.maximum_) && saved.minimum_ <= saved.maximum_,
+               damaged);
+  saved.is_exact_ = saved.is_exact_ && saved.count_ <= most_exact;
+  if (saved.is_exact_) {
+    expect_bytes(saved.count_ <= in.left() / sizeof(double), damaged);
+    saved.values_.resize(saved.count_);
+    in.numbers(std::span(saved.values_));
+    expect_bytes(saved.values_.front() == saved.minimum_ && saved.values_.back() == saved.maximum_, damaged);
+    for (std::size_t k = 1; k < saved.values_.size(); ++k) {
+      expect_bytes(saved.values_[k - 1] <= saved.values_[k], damaged);  // neither is not a number, then
+    }
+  } else {
+    const std::uint64_t below = saved.negative_.read(in);
+    saved.zeros_ = in.get<std::uint64_t>();
+    const std::uint64_t above = saved.positive_.read(in);
+    expect_bytes(saved.zeros_ <= most_values && below + saved.zeros_ + above == saved.count_, damaged);
+  }
+  merge(saved);
 }
 
 std::vector<QuantileSketch::Counted> QuantileSketch::ascending() const {

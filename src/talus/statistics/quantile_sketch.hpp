@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "talus/core/bytes.hpp"
+
 namespace talus {
 
 /// Keeps the values themselves while there are at most `most_exact`, and counts in bins beyond that. Which of the two
@@ -27,6 +29,10 @@ class QuantileSketch {
   /// Expects a sketch that was planned for the same number of values.
   void merge(const QuantileSketch& other);
 
+  void save(ByteWriter& out) const;
+  /// Adds a saved sketch; throws BadBytes on what is none, or was planned for another number of values.
+  void merge_saved(ByteReader& in);
+
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] bool is_exact() const { return is_exact_; }
 
@@ -46,6 +52,9 @@ class QuantileSketch {
     std::uint32_t first = 0;
     std::vector<std::uint64_t> counts;
     void add(std::uint32_t bin, std::uint64_t count);
+    void save(ByteWriter& out) const;
+    /// Into empty bins; gives how many values there are.
+    std::uint64_t read(ByteReader& in);
   };
 
   void count_in_bins(double x);

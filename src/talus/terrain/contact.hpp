@@ -48,6 +48,12 @@ struct Exit {
   bool in_hole = false;  // where it left, the terrain has no data; otherwise it ends there
 };
 
+/// What lies straight below a place.
+struct GroundBelow {
+  double z;       // [m]
+  FacetId facet;  // one of those there
+};
+
 /// One side of a facet: points with (x - point) . inward >= 0 are on the facet's side of it.
 struct OutlineEdge {
   Vec3 point;                     // somewhere on the edge

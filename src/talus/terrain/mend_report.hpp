@@ -3,21 +3,10 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
-#include "talus/core/vec.hpp"
+#include "talus/terrain/findings.hpp"
 
 namespace talus {
-
-/// A count of things found, and where the first few of them are.
-struct Findings {
-  static constexpr std::size_t most_examples = 3;
-
-  std::size_t count = 0;
-  std::vector<Vec3> examples;  // global coordinates [m]
-
-  void add(const Vec3& where);
-};
 
 struct MendReport {
   std::size_t vertices = 0;         // of the mended mesh

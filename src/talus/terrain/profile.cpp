@@ -200,6 +200,26 @@ std::optional<double> Profile::elevation(double x, double, double below) const {
   return highest;
 }
 
+std::optional<GroundBelow> Profile::ground_below(const Vec3& place) const {
+  std::optional<GroundBelow> below;
+  const auto look = [&](const Segment& segment) {
+    const double reach = segment.length * segment.along.x();
+    if (reach == 0) return;
+    const double s = (place.x() - segment.a.x()) / reach;
+    if (s < -1e-12 || s > 1 + 1e-12) return;
+    const double z = segment.a.z() + s * segment.length * segment.along.z();
+    if (z <= place.z() + contact_slack && (!below || z > below->z)) below = GroundBelow{z, FacetId{index_of(segment)}};
+  };
+  if (is_height_field_) {
+    const auto after = std::partition_point(segments_.begin(), segments_.end(),
+                                            [&](const Segment& s) { return s.a.x() <= place.x(); });
+    if (after != segments_.begin()) look(*std::prev(after));
+  } else {
+    for (const Segment& segment : segments_) look(segment);
+  }
+  return below;
+}
+
 std::optional<double> Profile::ground_over(const Vec3& place) const {
   std::optional<double> nearest;
   bool faces_up = false;

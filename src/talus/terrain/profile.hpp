@@ -34,6 +34,7 @@ class Profile {
   [[nodiscard]] std::optional<double> elevation(double x, double y = 0,
                                                 double below = std::numeric_limits<double>::infinity()) const;
 
+  [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
 
   [[nodiscard]] Vec3 normal(FacetId facet) const { return segments_[facet.index].normal; }

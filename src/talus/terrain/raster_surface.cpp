@@ -361,6 +361,19 @@ std::optional<double> RasterSurface::elevation(double x, double y, double below)
   return highest;
 }
 
+std::optional<GroundBelow> RasterSurface::ground_below(const Vec3& place) const {
+  const double x = (place.x() - grid_.x0) / grid_.dx, y = (place.y() - grid_.y0) / grid_.dy;
+  if (!(x >= 0 && y >= 0 && x <= static_cast<double>(columns_) && y <= static_cast<double>(rows_))) return std::nullopt;
+  const auto column = std::min(static_cast<std::int64_t>(x), static_cast<std::int64_t>(columns_) - 1);
+  const auto row = std::min(static_cast<std::int64_t>(y), static_cast<std::int64_t>(rows_) - 1);
+  const auto z = height_in_cell(place.x(), place.y(), column, row);
+  if (!z || *z > place.z() + contact_slack) return std::nullopt;
+  const double u = x - static_cast<double>(column), v = y - static_cast<double>(row);
+  const bool north_east = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row)).cut_north_east();
+  const bool is_first = north_east ? u >= v : u + v <= 1;
+  return GroundBelow{*z, FacetId{facet_of(column, row, is_first ? 0 : 1)}};
+}
+
 std::optional<double> RasterSurface::ground_over(const Vec3& place) const {
   const auto z = elevation(place.x(), place.y());
   return z && *z > place.z() + contact_slack ? z : std::nullopt;

@@ -45,6 +45,7 @@ class RasterSurface {
   [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
   [[nodiscard]] std::optional<double> elevation(double x, double y,
                                                 double below = std::numeric_limits<double>::infinity()) const;
+  [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
   [[nodiscard]] std::vector<Vec3> draped(const Vec2& from, const Vec2& to) const;
   [[nodiscard]] Vec3 normal(FacetId facet) const { return area_normal(triangle(facet)).normalized(); }

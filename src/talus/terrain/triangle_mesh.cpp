@@ -241,7 +241,7 @@ void TriangleMesh::visit_column(double x, double y, double z_low, double z_high,
       }
       if (!inside) continue;
       const double z = corner[0].z() - (n.x() * (x - corner[0].x()) + n.y() * (y - corner[0].y())) / n.z();
-      if (z >= z_low && z <= z_high) visit(z, n.z());
+      if (z >= z_low && z <= z_high) visit(z, n.z(), k);
     }
   });
 }
@@ -249,18 +249,29 @@ void TriangleMesh::visit_column(double x, double y, double z_low, double z_high,
 std::optional<double> TriangleMesh::elevation(double x, double y, double below) const {
   std::optional<double> highest;
   const double top = std::min(below, bounds_.high.z() + 1);
-  visit_column(x, y, bounds_.low.z() - 1, top, [&](double z, double) { highest = std::max(highest.value_or(z), z); });
+  visit_column(x, y, bounds_.low.z() - 1, top,
+               [&](double z, double, std::uint32_t) { highest = std::max(highest.value_or(z), z); });
   return highest;
+}
+
+std::optional<GroundBelow> TriangleMesh::ground_below(const Vec3& place) const {
+  std::optional<GroundBelow> below;
+  visit_column(place.x(), place.y(), bounds_.low.z() - 1, place.z() + contact_slack,
+               [&](double z, double, std::uint32_t facet) {
+                 if (!below || z > below->z) below = GroundBelow{z, FacetId{facet}};
+               });
+  return below;
 }
 
 std::optional<double> TriangleMesh::ground_over(const Vec3& place) const {
   std::optional<double> nearest;
   bool faces_up = false;
-  visit_column(place.x(), place.y(), place.z() + contact_slack, bounds_.high.z() + 1, [&](double z, double n_z) {
-    if (nearest && z >= *nearest) return;
-    nearest = z;
-    faces_up = n_z > 0;
-  });
+  visit_column(place.x(), place.y(), place.z() + contact_slack, bounds_.high.z() + 1,
+               [&](double z, double n_z, std::uint32_t) {
+                 if (nearest && z >= *nearest) return;
+                 nearest = z;
+                 faces_up = n_z > 0;
+               });
   return faces_up ? nearest : std::nullopt;
 }
 

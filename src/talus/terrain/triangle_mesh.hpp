@@ -50,6 +50,8 @@ class TriangleMesh {
   /// The highest point of the surface at a place on plan, or the highest below `below`.
   [[nodiscard]] std::optional<double> elevation(double x, double y,
                                                 double below = std::numeric_limits<double>::infinity()) const;
+  /// The highest point of the surface below a place, or at it.
+  [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
   /// How high the ground stands over a place that is in it: the facet above it, if that faces up. A place in the open,
   /// be it under an overhang, has none.
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
@@ -83,7 +85,7 @@ class TriangleMesh {
   std::optional<Contact> search_flight(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
                                        EachFacet&& each_facet) const;
   void find_sharp_features(std::span<const Corners> triangles);
-  /// Calls visit(z, n_z) for each facet over or under a place on plan that is not vertical, between two heights.
+  /// Calls visit(z, n_z, facet) for each facet over or under a place on plan that is not vertical, between two heights.
   template <class Visit>
   void visit_column(double x, double y, double z_low, double z_high, Visit&& visit) const;
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "talus/barriers/barrier.hpp"
+#include "talus/flight/drag.hpp"
 #include "talus/flight/parabola.hpp"
 #include "talus/motion/motion.hpp"
 
@@ -21,18 +22,29 @@ struct PathRow {
 ///
 /// On the ground `path` is the way; velocity follows it except where a step's law has it otherwise: a stepped slide
 /// moves with the velocity of the step's end.
+///
+/// Where drag brakes a flight, `path` is what it goes along and its parameter runs slower than time (flight/drag.hpp):
+/// ask the piece, and not its path, for velocities and times.
 struct PathPiece {
-  Parabola path;          // of the centre, from time 0 of the piece
-  double duration = 0;    // [s]
+  Parabola path;          // of the centre, from parameter 0 of the piece, which is time where there is no drag
+  double duration = 0;    // in that parameter [s]
   double start_time = 0;  // since release [s]
   Vec3 spin;              // at its start; constant in flight [rad/s]
   bool on_ground = false;
+  LinearDrag drag;
+
+  [[nodiscard]] Vec3 velocity(double s) const { return drag.velocity(path, s); }
+  /// Since release [s].
+  [[nodiscard]] double time(double s) const { return start_time + drag.time(s); }
 };
 
 /// A rock passed above a barrier.
 struct PassedAbove {
   BarrierId barrier;
-  double clearance;  // of the rock's underside above the top [m]
+  double clearance;    // of the rock's underside above the top [m]
+  Motion motion{};     // there
+  double height = 0;   // of the contact point above the foot, along the face [m]
+  double station = 0;  // where along the line, on plan [m]
 };
 
 class RockLog {
@@ -58,10 +70,13 @@ class RockLog {
   }
   /// The rock is at the piece's start in `motion`, and goes `duration` along `path`.
   void flight(const Parabola& path, double duration, const Motion& motion) {
-    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false});
+    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, {}});
+  }
+  void flight(const Parabola& path, double duration, const Motion& motion, const LinearDrag& drag) {
+    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, drag});
   }
   void leg(const Parabola& path, double duration, const Motion& motion) {
-    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, true});
+    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, true, {}});
   }
   /// The rock strikes the ground, its centre being here.
   void impact(const Vec3& position) {

@@ -17,6 +17,7 @@
 #include "talus/impact/rigid_sphere.hpp"
 #include "talus/impact/roughness.hpp"
 #include "talus/sliding/closed_form.hpp"
+#include "talus/sliding/drag.hpp"
 #include "talus/sliding/rolling.hpp"
 #include "talus/sliding/stepped.hpp"
 #include "talus/sliding/supports.hpp"
@@ -37,7 +38,8 @@ class RockRun {
         log_(log),
         rock_(release.rock),
         motion_(release.motion),
-        reach_(scene.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0) {}
+        reach_(scene.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0),
+        has_forest_(scene.ground.has_forest()) {}
 
   RockOutcome follow();
 
@@ -52,6 +54,7 @@ class RockRun {
     bool on_facet = true;      // otherwise on an edge or a vertex
     double mu = 0;             // tan(phi), lumped mass
     ContactFriction friction;  // rigid sphere
+    double drag = 0;           // of soft ground and of trees, over mass and velocity [1/s]
     // In a valley of the second facet; otherwise of a facet that the rock touches yet but has left.
     std::optional<Vec3> other_normal;
     bool is_guided = false;  // the next leg goes along both facets
@@ -63,7 +66,22 @@ class RockRun {
   };
   using Phase = std::variant<Flying, OnGround, Ended>;
 
+  /// How a flight ends: on the ground, at the edge of the model, or - where it has neither - only in time.
+  struct FlightEnd {
+    double t;  // [s]
+    std::optional<Contact> contact;
+    std::optional<Exit> exit;
+  };
+
   Phase fly(const Flying& phase);
+  [[nodiscard]] FlightEnd end_of_flight(const Parabola& path, double t_max, const LeftPlanes& left) const;
+  std::optional<Phase> fly_along(const Parabola& path, const LinearDrag& drag, const FlightEnd& end);
+  Phase fly_where_forests_are(const Flying& phase);
+  std::optional<Phase> fly_to_the_trees(const LeftPlanes& left);
+  std::optional<Phase> fly_among_trees(double rate, const LeftPlanes& left);
+  [[nodiscard]] double forest_drag_at(const Vec3& place) const;
+  [[nodiscard]] double forest_step_time(const Vec3& velocity) const;
+  [[nodiscard]] double forest_border_between(const Parabola& path, double from, double to, double rate) const;
   Phase strike(const Contact& contact);
   Phase move_along(OnGround phase);
   void glide(const OnGround& phase, const Footing& footing);
@@ -74,17 +92,15 @@ class RockRun {
     if (barriers_.empty()) return std::nullopt;
     return first_crossing(barriers_, path, reach_, motion_.time, t_max, crossed_);
   }
-  AtBarrier meet_barrier(const Crossing& crossing);
-  [[nodiscard]] bool is_near_barrier(const Vec3& p, double distance) const {
-    const PlanBounds about{p.head<2>().array() - distance, p.head<2>().array() + distance};
-    return std::any_of(barriers_.begin(), barriers_.end(), [&](const Barrier& b) { return b.bounds.meet(about); });
-  }
-  void pass_above(const Crossing& crossing) {
+  AtBarrier meet_barrier(const Crossing& crossing, double noted_time);
+  /// `there` is the rock where it passes.
+  void pass_above(const Crossing& crossing, const Motion& there) {
     crossed_.note(crossing.barrier, motion_.time + crossing.t);
-    log_.passed_above.push_back({crossing.barrier, crossing.clearance});
+    log_.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.height, crossing.station});
   }
 
   [[nodiscard]] Leg next_leg(const OnGround& phase, const Footing& footing) const;
+  [[nodiscard]] Leg undragged_leg(const OnGround& phase, const Footing& footing, double timestep) const;
   [[nodiscard]] bool rests(const OnGround& phase, const Footing& footing) const;
   [[nodiscard]] Footing footing(const OnGround& phase) const;
   [[nodiscard]] Vec3 valley_spin(const OnGround& phase) const;
@@ -137,10 +153,10 @@ class RockRun {
   [[nodiscard]] double kinetic_energy() const {
     return 0.5 * rock_.mass * motion_.velocity.squaredNorm() + 0.5 * rock_.inertia * motion_.spin.squaredNorm();
   }
-  void advance(const Parabola& path, double t) {
+  void advance(const Parabola& path, const LinearDrag& drag, double t) {
     motion_.position = path.at(t);
-    motion_.velocity = path.velocity(t);
-    motion_.time += t;
+    motion_.velocity = drag.velocity(path, t);
+    motion_.time += drag.time(t);
   }
   /// Notes an arrival: the moments at which a rock is fastest.
   void arrive(PathState state) {
@@ -158,6 +174,7 @@ class RockRun {
   const Rock rock_;
   Motion motion_;
   const double reach_;  // from the centre to the contact: the radius of a sphere, 0 for the lumped mass
+  const bool has_forest_;
 
   RockOutcome outcome_;
   std::uint32_t contacts_ = 0;  // how often the ground's properties were drawn
@@ -202,54 +219,72 @@ RockOutcome RockRun<Surface>::follow() {
 
 template <class Surface>
 auto RockRun<Surface>::fly(const Flying& phase) -> Phase {
+  if (has_forest_) return fly_where_forests_are(phase);
   const Parabola path{motion_.position, motion_.velocity, laws_.gravity};
-  const double time_left = laws_.max_time - motion_.time;
-  auto contact = surface_.first_contact(path, reach_, time_left, phase.left);
-  Exit exit{time_left, false};
-  if (!contact) {
-    const Exit edge = surface_.exit(path);
-    if (edge.t <= time_left) exit = edge;
-    // Falling through where it took off means that the plane which it left goes on there after all.
-    if (exit.beneath && phase.left.count > 0) contact = surface_.first_contact(path, reach_, time_left);
-  }
-  const double t_end = contact ? contact->t : exit.t;
+  const auto next = fly_along(path, {}, end_of_flight(path, laws_.max_time - motion_.time, phase.left));
+  return next ? *next : Phase(Ended{EndReason::maximum_time});
+}
 
-  while (const auto crossing = next_crossing(path, t_end)) {
+template <class Surface>
+auto RockRun<Surface>::end_of_flight(const Parabola& path, double t_max, const LeftPlanes& left) const -> FlightEnd {
+  auto contact = surface_.first_contact(path, reach_, t_max, left);
+  if (contact) return {contact->t, contact, std::nullopt};
+  const Exit edge = surface_.exit(path);
+  // Falling through where it took off means that the plane which it left goes on there after all.
+  if (edge.beneath && edge.t <= t_max && left.count > 0) {
+    contact = surface_.first_contact(path, reach_, t_max);
+    if (contact) return {contact->t, contact, std::nullopt};
+  }
+  return edge.t < t_max ? FlightEnd{edge.t, std::nullopt, edge} : FlightEnd{t_max, std::nullopt, std::nullopt};
+}
+
+/// Flies to the end, or to what a barrier makes of it before; nothing where the rock is still flying then.
+template <class Surface>
+auto RockRun<Surface>::fly_along(const Parabola& path, const LinearDrag& drag, const FlightEnd& end)
+    -> std::optional<Phase> {
+  const double start = motion_.time;
+  // Barriers know the parabola's own clock.
+  const auto retime = [&] {
+    if (drag.rate > 0) crossed_.retime(start, [&](double t) { return drag.time(t); });
+  };
+  while (const auto crossing = next_crossing(path, end.t)) {
+    const Motion before = motion_;
+    advance(path, drag, crossing->t);
     if (crossing->above) {
-      pass_above(*crossing);
+      pass_above(*crossing, std::exchange(motion_, before));
       continue;
     }
-    const Motion before = motion_;
-    advance(path, crossing->t);
-    const AtBarrier then = meet_barrier(*crossing);
+    const AtBarrier then = meet_barrier(*crossing, start + crossing->t);
     if (then == AtBarrier::untouched) {
       motion_ = before;
       continue;
     }
-    log_.flight(path, crossing->t, before);
+    retime();
+    log_.flight(path, crossing->t, before, drag);
     outcome_.max_bounce = surface_.greatest_height(path, crossing->t, outcome_.max_bounce);
     if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
     log_.row(PathState::projectile, motion_);
     return Flying{};
   }
 
-  outcome_.max_bounce = surface_.greatest_height(path, t_end, outcome_.max_bounce);
-  log_.flight(path, t_end, motion_);
-  advance(path, t_end);
-  if (contact) return strike(*contact);
-  if (exit.t == time_left) return Ended{EndReason::maximum_time};
-  return Ended{reason_of(exit)};
+  retime();
+  outcome_.max_bounce = surface_.greatest_height(path, end.t, outcome_.max_bounce);
+  log_.flight(path, end.t, motion_, drag);
+  advance(path, drag, end.t);
+  if (end.contact) return strike(*end.contact);
+  if (end.exit) return Ended{reason_of(*end.exit)};
+  return std::nullopt;
 }
 
 template <class Surface>
-auto RockRun<Surface>::meet_barrier(const Crossing& crossing) -> AtBarrier {
+auto RockRun<Surface>::meet_barrier(const Crossing& crossing, double noted_time) -> AtBarrier {
   const Barrier& barrier = barriers_[crossing.barrier.index];
   const BarrierResponse response = respond(barrier, motion_, crossing.normal, rock_);
   const double speed = motion_.velocity.norm();
   const double across = std::clamp(-motion_.velocity.dot(crossing.normal) / speed, -1.0, 1.0);
   const double angle = std::copysign(std::acos(across), -motion_.velocity.dot(crossing.up));
-  crossed_.note(crossing.barrier, motion_.time);
-  log_.hits.push_back({crossing.barrier, motion_, crossing.height, angle, response.outcome});
+  crossed_.note(crossing.barrier, noted_time);
+  log_.hits.push_back({crossing.barrier, motion_, crossing.height, angle, response.outcome, crossing.station});
   if (barrier.is_collector) return AtBarrier::untouched;
 
   arrive(PathState::barrier);
@@ -312,4 +347,5 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
 }  // namespace talus
 
 #include "talus/trajectory/rock_run_gliding.hpp"
+#include "talus/trajectory/rock_run_in_forest.hpp"
 #include "talus/trajectory/rock_run_on_ground.hpp"

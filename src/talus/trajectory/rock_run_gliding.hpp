@@ -11,7 +11,7 @@ namespace talus {
 template <class Surface>
 void RockRun<Surface>::glide(const OnGround& phase, const Footing& footing) {
   const bool is_plain = laws_.model == RockModel::lumped_mass && laws_.sliding == SlidingMethod::stepped &&
-                        phase.on_facet && !phase.valley;
+                        phase.on_facet && !phase.valley && phase.drag == 0;
   const double pull = footing.pull.norm();
   if (!is_plain || pull == 0) return;
   const Vec3 down = footing.pull / pull, aside = phase.normal.cross(down);
@@ -28,9 +28,11 @@ void RockRun<Surface>::glide(const OnGround& phase, const Footing& footing) {
   }
 
   const double dt = laws_.timestep, braking = dt * phase.mu * footing.pressure, gain = dt * pull;
+  // Barriers are the caller's, too.
+  const double way = free_way(barriers_, start, reach_), squared_way = way * way;
   double x = 0, y = 0;  // way gone down and aside
   double vx = motion_.velocity.dot(down), vy = motion_.velocity.dot(aside);
-  double speed = std::hypot(vx, vy);
+  double speed = std::sqrt(vx * vx + vy * vy);
   while (speed >= laws_.stopped_velocity && motion_.time + dt < laws_.max_time) {
     const double wx = vx + gain, size = std::sqrt(wx * wx + vy * vy);
     if (wx * vx + vy * vy < braking * speed || size - braking < laws_.stopped_velocity) break;
@@ -40,7 +42,7 @@ void RockRun<Surface>::glide(const OnGround& phase, const Footing& footing) {
     for (std::size_t k = 0; k < side_count; ++k) {
       stays = stays && sides[k].distance + next_x * sides[k].down + next_y * sides[k].aside > contact_slack;
     }
-    if (!stays || is_near_barrier(start + next_x * down + next_y * aside, 2 * dt * speed)) break;
+    if (!stays || next_x * next_x + next_y * next_y >= squared_way) break;
     log_.leg({start + x * down + y * aside, next_vx * down + next_vy * aside, Vec3::Zero()}, dt, motion_);
     x = next_x;
     y = next_y;

@@ -68,6 +68,8 @@ void RockRun<Surface>::go_along_valley(const OnGround& phase) {
 template <class Surface>
 void RockRun<Surface>::draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material,
                                      double rt) const {
+  phase.drag = material.ground_drag;
+  if (material.has_forest() && reach_ < material.forest_height) phase.drag += material.forest_drag / rock_.mass;
   if (laws_.model == RockModel::rigid_sphere) {
     phase.friction = {draw.dynamic_friction(material), draw.rolling_friction(material)};
     return;
@@ -107,13 +109,28 @@ Vec3 RockRun<Surface>::valley_spin(const OnGround& phase) const {
 
 template <class Surface>
 Leg RockRun<Surface>::next_leg(const OnGround& phase, const Footing& footing) const {
+  if (phase.drag == 0) return undragged_leg(phase, footing, laws_.timestep);
+  const bool is_sphere = laws_.model == RockModel::rigid_sphere;
+  const bool rolls = is_sphere && contact_state(phase.normal) == PathState::rolling;
+  const double friction = footing.pressure * (rolls       ? phase.friction.rolling
+                                              : is_sphere ? phase.friction.dynamic
+                                                          : phase.mu);
+  const double speed = motion_.velocity.norm();
+  const Vec3 net = footing.pull - friction / std::max(speed, 1e-300) * motion_.velocity;
+  const double timestep = dragged_timestep(phase.drag, laws_.timestep, net, motion_.velocity);
+  return cut_short(undragged_leg(phase, dragged(footing, motion_.velocity, phase.drag, timestep, rolls), timestep),
+                   timestep);
+}
+
+template <class Surface>
+Leg RockRun<Surface>::undragged_leg(const OnGround& phase, const Footing& footing, double timestep) const {
   if (laws_.model == RockModel::lumped_mass) {
     const auto law = laws_.sliding == SlidingMethod::stepped ? stepped_leg : closed_form_leg;
-    return law(motion_.position, motion_.velocity, motion_.spin, footing, phase.mu, laws_.timestep);
+    return law(motion_.position, motion_.velocity, motion_.spin, footing, phase.mu, timestep);
   }
   if (!phase.valley) {
     return rolling_leg(motion_.position, motion_.velocity, motion_.spin, phase.normal, footing, rock_, phase.friction,
-                       laws_.timestep);
+                       timestep);
   }
   // Along a valley the sphere rolls on both sides at once: heavier to start, by the inertia of its spin, and braked by
   // the rolling resistance of both contacts.
@@ -121,11 +138,8 @@ Leg RockRun<Surface>::next_leg(const OnGround& phase, const Footing& footing) co
   const double share = rock_.mass / (rock_.mass + rock_.inertia * axis.squaredNorm());
   const double resistance = rock_.radius * axis.norm() * std::min(phase.friction.rolling, phase.friction.dynamic);
   Leg leg = closed_form_leg(motion_.position, motion_.velocity, motion_.spin,
-                            {share * footing.pull, share * footing.pressure}, resistance, laws_.timestep);
-  if (leg.duration > laws_.timestep) {
-    leg.duration = laws_.timestep;
-    leg.end_velocity = leg.path.velocity(leg.duration);
-  }
+                            {share * footing.pull, share * footing.pressure}, resistance, timestep);
+  leg = cut_short(leg, timestep);
   leg.end_spin = leg.end_velocity.dot(phase.valley->direction) * axis;
   return leg;
 }
@@ -136,7 +150,10 @@ bool RockRun<Surface>::rests(const OnGround& phase, const Footing& footing) cons
   const double speed = motion_.velocity.norm();
   const bool to_the_end = laws_.model == RockModel::lumped_mass && laws_.sliding == SlidingMethod::closed_form;
   if (speed >= laws_.stopped_velocity) return false;
-  const auto held = [&](const Footing& f) {
+  const auto held = [&](Footing f) {
+    // What drag would keep slower than where a rock may stop, does not move.
+    const double crawl = phase.drag * laws_.stopped_velocity, pull = f.pull.norm();
+    if (crawl > 0) f.pull *= std::max(0.0, 1 - crawl / std::max(pull, 1e-300));
     return laws_.model == RockModel::rigid_sphere ? holds(f, phase.friction) : holds(f, phase.mu);
   };
   if (held(footing)) return !to_the_end || speed < 1e-9;  // the closed form slides until it stands
@@ -312,13 +329,13 @@ auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
     }
     bool met = false;
     while (const auto crossing = next_crossing(leg.path, t)) {
-      if (crossing->above) {  // a sphere on the ground may be above a low barrier
-        pass_above(*crossing);
-        continue;
-      }
       const Motion before = motion_;
       advance_along(leg, crossing->t);
-      const AtBarrier then = meet_barrier(*crossing);
+      if (crossing->above) {  // a sphere on the ground may be above a low barrier
+        pass_above(*crossing, std::exchange(motion_, before));
+        continue;
+      }
+      const AtBarrier then = meet_barrier(*crossing, motion_.time);
       if (then != AtBarrier::untouched) log_.leg(leg.path, crossing->t, before);
       if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
       met = then == AtBarrier::goes_on;

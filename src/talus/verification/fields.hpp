@@ -11,15 +11,15 @@
 #include <string_view>
 #include <vector>
 
+#include "talus/core/nearest.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/project/document.hpp"
-#include "talus/project/nearest.hpp"
 
 namespace talus::verification {
 
 /// The hint that names the nearest of the known words, if one is near.
 [[nodiscard]] inline std::string meant(std::string_view word, std::span<const std::string_view> known) {
-  const auto near = project::nearest(word, known);
+  const auto near = nearest(word, known);
   return near ? fmt::format("Did you mean {}?", *near) : "";
 }
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace talus::project {
+namespace talus {
 
 /// How many letters must be put in, taken out, replaced or swapped with their neighbour to turn one word into the other
 /// (optimal string alignment distance; capitals count as small letters, '-' and ' ' as '_').
@@ -16,4 +16,4 @@ namespace talus::project {
 /// or one begins with the other (`gravity` for `gravity_m_s2`).
 [[nodiscard]] std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> known);
 
-}  // namespace talus::project
+}  // namespace talus

@@ -1,10 +1,10 @@
-#include "talus/project/nearest.hpp"
+#include "talus/core/nearest.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-namespace talus::project {
+namespace talus {
 namespace {
 
 constexpr std::array<std::string_view, 4> known{"gravity_m_s2", "max_steps", "max_time_s", "mass_kg"};
@@ -47,4 +47,4 @@ TEST(Nearest, IsSilentWhereNothingIsNear) {
 }
 
 }  // namespace
-}  // namespace talus::project
+}  // namespace talus

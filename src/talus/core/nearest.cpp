@@ -1,10 +1,10 @@
-#include "talus/project/nearest.hpp"
+#include "talus/core/nearest.hpp"
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-namespace talus::project {
+namespace talus {
 
 static std::string folded(std::string_view word) {
   std::string out(word);
@@ -54,4 +54,4 @@ std::optional<std::string_view> nearest(std::string_view word, std::span<const s
   return std::nullopt;
 }
 
-}  // namespace talus::project
+}  // namespace talus

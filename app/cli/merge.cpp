@@ -1,0 +1,34 @@
+#include "talus/project/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+
+#include "commands.hpp"
+#include "load.hpp"
+#include "outcome.hpp"
+
+namespace talus::cli {
+
+int merge(const MergeOptions& options) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  const project::MergeResult result =
+      project::merge_runs({options.folders, options.folder, options.partial, options.threads});
+  print_warnings(result.warnings);
+  if (!options.quiet) {
+    fmt::print("{}: {} of {} rocks, from {} {}\n", result.description.name, result.summary.done,
+               result.description.rocks, result.parts, result.parts == 1 ? "run" : "runs");
+    std::vector<std::string> barriers;
+    for (const auto& barrier : result.description.model.at("barriers")) barriers.push_back(barrier.at("name"));
+    print_summary(result.summary, barriers);
+    for (const RockRange& rocks : result.missing) {
+      fmt::print("  missing: rocks {} to {}\n", rocks.first, rocks.last - 1);
+    }
+    fmt::print("Results are in {}{}\n", result.output.string(),
+               result.description.wants_report ? ", to look at: report.html" : "");
+  }
+  return done;
+}
+
+}  // namespace talus::cli

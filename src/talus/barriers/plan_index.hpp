@@ -1,0 +1,87 @@
+#pragma once
+// Which rectangles of a row a rectangle on plan meets, and how far it is to the nearest: a tree over neighbours in the
+// row, since the panels of a barrier, one after the other, lie beside each other on plan.
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "talus/core/vec.hpp"
+
+namespace talus {
+
+/// A rectangle on plan [m]; empty at first.
+struct PlanBounds {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high = Vec2::Constant(-std::numeric_limits<double>::infinity());
+
+  void grow(const Vec2& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  void grow(const PlanBounds& other) {
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
+  }
+  [[nodiscard]] bool meet(const PlanBounds& other) const {
+    return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
+  }
+  /// From a point [m]; 0 within.
+  [[nodiscard]] double distance(const Vec2& p) const { return (low - p).cwiseMax(p - high).cwiseMax(0.0).norm(); }
+};
+
+class PlanIndex {
+ public:
+  PlanIndex() = default;
+  explicit PlanIndex(std::span<const PlanBounds> row) : count_(row.size()) {
+    leaves_ = 1;
+    while (leaves_ < count_) leaves_ *= 2;
+    nodes_.resize(2 * leaves_);  // children of k: 2 k and 2 k + 1; those beyond the row stay empty
+    std::copy(row.begin(), row.end(), nodes_.begin() + static_cast<std::ptrdiff_t>(leaves_));
+    for (std::size_t k = leaves_ - 1; k > 0; --k) {
+      nodes_[k] = nodes_[2 * k];
+      nodes_[k].grow(nodes_[2 * k + 1]);
+    }
+  }
+
+  /// Calls visit(k) for each rectangle that meets `bounds`, in the order of the row.
+  template <class Visit>
+  void visit(const PlanBounds& bounds, Visit&& visit) const {
+    if (count_ > 0) visit_below(1, bounds, visit);
+  }
+  /// From a point to the nearest rectangle, if that is less than `known`; otherwise `known` [m].
+  [[nodiscard]] double distance(const Vec2& p, double known) const {
+    if (count_ > 0) look_below(1, p, known);
+    return known;
+  }
+
+ private:
+  template <class Visit>
+  void visit_below(std::size_t node, const PlanBounds& bounds, Visit& visit) const {
+    if (!nodes_[node].meet(bounds)) return;
+    if (node >= leaves_) {
+      visit(node - leaves_);
+      return;
+    }
+    visit_below(2 * node, bounds, visit);
+    visit_below(2 * node + 1, bounds, visit);
+  }
+  void look_below(std::size_t node, const Vec2& p, double& known) const {
+    const double here = nodes_[node].distance(p);
+    if (!(here < known)) return;
+    if (node >= leaves_) {
+      known = here;
+      return;
+    }
+    const bool second_is_nearer = nodes_[2 * node + 1].distance(p) < nodes_[2 * node].distance(p);
+    look_below(2 * node + (second_is_nearer ? 1 : 0), p, known);
+    look_below(2 * node + (second_is_nearer ? 0 : 1), p, known);
+  }
+
+  std::size_t count_ = 0, leaves_ = 0;
+  std::vector<PlanBounds> nodes_;
+};
+
+}  // namespace talus

@@ -1,0 +1,37 @@
+#pragma once
+// Checksums of bytes: to notice damage, and to tell inputs apart.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace talus::io {
+
+/// XXH3 with 128 bits (Y. Collet, xxHash 0.8): the same on every machine. Not for secrets: who wants to can make two
+/// inputs with one checksum.
+struct Digest {
+  std::uint64_t high = 0, low = 0;
+  friend bool operator==(const Digest&, const Digest&) = default;
+};
+/// As 32 hexadecimal digits.
+[[nodiscard]] std::string text_of(const Digest& digest);
+
+/// Of bytes that come piece by piece; how they are split does not matter.
+class Checksum {
+ public:
+  Checksum();
+  ~Checksum();
+  Checksum(const Checksum&) = delete;
+  Checksum& operator=(const Checksum&) = delete;
+  void add(std::string_view bytes);
+  [[nodiscard]] Digest digest() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+[[nodiscard]] Digest checksum_of(std::string_view bytes);
+
+}  // namespace talus::io

@@ -1,0 +1,20 @@
+#include "talus/io/derived_files.hpp"
+
+#include <system_error>
+
+#include "talus/io/run_facts.hpp"
+#include "talus/io/vector_out.hpp"
+#include "talus/io/vtk_paths.hpp"
+
+namespace talus::io {
+
+void write_derived_files(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::filesystem::remove(folder / geopackage_name, ignored);
+  std::filesystem::remove(folder / vtk_paths_name, ignored);
+  const RunFacts facts = read_run_facts(folder);
+  if (facts.wants_geopackage && can_write_geopackage()) write_geopackage(facts, folder);
+  if (facts.wants_vtk) write_vtk_paths(folder);
+}
+
+}  // namespace talus::io

@@ -1,0 +1,30 @@
+#pragma once
+// What is wrong with one file, of which only the first few are told: a wrong file has one in each of its million lines.
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "talus/core/problems.hpp"
+
+namespace talus {
+
+class FirstProblems {
+ public:
+  static constexpr std::size_t most_told = 10;
+
+  /// `things` are what has the problems, in words: "lines", "features".
+  FirstProblems(std::string file, std::string things) : file_(std::move(file)), things_(std::move(things)) {}
+
+  void add(int line, std::string what, std::string why, std::string hint = "");
+  [[nodiscard]] bool any() const { return count_ > 0; }
+  /// Throws BadInput with the first ones and the number of the others.
+  void throw_if_any() const;
+
+ private:
+  std::string file_, things_;
+  Problems first_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace talus

@@ -1,0 +1,96 @@
+#ifdef TALUS_HAS_GDAL
+
+#include "talus/io/geopackage_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "talus/io/output_file.hpp"
+
+namespace talus::io {
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, std::string why, std::string hint) {
+  throw BadInput(
+      Problem{.file = file.string(), .what = "cannot write this file", .why = std::move(why), .hint = std::move(hint)});
+}
+
+constexpr const char* write_elsewhere = "Free some space, or choose another output folder with -o";
+
+/// To the disk, whatever the machine still holds of it; empty where that worked, else why not.
+std::string flushed(const std::filesystem::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return std::strerror(errno);
+  const bool is_flushed = fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
+  const std::string why = is_flushed ? "" : std::strerror(errno);
+  close(descriptor);
+  return why;
+}
+
+}  // namespace
+
+GeoPackageFile::GeoPackageFile(std::filesystem::path path, const std::string& crs_wkt)
+    : path_(std::move(path)), part_(path_) {
+  part_ += ".part";
+  make_output_folder(path_.parent_path());
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+  if (driver == nullptr) {
+    refuse(path_, "the GDAL library of this machine has no driver GPKG",
+           "Install GDAL with its usual drivers, or set geopackage = \"none\"");
+  }
+  crs_.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (crs_wkt.empty() || crs_.importFromWkt(crs_wkt.c_str()) != OGRERR_NONE) {
+    crs_.SetLocalCS("Undefined Cartesian SRS");  // the format's number -1
+  }
+  messages_.clear();
+  std::error_code error;
+  std::filesystem::remove(part_, error);  // of a run that was killed
+  dataset_.reset(driver->Create(part_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  if (!dataset_ || dataset_->StartTransaction() != OGRERR_NONE) fail();
+}
+
+GeoPackageFile::~GeoPackageFile() {
+  if (is_committed_) return;
+  dataset_.reset();
+  std::error_code ignored;
+  std::filesystem::remove(part_, ignored);
+}
+
+void GeoPackageFile::fail() const { refuse(path_, messages_.failure(), write_elsewhere); }
+
+OGRLayer& GeoPackageFile::add_layer(const char* name, OGRwkbGeometryType type, const char* meaning,
+                                    std::span<const GeoField> fields) {
+  char** options = CSLSetNameValue(nullptr, "DESCRIPTION", meaning);
+  OGRLayer* layer = dataset_->CreateLayer(name, &crs_, type, options);
+  CSLDestroy(options);
+  if (layer == nullptr) fail();
+  for (const GeoField& field : fields) {
+    OGRFieldDefn definition(field.name.c_str(), field.type);
+    if (layer->CreateField(&definition) != OGRERR_NONE) fail();
+  }
+  return *layer;
+}
+
+void GeoPackageFile::add(OGRLayer& layer, OGRFeature& feature) {
+  if (layer.CreateFeature(&feature) != OGRERR_NONE) fail();
+}
+
+void GeoPackageFile::commit() {
+  if (dataset_->CommitTransaction() != OGRERR_NONE) fail();
+  dataset_.reset();
+  if (messages_.has_failure()) fail();  // what goes wrong while a file is closed is only said
+  if (const std::string why = flushed(part_); !why.empty()) refuse(path_, why, write_elsewhere);
+  std::error_code error;
+  std::filesystem::rename(part_, path_, error);
+  if (error) refuse(path_, error.message(), "Choose another output folder with -o");
+  is_committed_ = true;
+}
+
+}  // namespace talus::io
+
+#endif

@@ -1,0 +1,80 @@
+#include "talus/io/path_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "talus/core/problems.hpp"
+
+namespace talus::io {
+
+namespace {
+
+constexpr std::size_t place_of(std::string_view name) {
+  for (std::size_t i = 0; i < path_columns.size(); ++i) {
+    if (path_columns[i] == name) return i;
+  }
+  throw "no such column";  // refused while compiling
+}
+
+constexpr std::size_t rock_column = place_of("rock"), event = place_of("event"), state_column = place_of("state"),
+                      time = place_of("time_s"), x = place_of("x_m"), vx = place_of("vx_m_s"),
+                      ke_translational = place_of("ke_translational_J"), ke_rotational = place_of("ke_rotational_J"),
+                      pe = place_of("pe_J");
+
+std::array<double, 3> triple(const CsvReader& row, std::size_t first) {
+  return {row.number(first), row.number(first + 1), row.number(first + 2)};
+}
+
+}  // namespace
+
+PathState state_in(const CsvReader& row, std::size_t column) {
+  using enum PathState;
+  std::string known;
+  for (const PathState state : {projectile, impact, sliding, rolling, barrier, ended}) {
+    if (row.text(column) == name(state)) return state;
+    known += (known.empty() ? "" : ", ") + std::string(name(state));
+  }
+  row.refuse("state", fmt::format("\"{}\" is not a state", row.text(column)), "expected one of " + known);
+}
+
+PathReader::PathReader(const std::filesystem::path& file) : file_(file), row_(file, path_columns) {}
+
+bool PathReader::next(const std::function<bool(std::uint64_t)>& wants) {
+  for (bool is_wanted = false; !is_wanted;) {
+    path_.rows.clear();
+    for (bool has_ended = false; !has_ended;) {
+      const bool begins = path_.rows.empty();
+      if (!row_.next()) {
+        if (begins) return false;
+        throw BadInput(Problem{.file = file_.string(),
+                               .what = fmt::format("the path of rock {} does not end", path_.rock),
+                               .why = "a path's last row has the state ended",
+                               .hint = "The file was cut short or damaged; run the project again to get it whole"});
+      }
+      const auto rock = static_cast<std::uint64_t>(row_.whole_number(rock_column));
+      if (begins) {
+        path_.rock = rock;
+        is_wanted = wants(rock);
+      } else if (rock != path_.rock) {
+        row_.refuse("", fmt::format("rock {} begins before rock {} has ended", rock, path_.rock),
+                    "a path's last row has the state ended",
+                    "The file was cut or joined by hand; run the project again");
+      }
+      const PathState state = state_in(row_, state_column);
+      has_ended = state == PathState::ended;
+      if (!is_wanted && !begins) continue;
+      path_.rows.push_back({.event = static_cast<std::uint64_t>(row_.whole_number(event)),
+                            .state = state,
+                            .time_s = row_.number(time),
+                            .position_m = triple(row_, x),
+                            .velocity_m_s = triple(row_, vx),
+                            .ke_translational_J = row_.number(ke_translational),
+                            .ke_rotational_J = row_.number(ke_rotational),
+                            .pe_J = row_.number(pe)});
+    }
+  }
+  return true;
+}
+
+}  // namespace talus::io

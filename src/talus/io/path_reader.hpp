@@ -1,0 +1,31 @@
+#pragma once
+// Reads paths.csv one path after the other, in memory that holds one.
+
+#include <filesystem>
+#include <functional>
+
+#include "talus/io/csv_reader.hpp"
+#include "talus/io/run_folder.hpp"
+
+namespace talus::io {
+
+class PathReader {
+ public:
+  /// Throws BadInput where the file is none or has other columns.
+  explicit PathReader(const std::filesystem::path& file);
+
+  /// Goes to the next path of a rock that is wanted, in the order of the file; false after the last. Throws BadInput on
+  /// rows that are no paths.
+  [[nodiscard]] bool next(const std::function<bool(std::uint64_t rock)>& wants);
+  [[nodiscard]] const Path& path() const { return path_; }
+
+ private:
+  std::filesystem::path file_;
+  CsvReader row_;
+  Path path_;
+};
+
+/// The state in a column of the current row; throws BadInput where it is none.
+[[nodiscard]] PathState state_in(const CsvReader& row, std::size_t column);
+
+}  // namespace talus::io

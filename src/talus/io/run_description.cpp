@@ -1,0 +1,86 @@
+#include "talus/io/run_description.hpp"
+
+#include "talus/core/bytes.hpp"
+
+namespace talus::io {
+
+using Json = nlohmann::ordered_json;
+
+Json as_json(const RunDescription& description) {
+  Json json;
+  json["name"] = description.name;
+  json["fingerprint"] = description.fingerprint;
+  json["sample"] = description.sample;
+  json["rocks"] = description.rocks;
+  json["barriers"] = description.barriers;
+  json["crs_wkt"] = description.crs_wkt;
+  json["sources"] = description.sources;
+  json["wants_maps"] = description.wants_maps;
+  json["wants_geopackage"] = description.wants_geopackage;
+  json["wants_report"] = description.wants_report;
+  json["warnings"] = description.warnings;
+  json["project"] = description.project;
+  json["model"] = description.model;
+  if (const auto& maps = description.maps) {
+    json["maps"] = {{"origin", {maps->origin.x(), maps->origin.y()}},
+                    {"cell", {maps->cell.x(), maps->cell.y()}},
+                    {"by_source", maps->by_source},
+                    {"percentiles", maps->percentiles}};
+  }
+  return json;
+}
+
+namespace {
+
+/// The barriers and sources that the sums are of are those that summary.json tells of.
+void check_model(const RunDescription& description) {
+  const Json& model = description.model;
+  for (const char* key : {"seed", "energy_datum_m", "terrain", "barriers", "sources"}) (void)model.at(key);
+  expect_bytes(model.at("barriers").is_array() && model.at("barriers").size() == description.barriers,
+               "the description's barriers disagree");
+  for (const Json& barrier : model.at("barriers")) (void)barrier.at("name").get_ref<const std::string&>();
+  expect_bytes(description.project.is_object(), "the description has no project");
+}
+
+RunDescription read(const Json& json) {
+  RunDescription description;
+  json.at("name").get_to(description.name);
+  json.at("fingerprint").get_to(description.fingerprint);
+  json.at("sample").get_to(description.sample);
+  json.at("rocks").get_to(description.rocks);
+  json.at("barriers").get_to(description.barriers);
+  json.at("crs_wkt").get_to(description.crs_wkt);
+  json.at("sources").get_to(description.sources);
+  json.at("wants_maps").get_to(description.wants_maps);
+  json.at("wants_geopackage").get_to(description.wants_geopackage);
+  json.at("wants_report").get_to(description.wants_report);
+  json.at("warnings").get_to(description.warnings);
+  description.project = json.at("project");
+  description.model = json.at("model");
+  if (json.contains("maps")) {
+    const Json& given = json.at("maps");
+    MapPlan& maps = description.maps.emplace();
+    const auto pair = [&](const char* key) {
+      return Vec2(given.at(key).at(0).get<double>(), given.at(key).at(1).get<double>());
+    };
+    maps.origin = pair("origin");
+    maps.cell = pair("cell");
+    expect_bytes((maps.cell.array() > 0).all(), "the description's maps have no cells");
+    given.at("by_source").get_to(maps.by_source);
+    given.at("percentiles").get_to(maps.percentiles);
+  }
+  check_model(description);
+  return description;
+}
+
+}  // namespace
+
+RunDescription description_from(std::string_view json_text) {
+  try {
+    return read(Json::parse(json_text));
+  } catch (const nlohmann::json::exception&) {
+    throw BadBytes("the description of the run is damaged");
+  }
+}
+
+}  // namespace talus::io

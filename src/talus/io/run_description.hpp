@@ -1,0 +1,43 @@
+#pragma once
+// All that the results of a run depend on besides its sums over rocks and its tables: who has these three can write
+// summary.json, the maps and the report without the project's files.
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "talus/core/vec.hpp"
+
+namespace talus::io {
+
+/// The maps that a run makes.
+struct MapPlan {
+  Vec2 origin, cell;  // of the grid, as in results/map_grid.hpp
+  bool by_source = false;
+  std::vector<double> percentiles;  // [%]
+};
+
+struct RunDescription {
+  std::string name;
+  std::string fingerprint;  // of everything that the results follow from
+  /// Of the paths of some rocks: two machines, or two builds of the program, that agree in it compute the same bits.
+  std::string sample;
+  std::uint64_t rocks = 0;            // of the whole campaign
+  std::size_t barriers = 0;           // and collectors
+  nlohmann::ordered_json project;     // echoed whole, defaults filled in
+  nlohmann::ordered_json model;       // as model_json() has it
+  std::vector<std::string> warnings;  // those known before the run
+  std::string crs_wkt;                // of the user's coordinates; empty: not known
+  std::vector<std::string> sources;   // their names
+  std::optional<MapPlan> maps;        // that are gathered; nothing: none
+  bool wants_maps = false;            // in the project
+  bool wants_geopackage = false;      // that can be made on 3D terrain only
+  bool wants_report = true;
+};
+
+[[nodiscard]] nlohmann::ordered_json as_json(const RunDescription& description);
+/// Throws BadBytes where the text is not what as_json() gave.
+[[nodiscard]] RunDescription description_from(std::string_view json_text);
+
+}  // namespace talus::io

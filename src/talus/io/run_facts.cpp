@@ -1,0 +1,162 @@
+#include "talus/io/run_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "talus/core/problems.hpp"
+
+namespace talus::io {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Values by their place, "/rocks/planned"; refused where they are not there or not of the kind expected.
+class Values {
+ public:
+  explicit Values(std::filesystem::path file) : file_(std::move(file)) {
+    std::ifstream stream(file_, std::ios::binary);
+    if (!stream) refuse("", "cannot be opened", "a run's folder holds it once the run is done");
+    json_ = Json::parse(stream, nullptr, false);
+    if (!json_.is_object()) refuse("", "is not the summary of a run", "it holds no JSON object");
+  }
+
+  [[nodiscard]] bool has(const std::string& place) const { return json_.contains(Json::json_pointer(place)); }
+  [[nodiscard]] const Json& at(const std::string& place) const {
+    if (!has(place)) refuse(place, "is missing", "a run writes it");
+    return json_.at(Json::json_pointer(place));
+  }
+  [[nodiscard]] const Json& list(const std::string& place) const {
+    return of_kind(place, at(place).is_array(), "a list");
+  }
+  [[nodiscard]] std::string text(const std::string& place) const {
+    return of_kind(place, at(place).is_string(), "a text").get<std::string>();
+  }
+  [[nodiscard]] double number(const std::string& place) const {
+    return of_kind(place, at(place).is_number(), "a number").get<double>();
+  }
+  [[nodiscard]] std::uint64_t count(const std::string& place) const {
+    return of_kind(place, at(place).is_number_unsigned(), "a whole number, 0 or more").get<std::uint64_t>();
+  }
+  [[nodiscard]] bool flag(const std::string& place) const {
+    return of_kind(place, at(place).is_boolean(), "true or false").get<bool>();
+  }
+  /// Nothing for null.
+  [[nodiscard]] std::optional<double> number_if_any(const std::string& place) const {
+    return at(place).is_null() ? std::nullopt : std::optional(number(place));
+  }
+  /// "all", "none" or a number of rocks.
+  [[nodiscard]] EvenChoice choice(const std::string& place, std::uint64_t rocks) const {
+    if (at(place) == "all") return {rocks, rocks};
+    if (at(place) == "none") return {0, rocks};
+    return {count(place), rocks};
+  }
+
+ private:
+  const Json& of_kind(const std::string& place, bool is, const char* expected) const {
+    const Json& value = at(place);
+    if (!is) refuse(place, fmt::format("is of type {}", value.type_name()), fmt::format("expected {}", expected));
+    return value;
+  }
+  [[noreturn]] void refuse(const std::string& place, std::string what, std::string why) const {
+    throw BadInput(Problem{.file = file_.string(),
+                           .where = place.empty() ? "" : place.substr(1),
+                           .what = std::move(what),
+                           .why = std::move(why),
+                           .hint = "Name a folder that `talus run` has written"});
+  }
+
+  std::filesystem::path file_;
+  Json json_;
+};
+
+DesignValues design_values(const Values& values, const std::string& statistics) {
+  return {.percentile_95 = values.number_if_any(statistics + "/percentiles/95"),
+          .percentile_99 = values.number_if_any(statistics + "/percentiles/99"),
+          .greatest = values.number_if_any(statistics + "/maximum")};
+}
+
+/// The barrier of this name as the project has it.
+std::string in_project(const Values& values, const BarrierFacts& barrier) {
+  const std::string list = "/project/" + barrier.kind;
+  for (std::size_t k = 0; k < values.list(list).size(); ++k) {
+    std::string place = fmt::format("{}/{}", list, k);
+    if (values.text(place + "/name") == barrier.name) return place;
+  }
+  return list + "/" + barrier.name;  // is refused as missing
+}
+
+BarrierFacts barrier_facts(const Values& values, const std::string& place) {
+  BarrierFacts facts;
+  facts.name = values.text(place + "/name");
+  facts.kind = values.text(place + "/kind");
+  for (std::size_t k = 0; k < values.list(place + "/line_xyz").size(); ++k) {
+    const std::string point = fmt::format("{}/line_xyz/{}", place, k);
+    facts.foot_m.push_back({values.number(point + "/0"), values.number(point + "/1"), values.number(point + "/2")});
+  }
+  const std::string given = in_project(values, facts);
+  facts.height_m = values.number(given + "/height_m");
+  facts.inclination_deg = values.number(given + "/inclination_deg");
+  if (facts.kind == "barrier" && values.at(given + "/capacity_kJ") != "inf") {
+    facts.capacity_kJ = values.number(given + "/capacity_kJ");
+  }
+  facts.hits = values.count(place + "/hits");
+  facts.rocks_hit = values.count(place + "/rocks_hit");
+  facts.passed_above = values.count(place + "/passed_above");
+  facts.stopped = values.count(place + "/outcomes/stopped");
+  facts.rebounded = values.count(place + "/outcomes/rebounded");
+  facts.broke_through = values.count(place + "/outcomes/broke through");
+  facts.passed = values.count(place + "/outcomes/passed");
+  facts.least_clearance_m = values.number_if_any(place + "/least_clearance_m");
+  facts.ke_total_J = design_values(values, place + "/statistics/ke_total_J");
+  facts.ke_translational_J = design_values(values, place + "/statistics/ke_translational_J");
+  facts.impact_height_m = design_values(values, place + "/statistics/impact_height_m");
+  facts.velocity_m_s = design_values(values, place + "/statistics/velocity_m_s");
+  return facts;
+}
+
+std::vector<SourceStretch> source_stretches(const Values& values) {
+  std::vector<SourceStretch> stretches;
+  for (std::size_t k = 0; k < values.list("/sources").size(); ++k) {
+    const std::string place = fmt::format("/sources/{}", k), name = values.text(place + "/name");
+    for (std::size_t n = 0; n < values.list(place + "/rocks").size(); ++n) {
+      const std::string stretch = fmt::format("{}/rocks/{}", place, n);
+      stretches.push_back({values.count(stretch + "/0"), values.count(stretch + "/1"), name});
+    }
+  }
+  std::ranges::sort(stretches, {}, &SourceStretch::first_rock);
+  return stretches;
+}
+
+}  // namespace
+
+const std::string& RunFacts::source_of(std::uint64_t rock) const {
+  static const std::string unknown;
+  const auto after = std::ranges::upper_bound(sources, rock, {}, &SourceStretch::first_rock);
+  if (after == sources.begin()) return unknown;
+  const SourceStretch& stretch = *std::prev(after);
+  return rock - stretch.first_rock < stretch.rocks ? stretch.source : unknown;
+}
+
+RunFacts read_run_facts(const std::filesystem::path& folder) {
+  const Values values(folder / "summary.json");
+  RunFacts facts;
+  facts.is_section = values.text("/terrain/kind") == "section";
+  if (values.has("/terrain/crs_wkt")) facts.crs_wkt = values.text("/terrain/crs_wkt");
+  facts.planned_rocks = values.count("/rocks/planned");
+  facts.with_path = values.choice("/project/output/paths", facts.planned_rocks);
+  facts.in_geopackage = values.choice("/project/output/geopackage", facts.planned_rocks);
+  facts.wants_geopackage = !facts.is_section && facts.in_geopackage.count() > 0;
+  facts.wants_vtk = values.flag("/project/output/vtk");
+  for (std::size_t k = 0; k < values.list("/barriers").size(); ++k) {
+    facts.barriers.push_back(barrier_facts(values, fmt::format("/barriers/{}", k)));
+  }
+  facts.sources = source_stretches(values);
+  return facts;
+}
+
+}  // namespace talus::io

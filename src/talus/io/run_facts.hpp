@@ -1,0 +1,54 @@
+#pragma once
+// What summary.json says of a run that those need who make other files of its tables.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "talus/io/even_choice.hpp"
+
+namespace talus::io {
+
+/// Of all hits on a barrier; nothing without any.
+struct DesignValues {
+  std::optional<double> percentile_95, percentile_99, greatest;
+};
+
+struct BarrierFacts {
+  std::string name, kind;  // "barrier" or "collector"
+  std::vector<std::array<double, 3>> foot_m;
+  double height_m = 0, inclination_deg = 0;
+  std::optional<double> capacity_kJ;  // nothing: of a collector, or without limit
+  std::uint64_t hits = 0, rocks_hit = 0, passed_above = 0;
+  std::uint64_t stopped = 0, rebounded = 0, broke_through = 0, passed = 0;  // hits by outcome
+  std::optional<double> least_clearance_m;
+  DesignValues ke_total_J, ke_translational_J, impact_height_m, velocity_m_s;
+};
+
+/// Rocks one after the other that come from one source.
+struct SourceStretch {
+  std::uint64_t first_rock = 0, rocks = 0;
+  std::string source;
+};
+
+struct RunFacts {
+  bool is_section = false;
+  std::string crs_wkt;              // empty: not known
+  std::uint64_t planned_rocks = 0;  // of the whole campaign
+  EvenChoice with_path{0, 0};       // rocks that paths.csv holds, if they were done
+  EvenChoice in_geopackage{0, 0};   // rocks that results.gpkg is to hold
+  bool wants_geopackage = false, wants_vtk = false;
+  std::vector<BarrierFacts> barriers;
+  std::vector<SourceStretch> sources;  // in the order of the rocks
+
+  /// The source of a rock; empty where the summary does not say.
+  [[nodiscard]] const std::string& source_of(std::uint64_t rock) const;
+};
+
+/// Reads FOLDER/summary.json. Throws BadInput where it is none, or not as a run writes it.
+[[nodiscard]] RunFacts read_run_facts(const std::filesystem::path& folder);
+
+}  // namespace talus::io

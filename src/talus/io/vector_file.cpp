@@ -1,0 +1,194 @@
+#include "talus/io/vector_file.hpp"
+
+#ifdef TALUS_HAS_GDAL
+
+#include <fmt/format.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <string_view>
+#include <system_error>
+
+#include "talus/core/nearest.hpp"
+#include "talus/io/gdal_raster.hpp"
+#include "talus/io/raster_crs.hpp"
+#include "talus/io/vector_shapes.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr std::int64_t most_features = 50'000'000;  // far beyond any survey; a damaged file may declare more
+constexpr std::size_t most_listed = 20;             // names of layers or attributes
+
+std::string list_of(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size() && i < most_listed; ++i) {
+    out += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", names[i]);
+  }
+  if (names.size() > most_listed) out += fmt::format(" and {} more", names.size() - most_listed);
+  return out;
+}
+
+std::string meant(const std::string& name, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const auto near = nearest(name, known);
+  return near ? fmt::format("Did you mean \"{}\"?", *near) : "";
+}
+
+bool is_csv(const std::filesystem::path& file) { return file.extension() == ".csv" || file.extension() == ".CSV"; }
+
+GDALDatasetUniquePtr open_vectors(const GdalMessages& messages, RasterProblems& problems) {
+  const std::string name = problems.file().string();
+  std::error_code error;
+  // GDAL's own file systems (/vsizip/ ...) are not the machine's.
+  if (!name.starts_with("/vsi") && !std::filesystem::exists(problems.file(), error)) {
+    problems.stop("cannot be read", error ? error.message() : "there is no such file",
+                  "Paths are relative to the project file");
+  }
+  static const char* const columns_of_csv[] = {"GEOM_POSSIBLE_NAMES=WKT,geometry,geom,the_geom",
+                                               "X_POSSIBLE_NAMES=x,x_m,east*,lon*",
+                                               "Y_POSSIBLE_NAMES=y,y_m,north*,lat*",
+                                               "Z_POSSIBLE_NAMES=z,z_m,height*,elev*",
+                                               "KEEP_GEOM_COLUMNS=YES",
+                                               nullptr};
+  GDALDatasetUniquePtr dataset(GDALDataset::Open(name.c_str(),
+                                                 GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
+                                                 is_csv(problems.file()) ? columns_of_csv : nullptr));
+  if (!dataset) problems.stop("is no vector file that GDAL can read", messages.failure());
+  return dataset;
+}
+
+OGRLayer& layer_of(GDALDataset& dataset, const VectorRequest& request, RasterProblems& problems) {
+  const std::string& wanted = request.layer;
+  std::vector<std::string> names, with_geometry;
+  OGRLayer* found = nullptr;
+  for (OGRLayer* layer : dataset.GetLayers()) {
+    names.emplace_back(layer->GetName());
+    if (layer->GetGeomType() == wkbNone) continue;
+    with_geometry.push_back(names.back());
+    if (wanted.empty() || names.back() == wanted) found = layer;
+  }
+  if (with_geometry.empty()) {
+    problems.stop("has no points, lines or polygons",
+                  names.empty() ? "it has no layer" : fmt::format("it has only tables: {}", list_of(names)),
+                  is_csv(problems.file()) ? "A CSV needs columns x and y, or one called WKT" : "");
+  }
+  if (!found) {
+    const bool is_table = std::find(names.begin(), names.end(), wanted) != names.end();
+    problems.stop(
+        is_table ? fmt::format("layer \"{}\" has no geometry", wanted) : fmt::format("has no layer \"{}\"", wanted),
+        fmt::format("it has {}", list_of(with_geometry)), meant(wanted, with_geometry));
+  }
+  if (wanted.empty() && with_geometry.size() > 1) {
+    problems.stop(fmt::format("has {} layers", with_geometry.size()), list_of(with_geometry),
+                  fmt::format("Say which: {} = \"{}\"", request.layer_key, with_geometry.front()));
+  }
+  return *found;
+}
+
+std::vector<int> columns_of(OGRLayer& layer, const std::vector<std::string>& attributes, RasterProblems& problems) {
+  const OGRFeatureDefn& definition = *layer.GetLayerDefn();
+  std::vector<std::string> names;
+  for (int i = 0; i < definition.GetFieldCount(); ++i) names.emplace_back(definition.GetFieldDefn(i)->GetNameRef());
+  std::vector<int> columns;
+  for (const std::string& attribute : attributes) {
+    columns.push_back(definition.GetFieldIndex(attribute.c_str()));
+    if (columns.back() >= 0) continue;
+    problems.refuse(fmt::format("layer \"{}\" has no attribute \"{}\"", layer.GetName(), attribute),
+                    names.empty() ? "it has none" : fmt::format("it has {}", list_of(names)), meant(attribute, names));
+  }
+  return columns;
+}
+
+void judge_size(OGRLayer& layer, RasterProblems& problems) {
+  const std::int64_t declared = layer.GetFeatureCount(FALSE);
+  if (declared <= most_features) return;
+  problems.refuse(fmt::format("layer \"{}\" declares {} features", layer.GetName(), declared),
+                  fmt::format("Talus takes at most {}", most_features),
+                  "Cut it to the slope: " + ogr2ogr("-spat WEST SOUTH EAST NORTH", problems.file(), "_slope.gpkg"));
+}
+
+void read_features(OGRLayer& layer, const std::vector<int>& columns, VectorShapes& shapes, VectorLayer& read,
+                   GdalMessages& messages, RasterProblems& problems) {
+  messages.clear();
+  std::uint64_t seen = 0, without_geometry = 0;
+  layer.ResetReading();
+  for (;; ++seen) {
+    const OGRFeatureUniquePtr from(layer.GetNextFeature());
+    if (messages.has_failure()) {
+      problems.stop("cannot be read to its end",
+                    fmt::format("after {} features of layer \"{}\"; {}", seen, read.name, messages.failure()),
+                    "Copy it again from where it comes from");
+    }
+    if (!from) break;
+    const OGRGeometry* geometry = from->GetGeometryRef();
+    if (!geometry || geometry->IsEmpty()) {
+      ++without_geometry;
+      continue;
+    }
+    VectorFeature feature{.id = from->GetFID(), .has_z = geometry->Is3D() != FALSE, .parts = {}, .values = {}};
+    shapes.add(*geometry, feature);
+    if (feature.parts.empty()) continue;
+    for (const int column : columns) {
+      const bool has_value = from->IsFieldSetAndNotNull(column);
+      feature.values.push_back(has_value ? std::optional<std::string>(from->GetFieldAsString(column)) : std::nullopt);
+    }
+    read.features.push_back(std::move(feature));
+  }
+  shapes.complain();
+  problems.throw_if_any();
+  if (read.features.empty()) {
+    problems.stop(fmt::format("layer \"{}\" is empty", read.name),
+                  seen == 0                  ? std::string("it has no features")
+                  : without_geometry == seen ? fmt::format("none of its {} features has a geometry", seen)
+                                             : fmt::format("none of its {} features is of a kind that is read", seen));
+  }
+  if (without_geometry > 0) {
+    problems.warn(fmt::format("{} of {} features of layer \"{}\" have no geometry", without_geometry, seen, read.name),
+                  "they are left out");
+  }
+}
+
+}  // namespace
+
+VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequest& request, Problems& warnings) {
+  GdalMessages messages;  // outlives the dataset, whose end may have something to say
+  RasterProblems problems(path);
+  const GDALDatasetUniquePtr dataset = open_vectors(messages, problems);
+  OGRLayer& layer = layer_of(*dataset, request, problems);
+  VectorLayer read;
+  read.name = layer.GetName();
+  const std::vector<int> columns = columns_of(layer, request.attributes, problems);
+  judge_size(layer, problems);
+  const OGRSpatialReference* crs = layer.GetSpatialRef();
+  // A GeoPackage has a name for none: "Undefined Cartesian SRS", "Undefined geographic SRS".
+  if (crs && (crs->IsEmpty() || std::string_view(crs->GetName()).starts_with("Undefined "))) crs = nullptr;
+  if (crs) {
+    read.crs_wkt = wkt_of(*crs);
+    read.crs_name = name_of(*crs);
+  }
+  VectorShapes shapes(request, crs, problems);
+  problems.throw_if_any();
+  read_features(layer, columns, shapes, read, messages, problems);
+  warnings.append(problems.warnings());
+  return read;
+}
+
+}  // namespace talus
+
+#else
+
+namespace talus {
+
+VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequest&, Problems&) {
+  throw BadInput(Problem{.file = path.string(),
+                         .where = {},
+                         .what = "cannot be read",
+                         .why = "this build of Talus has no GDAL",
+                         .hint = "Build it with GDAL: cmake --preset release -DTALUS_GDAL=ON"});
+}
+
+}  // namespace talus
+
+#endif

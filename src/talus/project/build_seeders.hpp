@@ -1,0 +1,14 @@
+#pragma once
+// The seeders of a project, on its terrain.
+
+#include "talus/campaign/model.hpp"
+#include "talus/core/problems.hpp"
+#include "talus/project/project.hpp"
+
+namespace talus::project {
+
+/// Adds the seeders and their sources to a model whose surface, frame and coordinate system are in place. What only the
+/// terrain or a file shows to be wrong is added to `problems`, doubts to `warnings`.
+void add_seeders(const Project& project, Model& model, Problems& problems, Problems& warnings);
+
+}  // namespace talus::project

@@ -1,0 +1,126 @@
+#include "talus/project/check_survey.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <system_error>
+
+namespace talus::project {
+namespace {
+
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& letter : ending) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return ending;
+}
+
+bool is_las(const std::filesystem::path& file) { return ending_of(file) == ".las" || ending_of(file) == ".laz"; }
+
+}  // namespace
+
+void SurveyRules::check() const {
+  about_company();
+  about_files();
+  about_polylines();
+}
+
+// Keys that say something about another one.
+void SurveyRules::about_company() const {
+  struct Companion {
+    std::string_view key, needed;
+    bool has_effect;
+  };
+  const bool has_points = row.contains("points"), has_lines = row.contains("lines");
+  const bool has_polylines = row.contains("polylines"), has_polygons = row.contains("polygons");
+  const bool has_survey = has_points || has_lines;
+  const std::array<Companion, 10> companions{{
+      {"point_classes", "points", has_points},
+      {"points_layer", "points", has_points},
+      {"lines_layer", "lines", has_lines},
+      {"elevation_attribute", "points or lines", has_survey},
+      {"boundary", "points or lines", has_survey},
+      {"boundary_layer", "a boundary", row.contains("boundary")},
+      {"max_edge_m", "points or lines", has_survey},
+      {"remove_spikes_m", "points", has_points},
+      {"polygons_layer", "polygons", has_polygons},
+      {"merge_tolerance_m", "polylines or polygons",
+       has_polylines || has_polygons || project.terrain.merge_tolerance_m == Terrain{}.merge_tolerance_m},
+  }};
+  for (const auto& [key, needed, has_effect] : companions) {
+    const auto* node = good(key);
+    if (!node || has_effect) continue;
+    complain(node, fmt::format("{} is given without {}", key, needed), "it would have no effect", "", Severity::error);
+  }
+  if (const auto* crs = good("crs"); crs && (row.contains("section") || row.contains("raster"))) {
+    complain(crs, fmt::format("crs is given for a {}", row.contains("raster") ? "raster" : "section"),
+             row.contains("raster") ? "a raster names its own" : "a section lies nowhere on a map",
+             row.contains("raster") ? "Name the raster's with gdal_translate -a_srs" : "Leave it out", Severity::error);
+  }
+  if (const auto* turn = good("rotate_deg"); turn && (has_survey || has_polygons) && project.terrain.rotate_deg != 0) {
+    complain(turn,
+             fmt::format("rotate_deg is given with {}", has_points  ? "points"
+                                                        : has_lines ? "lines"
+                                                                    : "polygons"),
+             "a survey stands where its coordinates say", "Leave it out", Severity::error);
+  }
+}
+
+void SurveyRules::about_files() const {
+  const Terrain& terrain = project.terrain;
+  const std::array<std::pair<std::string_view, const std::filesystem::path*>, 4> files{
+      {{"points", &terrain.points},
+       {"lines", &terrain.lines},
+       {"boundary", &terrain.boundary},
+       {"polygons", &terrain.polygons}}};
+  for (const auto& [key, file] : files) {
+    const auto* node = good(key);
+    if (!node) continue;
+    // What GDAL opens may be a folder, or lie in a file system of its own; a project that is only a text has no folder.
+    std::error_code error;
+    const std::filesystem::path path = project.file.parent_path() / *file;
+    if (!std::filesystem::exists(project.file, error) || std::filesystem::exists(path, error) ||
+        path.string().starts_with("/vsi")) {
+      continue;
+    }
+    complain(node, fmt::format("{} is {}", key, quoted(*node)), fmt::format("there is no file {}", path.string()),
+             "Its path is relative to the project file", Severity::error);
+  }
+  if (!good("points")) return;
+  if (const auto* classes = good("point_classes"); classes && !is_las(terrain.points)) {
+    complain(classes, fmt::format("point_classes is given for {}", terrain.points.filename().string()),
+             "only points of LAS have classes", "Leave it out", Severity::error);
+  }
+}
+
+void SurveyRules::about_polylines() const {
+  const auto* list = good("polylines");
+  if (!list) return;
+  const auto& polylines = project.terrain.polylines;
+  if (polylines.empty()) complain(list, "polylines is empty", "a terrain has at least one", "", Severity::error);
+  constexpr std::size_t most_told = 10;
+  std::size_t told = 0;
+  for (std::size_t i = 0; i < polylines.size() && told < most_told; ++i) {
+    const auto& line = polylines[i];
+    const toml::node* node = list->as_array()->get(i);
+    const std::string name = fmt::format("polylines[{}]", i);
+    if (line.size() < 4) {
+      complain(node, fmt::format("{} has {} vertices", name, line.size()),
+               "a closed one has four or more, of which the last is the first", "", Severity::error);
+      ++told;
+      continue;
+    }
+    const auto& [x0, y0, z0] = line.front();
+    const auto& [x1, y1, z1] = line.back();
+    const double apart = std::hypot(x1 - x0, y1 - y0, z1 - z0);
+    if (apart <= project.terrain.merge_tolerance_m) continue;
+    complain(node, fmt::format("{} is not closed", name), fmt::format("its ends are {:.4g} m apart", apart),
+             "Repeat its first vertex at its end", Severity::error);
+    ++told;
+  }
+}
+
+}  // namespace talus::project

@@ -1,0 +1,29 @@
+#pragma once
+// Rules for a terrain from survey data or from closed polylines, across the keys of [terrain].
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "talus/project/document.hpp"
+#include "talus/project/project.hpp"
+
+namespace talus::project {
+
+struct SurveyRules {
+  const Project& project;
+  const toml::table& row;  // [terrain] as it stands in the file
+  /// The value of a key, where the file has it and it was not refused; else null.
+  std::function<const toml::node*(std::string_view key)> good;
+  std::function<void(const toml::node* at, std::string what, std::string why, std::string hint, Severity severity)>
+      complain;
+
+  void check() const;
+
+ private:
+  void about_company() const;
+  void about_files() const;
+  void about_polylines() const;
+};
+
+}  // namespace talus::project

@@ -1,0 +1,63 @@
+#pragma once
+// States of a run that are written while it runs, and what a later run does with them.
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "talus/io/run_state.hpp"
+#include "talus/io/table_files.hpp"
+#include "talus/project/run_results.hpp"
+
+namespace talus::project {
+
+/// Writes FOLDER/run.state now and then: tables first, so that a state never tells of rows that are not on the disk.
+class Checkpoints {
+ public:
+  /// `begun` is the header as it is before the first rock of this run, `every` the time between two checkpoints [s], 0
+  /// for none. All of them must outlive it.
+  Checkpoints(const std::filesystem::path& folder, io::RunStateHeader begun, RunSums& sums, io::TableFiles& tables,
+              double every);
+
+  /// To be called when exactly the rocks before `next` are in the sums and tables. Writes if it is time: no sooner than
+  /// asked for, and so that writing takes at most a twentieth of the time.
+  void after(std::uint64_t next);
+  void write(std::uint64_t next);
+
+  /// The header of the last state that was written, or begun with: nothing where there is none to go on from.
+  [[nodiscard]] const std::optional<io::RunStateHeader>& last() const { return last_; }
+  /// That there is a state from before.
+  void begin_with(const io::RunStateHeader& state) { last_ = state; }
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  /// Spent on the run so far, those before it included [s].
+  [[nodiscard]] double seconds() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::filesystem::path file_;
+  io::RunStateHeader begun_;
+  RunSums& sums_;
+  io::TableFiles& tables_;
+  double every_;
+  std::optional<io::RunStateHeader> last_;
+  Clock::time_point begin_ = Clock::now(), written_ = begin_;
+  Clock::duration cost_{};
+};
+
+/// What a run that was asked to go on finds in its folder.
+struct Found {
+  std::optional<io::RunStateHeader> state;  // to go on from
+  bool is_complete = false;                 // there is nothing left to do
+};
+
+/// Throws BadInput where there is a state that cannot be gone on from: damaged, of another program, of other rocks, or
+/// of a project that was changed since; what was changed is said.
+[[nodiscard]] Found find_checkpoint(const std::filesystem::path& folder, const io::RunDescription& description,
+                                    const RockRange& range, const std::optional<Shard>& shard);
+
+/// Why results of one description do not belong to those of another; nothing where they do.
+[[nodiscard]] std::optional<std::string> difference(const io::RunDescription& then, const io::RunDescription& now);
+
+}  // namespace talus::project

@@ -1,0 +1,161 @@
+#include "talus/project/run_results.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include "talus/core/check.hpp"
+#include "talus/io/derived_files.hpp"
+#include "talus/io/map_files.hpp"
+#include "talus/io/model_json.hpp"
+#include "talus/io/output_file.hpp"
+#include "talus/io/report.hpp"
+#include "talus/io/source_maps.hpp"
+#include "talus/io/vector_out.hpp"
+#include "talus/project/echo.hpp"
+#include "talus/project/fingerprint.hpp"
+
+namespace talus::project {
+
+namespace {
+
+/// The cells of the maps: as large as the project says, or those of the terrain's raster.
+template <class Surface>
+MapGrid map_grid(const Project& project, const LocalFrame& frame, const Surface& surface) {
+  const Vec2 low = surface.bounds().low.head(2);
+  if (project.output.raster_cell_m) return MapGrid::at_multiples(*project.output.raster_cell_m, frame, low);
+  if constexpr (std::is_same_v<Surface, RasterSurface>) {
+    const RasterGrid& raster = surface.grid();
+    return MapGrid::around_nodes({raster.x0, raster.y0}, {raster.dx, raster.dy}, frame);
+  }
+  TALUS_PROMISE(false, "the project was checked: only a raster has cells of its own");
+  return MapGrid::at_multiples(1, frame, low);
+}
+
+bool has_maps(const Project& project, const Model& model) {
+  return project.output.maps && !std::holds_alternative<Profile>(model.surface);
+}
+
+std::optional<std::size_t> split_by(const io::RunDescription& description) {
+  if (!description.maps->by_source) return std::nullopt;
+  return description.sources.size();
+}
+
+void warn_of_what_is_not_written(const io::RunDescription& description, Problems& warnings) {
+  const auto warn = [&](const char* what, const char* setting) {
+    warnings.add({Severity::warning, "", 0, "[output]", what, "this program was built without GDAL",
+                  fmt::format("Build it with GDAL, or set {}", setting)});
+  };
+  if (description.wants_maps && !io::can_write_maps()) warn("no maps are written", "maps = false");
+  if (description.wants_geopackage && !io::can_write_geopackage()) {
+    warn("no GeoPackage is written", "geopackage = \"none\"");
+  }
+}
+
+void write_all_maps(const std::filesystem::path& folder, const io::RunDescription& description, MapObserver* maps,
+                    int threads) {
+  io::remove_maps(folder);
+  io::remove_source_maps(folder / "by_source");
+  if (maps == nullptr || !io::can_write_maps()) return;
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  const std::vector<double>& percentiles = description.maps->percentiles;
+  io::write_maps(maps->maps(), percentiles, description.crs_wkt, folder);
+  if (description.maps->by_source) {
+    io::write_source_maps(maps->by_source(), description.sources, percentiles, description.crs_wkt,
+                          folder / "by_source");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model) {
+  if (!has_maps(project, model)) return nullptr;
+  return std::visit(
+      [&](const auto& surface) {
+        const MapGrid grid = map_grid(project, model.frame, surface);
+        const auto ground = [&surface](double x, double y, double below) { return surface.elevation(x, y, below); };
+        std::optional<std::size_t> sources;
+        if (project.output.maps_by_source) sources = model.sources.size();
+        return std::make_unique<MapObserver>(grid, model.laws.model, ground, sources);
+      },
+      model.surface);
+}
+
+io::RunDescription describe(const Project& project, const Model& model, const Problems& warnings) {
+  io::RunDescription description;
+  description.name = project.name;
+  description.project = echo(project);
+  description.fingerprint = fingerprint_of(description.project, model);
+  description.sample = sample_of(model);
+  description.rocks = model.rocks();
+  description.barriers = model.barriers.size();
+  description.model = model_json(model);
+  for (const Problem& problem : warnings.list()) description.warnings.push_back(problem.text());
+  description.crs_wkt = model.crs_wkt;
+  description.sources = model.sources;
+  description.wants_maps = has_maps(project, model);
+  if (description.wants_maps) {
+    const MapGrid grid =
+        std::visit([&](const auto& surface) { return map_grid(project, model.frame, surface); }, model.surface);
+    description.maps = {grid.origin(), grid.cell(), project.output.maps_by_source, project.output.percentiles};
+  }
+  const bool is_section = std::holds_alternative<Profile>(model.surface);
+  description.wants_geopackage = !is_section && project.output.geopackage_limit != 0;
+  description.wants_report = project.output.report;
+  return description;
+}
+
+RunSums::RunSums(const io::RunDescription& description, const Project& project, const Model& model)
+    : summary_(description.rocks, description.barriers, model.frame) {
+  if (description.maps) maps_ = map_observer(project, model);
+}
+
+RunSums::RunSums(const io::RunDescription& description) : summary_(description.rocks, description.barriers, {}) {
+  if (!description.maps) return;
+  const MapGrid grid(description.maps->origin, description.maps->cell, {});
+  maps_ = std::make_unique<MapObserver>(grid, talus::RockModel::lumped_mass, nullptr, split_by(description));
+}
+
+std::vector<SummingObserver*> RunSums::observers() {
+  std::vector<SummingObserver*> list{&summary_};
+  if (maps_) list.push_back(maps_.get());
+  return list;
+}
+
+void warn_of_rocks(const Summary& summary, Problems& warnings) {
+  const auto warn = [&](std::string where, std::string what, std::string why, std::string hint) {
+    warnings.add({Severity::warning, "", 0, std::move(where), std::move(what), std::move(why), std::move(hint)});
+  };
+  if (summary.lifted > 0) {
+    warn("seeders", fmt::format("{} of {} rocks were lifted onto the surface", summary.lifted, summary.done),
+         "they would have started below it", "");
+  }
+  if (const auto lost = summary.ends[static_cast<std::size_t>(EndReason::lost)]; lost > 0) {
+    warn("rocks", fmt::format("{} of {} rocks fell through the surface", lost, summary.done),
+         "this is a defect of the program, not of your project",
+         fmt::format("Please report it with the output of `talus replay --rock {}`", *summary.first_lost));
+  }
+}
+
+Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
+                       const RunCourse& course) {
+  Problems found;
+  if (!course.shard) {
+    warn_of_what_is_not_written(description, found);
+    write_all_maps(folder / "maps", description, sums.maps(), course.threads);
+  }
+  warn_of_rocks(sums.summary(), found);
+  std::vector<std::string> warnings = description.warnings;
+  for (const Problem& problem : found.list()) warnings.push_back(problem.text());
+  OutputFile summary(folder / "summary.json");
+  summary.write(summary_json(description, warnings, sums.summary(), course).dump(1) + "\n");
+  summary.commit();
+  if (course.shard) return found;
+  io::write_derived_files(folder);
+  if (description.wants_report) {
+    const std::filesystem::path folders[] = {folder};
+    io::write_report(folders, folder / "report.html");
+  }
+  return found;
+}
+
+}  // namespace talus::project

@@ -1,0 +1,53 @@
+#pragma once
+// What a run gathers over its rocks besides its tables, and what is written of it. A run and a merging of shards have
+// this in common; the latter has no model.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "talus/campaign/model.hpp"
+#include "talus/core/problems.hpp"
+#include "talus/io/run_description.hpp"
+#include "talus/io/summary_json.hpp"
+#include "talus/project/project.hpp"
+#include "talus/results/map_observer.hpp"
+#include "talus/results/summary.hpp"
+
+namespace talus::project {
+
+/// What makes maps of the model's rocks; nothing where the project wants none, or is 2D. Refers to the model.
+[[nodiscard]] std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model);
+
+/// `warnings`: those known before the run.
+[[nodiscard]] io::RunDescription describe(const Project& project, const Model& model, const Problems& warnings);
+
+/// All sums over rocks.
+class RunSums {
+ public:
+  /// To observe the rocks of a model, which must outlive it. Maps only where the description plans any.
+  RunSums(const io::RunDescription& description, const Project& project, const Model& model);
+  /// To take what others have saved, and no rocks.
+  explicit RunSums(const io::RunDescription& description);
+
+  /// In the order in which they are saved: who adds one adds it to both constructors, and here.
+  [[nodiscard]] std::vector<SummingObserver*> observers();
+  [[nodiscard]] const Summary& summary() const { return summary_.summary(); }
+  [[nodiscard]] MapObserver* maps() { return maps_.get(); }  // null: none
+
+ private:
+  SummaryObserver summary_;
+  std::unique_ptr<MapObserver> maps_;
+};
+
+/// Adds what only the sums tell: rocks that were lost, or lifted.
+void warn_of_rocks(const Summary& summary, Problems& warnings);
+
+/// Writes maps, summary.json, what is made of the tables (which must be there whole), and the report, as the
+/// description plans them; maps of an earlier run are removed. Of a shard, summary.json alone. Gives the warnings that
+/// came with the rocks. Throws BadInput where a file cannot be written.
+Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
+                       const RunCourse& course);
+
+}  // namespace talus::project

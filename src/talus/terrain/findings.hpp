@@ -1,0 +1,28 @@
+#pragma once
+// Things found, counted, with the places of the first few, and how reports tell of them.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "talus/core/vec.hpp"
+
+namespace talus {
+
+/// A count of things found, and where the first few of them are.
+struct Findings {
+  static constexpr std::size_t most_examples = 3;
+
+  std::size_t count = 0;
+  std::vector<Vec3> examples;  // global coordinates [m]
+
+  void add(const Vec3& where);
+  /// ", for example at (1.000, 2.000, 3.000)"; empty where there is nothing.
+  [[nodiscard]] std::string places() const;
+};
+
+/// "1 facet", "2 facets".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
+
+}  // namespace talus

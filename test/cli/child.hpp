@@ -1,0 +1,64 @@
+#pragma once
+// The program as a child that can be killed, and whose memory is measured.
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+extern char** environ;
+
+namespace talus::test {
+
+class Child {
+ public:
+  /// Starts the program; what it says goes to a file.
+  Child(const std::vector<std::string>& arguments, const std::filesystem::path& said) {
+    std::vector<std::string> words{TALUS_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    if (posix_spawn(&process_, TALUS_PROGRAM, &actions, nullptr, pointers.data(), environ) != 0) process_ = -1;
+    posix_spawn_file_actions_destroy(&actions);
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    if (process_ <= 0) return;
+    signal(SIGKILL);
+    wait();
+  }
+
+  void signal(int which) const {
+    if (process_ > 0) kill(process_, which);
+  }
+  /// The exit code, or 128 and the signal that ended it.
+  int wait() {
+    if (process_ <= 0) return -1;
+    int status = 0;
+    rusage usage{};
+    wait4(process_, &status, 0, &usage);
+    process_ = -1;
+    peak_memory_ = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  /// After wait(): how much memory it held at most [bytes].
+  [[nodiscard]] std::size_t peak_memory() const { return peak_memory_; }
+
+ private:
+  pid_t process_ = -1;
+  std::size_t peak_memory_ = 0;
+};
+
+}  // namespace talus::test

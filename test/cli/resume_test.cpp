@@ -1,0 +1,301 @@
+// Runs that do not come to their end, and --resume: nothing is lost, and nothing differs.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/child.hpp"
+#include "cli/program.hpp"
+#include "cli/run_files.hpp"
+#include "support/dice.hpp"
+
+namespace talus::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing_tools::Dice;
+using Clock = std::chrono::steady_clock;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The arguments of a run of the tutorial in 3D, with a barrier, some maps and some paths.
+std::vector<std::string> run_3d(const Workplace& work, const std::string& rocks, const std::string& folder) {
+  return {"run",
+          write_slope_with_barrier(work),
+          "--set",
+          "output.percentiles=[]",
+          "--set",
+          "output.paths=300",
+          "--set",
+          "output.raster_cell_m=4",
+          "--set",
+          "output.geopackage=\"none\"",
+          "--set",
+          "output.report=false",
+          "--rocks",
+          rocks,
+          "--checkpoint-every",
+          "0.002",
+          "-o",
+          (work / folder).string()};
+}
+
+std::vector<std::string> resuming(std::vector<std::string> arguments) {
+  arguments.emplace_back("--resume");
+  return arguments;
+}
+
+TEST(Resume, AfterKillsAtTwentyRandomMomentsGivesTheSameBytes) {
+  Dice dice(static_cast<std::uint64_t>(Clock::now().time_since_epoch().count()));  // other moments each time
+  const Workplace work;
+  const auto arguments = [&](const char* folder) { return run_3d(work, "25000", folder); };
+  const auto begin = Clock::now();
+  ASSERT_EQ(Child(arguments("whole"), work / "said").wait(), 0) << work.read("said");
+  const double duration = std::chrono::duration<double>(Clock::now() - begin).count();
+  const auto whole = files_of(work / "whole");
+
+  int killed = 0, went_on = 0;
+  for (int round = 0; killed < 20; ++round) {
+    if (round % 5 == 0) fs::remove_all(work / "killed");  // begin anew, so that no moment is too late
+    Child child(resuming(arguments("killed")), work / "said");
+    std::this_thread::sleep_for(std::chrono::duration<double>(duration * dice.between(0, 0.7)));
+    child.signal(SIGKILL);
+    const int code = child.wait();
+    ASSERT_TRUE(code == 0 || code == 128 + SIGKILL) << work.read("said");
+    killed += code != 0 ? 1 : 0;
+    went_on += contains(work.read("said"), "going on after") ? 1 : 0;
+    ASSERT_LT(round, 100) << "it is never killed in time";
+    if (round % 5 == 4) {  // to the end
+      ASSERT_EQ(Child(resuming(arguments("killed")), work / "said").wait(), 0) << work.read("said");
+      EXPECT_EQ(differences(whole, files_of(work / "killed")), "");
+    }
+  }
+  EXPECT_GT(went_on, 0) << "no checkpoint was ever gone on from";
+  ASSERT_EQ(Child(resuming(arguments("killed")), work / "said").wait(), 0) << work.read("said");
+  EXPECT_EQ(differences(whole, files_of(work / "killed")), "");
+}
+
+TEST(Resume, OfAKilledShardGivesTheSameBytes) {
+  const Workplace work;
+  auto whole = run_3d(work, "40000", "whole"), killed = run_3d(work, "40000", "killed");
+  for (auto* arguments : {&whole, &killed}) arguments->insert(arguments->end(), {"--shard", "2/3", "--threads", "2"});
+  ASSERT_EQ(Child(whole, work / "said").wait(), 0) << work.read("said");
+  Child child(killed, work / "said");
+  while (!fs::exists(work / "killed/run.state")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  child.signal(SIGKILL);
+  child.wait();
+  ASSERT_EQ(Child(resuming(killed), work / "said").wait(), 0) << work.read("said");
+  auto expected = files_of(work / "whole"), found = files_of(work / "killed");
+  for (auto* files : {&expected, &found}) files->erase("run.state");  // it holds timings
+  EXPECT_EQ(differences(expected, found), "");
+}
+
+class StoppedRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    Child child(run("stopped"), work / "said");
+    while (!fs::exists(work / "stopped/run.state")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    child.signal(SIGINT);
+    ASSERT_EQ(child.wait(), 3) << work.read("said");
+  }
+  [[nodiscard]] std::vector<std::string> run(const char* folder) const { return run_3d(work, "40000", folder); }
+  /// The files of a run that nobody stopped.
+  [[nodiscard]] std::map<std::string, std::string> whole() const {
+    EXPECT_EQ(Child(run("whole"), work / "said").wait(), 0) << work.read("said");
+    return files_of(work / "whole");
+  }
+  Said resumed(const std::vector<std::string>& more = {}) const {
+    auto arguments = resuming(run("stopped"));
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Said said;
+    said.exit_code = Child(arguments, work / "said").wait();
+    said.text = work.read("said");
+    return said;
+  }
+  [[nodiscard]] std::string state_file() const { return (work / "stopped/run.state").string(); }
+  const Workplace work;
+};
+
+TEST_F(StoppedRun, IsWholeAfterBeingResumed) {
+  // As far as it came, everything is there under its final name.
+  EXPECT_TRUE(contains(work.read("said"), ", and --resume goes on from there"));
+  for (const char* file : {"endpoints.csv", "barriers.csv", "paths.csv", "summary.json", "run.state"}) {
+    EXPECT_TRUE(fs::exists(work / "stopped" / file)) << file;
+  }
+  EXPECT_FALSE(fs::exists(work / "stopped/endpoints.csv.part"));
+  const auto summary = nlohmann::json::parse(work.read("stopped/summary.json"));
+  EXPECT_EQ(summary["interrupted"], true);
+
+  const Said said = resumed();
+  EXPECT_EQ(said.exit_code, 0) << said.text;
+  EXPECT_TRUE(
+      contains(said.text, "going on after " + std::to_string(summary["rocks"]["done"].get<int>()) + " of 40000 rocks"))
+      << said.text;
+  EXPECT_TRUE(contains(said.text, "with those done before 40000 rocks")) << said.text;
+  EXPECT_EQ(differences(whole(), files_of(work / "stopped")), "");
+
+  const Said again = resumed();
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_TRUE(contains(again.text, "Tutorial 1, extruded is already complete in ")) << again.text;
+}
+
+TEST_F(StoppedRun, CanBeMergedAsFarAsItCame) {
+  const auto expected = files_of(work / "stopped");
+  EXPECT_EQ(talus_says("merge -q " + (work / "stopped").string() + " -o " + (work / "merged").string()).exit_code, 2);
+  const Said said =
+      talus_says("merge -q --partial " + (work / "stopped").string() + " -o " + (work / "merged").string());
+  ASSERT_EQ(said.exit_code, 0) << said.text;
+  EXPECT_EQ(work.read("merged/endpoints.csv"), expected.at("endpoints.csv"));
+  EXPECT_EQ(work.read("merged/maps/passages.tif"), expected.at("maps/passages.tif"));
+}
+
+TEST_F(StoppedRun, IsRefusedIfTheProjectHasChanged) {
+  const Said said = resumed({"--seed", "7"});
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_TRUE(contains(said.text, state_file() +
+                                      ": the project is not the one that this run began with (sampling.seed was 1 and "
+                                      "is 7). Undo the change to go on, or run without --resume to begin anew\n"))
+      << said.text;
+}
+
+TEST_F(StoppedRun, IsRefusedIfOtherRocksAreAskedFor) {
+  const Said said = resumed({"--shard", "1/2"});
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_TRUE(contains(said.text, state_file() +
+                                      ": this is the state of rocks 0 to 39999 (expected shard 1/2 with rocks 0 to "
+                                      "19999). Undo the change to go on, or run without --resume to begin anew\n"))
+      << said.text;
+}
+
+TEST_F(StoppedRun, IsRefusedIfItsTablesAreNotTheOnes) {
+  const std::string endpoints = work.read("stopped/endpoints.csv");
+  work.write("stopped/endpoints.csv", endpoints.substr(0, endpoints.size() / 2));
+  const Said said = resumed();
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_TRUE(contains(said.text, (work / "stopped/endpoints.csv").string() + ": this table is too short (it has "))
+      << said.text;
+  EXPECT_EQ(work.read("stopped/endpoints.csv"), endpoints.substr(0, endpoints.size() / 2)) << "it was changed";
+}
+
+TEST_F(StoppedRun, BeginsAnewWithoutBeingResumed) {
+  ASSERT_EQ(Child(run("stopped"), work / "said").wait(), 0) << work.read("said");
+  EXPECT_FALSE(contains(work.read("said"), "going on"));
+  EXPECT_EQ(differences(whole(), files_of(work / "stopped")), "");
+}
+
+// A state that is cut short or in which bits were turned, here and there.
+TEST_F(StoppedRun, IsRefusedIfItsStateIsDamaged) {
+  Dice dice(17);
+  const std::string state = work.read("stopped/run.state");
+  const auto expect_refused = [&](const std::string& bytes, std::size_t place) {
+    work.write("stopped/run.state", bytes);
+    const Said said = resumed();
+    EXPECT_EQ(said.exit_code, 2) << place << " of " << state.size() << ": " << said.text;
+    EXPECT_TRUE(contains(said.text, state_file() + ": cannot use this state of a run (")) << said.text;
+    EXPECT_TRUE(contains(said.text, "). Remove it, and run these rocks again without --resume\n")) << said.text;
+  };
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{7}, std::size_t{20}, std::size_t{400}, state.size() / 2, state.size() - 1}) {
+    expect_refused(state.substr(0, size), size);
+  }
+  for (int k = 0; k < 10; ++k) {
+    std::string changed = state;
+    const std::size_t place = k < 4 ? dice.below(60) : dice.below(state.size());
+    changed[place] = static_cast<char>(changed[place] ^ (1 << dice.below(8)));
+    expect_refused(changed, place);
+  }
+}
+
+TEST(Resume, WithoutACheckpointBeginsAnew) {
+  const Workplace work;
+  const Said said = talus_says("run " + tutorial("2d") + " --resume -o " + (work / "out").string());
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_TRUE(contains(said.text, "there is no checkpoint in " + (work / "out").string() + ": the run begins anew\n"));
+  EXPECT_FALSE(fs::exists(work / "out/run.state"));
+}
+
+TEST(Resume, OfAFinishedShardHasNothingToDo) {
+  const Workplace work;
+  const std::string run = "run " + tutorial("2d") + " --shard 1/2 -o " + (work / "out").string();
+  ASSERT_EQ(talus_says(run).exit_code, 0);
+  const auto before = files_of(work / "out");
+  const Said said = talus_says(run + " --resume");
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_TRUE(contains(said.text, "Tutorial 1, section is already complete in ")) << said.text;
+  EXPECT_EQ(differences(before, files_of(work / "out")), "");
+}
+
+// Files may grow to 6 MB: the table of end points does not fit. What was done stays, and goes on when there is room.
+TEST(Resume, AfterADiskThatWasFullGivesTheSameBytes) {
+  const Workplace work;
+  const std::string run = "run " + tutorial("2d") + " -q --rocks 120000 --set output.paths=100 " +
+                          "--set output.report=false --checkpoint-every 0.002 -o ";
+  ASSERT_EQ(talus_says(run + (work / "whole").string()).exit_code, 0);
+  const Said said = talus_says(run + (work / "full").string(), "ulimit -f 12000; ");
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_TRUE(contains(said.text,
+                       "cannot write to this file (File too large). Allow larger files (ulimit -f), or write elsewhere "
+                       "with -o. The first "))
+      << said.text;
+  EXPECT_TRUE(contains(said.text, " of 120000 rocks are kept: with --resume the run goes on from there\n"))
+      << said.text;
+  EXPECT_TRUE(fs::exists(work / "full/run.state"));
+  const Said again = talus_says(run + (work / "full").string() + " --resume");
+  EXPECT_EQ(again.exit_code, 0) << again.text;
+  EXPECT_EQ(differences(files_of(work / "whole"), files_of(work / "full")), "");
+}
+
+TEST(Resume, IsNotPromisedWhereTheFolderVanished) {
+  const Workplace work;
+  Child child({"run", tutorial("2d"), "-q", "--rocks", "100000000", "--set", "output.paths=none", "--checkpoint-every",
+               "0.002", "-o", (work / "out").string()},
+              work / "said");
+  while (!fs::exists(work / "out/run.state")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  fs::rename(work / "out", work / "elsewhere");
+  EXPECT_EQ(child.wait(), 2);
+  const std::string said = work.read("said");
+  EXPECT_TRUE(contains(said, (work / "out").string())) << said;
+  EXPECT_TRUE(contains(said, "No such file or directory")) << said;
+  EXPECT_FALSE(contains(said, "--resume")) << said;
+}
+
+TEST(Resume, AStaleStateIsNotTakenForThatOfALaterRun) {
+  const Workplace work;
+  const std::string run = "run " + tutorial("2d") + " -q -o " + (work / "out").string();
+  fs::create_directory(work / "out");
+  work.write("out/run.state", "of something else");
+  work.write("out/run.state.part", "of something el");
+  work.write("out/endpoints.csv.part", "rock\n");
+  EXPECT_EQ(talus_says(run).exit_code, 0);
+  EXPECT_FALSE(fs::exists(work / "out/run.state"));
+  EXPECT_FALSE(fs::exists(work / "out/run.state.part"));
+  EXPECT_FALSE(fs::exists(work / "out/endpoints.csv.part"));
+}
+
+// Memory is that of the terrain and the maps, whatever the number of rocks.
+TEST(Memory, DoesNotGrowWithTheNumberOfRocks) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer keeps memory of its own";
+#endif
+  const Workplace work;
+  const auto peak = [&](const char* rocks) {
+    Child child({"run", tutorial("2d"), "-q", "--rocks", rocks, "--set", "output.paths=none", "--checkpoint-every",
+                 "0.2", "--threads", "2", "-o", (work / "out").string()},
+                work / "said");
+    EXPECT_EQ(child.wait(), 0) << work.read("said");
+    return static_cast<double>(child.peak_memory());
+  };
+  const double few = peak("100000"), many = peak("1000000");
+  RecordProperty("bytes_at_100000", static_cast<int>(few));
+  RecordProperty("bytes_at_1000000", static_cast<int>(many));
+  EXPECT_LT(many, 1.1 * few + 4e6);
+}
+
+}  // namespace
+}  // namespace talus::test

@@ -1,0 +1,133 @@
+#include "talus/seeding/release_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "sampling/goodness_of_fit.hpp"
+#include "support/dice.hpp"
+#include "talus/seeding/seeder.hpp"
+
+namespace talus {
+namespace {
+
+using namespace testing_tools;
+
+// Every third cell of a grid of 7 columns, of 3 by 2 m.
+ReleaseCells some_cells(std::uint32_t count) {
+  ReleaseCells cells;
+  cells.corner = {100, -50};
+  cells.dx = 3;
+  cells.dy = 2;
+  cells.columns = 7;
+  for (std::uint32_t k = 0; k < count; ++k) cells.cells.push_back(3 * k);
+  cells.sources = {{0, SourceId{0}}};
+  return cells;
+}
+
+Seeder seeder_of(ReleaseCells cells, std::uint64_t rocks) {
+  Seeder seeder;
+  seeder.first_rock = 1000;
+  seeder.rocks = rocks;
+  seeder.where = std::move(cells);
+  seeder.above_surface = 0;
+  return seeder;
+}
+
+TEST(ReleaseCells, DealRocksOutEvenlyWhateverTheirNumbers) {
+  Dice dice(17);
+  for (int round = 0; round < 200; ++round) {
+    const auto cells = some_cells(1 + static_cast<std::uint32_t>(dice.below(300)));
+    const std::uint64_t rocks = 1 + dice.below(2000), count = cells.cells.size();
+    std::vector<std::uint64_t> of_cell(count);
+    std::size_t previous = 0;
+    for (std::uint64_t k = 0; k < rocks; ++k) {
+      const std::size_t entry = cells.entry_of(k, rocks);
+      ASSERT_LT(entry, count);
+      ASSERT_GE(entry, previous);
+      previous = entry;
+      ++of_cell[entry];
+    }
+    for (const std::uint64_t n : of_cell) {
+      ASSERT_GE(n, rocks / count);
+      ASSERT_LE(n, rocks / count + (rocks % count == 0 ? 0 : 1));
+    }
+  }
+}
+
+TEST(ReleaseCells, NumbersOfRocksBeyond64BitsOfProductAreRight) {
+  ReleaseCells cells;
+  cells.cells.resize(3'000'000'000 / 1000);  // 3e6 cells, 1e12 rocks: the product has 62 bits
+  const std::uint64_t rocks = 1'000'000'000'000;
+  EXPECT_EQ(cells.entry_of(0, rocks), 0U);
+  EXPECT_EQ(cells.entry_of(rocks - 1, rocks), 2'999'999U);
+  EXPECT_EQ(cells.entry_of(rocks / 2, rocks), 1'500'000U);
+  EXPECT_EQ(cells.entry_of(0xffff'ffff'ffff'fffe, 0xffff'ffff'ffff'ffff), 2'999'999U);
+}
+
+TEST(ReleaseCells, TheSourceOfACellIsThatOfItsRun) {
+  ReleaseCells cells = some_cells(10);
+  cells.sources = {{0, SourceId{4}}, {3, SourceId{1}}, {9, SourceId{8}}};
+  for (std::size_t entry = 0; entry < 10; ++entry) {
+    EXPECT_EQ(cells.source_of(entry), SourceId{entry < 3 ? 4U : entry < 9 ? 1U : 8U}) << entry;
+  }
+  EXPECT_EQ(cells.bytes(), 10 * 4 + 3 * 8U);
+}
+
+TEST(PlaceOf, ACellIsAPlaceInItAndItsMiddleIsTold) {
+  for (const PlaceInCell place : {PlaceInCell::random, PlaceInCell::centre}) {
+    ReleaseCells cells = some_cells(5);
+    cells.place = place;
+    const Seeder seeder = seeder_of(cells, 500);
+    for (std::uint64_t rock = 1000; rock < 1500; ++rock) {
+      const ReleasePlace start = place_of(seeder, Draws(SamplingPlan{9}, rock));
+      const std::uint32_t cell = static_cast<std::uint32_t>((rock - 1000) / 100) * 3;
+      const double west = 100 + 3.0 * (cell % 7), south = -50 + 2.0 * (cell / 7);
+      ASSERT_EQ(*start.middle, Vec2(west + 1.5, south + 1));
+      ASSERT_GT(start.point.x(), west);
+      ASSERT_LT(start.point.x(), west + 3);
+      ASSERT_GT(start.point.y(), south);
+      ASSERT_LT(start.point.y(), south + 2);
+      if (place == PlaceInCell::centre) {
+        ASSERT_EQ(start.point.head(2), *start.middle);
+      }
+    }
+  }
+}
+
+// Places within a cell are even in x and in y, each a Kolmogorov test of 20,000 rocks; and the test can fail.
+TEST(PlaceOf, PlacesInACellAreEven) {
+  const Seeder seeder = seeder_of(some_cells(1), 20'000);
+  std::vector<double> x, y, product;
+  for (std::uint64_t rock = 1000; rock < 21'000; ++rock) {
+    const Vec3 place = place_of(seeder, Draws(SamplingPlan{9}, rock)).point;
+    x.push_back((place.x() - 100) / 3);
+    y.push_back((place.y() + 50) / 2);
+  }
+  const auto even = [](double u) { return std::clamp(u, 0.0, 1.0); };
+  EXPECT_GT(kolmogorov_probability(kolmogorov_distance(x, even), x.size()), 1e-3);
+  EXPECT_GT(kolmogorov_probability(kolmogorov_distance(y, even), y.size()), 1e-3);
+  // x and y do not depend on each other: counts in 10 by 10 squares.
+  for (std::size_t i = 0; i < x.size(); ++i) product.push_back((std::floor(10 * x[i]) + y[i]) / 10);
+  EXPECT_GT(chi_square_probability(product, even, 100), 1e-3);
+  // Places drawn a little to the west would be found.
+  for (double& u : x) u = std::pow(u, 1.06);
+  EXPECT_LT(kolmogorov_probability(kolmogorov_distance(x, even), x.size()), 1e-3);
+}
+
+// With Latin hypercube sampling, the places of all rocks of the seeder are stratified within the cells.
+TEST(PlaceOf, PlacesAreStratifiedOverTheSeeder) {
+  const Seeder seeder = seeder_of(some_cells(4), 400);
+  std::vector<int> hits(400);
+  for (std::uint64_t rock = 1000; rock < 1400; ++rock) {
+    const SamplingPlan plan{9, SamplingMethod::latin_hypercube, 1000, 400};
+    const ReleasePlace start = place_of(seeder, Draws(plan, rock));
+    const double u = (start.point.x() - (start.middle->x() - 1.5)) / 3;
+    ++hits[static_cast<std::size_t>(std::min(399.0, 400 * u))];
+  }
+  for (const int hit : hits) EXPECT_EQ(hit, 1);
+}
+
+}  // namespace
+}  // namespace talus

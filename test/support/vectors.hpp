@@ -1,0 +1,53 @@
+#pragma once
+// Small vector files for tests.
+
+#ifdef TALUS_HAS_GDAL
+
+#include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace talus::testing_tools {
+
+/// A feature as well-known text and the value of the layer's attribute.
+using WrittenFeature = std::pair<std::string, std::string>;
+
+/// A layer with one attribute (of text; empty values are null) and any geometries, added to a GeoPackage (made where it
+/// is not there).
+inline void add_layer(const std::filesystem::path& file, const std::string& layer, const std::string& crs_name,
+                      const std::string& attribute, const std::vector<WrittenFeature>& features) {
+  GDALAllRegister();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+  ASSERT_NE(driver, nullptr);
+  GDALDatasetUniquePtr dataset(std::filesystem::exists(file)
+                                   ? GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE)
+                                   : driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  ASSERT_TRUE(dataset);
+  OGRSpatialReference crs;
+  if (!crs_name.empty()) {
+    ASSERT_EQ(crs.SetFromUserInput(crs_name.c_str()), OGRERR_NONE);
+  }
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRLayer* made = dataset->CreateLayer(layer.c_str(), crs_name.empty() ? nullptr : &crs, wkbUnknown, nullptr);
+  ASSERT_NE(made, nullptr);
+  OGRFieldDefn field(attribute.c_str(), OFTString);
+  ASSERT_EQ(made->CreateField(&field), OGRERR_NONE);
+  for (const auto& [text, value] : features) {
+    OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(made->GetLayerDefn()));
+    if (!value.empty()) feature->SetField(attribute.c_str(), value.c_str());
+    if (!text.empty()) {
+      OGRGeometry* geometry = nullptr;
+      ASSERT_EQ(OGRGeometryFactory::createFromWkt(text.c_str(), nullptr, &geometry), OGRERR_NONE) << text;
+      feature->SetGeometryDirectly(geometry);
+    }
+    ASSERT_EQ(made->CreateFeature(feature.get()), OGRERR_NONE);
+  }
+}
+
+}  // namespace talus::testing_tools
+
+#endif
