@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include "talus/campaign/model.hpp"
 #include "talus/core/random.hpp"
@@ -14,32 +15,56 @@ namespace talus::bench {
 
 constexpr int side = 1025;
 
-inline double lattice(int octave, std::int64_t i, std::int64_t j) {
-  return 2 * uniform_pair(7, static_cast<std::uint64_t>(i) << 32 | static_cast<std::uint32_t>(j), Stream::slope_vertex,
-                          static_cast<std::uint32_t>(octave))[0] -
-         1;
-}
-
 inline double smooth(double t) { return t * t * (3 - 2 * t); }
 
-inline double noise(double x, double y) {
-  double sum = 0, amplitude = 3, wavelength = 80;
-  for (int octave = 0; octave < 6; ++octave) {
-    const double u = x / wavelength, v = y / wavelength;
-    const auto i = static_cast<std::int64_t>(std::floor(u)), j = static_cast<std::int64_t>(std::floor(v));
-    const double a = smooth(u - static_cast<double>(i)), b = smooth(v - static_cast<double>(j));
-    sum += amplitude * ((lattice(octave, i, j) * (1 - a) + lattice(octave, i + 1, j) * a) * (1 - b) +
-                        (lattice(octave, i, j + 1) * (1 - a) + lattice(octave, i + 1, j + 1) * a) * b);
-    amplitude *= 0.5;
-    wavelength /= 2.03;
+class RoughSlope {
+ public:
+  /// For x and y in [0, nodes).
+  explicit RoughSlope(std::uint32_t nodes) {
+    double amplitude = 3, wavelength = 80;
+    for (std::uint32_t k = 0; k < 6; ++k) {
+      Octave octave{amplitude, wavelength, static_cast<std::int64_t>(shift / wavelength), 0, {}};
+      octave.width = static_cast<std::int64_t>((shift + nodes) / wavelength) + 2 - octave.first;
+      for (std::int64_t j = 0; j < octave.width; ++j) {
+        for (std::int64_t i = 0; i < octave.width; ++i) {
+          const auto key =
+              static_cast<std::uint64_t>(octave.first + i) << 32 | static_cast<std::uint32_t>(octave.first + j);
+          octave.lattice.push_back(2 * uniform_pair(7, key, Stream::slope_vertex, k)[0] - 1);
+        }
+      }
+      octaves_.push_back(std::move(octave));
+      amplitude *= 0.5;
+      wavelength /= 2.03;
+    }
   }
-  return sum;
-}
+  [[nodiscard]] double height(double x, double y) const {
+    double sum = 0;
+    for (const Octave& octave : octaves_) sum += octave.amplitude * octave.noise(x + shift, y + shift);
+    return 0.84 * std::max(820 - x, 0.0) + sum;
+  }
 
-inline double rough_height(double x, double y) { return 0.84 * std::max(820 - x, 0.0) + noise(x + 1000, y + 1000); }
+ private:
+  static constexpr double shift = 1000;  // of the noise, so that no cell of it lies below zero
+  struct Octave {
+    double amplitude, wavelength;
+    std::int64_t first, width;  // of the lattice
+    std::vector<double> lattice;
+    [[nodiscard]] double at(std::int64_t i, std::int64_t j) const {
+      return lattice[static_cast<std::size_t>((j - first) * width + (i - first))];
+    }
+    [[nodiscard]] double noise(double x, double y) const {
+      const double u = x / wavelength, v = y / wavelength;
+      const auto i = static_cast<std::int64_t>(std::floor(u)), j = static_cast<std::int64_t>(std::floor(v));
+      const double a = smooth(u - static_cast<double>(i)), b = smooth(v - static_cast<double>(j));
+      return (at(i, j) * (1 - a) + at(i + 1, j) * a) * (1 - b) + (at(i, j + 1) * (1 - a) + at(i + 1, j + 1) * a) * b;
+    }
+  };
+  std::vector<Octave> octaves_;
+};
 
+/// `width`: of the terrain along y [m]. Rocks start 100 m from its sides.
 template <class Surface>
-[[nodiscard]] Model model_on(Surface surface, std::uint64_t rocks, RockModel rock_model) {
+[[nodiscard]] Model model_on(Surface surface, std::uint64_t rocks, RockModel rock_model, double width) {
   Model model;
   model.surface = std::move(surface);
   Material material;
@@ -56,7 +81,8 @@ template <class Surface>
   Seeder seeder;
   seeder.name = "crest";
   seeder.rocks = rocks;
-  const Vec3 crest[] = {{5, 100, 0}, {10, 400, 0}, {5, 700, 0}, {10, 925, 0}};
+  const double third = (width - 200) / 3;
+  const Vec3 crest[] = {{5, 100, 0}, {10, 100 + third, 0}, {5, 100 + 2 * third, 0}, {10, width - 100, 0}};
   seeder.where = ReleaseLines(crest);
   seeder.above_surface = 6;
   seeder.size = Sampler(1000.0);

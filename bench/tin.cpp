@@ -16,12 +16,13 @@ using namespace talus;
 namespace {
 
 RawMesh random_tin() {
+  const bench::RoughSlope slope(bench::side + 1);
   RawMesh mesh;
   for (int j = 0; j < bench::side; ++j) {
     for (int i = 0; i < bench::side; ++i) {
       const auto shake = uniform_pair(11, static_cast<std::uint64_t>(j * bench::side + i), Stream::slope_vertex, 0);
       const double x = i + 0.4 * (shake[0] - 0.5), y = j + 0.4 * (shake[1] - 0.5);
-      mesh.vertices.emplace_back(x, y, bench::rough_height(x, y));
+      mesh.vertices.emplace_back(x, y, slope.height(x, y));
     }
   }
   for (std::uint32_t j = 0; j + 1 < bench::side; ++j) {
@@ -79,8 +80,8 @@ int main(int argc, char** argv) {
              surface->facet_count(), mending, building,
              static_cast<double>(surface->bytes()) / static_cast<double>(surface->facet_count()));
 
-  const Model model =
-      bench::model_on(std::move(*surface), rocks, sphere ? RockModel::rigid_sphere : RockModel::lumped_mass);
+  const Model model = bench::model_on(std::move(*surface), rocks,
+                                      sphere ? RockModel::rigid_sphere : RockModel::lumped_mass, bench::side);
   bench::EndHash ends;
   Observer* const observers[] = {&ends};
   const CampaignOutcome outcome = run_campaign(model, observers, {1, nullptr, {}});

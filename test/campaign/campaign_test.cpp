@@ -45,6 +45,38 @@ TEST(Campaign, ComputesARockTheSameInAnyOrder) {
   }
 }
 
+// Rocks side by side give the bits, the rows and the pieces of rocks one by one, in the order of their numbers.
+TEST(Campaign, ComputesRocksTogetherAsAlone) {
+  for (const char* dimensions : {"2d", "3d"}) {
+    for (const char* model_kind : {"lumped_mass", "rigid_sphere"}) {
+      const Model model = tutorial_model(dimensions, 500, {std::string("analysis.model=") + model_kind});
+      Simulator together(model), alone(model);
+      std::uint64_t next = 100;
+      std::size_t glides = 0;
+      SimulationOrder order;
+      order.rocks = {100, 400};
+      order.keep_rows = [](std::uint64_t rock) { return rock % 2 == 0; };
+      order.keep_pieces = true;
+      order.see = [&](const RockRecord& record, const RockLog& log) {
+        ASSERT_EQ(record.rock, next++);
+        const RockRecord other = alone.simulate(record.rock, true, true);
+        ASSERT_EQ(bits_of(record.outcome), bits_of(other.outcome)) << record.rock;
+        ASSERT_EQ(log.rows.size(), record.rock % 2 == 0 ? alone.log().rows.size() : 0U);
+        ASSERT_EQ(log.pieces.size(), alone.log().pieces.size());
+        ASSERT_EQ(log.glide_steps.size(), alone.log().glide_steps.size());
+        for (std::size_t k = 0; k < log.pieces.size(); ++k) {
+          ASSERT_EQ(log.pieces[k].path.p, alone.log().pieces[k].path.p);
+          ASSERT_EQ(log.pieces[k].steps.count, alone.log().pieces[k].steps.count);
+          glides += log.pieces[k].steps.count > 1 ? 1 : 0;
+        }
+      };
+      together.simulate(order);
+      EXPECT_EQ(next, 400U);
+      EXPECT_EQ(glides > 0, std::string(model_kind) == "lumped_mass") << dimensions;
+    }
+  }
+}
+
 TEST(Campaign, SummarisesTheSameBitsOnAnyNumberOfThreads) {
   const Model model = tutorial_model("2d", 3000);
   std::vector<Descriptive> seen;

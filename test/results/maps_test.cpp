@@ -212,6 +212,43 @@ std::map<Place, Kept> keep_everything(const std::vector<Seen>& rocks) {
   return cells;
 }
 
+// A glide is its steps: whether a step crosses borders of cells or not, the maps are those of the steps one by one.
+TEST(Maps, AGlideIsItsSteps) {
+  Dice dice(5);
+  std::vector<Seen> folded, unfolded;
+  for (int k = 0; k < 200; ++k) {
+    Seen seen = rock_of({flight({0.5, 0.5, 1}, {1, 0, 0}, 0.1)});
+    Motion motion;
+    motion.position = {dice.between(-2, 2), dice.between(-2, 2), 0};
+    const double turn = dice.between(0, 6.3);
+    const Vec3 down(std::cos(turn), std::sin(turn), 0), aside(-down.y(), down.x(), 0);
+    const double stride = dice.magnitude(0.01, 2);
+    GlideStep step{0, 0, 0, 0};
+    for (std::size_t n = 1 + dice.below(200); n-- > 0;) {
+      step.vx = stride * dice.between(-0.5, 1) / 0.01;
+      step.vy = stride * dice.between(-1, 1) / 0.01;
+      step.x += 0.01 * step.vx;
+      step.y += 0.01 * step.vy;
+      seen.log.glide_steps.push_back(step);
+    }
+    seen.log.glide(motion, 0, 0.01, down, aside);
+    std::vector<PathPiece> pieces;
+    seen.log.for_each_piece([&](const PathPiece& piece) { pieces.push_back(piece); });
+    EXPECT_EQ(pieces.size(), 1 + seen.log.glide_steps.size());
+    const PathPiece& last = pieces.back();
+    seen.record.outcome.end.position = last.path.at(last.duration);
+    folded.push_back(seen);
+    unfolded.push_back(seen);
+    unfolded.back().log.pieces = pieces;
+  }
+  const Maps together = maps_of(folded), one_by_one = maps_of(unfolded);
+  ByteWriter a, b;
+  together.save(a);
+  one_by_one.save(b);
+  EXPECT_GT(together.touched_cells(), 100U);
+  EXPECT_EQ(a.bytes(), b.bytes());
+}
+
 TEST(Maps, AgreeWithKeepingEveryValue) {
   Dice dice(23);
   const std::vector<Seen> rocks = random_rocks(dice, 2000);

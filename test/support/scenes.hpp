@@ -86,4 +86,11 @@ template <class Surface>
   return lines;
 }
 
+/// The pieces of a path, the steps of its glides in their place.
+inline std::vector<PathPiece> every_piece(const RockLog& log) {
+  std::vector<PathPiece> pieces;
+  log.for_each_piece([&](const PathPiece& piece) { pieces.push_back(piece); });
+  return pieces;
+}
+
 }  // namespace talus::testing_tools

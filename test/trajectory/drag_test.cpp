@@ -405,16 +405,17 @@ TEST(Forest, EveryPathIsSound) {
                   total_energy(before, release.rock, laws.gravity) + scale + slack)
             << who << " row " << k;
       }
-      for (std::size_t k = 0; k < log.pieces.size(); ++k) {
-        const PathPiece& piece = log.pieces[k];
+      const std::vector<PathPiece> pieces = every_piece(log);
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const PathPiece& piece = pieces[k];
         if (piece.drag.rate > 0) ++dragged;
-        const bool is_last = k + 1 == log.pieces.size();
+        const bool is_last = k + 1 == pieces.size();
         const Motion& next = outcome.end;
-        const Vec3 begins = is_last ? next.position : log.pieces[k + 1].path.p;
+        const Vec3 begins = is_last ? next.position : pieces[k + 1].path.p;
         // (A sphere that has sunk in a little is lifted onto the ground.)
         ASSERT_LT((piece.path.at(piece.duration) - begins).norm(), piece.on_ground ? 1e-4 : 1e-9)
             << who << " piece " << k;
-        ASSERT_NEAR(piece.time(piece.duration), is_last ? next.time : log.pieces[k + 1].start_time, 1e-9) << who;
+        ASSERT_NEAR(piece.time(piece.duration), is_last ? next.time : pieces[k + 1].start_time, 1e-9) << who;
       }
       // Each barrier is met once where it is met.
       for (std::size_t k = 1; k < log.hits.size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "support/meshes.hpp"
@@ -46,7 +47,7 @@ Barrier fence(const TriangleMesh& surface) {
 std::string what_is_wrong(const RockLog& log, const RockOutcome& outcome) {
   // A sphere that sank in by more than rounding is lifted, at most by this; see RockRun::stand_on.
   constexpr double near = 1e-9 * 60;  // the model's size
-  const auto& pieces = log.pieces;
+  const std::vector<PathPiece> pieces = every_piece(log);
   if (pieces.empty()) return "there are none";
   if (pieces.front().path.p != outcome.start.position || pieces.front().path.v != outcome.start.velocity ||
       pieces.front().start_time != 0 || pieces.front().on_ground) {
@@ -72,6 +73,7 @@ std::string what_is_wrong(const RockLog& log, const RockOutcome& outcome) {
 TEST(PathPieces, JoinFromTheReleaseToTheEnd) {
   Dice dice(11);
   std::size_t flights = 0, legs = 0, hits = 0;
+  std::ptrdiff_t glides = 0;
   for (int slope = 0; slope < 12; ++slope) {
     const TriangleMesh surface = random_slope(dice, 20, 60, dice.between(0.1, 1), dice.magnitude(0.01, 2)).mesh();
     const Barrier barriers[] = {fence(surface)};
@@ -87,7 +89,8 @@ TEST(PathPieces, JoinFromTheReleaseToTheEnd) {
           const RockLog log = log_of_pieces(surface, soil, laws, release, barriers, outcome);
           ASSERT_EQ(what_is_wrong(log, outcome), "")
               << "slope " << slope << " rock " << k << ' ' << name(outcome.reason);
-          for (const PathPiece& piece : log.pieces) ++(piece.on_ground ? legs : flights);
+          for (const PathPiece& piece : every_piece(log)) ++(piece.on_ground ? legs : flights);
+          glides += std::ranges::count_if(log.pieces, [](const PathPiece& piece) { return piece.steps.count > 1; });
           hits += log.hits.size();
         }
       }
@@ -96,6 +99,7 @@ TEST(PathPieces, JoinFromTheReleaseToTheEnd) {
   EXPECT_GT(flights, 5000U);
   EXPECT_GT(legs, 5000U);
   EXPECT_GT(hits, 100U);
+  EXPECT_GT(glides, 500);
 }
 
 // In flight nothing happens: the path rows, where there are any, are the ends of pieces.

@@ -5,6 +5,7 @@
 #include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "talus/campaign/simulate.hpp"
@@ -52,13 +53,16 @@ CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> obse
   };
   const auto compute = [&](BlockPointer block) {
     for (const Observer* observer : observers) block->parts.push_back(observer->new_part());
-    Simulator& simulator = simulators.local();
-    for (std::uint64_t rock = block->first; rock < block->last; ++rock) {
-      bool rows = false;
-      for (const Observer* observer : observers) rows = rows || observer->wants_rows(rock);
-      const RockRecord record = simulator.simulate(rock, rows, pieces);
-      for (const auto& part : block->parts) part->see(record, simulator.log());
-    }
+    SimulationOrder order;
+    order.rocks = {block->first, block->last};
+    order.keep_rows = [&](std::uint64_t rock) {
+      return std::any_of(observers.begin(), observers.end(), [&](const Observer* o) { return o->wants_rows(rock); });
+    };
+    order.keep_pieces = pieces;
+    order.see = [&](const RockRecord& record, const RockLog& log) {
+      for (const auto& part : block->parts) part->see(record, log);
+    };
+    simulators.local().simulate(order);
     return block;
   };
   const auto commit = [&](const BlockPointer& block) {

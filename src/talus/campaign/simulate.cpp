@@ -1,46 +1,22 @@
 #include "talus/campaign/simulate.hpp"
 
 #include <algorithm>
+#include <array>
+#include <variant>
 
 #include "talus/seeding/lift.hpp"
+#include "talus/trajectory/rock_run.hpp"
 
 namespace talus {
 
-Simulator::Simulator(const Model& model) : model_(model) {
-  if (model.varying) {
-    own_vertices_ = model.varying->vertices;
-    own_profile_.emplace(own_vertices_);
-  }
-}
+namespace {
 
-RockRecord Simulator::simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces) {
-  log_.keep_rows(keep_rows);
-  log_.keep_pieces(keep_pieces);
-  if (own_profile_) {
-    const VaryingSection& section = *model_.varying;
-    const SamplingPlan plan{model_.seed, model_.sampling, 0, model_.rocks()};
-    const Draws draws(plan, rock);
-    for (std::uint32_t k = 0; k < own_vertices_.size(); ++k) {
-      const auto u = draws.pair(Stream::slope_vertex, k);
-      own_vertices_[k] = section.vertices[k] + Vec2(section.shifts[k][0].draw(u[0]), section.shifts[k][1].draw(u[1]));
-    }
-    own_profile_->move_vertices(own_vertices_);
-    return simulate_on(*own_profile_, rock);
-  }
-  return std::visit([&](const auto& surface) { return simulate_on(surface, rock); }, model_.surface);
-}
-
+/// A rock's release, and what the record says of the rock before it moves.
 template <class Surface>
-RockRecord Simulator::simulate_on(const Surface& surface, std::uint64_t rock) {
-  const auto after = std::upper_bound(model_.seeders.begin(), model_.seeders.end(), rock,
-                                      [](std::uint64_t r, const Seeder& s) { return r < s.first_rock; });
-  const Seeder& seeder = *std::prev(after);
-  const Draws draws({model_.seed, model_.sampling, seeder.first_rock, seeder.rocks}, rock);
-
-  RockRecord record;
-  record.rock = rock;
-  record.seeder = SeederId{static_cast<std::uint32_t>(&seeder - model_.seeders.data())};
+Release release_of(const Model& model, const Surface& surface, const Draws& draws, const Seeder& seeder,
+                   RockRecord& record) {
   const ReleasePlace start = place_of(seeder, draws);
+  record.seeder = SeederId{static_cast<std::uint32_t>(&seeder - model.seeders.data())};
   record.source = start.source;
   Vec3 place = start.point;
   if (seeder.above_surface) {
@@ -52,15 +28,174 @@ RockRecord Simulator::simulate_on(const Surface& surface, std::uint64_t rock) {
     place.z() = z.value_or(place.z()) + *seeder.above_surface;
   }
   Release release = release_at(seeder, place, draws);
-  const double reach = model_.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0;
+  const double reach = model.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0;
   if (const auto z = lifted(surface, place, reach)) {
     release.motion.position.z() = *z;
     // A sphere put on the surface by its z or by its height above it is meant to touch it: no cause for a warning.
     record.was_lifted = !seeder.above_surface;
   }
   record.body = release.rock;
-  record.outcome =
-      follow_rock(Scene<Surface>{surface, model_.ground, model_.barriers, model_.laws}, release, draws, log_);
+  return release;
+}
+
+const Seeder& seeder_of(const Model& model, std::uint64_t rock) {
+  const auto after = std::upper_bound(model.seeders.begin(), model.seeders.end(), rock,
+                                      [](std::uint64_t r, const Seeder& s) { return r < s.first_rock; });
+  return *std::prev(after);
+}
+
+/// The section of one rock, where it stands elsewhere for every rock.
+class OwnSection {
+ public:
+  explicit OwnSection(const VaryingSection& section) : section_(section), profile_(section.vertices) {}
+  const Profile& move_for(const Model& model, std::uint64_t rock) {
+    const Draws draws({model.seed, model.sampling, 0, model.rocks()}, rock);
+    vertices_.clear();
+    for (std::uint32_t k = 0; k < section_.vertices.size(); ++k) {
+      const auto u = draws.pair(Stream::slope_vertex, k);
+      const auto& shift = section_.shifts[k];
+      vertices_.push_back(section_.vertices[k] + Vec2(shift[0].draw(u[0]), shift[1].draw(u[1])));
+    }
+    profile_.move_vertices(vertices_);
+    return profile_;
+  }
+
+ private:
+  const VaryingSection& section_;
+  Profile profile_;
+  std::vector<Vec2> vertices_;
+};
+
+/// A rock on its way, with everything that must last as long.
+template <class Surface>
+class Walker {
+ public:
+  RockLog log{false};
+  RockRecord record;
+
+  void begin(const Model& model, const Surface& surface, std::uint64_t rock) {
+    record = {};
+    record.rock = rock;
+    log.clear();
+    const Seeder& seeder = seeder_of(model, rock);
+    draws_.emplace(SamplingPlan{model.seed, model.sampling, seeder.first_rock, seeder.rocks}, rock);
+    if constexpr (std::is_same_v<Surface, Profile>) {
+      if (model.varying) {
+        if (!section_) section_.emplace(*model.varying);
+        start(model, section_->move_for(model, rock), seeder);
+        return;
+      }
+    }
+    start(model, surface, seeder);
+  }
+  [[nodiscard]] RockRun<Surface>& run() { return *run_; }
+
+ private:
+  void start(const Model& model, const Surface& surface, const Seeder& seeder) {
+    const Release release = release_of(model, surface, *draws_, seeder, record);
+    run_.emplace(Scene<Surface>{surface, model.ground, model.barriers, model.laws}, release, *draws_, log);
+  }
+
+  std::optional<Draws> draws_;
+  std::optional<OwnSection> section_;
+  std::optional<RockRun<Surface>> run_;
+};
+
+/// Rocks side by side: those that glide do so together, in lanes.
+template <class Surface>
+class Party {
+ public:
+  Party(const Model& model, const Surface& surface)
+      : model_(model), surface_(surface), lanes_(RockRun<Surface>::glide_laws(model.laws)) {}
+
+  void follow(const SimulationOrder& order) {
+    next_ = seen_ = order.rocks.first;
+    while (seen_ < order.rocks.last) {
+      if (lanes_.count() < GlideLanes::width && may_go_on_ > 0) {
+        go_on(order, ready_[--may_go_on_]);
+      } else if (lanes_.count() < GlideLanes::width && next_ < order.rocks.last && next_ - seen_ < walkers_.size()) {
+        const std::size_t place = next_ % walkers_.size();
+        Walker<Surface>& walker = walkers_[place];
+        walker.log.keep_rows(order.keep_rows(next_));
+        walker.log.keep_pieces(order.keep_pieces);
+        walker.begin(model_, surface_, next_++);
+        is_done_[place] = false;
+        go_on(order, place);
+      } else {
+        lanes_.run([&](std::size_t place) { ready_[may_go_on_++] = place; });
+      }
+    }
+  }
+
+ private:
+  void go_on(const SimulationOrder& order, std::size_t place) {
+    // A glide of a few steps is not worth a lane.
+    constexpr int alone = 3;
+    RockRun<Surface>& run = walkers_[place].run();
+    while (run.go_on() == RockRun<Surface>::Pause::glides) {
+      bool glides = true;
+      for (int k = 0; k < alone && glides; ++k) glides = run.step_alone();
+      if (!glides) continue;
+      lanes_.add(run.glide(), run.glide_trace(), place);
+      return;
+    }
+    walkers_[place].record.outcome = run.outcome();
+    is_done_[place] = true;
+    for (; seen_ < next_ && is_done_[seen_ % walkers_.size()]; ++seen_) {
+      const Walker<Surface>& walker = walkers_[seen_ % walkers_.size()];
+      order.see(walker.record, walker.log);
+    }
+  }
+
+  // So many that lanes are full although a rock whose turn it is to be seen takes its time.
+  static constexpr std::size_t side_by_side = 32;
+
+  const Model& model_;
+  const Surface& surface_;
+  GlideLanes lanes_;
+  std::array<Walker<Surface>, side_by_side> walkers_;  // rock n has place n modulo their number
+  std::array<bool, side_by_side> is_done_{};
+  std::array<std::size_t, side_by_side> ready_{};  // whose glide has ended
+  std::size_t may_go_on_ = 0;
+  std::uint64_t next_ = 0, seen_ = 0;  // the first rock not begun, not seen
+};
+
+}  // namespace
+
+/// What a simulator has for the kind of surface that its model has.
+class Simulator::Rocks {
+ public:
+  explicit Rocks(const Model& model) {
+    std::visit([&]<class Surface>(const Surface& surface) { party_.emplace<Party<Surface>>(model, surface); },
+               model.surface);
+  }
+  void follow(const SimulationOrder& order) {
+    std::visit(
+        [&]<class Each>(Each& party) {
+          if constexpr (!std::is_same_v<Each, std::monostate>) party.follow(order);
+        },
+        party_);
+  }
+
+ private:
+  std::variant<std::monostate, Party<Profile>, Party<TriangleMesh>, Party<RasterSurface>> party_;
+};
+
+Simulator::Simulator(const Model& model) : rocks_(std::make_unique<Rocks>(model)) {}
+Simulator::~Simulator() = default;
+Simulator::Simulator(Simulator&&) noexcept = default;
+
+void Simulator::simulate(const SimulationOrder& order) { rocks_->follow(order); }
+
+RockRecord Simulator::simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces) {
+  RockRecord record;
+  rocks_->follow({{rock, rock + 1},
+                  [keep_rows](std::uint64_t) { return keep_rows; },
+                  keep_pieces,
+                  [&](const RockRecord& seen, const RockLog& log) {
+                    record = seen;
+                    log_ = log;
+                  }});
   return record;
 }
 

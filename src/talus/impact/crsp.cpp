@@ -29,7 +29,7 @@ Rebound crsp_rebound(const Vec3& velocity, const Vec3& spin, const Vec3& n, cons
   const double v1 = vt.dot(t1), v2 = spins ? vt.dot(t2) : 0;
   const double w2 = spins ? wt_length : 0;  // and w1 = 0 in this frame
 
-  const double slip = std::hypot(v1 - w2 * r, v2);
+  const double slip_1 = v1 - w2 * r, slip = std::sqrt(slip_1 * slip_1 + v2 * v2);
   const double kept = r * r * crsp_friction_function(slip, restitution.tangential) *
                       crsp_scaling_factor(vn, restitution) / (rock.inertia + rock.mass * r * r);
   const double direction = v1 != 0 ? v1 : w2;

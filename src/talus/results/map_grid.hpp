@@ -48,11 +48,16 @@ class MapGrid {
     constexpr double most = 2e9;  // no terrain has so many
     return static_cast<std::int32_t>(std::clamp(std::floor((local - local_[axis]) / cell_[axis]), -most, most));
   }
-  /// Whether a cell holds a local place.
-  [[nodiscard]] bool holds(MapCell cell, const Vec3& local) const {
-    return local.x() >= border(0, cell.column) && local.x() < border(0, cell.column + 1) &&
-           local.y() >= border(1, cell.row) && local.y() < border(1, cell.row + 1);
+  /// The borders of a cell, local.
+  struct Borders {
+    double west, east, south, north;
+    [[nodiscard]] bool hold(double x, double y) const { return x >= west && x < east && y >= south && y < north; }
+  };
+  [[nodiscard]] Borders borders(MapCell cell) const {
+    return {border(0, cell.column), border(0, cell.column + 1), border(1, cell.row), border(1, cell.row + 1)};
   }
+  /// Whether a cell holds a local place.
+  [[nodiscard]] bool holds(MapCell cell, const Vec3& local) const { return borders(cell).hold(local.x(), local.y()); }
   [[nodiscard]] MapCell cell_at(const Vec3& local) const { return {index(0, local.x()), index(1, local.y())}; }
 
   friend bool operator==(const MapGrid& a, const MapGrid& b) { return a.origin_ == b.origin_ && a.cell_ == b.cell_; }

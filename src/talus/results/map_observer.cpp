@@ -68,7 +68,9 @@ class MapObserver::Part : public ObserverPart {
     if (stretches.empty() || stretches.back().map != map) stretches.push_back({map, 0, visits.size(), visits.size()});
     cells_.begin_rock(visits.size());
     height_here_.reset();
-    for (const PathPiece& piece : log.pieces) follow(piece, record.body);
+    for (const PathPiece& piece : log.pieces) {
+      piece.steps.count > 0 ? glide(log, piece, record.body) : follow(piece, record.body);
+    }
     for (const Vec3& place : log.impacts) ++cells_.visit(grid_.cell_at(place), visits).impacts;
     const EndReason reason = record.outcome.reason;
     MapVisit& last = cells_.visit(grid_.cell_at(record.outcome.end.position), visits);
@@ -88,6 +90,10 @@ class MapObserver::Part : public ObserverPart {
       height_here_ = 0;
       return;
     }
+    walk_over(piece, rock, rotational);
+  }
+
+  void walk_over(const PathPiece& piece, const Rock& rock, double rotational) {
     walk(grid_, piece, [&](MapCell cell, double enter, double leave) {
       MapVisit& visit = cells_.visit(cell, visits);
       // The square of the velocity is convex in time.
@@ -96,6 +102,36 @@ class MapObserver::Part : public ObserverPart {
       raise(greatest_of(visit, MapQuantity::bounce_height), greatest_height(piece, enter, leave));
       cell_ = cell;
     });
+  }
+
+  /// Most steps of a glide, each a few centimetres long, stay in the cell: of them only the fastest counts.
+  void glide(const RockLog& log, const PathPiece& piece, const Rock& rock) {
+    const double rotational = 0.5 * rock.inertia * piece.spin.squaredNorm();
+    const auto& [first, count, timestep, down, aside] = piece.steps;
+    const Vec3& start = piece.path.p;
+    MapGrid::Borders cell = grid_.borders(cell_);
+    double fastest = -1;  // squared [m2/s2], of the steps in this cell that are not in the maps yet
+    const auto note_fastest = [&] {
+      if (fastest >= 0) raise_motion(cells_.visit(cell_, visits), fastest, rock, rotational);
+      fastest = -1;
+    };
+    bool is_within = cell.hold(start.x(), start.y());
+    for (std::size_t k = 0; k < count; ++k) {
+      const GlideStep& step = log.glide_steps[first + k];
+      const double x = start.x() + step.x * down.x() + step.y * aside.x();
+      const double y = start.y() + step.x * down.y() + step.y * aside.y();
+      const bool stays = cell.hold(x, y);
+      if (is_within && stays) {
+        fastest = std::max(fastest, step.vx * step.vx + step.vy * step.vy);
+        continue;
+      }
+      note_fastest();
+      walk_over(log.step_of(piece, k), rock, rotational);
+      cell = grid_.borders(cell_);
+      is_within = cell.hold(x, y);
+    }
+    note_fastest();
+    height_here_ = 0;
   }
 
   static void raise_motion(MapVisit& visit, double squared_velocity, const Rock& rock, double rotational) {

@@ -39,6 +39,9 @@ class GridWalk {
   /// Where it is in the cell at a time: 0 at its west and south sides, 1 at its east and north sides.
   [[nodiscard]] double u(double t) const { return x_.origin + t * x_.speed - static_cast<double>(x_.cell); }
   [[nodiscard]] double v(double t) const { return y_.origin + t * y_.speed - static_cast<double>(y_.cell); }
+  /// How fast these grow [cells/s].
+  [[nodiscard]] double u_speed() const { return x_.speed; }
+  [[nodiscard]] double v_speed() const { return y_.speed; }
   /// Whether the flight's time, or the grid, ends in this cell.
   [[nodiscard]] bool is_last() const { return leave_ >= end_; }
   /// Through which side it leaves: the east or west one, or the north or south one.

@@ -187,6 +187,8 @@ std::optional<Contact> RasterSurface::first_contact_of_point(const Parabola& pat
                                                              const LeftPlanes& left) const {
   ContactCandidate best{t_max};
   double height_entering = 0;  // the first cell is always asked
+  // From the diagonal, in cells: further than a facet's slack reaches (outline_slack), whatever the cell's size.
+  const double beside = 1e-4 + 2e-5 / std::min(grid_.dx, grid_.dy);
   for (GridWalk at = walk(path, t_max); !at.is_over() && at.enter() <= best.t; at.advance()) {
     const Cell here = cell(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
     const double t0 = at.enter(), t1 = at.leave();
@@ -213,8 +215,32 @@ std::optional<Contact> RasterSurface::first_contact_of_point(const Parabola& pat
     // (Written so that a height which is not a number, beside a hole, is asked.)
     const bool is_clear = height_entering > box_pad && height_leaving > box_pad && height_at_diagonal > box_pad;
     if (!is_clear && here.has_data()) {
+      // How far within each facet the path is on plan: rises across the diagonal to 1 at the far corner.
+      const double toward = north_east ? 1 : -1;  // in the first facet
+      const auto may_touch = [&](std::uint32_t half) {
+        const double inside = half == 0 ? toward : -toward;
+        if (std::max(inside * side0, inside * side1) < -beside) return false;
+        const bool is_sw = north_east || half == 0;  // the corner by which the facet's plane is given
+        const double along_u = (half == 0) ? here.se - here.sw : here.ne - here.nw;
+        const double along_v = (half == 0) == north_east ? here.ne - here.se : here.nw - here.sw;
+        const double far = is_sw ? 0 : 1, corner = is_sw ? here.sw : here.ne;
+        const auto height = [&](double t, double u, double v) {
+          return path.z(t) - (corner + (u - far) * along_u + (v - far) * along_v);
+        };
+        // Above it in the end, it is above it all the while if it rises from it at first, or is above it then.
+        if (!(height(t1, u1, v1) > box_pad)) return true;
+        const double rise = path.v.z() + t0 * path.a.z() - along_u * at.u_speed() - along_v * at.v_speed();
+        return !(rise > 0 || height(t0, u0, v0) > box_pad);
+      };
       const auto both = triangles(at.column(), at.row(), here);
-      for (std::uint32_t half = 0; half < 2; ++half) {
+      const std::uint32_t entered = toward * side0 > 0 ? 0 : 1;
+      for (const std::uint32_t half : {entered, 1 - entered}) {
+        if (half != entered && best.found()) {
+          // It comes over this facet later than it met the other one.
+          const double inside = entered == 0 ? toward : -toward;
+          if (inside * (side0 + (best.t - t0) / (t1 - t0) * (side1 - side0)) > beside) break;
+        }
+        if (!may_touch(half)) continue;
         const std::uint32_t facet = facet_of(at.column(), at.row(), half);
         meet_point(path, both[half], {facet, facet}, left, best);
       }

@@ -2,12 +2,14 @@
 // What a rock's path leaves behind while it is computed. One log serves one rock after the other without allocating,
 // once its lists have grown.
 
+#include <cstdint>
 #include <vector>
 
 #include "talus/barriers/barrier.hpp"
 #include "talus/flight/drag.hpp"
 #include "talus/flight/parabola.hpp"
 #include "talus/motion/motion.hpp"
+#include "talus/sliding/glide.hpp"
 
 namespace talus {
 
@@ -33,6 +35,14 @@ struct PathPiece {
   bool on_ground = false;
   LinearDrag drag;
 
+  /// Where it is a glide: a row of straight steps of equal time, which the log keeps in the facet's two directions.
+  struct Steps {
+    std::size_t first = 0, count = 0;                // in the log's list
+    double timestep = 0;                             // [s]
+    Vec3 down = Vec3::Zero(), aside = Vec3::Zero();  // unit; steps are measured from the start of the piece
+  };
+  Steps steps;
+
   [[nodiscard]] Vec3 velocity(double s) const { return drag.velocity(path, s); }
   /// Since release [s].
   [[nodiscard]] double time(double s) const { return start_time + drag.time(s); }
@@ -53,10 +63,12 @@ class RockLog {
 
   void keep_rows(bool keep) { keep_rows_ = keep; }
   void keep_pieces(bool keep) { keep_pieces_ = keep; }
+  [[nodiscard]] bool keeps_pieces() const { return keep_pieces_; }
   void clear() {
     rows.clear();
     turns.clear();
     pieces.clear();
+    glide_steps.clear();
     impacts.clear();
     hits.clear();
     passed_above.clear();
@@ -69,14 +81,54 @@ class RockLog {
     if (keep_rows_) turns.push_back(motion);
   }
   /// The rock is at the piece's start in `motion`, and goes `duration` along `path`.
-  void flight(const Parabola& path, double duration, const Motion& motion) {
-    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, {}});
-  }
-  void flight(const Parabola& path, double duration, const Motion& motion, const LinearDrag& drag) {
-    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, drag});
+  void flight(const Parabola& path, double duration, const Motion& motion, const LinearDrag& drag = {}) {
+    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, drag, {}});
   }
   void leg(const Parabola& path, double duration, const Motion& motion) {
-    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, true, {}});
+    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, true, {}, {}});
+  }
+  /// The rock glided from where `motion` has it: the last steps of the list, from `first` on.
+  void glide(const Motion& motion, std::size_t first, double timestep, const Vec3& down, const Vec3& aside) {
+    const std::size_t count = glide_steps.size() - first;
+    if (!keep_pieces_ || count == 0) return;
+    const Parabola path{motion.position, glide_steps[first].vx * down + glide_steps[first].vy * aside, Vec3::Zero()};
+    pieces.push_back({path,
+                      static_cast<double>(count) * timestep,
+                      motion.time,
+                      motion.spin,
+                      true,
+                      {},
+                      {first, count, timestep, down, aside}});
+  }
+  /// One step of a glide as a piece of its own.
+  [[nodiscard]] PathPiece step_of(const PathPiece& glide, std::size_t number) const {
+    const auto& [first, count, timestep, down, aside] = glide.steps;
+    const GlideStep& step = glide_steps[first + number];
+    Vec3 start = glide.path.p;
+    if (number > 0) {
+      const GlideStep& before = glide_steps[first + number - 1];
+      start += before.x * down + before.y * aside;
+    }
+    return {{start, step.vx * down + step.vy * aside, Vec3::Zero()},
+            timestep,
+            glide.start_time + static_cast<double>(number) * timestep,
+            glide.spin,
+            true,
+            {},
+            {}};
+  }
+  /// Calls visit(piece) for each piece, with the steps of glides in their place.
+  template <class Visit>
+  void for_each_piece(Visit&& visit) const {
+    for (const PathPiece& piece : pieces) {
+      if (piece.steps.count == 0) visit(piece);
+      double time = piece.start_time;
+      for (std::size_t k = 0; k < piece.steps.count; ++k, time += piece.steps.timestep) {
+        PathPiece step = step_of(piece, k);
+        step.start_time = time;  // as the rock's own is added up
+        visit(step);
+      }
+    }
   }
   /// The rock strikes the ground, its centre being here.
   void impact(const Vec3& position) {
@@ -86,6 +138,7 @@ class RockLog {
   std::vector<PathRow> rows;
   std::vector<Motion> turns;
   std::vector<PathPiece> pieces;  // and impacts: only if asked for
+  std::vector<GlideStep> glide_steps;
   std::vector<Vec3> impacts;
   std::vector<BarrierHit> hits;
   std::vector<PassedAbove> passed_above;

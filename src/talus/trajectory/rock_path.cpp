@@ -15,6 +15,10 @@ RockOutcome follow_rock(const Scene<Surface>& scene, const Release& release, con
   return RockRun<Surface>(scene, release, draws, log).follow();
 }
 
+template class RockRun<Profile>;
+template class RockRun<TriangleMesh>;
+template class RockRun<RasterSurface>;
+
 template RockOutcome follow_rock(const Scene<Profile>&, const Release&, const Draws&, RockLog&);
 template RockOutcome follow_rock(const Scene<TriangleMesh>&, const Release&, const Draws&, RockLog&);
 template RockOutcome follow_rock(const Scene<RasterSurface>&, const Release&, const Draws&, RockLog&);

@@ -18,6 +18,7 @@
 #include "talus/impact/roughness.hpp"
 #include "talus/sliding/closed_form.hpp"
 #include "talus/sliding/drag.hpp"
+#include "talus/sliding/glide.hpp"
 #include "talus/sliding/rolling.hpp"
 #include "talus/sliding/stepped.hpp"
 #include "talus/sliding/supports.hpp"
@@ -26,6 +27,12 @@
 
 namespace talus {
 
+class Profile;
+class RasterSurface;
+class TriangleMesh;
+
+/// One rock on its way. It can be left where it glides and taken up again, so that several rocks' glides are done
+/// together.
 template <class Surface>
 class RockRun {
  public:
@@ -41,7 +48,29 @@ class RockRun {
         reach_(scene.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0),
         has_forest_(scene.ground.has_forest()) {}
 
+  /// What a run has come to.
+  enum class Pause {
+    glides,  // along a facet; to go on, the steps of glide() are to be taken
+    ended
+  };
+  /// Follows the rock until it glides or ends.
+  Pause go_on();
+  [[nodiscard]] Glide& glide() { return glide_; }
+  /// Takes one of its steps; whether there was one to take.
+  bool step_alone() {
+    if (!try_step(glide_laws(laws_), glide_)) return false;
+    if (log_.keeps_pieces()) log_.glide_steps.push_back({glide_.x, glide_.y, glide_.vx, glide_.vy});
+    return true;
+  }
+  /// Where the steps of the glide are wanted, the list for them.
+  [[nodiscard]] std::vector<GlideStep>* glide_trace() { return log_.keeps_pieces() ? &log_.glide_steps : nullptr; }
+  [[nodiscard]] static GlideLaws glide_laws(const Laws& laws) {
+    return {laws.timestep, laws.stopped_velocity, laws.max_time};
+  }
+  /// From release to rest, alone.
   RockOutcome follow();
+  /// Of a rock that has come to its end.
+  [[nodiscard]] const RockOutcome& outcome() const { return outcome_; }
 
  private:
   struct Flying {
@@ -83,8 +112,10 @@ class RockRun {
   [[nodiscard]] double forest_step_time(const Vec3& velocity) const;
   [[nodiscard]] double forest_border_between(const Parabola& path, double from, double to, double rate) const;
   Phase strike(const Contact& contact);
-  Phase move_along(OnGround phase);
-  void glide(const OnGround& phase, const Footing& footing);
+  void begin(Phase phase);
+  std::optional<Phase> move_along(OnGround& phase);
+  bool prepare_glide(const OnGround& phase);
+  void end_glide();
   Phase enter_ground(const Contact& contact, const GroundDraw& draw, const Material& material, double rt);
   /// How a rock goes on from a barrier.
   enum class AtBarrier { untouched, held, goes_on };
@@ -131,7 +162,15 @@ class RockRun {
   std::optional<OutlineEdge> side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg, double& t);
   [[nodiscard]] const Outline& outline_of(FacetId facet);
   std::optional<OutlineEdge> edge_ahead(OnGround& phase, const Parabola& leg, double& t);
-  [[nodiscard]] bool is_level(FacetId facet, const Vec3& velocity) const;
+  [[nodiscard]] bool is_level(const Vec3& n, const Vec3& velocity) const;
+  /// Of the facet beyond an edge, asked for again and again while the rock is there.
+  [[nodiscard]] const Vec3& normal_beyond(FacetId facet) {
+    if (beyond_ != facet) {
+      beyond_ = facet;
+      normal_beyond_ = surface_.normal(facet);
+    }
+    return normal_beyond_;
+  }
   /// Whether a support of this normal is the facet itself and not one of its edges or vertices.
   [[nodiscard]] bool carries(FacetId facet, const Vec3& normal) const {
     return surface_.normal(facet).dot(normal) > 1 - 1e-9;
@@ -177,6 +216,20 @@ class RockRun {
   const bool has_forest_;
 
   RockOutcome outcome_;
+  Phase phase_;
+  std::int64_t steps_ = 0;  // phases so far
+  // Of the stretch along the ground that lasts as long as the phase.
+  struct Stretch {
+    bool has_turned = false;
+    double past_edge = 0;  // time spent rolling over an edge or a vertex [s]
+  };
+  Stretch stretch_;
+  // A glide under way, from where the motion is.
+  bool is_gliding_ = false;
+  Glide glide_;
+  Vec3 down_, aside_;
+  std::size_t first_step_ = 0;  // in the log
+
   std::uint32_t contacts_ = 0;  // how often the ground's properties were drawn
   RecentCrossings crossed_;
   Vec3 last_strike_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // where it struck the ground last
@@ -190,31 +243,62 @@ class RockRun {
   };
   std::array<KeptOutline, 2> outlines_;  // of the facets it was on last: in a valley there are two
   std::size_t oldest_outline_ = 0;
+  std::optional<FacetId> beyond_;
+  Vec3 normal_beyond_;
 };
 
 template <class Surface>
 RockOutcome RockRun<Surface>::follow() {
-  outcome_.start = motion_;
-  outcome_.max_kinetic_energy = kinetic_energy();
-  log_.row(PathState::projectile, motion_);
-  Phase phase = Flying{};
-  for (std::int64_t steps = 0; !std::holds_alternative<Ended>(phase); ++steps) {
-    if (steps == laws_.max_steps) {
-      phase = Ended{EndReason::maximum_steps};
-    } else if (note_progress(); is_wedged()) {
-      motion_.velocity.setZero();
-      phase = Ended{EndReason::at_rest};
-    } else if (const auto* flying = std::get_if<Flying>(&phase)) {
-      phase = fly(*flying);
-    } else {
-      phase = move_along(std::get<OnGround>(phase));
+  while (go_on() == Pause::glides) {
+    while (step_alone()) {
     }
   }
+  return outcome_;
+}
+
+/// What a phase is checked for before anything happens in it.
+template <class Surface>
+void RockRun<Surface>::begin(Phase phase) {
+  phase_ = std::move(phase);
+  stretch_ = {};
+  if (std::holds_alternative<Ended>(phase_)) return;
+  if (steps_++ == laws_.max_steps) {
+    phase_ = Ended{EndReason::maximum_steps};
+  } else if (note_progress(); is_wedged()) {
+    motion_.velocity.setZero();
+    phase_ = Ended{EndReason::at_rest};
+  }
+}
+
+template <class Surface>
+auto RockRun<Surface>::go_on() -> Pause {
+  if (std::exchange(is_gliding_, false)) {
+    end_glide();
+    auto& phase = std::get<OnGround>(phase_);
+    if (auto next = move_along(phase)) begin(std::move(*next));
+  } else {
+    outcome_.start = motion_;
+    outcome_.max_kinetic_energy = kinetic_energy();
+    log_.row(PathState::projectile, motion_);
+    begin(Flying{});
+  }
+  while (!std::holds_alternative<Ended>(phase_)) {
+    if (const auto* flying = std::get_if<Flying>(&phase_)) {
+      begin(fly(*flying));
+      continue;
+    }
+    auto& phase = std::get<OnGround>(phase_);
+    if (prepare_glide(phase)) {
+      is_gliding_ = true;
+      return Pause::glides;
+    }
+    if (auto next = move_along(phase)) begin(std::move(*next));
+  }
   outcome_.max_kinetic_energy = std::max(outcome_.max_kinetic_energy, kinetic_energy());
-  outcome_.reason = std::get<Ended>(phase).reason;
+  outcome_.reason = std::get<Ended>(phase_).reason;
   outcome_.end = motion_;
   log_.row(PathState::ended, motion_);
-  return outcome_;
+  return Pause::ended;
 }
 
 template <class Surface>
@@ -349,3 +433,11 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
 #include "talus/trajectory/rock_run_gliding.hpp"
 #include "talus/trajectory/rock_run_in_forest.hpp"
 #include "talus/trajectory/rock_run_on_ground.hpp"
+
+namespace talus {
+
+extern template class RockRun<Profile>;
+extern template class RockRun<TriangleMesh>;
+extern template class RockRun<RasterSurface>;
+
+}  // namespace talus

@@ -1,59 +1,50 @@
 #pragma once
 // The part of RockRun that most of a long slide goes through: many steps on one facet, with nothing near that could
-// end them. Included by rock_run.hpp only.
+// end them. Between prepare_glide() and end_glide() whoever drives the run takes the steps, alone or with other rocks'.
+// Included by rock_run.hpp only.
 
 #include "talus/trajectory/rock_run.hpp"
 
 namespace talus {
 
-/// Steps of a stepped slide (sliding/stepped.hpp, the same law in the facet's own two coordinates), as long as each of
-/// them stays on the facet and leaves the rock faster than where it may stop. What comes then is the caller's.
+/// Whether there are steps to be taken that way.
 template <class Surface>
-void RockRun<Surface>::glide(const OnGround& phase, const Footing& footing) {
+bool RockRun<Surface>::prepare_glide(const OnGround& phase) {
   const bool is_plain = laws_.model == RockModel::lumped_mass && laws_.sliding == SlidingMethod::stepped &&
                         phase.on_facet && !phase.valley && phase.drag == 0;
+  if (!is_plain) return false;
+  const Footing footing = this->footing(phase);
   const double pull = footing.pull.norm();
-  if (!is_plain || pull == 0) return;
-  const Vec3 down = footing.pull / pull, aside = phase.normal.cross(down);
-  const Vec3 start = motion_.position;
-  struct Side {
-    double distance, down, aside;  // of the start from it, and how that grows with the two coordinates
-  };
-  std::array<Side, 3> sides;
-  const Outline& outline = outline_of(phase.facet);
-  const auto side_count = static_cast<std::size_t>(outline.edge_count);
-  for (std::size_t k = 0; k < side_count; ++k) {
-    const OutlineEdge& edge = outline.edges[k];
-    sides[k] = {edge.inward.dot(start - edge.point), edge.inward.dot(down), edge.inward.dot(aside)};
-  }
+  if (pull == 0) return false;
+  down_ = footing.pull / pull;
+  aside_ = phase.normal.cross(down_);
+  const Vec3& start = motion_.position;
 
-  const double dt = laws_.timestep, braking = dt * phase.mu * footing.pressure, gain = dt * pull;
-  // Barriers are the caller's, too.
-  const double way = free_way(barriers_, start, reach_), squared_way = way * way;
-  double x = 0, y = 0;  // way gone down and aside
-  double vx = motion_.velocity.dot(down), vy = motion_.velocity.dot(aside);
-  double speed = std::sqrt(vx * vx + vy * vy);
-  while (speed >= laws_.stopped_velocity && motion_.time + dt < laws_.max_time) {
-    const double wx = vx + gain, size = std::sqrt(wx * wx + vy * vy);
-    if (wx * vx + vy * vy < braking * speed || size - braking < laws_.stopped_velocity) break;
-    const double kept = 1 - braking / size;
-    const double next_vx = kept * wx, next_vy = kept * vy, next_x = x + dt * next_vx, next_y = y + dt * next_vy;
-    bool stays = true;
-    for (std::size_t k = 0; k < side_count; ++k) {
-      stays = stays && sides[k].distance + next_x * sides[k].down + next_y * sides[k].aside > contact_slack;
-    }
-    if (!stays || next_x * next_x + next_y * next_y >= squared_way) break;
-    log_.leg({start + x * down + y * aside, next_vx * down + next_vy * aside, Vec3::Zero()}, dt, motion_);
-    x = next_x;
-    y = next_y;
-    vx = next_vx;
-    vy = next_vy;
-    speed = size - braking;
-    motion_.time += dt;
+  glide_ = {};
+  glide_.vx = motion_.velocity.dot(down_);
+  glide_.vy = motion_.velocity.dot(aside_);
+  glide_.speed = std::sqrt(glide_.vx * glide_.vx + glide_.vy * glide_.vy);
+  glide_.time = motion_.time;
+  glide_.gain = laws_.timestep * pull;
+  glide_.braking = laws_.timestep * phase.mu * footing.pressure;
+  const double way = free_way(barriers_, start, reach_);  // barriers are the caller's, too
+  glide_.squared_way = way * way;
+  const Outline& outline = outline_of(phase.facet);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(outline.edge_count); ++k) {
+    const OutlineEdge& edge = outline.edges[k];
+    glide_.sides[k] = {edge.inward.dot(start - edge.point), edge.inward.dot(down_), edge.inward.dot(aside_)};
   }
-  if (x == 0 && y == 0) return;
-  motion_.position = start + x * down + y * aside;
-  motion_.velocity = vx * down + vy * aside;
+  first_step_ = log_.glide_steps.size();
+  return true;
+}
+
+template <class Surface>
+void RockRun<Surface>::end_glide() {
+  log_.glide(motion_, first_step_, laws_.timestep, down_, aside_);
+  if (glide_.x == 0 && glide_.y == 0) return;
+  motion_.position += glide_.x * down_ + glide_.y * aside_;
+  motion_.velocity = glide_.vx * down_ + glide_.vy * aside_;
+  motion_.time = glide_.time;
 }
 
 }  // namespace talus

@@ -268,100 +268,96 @@ std::optional<OutlineEdge> RockRun<Surface>::edge_ahead(OnGround& phase, const P
     double t_edge = t;
     const auto edge = side_crossed(phase, phase.facet, leg, t_edge);
     if (!edge) return std::nullopt;
-    const bool goes_on = edge->beyond && phase.normal.dot(surface_.normal(*edge->beyond)) > 1 - same_plane &&
+    const bool goes_on = edge->beyond && phase.normal.dot(normal_beyond(*edge->beyond)) > 1 - same_plane &&
                          material_at(phase.facet) == material_at(*edge->beyond);
     if (!goes_on) {
       t = t_edge;
       return edge;
     }
     phase.facet = *edge->beyond;
-    phase.normal = surface_.normal(phase.facet);
+    phase.normal = normal_beyond(phase.facet);
   }
   return std::nullopt;
 }
 
 /// Whether a rock that moves along the ground at `velocity` goes on over a facet as if it were the one it is on.
 template <class Surface>
-bool RockRun<Surface>::is_level(FacetId facet, const Vec3& velocity) const {
+bool RockRun<Surface>::is_level(const Vec3& n, const Vec3& velocity) const {
   constexpr double level = 2e-6;  // sine of an angle a little above that of same_plane, so that nothing lies between
-  const Vec3 n = surface_.normal(facet);
   return std::abs(velocity.dot(n)) <= level * velocity.norm() && laws_.gravity.dot(n) < 0;
 }
 
+/// One leg; gives what comes after it, or nothing where the rock goes on as before.
 template <class Surface>
-auto RockRun<Surface>::move_along(OnGround phase) -> Phase {
-  bool turned = false;
-  double past_edge = 0;  // time spent rolling over an edge or a vertex [s]
-  while (true) {
-    const Footing footing = this->footing(phase);
-    glide(phase, footing);
-    note_progress();
-    if (rests(phase, footing) || is_wedged()) {
-      motion_.velocity.setZero();
-      return Ended{EndReason::at_rest};
+auto RockRun<Surface>::move_along(OnGround& phase) -> std::optional<Phase> {
+  const Footing footing = this->footing(phase);
+  note_progress();
+  if (rests(phase, footing) || is_wedged()) {
+    motion_.velocity.setZero();
+    return Ended{EndReason::at_rest};
+  }
+  if (motion_.time >= laws_.max_time) return Ended{EndReason::maximum_time};
+  const bool still = motion_.velocity.squaredNorm() == 0;
+  if (still && std::exchange(stretch_.has_turned, true) == false) log_.turn(motion_);
+  Leg leg = next_leg(phase, footing);
+  double t = std::min(leg.duration, laws_.max_time - motion_.time);
+  const LeftPlanes on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
+  if (phase.other_normal && !phase.valley) {
+    if (phase.is_guided) {
+      leg = guided(leg, phase.normal.cross(*phase.other_normal).normalized());
+    } else {
+      constexpr double past_the_end = 1e-3;  // how far it goes before that facet counts again [m]
+      t = std::min(t, past_the_end / std::max(motion_.velocity.norm(), 1e-3));
     }
-    if (motion_.time >= laws_.max_time) return Ended{EndReason::maximum_time};
-    const bool still = motion_.velocity.squaredNorm() == 0;
-    if (still && std::exchange(turned, true) == false) log_.turn(motion_);
-    Leg leg = next_leg(phase, footing);
-    double t = std::min(leg.duration, laws_.max_time - motion_.time);
-    const LeftPlanes on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
-    if (phase.other_normal && !phase.valley) {
-      if (phase.is_guided) {
-        leg = guided(leg, phase.normal.cross(*phase.other_normal).normalized());
-      } else {
-        constexpr double past_the_end = 1e-3;  // how far it goes before that facet counts again [m]
-        t = std::min(t, past_the_end / std::max(motion_.velocity.norm(), 1e-3));
-      }
-      phase.other_normal.reset();
-      phase.is_guided = false;
-    }
+    phase.other_normal.reset();
+    phase.is_guided = false;
+  }
 
-    // What cuts the leg short: the facet's outline, other ground ahead of a sphere, a barrier; in this order at ties.
-    std::optional<OutlineEdge> edge = phase.on_facet ? edge_ahead(phase, leg.path, t) : std::nullopt;
-    std::optional<Contact> ahead;
-    if (reach_ > 0) {
-      ahead = surface_.first_contact_on_leg(leg.path, reach_, t, on);
-      if (ahead) {
-        t = ahead->t;
-        edge.reset();
-      }
+  // What cuts the leg short: the facet's outline, other ground ahead of a sphere, a barrier; in this order at ties.
+  std::optional<OutlineEdge> edge = phase.on_facet ? edge_ahead(phase, leg.path, t) : std::nullopt;
+  std::optional<Contact> ahead;
+  if (reach_ > 0) {
+    ahead = surface_.first_contact_on_leg(leg.path, reach_, t, on);
+    if (ahead) {
+      t = ahead->t;
+      edge.reset();
     }
-    bool met = false;
-    while (const auto crossing = next_crossing(leg.path, t)) {
-      const Motion before = motion_;
-      advance_along(leg, crossing->t);
-      if (crossing->above) {  // a sphere on the ground may be above a low barrier
-        pass_above(*crossing, std::exchange(motion_, before));
-        continue;
-      }
-      const AtBarrier then = meet_barrier(*crossing, motion_.time);
-      if (then != AtBarrier::untouched) log_.leg(leg.path, crossing->t, before);
-      if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
-      met = then == AtBarrier::goes_on;
-      if (met) break;
-      motion_ = before;
-    }
-    if (met) {
-      motion_.velocity = phase.valley ? Vec3(motion_.velocity.dot(phase.valley->direction) * phase.valley->direction)
-                                      : tangential(motion_.velocity, phase.normal);
-      log_.row(contact_state(phase.normal), motion_);
+  }
+  bool met = false;
+  while (const auto crossing = next_crossing(leg.path, t)) {
+    const Motion before = motion_;
+    advance_along(leg, crossing->t);
+    if (crossing->above) {  // a sphere on the ground may be above a low barrier
+      pass_above(*crossing, std::exchange(motion_, before));
       continue;
     }
-
-    log_.leg(leg.path, t, motion_);
-    advance_along(leg, t);
-    stand_on(phase);
-    if (ahead) {
-      if (!phase.valley) remember_strike(phase.normal, phase.facet);
-      return strike(*ahead);
-    }
-    if (edge) return leave_facet(phase, *edge);
-    // Over an edge or a vertex the ground curves away from a sphere: after a timestep it is in the air again, if
-    // barely. (Not after a leg: where slip ends at once and rolling begins, that would be for ever.)
-    past_edge += t;
-    if (!phase.on_facet && past_edge >= 0.5 * laws_.timestep) return take_off(LeftPlanes(phase.normal));
+    const AtBarrier then = meet_barrier(*crossing, motion_.time);
+    if (then != AtBarrier::untouched) log_.leg(leg.path, crossing->t, before);
+    if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
+    met = then == AtBarrier::goes_on;
+    if (met) break;
+    motion_ = before;
   }
+  if (met) {
+    motion_.velocity = phase.valley ? Vec3(motion_.velocity.dot(phase.valley->direction) * phase.valley->direction)
+                                    : tangential(motion_.velocity, phase.normal);
+    log_.row(contact_state(phase.normal), motion_);
+    return std::nullopt;
+  }
+
+  log_.leg(leg.path, t, motion_);
+  advance_along(leg, t);
+  stand_on(phase);
+  if (ahead) {
+    if (!phase.valley) remember_strike(phase.normal, phase.facet);
+    return strike(*ahead);
+  }
+  if (edge) return leave_facet(phase, *edge);
+  // Over an edge or a vertex the ground curves away from a sphere: after a timestep it is in the air again, if
+  // barely. (Not after a leg: where slip ends at once and rolling begins, that would be for ever.)
+  stretch_.past_edge += t;
+  if (!phase.on_facet && stretch_.past_edge >= 0.5 * laws_.timestep) return take_off(LeftPlanes(phase.normal));
+  return std::nullopt;
 }
 
 /// The rock has come to the end of its facet.
@@ -378,9 +374,9 @@ auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edg
   }
   if (phase.valley) return leave_valley(phase);
   if (edge.beyond) {
-    const Vec3 n = surface_.normal(*edge.beyond);
+    const Vec3 n = normal_beyond(*edge.beyond);
     const double speed = motion_.velocity.norm();
-    if (is_level(*edge.beyond, motion_.velocity)) {
+    if (is_level(n, motion_.velocity)) {
       OnGround next = phase;
       next.facet = *edge.beyond;
       next.normal = n;

@@ -1,0 +1,111 @@
+#include "talus/sliding/glide.hpp"
+
+#include "talus/core/check.hpp"
+
+// Compiled twice, for processors with AVX2 and for all others; the same operations, so the same bits. (Not where a
+// sanitizer watches: which one to take is found out before it is ready.)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define TALUS_WIDE_LANES __attribute__((target_clones("avx2", "default")))
+#else
+#define TALUS_WIDE_LANES
+#endif
+
+namespace talus {
+
+GlideLanes::GlideLanes(const GlideLaws& laws) : laws_(laws) {
+  for (std::size_t lane = 0; lane < width; ++lane) clear(lane);
+}
+
+// Numbers that are harmless in every operation.
+void GlideLanes::clear(std::size_t lane) {
+  glides_[lane] = nullptr;
+  traces_[lane] = nullptr;
+  for (Lanes* each : {&x_, &y_, &vy_, &speed_, &time_, &gain_, &braking_, &squared_way_}) (*each)[lane] = 0;
+  vx_[lane] = 1;
+  for (std::size_t k = 0; k < 3; ++k) distance_[k][lane] = down_[k][lane] = aside_[k][lane] = 0;
+}
+
+void GlideLanes::add(Glide& glide, std::vector<GlideStep>* trace, std::size_t name) {
+  TALUS_PROMISE(count_ < width, "there is a free lane");
+  std::size_t lane = 0;
+  while (glides_[lane] != nullptr) ++lane;
+  ++count_;
+  traced_ += trace != nullptr ? 1 : 0;
+  glides_[lane] = &glide;
+  traces_[lane] = trace;
+  names_[lane] = name;
+  x_[lane] = glide.x;
+  y_[lane] = glide.y;
+  vx_[lane] = glide.vx;
+  vy_[lane] = glide.vy;
+  speed_[lane] = glide.speed;
+  time_[lane] = glide.time;
+  gain_[lane] = glide.gain;
+  braking_[lane] = glide.braking;
+  squared_way_[lane] = glide.squared_way;
+  for (std::size_t k = 0; k < 3; ++k) {
+    distance_[k][lane] = glide.sides[k].distance;
+    down_[k][lane] = glide.sides[k].down;
+    aside_[k][lane] = glide.sides[k].aside;
+  }
+}
+
+std::size_t GlideLanes::take(std::size_t lane) {
+  Glide& glide = *glides_[lane];
+  glide.x = x_[lane];
+  glide.y = y_[lane];
+  glide.vx = vx_[lane];
+  glide.vy = vy_[lane];
+  glide.speed = speed_[lane];
+  glide.time = time_[lane];
+  --count_;
+  traced_ -= traces_[lane] != nullptr ? 1 : 0;
+  clear(lane);
+  return names_[lane];
+}
+
+// One loop without branches, which the compiler turns into operations on several lanes at a time.
+TALUS_WIDE_LANES void GlideLanes::step_all() {
+  const double dt = laws_.timestep, stopped = laws_.stopped_velocity, most = laws_.max_time;
+  for (std::size_t k = 0; k < width; ++k) {
+    const double wx = vx_[k] + gain_[k], vy = vy_[k], size = std::sqrt(wx * wx + vy * vy);
+    const double kept = 1 - braking_[k] / size, speed = size - braking_[k], time = time_[k] + dt;
+    const double next_vx = kept * wx, next_vy = kept * vy;
+    const double x = x_[k] + dt * next_vx, y = y_[k] + dt * next_vy;
+    const double first = distance_[0][k] + x * down_[0][k] + y * aside_[0][k];
+    const double second = distance_[1][k] + x * down_[1][k] + y * aside_[1][k];
+    const double third = distance_[2][k] + x * down_[2][k] + y * aside_[2][k];
+    const bool stays = (speed_[k] >= stopped) & (time < most) & (speed >= stopped) &
+                       (wx * vx_[k] + vy * vy >= braking_[k] * speed_[k]) & (x * x + y * y < squared_way_[k]) &
+                       (first > contact_slack) & (second > contact_slack) & (third > contact_slack);
+    x_[k] = stays ? x : x_[k];
+    y_[k] = stays ? y : y_[k];
+    vx_[k] = stays ? next_vx : vx_[k];
+    vy_[k] = stays ? next_vy : vy_[k];
+    speed_[k] = stays ? speed : speed_[k];
+    time_[k] = stays ? time : time_[k];
+    stays_[k] = stays ? 1.0 : 0.0;
+  }
+}
+
+void GlideLanes::note_step() {
+  for (std::size_t lane = 0; lane < width; ++lane) {
+    if (traces_[lane] != nullptr && stays_[lane] > 0) {
+      traces_[lane]->push_back({x_[lane], y_[lane], vx_[lane], vy_[lane]});
+    }
+  }
+}
+
+void GlideLanes::run_until_one_ends() {
+  TALUS_PROMISE(count_ > 0, "there is a glide to run");
+  double staying = 0;
+  do {
+    step_all();
+    if (traced_ > 0) note_step();
+    staying = 0;
+    for (const double stays : stays_) staying += stays;
+  } while (staying == static_cast<double>(count_));
+}
+
+}  // namespace talus
