@@ -14,7 +14,8 @@
 
 namespace talus::test {
 
-/// The tutorial's slope in 3D with a barrier that some rocks break through, a collector, and two sources of rocks.
+/// The tutorial's slope in 3D with a barrier that some rocks break through, a collector, both of them to be designed,
+/// and two sources of rocks.
 inline std::string write_slope_with_barrier(const Workplace& work) {
   std::ifstream in(tutorial("3d"));
   std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -32,6 +33,9 @@ position = [5, 20, -11]
 rocks = 25
 mass_kg = { mean = 400, distribution = "normal", std_dev = 80, rel_min = 240, rel_max = 240 }
 horizontal_velocity_m_s = 2
+
+[design]
+section_m = 4
 )";
   return work.write("slope.toml", text);
 }

@@ -44,6 +44,7 @@ TEST(Shards, MergedInAnyOrderGiveTheBytesOfOneRun) {
   expect_done(talus_says("run " + project + settings + "--threads 1 -o " + path("whole")));
   const auto whole = files_of(work / "whole");
   ASSERT_GT(whole.size(), 5U);
+  ASSERT_TRUE(whole.contains("design.csv") && whole.contains("design_ranking.csv"));
   for (const char* outcome : {"stopped", "broke through", "passed"}) {
     ASSERT_NE(whole.at("barriers.csv").find(outcome), std::string::npos) << "the project has no such case";
   }

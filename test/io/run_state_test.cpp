@@ -38,6 +38,8 @@ RunStateHeader full_header() {
   description.crs_wkt = "PROJCS[...]";
   description.sources = {"north", "south"};
   description.maps = {Vec2(2.6e6 + 0.1, 1e-300), Vec2(0.5, 0.25), true, {50, 97.5}};
+  description.design.emplace().lines = {{"Fence", 0, 12.5, 5, 3}};
+  description.design->heights = {2, 3};
   description.wants_maps = true;
   description.wants_report = false;
   header.range = {100, 300};
@@ -100,6 +102,7 @@ TEST_F(RunStateFile, ComesBackAsItWas) {
   const RunStateHeader read = read_run_state_header(file);
   EXPECT_EQ(as_json(read.description).dump(), as_json(header.description).dump());
   EXPECT_EQ(read.description.maps->origin, header.description.maps->origin);
+  EXPECT_EQ(read.description.design, header.description.design);
   EXPECT_EQ(read.range, header.range);
   EXPECT_EQ(read.shard, header.shard);
   EXPECT_EQ(read.done, header.done);

@@ -94,6 +94,45 @@ TEST(GeoPackage, HasFourLayersInTheTerrainsCoordinateSystem) {
   }
 }
 
+TEST(GeoPackage, HoldsTheSectionsOfADesign) {
+  const sample_run::Folder folder("gpkg");
+  Json summary = summary_3d();
+  const auto section = [](double from, double to, std::uint64_t rocks) {
+    Json percentiles = Json::object();
+    for (const char* quantity : {"ke_translational_J", "ke_total_J", "velocity_m_s", "height_m"}) {
+      percentiles[quantity] = rocks > 0 ? Json{{"97.5", {1.5, 1, nullptr}}} : Json::object();
+    }
+    return Json{{"from_m", from},
+                {"to_m", to},
+                {"rocks", rocks},
+                {"share", {{"value", 0.25}, {"low", 0.125}, {"high", 0.5}}},
+                {"percentiles", percentiles},
+                {"needs", rocks > 0 ? Json{{"energy_J", 3e5}, {"class", 2}, {"height_m", 3.5}} : Json(nullptr)}};
+  };
+  summary["project"]["design"] = {{"percentiles", {97.5}}};
+  summary["design"] = {{"lines", Json::array({{{"name", "Fence"},
+                                               {"sections", Json::array({section(0, 30, 4), section(30, 50, 0)})}}})}};
+  write_3d(folder, summary);
+  EXPECT_EQ(complaint(folder.path), "was written");
+  const Opened file(folder.path / "results.gpkg");
+  EXPECT_EQ(file.dataset->GetLayerCount(), 5);
+  OGRLayer& layer = file.layer("design");
+  EXPECT_EQ(layer.GetFeatureCount(), 2);
+  const OGRFeatureUniquePtr first(layer.GetNextFeature()), second(layer.GetNextFeature());
+  EXPECT_STREQ(first->GetFieldAsString("line"), "Fence");
+  EXPECT_EQ(first->GetFieldAsInteger64("section"), 1);
+  EXPECT_EQ(first->GetFieldAsInteger64("rocks"), 4);
+  EXPECT_EQ(first->GetFieldAsDouble("share"), 0.25);
+  EXPECT_EQ(first->GetFieldAsDouble("ke_total_p97.5_J"), 1.5);
+  EXPECT_EQ(first->GetFieldAsDouble("needs_energy_J"), 3e5);
+  EXPECT_EQ(first->GetFieldAsDouble("needs_height_m"), 3.5);
+  const OGRLineString* foot = first->GetGeometryRef()->toLineString();
+  ASSERT_EQ(foot->getNumPoints(), 3);
+  EXPECT_EQ(foot->getY(2), 30);
+  EXPECT_TRUE(second->IsFieldNull(second->GetFieldIndex("needs_class")));
+  EXPECT_TRUE(second->IsFieldNull(second->GetFieldIndex("height_p97.5_m")));
+}
+
 TEST(GeoPackage, WithoutACoordinateSystemLiesInAPlane) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);

@@ -125,11 +125,11 @@ gravity_m_s2 = 9.81)",
        R"([weather]
 wind = 3)"}},
      "slope.toml:3: unknown table [weather] (known are name, analysis, sampling, terrain, "
-     "material, ground, seeder, barrier, collector and output)"},
+     "material, ground, seeder, barrier, collector, design and output)"},
     {"UnknownKeyBeforeTheFirstTable",
      {{R"(name = "Slope")", R"(titel = "Slope")"}},
      "slope.toml:1: unknown key \"titel\" (known are name, analysis, sampling, terrain, material, "
-     "ground, seeder, barrier, collector and output)"},
+     "ground, seeder, barrier, collector, design and output)"},
     {"TableOnceInsteadOfList",
      {{"[[barrier]]", "[barrier]"}},
      "slope.toml:27: [barrier] is a single table (there may be several; expected [[barrier]])"},

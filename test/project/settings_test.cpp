@@ -91,6 +91,28 @@ name = "Track"
 line = 17
 height_m = 5
 inclination_deg = -5
+[design]
+lines = ["Fence"]
+protect = "Track"
+section_m = 25
+percentiles = [10, 97.5]
+confidence = 0.9
+standard = "none"
+design_percentile = 99
+trajectory_factor = 1.02
+topography_factor = 1.05
+volume_factor = 1.02
+density_factor = 1.01
+risk_factor = 1.2
+energy_level = "SEL"
+energy_factor = 1.5
+energy = "total"
+upper_clearance_m = 1
+catch_share = 0.99
+heights_m = [3, 6]
+energies_kJ = [500, 8500.5]
+cost_height_exponent = 2
+cost_energy_exponent = 0
 [output]
 paths = 3
 report = false
@@ -127,6 +149,8 @@ diameter_m = { mean = 0.5, distribution = "none" }
 [[barrier]]
 line = [[15, 0], [15, 50]]
 height_m = 3.5
+[design]
+block_mass_kg = 1200
 [output]
 paths = "none"
 maps = false

@@ -1,6 +1,7 @@
 #include "talus/io/run_description.hpp"
 
 #include "talus/core/bytes.hpp"
+#include "talus/io/design_json.hpp"
 
 namespace talus::io {
 
@@ -27,6 +28,7 @@ Json as_json(const RunDescription& description) {
                     {"by_source", maps->by_source},
                     {"percentiles", maps->percentiles}};
   }
+  if (description.design) json["design"] = plan_json(*description.design);
   return json;
 }
 
@@ -69,6 +71,7 @@ RunDescription read(const Json& json) {
     given.at("by_source").get_to(maps.by_source);
     given.at("percentiles").get_to(maps.percentiles);
   }
+  if (json.contains("design")) description.design = plan_from(json.at("design"), description.barriers);
   check_model(description);
   return description;
 }

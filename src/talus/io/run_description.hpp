@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "talus/core/vec.hpp"
+#include "talus/results/design_plan.hpp"
 
 namespace talus::io {
 
@@ -31,6 +32,7 @@ struct RunDescription {
   std::string crs_wkt;                // of the user's coordinates; empty: not known
   std::vector<std::string> sources;   // their names
   std::optional<MapPlan> maps;        // that are gathered; nothing: none
+  std::optional<DesignPlan> design;   // of barriers; nothing: none
   bool wants_maps = false;            // in the project
   bool wants_geopackage = false;      // that can be made on 3D terrain only
   bool wants_report = true;

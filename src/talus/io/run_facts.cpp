@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/foot_stretch.hpp"
 
 namespace talus::io {
 
@@ -132,6 +133,48 @@ std::vector<SourceStretch> source_stretches(const Values& values) {
   return stretches;
 }
 
+/// The names of the figures of a section, and where in it they stand.
+std::vector<std::pair<std::string, std::string>> design_figures(const Values& values) {
+  std::vector<std::pair<std::string, std::string>> figures;
+  constexpr std::array<std::pair<const char*, const char*>, 4> quantities{
+      {{"ke_translational", "J"}, {"ke_total", "J"}, {"velocity", "m_s"}, {"height", "m"}}};
+  for (const auto& [quantity, unit] : quantities) {
+    for (std::size_t k = 0; k < values.list("/project/design/percentiles").size(); ++k) {
+      const std::string percentile = fmt::format("{}", values.number(fmt::format("/project/design/percentiles/{}", k)));
+      figures.emplace_back(fmt::format("{}_p{}_{}", quantity, percentile, unit),
+                           fmt::format("/percentiles/{}_{}/{}/0", quantity, unit, percentile));
+    }
+  }
+  for (const char* need : {"energy_J", "class", "height_m"}) {
+    figures.emplace_back(fmt::format("needs_{}", need), fmt::format("/needs/{}", need));
+  }
+  return figures;
+}
+
+void read_design(const Values& values, RunFacts& facts) {
+  const auto figures = design_figures(values);
+  for (const auto& [name, place] : figures) facts.design_figures.push_back(name);
+  for (std::size_t k = 0; k < values.list("/design/lines").size(); ++k) {
+    const std::string line = fmt::format("/design/lines/{}", k), name = values.text(line + "/name");
+    const auto barrier = std::ranges::find(facts.barriers, name, &BarrierFacts::name);
+    for (std::size_t s = 0; s < values.list(line + "/sections").size(); ++s) {
+      const std::string place = fmt::format("{}/sections/{}", line, s);
+      DesignSection& section = facts.design_sections.emplace_back();
+      section.line = name;
+      section.number = s + 1;
+      section.from_m = values.number(place + "/from_m");
+      section.to_m = values.number(place + "/to_m");
+      if (barrier != facts.barriers.end()) section.foot_m = stretch_of(barrier->foot_m, section.from_m, section.to_m);
+      section.rocks = values.count(place + "/rocks");
+      if (values.has(place + "/share/value")) section.share = values.number(place + "/share/value");
+      for (const auto& [figure, where] : figures) {
+        const std::string at = place + where;
+        section.figures.push_back(values.has(at) ? std::optional(values.number(at)) : std::nullopt);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 const std::string& RunFacts::source_of(std::uint64_t rock) const {
@@ -156,6 +199,7 @@ RunFacts read_run_facts(const std::filesystem::path& folder) {
     facts.barriers.push_back(barrier_facts(values, fmt::format("/barriers/{}", k)));
   }
   facts.sources = source_stretches(values);
+  if (values.has("/design")) read_design(values, facts);
   return facts;
 }
 

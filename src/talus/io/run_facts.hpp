@@ -28,6 +28,17 @@ struct BarrierFacts {
   DesignValues ke_total_J, ke_translational_J, impact_height_m, velocity_m_s;
 };
 
+/// A section of a line along which a barrier is designed.
+struct DesignSection {
+  std::string line;
+  std::uint64_t number = 0;  // from 1
+  double from_m = 0, to_m = 0;
+  std::vector<std::array<double, 3>> foot_m;
+  std::uint64_t rocks = 0;
+  std::optional<double> share;                 // of all rocks
+  std::vector<std::optional<double>> figures;  // in the order of RunFacts::design_figures
+};
+
 /// Rocks one after the other that come from one source.
 struct SourceStretch {
   std::uint64_t first_rock = 0, rocks = 0;
@@ -43,6 +54,9 @@ struct RunFacts {
   bool wants_geopackage = false, wants_vtk = false;
   std::vector<BarrierFacts> barriers;
   std::vector<SourceStretch> sources;  // in the order of the rocks
+  /// What is known of each section, named as the columns of design.csv: percentiles, and what the check asks for.
+  std::vector<std::string> design_figures;
+  std::vector<DesignSection> design_sections;  // empty where no barrier is designed
 
   /// The source of a rock; empty where the summary does not say.
   [[nodiscard]] const std::string& source_of(std::uint64_t rock) const;

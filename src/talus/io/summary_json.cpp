@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "talus/io/design_json.hpp"
+
 namespace talus {
 
 namespace {
@@ -77,7 +79,7 @@ Json timings_json(const Summary& summary, const RunCourse& course) {
 }  // namespace
 
 Json summary_json(const io::RunDescription& description, const std::vector<std::string>& warnings,
-                  const Summary& summary, const RunCourse& course) {
+                  const Summary& summary, const RunCourse& course, const DesignResult* design) {
   Json ends = Json::object();
   for (int k = 0; k < end_reason_count; ++k) {
     const auto count = summary.ends[static_cast<std::size_t>(k)];
@@ -115,6 +117,7 @@ Json summary_json(const io::RunDescription& description, const std::vector<std::
   json["histograms"] = {{"end_x_m", histogram_json(summary.end_x)},
                         {"runout_xy_m", histogram_json(summary.runout_plan)}};
   json["barriers"] = barriers;
+  if (description.design && design != nullptr) json["design"] = io::design_json(*description.design, *design);
   json["sources"] = model.at("sources");
   json["warnings"] = warnings;
   json["energy_datum_m"] = model.at("energy_datum_m");

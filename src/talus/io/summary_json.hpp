@@ -8,6 +8,7 @@
 
 #include "talus/campaign/shard.hpp"
 #include "talus/io/run_description.hpp"
+#include "talus/results/design_result.hpp"
 #include "talus/results/summary.hpp"
 
 namespace talus {
@@ -23,10 +24,10 @@ struct RunCourse {
 };
 
 /// Everything but `timings` depends on the project, the seed and the rocks done, and on nothing else. `warnings` are
-/// all of the run, those of the description among them.
+/// all of the run, those of the description among them. `design`: where the description has a plan for it.
 [[nodiscard]] nlohmann::ordered_json summary_json(const io::RunDescription& description,
                                                   const std::vector<std::string>& warnings, const Summary& summary,
-                                                  const RunCourse& course);
+                                                  const RunCourse& course, const DesignResult* design = nullptr);
 
 /// The thirteen rows of a spreadsheet's descriptive statistics, and the quartiles.
 [[nodiscard]] nlohmann::ordered_json statistics_json(const Tally& tally);

@@ -67,6 +67,7 @@ class Layers {
  public:
   Layers(GeoPackageFile& file, const RunFacts& facts) : file_(file), facts_(facts) {
     add_barriers();
+    if (!facts.design_sections.empty()) add_design();
     std::vector<GeoField> fields;
     for (const std::string_view name : endpoint_columns) fields.push_back({std::string(name), type_of(name)});
     fields.push_back({"source", OFTString});
@@ -157,6 +158,23 @@ class Layers {
               << barrier.ke_translational_J << barrier.impact_height_m << barrier.velocity_m_s;
       OGRLineString foot;
       for (const auto& [x, y, z] : barrier.foot_m) foot.addPoint(x, y, z);
+      feature.put_at(foot);
+      file_.add(layer, feature.feature());
+    }
+  }
+
+  void add_design() {
+    std::vector<GeoField> fields{
+        {"line", OFTString}, {"section", OFTInteger64}, {"from_m"}, {"to_m"}, {"rocks", OFTInteger64}, {"share"}};
+    for (const std::string& figure : facts_.design_figures) fields.push_back({figure});
+    OGRLayer& layer = file_.add_layer("design", wkbLineString25D,
+                                      "Sections of lines, with what the rocks ask of a barrier there", fields);
+    for (const DesignSection& section : facts_.design_sections) {
+      Row feature(layer);
+      feature << section.line << section.number << section.from_m << section.to_m << section.rocks << section.share;
+      for (const std::optional<double>& figure : section.figures) feature << figure;
+      OGRLineString foot;
+      for (const auto& [x, y, z] : section.foot_m) foot.addPoint(x, y, z);
       feature.put_at(foot);
       file_.add(layer, feature.feature());
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "talus/core/nearest.hpp"
+#include "talus/project/check_design.hpp"
 #include "talus/project/check_seeder.hpp"
 #include "talus/project/check_survey.hpp"
 #include "talus/project/settings.hpp"
@@ -29,6 +30,7 @@ class Rules {
     about_ground();
     about_seeders();
     about_barriers();
+    about_design();
     about_output();
   }
 
@@ -437,6 +439,22 @@ class Rules {
     complain(row.get(has_normal ? "normal_restitution" : "tangential_restitution"), where,
              fmt::format("{} is missing", has_normal ? "tangential_restitution" : "normal_restitution"),
              "a barrier has both restitutions, or neither and holds what it stops");
+  }
+
+  void about_design() {
+    const toml::table* row = table("design");
+    if (!row || !project_.design) return;
+    DesignRules{project_,
+                *project_.design,
+                *row,
+                rows("barrier"),
+                rows("collector"),
+                is_2d(document_.root()),
+                [&](const toml::table* of, std::string_view key) { return good(of, key); },
+                [&](Node at, std::string what, std::string why, std::string hint, Severity severity) {
+                  complain(at, "[design]", std::move(what), std::move(why), std::move(hint), severity);
+                }}
+        .check();
   }
 
   void about_output() {

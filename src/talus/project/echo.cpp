@@ -128,7 +128,7 @@ Json echo(const Project& project) {
     if (table.key.empty()) {
       out.update(list[0]);
     } else if (!table.repeated) {
-      out[std::string(table.key)] = std::move(list[0]);
+      if (!list.empty()) out[std::string(table.key)] = std::move(list[0]);
     } else if (!list.empty()) {
       out[std::string(table.key)] = std::move(list);
     }

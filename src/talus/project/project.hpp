@@ -182,6 +182,36 @@ struct Output {
   bool report = true;
 };
 
+enum class DesignStandard { uni_11211_4, none };
+enum class DesignLevel { mel, sel };
+enum class DesignEnergy { translational, total };
+
+/// [design]
+struct Design {
+  std::vector<std::string> lines;  // of barriers and collectors, by name; empty: all
+  std::string protect;             // one of them; empty: none
+  double section_m = 10;
+  std::vector<double> percentiles{50, 95, 99};
+  double confidence = 0.95;
+  DesignStandard standard = DesignStandard::uni_11211_4;
+  double design_percentile = 95;
+  double trajectory_factor = 1.1;
+  double topography_factor = 1.1;
+  double volume_factor = 1.1;
+  double density_factor = 1;
+  double risk_factor = 1;
+  DesignLevel energy_level = DesignLevel::mel;
+  std::optional<double> energy_factor;
+  DesignEnergy energy = DesignEnergy::translational;
+  std::optional<double> block_mass_kg;
+  double upper_clearance_m = 0.5;
+  double catch_share = 0.95;
+  std::vector<double> heights_m{2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9, 10};
+  std::vector<double> energies_kJ{100, 250, 500, 1000, 1500, 2000, 3000, 4500};
+  double cost_height_exponent = 1;
+  double cost_energy_exponent = 0.5;
+};
+
 struct Project {
   std::filesystem::path file;  // as the user named it
   std::string name;            // default: the file's stem
@@ -192,6 +222,7 @@ struct Project {
   Ground ground;
   std::vector<Seeder> seeders;
   std::vector<Barrier> barriers;  // collectors too
+  std::optional<Design> design;   // nothing: no barriers are designed
   Output output;
 
   [[nodiscard]] bool has_survey() const { return !terrain.points.empty() || !terrain.lines.empty(); }

@@ -5,12 +5,14 @@
 
 #include "talus/core/check.hpp"
 #include "talus/io/derived_files.hpp"
+#include "talus/io/design_tables.hpp"
 #include "talus/io/map_files.hpp"
 #include "talus/io/model_json.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/report.hpp"
 #include "talus/io/source_maps.hpp"
 #include "talus/io/vector_out.hpp"
+#include "talus/project/design_plan.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/fingerprint.hpp"
 
@@ -98,6 +100,7 @@ io::RunDescription describe(const Project& project, const Model& model, const Pr
         std::visit([&](const auto& surface) { return map_grid(project, model.frame, surface); }, model.surface);
     description.maps = {grid.origin(), grid.cell(), project.output.maps_by_source, project.output.percentiles};
   }
+  if (project.design) description.design = design_plan(*project.design, model);
   const bool is_section = std::holds_alternative<Profile>(model.surface);
   description.wants_geopackage = !is_section && project.output.geopackage_limit != 0;
   description.wants_report = project.output.report;
@@ -106,10 +109,12 @@ io::RunDescription describe(const Project& project, const Model& model, const Pr
 
 RunSums::RunSums(const io::RunDescription& description, const Project& project, const Model& model)
     : summary_(description.rocks, description.barriers, model.frame) {
+  if (description.design) design_.emplace(*description.design, description.rocks);
   if (description.maps) maps_ = map_observer(project, model);
 }
 
 RunSums::RunSums(const io::RunDescription& description) : summary_(description.rocks, description.barriers, {}) {
+  if (description.design) design_.emplace(*description.design, description.rocks);
   if (!description.maps) return;
   const MapGrid grid(description.maps->origin, description.maps->cell, {});
   maps_ = std::make_unique<MapObserver>(grid, talus::RockModel::lumped_mass, nullptr, split_by(description));
@@ -117,6 +122,7 @@ RunSums::RunSums(const io::RunDescription& description) : summary_(description.r
 
 std::vector<SummingObserver*> RunSums::observers() {
   std::vector<SummingObserver*> list{&summary_};
+  if (design_) list.push_back(&*design_);
   if (maps_) list.push_back(maps_.get());
   return list;
 }
@@ -146,10 +152,15 @@ Problems write_results(const std::filesystem::path& folder, const io::RunDescrip
   warn_of_rocks(sums.summary(), found);
   std::vector<std::string> warnings = description.warnings;
   for (const Problem& problem : found.list()) warnings.push_back(problem.text());
+  std::optional<DesignResult> design;
+  if (sums.design() != nullptr) design = evaluate(sums.design()->plan(), sums.design()->tally());
   OutputFile summary(folder / "summary.json");
-  summary.write(summary_json(description, warnings, sums.summary(), course).dump(1) + "\n");
+  summary.write(summary_json(description, warnings, sums.summary(), course, design ? &*design : nullptr).dump(1) +
+                "\n");
   summary.commit();
   if (course.shard) return found;
+  io::remove_design_tables(folder);
+  if (design) io::write_design_tables(folder, *description.design, *design);
   io::write_derived_files(folder);
   if (description.wants_report) {
     const std::filesystem::path folders[] = {folder};

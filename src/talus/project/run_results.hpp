@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "talus/io/run_description.hpp"
 #include "talus/io/summary_json.hpp"
 #include "talus/project/project.hpp"
+#include "talus/results/design_tally.hpp"
 #include "talus/results/map_observer.hpp"
 #include "talus/results/summary.hpp"
 
@@ -35,18 +37,20 @@ class RunSums {
   [[nodiscard]] std::vector<SummingObserver*> observers();
   [[nodiscard]] const Summary& summary() const { return summary_.summary(); }
   [[nodiscard]] MapObserver* maps() { return maps_.get(); }  // null: none
+  [[nodiscard]] const DesignObserver* design() const { return design_ ? &*design_ : nullptr; }
 
  private:
   SummaryObserver summary_;
+  std::optional<DesignObserver> design_;
   std::unique_ptr<MapObserver> maps_;
 };
 
 /// Adds what only the sums tell: rocks that were lost, or lifted.
 void warn_of_rocks(const Summary& summary, Problems& warnings);
 
-/// Writes maps, summary.json, what is made of the tables (which must be there whole), and the report, as the
-/// description plans them; maps of an earlier run are removed. Of a shard, summary.json alone. Gives the warnings that
-/// came with the rocks. Throws BadInput where a file cannot be written.
+/// Writes maps, summary.json, the design of barriers, what is made of the tables (which must be there whole), and the
+/// report, as the description plans them; maps and designs of an earlier run are removed. Of a shard, summary.json
+/// alone. Gives the warnings that came with the rocks. Throws BadInput where a file cannot be written.
 Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
                        const RunCourse& course);
 

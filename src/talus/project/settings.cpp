@@ -86,6 +86,11 @@ std::optional<Doubt> tonnes_doubt(double value) {
                fmt::format("If it is in tonnes, write {}", value * 1000)};
 }
 
+/// A share or a confidence given in percent.
+std::optional<double> percent_slip(double value) {
+  return value > 1 && value < 100 ? std::optional(value / 100) : std::nullopt;
+}
+
 template <class Struct>
 auto one_row(Struct Project::*table) {
   return std::pair{[table](Project& project) -> Row { return &(project.*table); },
@@ -924,6 +929,161 @@ Table collector() {
   };
 }
 
+Range factor_of_safety() { return at_least(1, "a factor of safety takes nothing away"); }
+
+Table design() {
+  return {
+      .key = "design",
+      .meaning =
+          "Design of barriers: what rocks ask of a barrier along lines on plan, and which kit would catch the "
+          "wanted share of them at the least cost (docs/barrier-design.md). Without this table nothing of it is "
+          "computed.",
+      .settings =
+          {
+              {.key = "lines",
+               .slot = member(&Design::lines),
+               .without_it = "all barriers and collectors",
+               .meaning = "Names of the barriers and collectors that are candidates; a collector lets rocks go on to "
+                          "the next line.",
+               .source = "Talus"},
+              {.key = "protect",
+               .slot = member(&Design::protect),
+               .without_it = "each line is judged by the rocks that reach it",
+               .meaning = "Name of a collector that stands for what is to be protected: all lines are judged by the "
+                          "rocks that reach this one, and a rock that goes past a line is not caught.",
+               .source = "Talus"},
+              {.key = "section_m",
+               .slot = member(&Design::section_m),
+               .unit = "m",
+               .range = more_than(0, "a line is cut into pieces of it"),
+               .meaning = "3D: length of the sections of a line, on plan, from its first point on; the last one has "
+                          "half as much to one and a half times as much.",
+               .source = "Talus"},
+              {.key = "percentiles",
+               .slot = member(&Design::percentiles),
+               .range = between(0, 100),
+               .meaning = "Which percentiles of energy, velocity and height are given along the lines.",
+               .source = "Talus"},
+              {.key = "confidence",
+               .slot = member(&Design::confidence),
+               .range = {.least = 0,
+                         .most = 1,
+                         .least_excluded = true,
+                         .most_excluded = true,
+                         .too_low = "it is a probability",
+                         .too_high = "it is a probability"},
+               .meaning = "Confidence of the intervals of percentiles and shares.",
+               .source = "Talus",
+               .slip = percent_slip},
+              {.key = "standard",
+               .slot = member(&Design::standard),
+               .meaning = "How the percentiles become what a kit must be able to do; with `\"none\"` no factor and no "
+                          "clearance is added.",
+               .source = "UNI 11211-4"},
+              {.key = "design_percentile",
+               .slot = member(&Design::design_percentile),
+               .range = between(0, 100),
+               .meaning = "The percentile of velocity or energy, and of height, that the check begins with.",
+               .source = "UNI 11211-4: 95"},
+              {.key = "trajectory_factor",
+               .slot = member(&Design::trajectory_factor),
+               .range = factor_of_safety(),
+               .meaning = "gamma_Tr, on velocities and heights: 1.02 where restitutions come from back analysis, 1.10 "
+                          "where they come from literature.",
+               .source = "UNI 11211-4, after others"},
+              {.key = "topography_factor",
+               .slot = member(&Design::topography_factor),
+               .range = factor_of_safety(),
+               .meaning = "gamma_Dp, on velocities and heights: 1.02 for a good survey of the terrain, 1.10 for a poor "
+                          "one.",
+               .source = "UNI 11211-4, after others"},
+              {.key = "volume_factor",
+               .slot = member(&Design::volume_factor),
+               .range = factor_of_safety(),
+               .meaning = "gamma_VolF1, on the mass: 1.02 for a good survey of the block, 1.10 for a poor one.",
+               .source = "UNI 11211-4, after others"},
+              {.key = "density_factor",
+               .slot = member(&Design::density_factor),
+               .range = factor_of_safety(),
+               .meaning = "gamma_gamma, on the mass.",
+               .source = "UNI 11211-4, after others"},
+              {.key = "risk_factor",
+               .slot = member(&Design::risk_factor),
+               .range = factor_of_safety(),
+               .meaning = "gamma_R, on the energy: 1.00 where little is at stake, up to 1.20 where much is.",
+               .source = "UNI 11211-4, after others"},
+              {.key = "energy_level",
+               .slot = member(&Design::energy_level),
+               .meaning =
+                   "Which of its energies a kit must have: the maximum energy level of one impact, or the service "
+                   "energy level, a third of it, of two.",
+               .source = "EAD 340059-00-0106"},
+              {.key = "energy_factor",
+               .slot = member(&Design::energy_factor),
+               .range = factor_of_safety(),
+               .without_it = "1.2 for `\"MEL\"`, 1 for `\"SEL\"`",
+               .meaning = "gamma_E, by which the kit's energy is divided.",
+               .source = "UNI 11211-4, after others"},
+              {.key = "energy",
+               .slot = member(&Design::energy),
+               .meaning =
+                   "The energy that is compared with the kit's: of translation, as in the standard, or with that "
+                   "of rotation.",
+               .source = "UNI 11211-4"},
+              {.key = "block_mass_kg",
+               .slot = member(&Design::block_mass_kg),
+               .unit = "kg",
+               .range = more_than(0, "a block weighs something"),
+               .without_it = "each rock has its own mass",
+               .meaning = "Mass of the design block: energies of the check are then its own, at the velocities of the "
+                          "rocks.",
+               .source = "UNI 11211-4",
+               .doubt = tonnes_doubt},
+              {.key = "upper_clearance_m",
+               .slot = member(&Design::upper_clearance_m),
+               .unit = "m",
+               .range = at_least(0),
+               .meaning = "f, the least that a kit is higher than the design height; at least half the block, too.",
+               .source = "UNI 11211-4"},
+              {.key = "catch_share",
+               .slot = member(&Design::catch_share),
+               .range = {.least = 0,
+                         .most = 1,
+                         .least_excluded = true,
+                         .too_low = "a kit that catches nothing need not be built",
+                         .too_high = "there are no more than all rocks"},
+               .meaning = "The share of rocks that a kit must catch to be ranked by its cost.",
+               .source = "Talus",
+               .slip = percent_slip},
+              {.key = "heights_m",
+               .slot = member(&Design::heights_m),
+               .unit = "m",
+               .range = more_than(0, "it could not be hit"),
+               .meaning = "Nominal heights of the kits to choose from.",
+               .source = "Talus"},
+              {.key = "energies_kJ",
+               .slot = member(&Design::energies_kJ),
+               .unit = "kJ",
+               .range = more_than(0, "it could stop nothing"),
+               .meaning = "Maximum energy levels of the kits to choose from.",
+               .source = "EAD 340059-00-0106, classes 0 to 7"},
+              {.key = "cost_height_exponent",
+               .slot = member(&Design::cost_height_exponent),
+               .range = at_least(0, "a higher kit is not cheaper"),
+               .meaning = "a of the cost index: length x height^a x energy^b, in m and kJ.",
+               .source = "Talus; an input"},
+              {.key = "cost_energy_exponent",
+               .slot = member(&Design::cost_energy_exponent),
+               .range = at_least(0, "a stronger kit is not cheaper"),
+               .meaning = "b of the cost index.",
+               .source = "Talus; an input"},
+          },
+      .later = {},
+      .add = [](Project& project) -> Row { return &project.design.emplace(); },
+      .rows = [](Project& project) { return project.design ? std::vector<Row>{&*project.design} : std::vector<Row>{}; },
+  };
+}
+
 Table output() {
   auto [add, rows] = one_row(&Project::output);
   return {
@@ -1084,6 +1244,19 @@ std::span<const std::string_view> words(DistributionKind) {
   return list;
 }
 
+std::span<const std::string_view> words(DesignStandard) {
+  static constexpr Words<2> list{"UNI 11211-4", "none"};
+  return list;
+}
+std::span<const std::string_view> words(DesignLevel) {
+  static constexpr Words<2> list{"MEL", "SEL"};
+  return list;
+}
+std::span<const std::string_view> words(DesignEnergy) {
+  static constexpr Words<2> list{"translational", "total"};
+  return list;
+}
+
 const Setting* Table::find(std::string_view setting) const {
   const auto found = std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == setting; });
   return found == settings.end() ? nullptr : &*found;
@@ -1092,8 +1265,8 @@ const Setting* Table::find(std::string_view setting) const {
 std::string Table::heading() const { return fmt::format(fmt::runtime(repeated ? "[[{}]]" : "[{}]"), key); }
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> list{head(),   analysis(), sampling(), terrain(),   material(),
-                                       ground(), seeder(),   barrier(),  collector(), output()};
+  static const std::vector<Table> list{head(),   analysis(), sampling(),  terrain(), material(), ground(),
+                                       seeder(), barrier(),  collector(), design(),  output()};
   return list;
 }
 

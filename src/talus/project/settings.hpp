@@ -75,12 +75,12 @@ using Slot =
                  std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*,
                  std::map<std::int32_t, std::string>*, std::map<std::string, std::string>*, RockModel*, SlidingMethod*,
                  FrictionSource*, MaterialSampling*, SamplingMethod*, SeederType*, Forest*, DistributionKind*,
-                 PlaceInCell*, PositionSlot, PointsSlot, PlanLineSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot,
-                 RockLimitSlot, MapCellSlot>;
+                 PlaceInCell*, DesignStandard*, DesignLevel*, DesignEnergy*, PositionSlot, PointsSlot, PlanLineSlot,
+                 PlanPolygonSlot, LibrarySlot, DirectionSlot, RockLimitSlot, MapCellSlot>;
 
 /// One row of a table: the struct that its settings are members of.
-using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Seeder*, Barrier*, Output*,
-                         Distribution*>;
+using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Seeder*, Barrier*, Design*,
+                         Output*, Distribution*>;
 
 /// The words of an enumeration in the file, in the order of its enumerators.
 std::span<const std::string_view> words(RockModel);
@@ -92,6 +92,9 @@ std::span<const std::string_view> words(SeederType);
 std::span<const std::string_view> words(PlaceInCell);
 std::span<const std::string_view> words(Forest);
 std::span<const std::string_view> words(DistributionKind);
+std::span<const std::string_view> words(DesignStandard);
+std::span<const std::string_view> words(DesignLevel);
+std::span<const std::string_view> words(DesignEnergy);
 
 struct Setting {
   std::string_view key;

@@ -48,6 +48,7 @@ section('End points and runout', 'runout', (node) => {
 });
 section('Why the rocks ended', 'reasons', endReasons);
 if (runs.some((run) => run.barriers.length)) section('Barriers and collectors', 'barriers', barrierSections);
+if (designsOf().length) section('Design of barriers', 'design', designSections);
 section('Energy', 'energy', (node) => { energyFigures(node); impactFigure(node); });
 section('Model', 'model', (node) => { settings(node); inputs(node); });
 {

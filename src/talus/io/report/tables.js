@@ -109,7 +109,7 @@ function warnings(parent) {
 }
 
 function settings(parent) {
-  const groups = ['analysis', 'sampling', 'output'];
+  const groups = ['analysis', 'sampling', 'design', 'output'];
   const hidden = new Set(['report', 'paths', 'path_limit', 'maps']);
   const keys = [...new Set(runs.flatMap((run) => groups.flatMap((group) => Object.keys(run.project[group] || {}).filter((k) => !hidden.has(k)).map((k) => group + '/' + k))))];
   if (!keys.length) return element(parent, 'p', 'The summary does not hold the project.', {class: 'quiet'});
@@ -124,7 +124,7 @@ function settings(parent) {
     const part = keys.slice(from, from + half);
     table(box, {
       head: [[{text: 'Setting'}, ...(single ? [{text: 'Value'}] : runs.map((run) => ({text: run.label, run}))), {text: 'Unit'}]],
-      rows: part.map((key) => [wordsOf(key.split('/')[1]), ...runs.map((run) => valueOf(run, key)), unitOf(key) || '']),
+      rows: part.map((key) => [(key.startsWith('design/') ? 'Design: ' : '') + wordsOf(key.split('/')[1]), ...runs.map((run) => valueOf(run, key)), unitOf(key) || '']),
       rowClass: (i) => differs(from + i) ? 'differs' : '',
     });
   }

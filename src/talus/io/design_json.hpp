@@ -1,0 +1,17 @@
+#pragma once
+// The design of barriers as JSON: its plan, to be kept with a run's state, and its result, in summary.json.
+
+#include <nlohmann/json.hpp>
+
+#include "talus/results/design_result.hpp"
+
+namespace talus::io {
+
+[[nodiscard]] nlohmann::ordered_json plan_json(const DesignPlan& plan);
+/// Of so many barriers and collectors. Throws BadBytes, or an exception of the library, on what is no plan for them.
+[[nodiscard]] DesignPlan plan_from(const nlohmann::ordered_json& json, std::size_t barriers);
+
+/// The value of the key `design` of summary.json.
+[[nodiscard]] nlohmann::ordered_json design_json(const DesignPlan& plan, const DesignResult& result);
+
+}  // namespace talus::io

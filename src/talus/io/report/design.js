@@ -1,0 +1,133 @@
+// Design of barriers: what rocks ask of a barrier along each line, what the check asks for, and the kits in their order.
+
+const designsOf = () => runs.filter((run) => run.summary.design);
+const shareText = (share) => share ? `${number(100 * share.value, 3)} %` : '–';
+const rangeText = ([value, low, high], per, digits = 4) => value === undefined ? '–' :
+  `${number(value / per, digits)} (${isNumber(low) ? number(low / per, digits) : '…'} to ${isNumber(high) ? number(high / per, digits) : '…'})`;
+const classText = (needs) => needs ? `${needs.class}` : '–';
+
+// Quantities as the summary calls them; energy is the one that the check begins with.
+function designQuantities(design) {
+  const total = design.factors.of_total_energy;
+  return [
+    {key: total ? 'ke_total_J' : 'ke_translational_J', text: `${total ? 'Total' : 'Translational'} energy`, unit: 'kJ', per: 1000},
+    {key: 'velocity_m_s', text: 'Velocity', unit: 'm/s', per: 1},
+    {key: 'height_m', text: 'Height above the foot', unit: 'm', per: 1},
+  ];
+}
+
+// Steps along the line: a number of rocks, then one panel a quantity with its percentiles and their intervals.
+function alongFigure(parent, run, line) {
+  const quantities = designQuantities(run.summary.design);
+  const names = Object.keys((line.sections.find((s) => s.rocks) || {percentiles: {[quantities[0].key]: {}}}).percentiles[quantities[0].key]);
+  const colour = (i) => `var(--m${(i + 2) % 6})`;
+  const title = single ? `Along ${line.name}` : `Along ${line.name} · ${run.label}`;
+  figure(parent, {
+    title, label: `Rocks and percentiles of energy, velocity and height along ${line.name}`, width: drawing.wide,
+    caption: `Steps: sections of the line. Lines: percentiles; shaded: their ${number(100 * run.summary.design.confidence)} % confidence intervals, without an upper end where a section has too few rocks for one.`,
+    draw(svg, width) {
+      const left = 82, right = width - 14, tall = 150, gap = 30;
+      const toX = d3.scaleLinear().domain([0, line.length_m]).range([left, right]);
+      let top = 12;
+      const panel = (values, yLabel, height, xLabel = '') => {
+        const side = {left, right, top, bottom: top + height};
+        const toY = d3.scaleLinear().domain([0, (d3.max(values) || 1) * 1.06]).range([side.bottom, side.top]);
+        axes(svg, toX, toY, side, {xLabel, yLabel, yTicks: 4});
+        top = side.bottom + gap;
+        return toY;
+      };
+      const wide = (s) => Math.max(toX(s.to_m) - toX(s.from_m), 1);
+      const toRocks = panel(line.sections.map((s) => s.rocks), 'Rocks', 90);
+      tip(svg.append('g').style('--run', run.colour).selectAll('rect').data(line.sections.filter((s) => s.rocks)).enter().append('rect').attr('class', 'bar')
+        .attr('x', (s) => toX(s.from_m)).attr('width', (s) => Math.max(wide(s) - 0.5, 1)).attr('y', (s) => toRocks(s.rocks)).attr('height', (s) => toRocks(0) - toRocks(s.rocks)),
+      (s) => `${number(s.from_m, 5)} to ${number(s.to_m, 5)} m\n${count(s.rocks, 'rock')}, ${shareText(s.share)} of all\n` +
+        (s.share ? `${number(100 * s.share.low, 3)} to ${number(100 * s.share.high, 3)} %` : ''));
+      for (const {key, text, unit, per} of quantities) {
+        const marks = line.sections.flatMap((s) => Object.entries(s.percentiles[key]).map(([name, [value, low, high]], i) => ({s, name, i, value, low, high})));
+        const toY = panel(marks.flatMap((m) => [m.value, m.high]).filter(isNumber).map((v) => v / per), `${text} [${unit}]`, tall, key === 'height_m' ? 'Distance along the line on plan [m]' : '');
+        svg.append('g').selectAll('rect').data(marks.filter((m) => isNumber(m.low) || isNumber(m.high))).enter().append('rect').attr('class', 'band').style('--run', (m) => colour(m.i))
+          .attr('x', (m) => toX(m.s.from_m)).attr('width', (m) => wide(m.s)).attr('y', (m) => toY((isNumber(m.high) ? m.high : m.value) / per))
+          .attr('height', (m) => toY((isNumber(m.low) ? m.low : m.value) / per) - toY((isNumber(m.high) ? m.high : m.value) / per));
+        tip(svg.append('g').selectAll('line').data(marks).enter().append('line').attr('class', 'step').style('--run', (m) => colour(m.i))
+          .attr('x1', (m) => toX(m.s.from_m)).attr('x2', (m) => toX(m.s.from_m) + wide(m.s)).attr('y1', (m) => toY(m.value / per)).attr('y2', (m) => toY(m.value / per)),
+        (m) => `${number(m.s.from_m, 5)} to ${number(m.s.to_m, 5)} m, ${count(m.s.rocks, 'rock')}\np${m.name}: ${rangeText([m.value, m.low, m.high], per)} ${unit}`);
+      }
+      return legend(svg, names.map((name, i) => ({text: `percentile ${name}`, draw: sign.line('step', colour(i))})), left, top + 26, right) + 12;
+    },
+    rows: () => [['from_m', 'to_m', 'rocks', 'share', ...quantities.flatMap(({key}) => names.flatMap((name) => [`${key} p${name}`, `${key} p${name} low`, `${key} p${name} high`]))],
+      ...line.sections.map((s) => [s.from_m, s.to_m, s.rocks, (s.share || {}).value, ...quantities.flatMap(({key}) => names.flatMap((name) => s.percentiles[key][name] || [null, null, null]))])],
+  });
+}
+
+function designLines(parent, run) {
+  const {design} = run.summary;
+  const confidence = `${number(100 * design.confidence)} %`;
+  const quantities = designQuantities(design);
+  const names = [...new Set(design.lines.flatMap((line) => Object.keys(line.percentiles[quantities[0].key])))];
+  table(parent, {
+    caption: `Rocks that cross each line, with ${confidence} confidence intervals`,
+    head: [['Line', {text: 'Length', unit: 'm'}, 'Rocks', 'Share of all', 'Percentile', ...quantities.map(({text, unit}) => ({text, unit}))]],
+    rows: design.lines.flatMap((line) => (line.rocks ? names : ['–']).map((name, i) => [
+      i ? '' : line.name, i ? '' : line.length_m ? number(line.length_m, 5) : '–', i ? '' : number(line.rocks),
+      i ? '' : line.share ? `${shareText(line.share)} (${number(100 * line.share.low, 3)} to ${number(100 * line.share.high, 3)})` : '–',
+      name, ...quantities.map(({key, per}) => rangeText(line.percentiles[key][name] || [], per)),
+    ])),
+    numeric: (column) => column > 0,
+  });
+}
+
+function designCheck(parent, run) {
+  const {design} = run.summary;
+  const {factors} = design;
+  const needs = (n) => [n ? number(n.energy_J / 1000, 4) : '–', classText(n), n ? number(n.height_m, 3) : '–'];
+  const worst = (line, key) => d3.max(line.sections.filter((s) => s.needs), (s) => s.needs[key]);
+  table(parent, {
+    caption: design.standard ? `What the check of ${design.standard} asks for` : 'What a barrier needs, without factors of a standard',
+    head: [
+      ['', {text: `By percentile ${number(design.design_percentile)}`, span: 3}, {text: 'By the upper ends of its interval', span: 3}, {text: 'Worst section', span: 2}],
+      ['Line', {text: 'MEL', unit: 'kJ'}, 'Class', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, {text: 'Height', unit: 'm'}],
+    ],
+    rows: design.lines.map((line) => [line.name, ...needs(line.needs), ...needs(line.needs_at_upper_end),
+      number(kJ(worst(line, 'energy_J')), 4), number(worst(line, 'height_m'), 3)]),
+    numeric: (column) => column > 0,
+  });
+  const words = design.standard ? `Factors: trajectory ${number(factors.trajectory)}, topography ${number(factors.topography)}, volume ${number(factors.volume)}, density ${number(factors.density)}, ` +
+    `risk ${number(factors.risk)}, energy ${number(factors.energy)} (${factors.level}); upper clearance ${number(factors.clearance_m)} m or half the block. ` : '';
+  const block = isNumber(factors.block_mass_kg) ? `Energies of the check are those of a design block of ${number(factors.block_mass_kg)} kg. ` : '';
+  element(parent, 'p', `${words}${block}Classes are those of EAD 340059-00-0106; class 8 is above 4,500 kJ. What a net gives way, foundations and several rocks at once are not checked.`, {class: 'quiet'});
+}
+
+function designRanking(parent, run) {
+  const {design} = run.summary;
+  const most = 15;
+  const shown = design.ranking.slice(0, most);
+  const best = design.best;
+  const wanted = `${number(100 * design.catch_share)} %`;
+  const of = (run.project.design || {}).protect ? `the rocks that reach ${run.project.design.protect}` : 'the rocks that reach its line';
+  element(parent, 'p', best ? `Least cost that catches ${wanted} of ${of}: ${best.line}, ${number(best.height_m)} m high, ${number(best.energy_J / 1000)} kJ${isNumber(best.class) ? ` (class ${best.class})` : ''}; it catches ${shareText(best.caught_share)}.`
+    : `No kit of those given catches ${wanted} of ${of}.`);
+  table(parent, {
+    caption: 'Kits to choose from, the best first',
+    head: [['Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Interval', 'Too high', 'Too strong', 'Past the line', 'Cost index']],
+    rows: shown.map((kit) => [kit.line, number(kit.height_m), number(kit.energy_J / 1000), isNumber(kit.class) ? String(kit.class) : '–', shareText(kit.caught_share),
+      kit.caught_share ? `${number(100 * kit.caught_share.low, 3)} to ${number(100 * kit.caught_share.high, 3)} %` : '–',
+      number(kit.above), number(kit.through), number(kit.beside), kit.suffices ? number(kit.cost, 4) : 'too little']),
+    numeric: (column) => column > 0,
+    rowClass: (i) => i === 0 && best ? 'differs' : '',
+  });
+  const more = design.ranking.length - shown.length;
+  element(parent, 'p', (more > 0 ? `${count(more, 'more is', 'more are')} in design_ranking.csv. ` : '') +
+    'A kit catches a rock that the check would let it stand against; of each line and height the least energy that suffices is shown. The cost index is length × height to a power × energy to a power, of the settings: a help to compare, no price.', {class: 'quiet'});
+}
+
+function designSections(parent) {
+  for (const run of designsOf()) {
+    if (!single) element(parent, 'h3', run.label);
+    designLines(parent, run);
+    designCheck(parent, run);
+    designRanking(parent, run);
+    for (const line of run.summary.design.lines) {
+      if (line.sections.length > 1 && line.rocks) alongFigure(parent, run, line);
+    }
+  }
+}

@@ -1,0 +1,153 @@
+#include "talus/project/check_design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "talus/core/nearest.hpp"
+#include "talus/project/values.hpp"
+#include "talus/results/design_plan.hpp"
+
+namespace talus::project {
+
+void DesignRules::check() const {
+  if (barriers.empty() && collectors.empty()) {
+    complain(&row, "there is no line to design for", "the project has no barrier and no collector",
+             "Add a [[collector]] with a line and a height_m", Severity::error);
+    return;
+  }
+  about_lines();
+  about_sections();
+  about_lists();
+  about_standard();
+  about_what_is_stopped_before();
+}
+
+std::optional<std::vector<std::string>> DesignRules::names() const {
+  std::vector<std::string> list;
+  for (const auto& [kind, rows] : {std::pair("barrier", &barriers), std::pair("collector", &collectors)}) {
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+      const toml::table* each = (*rows)[i];
+      const toml::node* name = good(each, "name");
+      if (each == nullptr || (each->contains("name") && name == nullptr)) return std::nullopt;
+      list.push_back(name != nullptr ? *name->value<std::string>() : fmt::format("{} {}", kind, i + 1));
+    }
+  }
+  return list;
+}
+
+void DesignRules::about_lines() const {
+  const auto known = names();
+  if (!known) return;
+  if (const auto* lines = good(&row, "lines")) {
+    if (design.lines.empty()) {
+      complain(lines, "lines is empty", "without a line there is nothing to design for",
+               "Leave it out to take all barriers and collectors", Severity::error);
+    }
+    for (std::size_t i = 0; i < design.lines.size(); ++i) {
+      const toml::node& node = *lines->as_array()->get(i);
+      const std::string key = fmt::format("lines[{}]", i);
+      about_name(node, key, design.lines[i], *known);
+      if (std::find(design.lines.begin(), design.lines.begin() + static_cast<std::ptrdiff_t>(i), design.lines[i]) !=
+          design.lines.begin() + static_cast<std::ptrdiff_t>(i)) {
+        complain(&node, fmt::format("{} is {}", key, quoted(node)), "this line was named before", "Leave it out",
+                 Severity::error);
+      }
+    }
+  }
+  if (const auto* protect = good(&row, "protect")) about_name(*protect, "protect", design.protect, *known);
+}
+
+void DesignRules::about_name(const toml::node& node, const std::string& key, const std::string& name,
+                             const std::vector<std::string>& known) const {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  std::string list;
+  for (const std::string& each : known) list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", each);
+  const std::vector<std::string_view> candidates(known.begin(), known.end());
+  const auto near = nearest(name, candidates);
+  complain(
+      &node, fmt::format("{} is {}", key, quoted(node)),
+      fmt::format("there is no barrier or collector of this name; there {} {}", known.size() == 1 ? "is" : "are", list),
+      near ? fmt::format("Did you mean \"{}\"?", *near) : "", Severity::error);
+}
+
+void DesignRules::about_sections() const {
+  const auto* node = good(&row, "section_m");
+  if (is_2d == true) {
+    if (node) {
+      complain(node, "section_m has no effect", "in 2D a line is a place of the section", "", Severity::warning);
+    }
+    return;
+  }
+  for (const Barrier& barrier : project.barriers) {
+    const bool is_wanted =
+        design.lines.empty() || std::find(design.lines.begin(), design.lines.end(), barrier.name) != design.lines.end();
+    if (!is_wanted) continue;
+    double length = 0;
+    for (std::size_t k = 1; k < barrier.line.size(); ++k) {
+      length += std::hypot(barrier.line[k][0] - barrier.line[k - 1][0], barrier.line[k][1] - barrier.line[k - 1][1]);
+    }
+    if (length <= design.section_m * DesignPlan::most_sections) continue;
+    complain(node ? node : &row, fmt::format("section_m is {}", number_text(design.section_m)),
+             fmt::format("line \"{}\", {:.0f} m long, would have more than {} sections", barrier.name, length,
+                         DesignPlan::most_sections),
+             fmt::format("Write {} or more", number_text(std::ceil(length / DesignPlan::most_sections))),
+             Severity::error);
+    return;
+  }
+}
+
+void DesignRules::about_lists() const {
+  for (const auto& [key, list] :
+       {std::pair("heights_m", &design.heights_m), std::pair("energies_kJ", &design.energies_kJ)}) {
+    const auto* node = good(&row, key);
+    if (node && list->empty()) {
+      complain(node, fmt::format("{} is empty", key), "there would be no kit to choose from", "Leave it out",
+               Severity::error);
+    }
+  }
+  if (const auto* node = good(&row, "percentiles")) {
+    for (auto each = design.percentiles.begin(); each != design.percentiles.end(); ++each) {
+      if (std::find(design.percentiles.begin(), each, *each) == each) continue;
+      const auto index = static_cast<std::size_t>(each - design.percentiles.begin());
+      complain(node->as_array()->get(index), fmt::format("percentiles[{}] is {}", index, number_text(*each)),
+               "it was given before", "Leave it out", Severity::error);
+    }
+  }
+}
+
+void DesignRules::about_standard() const {
+  if (const auto* mass = good(&row, "block_mass_kg"); mass && design.energy == DesignEnergy::total) {
+    complain(mass, "block_mass_kg is given with energy = \"total\"",
+             "the design block has a mass and a velocity, but no spin", "Let energy be \"translational\"",
+             Severity::error);
+  }
+  const auto is_too_weak = [](double energy_kJ) { return energy_kJ * 1000 < least_energy_with_service; };
+  if (const auto* energies = good(&row, "energies_kJ");
+      energies && design.standard != DesignStandard::none && design.energy_level == DesignLevel::sel &&
+      !design.energies_kJ.empty() && std::ranges::all_of(design.energies_kJ, is_too_weak)) {
+    complain(energies, fmt::format("energies_kJ has nothing from {:.0f} kJ on", least_energy_with_service / 1000),
+             "energy_level is \"SEL\", and kits of class 0 are not tested at it", "", Severity::error);
+  }
+  if (design.standard != DesignStandard::none) return;
+  constexpr std::array<std::string_view, 8> of_the_standard{"trajectory_factor", "topography_factor", "volume_factor",
+                                                            "density_factor",    "risk_factor",       "energy_level",
+                                                            "energy_factor",     "upper_clearance_m"};
+  for (const std::string_view key : of_the_standard) {
+    if (const auto* node = good(&row, key)) {
+      complain(node, fmt::format("{} has no effect", key), "standard is \"none\"", "", Severity::warning);
+    }
+  }
+}
+
+void DesignRules::about_what_is_stopped_before() const {
+  const auto* protect = good(&row, "protect");
+  if (!protect || barriers.empty()) return;
+  complain(protect, "protect is given, and there are barriers",
+           "rocks that a [[barrier]] stops never reach what is to be protected, so that they do not count",
+           "Make candidates [[collector]]s", Severity::warning);
+}
+
+}  // namespace talus::project

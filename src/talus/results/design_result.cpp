@@ -1,0 +1,112 @@
+#include "talus/results/design_result.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace talus {
+
+namespace {
+
+std::optional<RockShare> share_of(std::uint64_t rocks, std::uint64_t all, double confidence) {
+  if (all == 0) return std::nullopt;
+  const ShareBounds bounds = share_bounds(rocks, all, confidence);
+  return RockShare{rocks, all, static_cast<double>(rocks) / static_cast<double>(all), bounds.low, bounds.high};
+}
+
+KitDemand demand_of(const CheckFactors& factors, double translational, double total, double velocity, double height,
+                    double radius) {
+  const double energy = needed_maximum_energy(factors, energy_to_check(factors, translational, total, velocity));
+  return {energy, needed_class(factors, energy), needed_height(factors, height, radius)};
+}
+
+class Evaluation {
+ public:
+  Evaluation(const DesignPlan& plan, const DesignTally& tally) : plan_(plan), tally_(tally) {}
+
+  DesignResult result() const {
+    DesignResult result;
+    for (std::size_t k = 0; k < plan_.lines.size(); ++k) {
+      const DesignLine& line = plan_.lines[k];
+      const std::vector<SectionTally>& sections = tally_.lines[k].sections;
+      DesignResult::Line& of_line = result.lines.emplace_back();
+      SectionTally whole = sections.front();
+      for (std::uint32_t s = 0; s < line.sections; ++s) {
+        if (s > 0) whole.merge(sections[s]);
+        of_line.sections.push_back(figures(sections[s], line.section_begin(s), line.section_begin(s + 1)));
+      }
+      of_line.whole = figures(whole, 0, line.length);
+      add_choices(k, result.ranking);
+    }
+    // What is equal in all this keeps the order of lines and heights.
+    std::ranges::stable_sort(result.ranking, {}, [](const KitChoice& kit) {
+      const double missed = kit.caught ? 1 - kit.caught->value : 1;
+      return kit.suffices ? std::tuple(0, kit.cost, missed) : std::tuple(1, missed, kit.cost);
+    });
+    return result;
+  }
+
+ private:
+  DesignFigures figures(const SectionTally& tally, double from, double to) const {
+    DesignFigures figures{.from = from, .to = to, .rocks = tally.rocks()};
+    figures.share = share_of(tally.rocks(), tally_.rocks, plan_.confidence);
+    if (tally.rocks() == 0) return figures;
+    std::array<Estimate, crossing_quantity_count> design;
+    for (std::size_t q = 0; q < crossing_quantity_count; ++q) {
+      const RankedValues values(tally.sketches[q]);
+      design[q] = values.estimate(plan_.design_percentile / 100, plan_.confidence);
+      if (q >= figures.percentiles.size()) continue;
+      for (const double percentile : plan_.percentiles) {
+        figures.percentiles[q].push_back(values.estimate(percentile / 100, plan_.confidence));
+      }
+    }
+    const auto& [translational, total, velocity, height, radius] = design;
+    figures.demand =
+        demand_of(plan_.factors, translational.value, total.value, velocity.value, height.value, radius.value);
+    // All have as many values, so that either all have an upper end or none has.
+    if (height.high) {
+      figures.demand_at_upper_end =
+          demand_of(plan_.factors, *translational.high, *total.high, *velocity.high, *height.high, *radius.high);
+    }
+    return figures;
+  }
+
+  void add_choices(std::size_t line, std::vector<KitChoice>& ranking) const {
+    std::vector<KitChoice> kept;
+    for (std::size_t h = 0; h < plan_.heights.size(); ++h) {
+      const KitChoice higher = choice(line, h);
+      const bool is_idle = std::ranges::any_of(kept, [&](const KitChoice& lower) {
+        const bool catches_no_more = !higher.caught || higher.caught->rocks <= lower.caught->rocks;
+        return catches_no_more && lower.maximum_energy <= higher.maximum_energy;
+      });
+      if (!is_idle) kept.push_back(higher);
+    }
+    ranking.insert(ranking.end(), kept.begin(), kept.end());
+  }
+
+  KitChoice choice(std::size_t line, std::size_t height) const {
+    const DesignTally::Line& tally = tally_.lines[line];
+    const std::uint64_t crossing = tally.demands.rocks(), all = crossing + tally.beside;
+    KitChoice kit{.line = line, .height = plan_.heights[height], .beside = tally.beside};
+    kit.above = tally.demands.above(height);
+    for (std::size_t e = 0; e < plan_.energies.size() && !kit.suffices; ++e) {
+      const std::uint64_t caught = tally.demands.caught(height, e);
+      if (e > 0 && caught == crossing - kit.above - kit.through) continue;  // no more than with less energy
+      kit.maximum_energy = plan_.energies[e];
+      kit.kit_class = kit_class_of(kit.maximum_energy);
+      kit.caught = share_of(caught, all, plan_.confidence);
+      kit.through = crossing - kit.above - caught;
+      kit.suffices = kit.caught && kit.caught->value >= plan_.catch_share;
+    }
+    kit.cost = plan_.cost.of(plan_.lines[line].length, kit.height, kit.maximum_energy);
+    return kit;
+  }
+
+  const DesignPlan& plan_;
+  const DesignTally& tally_;
+};
+
+}  // namespace
+
+DesignResult evaluate(const DesignPlan& plan, const DesignTally& tally) { return Evaluation(plan, tally).result(); }
+
+}  // namespace talus

@@ -1,0 +1,73 @@
+#include "talus/barriers/barrier_check.hpp"
+
+#include <gtest/gtest.h>
+
+namespace talus {
+namespace {
+
+/// A survey of middling quality, restitutions from literature, something at stake.
+CheckFactors usual() {
+  CheckFactors factors;
+  factors.trajectory = 1.10;
+  factors.topography = 1.02;
+  factors.volume = 1.05;
+  factors.density = 1.0;
+  factors.risk = 1.10;
+  factors.energy = 1.2;
+  factors.clearance = 0.5;
+  factors.clears_half_the_block = true;
+  return factors;
+}
+
+TEST(BarrierCheck, IsTheCalculationByHand) {
+  // 2 t at 20 m/s: 400 kJ. gamma_F = 1.1 x 1.02 = 1.122, v_d = 22.44 m/s, m_d = 2100 kg,
+  // E_d = 0.5 x 2100 x 22.44^2 x 1.1 = 581 604.408 J, times 1.2 for MEL.
+  const double energy = energy_to_check(usual(), 400e3, 450e3, 20);
+  EXPECT_EQ(energy, 400e3);
+  EXPECT_NEAR(needed_maximum_energy(usual(), energy), 697925.2896, 1e-6);
+  EXPECT_EQ(needed_class(usual(), needed_maximum_energy(usual(), energy)), 3);
+  // 3 m x 1.122 = 3.366 m, and 0.5 m above, or the radius of a larger block.
+  EXPECT_NEAR(needed_height(usual(), 3, 0.45), 3.866, 1e-12);
+  EXPECT_NEAR(needed_height(usual(), 3, 0.80), 4.166, 1e-12);
+}
+
+TEST(BarrierCheck, TakesTheDesignBlockWhereThereIsOne) {
+  CheckFactors factors = usual();
+  factors.block_mass = 3000;
+  EXPECT_EQ(energy_to_check(factors, 400e3, 450e3, 20), 600e3);
+  factors.block_mass.reset();
+  factors.takes_total_energy = true;
+  EXPECT_EQ(energy_to_check(factors, 400e3, 450e3, 20), 450e3);
+}
+
+TEST(BarrierCheck, OfTheServiceLevelNeedsThreeTimesTheMaximum) {
+  CheckFactors factors = usual();
+  factors.energy = 1;
+  const double once = needed_maximum_energy(factors, 100e3);
+  factors.level = KitLevel::service;
+  EXPECT_DOUBLE_EQ(needed_maximum_energy(factors, 100e3), 3 * once);
+  EXPECT_EQ(needed_class(factors, 50e3), 1) << "kits of class 0 have no SEL";
+  EXPECT_EQ(needed_class(usual(), 50e3), 0);
+}
+
+TEST(BarrierCheck, WithoutFactorsChangesNothing) {
+  EXPECT_EQ(needed_maximum_energy({}, 123456.7), 123456.7);
+  EXPECT_EQ(needed_height({}, 2.5, 3), 2.5);
+}
+
+TEST(KitClass, IsThatOfTheAssessmentDocument) {
+  const double least[] = {100e3, 250e3, 500e3, 1000e3, 1500e3, 2000e3, 3000e3, 4500e3};
+  EXPECT_EQ(needed_class({}, 0), 0);
+  EXPECT_EQ(kit_class_of(99e3), std::nullopt);
+  for (int k = 0; k < 8; ++k) {
+    EXPECT_EQ(kit_class_of(least[k]), k);
+    EXPECT_EQ(kit_class_of(least[k] + 1), k == 7 ? 8 : k) << "a kit is of the highest class that it fulfils";
+    EXPECT_EQ(needed_class({}, least[k]), k);
+    EXPECT_EQ(needed_class({}, least[k] + 1), k + 1);
+  }
+  EXPECT_EQ(kit_class_of(1e9), 8);
+  EXPECT_EQ(needed_class({}, 1e9), 8);
+}
+
+}  // namespace
+}  // namespace talus

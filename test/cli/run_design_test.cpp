@@ -1,0 +1,230 @@
+// `talus run` with [design], as a user meets it: tables that agree with the hits that they are made of.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+#include "cli/run_files.hpp"
+
+namespace talus::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The tutorial with collectors so high that every rock which crosses them is a row of barriers.csv.
+std::string with_collectors(const Workplace& work, const char* dimensions, const std::string& more) {
+  std::ifstream in(tutorial(dimensions));
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return work.write("slope.toml", text + more);
+}
+
+struct Hit {
+  double y_m, height_m, ke_translational_J, ke_total_J, velocity_m_s;
+};
+
+/// The first hit of each rock on a collector, by rock.
+std::map<std::string, Hit> first_hits(const Workplace& work, const std::string& barrier) {
+  std::map<std::string, Hit> by_rock;
+  std::ifstream in(work / "out/barriers.csv");
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line)) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    if (cells[0] != barrier) continue;
+    const auto number = [&](std::size_t k) { return std::stod(cells[k]); };
+    by_rock.try_emplace(cells[1],
+                        Hit{number(4), number(6), number(11), number(13), std::hypot(number(7), number(8), number(9))});
+  }
+  return by_rock;
+}
+
+std::vector<Hit> all_of(const std::map<std::string, Hit>& by_rock) {
+  std::vector<Hit> hits;
+  for (const auto& [rock, hit] : by_rock) hits.push_back(hit);
+  return hits;
+}
+
+/// Cells of design.csv by line, section and column.
+std::map<std::string, std::string> cells_of(const std::string& csv) {
+  std::map<std::string, std::string> cells;
+  std::istringstream in(csv);
+  std::vector<std::string> names;
+  for (std::string line; std::getline(in, line);) {
+    std::vector<std::string> row;
+    std::istringstream text(line);
+    for (std::string cell; std::getline(text, cell, ',');) row.push_back(cell);
+    if (names.empty()) {
+      names = row;
+      continue;
+    }
+    for (std::size_t k = 0; k < row.size(); ++k) cells[row[0] + '/' + row[1] + '/' + names[k]] = row[k];
+  }
+  return cells;
+}
+
+double quantile(std::vector<double> values, double p) {
+  std::ranges::sort(values);
+  const double place = p * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t next = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[next] - values[below]);
+}
+
+template <class Of>
+std::vector<double> values(const std::vector<Hit>& hits, Of of) {
+  std::vector<double> list;
+  for (const Hit& hit : hits) list.push_back(of(hit));
+  return list;
+}
+
+TEST(RunDesign, AgreesWithTheHitsAlongALine) {
+  const Workplace work;
+  const std::string project = with_collectors(work, "3d", R"(
+[[collector]]
+name = "Tall"
+line = [[8, 0], [8, 50]]
+height_m = 500
+[design]
+lines = ["Tall"]
+section_m = 20
+)");
+  const Said said = talus_says("run -q " + project + " --rocks 800 -o " + (work / "out").string());
+  ASSERT_EQ(said.exit_code, 0) << said.text;
+  const auto cells = cells_of(work.read("out/design.csv"));
+  const std::vector<Hit> all = all_of(first_hits(work, "Tall"));
+  ASSERT_GT(all.size(), 500u);
+  const auto expect_section = [&](const std::string& section, double from, double to) {
+    std::vector<Hit> hits;
+    for (const Hit& hit : all) {
+      if (hit.y_m >= from && hit.y_m < to) hits.push_back(hit);
+    }
+    const auto cell = [&](const char* name) { return cells.at("Tall/" + section + '/' + name); };
+    EXPECT_EQ(cell("rocks"), std::to_string(hits.size()));
+    if (hits.empty()) return;
+    EXPECT_NEAR(std::stod(cell("share")), static_cast<double>(hits.size()) / 800, 1e-12);
+    const auto near = [&](const char* name, double expected) {
+      EXPECT_NEAR(std::stod(cell(name)), expected, 1e-9 * expected) << name << " of section " << section;
+    };
+    near("ke_translational_p95_J", quantile(values(hits, [](const Hit& h) { return h.ke_translational_J; }), 0.95));
+    near("ke_total_p99_J", quantile(values(hits, [](const Hit& h) { return h.ke_total_J; }), 0.99));
+    near("velocity_p50_m_s", quantile(values(hits, [](const Hit& h) { return h.velocity_m_s; }), 0.5));
+    near("height_p95_m", quantile(values(hits, [](const Hit& h) { return h.height_m; }), 0.95));
+  };
+  expect_section("all", 0, 50);
+  expect_section("1", 0, 20);
+  expect_section("2", 20, 40);
+  expect_section("3", 40, 50);
+}
+
+/// Numbers of a row of design_ranking.csv by column.
+std::map<std::string, std::string> best_kit(const std::string& csv) {
+  std::istringstream in(csv);
+  std::string names, values;
+  std::getline(in, names);
+  std::getline(in, values);
+  std::istringstream name_cells(names), value_cells(values);
+  std::map<std::string, std::string> kit;
+  for (std::string name, value; std::getline(name_cells, name, ',') && std::getline(value_cells, value, ',');) {
+    kit[name] = value;
+  }
+  return kit;
+}
+
+// Whoever has the hits can check the ranking: of the rocks that reach the lower line, those that the check would let
+// the best kit stand against where they crossed the upper one.
+TEST(RunDesign, RanksAsTheHitsSay) {
+  const Workplace work;
+  const std::string project = with_collectors(work, "3d", R"(
+[[collector]]
+name = "Upper"
+line = [[8, 5], [8, 45]]
+height_m = 500
+[[collector]]
+name = "Lower"
+line = [[14, -5], [14, 55]]
+height_m = 500
+[design]
+lines = ["Upper"]
+protect = "Lower"
+catch_share = 0.5
+energies_kJ = [60, 120, 150, 180, 250, 500]
+heights_m = [1, 2, 3, 4, 6, 8]
+)");
+  const Said said = talus_says("run -q " + project + " --rocks 600 -o " + (work / "out").string());
+  ASSERT_EQ(said.exit_code, 0) << said.text;
+  const auto upper = first_hits(work, "Upper"), lower = first_hits(work, "Lower");
+  auto kit = best_kit(work.read("out/design_ranking.csv"));
+  ASSERT_EQ(kit.at("suffices"), "yes");
+  const double height_m = std::stod(kit.at("height_m")), mel_kJ = std::stod(kit.at("mel_kJ"));
+  std::size_t caught = 0, beside = 0, above = 0;
+  for (const auto& [rock, reached] : lower) {
+    const auto found = upper.find(rock);
+    if (found == upper.end()) {
+      ++beside;
+      continue;
+    }
+    const Hit& hit = found->second;
+    const bool is_low = hit.height_m * 1.1 * 1.1 + 0.5 <= height_m;  // the blocks' radius is 0.45 m
+    const bool is_weak = hit.ke_translational_J * 1.1 * 1.1 * 1.1 * 1.1 * 1.1 * 1.2 <= mel_kJ * 1000;
+    caught += is_low && is_weak ? 1 : 0;
+    above += is_low ? 0 : 1;
+  }
+  EXPECT_EQ(kit.at("rocks"), std::to_string(lower.size()));
+  EXPECT_EQ(kit.at("caught"), std::to_string(caught));
+  EXPECT_EQ(kit.at("beside"), std::to_string(beside));
+  EXPECT_EQ(kit.at("above"), std::to_string(above));
+  EXPECT_GT(beside, 0u);
+  EXPECT_GT(caught, lower.size() / 2);
+  EXPECT_LT(caught, lower.size() - beside) << "the comparison says something";
+}
+
+TEST(RunDesign, WorksInSection) {
+  const Workplace work;
+  const std::string project = with_collectors(work, "2d", R"(
+[[collector]]
+name = "Tall"
+line = 8
+height_m = 500
+[design]
+standard = "none"
+lines = ["Tall"]
+)");
+  const Said said = talus_says("run -q " + project + " --rocks 300 -o " + (work / "out").string());
+  ASSERT_EQ(said.exit_code, 0) << said.text;
+  const auto cells = cells_of(work.read("out/design.csv"));
+  const std::vector<Hit> hits = all_of(first_hits(work, "Tall"));
+  const double energy = quantile(values(hits, [](const Hit& h) { return h.ke_translational_J; }), 0.95);
+  EXPECT_EQ(cells.at("Tall/1/rocks"), std::to_string(hits.size()));
+  EXPECT_NEAR(std::stod(cells.at("Tall/all/needs_mel_kJ")), energy / 1000, 1e-9 * energy);
+  EXPECT_FALSE(cells.contains("Tall/2/rocks"));
+  const auto summary = nlohmann::json::parse(work.read("out/summary.json"));
+  EXPECT_EQ(summary["design"]["lines"][0]["rocks"], hits.size());
+  EXPECT_EQ(summary["design"]["standard"], nullptr);
+}
+
+TEST(RunDesign, LeavesNoTablesOfAnEarlierRun) {
+  const Workplace work;
+  const std::string run = "run -q " + write_slope_with_barrier(work) + " --rocks 40 -o " + (work / "out").string();
+  ASSERT_EQ(talus_says(run).exit_code, 0);
+  EXPECT_TRUE(fs::exists(work / "out/design.csv"));
+  EXPECT_TRUE(fs::exists(work / "out/design_ranking.csv"));
+  const std::string without = with_collectors(work, "3d", "");
+  ASSERT_EQ(talus_says("run -q " + without + " --rocks 40 -o " + (work / "out").string()).exit_code, 0);
+  EXPECT_FALSE(fs::exists(work / "out/design.csv"));
+  EXPECT_FALSE(fs::exists(work / "out/design_ranking.csv"));
+  EXPECT_FALSE(nlohmann::json::parse(work.read("out/summary.json")).contains("design"));
+}
+
+}  // namespace
+}  // namespace talus::test

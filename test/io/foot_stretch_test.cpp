@@ -1,0 +1,32 @@
+#include "talus/io/foot_stretch.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace talus::io {
+namespace {
+
+using testing::ElementsAre;
+using Point = std::array<double, 3>;
+
+const std::vector<Point> foot{{0, 0, 0}, {30, 40, 5}, {30, 100, 0}};  // 50 m and 60 m on plan
+
+TEST(FootStretch, IsCutAtDistancesOnPlan) {
+  EXPECT_THAT(stretch_of(foot, 0, 25), ElementsAre(Point{0, 0, 0}, Point{15, 20, 2.5}));
+  EXPECT_THAT(stretch_of(foot, 25, 80), ElementsAre(Point{15, 20, 2.5}, Point{30, 40, 5}, Point{30, 70, 2.5}));
+  EXPECT_THAT(stretch_of(foot, 50, 110), ElementsAre(Point{30, 40, 5}, Point{30, 100, 0}));
+  EXPECT_THAT(stretch_of(foot, 0, 110), ElementsAre(foot[0], foot[1], foot[2]));
+}
+
+TEST(FootStretch, BeyondTheEndIsTheEnd) {
+  EXPECT_THAT(stretch_of(foot, 80, 1000), ElementsAre(Point{30, 70, 2.5}, Point{30, 100, 0}));
+  EXPECT_THAT(stretch_of(foot, 110, 120), ElementsAre(foot[1], foot[2]));
+}
+
+TEST(FootStretch, OfAPlaceIsThePlace) {
+  EXPECT_THAT(stretch_of({{1, 2, 3}}, 0, 10), ElementsAre(Point{1, 2, 3}));
+  EXPECT_TRUE(stretch_of({}, 0, 10).empty());
+}
+
+}  // namespace
+}  // namespace talus::io
