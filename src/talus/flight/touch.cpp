@@ -42,9 +42,24 @@ struct Roots {
   [[nodiscard]] const double* end() const { return t.data() + count; }
 };
 
-Roots roots_within(const Polynomial& c, int degree, double t_max) {
+// Of a quadratic, without a difference of nearly equal numbers.
+Roots quadratic_roots_within(const Polynomial& c, double t_max) {
   Roots roots;
-  if (degree == 0) return roots;
+  const auto note = [&](double t) {
+    if (t > 0 && t < t_max) roots.t[static_cast<std::size_t>(roots.count++)] = t;
+  };
+  const double discriminant = c[1] * c[1] - 4 * c[2] * c[0];
+  if (!(discriminant > 0)) return roots;  // a double root is no change of sign
+  const double q = -0.5 * (c[1] + std::copysign(std::sqrt(discriminant), c[1]));
+  const double first = q / c[2], second = c[0] / q;  // not finite where there is one root only
+  note(std::min(first, second));
+  note(std::max(first, second));
+  return roots;
+}
+
+Roots roots_within(const Polynomial& c, int degree, double t_max) {
+  if (degree == 2) return quadratic_roots_within(c, t_max);
+  Roots roots;
   const Roots turns = roots_within(derivative(c), degree - 1, t_max);
   double a = 0, fa = value(c, a);
   for (int i = 0; i <= turns.count; ++i) {

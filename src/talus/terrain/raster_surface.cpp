@@ -372,6 +372,17 @@ std::optional<double> RasterSurface::height_in_cell(double x, double y, std::int
 }
 
 std::optional<double> RasterSurface::elevation(double x, double y, double below) const {
+  // A place within a cell, and not at its borders, has one height.
+  const double u = (x - grid_.x0) / grid_.dx, v = (y - grid_.y0) / grid_.dy;
+  if (u > 0 && v > 0 && u < static_cast<double>(columns_) && v < static_cast<double>(rows_)) {
+    const auto column = static_cast<std::int64_t>(u), row = static_cast<std::int64_t>(v);
+    const double in_u = u - static_cast<double>(column), in_v = v - static_cast<double>(row);
+    const double aside = std::min(in_u, 1 - in_u) * grid_.dx, along = std::min(in_v, 1 - in_v) * grid_.dy;
+    if (std::min(aside, along) > box_pad) {
+      const auto z = height_in_cell(x, y, column, row);
+      return z && *z <= below ? z : std::nullopt;
+    }
+  }
   const Cells cells = cells_within(x, x, y, y);
   std::optional<double> highest;
   for (std::int64_t row = cells.first_row; row <= cells.last_row; ++row) {
