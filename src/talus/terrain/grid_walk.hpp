@@ -49,18 +49,18 @@ class GridWalk {
   [[nodiscard]] bool goes_east() const { return x_.step > 0; }
   [[nodiscard]] bool goes_north() const { return y_.step > 0; }
 
+  // Which border comes first changes from cell to cell like the toss of a coin: both axes are worked out each time, so
+  // that there is nothing to guess.
   void advance() {
-    if (is_last()) {
-      is_over_ = true;
-      return;
-    }
-    Axis& axis = leaves_along_x() ? x_ : y_;
-    axis.cell += axis.step;
-    if (axis.cell < 0 || axis.cell >= axis.cells) {  // only by rounding: `end` is there
-      is_over_ = true;
-      return;
-    }
-    find_next(axis);
+    const bool along_x = leaves_along_x();
+    x_.cell += along_x ? x_.step : 0;
+    y_.cell += along_x ? 0 : y_.step;
+    // (Beyond the grid only by rounding: `end` is there.)
+    is_over_ = is_last() || static_cast<std::uint64_t>(x_.cell) >= static_cast<std::uint64_t>(x_.cells) ||
+               static_cast<std::uint64_t>(y_.cell) >= static_cast<std::uint64_t>(y_.cells);
+    if (is_over_) return;
+    find_next(x_);
+    find_next(y_);
     enter_ = leave_;
     find_leave();
   }
@@ -68,17 +68,21 @@ class GridWalk {
  private:
   // In units of cells.
   struct Axis {
-    double origin, speed, inverse;
+    double origin, speed;
+    double inverse = 0;   // of the speed; 0 where it stands still, which it does for
+    double standing = 0;  // for ever then, and otherwise not at all
     double enter, leave;  // when it is over the grid along this axis
     std::int64_t cells, cell = 0, step = 0;
-    double next = 0;  // when it crosses the next border
+    double border = 0;  // 1 where the border ahead is the upper one
+    double next = 0;    // when it crosses that
   };
 
   static Axis axis(double distance, double speed, double size, std::int64_t cells) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    Axis a{distance / size, speed / size, 0, -infinite, infinite, cells};
+    Axis a{.origin = distance / size, .speed = speed / size, .enter = -infinite, .leave = infinite, .cells = cells};
     const auto width = static_cast<double>(cells);
     if (a.speed == 0) {
+      a.standing = infinite;
       if (a.origin < 0 || a.origin > width) a.enter = infinite;
     } else {
       a.inverse = 1 / a.speed;
@@ -86,6 +90,7 @@ class GridWalk {
       a.enter = std::min(t1, t2);
       a.leave = std::max(t1, t2);
       a.step = a.speed > 0 ? 1 : -1;
+      a.border = a.speed > 0 ? 1 : 0;
     }
     return a;
   }
@@ -95,8 +100,7 @@ class GridWalk {
     find_next(a);
   }
   static void find_next(Axis& a) {
-    a.next = a.step == 0 ? std::numeric_limits<double>::infinity()
-                         : (static_cast<double>(a.cell + (a.step > 0 ? 1 : 0)) - a.origin) * a.inverse;
+    a.next = (static_cast<double>(a.cell) + a.border - a.origin) * a.inverse + a.standing;
   }
   void find_leave() { leave_ = std::max(enter_, std::min({x_.next, y_.next, end_})); }
 

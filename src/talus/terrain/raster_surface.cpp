@@ -189,9 +189,17 @@ std::optional<Contact> RasterSurface::first_contact_of_point(const Parabola& pat
   double height_entering = 0;  // the first cell is always asked
   // From the diagonal, in cells: further than a facet's slack reaches (outline_slack), whatever the cell's size.
   const double beside = 1e-4 + 2e-5 / std::min(grid_.dx, grid_.dy);
-  for (GridWalk at = walk(path, t_max); !at.is_over() && at.enter() <= best.t; at.advance()) {
+  GridWalk at = walk(path, t_max);
+  double z0 = at.is_over() ? 0 : path.z(at.enter());
+  for (; !at.is_over() && at.enter() <= best.t; at.advance()) {
+    const double t0 = at.enter(), t1 = at.leave(), z1 = path.z(t1);
+    // Most flights are above most cells altogether.
+    const double lowest = std::min(std::exchange(z0, z1), z1);
+    if (lowest > range(at.column(), at.row()).second + box_pad) {
+      height_entering = infinite;
+      continue;
+    }
     const Cell here = cell(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
-    const double t0 = at.enter(), t1 = at.leave();
     const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
 
     double ground;
@@ -200,7 +208,7 @@ std::optional<Contact> RasterSurface::first_contact_of_point(const Parabola& pat
     } else {
       ground = at.goes_north() ? here.nw + u1 * (here.ne - here.nw) : here.sw + u1 * (here.se - here.sw);
     }
-    const double height_leaving = at.is_last() ? 0 : path.z(t1) - ground;
+    const double height_leaving = at.is_last() ? 0 : z1 - ground;
 
     const bool north_east = here.cut_north_east();
     const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
@@ -418,13 +426,17 @@ std::optional<double> RasterSurface::ground_over(const Vec3& place) const {
 
 double RasterSurface::greatest_height(const Parabola& path, double t_end, double known) const {
   const double half_a = 0.5 * path.a.z();
-  for (GridWalk at = walk(path, t_end); !at.is_over(); at.advance()) {
-    const Cell here = cell(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
-    const double t0 = at.enter(), t1 = at.leave();
+  const double t_top = half_a < 0 ? -path.v.z() / (2 * half_a) : -infinite, z_top = half_a < 0 ? path.z(t_top) : 0;
+  GridWalk at = walk(path, t_end);
+  double z0 = at.is_over() ? 0 : path.z(at.enter());
+  for (; !at.is_over(); at.advance()) {
+    const double t0 = at.enter(), t1 = at.leave(), z1 = path.z(t1);
     // The flight's highest point over this cell, over the cell's lowest node.
-    const double top = std::clamp(half_a < 0 ? -path.v.z() / (2 * half_a) : t0, t0, t1);
-    const double highest = std::max({path.z(t0), path.z(top), path.z(t1)});
-    if (!(highest - std::min({here.sw, here.se, here.nw, here.ne}) > known) || !here.has_data()) continue;
+    const double highest = t_top > t0 && t_top < t1 ? z_top : std::max(z0, z1);
+    z0 = z1;
+    if (!(highest - range(at.column(), at.row()).first > known)) continue;
+    const Cell here = cell(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
+    if (!here.has_data()) continue;
 
     const bool north_east = here.cut_north_east();
     const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);

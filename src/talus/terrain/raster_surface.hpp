@@ -6,6 +6,7 @@
 // they agree: the surface then follows ridges and valleys that cross the grid at an angle, and mirroring or turning the
 // grid by quarter turns changes nothing. A cell with a node without data is a hole.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -72,6 +73,14 @@ class RasterSurface {
     const float* south = grid_.z.data() + row * (columns_ + 1) + column;
     const float* north = south + columns_ + 1;
     return {south[0], south[1], north[0], north[1]};
+  }
+  /// The least and the greatest elevation of a cell's nodes; where one has no data, not a number or those of the
+  /// others.
+  [[nodiscard]] std::pair<double, double> range(std::int64_t column, std::int64_t row) const {
+    const float* south = grid_.z.data() + static_cast<std::size_t>(row) * (columns_ + 1) + column;
+    const float* north = south + columns_ + 1;
+    return {std::min(std::min(south[0], south[1]), std::min(north[0], north[1])),
+            std::max(std::max(south[0], south[1]), std::max(north[0], north[1]))};
   }
   [[nodiscard]] GridWalk walk(const Parabola& path, double t_max) const {
     return {path,
