@@ -1,8 +1,8 @@
 # The two commands of a fresh machine are `make run` and `make test`; both install what they need first.
 PREFIX_RUN := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-dev libboost-dev \
-  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev libgdal-dev node-d3
-TEST_PACKAGES := libgtest-dev libgmock-dev python3
+  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev libgdal-dev libopenmpi-dev node-d3
+TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin python3
 
 .PHONY: build run test verify bench soak asan tsan tidy format clean setup setup-test
 

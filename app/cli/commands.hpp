@@ -27,6 +27,7 @@ struct RunOptions {
   std::string shard;  // "2/7"; empty: the whole campaign
   bool resume = false;
   double checkpoint_every = 20;  // [s]; 0: never
+  bool alone = false;            // even if a launcher started others, too
 };
 int run(const RunOptions& options);
 

@@ -1,12 +1,9 @@
 // The command line: parses, dispatches, and turns failures into exit codes.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
+#include "answer.hpp"
 #include "commands.hpp"
-#include "talus/core/problems.hpp"
 
 namespace talus::cli {
 namespace {
@@ -39,7 +36,9 @@ int dispatch(int argc, char** argv) {
       ->add_option("-o,--output", run_options.folder,
                    "Folder for the results (default: the project's name, beside its file)")
       ->type_name("DIR");
-  run_command->add_option("--threads", run_options.threads, "Threads to use (default: all cores)")
+  run_command
+      ->add_option("--threads", run_options.threads,
+                   "Threads to use, in each process of several (default: all cores, shared with the others)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
   run_command->add_flag("--quiet,-q", run_options.quiet, "Print nothing but warnings and errors");
@@ -54,6 +53,8 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str()
       ->type_name("SECONDS");
+  run_command->add_flag("--alone", run_options.alone,
+                        "Throw all rocks in this process, even if mpirun or srun started others, too");
 
   MergeOptions merge_options;
   CLI::App* merge_command = app.add_subcommand("merge", "Put the shards of a campaign together into one result");
@@ -137,13 +138,5 @@ int dispatch(int argc, char** argv) {
 }  // namespace talus::cli
 
 int main(int argc, char** argv) {
-  try {
-    return talus::cli::dispatch(argc, argv);
-  } catch (const talus::BadInput& bad) {
-    fmt::print(stderr, "{}\n", bad.problems().text());
-    return talus::cli::bad_input;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "talus: internal error: {}\n", error.what());
-    return talus::cli::internal_error;
-  }
+  return talus::cli::answer([&] { return talus::cli::dispatch(argc, argv); });
 }

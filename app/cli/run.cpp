@@ -6,14 +6,18 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "answer.hpp"
 #include "commands.hpp"
 #include "load.hpp"
 #include "outcome.hpp"
 #include "progress.hpp"
+#include "talus/campaign/ranks.hpp"
+#include "talus/project/run_on_ranks.hpp"
 
 namespace talus::cli {
 
@@ -47,9 +51,10 @@ void print_outcome(const Loaded& loaded, const RunOptions& options, const projec
   const Summary& summary = result.summary;
   const CampaignOutcome& outcome = result.outcome;
   const std::uint64_t now = summary.done - result.done_before;
-  fmt::print("{}{}: {} rocks in {:.2f} s ({:.0f} rocks/s on {} {})\n", loaded.project.name, name_of(options, result),
+  fmt::print("{}{}: {} rocks in {:.2f} s ({:.0f} rocks/s on {} {}{})\n", loaded.project.name, name_of(options, result),
              now, outcome.seconds, static_cast<double>(now) / std::max(outcome.seconds, 1e-9), outcome.threads,
-             outcome.threads == 1 ? "thread" : "threads");
+             outcome.threads == 1 ? "thread" : "threads",
+             outcome.ranks > 1 ? fmt::format(" of {} ranks", outcome.ranks) : "");
   if (result.done_before > 0) fmt::print("  with those done before {} rocks\n", summary.done);
   std::vector<std::string> barriers;
   for (const Barrier& barrier : loaded.model.barriers) barriers.push_back(barrier.name);
@@ -78,22 +83,31 @@ std::filesystem::path default_folder(const Loaded& loaded, const std::optional<S
   return folder.string() + fmt::format("-shard-{}-of-{}", shard->number, shard->of);
 }
 
-}  // namespace
+/// SIGUSR1 is what reaches a program under mpirun, which takes the other two for a wish to kill it, and what batch
+/// systems can send before the time is up.
+void catch_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, ask_to_stop);
+  // A file that outgrows what the system allows is a write that fails, and is answered as such.
+  std::signal(SIGXFSZ, SIG_IGN);
+}
 
-int run(const RunOptions& options) {
+project::RunOptions how_to_run(const RunOptions& options, const std::optional<Shard>& shard) {
+  return {.campaign = {options.threads, &stop_wanted, {}},
+          .shard = shard,
+          .resume = options.resume,
+          .checkpoint_every = options.checkpoint_every};
+}
+
+/// In this process alone, or as the first of several.
+int run_here(const RunOptions& options, Ranks* ranks) {
   const std::optional<Shard> shard = shard_of(options);
   const Loaded loaded = load(options.project);
   print_warnings(loaded.warnings);
   const std::filesystem::path folder = options.folder.empty() ? default_folder(loaded, shard) : options.folder;
 
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
-  // A file that outgrows what the system allows is a write that fails, and is answered as such.
-  std::signal(SIGXFSZ, SIG_IGN);
-  project::RunOptions how{.campaign = {options.threads, &stop_wanted, {}},
-                          .shard = shard,
-                          .resume = options.resume,
-                          .checkpoint_every = options.checkpoint_every};
+  catch_signals();
+  project::RunOptions how = how_to_run(options, shard);
+  how.ranks = ranks;
   std::optional<Progress> progress;
   if (!options.quiet) {
     if (!loaded.model.terrain_report.empty()) fmt::print("{}\n", loaded.model.terrain_report);
@@ -121,6 +135,39 @@ int run(const RunOptions& options) {
     return stopped;
   }
   return done;
+}
+
+/// As one of several processes, but not the first, which speaks for all.
+int help(const RunOptions& options, Ranks& ranks) {
+  try {
+    const project::RunOptions how = how_to_run(options, shard_of(options));
+    const Loaded loaded = load(options.project);
+    catch_signals();
+    return project::help_run(ranks, loaded.project, loaded.model, loaded.warnings, how);
+  } catch (const BadInput& bad) {
+    return project::cannot_help(ranks, bad.problems().text(), bad_input);
+  } catch (const std::exception& error) {
+    return project::cannot_help(ranks, error.what(), internal_error);
+  }
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  std::unique_ptr<Ranks> ranks;
+  try {
+    if (!options.alone) ranks = join_ranks();
+  } catch (const BadInput&) {
+    // All processes see it, and the first one says it.
+    if (find_launch()->rank > 0) return done;
+    throw;
+  }
+  if (!ranks) return run_here(options, nullptr);
+  if (ranks->rank() > 0) return help(options, *ranks);
+  const int code = answer([&] { return run_here(options, ranks.get()); });
+  std::fflush(nullptr);  // before a launcher may end this program because another one has ended
+  project::dismiss_ranks(*ranks, code);
+  return code;
 }
 
 }  // namespace talus::cli

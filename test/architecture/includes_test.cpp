@@ -29,8 +29,8 @@ const std::map<std::string, int> floors{
 const std::map<std::string, std::set<std::string>> closed{
     {"impact", {"terrain"}}, {"sliding", {"terrain"}}, {"flight", {"terrain"}}, {"terrain", {"impact", "sliding"}}};
 
-// Libraries of file formats belong to io, and nobody else has to be built against them.
-constexpr std::array file_format_libraries{"gdal", "ogr", "cpl_", "proj.h", "assimp/", "mpi.h", "httplib"};
+// Libraries of file formats belong to io, and nobody else has to be built against them; nor against MPI but campaign.
+constexpr std::array file_format_libraries{"gdal", "ogr", "cpl_", "proj.h", "assimp/", "httplib"};
 
 constexpr std::size_t longest_file = 550;  // lines
 
@@ -70,6 +70,7 @@ std::optional<std::string> objection(const std::string& folder, const std::strin
   if (folder != "io" && is_of_a_format) {
     return "only io/ knows libraries of file formats";
   }
+  if (folder != "campaign" && name == "mpi.h") return "only campaign/ knows MPI";
   if (!name.starts_with("talus/")) return std::nullopt;
   const std::string other = name.substr(6, name.find('/', 6) - 6);
   if (other == folder || !floors.contains(other)) {
@@ -122,7 +123,9 @@ TEST(Architecture, AnUpwardIncludeWouldBeFound) {
   EXPECT_TRUE(objection("results", "gdal_priv.h"));
   EXPECT_TRUE(objection("core", "talus/nowhere/nothing.hpp"));
   EXPECT_FALSE(objection("trajectory", "talus/terrain/contact.hpp"));
+  EXPECT_TRUE(objection("project", "mpi.h"));
   EXPECT_FALSE(objection("io", "gdal_priv.h"));
+  EXPECT_FALSE(objection("campaign", "mpi.h"));
   EXPECT_FALSE(objection("core", "vector"));
   const auto includes = includes_of({"// #include <a>", "#include <b>", " # include \"talus/c/d.hpp\"  // why"});
   ASSERT_EQ(includes.size(), 2U);

@@ -18,9 +18,11 @@ namespace talus::test {
 
 class Child {
  public:
-  /// Starts the program; what it says goes to a file.
-  Child(const std::vector<std::string>& arguments, const std::filesystem::path& said) {
-    std::vector<std::string> words{TALUS_PROGRAM};
+  /// Starts the program, or what stands before it and starts it in turn; what it says goes to a file.
+  Child(const std::vector<std::string>& arguments, const std::filesystem::path& said,
+        const std::vector<std::string>& before = {}) {
+    std::vector<std::string> words = before;
+    words.emplace_back(TALUS_PROGRAM);
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
@@ -29,7 +31,7 @@ class Child {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    if (posix_spawn(&process_, TALUS_PROGRAM, &actions, nullptr, pointers.data(), environ) != 0) process_ = -1;
+    if (posix_spawnp(&process_, words.front().c_str(), &actions, nullptr, pointers.data(), environ) != 0) process_ = -1;
     posix_spawn_file_actions_destroy(&actions);
   }
   Child(const Child&) = delete;

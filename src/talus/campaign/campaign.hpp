@@ -27,9 +27,31 @@ struct CampaignOutcome {
   std::uint64_t done = 0;  // the range's rocks up to done - 1 were computed
   bool interrupted = false;
   double seconds = 0;
-  int threads = 1;
+  int threads = 1;  // of all ranks together
+  int ranks = 1;
 };
 
 CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> observers, const CampaignOptions& options);
+
+/// Large enough that handing out and committing a block cost nothing, small enough that all paths of the blocks under
+/// way fit in memory (about 2 MB a block) and that a short campaign keeps every core busy to the end.
+inline constexpr std::uint64_t rocks_a_block = 256;
+
+/// Blocks of rocks that come from elsewhere, in any order.
+struct BlockFlow {
+  /// The next block; nothing if there will be no more. It may wait. Called by one thread at a time.
+  std::function<std::optional<RockRange>()> next;
+  /// Observers have seen this block, and none other since the last call. Blocks come here in the order in which they
+  /// came from `next`. Called by one thread at a time.
+  std::function<void(const RockRange&)> committed;
+  /// The work ends with an exception, for which `next` must not keep it waiting. By any thread, at any time.
+  std::function<void()> failed;
+};
+
+/// Throws blocks until there are no more.
+void throw_blocks(const Model& model, std::span<Observer* const> observers, int threads, const BlockFlow& flow);
+
+/// 0: as many as there are cores for this process.
+[[nodiscard]] int threads_for(int asked);
 
 }  // namespace talus

@@ -69,13 +69,23 @@ std::filesystem::path find_marked(const std::filesystem::path& folder, const Tab
   return file;
 }
 
-TableFiles::TableFiles(std::filesystem::path folder, TableContext context, std::uint64_t rocks,
+std::array<std::unique_ptr<TableObserver>, table_count> make_tables(const TableContext& context, std::uint64_t rocks,
+                                                                    std::optional<std::uint64_t> path_limit,
+                                                                    const std::array<TextSink*, table_count>& sinks) {
+  return {std::make_unique<EndpointsTable>(context, *sinks[0]), std::make_unique<BarriersTable>(context, *sinks[1]),
+          std::make_unique<PathsTable>(context, *sinks[2], rocks, path_limit)};
+}
+
+TableFiles::TableFiles(std::filesystem::path folder, const TableContext& context, std::uint64_t rocks,
                        std::optional<std::uint64_t> path_limit)
     : folder_(std::move(folder)) {
-  for (int k = 0; k < 3; ++k) entries_.push_back({std::make_unique<Sink>(), nullptr});
-  entries_[0].table = std::make_unique<EndpointsTable>(context, *entries_[0].sink);
-  entries_[1].table = std::make_unique<BarriersTable>(context, *entries_[1].sink);
-  entries_[2].table = std::make_unique<PathsTable>(std::move(context), *entries_[2].sink, rocks, path_limit);
+  std::array<TextSink*, table_count> sinks{};
+  for (TextSink*& sink : sinks) {
+    entries_.push_back({std::make_unique<Sink>(), nullptr});
+    sink = entries_.back().sink.get();
+  }
+  auto tables = make_tables(context, rocks, path_limit, sinks);
+  for (std::size_t k = 0; k < table_count; ++k) entries_[k].table = std::move(tables[k]);
 }
 
 void TableFiles::begin() {
@@ -101,6 +111,11 @@ std::vector<Observer*> TableFiles::observers() const {
   std::vector<Observer*> list;
   for (const Entry& entry : entries_) list.push_back(entry.table.get());
   return list;
+}
+
+void TableFiles::append(std::span<const std::string> texts) {
+  expect_bytes(texts.size() == entries_.size(), "rows of other tables");
+  for (std::size_t k = 0; k < texts.size(); ++k) entries_[k].sink->write(texts[k]);
 }
 
 std::vector<TableMark> TableFiles::sync() {

@@ -1,6 +1,7 @@
 #pragma once
 // The files of the tables while a campaign writes them: begun anew or gone on with, and marked for a checkpoint.
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -35,10 +36,17 @@ struct TableMark {
 /// where there is none, or it is shorter than the mark or another one.
 [[nodiscard]] std::filesystem::path find_marked(const std::filesystem::path& folder, const TableMark& mark);
 
+inline constexpr std::size_t table_count = 3;
+
+/// The tables of a run, always in the same order: who adds one adds it here.
+[[nodiscard]] std::array<std::unique_ptr<TableObserver>, table_count> make_tables(
+    const TableContext& context, std::uint64_t rocks, std::optional<std::uint64_t> path_limit,
+    const std::array<TextSink*, table_count>& sinks);
+
 /// The tables of one run folder as NAME.part, until they are finished.
 class TableFiles {
  public:
-  TableFiles(std::filesystem::path folder, TableContext context, std::uint64_t rocks,
+  TableFiles(std::filesystem::path folder, const TableContext& context, std::uint64_t rocks,
              std::optional<std::uint64_t> path_limit);
 
   /// Makes new files; or goes on with those that were marked, cut to their marks. Throws BadInput.
@@ -46,6 +54,8 @@ class TableFiles {
   void go_on(std::span<const TableMark> marks);
 
   [[nodiscard]] std::vector<Observer*> observers() const;
+  /// Rows of each table that were made elsewhere, in the order of the tables; they come after those before.
+  void append(std::span<const std::string> texts);
   /// What they hold now, all of it on the disk.
   [[nodiscard]] std::vector<TableMark> sync();
   /// From now on parts stay if they are not finished.

@@ -94,15 +94,17 @@ double Checkpoints::seconds() const {
   return begun_.seconds + std::chrono::duration<double>(Clock::now() - begin_).count();
 }
 
-void Checkpoints::after(std::uint64_t next) {
-  if (every_ <= 0) return;
+bool Checkpoints::is_due() const {
+  if (every_ <= 0) return false;
   const auto since = Clock::now() - written_;
-  if (std::chrono::duration<double>(since).count() < every_ || since < least_time_between * cost_) return;
-  write(next);
+  return std::chrono::duration<double>(since).count() >= every_ && since >= least_time_between * cost_;
 }
 
-void Checkpoints::write(std::uint64_t next) {
-  const auto begin = Clock::now();
+void Checkpoints::after(std::uint64_t next) {
+  if (is_due()) write(next);
+}
+
+void Checkpoints::write(std::uint64_t next, Clock::time_point begin) {
   io::RunStateHeader header = begun_;
   header.done = next;
   header.seconds = seconds();

@@ -15,6 +15,8 @@ namespace talus::project {
 /// Writes FOLDER/run.state now and then: tables first, so that a state never tells of rows that are not on the disk.
 class Checkpoints {
  public:
+  using Clock = std::chrono::steady_clock;
+
   /// `begun` is the header as it is before the first rock of this run, `every` the time between two checkpoints [s], 0
   /// for none. All of them must outlive it.
   Checkpoints(const std::filesystem::path& folder, io::RunStateHeader begun, RunSums& sums, io::TableFiles& tables,
@@ -23,7 +25,9 @@ class Checkpoints {
   /// To be called when exactly the rocks before `next` are in the sums and tables. Writes if it is time: no sooner than
   /// asked for, and so that writing takes at most a twentieth of the time.
   void after(std::uint64_t next);
-  void write(std::uint64_t next);
+  /// Whether it is time: for those who must first gather what is to be written, and then say when they began to.
+  [[nodiscard]] bool is_due() const;
+  void write(std::uint64_t next, Clock::time_point begin = Clock::now());
 
   /// The header of the last state that was written, or begun with: nothing where there is none to go on from.
   [[nodiscard]] const std::optional<io::RunStateHeader>& last() const { return last_; }
@@ -34,8 +38,6 @@ class Checkpoints {
   [[nodiscard]] double seconds() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   std::filesystem::path file_;
   io::RunStateHeader begun_;
   RunSums& sums_;

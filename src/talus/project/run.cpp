@@ -10,6 +10,7 @@
 #include "talus/io/run_state.hpp"
 #include "talus/io/table_files.hpp"
 #include "talus/project/checkpoint.hpp"
+#include "talus/project/run_on_ranks.hpp"
 
 namespace talus::project {
 
@@ -64,8 +65,7 @@ Start find_start(const std::filesystem::path& folder, const io::RunDescription& 
   return start;
 }
 
-/// Throws the rocks that are left, and sees to it that the state is on the disk where somebody may need it: of a shard
-/// for merging, of a run that was stopped or has taken long for going on.
+/// Throws the rocks that are left, in this process.
 CampaignOutcome throw_rocks(const Model& model, const RunOptions& options, const RockRange& all, std::uint64_t next,
                             RunSums& sums, io::TableFiles& tables, Checkpoints& checkpoints) {
   std::vector<Observer*> observers = tables.observers();
@@ -76,11 +76,7 @@ CampaignOutcome throw_rocks(const Model& model, const RunOptions& options, const
     if (options.campaign.progress) options.campaign.progress(done - all.first);
     if (done < all.last) checkpoints.after(done);
   };
-  if (options.campaign.progress) options.campaign.progress(next - all.first);
-  const CampaignOutcome outcome = run_campaign(model, observers, campaign);
-  const bool may_be_resumed = options.checkpoint_every > 0 && (outcome.interrupted || checkpoints.last());
-  if (options.shard || may_be_resumed) checkpoints.write(outcome.done);
-  return outcome;
+  return run_campaign(model, observers, campaign);
 }
 
 }  // namespace
@@ -97,18 +93,17 @@ RunResult run_in_memory(const Model& model, const CampaignOptions& options) {
 RunResult run_into(const std::filesystem::path& folder, const Project& project, const Model& model,
                    const Problems& warnings, const RunOptions& options) {
   make_output_folder(folder);
-  io::RunDescription description = describe(project, model, warnings);
-  // What nobody will write need not be gathered; but a shard's maps are written by those who merge it.
-  if (!io::can_write_maps() && !options.shard) description.maps.reset();
+  const io::RunDescription description = describe_run(project, model, warnings, options.shard);
   const Start start = find_start(folder, description, options);
   const io::RunStateHeader& begun = start.state;
   if (start.is_complete) return {.summary = Summary(0, 0), .range = begun.range, .was_complete = true};
+  // Before anything of an earlier run is touched.
+  const std::vector<int> threads =
+      options.ranks != nullptr ? meet_ranks(*options.ranks, description, options.campaign.threads) : std::vector<int>();
 
   const std::filesystem::path state_file = folder / io::run_state_name;
   RunSums sums(description, project, model);
-  std::optional<std::uint64_t> path_limit;
-  if (project.output.path_limit) path_limit = static_cast<std::uint64_t>(*project.output.path_limit);
-  io::TableFiles tables(folder, TableContext::of(model), model.rocks(), path_limit);
+  io::TableFiles tables(folder, TableContext::of(model), model.rocks(), path_limit(project));
   Checkpoints checkpoints(folder, begun, sums, tables, options.checkpoint_every);
   if (start.goes_on) {
     const auto observers = sums.observers();
@@ -121,7 +116,15 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   }
   try {
     RunCourse course{begun.range, begun.shard};
-    const CampaignOutcome outcome = throw_rocks(model, options, begun.range, begun.done, sums, tables, checkpoints);
+    if (options.campaign.progress) options.campaign.progress(begun.done - begun.range.first);
+    const CampaignOutcome outcome =
+        options.ranks != nullptr
+            ? throw_on_ranks(*options.ranks, threads, project, model, options, begun, sums, tables, checkpoints)
+            : throw_rocks(model, options, begun.range, begun.done, sums, tables, checkpoints);
+    // The state has to be on the disk where somebody may need it: of a shard for merging, of a run that was stopped or
+    // has taken long for going on.
+    const bool may_be_resumed = options.checkpoint_every > 0 && (outcome.interrupted || checkpoints.last());
+    if (options.shard || may_be_resumed) checkpoints.write(outcome.done);
     course.interrupted = outcome.interrupted;
     course.seconds = begun.seconds + outcome.seconds;
     course.threads = outcome.threads;

@@ -8,6 +8,7 @@
 
 #include "talus/campaign/campaign.hpp"
 #include "talus/campaign/model.hpp"
+#include "talus/campaign/ranks.hpp"
 #include "talus/campaign/shard.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/project/project.hpp"
@@ -24,6 +25,7 @@ struct RunOptions {
   bool resume = false;                          // go on from the last checkpoint in the folder
   double checkpoint_every = 20;                 // [s]; 0: never
   std::function<void(const std::string&)> say;  // what the user should know before rocks are thrown
+  Ranks* ranks = nullptr;                       // that throw rocks, too, this being rank 0; null: this process alone
 };
 
 struct RunResult {

@@ -107,6 +107,18 @@ io::RunDescription describe(const Project& project, const Model& model, const Pr
   return description;
 }
 
+io::RunDescription describe_run(const Project& project, const Model& model, const Problems& warnings,
+                                const std::optional<Shard>& shard) {
+  io::RunDescription description = describe(project, model, warnings);
+  if (!io::can_write_maps() && !shard) description.maps.reset();
+  return description;
+}
+
+std::optional<std::uint64_t> path_limit(const Project& project) {
+  if (!project.output.path_limit) return std::nullopt;
+  return static_cast<std::uint64_t>(*project.output.path_limit);
+}
+
 RunSums::RunSums(const io::RunDescription& description, const Project& project, const Model& model)
     : summary_(description.rocks, description.barriers, model.frame) {
   if (description.design) design_.emplace(*description.design, description.rocks);

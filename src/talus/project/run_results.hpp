@@ -25,6 +25,13 @@ namespace talus::project {
 /// `warnings`: those known before the run.
 [[nodiscard]] io::RunDescription describe(const Project& project, const Model& model, const Problems& warnings);
 
+/// The same less what nobody will write and need not be gathered: but a shard's maps are written by those who merge it.
+[[nodiscard]] io::RunDescription describe_run(const Project& project, const Model& model, const Problems& warnings,
+                                              const std::optional<Shard>& shard);
+
+/// How many paths the tables have at most; nothing: all.
+[[nodiscard]] std::optional<std::uint64_t> path_limit(const Project& project);
+
 /// All sums over rocks.
 class RunSums {
  public:

@@ -1,0 +1,126 @@
+// The part of all ranks but the first.
+
+#include <stdexcept>
+#include <thread>
+
+#include "talus/io/table_texts.hpp"
+#include "talus/project/rank_messages.hpp"
+#include "talus/project/run_on_ranks.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr int rank_0 = 0;
+
+/// Thrown where rank 0 lets this one go in the middle of something.
+struct Dismissed {
+  int exit_code;
+};
+
+/// What a rank gathers between two times when all is added up.
+struct Work {
+  Work(const io::RunDescription& description, const Project& project, const Model& model, int threads)
+      : sums(description, project, model),
+        texts(TableContext::of(model), model.rocks(), path_limit(project)),
+        worker(model, observers(), threads, [this] { return texts.take(); }) {}
+
+  [[nodiscard]] std::vector<Observer*> observers() {
+    std::vector<Observer*> list = texts.observers();
+    for (SummingObserver* observer : sums.observers()) list.push_back(observer);
+    return list;
+  }
+
+  RunSums sums;
+  io::TableTexts texts;
+  BlockWorker worker;
+};
+
+class Helper {
+ public:
+  Helper(Ranks& ranks, const io::RunDescription& description, const Project& project, const Model& model, int threads,
+         const std::atomic<bool>* stop)
+      : ranks_(ranks), description_(description), project_(project), model_(model), threads_(threads), stop_(stop) {}
+
+  [[noreturn]] void run() {
+    while (true) {
+      while (const auto message = ranks_.receive()) {
+        naps_.found_something();
+        handle(*message);
+      }
+      if (work_) {
+        for (const DoneBlock& block : work_->worker.take(naps_.next(ranks_))) {
+          naps_.found_something();
+          ranks_.send(rank_0, message_of(block));
+        }
+      } else {
+        std::this_thread::sleep_for(naps_.next(ranks_));
+      }
+      if (stop_ != nullptr && !has_said_stop_ && stop_->load(std::memory_order_relaxed)) {
+        ranks_.send(rank_0, message_of(MessageKind::stop));
+        has_said_stop_ = true;
+      }
+    }
+  }
+
+ private:
+  void handle(const Ranks::Message& message) {
+    if (inbox_.add(message)) return;
+    switch (kind_of(message)) {
+      case MessageKind::rocks:
+        work().worker.give(rocks_from(content_of(message)));
+        break;
+      case MessageKind::gather: {
+        const auto observers = work().sums.observers();
+        gather_sums(ranks_, inbox_, observers, [&](const Ranks::Message& other) { handle(other); });
+        work_.reset();
+        break;
+      }
+      case MessageKind::leave:
+        throw Dismissed{exit_code_from(content_of(message))};
+      default:
+        throw BadBytes("rank 0 sends what only others may");
+    }
+  }
+
+  Work& work() {
+    if (!work_) work_ = std::make_unique<Work>(description_, project_, model_, threads_);
+    return *work_;
+  }
+
+  Ranks& ranks_;
+  const io::RunDescription& description_;
+  const Project& project_;
+  const Model& model_;
+  int threads_;
+  const std::atomic<bool>* stop_;
+  Naps naps_;
+  bool has_said_stop_ = false;
+  GatherInbox inbox_;
+  std::unique_ptr<Work> work_;  // made when there is some
+};
+
+}  // namespace
+
+int help_run(Ranks& ranks, const Project& project, const Model& model, const Problems& warnings,
+             const RunOptions& options) {
+  try {
+    const int threads = options.campaign.threads > 0 ? options.campaign.threads : ranks.threads();
+    const io::RunDescription description = describe_run(project, model, warnings, options.shard);
+    ranks.send(rank_0, message_of(Hello{TALUS_VERSION, ranks.machine(), threads, description}));
+    Helper(ranks, description, project, model, threads, options.campaign.stop).run();
+  } catch (const Dismissed& dismissed) {
+    return dismissed.exit_code;
+  }
+}
+
+int cannot_help(Ranks& ranks, const std::string& what, int exit_code) {
+  ranks.send(rank_0, message_of(Cannot{ranks.machine(), what, exit_code}));
+  for (Naps naps;;) {
+    const auto message = ranks.receive();
+    if (!message) std::this_thread::sleep_for(naps.next(ranks));
+    if (message && kind_of(*message) == MessageKind::leave) return exit_code_from(content_of(*message));
+  }
+}
+
+}  // namespace talus::project
