@@ -147,7 +147,9 @@ Problems write_results(const std::filesystem::path& folder, const io::RunDescrip
   std::vector<std::string> warnings = description.warnings;
   for (const Problem& problem : found.list()) warnings.push_back(problem.text());
   OutputFile summary(folder / "summary.json");
-  summary.write(summary_json(description, warnings, sums.summary(), course).dump(1) + "\n");
+  // Names of files, of which there may be some in the warnings, need not be UTF-8.
+  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  summary.write(summary_json(description, warnings, sums.summary(), course).dump(1, ' ', false, replace) + "\n");
   summary.commit();
   if (course.shard) return found;
   io::write_derived_files(folder);
