@@ -192,6 +192,15 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
   style.commit();
 }
 
+/// GDAL 3.6 makes a driver's list of options when it is first asked for, without a lock: not by all threads at once.
+void make_lists_of_options() {
+  const GdalMessages quiet;
+  for (const char* name : {"GTiff", "COG"}) {
+    GDALDriver* const found = GetGDALDriverManager()->GetDriverByName(name);
+    if (found != nullptr) (void)found->GetMetadataItem(GDAL_DMD_CREATIONOPTIONLIST);
+  }
+}
+
 }  // namespace
 
 bool can_write_maps() { return true; }
@@ -204,6 +213,7 @@ std::vector<std::string> write_maps(const Maps& maps, std::span<const double> pe
   make_output_folder(folder);
   const std::vector<MapKind> kinds = map_kinds(maps.rocks(), percentiles);
   for (const MapKind& kind : kinds) names.push_back(kind.name);
+  make_lists_of_options();
   tbb::parallel_for_each(kinds, [&](const MapKind& kind) { write_map(maps, kind, *extent, crs_wkt, folder); });
   return names;
 }
