@@ -173,13 +173,15 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
 
   const Options cloud_optimised{"COMPRESS=DEFLATE", "LEVEL=1",       "PREDICTOR=YES",   "OVERVIEWS=FORCE_USE_EXISTING",
                                 "SPARSE_OK=TRUE",   "BLOCKSIZE=256", "BIGTIFF=IF_SAFER"};
+  // Of a run that was killed: GDAL would look into it, and complain of what it finds.
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
   messages.clear();
   const bool is_made =
       GDALDatasetUniquePtr(
           driver("COG", file).CreateCopy(part.c_str(), raster.get(), FALSE, cloud_optimised, nullptr, nullptr)) !=
       nullptr;
   if (!is_made || messages.has_failure()) {  // what goes wrong while a file is closed is only said
-    std::error_code ignored;
     std::filesystem::remove(part, ignored);
     refuse(file, messages);
   }
