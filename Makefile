@@ -4,7 +4,10 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-d
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev libgdal-dev libopenmpi-dev node-d3
 TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin python3
 
-.PHONY: build run test verify bench soak asan tsan tidy format clean setup setup-test
+FUZZ_PACKAGES := clang-14 libclang-rt-14-dev
+FUZZ_SECONDS ?= 600
+
+.PHONY: build run test verify bench soak asan tsan fuzz tidy format clean setup setup-test
 
 define install
 	@missing=""; for p in $(1); do dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
@@ -43,6 +46,12 @@ asan: setup-test
 
 tsan: setup-test
 	@cmake --preset tsan >/dev/null && cmake --build --preset tsan && ctest --preset tsan
+
+# Hostile bytes for every reader, each for FUZZ_SECONDS.
+fuzz: setup
+	$(call install,$(FUZZ_PACKAGES))
+	@cmake --preset fuzz >/dev/null && cmake --build --preset fuzz
+	@fuzz/run build-fuzz $(FUZZ_SECONDS)
 
 # Random rocks on random ground by the hundred thousand.
 soak: setup-test

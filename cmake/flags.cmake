@@ -15,6 +15,10 @@ if(TALUS_SANITIZE)
   target_compile_options(talus_flags INTERFACE -O1 -g1
     -fsanitize=${TALUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
     # Instrumented code makes g++ 12 see optionals used before they are set.
-    -Wno-maybe-uninitialized)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE})
+endif()
+if(TALUS_FUZZ)  # the library tells libFuzzer which branches an input took
+  target_compile_options(talus_flags INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(talus_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()

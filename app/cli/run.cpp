@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -76,6 +77,12 @@ std::optional<Shard> shard_of(const RunOptions& options) {
                          .hint = "For example --shard 2/7"});
 }
 
+void check_time_between_checkpoints(const RunOptions& options) {
+  if (!std::isnan(options.checkpoint_every)) return;
+  throw BadInput(
+      Problem{.where = "--checkpoint-every", .what = "nan is no time", .why = "expected seconds, 0 or more"});
+}
+
 /// Beside the project: its name, and which shard it is.
 std::filesystem::path default_folder(const Loaded& loaded, const std::optional<Shard>& shard) {
   const std::filesystem::path folder = loaded.project.file.parent_path() / loaded.project.name;
@@ -101,6 +108,7 @@ project::RunOptions how_to_run(const RunOptions& options, const std::optional<Sh
 /// In this process alone, or as the first of several.
 int run_here(const RunOptions& options, Ranks* ranks) {
   const std::optional<Shard> shard = shard_of(options);
+  check_time_between_checkpoints(options);
   const Loaded loaded = load(options.project);
   print_warnings(loaded.warnings);
   const std::filesystem::path folder = options.folder.empty() ? default_folder(loaded, shard) : options.folder;

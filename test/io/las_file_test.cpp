@@ -219,5 +219,23 @@ TEST_F(LasFileTest, AnyByteMayBeWrong) {
   EXPECT_GT(refused, 20U);
 }
 
+TEST_F(LasFileTest, CoordinatesThatNoMapHasAreRefused) {
+  LasSpec spec = some();
+  spec.offset.x() = 1e12;
+  for (LasPoint& point : spec.points) point.at.x() = 1e12;
+  EXPECT_EQ(refusal(spec),
+            "p.las: has coordinates such as 1e+12 (4 of 4 points are further than 1e+09 m from the origin). Its scales "
+            "or offsets are wrong; copy it again from where it comes from");
+}
+
+TEST_F(LasFileTest, ScalesBeyondAllNumbersAreRefused) {
+  LasSpec spec = some();
+  spec.scale = 1e305;
+  spec.offset = Vec3::Zero();
+  EXPECT_EQ(
+      refusal(spec),
+      "p.las: has the scales 1e+305, 1e+305, 1e+305 and the offsets 0, 0, 0 (its coordinates would not be finite)");
+}
+
 }  // namespace
 }  // namespace talus

@@ -89,6 +89,16 @@ std::set<std::string> files_in(const std::filesystem::path& folder) {
   return names;
 }
 
+TEST(MapFiles, WhatAKilledRunLeftIsNoHindrance) {
+  const Workplace work;
+  std::filesystem::create_directories(work / "maps");
+  // The head of a TIFF, and the number of entries of its first directory: none.
+  work.write("maps/passages.tif.part", std::string("II*\0\x08\0\0\0\0\0", 10));
+  (void)write_maps(two_rocks(), percentiles, "", work / "maps");
+  EXPECT_EQ(read_back(work / "maps/passages.tif").values, (std::vector<double>{0, 0, 2, 1, 1, 0}));
+  EXPECT_FALSE(std::filesystem::exists(work / "maps/passages.tif.part"));
+}
+
 TEST(MapFiles, AreReadBackAsTheyWereMeant) {
   const Workplace work;
   OGRSpatialReference crs;

@@ -137,5 +137,11 @@ TEST_F(PointFileTest, RefusesWhatHoldsNoPoints) {
   EXPECT_THROW(static_cast<void>(read_point_file("/")), BadInput);
 }
 
+TEST_F(PointFileTest, CoordinatesThatNoMapHasAreRefused) {
+  EXPECT_EQ(refusal("x,y,z\n0,0,1\n1e300,0,1\n0,-2e9,1\n"),
+            "p.csv:3: x is 1e+300 (coordinates lie within 1e+09 m)\n"
+            "p.csv:4: y is -2000000000 (coordinates lie within 1e+09 m)");
+}
+
 }  // namespace
 }  // namespace talus

@@ -371,7 +371,9 @@ TEST_F(RasterFileTest, SizesThatNoTerrainHasAreRefusedBeforeMemoryIsAskedFor) {
         "</VRTRasterBand></VRTDataset>");
   EXPECT_EQ(refusal("huge.vrt"),
             "huge.vrt: has 2000000000 x 2000000000 cells (Talus takes fewer than 2147483648). Cut it to the slope: "
-            "gdal_translate -projwin WEST NORTH EAST SOUTH huge.vrt huge_slope.tif");
+            "gdal_translate -projwin WEST NORTH EAST SOUTH huge.vrt huge_slope.tif\n"
+            "huge.vrt: seems to be in degrees (its cells are 0.0001 x 0.0001, and it is said to be in EPSG:31287). "
+            "Name the true one: gdal_translate -a_srs EPSG:4326 huge.vrt huge_placed.tif, and project that");
 }
 
 TEST_F(RasterFileTest, UndeclaredNoDataIsFound) {

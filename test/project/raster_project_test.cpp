@@ -191,6 +191,18 @@ TEST_F(RasterProject, ClassesThatAreNoMaterialsAreRefusedWithTheirCount) {
             "terrain's cells). Add 7 = \"...\" to classes");
 }
 
+TEST_F(RasterProject, AGroundWithoutAnyClassIsRefused) {
+  make("dem.tif", slope());
+  RasterSpec classes = halves();
+  classes.no_data = 0;
+  std::fill(classes.cells.begin(), classes.cells.end(), 0);
+  make("ground.tif", classes);
+  EXPECT_EQ(
+      refusal(terrain_raster + rest + from_classes),
+      "slope.toml: [ground]: raster \"ground.tif\" has no class anywhere on the terrain (none of 741 cells has data "
+      "in it). Look at it with gdalinfo -stats: what it declares as no data is no class");
+}
+
 TEST_F(RasterProject, AGroundBesideTheTerrainIsRefused) {
   make("dem.tif", slope());
   RasterSpec classes = halves();

@@ -145,6 +145,31 @@ TEST(SelfCrossing, IsFoundWhereItIs) {
   }
 }
 
+TEST(LineCrossing, IsFoundWhereItIs) {
+  using Points = std::vector<Vec2>;
+  EXPECT_EQ(line_crossing(Points{}), std::nullopt);
+  EXPECT_EQ(line_crossing(Points{{0, 0}, {10, -5}}), std::nullopt);
+  EXPECT_EQ(line_crossing(Points{{0, 0}, {10, 0}, {10, -10}, {8, -12}, {20, -20}}), std::nullopt) << "an overhang";
+  EXPECT_LT((line_crossing(Points{{0, 0}, {10, -10}, {10, 0}, {0, -10}}).value() - Vec2(5, -5)).norm(), 1e-12);
+  EXPECT_EQ(line_crossing(Points{{0, 0}, {10, 0}, {5, 0}}).value(), Vec2(10, 0)) << "back over itself";
+  EXPECT_EQ(line_crossing(Points{{0, 0}, {10, 0}, {10, 5}, {0, 0}}).value(), Vec2(0, 0)) << "its ends touch";
+  // As of a ring without its last side, in whatever order its pieces begin along x.
+  Dice dice(9);
+  for (int round = 0; round < 50; ++round) {
+    Points line;
+    for (const Vec3& p : star(dice, {0, 0}, 10, 30)) line.emplace_back(p.head(2));
+    EXPECT_EQ(line_crossing(line), std::nullopt);
+    std::swap(line[3], line[12]);
+    EXPECT_NE(line_crossing(line), std::nullopt);
+  }
+}
+
+TEST(LineCrossing, IsQuickForASlopeOfMillionsOfVertices) {
+  std::vector<Vec2> line;
+  for (int k = 0; k < 1'000'000; ++k) line.emplace_back(k, k % 2);
+  EXPECT_EQ(line_crossing(line), std::nullopt);
+}
+
 TEST(PointBuckets, GiveEveryPointOfABoxOnceAndFewOthers) {
   Dice dice(21);
   std::vector<Vec2> points;

@@ -44,6 +44,14 @@ class ClassRaster::Reader {
       problems_.refuse("has complex numbers in band 1", "a class is a whole number",
                        "Keep their real part: " + problems_.command("gdal_translate -ot Int32", "_classes.tif"));
     }
+    const GDALColorInterp colour = band_->GetColorInterpretation();
+    if (colour != GCI_Undefined && colour != GCI_GrayIndex && colour != GCI_PaletteIndex) {
+      problems_.refuse(
+          "is a picture",
+          fmt::format("band 1 is the colour component \"{}\"; Talus needs classes there",
+                      GDALGetColorInterpretationName(colour)),
+          "If it does hold them: " + problems_.command("gdal_translate -b 1 -colorinterp_1 gray", "_classes.tif"));
+    }
     double geotransform[6];
     if (read_geotransform(*dataset_, geotransform, problems_) && GDALInvGeoTransform(geotransform, from_place_)) {
       cell_ = std::sqrt(std::abs(geotransform[1] * geotransform[5] - geotransform[2] * geotransform[4]));

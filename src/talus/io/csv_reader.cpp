@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/ordinary_file.hpp"
 
 namespace talus::io {
 namespace {
@@ -18,12 +19,15 @@ std::string excerpt(std::string_view text) {
   return text.size() <= most ? fmt::format("\"{}\"", text) : fmt::format("\"{}...\"", text.substr(0, most));
 }
 
+constexpr std::size_t longest_row = std::size_t{1} << 20;  // bytes; but for names of the user's it has some 300
+
 constexpr auto cut_short = "The file was cut short or damaged; run the project again to get it whole";
 
 }  // namespace
 
 CsvReader::CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns)
-    : file_(file.string()), columns_(columns), buffer_(std::size_t{1} << 20) {
+    : file_(file.string()), columns_(columns), buffer_(std::size_t{1} << 20), line_read_(longest_row + 2) {
+  if (const auto why = not_an_ordinary_file(file)) refuse("", "cannot be opened", *why);
   stream_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   stream_.open(file, std::ios::binary);
   if (!stream_) refuse("", "cannot be opened", "it must be a readable file");
@@ -39,17 +43,24 @@ CsvReader::CsvReader(const std::filesystem::path& file, std::span<const std::str
 bool CsvReader::read_record() {
   record_.clear();
   line_ = lines_read_ + 1;
-  std::string part;
   for (bool open_quote = false;;) {  // a quoted value may hold a line end: go on while a quote is open
-    if (!std::getline(stream_, open_quote ? part : record_)) {
-      if (stream_.bad()) refuse("", "cannot be read", "the system reports a read error");
+    // Not std::getline(): a file of another kind may be one line of gigabytes.
+    stream_.getline(line_read_.data(), static_cast<std::streamsize>(line_read_.size()));
+    const auto length = static_cast<std::size_t>(stream_.gcount());
+    if (stream_.bad()) refuse("", "cannot be read", "the system reports a read error");
+    if (stream_.eof() && length == 0) {
       if (!open_quote) return false;
       refuse("", "a quoted value has no end", "the file ends inside it", cut_short);
     }
     ++lines_read_;
+    if (stream_.fail() || record_.size() + length > longest_row + 1) {
+      refuse("", fmt::format("the row has more than {} bytes", longest_row), "no row of a table is so long", cut_short);
+    }
     if (stream_.eof()) refuse("", "the last line has no line end", "every row ends with one", cut_short);
-    if (open_quote) record_ += '\n' + part;
-    open_quote = std::ranges::count(record_, '"') % 2 != 0;
+    const std::string_view part(line_read_.data(), length - 1);
+    if (open_quote) record_ += '\n';
+    record_ += part;
+    if (std::ranges::count(part, '"') % 2 != 0) open_quote = !open_quote;
     if (!open_quote) break;
   }
   if (record_.ends_with('\r')) record_.pop_back();

@@ -18,7 +18,7 @@ class CsvReader {
   CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns);
 
   /// Goes to the next row; false after the last. Throws BadInput on a row with too few or too many values, and on a
-  /// last line without an end, the mark of a file that was cut short.
+  /// last line without an end, the mark of a file that was cut short; and on one of more than a megabyte.
   [[nodiscard]] bool next();
 
   // The values of the current row, by column. Views hold until the next call of next().
@@ -37,6 +37,7 @@ class CsvReader {
   std::span<const std::string_view> columns_;
   std::vector<char> buffer_;
   std::ifstream stream_;
+  std::vector<char> line_read_;
   std::string record_;    // the current row as it stands in the file
   std::string unquoted_;  // text of its quoted values; fields_ may point into it
   std::vector<std::string_view> fields_;

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "talus/io/ordinary_file.hpp"
+
 namespace talus {
 
 namespace {
@@ -86,6 +88,7 @@ GDALDatasetUniquePtr open_raster(const GdalMessages& messages, RasterProblems& p
     problems.stop("cannot be read", error ? error.message() : "there is no such file",
                   "Paths are relative to the project file");
   }
+  if (const auto why = nothing_for_gdal(problems.file())) problems.stop("cannot be read", *why, "Name a file");
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
   if (!dataset) problems.stop("is no raster that GDAL can read", messages.failure());

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "talus/io/raster_file.hpp"
+#include "talus/terrain/mend.hpp"
 
 namespace talus {
 namespace {
@@ -121,6 +122,13 @@ class LasReader {
                        scale_.z(), offset_.x(), offset_.y(), offset_.z()),
            "scales are more than 0, and all are finite");
     }
+    // The farthest a point can be: its 32 bits times the scale, and the offset.
+    const Vec3 farthest = 2147483648.0 * scale_ + offset_.cwiseAbs();
+    if (!farthest.allFinite()) {
+      stop(fmt::format("has the scales {:g}, {:g}, {:g} and the offsets {:g}, {:g}, {:g}", scale_.x(), scale_.y(),
+                       scale_.z(), offset_.x(), offset_.y(), offset_.z()),
+           "its coordinates would not be finite");
+    }
     if (las_.declared == 0) stop("has no points", "its header says so");
     if (las_.declared >= most_points) {
       stop(fmt::format("declares {} points", las_.declared), fmt::format("Talus reads fewer than {}", most_points),
@@ -198,8 +206,8 @@ class LasReader {
     // Classification and flags: the specification's tables 7 to 9 (formats 0 to 5) and 10 to 16 (6 to 10).
     const bool is_new_format = format_ >= 6;
     constexpr std::uint64_t at_once = 1 << 16;
-    std::uint64_t strange = 0;
-    double strangest = 0;
+    std::uint64_t strange = 0, far_away = 0;
+    double strangest = 0, farthest = 0;
     for (std::uint64_t done = 0; done < las_.declared; done += at_once) {
       const std::uint64_t count = std::min(at_once, las_.declared - done);
       const auto block = bytes(first_ + done * length_, count * length_);
@@ -217,11 +225,22 @@ class LasReader {
         const Vec3 steps(number_at<std::int32_t>(block, at), number_at<std::int32_t>(block, at + 4),
                          number_at<std::int32_t>(block, at + 8));
         las_.points.emplace_back(scale_.cwiseProduct(steps) + offset_);
+        const double plan = las_.points.back().head<2>().cwiseAbs().maxCoeff();
+        if (plan > largest_coordinate_m) {
+          ++far_away;
+          farthest = plan;
+        }
         const double z = las_.points.back().z();
         if (z >= least_elevation_m && z <= greatest_elevation_m) continue;
         ++strange;
         strangest = z;
       }
+    }
+    if (far_away > 0) {
+      stop(fmt::format("has coordinates such as {:.10g}", farthest),
+           fmt::format("{} of {} points are further than {:g} m from the origin", far_away, las_.points.size(),
+                       largest_coordinate_m),
+           "Its scales or offsets are wrong; copy it again from where it comes from");
     }
     if (strange > 0) {
       stop(fmt::format("has heights such as {:.10g} m", strangest),

@@ -173,13 +173,15 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
 
   const Options cloud_optimised{"COMPRESS=DEFLATE", "LEVEL=1",       "PREDICTOR=YES",   "OVERVIEWS=FORCE_USE_EXISTING",
                                 "SPARSE_OK=TRUE",   "BLOCKSIZE=256", "BIGTIFF=IF_SAFER"};
+  // Of a run that was killed: GDAL would look into it, and complain of what it finds.
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
   messages.clear();
   const bool is_made =
       GDALDatasetUniquePtr(
           driver("COG", file).CreateCopy(part.c_str(), raster.get(), FALSE, cloud_optimised, nullptr, nullptr)) !=
       nullptr;
   if (!is_made || messages.has_failure()) {  // what goes wrong while a file is closed is only said
-    std::error_code ignored;
     std::filesystem::remove(part, ignored);
     refuse(file, messages);
   }
@@ -190,6 +192,15 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
   OutputFile style(folder / (kind.name + ".qml"));
   style.write(qgis_style(kind.scale, found->least, found->greatest));
   style.commit();
+}
+
+/// GDAL 3.6 makes a driver's list of options when it is first asked for, without a lock: not by all threads at once.
+void make_lists_of_options() {
+  const GdalMessages quiet;
+  for (const char* name : {"GTiff", "COG"}) {
+    GDALDriver* const found = GetGDALDriverManager()->GetDriverByName(name);
+    if (found != nullptr) (void)found->GetMetadataItem(GDAL_DMD_CREATIONOPTIONLIST);
+  }
 }
 
 }  // namespace
@@ -204,6 +215,7 @@ std::vector<std::string> write_maps(const Maps& maps, std::span<const double> pe
   make_output_folder(folder);
   const std::vector<MapKind> kinds = map_kinds(maps.rocks(), percentiles);
   for (const MapKind& kind : kinds) names.push_back(kind.name);
+  make_lists_of_options();
   tbb::parallel_for_each(kinds, [&](const MapKind& kind) { write_map(maps, kind, *extent, crs_wkt, folder); });
   return names;
 }

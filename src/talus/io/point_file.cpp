@@ -17,7 +17,9 @@
 #include "talus/io/first_problems.hpp"
 #include "talus/io/mesh_problems.hpp"
 #include "talus/io/mesh_text.hpp"
+#include "talus/io/ordinary_file.hpp"
 #include "talus/io/raster_file.hpp"
+#include "talus/terrain/mend.hpp"
 
 namespace talus {
 namespace {
@@ -137,9 +139,7 @@ class PointReader {
   }
 
   std::ifstream opened() const {
-    std::error_code error;
-    const auto status = std::filesystem::status(file_, error);
-    if (!error && std::filesystem::is_directory(status)) stop("cannot be read", "it is a folder", "Name a file");
+    if (const auto why = not_an_ordinary_file(file_)) stop("cannot be read", *why, "Name a file");
     errno = 0;
     std::ifstream stream(file_, std::ios::binary);
     if (!stream) {
@@ -267,6 +267,11 @@ class PointReader {
                       fmt::format("expected {} in metres", axis == 0   ? "x"
                                                            : axis == 1 ? "y"
                                                                        : "z"));
+        return;
+      }
+      if (axis < 2 && std::abs(*value) > largest_coordinate_m) {
+        problems_.add(line_number(), fmt::format("{} is {:.10g}", axis == 0 ? "x" : "y", *value),
+                      fmt::format("coordinates lie within {:g} m", largest_coordinate_m));
         return;
       }
       point[static_cast<Eigen::Index>(axis)] = *value;

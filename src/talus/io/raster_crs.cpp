@@ -78,13 +78,26 @@ std::optional<std::array<double, 2>> ground_lengths(const OGRSpatialReference& c
   return lengths;
 }
 
-void judge_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
+/// How far a place lies outside of where its coordinate system is meant for [degrees of longitude or latitude]; 0
+/// within, and where that is not known.
+double degrees_outside(OGRSpatialReference crs, const Vec2& place) {
+  if (crs.IsCompound()) crs.StripVertical();
+  double west = 0, south = 0, east = 0, north = 0;
+  if (!crs.GetAreaOfUse(&west, &south, &east, &north, nullptr) || west < -180 || south < -90) return 0;
+  const double width = east >= west ? east - west : east - west + 360;  // or it lies across the 180th meridian
+  const double eastwards = place.x() - west - 360 * std::floor((place.x() - west) / 360);
+  const double beside = eastwards <= width ? 0 : std::min(eastwards - width, 360 - eastwards);
+  return std::max({beside, south - place.y(), place.y() - north});
+}
+
+/// Whether there was nothing to complain of.
+bool judge_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
                  const CrsCommands& commands) {
   const auto lengths = ground_lengths(crs, centre);
-  if (!lengths) return;
+  if (!lengths) return true;
   const bool x_is_worse = std::abs((*lengths)[0] - 1) > std::abs((*lengths)[1] - 1);
   const double length = (*lengths)[x_is_worse ? 0 : 1];
-  if (std::abs(length - 1) <= doubtful_scale) return;
+  if (std::abs(length - 1) <= doubtful_scale) return true;
   std::string what = fmt::format("is in {}, whose metres are not metres on the ground", name_of(crs));
   std::string why = fmt::format("at its centre a metre along {} is {:.3f} m", x_is_worse ? "x" : "y", length);
   std::string hint = "Project it: " + command_to_utm(crs, centre, commands);
@@ -92,6 +105,30 @@ void judge_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProbl
     problems.refuse(std::move(what), std::move(why), std::move(hint));
   } else {
     problems.warn(std::move(what), std::move(why), std::move(hint));
+  }
+  return false;
+}
+
+/// A file whose coordinate system is not its own, or whose x and y are exchanged, lies somewhere else.
+void judge_place(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
+                 const CrsCommands& commands) {
+  constexpr double doubtful = 3, refused = 20;  // degrees; people use the next zone of UTM, of 6 degrees, but no other
+  const Transformation transformation = to_degrees(crs);
+  if (!transformation) return;
+  const auto place = degrees(*transformation, centre);
+  const std::string at = fmt::format("({:.10g}, {:.10g})", centre.x(), centre.y());
+  const std::string hint = "Name the true one, or bring its coordinates into the order x, y: " + commands.name;
+  if (!place || std::abs(place->y()) > 90) {
+    problems.refuse("lies nowhere on the earth", fmt::format("its centre {} has no place in {}", at, name_of(crs)),
+                    hint);
+    return;
+  }
+  const double outside = degrees_outside(crs, *place);
+  const std::string why = fmt::format("its centre {} is {:.0f} degrees from where {} holds", at, outside, name_of(crs));
+  if (outside > refused) {
+    problems.refuse("lies elsewhere", why, hint);
+  } else if (judge_scale(crs, centre, problems, commands) && outside > doubtful) {
+    problems.warn("seems to lie elsewhere", why, hint);
   }
 }
 
@@ -133,6 +170,27 @@ std::optional<LengthUnit> unit_of_height(const OGRSpatialReference& crs) {
   return LengthUnit{unit && *unit ? unit : "a unit without a name", metres};
 }
 
+bool has_depths(const OGRSpatialReference& crs) {
+  if (!crs.IsVertical()) return false;
+  OGRAxisOrientation orientation = OAO_Other;
+  return crs.GetAxis(nullptr, crs.IsCompound() ? 2 : 0, &orientation) && orientation == OAO_Down;
+}
+
+std::optional<HeightFault> fault_of_heights(const OGRSpatialReference& crs) {
+  if (has_depths(crs)) return HeightFault{"has depths", name_of(crs) + " counts them downwards; Talus needs heights"};
+  if (const auto height = unit_of_height(crs)) {
+    if (std::abs(height->metres - 1) <= 1e-9) return std::nullopt;
+    return HeightFault{"has heights in " + height->name,
+                       fmt::format("{} has them so; Talus needs metres; one of these units is {:.10g} m", name_of(crs),
+                                   height->metres)};
+  }
+  const char* unit = nullptr;
+  if (!crs.IsProjected() || std::abs(crs.GetLinearUnits(&unit) - 1) <= 1e-9) return std::nullopt;
+  return HeightFault{"does not say what its heights are in",
+                     fmt::format("the unit of {} is {} on plan, and it names none for heights", name_of(crs),
+                                 unit && *unit ? unit : "one without a name")};
+}
+
 void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems) {
   judge_terrain_crs(crs, centre, problems,
                     {[&](const std::string& target) {
@@ -161,7 +219,7 @@ void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>
                                   unit && *unit ? unit : "one without a name", metres),
                       "Project it: " + command_to_utm(crs, centre, commands));
     } else if (centre) {
-      judge_scale(crs, *centre, problems, commands);
+      judge_place(crs, *centre, problems, commands);
     }
   }
 }

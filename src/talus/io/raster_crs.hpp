@@ -32,6 +32,16 @@ struct LengthUnit {
 /// The unit of height, where the coordinate system has heights.
 [[nodiscard]] std::optional<LengthUnit> unit_of_height(const OGRSpatialReference& crs);
 
+/// What is wrong with the heights of a file in this coordinate system, in words: what, and why. Nothing where they are
+/// metres upwards, as far as it says.
+struct HeightFault {
+  std::string what, why;
+};
+[[nodiscard]] std::optional<HeightFault> fault_of_heights(const OGRSpatialReference& crs);
+
+/// Whether the third axis of the coordinate system points down: its numbers are depths.
+[[nodiscard]] bool has_depths(const OGRSpatialReference& crs);
+
 /// Refuses coordinate systems whose plan is not in metres, or not in metres of the ground, at `centre` (x and y as in
 /// the file; absent where the file does not say where it lies).
 void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems);

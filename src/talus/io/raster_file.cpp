@@ -3,6 +3,7 @@
 #ifdef TALUS_HAS_GDAL
 
 #include <cpl_conv.h>
+#include <cpl_vsi.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 
 #include "talus/io/gdal_raster.hpp"
 #include "talus/io/raster_crs.hpp"
+#include "talus/terrain/mend.hpp"
 
 namespace talus {
 
@@ -65,6 +67,46 @@ std::optional<Placing> placing(GDALDataset& dataset, RasterProblems& problems) {
   return out;
 }
 
+/// Of a file that names no coordinate system, numbers that can hardly be metres.
+bool seems_to_be_in_degrees(GDALDataset& dataset, const Placing& at) {
+  constexpr double widest = 10;          // degrees; a terrain of that size has no slopes to look at
+  constexpr double largest_cell = 0.01;  // degrees, a kilometre; cells of a centimetre would be as strange
+  const double east = at.west + at.dx * dataset.GetRasterXSize(), north = at.south + at.dy * dataset.GetRasterYSize();
+  return at.west >= -180 && east <= 360 && at.south >= -90 && north <= 90 && east - at.west < widest &&
+         north - at.south < widest && std::max(at.dx, at.dy) < largest_cell;
+}
+
+void judge_place(GDALDataset& dataset, const Placing& at, const OGRSpatialReference* crs, RasterProblems& problems) {
+  constexpr double smallest_cell = 1e-3;  // m
+  const double east = at.west + at.dx * dataset.GetRasterXSize(), north = at.south + at.dy * dataset.GetRasterYSize();
+  if (std::max({std::abs(at.west), std::abs(east), std::abs(at.south), std::abs(north)}) > largest_coordinate_m) {
+    problems.refuse("lies too far away",
+                    fmt::format("x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}; coordinates lie within {:g} m",
+                                at.west, east, at.south, north, largest_coordinate_m),
+                    "Tell it: " + problems.command("gdal_translate -a_ullr WEST NORTH EAST SOUTH", "_placed.tif"));
+  } else if (crs ? !crs->IsGeographic() && std::min(at.dx, at.dy) < smallest_cell
+                 : seems_to_be_in_degrees(dataset, at)) {
+    problems.refuse("seems to be in degrees",
+                    fmt::format("its cells are {:.6g} x {:.6g}, and it {}", at.dx, at.dy,
+                                crs ? "is said to be in " + name_of(*crs) : "names no coordinate system"),
+                    "Name the true one: " + problems.command("gdal_translate -a_srs EPSG:4326", "_placed.tif") +
+                        ", and project that");
+  }
+}
+
+/// Cells take memory before the first of them is read, however short the file is.
+void judge_memory(GDALDataset& dataset, RasterProblems& problems) {
+  const double nodes = static_cast<double>(dataset.GetRasterXSize()) * dataset.GetRasterYSize();
+  // The elevations, and a row or two in 64 bits.
+  const double needed = nodes * sizeof(float) + 2.0 * sizeof(double) * dataset.GetRasterXSize();
+  const auto there = static_cast<double>(CPLGetUsablePhysicalRAM());
+  if (there <= 0 || needed <= there) return;
+  problems.refuse(
+      fmt::format("has {} x {} cells", dataset.GetRasterXSize(), dataset.GetRasterYSize()),
+      fmt::format("they need {:.1f} GB of memory, and there are {:.1f} GB", needed / 1e9, there / 1e9),
+      "Cut it to the slope: " + problems.command("gdal_translate -projwin WEST NORTH EAST SOUTH", "_slope.tif"));
+}
+
 void judge_size(GDALDataset& dataset, RasterProblems& problems) {
   const std::int64_t columns = dataset.GetRasterXSize(), rows = dataset.GetRasterYSize();
   if (columns < 2 || rows < 2) {
@@ -74,6 +116,8 @@ void judge_size(GDALDataset& dataset, RasterProblems& problems) {
     problems.refuse(
         fmt::format("has {} x {} cells", columns, rows), fmt::format("Talus takes fewer than {}", most_raster_nodes),
         "Cut it to the slope: " + problems.command("gdal_translate -projwin WEST NORTH EAST SOUTH", "_slope.tif"));
+  } else {
+    judge_memory(dataset, problems);
   }
 }
 
@@ -100,6 +144,12 @@ std::optional<double> metres_of_unit(std::string name) {
 
 void judge_unit(GDALRasterBand& band, const OGRSpatialReference* crs, RasterProblems& problems) {
   const std::string unit = band.GetUnitType() ? band.GetUnitType() : "";
+  if (crs && has_depths(*crs)) {
+    problems.refuse(
+        "has depths", name_of(*crs) + " counts them downwards; Talus needs heights",
+        "Turn them round: " +
+            problems.command("gdal_translate -ot Float32 -scale 0 1 0 -1 -a_srs EPSG:XXXX", "_heights.tif"));
+  }
   const auto refuse = [&](const std::string& name, std::optional<double> metres) {
     if (metres) {
       problems.refuse(fmt::format("has heights in {}", name),
@@ -110,11 +160,19 @@ void judge_unit(GDALRasterBand& band, const OGRSpatialReference* crs, RasterProb
                       "If they are metres, drop the name: " + command_to_metres_of_height(1, crs, problems));
     }
   };
+  const auto of_crs = crs ? unit_of_height(*crs) : std::nullopt;
   if (!unit.empty()) {
     const auto metres = metres_of_unit(unit);
+    if (metres && of_crs && std::abs(*metres - of_crs->metres) > 1e-9) {
+      problems.refuse(fmt::format("has heights in {} and in {}", unit, of_crs->name),
+                      fmt::format("its band says one, {} the other", name_of(*crs)),
+                      "Say what they are: " + problems.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif") +
+                          ", or gdal_edit.py -units");
+      return;
+    }
     if (!metres || *metres != 1) refuse(unit, metres);
-  } else if (const auto height = crs ? unit_of_height(*crs) : std::nullopt) {
-    if (std::abs(height->metres - 1) > 1e-9) refuse(height->name, height->metres);
+  } else if (of_crs && std::abs(of_crs->metres - 1) > 1e-9) {
+    refuse(of_crs->name, of_crs->metres);
   }
 }
 
@@ -122,6 +180,13 @@ void judge_band(GDALRasterBand& band, RasterProblems& problems) {
   if (GDALDataTypeIsComplex(band.GetRasterDataType())) {
     problems.refuse("has complex numbers in band 1", "an elevation is a real number",
                     "Keep their real part: " + problems.command("gdal_translate -ot Float32", "_real.tif"));
+  }
+  int has_scale = 0, has_offset = 0;
+  const double scale = band.GetScale(&has_scale), offset = band.GetOffset(&has_offset);
+  if ((has_scale && (!std::isfinite(scale) || scale == 0)) || (has_offset && !std::isfinite(offset))) {
+    problems.refuse(fmt::format("has the scale {:g} and the offset {:g} for its heights", scale, offset),
+                    "all cells would have one height, or none",
+                    "Leave them out: " + problems.command("gdal_translate -a_scale 1 -a_offset 0", "_heights.tif"));
   }
   const GDALColorInterp colour = band.GetColorInterpretation();
   if (colour != GCI_Undefined && colour != GCI_GrayIndex) {
@@ -282,6 +347,7 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
   judge_band(band, problems);
   // Before the plan: a projected copy would no longer say what unit its heights are in.
   judge_unit(band, crs, problems);
+  if (place) judge_place(*dataset, *place, crs, problems);
   if (crs) judge_terrain_crs(*crs, centre, problems);
   problems.throw_if_any();
 

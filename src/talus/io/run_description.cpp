@@ -2,6 +2,7 @@
 
 #include "talus/core/bytes.hpp"
 #include "talus/io/design_json.hpp"
+#include "talus/io/json_text.hpp"
 
 namespace talus::io {
 
@@ -79,6 +80,7 @@ RunDescription read(const Json& json) {
 }  // namespace
 
 RunDescription description_from(std::string_view json_text) {
+  expect_bytes(depth_of_json(json_text) <= deepest_json, "the description of the run is damaged");
   try {
     return read(Json::parse(json_text));
   } catch (const nlohmann::json::exception&) {

@@ -13,6 +13,8 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/io/csv_reader.hpp"
+#include "talus/io/json_text.hpp"
+#include "talus/io/ordinary_file.hpp"
 #include "talus/io/path_reader.hpp"
 #include "talus/io/spread_sample.hpp"
 
@@ -32,6 +34,8 @@ constexpr std::size_t most_impacts = 100;  // for which losses are kept by numbe
                          .why = std::move(why),
                          .hint = std::move(hint)});
 }
+
+constexpr std::uintmax_t most_summary_bytes = std::uintmax_t{256} << 20;  // far beyond any; it is read whole
 
 constexpr auto cut_short = "The file was cut short or damaged; run the project again to get it whole";
 constexpr auto name_a_run = "Name a folder that `talus run` has written";
@@ -66,13 +70,14 @@ void expect_kind(const Json& summary, const std::string& pointer, Json::value_t 
 }
 
 void check_sketch(const Json& node, const std::string& where, const std::string& file) {
-  for (const auto& [name, histogram] : node.items()) {
+  for (const auto& item : node.items()) {
+    const Json& histogram = item.value();
     const auto number = [&](const char* key) { return histogram.contains(key) && histogram.at(key).is_number(); };
     const bool has_counts = histogram.is_object() && histogram.contains("counts") &&
                             histogram.at("counts").is_array() &&
                             std::ranges::all_of(histogram.at("counts"), [](const auto& n) { return n.is_number(); });
     if (histogram.is_null() || (has_counts && number("low") && number("width") && histogram.at("width") > 0)) continue;
-    refuse(file, fmt::format("{}/{}", where, name), "is not a histogram",
+    refuse(file, fmt::format("{}/{}", where, item.key()), "is not a histogram",
            "expected the numbers low and width (more than 0) and the list of numbers counts");
   }
 }
@@ -115,6 +120,12 @@ void shorten_long_lists(Json& node) {
 
 Json read_summary(const std::filesystem::path& path) {
   const std::string file = path.string();
+  if (const auto why = not_an_ordinary_file(path)) refuse(path, "", "cannot be opened", *why, name_a_run);
+  std::error_code error_code;
+  if (const auto bytes = std::filesystem::file_size(path, error_code); !error_code && bytes > most_summary_bytes) {
+    refuse(path, "", fmt::format("the file has {} MiB", bytes >> 20U),
+           fmt::format("a summary has at most {} MiB", most_summary_bytes >> 20U), cut_short);
+  }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
     refuse(path, "", std::filesystem::exists(path) ? "cannot be opened" : "there is no such file",
@@ -122,17 +133,23 @@ Json read_summary(const std::filesystem::path& path) {
   }
   std::stringstream text;
   text << stream.rdbuf();
+  const std::string all = std::move(text).str();
+  if (const std::size_t depth = depth_of_json(all); depth > deepest_json) {
+    refuse(path, "", fmt::format("holds lists within lists, {} deep", depth),
+           fmt::format("a summary has at most {}", deepest_json), name_a_run);
+  }
   Json summary;
   try {
-    summary = Json::parse(text.str());
+    summary = Json::parse(all);
   } catch (const Json::parse_error& error) {
-    const std::string all = text.str();
     const auto before = std::min(error.byte, all.size());
     const bool at_end = all.find_first_not_of(" \t\r\n", before) == std::string::npos;
     const auto line_ends = std::ranges::count(std::string_view(all).substr(0, before), '\n');
     refuse(path, "", at_end ? "the JSON ends too early" : "is not JSON",
            at_end ? fmt::format("after {} bytes", all.size()) : fmt::format("at byte {}", error.byte), cut_short,
            1 + static_cast<int>(line_ends));
+  } catch (const Json::out_of_range&) {
+    refuse(path, "", "holds a number that is too large", "expected numbers that 64 bits can hold", cut_short);
   }
   using kind = Json::value_t;
   if (!summary.is_object()) {
@@ -150,7 +167,9 @@ Json read_summary(const std::filesystem::path& path) {
   if (summary.contains("histograms")) check_sketch(summary.at("histograms"), "histograms", file);
   if (summary.contains("statistics")) {
     for (const auto& [name, node] : summary.at("statistics").items()) {
-      if (!node.is_null()) expect_kind(summary, "/statistics/" + name, kind::object, file);
+      // Not by a pointer: a name may hold what means something there.
+      if (node.is_null() || node.is_object()) continue;
+      refuse(path, "statistics/" + name, fmt::format("the value is of type {}", node.type_name()), "expected object");
     }
   }
   if (summary.contains("barriers")) {

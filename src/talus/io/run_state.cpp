@@ -36,7 +36,7 @@ Digest get_digest(ByteReader& in) {
 std::string saved(const RunStateHeader& header) {
   ByteWriter out;
   out.text(TALUS_VERSION);
-  out.text(as_json(header.description).dump());
+  out.text(as_json(header.description).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   out.put(header.range.first);
   out.put(header.range.last);
   out.put(header.done);

@@ -119,11 +119,9 @@ void judge_survey_crs(const SurveyCrs& crs, const std::optional<Vec2>& centre, c
   RasterProblems problems(file);
   const OGRSpatialReference reference = read(crs);
   const CrsCommands commands = commands_for(file, kind);
-  if (const auto height = unit_of_height(reference); height && std::abs(height->metres - 1) > 1e-9) {
-    problems.refuse(
-        fmt::format("has heights in {}", height->name),
-        fmt::format("{} has them so; Talus needs metres; one of these units is {:.10g} m", crs.name, height->metres),
-        "Bring it to one with heights in metres: " + commands.project("EPSG:XXXX+XXXX"));
+  if (const auto fault = reference.IsVertical() ? fault_of_heights(reference) : std::nullopt) {
+    problems.refuse(fault->what, fault->why,
+                    "Bring it to one with heights in metres: " + commands.project("EPSG:XXXX+XXXX"));
   }
   judge_terrain_crs(reference, centre, problems, commands);
   problems.throw_if_any();

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string_view>
 
@@ -151,10 +152,26 @@ class Heights {
   bool all_zero_ = true;
 };
 
+// "elev_ft", "Z (feet)": as with the columns of text files, a unit in a name is believed where it is a word.
+bool names_feet(std::string_view attribute) {
+  const std::string name = lower(attribute);
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+  const auto end = std::find_if(name.rbegin(), name.rend(), is_letter).base();
+  const auto begin = std::find_if_not(std::make_reverse_iterator(end), name.rend(), is_letter).base();
+  static constexpr std::array<std::string_view, 5> feet{"ft", "feet", "foot", "usft", "ftus"};
+  return std::find(feet.begin(), feet.end(), std::string_view(begin, end)) != feet.end();
+}
+
 VectorLayer read_with_heights(const std::filesystem::path& path, VectorRequest request, const std::string& attribute,
                               bool others_have_heights, CommonCrs& crs, Problems& warnings) {
+  if (names_feet(attribute)) {
+    throw BadInput(problem(path, fmt::format("attribute {} is in feet", in_quotes(attribute)),
+                           "Talus needs metres in height",
+                           "Make one in metres: a foot is 0.3048 m, a US survey foot 1200/3937 m"));
+  }
   Heights heights(path, attribute);
   request.attributes = heights.attributes();
+  request.heights_are_used = attribute.empty();
   request.others_are_left_out = is_dxf(path);
   request.terrain_crs_wkt = crs.wanted();
   VectorLayer layer = read_vector_file(path, request, warnings);

@@ -2,6 +2,7 @@
 
 #ifdef TALUS_HAS_GDAL
 
+#include <cpl_string.h>
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 
@@ -11,6 +12,8 @@
 
 #include "talus/core/nearest.hpp"
 #include "talus/io/gdal_raster.hpp"
+#include "talus/io/mesh_problems.hpp"
+#include "talus/io/ordinary_file.hpp"
 #include "talus/io/raster_crs.hpp"
 #include "talus/io/vector_shapes.hpp"
 
@@ -46,6 +49,7 @@ GDALDatasetUniquePtr open_vectors(const GdalMessages& messages, RasterProblems& 
     problems.stop("cannot be read", error ? error.message() : "there is no such file",
                   "Paths are relative to the project file");
   }
+  if (const auto why = nothing_for_gdal(problems.file())) problems.stop("cannot be read", *why, "Name a file");
   static const char* const columns_of_csv[] = {"GEOM_POSSIBLE_NAMES=WKT,geometry,geom,the_geom",
                                                "X_POSSIBLE_NAMES=x,x_m,east*,lon*",
                                                "Y_POSSIBLE_NAMES=y,y_m,north*,lat*",
@@ -112,7 +116,7 @@ void judge_size(OGRLayer& layer, RasterProblems& problems) {
 void read_features(OGRLayer& layer, const std::vector<int>& columns, VectorShapes& shapes, VectorLayer& read,
                    GdalMessages& messages, RasterProblems& problems) {
   messages.clear();
-  std::uint64_t seen = 0, without_geometry = 0;
+  std::uint64_t seen = 0, without_geometry = 0, not_utf8 = 0;
   layer.ResetReading();
   for (;; ++seen) {
     const OGRFeatureUniquePtr from(layer.GetNextFeature());
@@ -129,10 +133,17 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, VectorShape
     }
     VectorFeature feature{.id = from->GetFID(), .has_z = geometry->Is3D() != FALSE, .parts = {}, .values = {}};
     shapes.add(*geometry, feature);
+    messages.clear();  // of places that could not be brought to the terrain, which the shapes remember
     if (feature.parts.empty()) continue;
     for (const int column : columns) {
       const bool has_value = from->IsFieldSetAndNotNull(column);
       feature.values.push_back(has_value ? std::optional<std::string>(from->GetFieldAsString(column)) : std::nullopt);
+      if (has_value && !CPLIsUTF8(feature.values.back()->c_str(), -1) && ++not_utf8 == 1) {
+        problems.refuse(fmt::format("feature {} has the {} {}", feature.id, from->GetFieldDefnRef(column)->GetNameRef(),
+                                    in_quotes(*feature.values.back())),
+                        "that is not UTF-8, the encoding of names",
+                        "Convert the file, for example with iconv -f LATIN1 -t UTF-8, or tell GDAL its encoding");
+      }
     }
     read.features.push_back(std::move(feature));
   }

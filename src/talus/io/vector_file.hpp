@@ -37,6 +37,8 @@ struct VectorRequest {
   std::vector<ShapeKind> kinds;         // which are wanted; empty: all
   /// Whether other kinds are left out, with a warning, instead of being refused: a DXF mixes them.
   bool others_are_left_out = false;
+  /// Whether the features' z are used: then they must be metres upwards, as far as the file says.
+  bool heights_are_used = false;
   /// The coordinate system of the terrain as WKT; empty: not known. Features are brought to it vertex by vertex (z
   /// stays as it is). Where it or that of the file is not known, both are taken to be the same.
   std::string terrain_crs_wkt;
@@ -52,8 +54,8 @@ struct VectorLayer {
 /// Curves become chords, collections several parts. Throws BadInput with all that is wrong: no such file, layer or
 /// attribute, an empty layer, degrees or feet without a terrain to bring them to, other kinds than those wanted,
 /// polygons that cross themselves, coordinates that are no numbers or have no place in the terrain's coordinate
-/// system, more than Talus takes; and where the program was built without GDAL. What is only doubtful is added to
-/// `warnings`.
+/// system, heights in another unit, attributes that are no UTF-8, more than Talus takes; and where the program was
+/// built without GDAL. What is only doubtful is added to `warnings`.
 [[nodiscard]] VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequest& request,
                                            Problems& warnings);
 

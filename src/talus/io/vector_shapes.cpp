@@ -8,14 +8,31 @@
 #include <cctype>
 #include <cmath>
 
-#include "talus/io/raster_crs.hpp"
-
 namespace talus {
 
 namespace {
 
 constexpr std::uint64_t most_vertices = 250'000'000;
 constexpr std::size_t most_complaints = 5;  // of one kind; more would only hide the others
+
+/// How far apart the ends of a polygon's rings are, at most; nothing where all are closed on plan.
+std::optional<double> widest_gap(const OGRGeometry& geometry) {
+  std::optional<double> widest;
+  const auto look_at = [&](const OGRPolygon& polygon) {
+    for (const OGRLinearRing* ring : polygon) {
+      const int last = ring->getNumPoints() - 1;
+      if (last < 0) continue;
+      const double gap = std::hypot(ring->getX(last) - ring->getX(0), ring->getY(last) - ring->getY(0));
+      if (gap > 0) widest = std::max(gap, widest.value_or(0));
+    }
+  };
+  if (wkbFlatten(geometry.getGeometryType()) == wkbMultiPolygon) {
+    for (const OGRPolygon* part : *geometry.toMultiPolygon()) look_at(*part);
+  } else {
+    look_at(*geometry.toPolygon());
+  }
+  return widest;
+}
 
 std::string_view word(ShapeKind kind) {
   switch (kind) {
@@ -65,6 +82,7 @@ VectorShapes::VectorShapes(const VectorRequest& request, const OGRSpatialReferen
   if (crs) {
     is_geographic_ = crs->IsGeographic();
     crs_name_ = name_of(*crs);
+    if (request.heights_are_used) height_fault_ = fault_of_heights(*crs);
   }
   if (!request.terrain_crs_wkt.empty()) {
     find_transformation(crs);
@@ -106,6 +124,7 @@ void VectorShapes::find_transformation(const OGRSpatialReference* crs) {
 
 void VectorShapes::add(const OGRGeometry& geometry, VectorFeature& feature) {
   if (geometry.IsEmpty()) return;
+  has_heights_ = has_heights_ || feature.has_z;
   if (geometry.hasCurveGeometry(TRUE)) {
     const std::unique_ptr<OGRGeometry> chords(geometry.getLinearGeometry());
     if (chords) return add(*chords, feature);
@@ -147,6 +166,11 @@ bool VectorShapes::wants(ShapeKind kind, const VectorFeature& feature) {
 }
 
 bool VectorShapes::is_valid(const OGRGeometry& geometry, const VectorFeature& feature) {
+  // GEOS, which judges the rest, takes no ring that is open.
+  if (const auto apart = widest_gap(geometry)) {
+    note(open_ring, feature, fmt::format("its ends are {:.4g} apart", *apart));
+    return false;
+  }
   const Objection objection(geometry);
   if (!objection.is_valid()) note(invalid, feature, objection.reason());
   return objection.is_valid();
@@ -217,6 +241,11 @@ void VectorShapes::note(Fault fault, const VectorFeature& feature, std::string w
 }
 
 void VectorShapes::complain() {
+  if (height_fault_ && has_heights_) {
+    problems_.refuse(height_fault_->what, height_fault_->why,
+                     "Bring it to one with heights in metres: " +
+                         ogr2ogr("-t_srs EPSG:XXXX+XXXX", problems_.file(), "_metres.gpkg"));
+  }
   std::string kinds;
   for (const ShapeKind kind : request_.kinds) kinds += fmt::format("{}{}s", kinds.empty() ? "" : " or ", word(kind));
   const std::string name_it = "Name the true one: " + ogr2ogr("-a_srs EPSG:XXXX", problems_.file(), "_placed.gpkg");
@@ -233,6 +262,9 @@ void VectorShapes::complain() {
         case other_kind:
           why = kinds.empty() ? "Talus reads points, lines and polygons" : kinds + " are expected";
           break;
+        case open_ring:
+          problems_.refuse(feature + " is not closed", what, "Repeat its first vertex at its end");
+          continue;
         case invalid:
           problems_.refuse(feature + " is no valid polygon", what,
                            "Mend it: " + ogr2ogr("-makevalid", problems_.file(), "_valid.gpkg"));

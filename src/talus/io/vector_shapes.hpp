@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "talus/io/gdal_raster.hpp"
+#include "talus/io/raster_crs.hpp"
 #include "talus/io/vector_file.hpp"
 
 namespace talus {
@@ -30,7 +31,7 @@ class VectorShapes {
   void complain();
 
  private:
-  enum Fault : std::size_t { other_kind, invalid, not_finite, not_degrees, without_place, fault_count };
+  enum Fault : std::size_t { other_kind, open_ring, invalid, not_finite, not_degrees, without_place, fault_count };
   struct Faulty {
     std::uint64_t count = 0;
     std::vector<std::array<std::string, 2>> first;  // which feature, and what it is or has
@@ -52,6 +53,8 @@ class VectorShapes {
   std::string crs_name_, terrain_crs_name_;
   std::uint64_t vertices_ = 0;
   std::array<Faulty, fault_count> faulty_;
+  std::optional<HeightFault> height_fault_;  // of the coordinate system, if it matters
+  bool has_heights_ = false;                 // some feature
 };
 
 }  // namespace talus

@@ -76,6 +76,10 @@ class Classifier {
                                 fmt::format("the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
                                             low.x(), high.x(), low.y(), high.y()),
                                 "Compare what gdalinfo says of the raster, and its coordinate system"));
+    } else if (without_ == asked_) {
+      problems.add(about_ground(project_, fmt::format("raster \"{}\" has no class anywhere on the terrain", file),
+                                fmt::format("none of {} {} has data in it", asked_, parts),
+                                "Look at it with gdalinfo -stats: what it declares as no data is no class"));
     } else if (!unknown_.empty()) {
       constexpr std::size_t most_listed = 10;
       std::string list;

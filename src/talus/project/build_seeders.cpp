@@ -110,6 +110,7 @@ class SeederBuilder {
                           .attributes = {},
                           .kinds = {ShapeKind::line},
                           .others_are_left_out = false,
+                          .heights_are_used = !seeder.above_surface,
                           .terrain_crs_wkt = model_.crs_wkt};
     if (!s.source_attribute.empty()) request.attributes = {s.source_attribute};
     VectorLayer layer;

@@ -51,6 +51,24 @@ BuiltTerrain section_terrain(const Project& project) {
   return built;
 }
 
+/// A mesh names no coordinate system, but numbers that are degrees on plan and metres in height make walls: no ground
+/// is ten times as high as it is wide.
+void refuse_degrees(const RawMesh& mesh, const Project& project) {
+  constexpr double steepest = 10;
+  constexpr double widest = 10;  // degrees
+  Box box;
+  for (const Vec3& v : mesh.vertices) box.grow(v);
+  const Vec3 size = box.high - box.low;
+  const bool may_be_degrees = box.low.x() >= -180 && box.high.x() <= 180 && box.low.y() >= -90 && box.high.y() <= 90;
+  if (!may_be_degrees || size.head(2).maxCoeff() > widest || size.z() < steepest * size.head(2).maxCoeff()) return;
+  throw BadInput(
+      Problem{.file = project.terrain.mesh.string(),
+              .what = "seems to be in degrees",
+              .why = fmt::format("it lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g} and is {:.4g} m high",
+                                 box.low.x(), box.high.x(), box.low.y(), box.high.y(), size.z()),
+              .hint = "Project it to metres; or, if they are metres, write crs = \"local\""});
+}
+
 SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {
   const Terrain& terrain = project.terrain;
   if (project.has_survey()) return survey_mesh(project, warnings);
@@ -62,6 +80,7 @@ SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {
     mesh = extruded(section_vertices(terrain), *terrain.width_m);
   } else if (!terrain.mesh.empty()) {
     mesh = read_mesh_file(project.file.parent_path() / terrain.mesh, warnings);
+    if (terrain.crs.empty()) refuse_degrees(mesh, project);
   } else {
     for (const auto& [x, y, z] : terrain.vertices) mesh.vertices.emplace_back(x, y, z);
     for (const auto& [a, b, c] : terrain.triangles) {

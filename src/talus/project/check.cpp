@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "talus/core/nearest.hpp"
 #include "talus/project/check_design.hpp"
@@ -11,9 +12,13 @@
 #include "talus/project/check_survey.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/values.hpp"
+#include "talus/terrain/mend.hpp"
+#include "talus/terrain/plan_polygon.hpp"
 
 namespace talus::project {
 namespace {
+
+constexpr std::size_t most_complaints = 10;  // of one list; more would only hide the others
 
 /// What the rules look at, and how they complain.
 class Rules {
@@ -160,11 +165,27 @@ class Rules {
       complain(section, where, fmt::format("section has {}", counted(vertices.size(), "vertex", "vertices")),
                "a slope has two or more");
     }
-    for (std::size_t i = 1; i < vertices.size(); ++i) {
-      if (vertices[i] != vertices[i - 1]) continue;
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
       const Node node = entry(section, i);
-      complain(node, where, fmt::format("section[{}] is {}", i, quoted(*node)), "it repeats the vertex before it",
-               "Leave it out");
+      if (std::max(std::abs(vertices[i][0]), std::abs(vertices[i][1])) > largest_coordinate_m) {
+        complain(node, where, fmt::format("section[{}] is {}", i, quoted(*node)),
+                 fmt::format("coordinates lie within {:g} m", largest_coordinate_m));
+      } else if (i > 0 && vertices[i] == vertices[i - 1]) {
+        complain(node, where, fmt::format("section[{}] is {}", i, quoted(*node)), "it repeats the vertex before it",
+                 "Leave it out");
+      } else {
+        continue;
+      }
+      if (++wrong == most_complaints) break;
+    }
+    if (wrong > 0) return;
+    std::vector<Vec2> line;
+    for (const auto& [x, z] : vertices) line.emplace_back(x, z);
+    if (const auto at = line_crossing(line)) {
+      complain(section, where, "section crosses or touches itself",
+               fmt::format("at or near x = {:.10g}, z = {:.10g}", at->x(), at->y()),
+               "Give its vertices in order along the slope");
     }
   }
 
@@ -181,7 +202,12 @@ class Rules {
     std::error_code error;
     const std::filesystem::path path = project_.file.parent_path() / project_.terrain.mesh;
     if (std::filesystem::exists(project_.file, error) && !std::filesystem::is_regular_file(path, error)) {
-      complain(mesh, where, fmt::format("mesh is {}", quoted(*mesh)), fmt::format("there is no file {}", path.string()),
+      const bool is_folder = std::filesystem::is_directory(path, error);
+      const bool is_there = std::filesystem::exists(path, error);
+      complain(mesh, where, fmt::format("mesh is {}", quoted(*mesh)),
+               is_folder  ? fmt::format("{} is a folder", path.string())
+               : is_there ? fmt::format("{} is not an ordinary file", path.string())
+                          : fmt::format("there is no file {}", path.string()),
                "Its path is relative to the project file");
     }
   }
@@ -242,10 +268,10 @@ class Rules {
   /// Entries that are called by name must not share it. An empty name is one that is missing or was refused.
   void about_unique(std::string_view kinds, const std::vector<const toml::table*>& list,
                     const std::vector<std::string_view>& names) {
+    std::unordered_map<std::string_view, std::size_t> first;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto first = std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]);
-      if (names[i].empty() || first == names.begin() + static_cast<std::ptrdiff_t>(i) || !list[i]) continue;
-      const toml::table* earlier = list[static_cast<std::size_t>(first - names.begin())];
+      if (names[i].empty() || first.emplace(names[i], i).second || !list[i]) continue;
+      const toml::table* earlier = list[first.at(names[i])];
       const Node node = list[i]->contains("name") ? list[i]->get("name") : list[i];
       const int line = earlier ? document_.at(*earlier).line : 0;
       complain(node, "", fmt::format("two {} are called \"{}\"", kinds, names[i]),

@@ -133,6 +133,7 @@ class Chooser {
                             .attributes = {},
                             .kinds = {ShapeKind::polygon},
                             .others_are_left_out = false,
+                            .heights_are_used = false,
                             .terrain_crs_wkt = question_.model.crs_wkt};
       if (!seeder_.source_attribute.empty()) request.attributes = {seeder_.source_attribute};
       const VectorLayer layer = read_vector_file(folder() / seeder_.polygons, request, warnings_);

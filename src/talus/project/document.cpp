@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -18,6 +19,52 @@ constexpr std::string_view override_mark = "--set ";
 
 Problem about_file(const std::filesystem::path& file, std::string what, std::string why = {}, std::string hint = {}) {
   return {.file = file.string(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
+}
+
+/// The longest keys of a project have four parts. toml++ limits how deep values lie in one another (256), but not how
+/// many parts a key has, and calls itself for each when it lets go of them.
+constexpr std::size_t most_parts_of_a_key = 16;
+
+/// Where a text in quotes that begins at `at` ends: after its last quote, or where its line ends without one.
+std::size_t end_of_text(std::string_view toml, std::size_t at) {
+  const char quote = toml[at];
+  const bool is_long = toml.substr(at, 3) == std::string(3, quote);
+  const std::string_view ending = toml.substr(at, is_long ? 3 : 1);
+  for (std::size_t i = at + ending.size(); i < toml.size(); ++i) {
+    if (toml[i] == '\\' && quote == '"') {
+      ++i;
+    } else if (toml.substr(i).starts_with(ending)) {
+      return i + ending.size();
+    } else if (toml[i] == '\n' && !is_long) {
+      return i;
+    }
+  }
+  return toml.size();
+}
+
+/// The line of the first key with too many parts, `a.b.c` and so on.
+std::optional<int> line_of_endless_key(std::string_view toml) {
+  std::size_t points = 0;
+  int line = 1;
+  for (std::size_t i = 0; i < toml.size();) {
+    const char letter = toml[i];
+    std::size_t end = i + 1;
+    if (letter == '"' || letter == '\'') {
+      end = end_of_text(toml, i);
+      line += static_cast<int>(std::ranges::count(toml.substr(i, end - i), '\n'));
+    } else if (letter == '#') {
+      end = std::min(toml.find('\n', i), toml.size());
+    } else if (letter == '\n') {
+      ++line;
+      points = 0;
+    } else if (letter == '.') {
+      if (++points >= most_parts_of_a_key) return line;
+    } else if (std::string_view("=[]{},").find(letter) != std::string_view::npos) {
+      points = 0;
+    }
+    i = end;
+  }
+  return std::nullopt;
 }
 
 /// The parts of `material."Type 1.5".roughness_deg`, or nothing where a quote is left open or a part is empty.
@@ -113,6 +160,8 @@ bool is_bare_word(std::string_view text) {
 }  // namespace
 
 std::string text_of_file(const std::filesystem::path& file) {
+  if (file.empty())
+    throw BadInput(about_file("\"\"", "this is the name of no file", "expected that of a project file"));
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) {
@@ -140,6 +189,12 @@ std::string text_of_file(const std::filesystem::path& file) {
 }
 
 Document::Document(std::string_view text, std::string file) : file_(std::move(file)) {
+  if (const auto line = line_of_endless_key(text)) {
+    Problem problem = about_file(file_, fmt::format("a key has more than {} parts", most_parts_of_a_key),
+                                 "the longest of a project have three, as [material.normal_restitution] mean");
+    problem.line = *line;
+    throw BadInput(std::move(problem));
+  }
   try {
     root_ = toml::parse(text, std::string_view(file_));
   } catch (const toml::parse_error& error) {
@@ -163,9 +218,18 @@ void Document::set(const std::string& override_text, Problems& problems) {
     refuse("this is no setting", "expected table.key=value, for example analysis.gravity_m_s2=9.81");
     return;
   }
+  if (path->size() > most_parts_of_a_key) {
+    refuse(fmt::format("the key has {} parts", path->size()),
+           "the longest of a project have four, as material.Rock.normal_restitution.mean");
+    return;
+  }
   std::string value_text = override_text.substr(equals + 1);
   if (is_bare_word(value_text)) value_text = '"' + value_text + '"';
   toml::table parsed;
+  if (line_of_endless_key(value_text)) {
+    refuse("the value is not TOML", fmt::format("a key in it has more than {} parts", most_parts_of_a_key));
+    return;
+  }
   try {
     parsed = toml::parse("value = " + value_text, std::string_view(source));
   } catch (const toml::parse_error& error) {

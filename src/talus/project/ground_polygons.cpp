@@ -91,6 +91,7 @@ class Assignment {
                                  .attributes = {project.ground.attribute},
                                  .kinds = {ShapeKind::polygon},
                                  .others_are_left_out = false,
+                                 .heights_are_used = false,
                                  .terrain_crs_wkt = terrain.crs_wkt},
                                 warnings)) {}
 

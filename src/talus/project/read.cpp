@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "talus/core/utf8.hpp"
 #include "talus/project/check.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/settings.hpp"
@@ -12,6 +13,8 @@
 
 namespace talus::project {
 namespace {
+
+constexpr std::size_t most_entries = 100'000;  // of one kind; what is wrong with each is told
 
 void note_line(Row row, int line) {
   if (auto* seeder = std::get_if<Seeder*>(&row)) (*seeder)->line = line;
@@ -51,6 +54,11 @@ void read_table(const Table& table, const Document& document, ValueReader& reade
            fmt::format("there may be several; expected {}", table.heading()));
     return;
   }
+  if (list->size() > most_entries) {
+    refuse(document.at(*node), fmt::format("{} has {} entries", table.heading(), list->size()),
+           fmt::format("expected at most {}", most_entries));
+    return;
+  }
   for (std::size_t i = 0; i < list->size(); ++i) {
     const toml::node& entry = (*list)[i];
     const Row row = table.add(project);
@@ -71,7 +79,7 @@ void name_unnamed(Named& item, std::string_view kind, std::size_t index) {
 
 /// The defaults that follow from other values.
 void complete(Project& project) {
-  if (project.name.empty()) project.name = project.file.stem().string();
+  if (project.name.empty()) project.name = as_utf8(project.file.stem().string());
   // Where segments or triangles name every material, the default names nothing; the first material is as good as any.
   if (project.ground.default_material.empty() && !project.materials.empty()) {
     project.ground.default_material = project.materials.front().name;

@@ -167,8 +167,10 @@ Problems write_results(const std::filesystem::path& folder, const io::RunDescrip
   std::optional<DesignResult> design;
   if (sums.design() != nullptr) design = evaluate(sums.design()->plan(), sums.design()->tally());
   OutputFile summary(folder / "summary.json");
-  summary.write(summary_json(description, warnings, sums.summary(), course, design ? &*design : nullptr).dump(1) +
-                "\n");
+  // Names of files, of which there may be some in the warnings, need not be UTF-8.
+  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  const auto json = summary_json(description, warnings, sums.summary(), course, design ? &*design : nullptr);
+  summary.write(json.dump(1, ' ', false, replace) + "\n");
   summary.commit();
   if (course.shard) return found;
   io::remove_design_tables(folder);

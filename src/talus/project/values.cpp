@@ -118,6 +118,8 @@ void ValueReader::refuse_unknown(const Table& table, const toml::table& from, co
                                  const std::string& lead) {
   std::vector<std::string_view> known;
   for (const Setting& setting : table.settings) known.push_back(setting.key);
+  constexpr std::size_t most_complaints = 100;  // of one table; more would only hide the others
+  std::size_t unknown = 0;
   for (const auto& [key, node] : from) {
     const std::string_view name = key.str();
     if (table.find(name)) continue;
@@ -140,6 +142,7 @@ void ValueReader::refuse_unknown(const Table& table, const toml::table& from, co
       problems_.add(std::move(problem));
       continue;
     }
+    if (++unknown > most_complaints) continue;
     if (table.key.empty() && node.is_table()) {
       problem.what = fmt::format("unknown table [{}]", name);
     } else if (table.key.empty() && node.is_array_of_tables()) {
@@ -172,6 +175,11 @@ void ValueReader::refuse_unknown(const Table& table, const toml::table& from, co
     }
     problems_.add(std::move(problem));
   }
+  if (unknown <= most_complaints) return;
+  Problem others = document_.at(from);
+  others.where = where;
+  others.what = fmt::format("{} more keys are unknown", unknown - most_complaints);
+  problems_.add(std::move(others));
 }
 
 void ValueReader::refuse_exclusive(const Table& table, const toml::table& from, const std::string& where) {

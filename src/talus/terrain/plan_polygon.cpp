@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace talus {
 
@@ -104,6 +105,28 @@ std::optional<Vec2> self_crossing(std::span<const Vec2> ring) {
         const Vec2 &common = follows ? b : a, &before = follows ? a : b, &after = follows ? d : c;
         if (side(before, common, after) == 0 && (after - common).dot(before - common) > 0) return common;
       } else if (const auto at = meeting(a, b, c, d)) {
+        return at;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Vec2> line_crossing(std::span<const Vec2> line) {
+  if (line.size() < 3) return std::nullopt;
+  // Pieces in the order in which they begin along x: those that can meet a piece begin before it ends.
+  std::vector<std::size_t> pieces(line.size() - 1);
+  std::iota(pieces.begin(), pieces.end(), std::size_t{0});
+  const auto begin = [&](std::size_t k) { return std::min(line[k].x(), line[k + 1].x()); };
+  const auto end = [&](std::size_t k) { return std::max(line[k].x(), line[k + 1].x()); };
+  std::stable_sort(pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) { return begin(a) < begin(b); });
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t j = i + 1; j < pieces.size() && begin(pieces[j]) <= end(pieces[i]); ++j) {
+      const std::size_t first = std::min(pieces[i], pieces[j]), second = std::max(pieces[i], pieces[j]);
+      if (second == first + 1) {
+        const Vec2 &before = line[first], &common = line[second], &after = line[second + 1];
+        if (side(before, common, after) == 0 && (after - common).dot(before - common) > 0) return common;
+      } else if (const auto at = meeting(line[first], line[first + 1], line[second], line[second + 1])) {
         return at;
       }
     }

@@ -79,4 +79,8 @@ void visit_points_within(const PlanPolygon& polygon, const PlanGrid& grid, Visit
 /// polygons from files have been judged before.
 [[nodiscard]] std::optional<Vec2> self_crossing(std::span<const Vec2> ring);
 
+/// The same of a line, whose ends may not touch it either. A line that goes one way along x costs time in proportion to
+/// its vertices.
+[[nodiscard]] std::optional<Vec2> line_crossing(std::span<const Vec2> line);
+
 }  // namespace talus

@@ -63,7 +63,8 @@ std::array<std::optional<FacetId>, 3> RasterSurface::neighbours(FacetId facet) c
   const std::uint32_t half = facet.index % 2;
   const FacetId other{facet.index ^ 1U};
   // The facet of a neighbouring cell at its south (0), east (1), north (2) or west (3) side.
-  const auto beyond = [&](std::int64_t dx, std::int64_t dy, int side) -> std::optional<FacetId> {
+  const auto beyond = [&, column = column, row = row](std::int64_t dx, std::int64_t dy,
+                                                      int side) -> std::optional<FacetId> {
     const std::int64_t i = column + dx, j = row + dy;
     if (i < 0 || j < 0 || i >= static_cast<std::int64_t>(columns_) || j >= static_cast<std::int64_t>(rows_)) {
       return std::nullopt;

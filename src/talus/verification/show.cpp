@@ -76,6 +76,8 @@ template <class... Each>
 struct Overloaded : Each... {
   using Each::operator()...;
 };
+template <class... Each>
+Overloaded(Each...) -> Overloaded<Each...>;  // clang 14 does not deduce it by itself
 
 std::string compared_with(const TableKind& kind) {
   return std::visit(

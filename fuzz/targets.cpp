@@ -1,0 +1,185 @@
+#include "targets.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "talus/core/bytes.hpp"
+#include "talus/core/problems.hpp"
+#include "talus/io/checksum.hpp"
+#include "talus/io/las_file.hpp"
+#include "talus/io/mesh_formats.hpp"
+#include "talus/io/path_arcs.hpp"
+#include "talus/io/path_reader.hpp"
+#include "talus/io/point_file.hpp"
+#include "talus/io/report.hpp"
+#include "talus/io/run_folder.hpp"
+#include "talus/io/run_state.hpp"
+#include "talus/io/survey_crs.hpp"
+#include "talus/project/echo.hpp"
+#include "talus/project/model.hpp"
+#include "talus/project/read.hpp"
+#include "talus/project/run_results.hpp"
+#include "talus/terrain/mend.hpp"
+#include "talus/terrain/survey_surface.hpp"
+
+namespace talus::fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// What is made of an input stays small, so that many are tried in a second.
+constexpr std::size_t most_parts = 2000;
+
+/// Refusals are what a reader may do; all else that is thrown goes on to whoever called.
+template <class Work>
+Verdict verdict_of(Work&& work) {
+  try {
+    work();
+    return Verdict::read;
+  } catch (const BadInput& bad) {
+    if (bad.problems().text().empty()) throw std::logic_error("a refusal says something");
+    return Verdict::refused;
+  } catch (const BadBytes&) {
+    return Verdict::refused;
+  }
+}
+
+/// The first byte of an input, which is taken off it.
+std::size_t take_choice(std::string_view& input) {
+  const std::size_t choice = input.empty() ? 0 : static_cast<unsigned char>(input.front());
+  input.remove_prefix(std::min<std::size_t>(1, input.size()));
+  return choice;
+}
+
+fs::path written(const fs::path& file, std::string_view bytes) {
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out) throw std::runtime_error("cannot write " + file.string());
+  return file;
+}
+
+// ---- projects ----
+
+/// Whether a project would open files: those are for other targets.
+bool needs_files(const project::Project& project) {
+  const auto& terrain = project.terrain;
+  const bool seeders_do = std::ranges::any_of(project.seeders, [](const project::Seeder& seeder) {
+    return !seeder.lines.empty() || !seeder.polygons.empty() || !seeder.mask.empty();
+  });
+  return seeders_do || project.has_survey() || !terrain.mesh.empty() || !terrain.raster.empty() ||
+         !terrain.polygons.empty() || !project.ground.raster.empty() || !project.ground.polygons.empty();
+}
+
+bool is_small(const project::Project& project) {
+  const auto& terrain = project.terrain;
+  std::size_t parts = terrain.section.size() + terrain.vertices.size() + terrain.triangles.size();
+  for (const auto& line : terrain.polylines) parts += line.size();
+  const bool has_cells =
+      std::ranges::any_of(project.seeders, [](const project::Seeder& seeder) { return seeder.cell_m.has_value(); });
+  return parts <= most_parts && !has_cells;
+}
+
+}  // namespace
+
+Verdict read_project(std::string_view input, const fs::path& folder) {
+  project::Overrides overrides;
+  std::string_view text = input.substr(0, input.find('\0'));
+  for (std::string_view rest = input.substr(text.size()); rest.size() > 1;) {
+    rest.remove_prefix(1);
+    overrides.settings.emplace_back(rest.substr(0, rest.find('\0')));
+    rest.remove_prefix(overrides.settings.back().size());
+  }
+  return verdict_of([&] {
+    // The file itself is not there, so that no path in it is looked at.
+    const project::Reading reading = project::read_project_text(text, folder / "not-there.toml", overrides);
+    (void)project::echo(reading.project).dump();
+    if (needs_files(reading.project) || !is_small(reading.project)) return;
+    Problems warnings;
+    const Model model = project::build_model(reading.project, warnings);
+    (void)warnings.text();
+  });
+}
+
+Verdict read_mesh(std::string_view input, const fs::path&) {
+  const std::size_t format = take_choice(input) % 3;
+  return verdict_of([&] {
+    MeshProblems problems("mesh");
+    RawMesh mesh = format == 0   ? read_obj(input, problems)
+                   : format == 1 ? read_stl(input, problems)
+                                 : read_ply(input, problems);
+    problems.throw_if_any();
+    if (mesh.triangles.size() <= most_parts) (void)mend(std::move(mesh), {.source = "mesh"});
+  });
+}
+
+Verdict read_points(std::string_view input, const fs::path& folder) {
+  const bool is_las = take_choice(input) % 2 == 1;
+  return verdict_of([&] {
+    Survey survey;
+    if (is_las) {
+      const fs::path file = written(folder / "points.las", input);
+      LasFile las = read_las_file(file, {});
+      Problems warnings;
+      (void)crs_of_las(las.crs, file, warnings);
+      survey.points = std::move(las.points);
+    } else {
+      survey.points = read_point_file(written(folder / "points.csv", input));
+    }
+    if (survey.points.size() <= most_parts) (void)surface_of(survey, {.source = "points"});
+  });
+}
+
+Verdict read_results(std::string_view input, const fs::path& folder) {
+  constexpr std::array names{"summary.json", "endpoints.csv", "paths.csv", "barriers.csv"};
+  const std::size_t choice = take_choice(input) % names.size();
+  for (const char* name : names) fs::remove(folder / name);
+  written(folder / "summary.json", "{}");
+  const fs::path file = written(folder / names[choice], input);
+  return verdict_of([&] {
+    const io::RunFolder run = io::read_run_folder(folder, {.paths = 3, .path_rows = 100, .endpoints = 3, .hits = 3});
+    if (choice == 2) {
+      io::PathReader reader(file);
+      while (reader.next([](std::uint64_t rock) { return rock % 2 == 0; })) {
+        io::for_points_along(reader.path(), 0.1, [](const io::PathPoint&) {});
+      }
+    }
+    if (choice == 0) (void)io::report_page({&run, 1});  // a megabyte, and of the tables it shows but numbers
+  });
+}
+
+Verdict read_state(std::string_view input, const fs::path&) {
+  std::uint32_t length = 0;
+  if (input.size() < sizeof length) return Verdict::refused;
+  std::memcpy(&length, input.data(), sizeof length);
+  input.remove_prefix(sizeof length);
+  const std::string_view header = input.substr(0, length);
+  // The file as write_run_state() would make it around these bytes.
+  ByteWriter out;
+  for (const char c : std::string_view("talus run state\n")) out.put(c);
+  out.put(std::uint32_t{1});
+  out.text(header);
+  const auto put_digest = [&](std::string_view bytes) {
+    const io::Digest digest = io::checksum_of(bytes);
+    out.put(digest.high);
+    out.put(digest.low);
+  };
+  put_digest(header);
+  for (const char c : input.substr(header.size())) out.put(c);
+  put_digest(out.bytes());
+  return verdict_of([&] {
+    const io::RunStateHeader state = io::read_header(out.bytes());
+    project::RunSums sums(state.description);
+    const auto observers = sums.observers();
+    io::merge_state(out.bytes(), observers);
+    ByteWriter again;
+    for (SummingObserver* observer : observers) observer->save(again);
+  });
+}
+
+}  // namespace talus::fuzz

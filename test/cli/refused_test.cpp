@@ -1,0 +1,122 @@
+// Hostile input through the program itself: a message, exit code 2, and soon.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <string>
+
+#include "program.hpp"
+
+namespace talus::test {
+namespace {
+
+const std::string good = R"([terrain]
+section = [[0, 0], [10, -10]]
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, "surface"]
+mass_kg = 10
+)";
+
+std::string without(std::string text, const std::string& folder) {
+  for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder)) text.erase(at, folder.size());
+  return text;
+}
+
+/// The exit code and what was said, without the folder's name.
+std::string said(const Workplace& place, const std::string& arguments, const std::string& before = "") {
+  const Said answer = talus_says(arguments, before);
+  return std::to_string(answer.exit_code) + ' ' + without(answer.text, (place / "").string());
+}
+
+TEST(RefusedByTheProgram, ANameOfNoFile) {
+  const Workplace place;
+  EXPECT_EQ(said(place, "check ''"), "2 \"\": this is the name of no file (expected that of a project file)\n");
+}
+
+TEST(RefusedByTheProgram, AKeyOfEndlessParts) {
+  const Workplace place;
+  std::string parts;
+  for (int k = 0; k < 300'000; ++k) parts += "a.";
+  const std::string file = place.write("slope.toml", parts + "a = 1\n");
+  EXPECT_EQ(said(place, "check " + file),
+            "2 slope.toml:1: a key has more than 16 parts (the longest of a project have three, as "
+            "[material.normal_restitution] mean)\n");
+}
+
+TEST(RefusedByTheProgram, NoTimeBetweenCheckpoints) {
+  const Workplace place;
+  const std::string file = place.write("slope.toml", good);
+  EXPECT_EQ(said(place, "run " + file + " --checkpoint-every nan -o " + (place / "out").string()),
+            "2 --checkpoint-every: nan is no time (expected seconds, 0 or more)\n");
+}
+
+TEST(RefusedByTheProgram, ASummaryThatIsAPipe) {
+  const Workplace place;
+  std::filesystem::create_directories(place / "run");
+  ASSERT_EQ(::mkfifo((place / "run/summary.json").c_str(), 0600), 0);
+  EXPECT_EQ(said(place, "report " + (place / "run").string(), "timeout 20 "),
+            "2 run/summary.json: cannot be opened (it is a pipe). Name a folder that `talus run` has written\n");
+}
+
+TEST(TheProgram, RunsAProjectWhoseNameIsNotUtf8) {
+  const Workplace place;
+  const std::string file = place.write("sl\xFFope.toml", good);
+  const Said answer = talus_says("run " + file + " -q -o " + (place / "out").string());
+  EXPECT_EQ(answer.exit_code, 0) << answer.text;
+  EXPECT_NE(place.read("out/summary.json").find("\"name\": \"sl\xEF\xBF\xBDope\""), std::string::npos);
+}
+
+#ifdef TALUS_HAS_GDAL
+
+const std::string on_raster = R"([terrain]
+raster = "dem.vrt"
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [400010, 299990, "surface"]
+mass_kg = 10
+)";
+
+std::string vrt(const std::string& columns, const std::string& rows) {
+  return "<VRTDataset rasterXSize=\"" + columns + "\" rasterYSize=\"" + rows +
+         "\"><SRS>EPSG:31287</SRS><GeoTransform>400000,1,0,300000,0,-1</GeoTransform><VRTRasterBand "
+         "dataType=\"Float32\" band=\"1\"/></VRTDataset>";
+}
+
+TEST(RefusedByTheProgram, ARasterOfMoreCellsThanCanBeCounted) {
+  const Workplace place;
+  const std::string file = place.write("slope.toml", on_raster);
+  place.write("dem.vrt", vrt("1000000", "1000000"));
+  EXPECT_EQ(said(place, "check " + file),
+            "2 dem.vrt: has 1000000 x 1000000 cells (Talus takes fewer than 2147483648). Cut it to the slope: "
+            "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif\n");
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which take terabytes of addresses themselves
+
+TEST(RefusedByTheProgram, ARasterThatTakesMoreMemoryThanThereIs) {
+  const Workplace place;
+  const std::string file = place.write("slope.toml", on_raster);
+  place.write("dem.vrt", vrt("40000", "30000"));
+  EXPECT_EQ(
+      said(place, "check " + file, "ulimit -v 4000000; "),
+      "2 dem.vrt: has 40000 x 30000 cells (they need 4.8 GB of memory, and there are 4.1 GB). Cut it to the slope: "
+      "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif\n");
+}
+
+#endif
+
+TEST(RefusedByTheProgram, ATerrainThatIsAPipe) {
+  const Workplace place;
+  const std::string file = place.write("slope.toml", on_raster);
+  ASSERT_EQ(::mkfifo((place / "dem.vrt").c_str(), 0600), 0);
+  EXPECT_EQ(said(place, "check " + file, "timeout 20 "), "2 dem.vrt: cannot be read (it is a pipe). Name a file\n");
+}
+
+#endif
+
+}  // namespace
+}  // namespace talus::test
