@@ -17,6 +17,18 @@ constexpr int side = 1025;
 
 inline double smooth(double t) { return t * t * (3 - 2 * t); }
 
+/// Of waves instead, sines of x times sines of y with the same amplitudes and wavelengths, the slope is steep in many
+/// places, and rocks run down it for 300 m.
+inline double waves(double x, double y) {
+  double sum = 0, amplitude = 3, wave_number = 2 * std::numbers::pi / 80;
+  for (int k = 0; k < 6; ++k) {
+    sum += amplitude * std::sin(wave_number * x + 1.3 * k) * std::sin(wave_number * y + 2.1 * k);
+    amplitude *= 0.5;
+    wave_number *= 2.03;
+  }
+  return 0.84 * std::max(820 - x, 0.0) + sum;
+}
+
 class RoughSlope {
  public:
   /// For x and y in [0, nodes).

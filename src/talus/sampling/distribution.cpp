@@ -189,8 +189,7 @@ Sampler::Sampler(const Distribution& distribution, Bounds bounds, double scale) 
   span_above_ = at_low.above - at_high.above;
 }
 
-double Sampler::draw(double u) const {
-  if (is_constant()) return value_;
+double Sampler::draw_random(double u) const {
   const Tails at{below_low_ + span_below_ * u, above_high_ + span_above_ * (1 - u)};
   const double x = quantile_of(base_, at);
   // In this order a NaN, should Boost ever give one, becomes the lower limit.

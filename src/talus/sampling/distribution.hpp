@@ -55,9 +55,11 @@ class Sampler {
 
   [[nodiscard]] bool is_constant() const { return base_.kind == DistributionKind::none; }
   /// The draw that belongs to the uniform number u in (0, 1). Grows with u.
-  [[nodiscard]] double draw(double u) const;
+  [[nodiscard]] double draw(double u) const { return is_constant() ? value_ : draw_random(u); }
 
  private:
+  [[nodiscard]] double draw_random(double u) const;
+
   Untruncated base_;
   double value_ = 0;                       // of none, scaled
   double low_ = 0, high_ = 0;              // limits of the draws, in the user's unit

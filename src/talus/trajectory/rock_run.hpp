@@ -180,7 +180,7 @@ class RockRun {
   Phase leave_valley(const OnGround& phase);
   Phase take_off(const LeftPlanes& left);
   void stand_on(const OnGround& phase);
-  void draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material, double rt) const;
+  void draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material, double rt);
 
   [[nodiscard]] GroundDraw draw_at(FacetId facet) {
     return GroundDraw(draws_, laws_.material_sampling, material_at(facet), contacts_++);
@@ -230,7 +230,8 @@ class RockRun {
   Vec3 down_, aside_;
   std::size_t first_step_ = 0;  // in the log
 
-  std::uint32_t contacts_ = 0;  // how often the ground's properties were drawn
+  double angle_ = 0, tangent_ = 0;  // of friction, the last one drawn: often it is the same everywhere
+  std::uint32_t contacts_ = 0;      // how often the ground's properties were drawn
   RecentCrossings crossed_;
   Vec3 last_strike_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // where it struck the ground last
   Vec3 last_normal_ = Vec3::Zero();

@@ -66,8 +66,7 @@ void RockRun<Surface>::go_along_valley(const OnGround& phase) {
 }
 
 template <class Surface>
-void RockRun<Surface>::draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material,
-                                     double rt) const {
+void RockRun<Surface>::draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material, double rt) {
   phase.drag = material.ground_drag;
   if (material.has_forest() && reach_ < material.forest_height) phase.drag += material.forest_drag / rock_.mass;
   if (laws_.model == RockModel::rigid_sphere) {
@@ -76,7 +75,11 @@ void RockRun<Surface>::draw_friction(OnGround& phase, const GroundDraw& draw, co
   }
   switch (laws_.friction_source) {
     case FrictionSource::material:
-      phase.mu = std::tan(draw.friction_angle(material));
+      if (const double angle = draw.friction_angle(material); angle != angle_) {
+        angle_ = angle;
+        tangent_ = std::tan(angle);
+      }
+      phase.mu = tangent_;
       break;
     case FrictionSource::tangential_restitution:
       phase.mu = rt > 0 ? (1 - rt) / rt : 1e300;
