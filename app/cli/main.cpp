@@ -8,6 +8,10 @@
 namespace talus::cli {
 namespace {
 
+/// CLI11 takes -1 for the largest number there is.
+const CLI::Validator not_negative(
+    [](const std::string& text) { return std::string(text.starts_with('-') ? "expected 0 or more" : ""); }, "");
+
 void add_project_options(CLI::App& command, ProjectOptions& options) {
   command.add_option("project", options.file, "The project file (TOML)")->required()->type_name("PROJECT.toml");
   command
@@ -16,7 +20,7 @@ void add_project_options(CLI::App& command, ProjectOptions& options) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--rocks", options.rocks, "Throw this many rocks in all")->type_name("N");
-  command.add_option("--seed", options.seed, "Start the random numbers elsewhere")->type_name("S");
+  command.add_option("--seed", options.seed, "Start the random numbers elsewhere")->type_name("S")->check(not_negative);
 }
 
 int dispatch(int argc, char** argv) {
@@ -81,6 +85,7 @@ int dispatch(int argc, char** argv) {
   CLI::App* replay_command = app.add_subcommand("replay", "Repeat one rock of a project, event by event");
   add_project_options(*replay_command, replay_options.project);
   replay_command->add_option("--rock", replay_options.rock, "The rock's number, as in endpoints.csv (from 0)")
+      ->check(not_negative)
       ->required()
       ->type_name("N");
   replay_command->add_flag("--csv", replay_options.csv, "Print the rows of paths.csv instead of a table");

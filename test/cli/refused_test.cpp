@@ -36,6 +36,14 @@ TEST(RefusedByTheProgram, ANameOfNoFile) {
   EXPECT_EQ(said(place, "check ''"), "2 \"\": this is the name of no file (expected that of a project file)\n");
 }
 
+TEST(RefusedByTheProgram, NumbersBelowNothing) {
+  const Workplace place;
+  const std::string file = place.write("slope.toml", good);
+  const std::string help = ": expected 0 or more\nRun with --help for more information.\n";
+  EXPECT_EQ(said(place, "run " + file + " --seed -1"), "2 --seed" + help);
+  EXPECT_EQ(said(place, "replay " + file + " --rock -1"), "2 --rock" + help);
+}
+
 TEST(RefusedByTheProgram, AKeyOfEndlessParts) {
   const Workplace place;
   std::string parts;

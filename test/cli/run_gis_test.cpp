@@ -2,6 +2,7 @@
 
 #ifdef TALUS_HAS_GDAL
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -103,6 +104,47 @@ TEST_F(RunGis, MapsLieOnTheCellsOfTheTerrain) {
   const GDALDatasetUniquePtr other(GDALDataset::Open(path("multiples/maps/passages.tif").c_str()));
   other->GetGeoTransform(t.data());
   EXPECT_EQ(std::remainder(t[0], 10), 0);
+}
+
+// Of a seeder whose rocks come from several polygons, or lines, each rock has the source in whose place it starts.
+TEST_F(RunGis, RocksHaveTheSourceOfTheirPlace) {
+  const auto feature = [](const char* name, const char* type, const char* places) {
+    return fmt::format(
+        R"({{"type":"Feature","properties":{{"name":"{}"}},"geometry":{{"type":"{}","coordinates":{}}}}})", name, type,
+        places);
+  };
+  const auto collection = [](const std::string& first, const std::string& second) {
+    return fmt::format(R"({{"type":"FeatureCollection","crs":{{"type":"name","properties":{{"name":"EPSG:31287"}}}},)"
+                       R"("features":[{},{}]}})",
+                       first, second);
+  };
+  write("polygons.geojson", collection(feature("south", "Polygon",
+                                               "[[[400030,300120],[400060,300120],[400060,300160],[400030,300160],"
+                                               "[400030,300120]]]"),
+                                       feature("north", "Polygon",
+                                               "[[[400030,300250],[400060,300250],[400060,300380],[400030,300380],"
+                                               "[400030,300250]]]")));
+  write("lines.geojson", collection(feature("south", "LineString", "[[400040,300120],[400040,300160]]"),
+                                    feature("north", "LineString", "[[400040,300250],[400040,300380]]")));
+  for (const std::string kind : {"polygon", "line"}) {
+    write("slope.toml", "[terrain]\nraster = \"slope.tif\"\n[[material]]\nname = \"Rock\"\n[[seeder]]\ntype = \"" +
+                            kind + "\"\n" + kind + "s = \"" + kind +
+                            "s.geojson\"\nsource_attribute = \"name\"\nheight_above_m = 3\nrocks = 300\n"
+                            "mass_kg = 500\n[output]\nreport = false\nmaps = false\n");
+    run(kind);
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path(kind + "/results.gpkg").c_str(), GDAL_OF_VECTOR));
+    ASSERT_TRUE(file);
+    int south = 0, rocks = 0;
+    for (const auto& release : *file->GetLayerByName("releases")) {
+      const bool is_south = release->GetGeometryRef()->toPoint()->getY() < 300'200;
+      EXPECT_STREQ(release->GetFieldAsString("source"), is_south ? "south" : "north");
+      south += is_south ? 1 : 0;
+      ++rocks;
+    }
+    EXPECT_EQ(rocks, 300);
+    EXPECT_GT(south, 30);
+    EXPECT_LT(south, 150);
+  }
 }
 
 TEST_F(RunGis, TheGeoPackageSaysWhatTheTablesSay) {

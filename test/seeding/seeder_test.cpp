@@ -30,6 +30,64 @@ Release release_of(const Seeder& seeder, std::uint64_t rock = 0) {
 
 // ---- where ----
 
+// What is said of the rocks' sources beforehand is what they have when they start.
+TEST(SourceRuns, AreTheSourcesOfTheRocks) {
+  Seeder along_lines = point_seeder(), in_cells = point_seeder(), at_point = point_seeder();
+  ReleaseLines lines;
+  const std::vector<Vec3> left{{0, 0, 0}, {0, 30, 0}}, middle{{5, 0, 0}, {5, 0.01, 0}}, right{{10, 0, 0}, {10, 70, 0}};
+  lines.add(left, SourceId{3});
+  lines.add(middle, SourceId{0});
+  lines.add(right, SourceId{1});
+  lines.add(left, SourceId{3});
+  along_lines.where = lines;
+  ReleaseCells cells;
+  for (std::uint32_t k = 0; k < 17; ++k) cells.cells.push_back(k);
+  cells.columns = 20;
+  cells.sources = {{0, SourceId{2}}, {5, SourceId{0}}, {16, SourceId{2}}};
+  in_cells.where = cells;
+  at_point.source = SourceId{4};
+  for (Seeder seeder : {along_lines, in_cells, at_point}) {
+    for (const std::uint64_t rocks : {1, 2, 10, 1000}) {
+      for (const SamplingMethod method : {SamplingMethod::monte_carlo, SamplingMethod::latin_hypercube}) {
+        seeder.first_rock = 40;
+        seeder.rocks = rocks;
+        const std::vector<SourceRun> runs = source_runs(seeder, 9, method);
+        std::uint64_t next = 40;
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+          EXPECT_EQ(runs[k].first_rock, next);
+          EXPECT_GT(runs[k].rocks, 0U);
+          EXPECT_TRUE(k == 0 || runs[k].source != runs[k - 1].source);
+          for (; next < runs[k].first_rock + runs[k].rocks; ++next) {
+            const Draws draws({9, method, 40, rocks}, next);
+            ASSERT_EQ(place_of(seeder, draws).source, runs[k].source) << next;
+          }
+        }
+        EXPECT_EQ(next, 40 + rocks);
+      }
+    }
+  }
+}
+
+TEST(PlaceOf, SeveralLinesGetTheirSharesOfTheRocks) {
+  Seeder seeder = point_seeder();
+  ReleaseLines lines;
+  const std::vector<Vec3> left{{0, 0, 0}, {0, 30, 0}}, right{{10, 0, 0}, {10, 70, 0}};
+  lines.add(left, SourceId{0});
+  lines.add(right, SourceId{1});
+  seeder.where = lines;
+  seeder.rocks = 1000;
+  const std::vector<SourceRun> runs = source_runs(seeder, 1, SamplingMethod::monte_carlo);
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[0].rocks, 300U);
+  std::array<int, 7> tenths{};
+  for (std::uint64_t rock = 0; rock < 1000; ++rock) {
+    const ReleasePlace place = place_of(seeder, Draws({1, SamplingMethod::monte_carlo, 0, 1000}, rock));
+    EXPECT_EQ(place.point.x(), rock < 300 ? 0 : 10);
+    if (rock >= 300) ++tenths[static_cast<std::size_t>(place.point.y() / 10)];
+  }
+  for (const int count : tenths) EXPECT_NEAR(count, 100, 40);  // four standard deviations
+}
+
 TEST(PlaceOf, APointIsThePoint) {
   Seeder seeder = point_seeder();
   seeder.source = SourceId{4};

@@ -81,13 +81,15 @@ Json foot_json(const Model& model, const Barrier& barrier) {
 Json sources_json(const Model& model) {
   std::vector<Json> rocks(model.sources.size(), Json::array());
   for (const Seeder& seeder : model.seeders) {
-    Json& list = rocks.at(seeder.source.index);
-    const bool goes_on =
-        !list.empty() && list.back()[0].get<std::uint64_t>() + list.back()[1].get<std::uint64_t>() == seeder.first_rock;
-    if (goes_on) {
-      list.back()[1] = list.back()[1].get<std::uint64_t>() + seeder.rocks;
-    } else {
-      list.push_back({seeder.first_rock, seeder.rocks});
+    for (const SourceRun& run : source_runs(seeder, model.seed, model.sampling)) {
+      Json& list = rocks.at(run.source.index);
+      const bool goes_on =
+          !list.empty() && list.back()[0].get<std::uint64_t>() + list.back()[1].get<std::uint64_t>() == run.first_rock;
+      if (goes_on) {
+        list.back()[1] = list.back()[1].get<std::uint64_t>() + run.rocks;
+      } else {
+        list.push_back({run.first_rock, run.rocks});
+      }
     }
   }
   Json sources = Json::array();

@@ -434,9 +434,9 @@ Table terrain() {
               {.key = "crs",
                .slot = member(&Terrain::crs),
                .without_it = "that of the files",
-               .meaning = "Coordinate system of the terrain where its file names none, for example \"EPSG:31287\"; "
-                          "vector files in others are brought to it; \"local\" says that coordinates are metres of no "
-                          "map.",
+               .meaning = "Coordinate system of a mesh or a survey whose files name none (a raster names its own), for "
+                          "example \"EPSG:31287\"; vector files in others are brought to it; \"local\" says that "
+                          "coordinates are metres of no map.",
                .source = "Talus"},
               {.key = "rotate_deg",
                .slot = member(&Terrain::rotate_deg),
@@ -876,7 +876,7 @@ std::vector<Setting> line_settings(std::string_view unnamed) {
                  .most_excluded = true,
                  .too_low = "it would lie on the ground",
                  .too_high = "it would lie on the ground"},
-       .meaning = "Lean from the vertical, positive towards the right of the line's direction (2D: towards -x).",
+       .meaning = "Lean from the vertical, positive towards the right of the line's direction (2D: towards +x).",
        .source = "Talus"},
   };
 }

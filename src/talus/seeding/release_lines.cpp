@@ -28,4 +28,17 @@ ReleaseLines::Place ReleaseLines::at(double u) const {
   return {point, std::prev(line)->source};
 }
 
+std::size_t ReleaseLines::line_at(double part) const {
+  const double way = part * length();
+  const auto next = std::upper_bound(lines_.begin() + 1, lines_.end(), way,
+                                     [&](double w, const Line& line) { return w < way_[line.first]; });
+  return static_cast<std::size_t>(next - lines_.begin()) - 1;
+}
+
+ReleaseLines::Place ReleaseLines::at(std::size_t line, double u) const {
+  const double begin = way_[lines_[line].first];
+  const double end = line + 1 < lines_.size() ? way_[lines_[line + 1].first] : length();
+  return {at((begin + u * (end - begin)) / length()).point, lines_[line].source};
+}
+
 }  // namespace talus

@@ -1,6 +1,8 @@
 #pragma once
-// Lines along which rocks start with equal chance per metre, all lines together.
+// Lines along which rocks start with equal chance per metre. Of several lines each gets its share of the rocks, in
+// their order, so that it is known beforehand which rocks come from which.
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -22,8 +24,14 @@ class ReleaseLines {
     Vec3 point;
     SourceId source;
   };
-  /// What belongs to the uniform number u. Expects a line.
+  /// What belongs to the uniform number u, all lines together. Expects a line.
   [[nodiscard]] Place at(double u) const;
+  /// The same on one line.
+  [[nodiscard]] Place at(std::size_t line, double u) const;
+  /// The line that has this part of the length, in (0, 1), of all lines one after the other. Grows with it.
+  [[nodiscard]] std::size_t line_at(double part) const;
+  [[nodiscard]] std::size_t count() const { return lines_.size(); }
+  [[nodiscard]] SourceId source_of(std::size_t line) const { return lines_[line].source; }
   [[nodiscard]] double length() const { return way_.empty() ? 0 : way_.back(); }  // of all lines [m]
   [[nodiscard]] std::size_t bytes() const { return points_.size() * (sizeof(Vec3) + sizeof(double)); }
 

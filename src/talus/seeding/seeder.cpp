@@ -1,10 +1,68 @@
 #include "talus/seeding/seeder.hpp"
 
+#include <algorithm>
+
 namespace talus {
+
+namespace {
+
+/// Rocks are dealt out along all lines one after the other, one to each of as many equal parts: so the line never goes
+/// back with the rock's number.
+std::size_t line_of(const Seeder& seeder, const ReleaseLines& lines, const Draws& draws) {
+  const double number = static_cast<double>(draws.rock() - seeder.first_rock);
+  return lines.line_at((number + draws.pair(Stream::release_position)[1]) / static_cast<double>(seeder.rocks));
+}
+
+/// The first rock of a seeder's, counted from 0, for which is_there(rock) holds, as it does for all after it; or their
+/// number.
+template <class IsThere>
+std::uint64_t first_rock_where(const Seeder& seeder, IsThere&& is_there) {
+  std::uint64_t first = 0, last = seeder.rocks;
+  while (first < last) {
+    const std::uint64_t middle = first + (last - first) / 2;
+    if (is_there(middle)) {
+      last = middle;
+    } else {
+      first = middle + 1;
+    }
+  }
+  return first;
+}
+
+}  // namespace
+
+std::vector<SourceRun> source_runs(const Seeder& seeder, std::uint64_t seed, SamplingMethod method) {
+  std::vector<SourceRun> runs;
+  const auto begins = [&](std::uint64_t first, SourceId source) {
+    if (!runs.empty()) runs.back().rocks = first - (runs.back().first_rock - seeder.first_rock);
+    if (!runs.empty() && runs.back().rocks == 0) runs.pop_back();
+    if (runs.empty() || runs.back().source != source) runs.push_back({seeder.first_rock + first, 0, source});
+  };
+  if (const auto* lines = std::get_if<ReleaseLines>(&seeder.where); lines != nullptr && lines->count() > 1) {
+    const SamplingPlan plan{seed, method, seeder.first_rock, seeder.rocks};
+    for (std::size_t line = 0; line < lines->count(); ++line) {
+      begins(first_rock_where(
+                 seeder,
+                 [&](std::uint64_t k) { return line_of(seeder, *lines, Draws(plan, seeder.first_rock + k)) >= line; }),
+             lines->source_of(line));
+    }
+  } else if (const auto* cells = std::get_if<ReleaseCells>(&seeder.where)) {
+    for (const ReleaseCells::Run& run : cells->sources) {
+      begins(first_rock_where(seeder, [&](std::uint64_t k) { return cells->entry_of(k, seeder.rocks) >= run.first; }),
+             run.source);
+    }
+  } else {
+    begins(0, lines != nullptr ? lines->source_of(0) : seeder.source);
+  }
+  if (!runs.empty()) runs.back().rocks = seeder.rocks - (runs.back().first_rock - seeder.first_rock);
+  if (!runs.empty() && runs.back().rocks == 0) runs.pop_back();
+  return runs;
+}
 
 ReleasePlace place_of(const Seeder& seeder, const Draws& draws) {
   if (const auto* lines = std::get_if<ReleaseLines>(&seeder.where)) {
-    const ReleaseLines::Place place = lines->at(draws.one(Stream::release_position));
+    const double u = draws.one(Stream::release_position);
+    const ReleaseLines::Place place = lines->count() > 1 ? lines->at(line_of(seeder, *lines, draws), u) : lines->at(u);
     return {place.point, place.source, {}};
   }
   if (const auto* cells = std::get_if<ReleaseCells>(&seeder.where)) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "talus/core/id.hpp"
 #include "talus/sampling/distribution.hpp"
@@ -42,6 +43,15 @@ struct ReleasePlace {
   /// The middle of its cell, which is known to be on the terrain: `point` may lie over a small hole.
   std::optional<Vec2> middle;
 };
+
+/// Rocks one after the other that come from one source.
+struct SourceRun {
+  std::uint64_t first_rock, rocks;
+  SourceId source;
+};
+
+/// Of all rocks of a seeder, in their order; rocks have these sources when they start (ReleasePlace::source).
+[[nodiscard]] std::vector<SourceRun> source_runs(const Seeder& seeder, std::uint64_t seed, SamplingMethod method);
 
 [[nodiscard]] ReleasePlace place_of(const Seeder& seeder, const Draws& draws);
 
