@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
+#include <memory>
+#include <mutex>
 
 #include "talus/campaign/simulate.hpp"
 
@@ -30,14 +33,19 @@ void throw_blocks(const Model& model, std::span<Observer* const> observers, int 
   bool pieces = false;
   for (const Observer* observer : observers) pieces = pieces || observer->wants_pieces();
 
-  using BlockPointer = std::shared_ptr<Block>;
-  const auto hand_out = [&](tbb::flow_control& control) -> BlockPointer {
+  // In the order of the rocks. (The pipeline itself forgets what is in it when something is thrown.)
+  std::deque<std::unique_ptr<Block>> under_way;
+  std::mutex under_way_mutex;
+  const auto hand_out = [&](tbb::flow_control& control) -> Block* {
     const std::optional<RockRange> rocks = flow.next();
-    if (rocks) return std::make_shared<Block>(Block{*rocks, {}});
-    control.stop();
-    return nullptr;
+    if (!rocks) {
+      control.stop();
+      return nullptr;
+    }
+    const std::lock_guard lock(under_way_mutex);
+    return under_way.emplace_back(std::make_unique<Block>(Block{*rocks, {}})).get();
   };
-  const auto compute = [&](BlockPointer block) {
+  const auto compute = [&](Block* block) {
     try {
       for (const Observer* observer : observers) block->parts.push_back(observer->new_part());
       SimulationOrder order;
@@ -56,19 +64,21 @@ void throw_blocks(const Model& model, std::span<Observer* const> observers, int 
     }
     return block;
   };
-  const auto commit = [&](const BlockPointer& block) {
+  const auto commit = [&](Block* block) {
     try {
       for (std::size_t k = 0; k < observers.size(); ++k) observers[k]->commit(*block->parts[k]);
       flow.committed(block->rocks);
+      const std::lock_guard lock(under_way_mutex);
+      under_way.pop_front();
     } catch (...) {
       if (flow.failed) flow.failed();
       throw;
     }
   };
   tbb::parallel_pipeline(static_cast<std::size_t>(threads) * 2,
-                         tbb::make_filter<void, BlockPointer>(tbb::filter_mode::serial_in_order, hand_out) &
-                             tbb::make_filter<BlockPointer, BlockPointer>(tbb::filter_mode::parallel, compute) &
-                             tbb::make_filter<BlockPointer, void>(tbb::filter_mode::serial_in_order, commit));
+                         tbb::make_filter<void, Block*>(tbb::filter_mode::serial_in_order, hand_out) &
+                             tbb::make_filter<Block*, Block*>(tbb::filter_mode::parallel, compute) &
+                             tbb::make_filter<Block*, void>(tbb::filter_mode::serial_in_order, commit));
 }
 
 CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> observers, const CampaignOptions& options) {
