@@ -1,8 +1,8 @@
 #include "talus/project/settings.hpp"
+#include "talus/project/document.hpp"
 
 #include <gtest/gtest.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
