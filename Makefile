@@ -1,7 +1,8 @@
 # The two commands of a fresh machine are `make run` and `make test`; both install what they need first.
 PREFIX_RUN := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-dev libboost-dev \
-  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev libgdal-dev libopenmpi-dev node-d3
+  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev libgdal-dev libopenmpi-dev node-d3 \
+  libcpp-httplib-dev libssl-dev
 TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin python3
 
 FUZZ_PACKAGES := clang-14 libclang-rt-14-dev
@@ -16,8 +17,11 @@ define install
 	  DEBIAN_FRONTEND=noninteractive $(PREFIX_RUN) apt-get install -y -q --no-install-recommends $$missing >/dev/null; fi
 endef
 
+# Node.js may be there from elsewhere, and Debian's npm would not go with it.
+NODE_PACKAGES := $(shell command -v npm >/dev/null || echo nodejs npm)
+
 setup:
-	$(call install,$(PACKAGES))
+	$(call install,$(PACKAGES) $(NODE_PACKAGES))
 
 setup-test: setup
 	$(call install,$(TEST_PACKAGES))

@@ -31,6 +31,13 @@ struct RunOptions {
 };
 int run(const RunOptions& options);
 
+struct ServeOptions {
+  std::filesystem::path project;  // or a folder; empty: this folder
+  int port = 8425;
+  bool open = false;
+};
+int serve(const ServeOptions& options);
+
 struct MergeOptions {
   std::vector<std::filesystem::path> folders;
   std::filesystem::path folder;  // empty: the only one, or the project's name

@@ -60,6 +60,19 @@ int dispatch(int argc, char** argv) {
   run_command->add_flag("--alone", run_options.alone,
                         "Throw all rocks in this process, even if mpirun or srun started others, too");
 
+  ServeOptions serve_options;
+  CLI::App* serve_command =
+      app.add_subcommand("serve", "Open the workbench: build a model, run it and look at its rocks, in the browser");
+  serve_command
+      ->add_option("project", serve_options.project,
+                   "The project to open first, or the folder to work in (default: this folder)")
+      ->type_name("PROJECT.toml");
+  serve_command->add_option("--port", serve_options.port, "Port on this machine (0: any that is free)")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str()
+      ->type_name("N");
+  serve_command->add_flag("--open", serve_options.open, "Open the browser, too");
+
   MergeOptions merge_options;
   CLI::App* merge_command = app.add_subcommand("merge", "Put the shards of a campaign together into one result");
   merge_command
@@ -129,6 +142,7 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? done : bad_input;
   }
   if (*run_command) return run(run_options);
+  if (*serve_command) return serve(serve_options);
   if (*merge_command) return merge(merge_options);
   if (*check_command) return check(check_options);
   if (*replay_command) return replay(replay_options);

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+#include "commands.hpp"
+#include "talus/core/problems.hpp"
+
+#ifdef TALUS_HAS_SERVER
+#include "server/serve.hpp"
+#endif
+
+extern char** environ;
+
+namespace talus::cli {
+
+#ifdef TALUS_HAS_SERVER
+
+namespace {
+
+std::atomic<bool> stop_wanted{false};
+extern "C" void stop_serving(int signal) {
+  if (stop_wanted.exchange(true)) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
+
+/// With whatever the system opens pages with; that it has none is no reason to stop.
+void open_in_browser(const std::string& address) {
+  std::string program = "xdg-open", argument = address;
+  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0)
+    fmt::print(stderr, "no browser could be opened: xdg-open is missing\n");
+}
+
+}  // namespace
+
+int serve(const ServeOptions& options) {
+  server::ServeOptions how;
+  std::error_code error;
+  if (std::filesystem::is_directory(options.project, error)) {
+    how.folder = options.project;
+  } else if (!options.project.empty()) {
+    if (!std::filesystem::exists(options.project, error))
+      throw BadInput(Problem{.file = options.project.string(),
+                             .what = "there is no such file",
+                             .hint = "`talus new` writes a project to start from"});
+    const std::filesystem::path whole = std::filesystem::absolute(options.project);
+    how.folder = whole.parent_path();
+    how.project = whole.filename().string();
+  }
+  how.port = options.port;
+  how.stop = &stop_wanted;
+  how.ready = [&](const std::string& address) {
+    fmt::print("The workbench is at {}\nIt is open to this machine alone, and this address works once. Ctrl-C ends it.\n",
+               address);
+    std::fflush(stdout);
+    if (options.open) open_in_browser(address);
+  };
+  // Whoever leaves while being answered is no reason to end.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGCHLD, SIG_IGN);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, stop_serving);
+  server::serve(how);
+  return done;
+}
+
+#else
+
+int serve(const ServeOptions&) {
+  throw BadInput(Problem{.where = "serve",
+                         .what = "this program was built without the workbench",
+                         .hint = "Build it with -DTALUS_SERVER=ON"});
+}
+
+#endif
+
+}  // namespace talus::cli

@@ -1,0 +1,195 @@
+#include "http/router.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace talus::server {
+
+namespace {
+
+// Scripts, styles and pictures come from this server alone; nothing may frame the page. Chart libraries set styles of
+// elements, which is why those may stand in the page itself.
+constexpr const char* content_policy =
+    "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob: data:; "
+    "font-src 'self'; connect-src 'self'; worker-src 'self' blob:; base-uri 'none'; form-action 'none'; "
+    "frame-ancestors 'none'";
+
+void write(const Answer& answer, httplib::Response& response) {
+  response.status = answer.status;
+  for (const auto& [name, value] : answer.headers) response.set_header(name, value);
+  response.set_content(answer.body, answer.type);
+}
+
+Answer refusal_answer(int status, const Problems& problems) {
+  return json_answer({{"problems", as_json(problems)}}, status);
+}
+
+Answer refusal_answer(const Refusal& refusal) {
+  Problems problems;
+  problems.add(refusal.problem());
+  return refusal_answer(refusal.status(), problems);
+}
+
+/// What the function answers, or what became of it.
+Answer answer_of(const std::function<Answer()>& function) {
+  try {
+    return function();
+  } catch (const Refusal& refusal) {
+    return refusal_answer(refusal);
+  } catch (const BadInput& bad) {
+    return refusal_answer(422, bad.problems());
+  } catch (const std::bad_alloc&) {
+    return refusal_answer(Refusal(500, "", "there is not enough memory for this"));
+  } catch (const std::exception& error) {
+    return refusal_answer(Refusal(500, "", "the server failed", error.what()));
+  }
+}
+
+Json read_body(const httplib::Request& request, const Limits& limits) {
+  const std::string type = request.get_header_value("Content-Type");
+  if (type.substr(0, type.find(';')) != "application/json")
+    throw Refusal(415, "Content-Type", fmt::format("\"{}\" is not understood", type), "expected application/json");
+  if (request.body.size() > limits.json_bytes)
+    throw Refusal(413, "", fmt::format("the request has {} bytes", request.body.size()),
+                  fmt::format("at most {} are read", limits.json_bytes));
+  Json body = Json::parse(request.body, nullptr, false);
+  if (body.is_discarded()) throw Refusal(400, "", "the request's body is no JSON");
+  if (!body.is_object()) throw Refusal(400, "", "the request's body is no JSON object");
+  return body;
+}
+
+}  // namespace
+
+std::string Call::query(const std::string& key, const std::string& otherwise) const {
+  return request.has_param(key) ? request.get_param_value(key) : otherwise;
+}
+
+std::uint64_t Call::query_number(const std::string& key, std::uint64_t otherwise, std::uint64_t most) const {
+  if (!request.has_param(key)) return otherwise;
+  const std::string text = request.get_param_value(key);
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number > most)
+    throw Refusal(400, key, fmt::format("\"{}\" is not understood", text),
+                  fmt::format("expected a whole number, 0 to {}", most));
+  return number;
+}
+
+std::string Call::text(const std::string& key) const {
+  const auto found = body.find(key);
+  if (found == body.end()) throw Refusal(400, key, "is missing");
+  if (!found->is_string()) throw Refusal(400, key, "is no text");
+  return found->get<std::string>();
+}
+
+std::string Call::text(const std::string& key, const std::string& otherwise) const {
+  const auto found = body.find(key);
+  return found == body.end() || found->is_null() ? otherwise : text(key);
+}
+
+void Call::only(std::initializer_list<const char*> keys) const {
+  for (const auto& [key, value] : body.items()) {
+    const bool known = std::any_of(keys.begin(), keys.end(), [&](const char* name) { return key == name; });
+    if (!known) throw Refusal(400, key, "is not a key of this request");
+  }
+}
+
+Router::Router(httplib::Server& server, Session& session, Limits limits)
+    : server_(server), session_(session), limits_(limits) {
+  // Those that belong to every answer, refusals and files among them.
+  server_.set_default_headers({{"Content-Security-Policy", content_policy},
+                               {"X-Content-Type-Options", "nosniff"},
+                               {"Referrer-Policy", "same-origin"},
+                               {"Cross-Origin-Resource-Policy", "same-origin"},
+                               {"Cross-Origin-Opener-Policy", "same-origin"},
+                               {"Cache-Control", "no-store"}});
+  server_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+    return lets_in(request, response) ? httplib::Server::HandlerResponse::Unhandled
+                                      : httplib::Server::HandlerResponse::Handled;
+  });
+  server_.set_error_handler([](const httplib::Request& request, httplib::Response& response) {
+    if (!response.body.empty()) return;
+    const int status = response.status;
+    write(refusal_answer(status == 404 ? Refusal(404, request.path, "there is no such thing here")
+                                       : Refusal(status, request.path, "the request is not understood")),
+          response);
+  });
+}
+
+void Router::listens_on(int port) {
+  for (const char* name : {"127.0.0.1", "localhost"}) hosts_.push_back(fmt::format("{}:{}", name, port));
+}
+
+// Another page that the user has open can send requests here, or have a name of its own lead here. The first has an
+// Origin that is not ours, the second a Host.
+bool Router::lets_in(const httplib::Request& request, httplib::Response& response) const {
+  const auto is_ours = [&](const std::string& host) {
+    return std::find(hosts_.begin(), hosts_.end(), host) != hosts_.end();
+  };
+  const auto refuse = [&](const char* where, const char* what, const char* hint) {
+    write(refusal_answer(Refusal(403, where, what, "", hint)), response);
+    return false;
+  };
+  if (!is_ours(request.get_header_value("Host")))
+    return refuse("Host", "this server has another name", "Use the address that it printed");
+  if (request.has_header("Origin")) {
+    const std::string origin = request.get_header_value("Origin");
+    if (!origin.starts_with("http://") || !is_ours(origin.substr(7)))
+      return refuse("Origin", "another page may not ask this server", "");
+  }
+  const bool is_api = request.path.starts_with("/api/") || request.path == "/api";
+  if (is_api && !session_.knows(request.get_header_value("Cookie")))
+    return refuse("", "this browser has no session here", "Open the address that `talus serve` printed");
+  return true;
+}
+
+httplib::Server::Handler Router::guarded(Handler handler, bool has_body) const {
+  return [this, handler = std::move(handler), has_body](const httplib::Request& request, httplib::Response& response) {
+    write(answer_of([&] {
+            Call call{request};
+            if (has_body) call.body = read_body(request, limits_);
+            return handler(call);
+          }),
+          response);
+  };
+}
+
+void Router::get(const std::string& pattern, Handler handler) { server_.Get(pattern, guarded(std::move(handler), false)); }
+void Router::post(const std::string& pattern, Handler handler) {
+  server_.Post(pattern, guarded(std::move(handler), true));
+}
+void Router::put(const std::string& pattern, Handler handler) { server_.Put(pattern, guarded(std::move(handler), true)); }
+void Router::patch(const std::string& pattern, Handler handler) {
+  server_.Patch(pattern, guarded(std::move(handler), true));
+}
+void Router::remove(const std::string& pattern, Handler handler) {
+  server_.Delete(pattern, guarded(std::move(handler), false));
+}
+
+void Router::stream(const std::string& pattern, RawHandler handler) {
+  server_.Get(pattern, [handler = std::move(handler)](const httplib::Request& request, httplib::Response& response) {
+    bool has_begun = false;
+    const Answer answer = answer_of([&] {
+      handler(request, response);
+      has_begun = true;
+      return Answer{};
+    });
+    if (!has_begun) write(answer, response);
+  });
+}
+
+void Router::upload(const std::string& pattern, UploadHandler handler) {
+  server_.Put(pattern, [handler = std::move(handler)](const httplib::Request& request, httplib::Response& response,
+                                                      const httplib::ContentReader& content) {
+    write(answer_of([&] {
+            if (request.get_header_value("Content-Type") != "application/octet-stream")
+              throw Refusal(415, "Content-Type", "this type is not understood", "expected application/octet-stream");
+            return handler(request, content);
+          }),
+          response);
+  });
+}
+
+}  // namespace talus::server

@@ -1,0 +1,105 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "routes/routes.hpp"
+#include "talus/io/output_file.hpp"
+
+namespace talus::server {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int deepest = 4;           // folders below the one that is worked in
+constexpr std::size_t most = 2'000;  // files that are listed
+
+struct Kind {
+  std::string_view kind;
+  std::array<std::string_view, 6> endings;
+};
+constexpr std::array kinds{Kind{"project", {".toml"}},
+                           Kind{"raster", {".tif", ".tiff", ".asc", ".vrt", ".img", ".dem"}},
+                           Kind{"mesh", {".obj", ".stl", ".ply"}},
+                           Kind{"points", {".csv", ".xyz", ".txt", ".las", ".laz"}},
+                           Kind{"vector", {".gpkg", ".geojson", ".shp", ".dxf", ".json"}}};
+
+std::string_view kind_of(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  for (const Kind& kind : kinds)
+    if (!ending.empty() && std::find(kind.endings.begin(), kind.endings.end(), ending) != kind.endings.end())
+      return kind.kind;
+  return "other";
+}
+
+/// A folder of results holds no input; the server's runs are listed elsewhere.
+bool is_of_results(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder / "summary.json", ignored) || fs::exists(folder / "run.json", ignored);
+}
+
+Json listing(const Workplace& workplace, bool& is_cut) {
+  Json files = Json::array();
+  std::error_code error;
+  auto entry = fs::recursive_directory_iterator(workplace.folder(), fs::directory_options::skip_permission_denied, error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    const fs::path& path = entry->path();
+    std::error_code ignored;
+    const bool is_hidden = path.filename().string().starts_with('.');
+    if (entry->is_directory(ignored)) {
+      if (is_hidden || entry.depth() >= deepest || is_of_results(path) || path.filename() == "node_modules")
+        entry.disable_recursion_pending();
+      continue;
+    }
+    if (is_hidden || !entry->is_regular_file(ignored)) continue;
+    if (files.size() == most) {
+      is_cut = true;
+      break;
+    }
+    const auto modified = std::chrono::file_clock::to_sys(entry->last_write_time(ignored));
+    files.push_back({{"name", path.lexically_relative(workplace.folder()).generic_string()},
+                     {"bytes", entry->file_size(ignored)},
+                     {"modified", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                                              std::chrono::time_point_cast<std::chrono::seconds>(modified))},
+                     {"kind", kind_of(path)}});
+  }
+  std::sort(files.begin(), files.end(), [](const Json& a, const Json& b) { return a["name"] < b["name"]; });
+  return files;
+}
+
+}  // namespace
+
+void add_file_routes(Router& router, const Workplace& workplace) {
+  router.get("/api/files", [&workplace](const Call&) {
+    bool is_cut = false;
+    Json files = listing(workplace, is_cut);
+    return json_answer({{"files", std::move(files)}, {"more", is_cut}});
+  });
+  router.upload(R"(/api/files/(.+))", [&](const httplib::Request& request, const httplib::ContentReader& content) {
+    const std::string name = request.matches[1].str();
+    const fs::path path = workplace.at(name);
+    std::error_code ignored;
+    if (fs::exists(path, ignored) && request.get_param_value("replace") != "1")
+      throw Refusal(409, name, "is already there");
+    fs::create_directories(path.parent_path(), ignored);
+    OutputFile file(path);
+    std::uint64_t bytes = 0;
+    const bool is_whole = content([&](const char* data, std::size_t length) {
+      bytes += length;
+      if (bytes > router.limits().upload_bytes) return false;
+      file.write({data, length});
+      return true;
+    });
+    if (bytes > router.limits().upload_bytes)
+      throw Refusal(413, name, "is too large", fmt::format("at most {} bytes are taken", router.limits().upload_bytes));
+    if (!is_whole) throw Refusal(400, name, "did not arrive whole");
+    file.commit();
+    return json_answer({{"name", name}, {"bytes", bytes}}, 201);
+  });
+}
+
+}  // namespace talus::server

@@ -1,0 +1,21 @@
+#pragma once
+// What the server answers, a file a subject; docs/workbench-api.md says what each request means.
+
+#include <functional>
+#include <string>
+
+#include "http/router.hpp"
+#include "workplace.hpp"
+
+namespace talus::server {
+
+/// The page itself, and the way into a session. `address`: with a new token.
+void add_page_routes(Router& router, httplib::Server& server, Session& session,
+                     const std::function<std::string()>& address);
+/// `project`: to open first; empty: none.
+void add_about_routes(Router& router, const Workplace& workplace, const std::string& project);
+void add_file_routes(Router& router, const Workplace& workplace);
+void add_project_routes(Router& router, const Workplace& workplace);
+void add_example_routes(Router& router, const Workplace& workplace);
+
+}  // namespace talus::server

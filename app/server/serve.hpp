@@ -1,0 +1,25 @@
+#pragma once
+// The workbench: a server on this machine for the page in the browser, and for scripts (docs/workbench-api.md).
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace talus::server {
+
+struct ServeOptions {
+  std::filesystem::path folder = ".";  // that is worked in
+  std::string project;                 // to open first, relative to the folder; empty: none
+  int port = 8425;                     // 0: any that is free
+  std::filesystem::path key_file;      // of the sessions
+  /// Called once requests are answered, with the address to open.
+  std::function<void(const std::string& address)> ready;
+  const std::atomic<bool>* stop = nullptr;  // set from outside
+};
+
+/// Answers requests until it is told to stop; a run under way is stopped then, and keeps what it has. Throws BadInput
+/// where the folder or the port cannot be had.
+void serve(const ServeOptions& options);
+
+}  // namespace talus::server

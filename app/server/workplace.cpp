@@ -1,0 +1,49 @@
+#include "workplace.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "http/answer.hpp"
+#include "talus/core/utf8.hpp"
+
+namespace talus::server {
+
+namespace {
+
+bool lies_below(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return end == folder.end();
+}
+
+}  // namespace
+
+Workplace::Workplace(std::filesystem::path folder) : folder_(std::filesystem::canonical(folder)) {}
+
+std::filesystem::path Workplace::at(std::string_view name) const {
+  const auto refuse = [&](const char* why) { return Refusal(403, std::string(name), "is no name in this folder", why); };
+  if (name.empty()) throw refuse("it is empty");
+  if (name.size() > 1000) throw refuse("it is too long");
+  const bool has_control = std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; });
+  if (has_control) throw refuse("it has control characters");
+  const std::filesystem::path relative(name);
+  if (relative.is_absolute()) throw refuse("it is absolute");
+  for (const std::filesystem::path& part : relative) {
+    if (part == "..") throw refuse("it leads out of the folder");
+    if (part.string().starts_with('.')) throw refuse("it begins with a dot");
+  }
+  const std::filesystem::path whole = folder_ / relative;
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::weakly_canonical(whole, error);
+  if (error || !lies_below(folder_, real)) throw refuse("it leads out of the folder");
+  return whole;
+}
+
+std::filesystem::path Workplace::existing(std::string_view name) const {
+  std::filesystem::path path = at(name);
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw Refusal(404, std::string(name), "there is no such file");
+  return path;
+}
+
+}  // namespace talus::server

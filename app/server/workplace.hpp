@@ -1,0 +1,26 @@
+#pragma once
+// The folder that is worked in. Names in requests are relative to it, and never lead out of it.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace talus::server {
+
+class Workplace {
+ public:
+  explicit Workplace(std::filesystem::path folder);
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// A file or folder below, there or not. Refuses (403) what would lead elsewhere, by dots or by links, and names of
+  /// the system's or the server's own.
+  [[nodiscard]] std::filesystem::path at(std::string_view name) const;
+  /// The same of a file that must be there (404).
+  [[nodiscard]] std::filesystem::path existing(std::string_view name) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace talus::server

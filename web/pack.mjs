@@ -1,0 +1,28 @@
+// Compresses the built page, file by file, and lists the types, for the program to hold: node pack.mjs FOLDER
+import { readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { extname, join, relative } from 'node:path';
+import { gzipSync } from 'node:zlib';
+
+const types = {
+  '.css': 'text/css; charset=utf-8',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.json': 'application/json',
+  '.svg': 'image/svg+xml',
+  '.woff2': 'font/woff2',
+};
+
+const folder = process.argv[2];
+if (!folder) throw new Error('which folder?');
+const files = readdirSync(folder, { recursive: true })
+  .map((name) => join(folder, String(name)))
+  .filter((file) => statSync(file).isFile())
+  .sort();
+
+const lines = files.map((file) => {
+  const type = types[extname(file)];
+  if (!type) throw new Error(`${file}: files of this kind have no type here`);
+  writeFileSync(file, gzipSync(readFileSync(file), { level: 9 }));
+  return `${relative(folder, file)}\t${type}\n`;
+});
+writeFileSync(join(folder, 'types.txt'), lines.join(''));

@@ -1,0 +1,15 @@
+import { defineConfig } from 'vite';
+
+// While the page is being written: `talus serve --port 8425`, then `npm run dev` in this folder. Requests go to the
+// server as if the page came from there.
+const server = 'http://127.0.0.1:8425';
+
+export default defineConfig({
+  esbuild: { jsx: 'automatic', jsxImportSource: 'preact' },
+  build: { target: 'es2022', chunkSizeWarningLimit: 1500 },
+  server: {
+    proxy: {
+      '/api': { target: server, changeOrigin: true, headers: { origin: server } },
+    },
+  },
+});
