@@ -5,6 +5,7 @@
 #include <string>
 
 #include "http/router.hpp"
+#include "model_shelf.hpp"
 #include "workplace.hpp"
 
 namespace talus::server {
@@ -17,5 +18,6 @@ void add_about_routes(Router& router, const Workplace& workplace, const std::str
 void add_file_routes(Router& router, const Workplace& workplace);
 void add_project_routes(Router& router, const Workplace& workplace);
 void add_example_routes(Router& router, const Workplace& workplace);
+void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& shelf);
 
 }  // namespace talus::server
