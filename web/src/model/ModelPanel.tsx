@@ -59,7 +59,9 @@ function FormPage({ path }: { path: Path }) {
           ?
         </button>
       </header>
-      <p class="faint">{tableOf(isEntry ? key : section.tables.at(-1)!)?.description.split(/(?<=\.) /)[0]}</p>
+      <p class="faint">
+        <Words text={description.split(/(?<=\.) /)[0]!} />
+      </p>
       {own.map(({ text, what, why, severity }) => (
         <span key={text} class={`problem ${severity}`}>{`${what}${why ? ` (${why})` : ''}`}</span>
       ))}
