@@ -61,6 +61,8 @@ export const api = {
       { ...distribution, setting },
       signal,
     ),
+  polygons: (asked: { polylines: unknown; tolerance_m: number }, signal?: AbortSignal) =>
+    sendJson<PolygonsAnswer>('POST', '/api/geometry/polygons', asked, signal),
   examples: async () => (await getJson<{ examples: Example[] }>('/api/examples')).examples,
   openExample: (id: string) => sendJson<{ project: string }>('POST', `/api/examples/${id}`, {}),
   files: async () => (await getJson<{ files: FolderFile[] }>('/api/files')).files,

@@ -90,6 +90,13 @@ export interface ModelAnswer {
   model: Model | null;
 }
 
+export interface PolygonsAnswer {
+  vertices: Point3[];
+  triangles: [number, number, number][];
+  report: string;
+  problems: Problem[];
+}
+
 export interface Tiles {
   origin: Point3;
   cell: Point2;

@@ -10,6 +10,8 @@ import { Words } from './form/Words';
 import { loadSettings, tableOf } from './settings';
 import { sectionOf } from './sections';
 import { Outline } from './Outline';
+import { TerrainForm } from './TerrainForm';
+import { takeFiles, listenToDrops } from './terrainFile';
 import { ProblemList } from './ProblemList';
 import { nameOf } from './place';
 import { copy, remove } from './things';
@@ -17,6 +19,7 @@ import './model.css';
 
 export function ModelPanel() {
   useEffect(loadSettings, []);
+  useEffect(() => listenToDrops(takeFiles), []);
   const path = chosen.value;
   const isThere = path !== null && (typeof path[1] !== 'number' || rowsOf(String(path[0])).length > path[1]);
   return (
@@ -67,6 +70,8 @@ function FormPage({ path }: { path: Path }) {
       ))}
       {isEntry ? (
         <TableForm table={key} path={path} />
+      ) : key === 'terrain' ? (
+        <TerrainForm />
       ) : (
         section.tables.map((table) => <TableForm key={table} table={table} path={table === '' ? [] : [table]} />)
       )}

@@ -77,8 +77,6 @@ const surveyKeys = ['points', 'lines'];
 const terrainNeeds: Record<string, string[]> = {
   section_std_dev_m: ['section'],
   width_m: ['section'],
-  vertices: ['vertices', 'triangles'],
-  triangles: ['vertices', 'triangles'],
   point_classes: ['points'],
   points_layer: ['points'],
   lines_layer: ['lines'],
@@ -130,7 +128,7 @@ const groupsOf: Record<string, Group[]> = {
         'width_m',
         'section_std_dev_m',
         ...Object.keys(terrainNeeds).filter(
-          (key) => !['vertices', 'triangles', 'width_m', 'section_std_dev_m'].includes(key),
+          (key) => !['width_m', 'section_std_dev_m'].includes(key),
         ),
       ],
       applies: (key, row) => (terrainNeeds[key] ?? [key]).some((other) => row[other] !== undefined),

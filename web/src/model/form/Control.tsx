@@ -8,9 +8,10 @@ import { Choice } from './Choice';
 import { DistributionControl } from './DistributionControl';
 import { idOf, type FieldProps } from './Field';
 import { FileControl } from './FileControl';
-import { LineControl, PolylinesControl, RowsControl, TupleControl } from './geometry';
+import { LineControl, RowsControl, TupleControl } from './geometry';
 import { ListControl } from './ListControl';
 import { NamesControl } from './NamesControl';
+import { PolylinesControl } from './PolylinesControl';
 import { materialFields, NameChoice, NameList } from './references';
 import { TypedInput } from './TypedInput';
 

@@ -1,5 +1,6 @@
 // A table of numbers that is typed in, or pasted from a spreadsheet.
 
+import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { TomlValue } from '../../toml/format';
 import { Dialog } from '../../ui/Dialog';
@@ -15,12 +16,13 @@ interface Props {
   /// How many cells of a row may not be empty.
   least: number;
   take: (rows: TomlValue[][], what: string) => void;
-  chosenRow?: (row: number) => void;
+  /// Further buttons below the table.
+  children?: ComponentChildren;
 }
 
 const page = 100;
 
-export function EditTable({ label, columns, cells, least, take, chosenRow }: Props) {
+export function EditTable({ label, columns, cells, least, take, children }: Props) {
   // Rows that are not complete yet, over the rows that the project had when they were begun.
   const [draft, setDraft] = useState<{ cells: string[][]; over: string } | null>(null);
   const [first, setFirst] = useState(0);
@@ -106,7 +108,7 @@ export function EditTable({ label, columns, cells, least, take, chosenRow }: Pro
               {shown.slice(first, first + page).map((row, k) => {
                 const r = first + k;
                 return (
-                  <tr key={r} onFocusIn={() => chosenRow?.(r)}>
+                  <tr key={r}>
                     <th scope="row" class="faint">
                       {r + 1}
                     </th>
@@ -172,6 +174,7 @@ export function EditTable({ label, columns, cells, least, take, chosenRow }: Pro
         <button class="button" onClick={() => setPasting(true)}>
           Paste rows…
         </button>
+        {children}
       </div>
       {pasting && (
         <PasteDialog

@@ -7,6 +7,7 @@ import type { TomlValue } from '../../toml/format';
 import { is2d, pathText, put, tableAt, thingOf } from '../place';
 import { absentText } from '../schema';
 import { cellsOf, rowEdits, rowsValue } from '../rows';
+import { DrawButton } from './DrawButton';
 import { EditTable } from './EditTable';
 import { idOf, type FieldProps } from './Field';
 import { TypedInput } from './TypedInput';
@@ -68,6 +69,9 @@ export function TupleControl({ field, path }: FieldProps) {
           </label>
         ))}
       </div>
+      <div class="row">
+        <DrawButton path={path} />
+      </div>
       {words.length > 0 && (
         <datalist id={`${idOf(path)}-words`}>
           {words.map((word) => (
@@ -102,7 +106,9 @@ export function RowsControl({ field, path }: FieldProps) {
         cells={cellsOf(value, columns.length)}
         least={leastOf({ field, path }, columns.length)}
         take={take}
-      />
+      >
+        <DrawButton path={path} />
+      </EditTable>
     </>
   );
 }
@@ -123,6 +129,7 @@ export function LineControl({ field, path }: FieldProps) {
             take={(next) => put(path, next, field.title)}
           />
         </label>
+        <DrawButton path={path} />
       </div>
     );
   const take = (rows: TomlValue[][], what: string) =>
@@ -140,46 +147,8 @@ export function LineControl({ field, path }: FieldProps) {
       cells={cellsOf(Array.isArray(value) ? value : [], 2)}
       least={2}
       take={take}
-    />
-  );
-}
-
-/// Several polylines, each a table.
-export function PolylinesControl({ field, path }: FieldProps) {
-  const value = valueAt(path);
-  const lists = Array.isArray(value) ? value : [];
-  return (
-    <div>
-      {lists.map((rows, k) => (
-        <details key={k} open={lists.length <= 3}>
-          <summary>
-            Polyline {k + 1}: {Array.isArray(rows) ? rows.length : 0} vertices
-          </summary>
-          <EditTable
-            label={`Polyline ${k + 1}`}
-            columns={['x', 'y', 'z']}
-            cells={cellsOf(rows, 3)}
-            least={3}
-            take={(next, what) =>
-              edit(
-                `${what} polyline ${k + 1}`,
-                rowEdits([...path, k], rows, next),
-                what === 'change' ? pathText([...path, k]) : '',
-              )
-            }
-          />
-          <button
-            class="button danger"
-            onClick={() =>
-              lists.length === 1
-                ? put(path, undefined, field.title)
-                : edit(`delete polyline ${k + 1}`, [{ remove: [...path, k] }])
-            }
-          >
-            Delete polyline {k + 1}
-          </button>
-        </details>
-      ))}
-    </div>
+    >
+      <DrawButton path={path} />
+    </EditTable>
   );
 }
