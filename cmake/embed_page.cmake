@@ -1,33 +1,21 @@
-# Builds the workbench's page (web/) with Vite and puts it into the program: talus_embed_page(target). What npm installs
-# follows from web/package-lock.json alone.
+# Builds the workbench's page (web/) with Vite and puts it into the program: talus_embed_page(target).
 
-find_program(NPM npm)
-if(NOT NPM)
-  message(FATAL_ERROR "npm was not found. Install Node.js 20 or later with it, or build with -DTALUS_SERVER=OFF")
-endif()
+include(${CMAKE_CURRENT_LIST_DIR}/npm.cmake)
 
 function(talus_embed_page target)
   set(web ${CMAKE_SOURCE_DIR}/web)
-  set(modules ${web}/node_modules/.package-lock.json)
+  talus_npm(modules ${web})
   set(packed ${CMAKE_BINARY_DIR}/web)
   set(output ${CMAKE_BINARY_DIR}/generated/page_assets.cpp)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${web}/src/* ${web}/public/*)
   list(APPEND sources ${web}/index.html ${web}/vite.config.ts ${web}/tsconfig.json ${web}/package.json)
   set(embed ${CMAKE_SOURCE_DIR}/cmake/embed_bytes.cmake)
   add_custom_command(
-    OUTPUT ${modules}
-    COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error
-    COMMAND ${CMAKE_COMMAND} -E touch ${modules}
-    DEPENDS ${web}/package-lock.json
-    WORKING_DIRECTORY ${web}
-    COMMENT "Fetching what the page is built with"
-    VERBATIM)
-  add_custom_command(
     OUTPUT ${output}
     COMMAND ${NPM} run --silent build -- --outDir ${packed} --emptyOutDir --logLevel warn
     COMMAND ${NPM} run --silent pack -- ${packed}
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${packed} -DFUNCTION=page_assets -DITEM=Asset -DOUTPUT=${output} -P ${embed}
-    DEPENDS ${sources} ${modules} ${web}/pack.mjs ${embed}
+    DEPENDS ${sources} ${modules} ${web}/pack.mjs ${web}/licences.mjs ${embed}
     WORKING_DIRECTORY ${web}
     COMMENT "Building the page"
     VERBATIM)

@@ -134,6 +134,20 @@ TEST(Architecture, AnUpwardIncludeWouldBeFound) {
   EXPECT_EQ(includes[1].line, 3U);
 }
 
+// Programs call the engine: what a rock does is settled below them.
+TEST(Architecture, ProgramsHoldNoPhysics) {
+  std::size_t seen = 0;
+  for (const fs::path& file : sources(root / "app")) {
+    for (const Include& include : includes_of(lines_of(file))) {
+      ++seen;
+      for (const char* law : {"flight", "impact", "sliding", "trajectory"})
+        EXPECT_FALSE(include.name.starts_with(std::string("talus/") + law + '/'))
+            << file.string() << ':' << include.line << ": includes " << include.name;
+    }
+  }
+  EXPECT_GT(seen, 50U);
+}
+
 TEST(Architecture, HeadersAreIncludedOnce) {
   for (const char* part : {"src", "app", "test"}) {
     for (const fs::path& file : sources(root / part)) {
@@ -144,7 +158,28 @@ TEST(Architecture, HeadersAreIncludedOnce) {
   }
 }
 
+std::vector<fs::path> page_sources() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(root / "web" / "src"))
+    if (entry.path().extension() == ".ts" || entry.path().extension() == ".tsx") files.push_back(entry.path());
+  return files;
+}
+
+// Names in a project are the user's, and may be anybody's: the page shows them as text.
+TEST(Architecture, ThePageMakesNoMarkupOfTexts) {
+  const auto files = page_sources();
+  EXPECT_GT(files.size(), 20U);
+  for (const fs::path& file : files) {
+    const auto lines = lines_of(file);
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      for (const char* word : {"innerHTML", "InnerHTML", "outerHTML", "insertAdjacentHTML", "document.write"})
+        EXPECT_EQ(lines[k].find(word), std::string::npos) << file.string() << ':' << k + 1 << ": " << word;
+  }
+}
+
 TEST(Architecture, FilesOfTheSourceStaySmall) {
+  for (const fs::path& file : page_sources())
+    EXPECT_LE(lines_of(file).size(), longest_file) << file << " has outgrown one idea";
   for (const char* part : {"src", "app"}) {
     for (const fs::path& file : sources(root / part)) {
       if (file.filename() == list_of_settings) continue;

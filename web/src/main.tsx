@@ -1,3 +1,6 @@
 import { render } from 'preact';
+import { App } from './app';
+import './ui/theme.css';
+import './ui/workbench.css';
 
-render(<h1>Talus</h1>, document.getElementById('page')!);
+render(<App />, document.getElementById('page')!);

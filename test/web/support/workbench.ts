@@ -1,0 +1,80 @@
+// A server of its own for each test, on an empty folder, and a page that has come in by its address.
+
+import { test as base, expect, type Page } from '@playwright/test';
+import { spawn, type ChildProcess } from 'node:child_process';
+import { cpSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+const program = process.env.TALUS_PROGRAM ?? join(import.meta.dirname, '../../../build/talus');
+export const sources = process.env.TALUS_SOURCE_DIR ?? join(import.meta.dirname, '../../..');
+
+export class Server {
+  readonly folder = mkdtempSync(join(tmpdir(), 'talus-web-'));
+  private child: ChildProcess | undefined;
+  port = 0;
+  address = '';
+
+  /// Starts it; again on the port that it had, so that a page that is open goes on.
+  async start(...more: string[]): Promise<string> {
+    const arguments_ = ['serve', ...(more.length > 0 ? more : [this.folder]), '--port', String(this.port)];
+    const child = spawn(program, arguments_, {
+      cwd: this.folder,
+      env: { ...process.env, XDG_STATE_HOME: join(this.folder, '.state') },
+      stdio: ['ignore', 'pipe', 'inherit'],
+    });
+    this.child = child;
+    let said = '';
+    this.address = await new Promise<string>((resolve, reject) => {
+      child.stdout!.on('data', (bytes: Buffer) => {
+        said += bytes.toString();
+        const found = /http:\/\/127\.0\.0\.1:(\d+)\/\?token=\w+/.exec(said);
+        if (!found) return;
+        this.port = Number(found[1]);
+        resolve(found[0]);
+      });
+      child.once('exit', (code) => reject(new Error(`talus serve ended with ${code}: ${said}`)));
+    });
+    return this.address;
+  }
+
+  /// SIGKILL is a crash, SIGTERM a request.
+  async end(signal: NodeJS.Signals = 'SIGTERM') {
+    const child = this.child;
+    this.child = undefined;
+    if (!child || child.exitCode !== null) return;
+    const ended = new Promise((resolve) => child.once('exit', resolve));
+    child.kill(signal);
+    await ended;
+  }
+
+  read(name: string): string {
+    return readFileSync(join(this.folder, name), 'utf8');
+  }
+  copyExample(name: string) {
+    cpSync(join(sources, 'examples', name), join(this.folder, name), { recursive: true });
+  }
+}
+
+export const test = base.extend<{ server: Server; workbench: Page }>({
+  server: async ({}, use) => {
+    const server = new Server();
+    await server.start();
+    await use(server);
+    await server.end();
+    rmSync(server.folder, { recursive: true, force: true });
+  },
+  /// The start page. What the page says against itself in the console fails the test.
+  workbench: async ({ page, server }, use) => {
+    const faults: string[] = [];
+    page.on('pageerror', (error) => faults.push(error.message));
+    page.on('console', (message) => {
+      if (message.type() === 'error' && /Content Security Policy|Uncaught/.test(message.text())) faults.push(message.text());
+    });
+    await page.goto(server.address);
+    await use(page);
+    expect(faults).toEqual([]);
+  },
+});
+
+export { expect };

@@ -1,0 +1,41 @@
+// The rooms of the workbench: bar, model or runs at the left, the view, results below it.
+
+import { model } from './state/model';
+import { sidePanel } from './state/view';
+import { ModelPanel } from './model/ModelPanel';
+import { ResultsPanel } from './results/ResultsPanel';
+import { RunsPanel } from './runs/RunsPanel';
+import { SceneView } from './scene/SceneView';
+import { SectionView } from './section/SectionView';
+import { TextPanel } from './model/TextPanel';
+import { TopBar } from './ui/TopBar';
+import { Tabs } from './ui/Tabs';
+
+export function Workbench() {
+  return (
+    <div class="workbench">
+      <TopBar />
+      <aside class="side" aria-label="Model and runs">
+        <Tabs
+          label="Model and runs"
+          tabs={[
+            { name: 'model', title: 'Model' },
+            { name: 'runs', title: 'Runs' },
+            { name: 'text', title: 'Text' },
+          ]}
+          now={sidePanel.value}
+          choose={(name) => (sidePanel.value = name)}
+        />
+        <div class="body">
+          {sidePanel.value === 'model' && <ModelPanel />}
+          {sidePanel.value === 'runs' && <RunsPanel />}
+          {sidePanel.value === 'text' && <TextPanel />}
+        </div>
+      </aside>
+      <main class="view">
+        <div class="picture">{model.value?.dimension === 2 ? <SectionView /> : <SceneView />}</div>
+        <ResultsPanel />
+      </main>
+    </div>
+  );
+}

@@ -1,0 +1,94 @@
+// Requests to the server that the page came from.
+
+import { readArrays, type Arrays } from './arrays';
+import type {
+  About,
+  Example,
+  FolderFile,
+  ModelAnswer,
+  Problem,
+  ProjectText,
+  Run,
+} from './types';
+
+/// A refusal, with the reasons that the server gave.
+export class Refused extends Error {
+  constructor(
+    readonly status: number,
+    readonly problems: Problem[],
+  ) {
+    super(problems.map((problem) => problem.text).join('\n') || `the server answered ${status}`);
+  }
+}
+
+/// The server does not answer: it was stopped, or the connection broke.
+export class Unreachable extends Error {
+  constructor() {
+    super('The server does not answer. Start talus serve again; nothing here is lost.');
+  }
+}
+
+async function ask(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(path, {
+      method,
+      ...(body !== undefined && { headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body) }),
+      ...(signal && { signal }),
+    });
+  } catch (error) {
+    if (error instanceof DOMException && error.name === 'AbortError') throw error;
+    throw new Unreachable();
+  }
+  if (response.ok) return response;
+  const answer = (await response.json().catch(() => null)) as { problems?: Problem[] } | null;
+  throw new Refused(response.status, answer?.problems ?? []);
+}
+
+export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T> {
+  return (await ask('GET', path, undefined, signal)).json() as Promise<T>;
+}
+export async function sendJson<T>(method: 'POST' | 'PUT' | 'PATCH', path: string, body: unknown, signal?: AbortSignal) {
+  return (await ask(method, path, body, signal)).json() as Promise<T>;
+}
+export async function getArrays<Header>(path: string, signal?: AbortSignal): Promise<Arrays<Header>> {
+  return readArrays<Header>(await (await ask('GET', path, undefined, signal)).arrayBuffer());
+}
+
+const name = (file: string) => file.split('/').map(encodeURIComponent).join('/');
+
+export const api = {
+  about: () => getJson<About>('/api/about'),
+  settings: () => getJson<Record<string, unknown>>('/api/settings'),
+  examples: async () => (await getJson<{ examples: Example[] }>('/api/examples')).examples,
+  openExample: (id: string) => sendJson<{ project: string }>('POST', `/api/examples/${id}`, {}),
+  files: async () => (await getJson<{ files: FolderFile[] }>('/api/files')).files,
+  upload: async (file: string, content: Blob, replace = false) => {
+    let response: Response;
+    try {
+      response = await fetch(`/api/files/${name(file)}${replace ? '?replace=1' : ''}`, {
+        method: 'PUT',
+        headers: { 'Content-Type': 'application/octet-stream' },
+        body: content,
+      });
+    } catch {
+      throw new Unreachable();
+    }
+    if (response.ok) return;
+    const answer = (await response.json().catch(() => null)) as { problems?: Problem[] } | null;
+    throw new Refused(response.status, answer?.problems ?? []);
+  },
+  project: (file: string) => getJson<ProjectText>(`/api/project?file=${encodeURIComponent(file)}`),
+  saveProject: (file: string, text: string, saved: string | null) =>
+    sendJson<{ saved: string }>('PUT', '/api/project', { file, text, saved }),
+  keepDraft: (file: string, text: string | null) => sendJson('PUT', '/api/draft', { file, text }),
+  model: (file: string, text: string, signal?: AbortSignal) =>
+    sendJson<ModelAnswer>('POST', '/api/model', { file, text }, signal),
+  runs: async () => (await getJson<{ runs: Run[] }>('/api/runs')).runs,
+  compute: (file: string, text: string, more: { name?: string; rocks?: number; seed?: number } = {}) =>
+    sendJson<Run>('POST', '/api/runs', { file, text, ...more }),
+  stopRun: (id: string) => sendJson<Run>('POST', `/api/runs/${id}/stop`, {}),
+  resumeRun: (id: string) => sendJson<Run>('POST', `/api/runs/${id}/resume`, {}),
+  renameRun: (id: string, newName: string) => sendJson<Run>('PATCH', `/api/runs/${id}`, { name: newName }),
+  removeRun: (id: string) => ask('DELETE', `/api/runs/${id}`),
+};

@@ -1,0 +1,156 @@
+// What the server answers: docs/workbench-api.md.
+
+export interface About {
+  version: string;
+  folder: string;
+  project: string | null;
+  limits: { upload_bytes: number; project_bytes: number };
+}
+
+export interface Problem {
+  severity: 'warning' | 'error';
+  file: string;
+  line: number;
+  path: string;
+  where: string;
+  what: string;
+  why: string;
+  hint: string;
+  text: string;
+}
+
+export interface Example {
+  id: string;
+  title: string;
+  what: string;
+  file: string;
+}
+
+export type FileKind = 'project' | 'raster' | 'mesh' | 'points' | 'vector' | 'other';
+export interface FolderFile {
+  name: string;
+  bytes: number;
+  modified: string;
+  kind: FileKind;
+}
+
+export interface ProjectText {
+  file: string;
+  text: string;
+  saved: string | null;
+  draft: string | null;
+}
+
+export type Point2 = [number, number];
+export type Point3 = [number, number, number];
+
+export interface ModelSeeder {
+  name: string;
+  type: 'point' | 'line' | 'polygon' | 'raster';
+  rocks: number;
+  first_rock: number;
+  lines: Point3[][];
+  points: Point3[];
+}
+
+export interface ModelBarrier {
+  name: string;
+  kind: 'barrier' | 'collector';
+  height_m: number;
+  capacity_kJ: number | null;
+  foot: Point3[];
+  top: Point3[];
+}
+
+export interface Model {
+  id: string;
+  dimension: 2 | 3;
+  kind: 'profile' | 'mesh' | 'raster';
+  rocks: number;
+  crs: string;
+  facets: number;
+  bounds: { min: Point3; max: Point3 };
+  terrain_report: string;
+  seeder_report: string;
+  materials: string[];
+  seeders: ModelSeeder[];
+  barriers: ModelBarrier[];
+  project: Record<string, unknown>;
+}
+
+export interface ModelAnswer {
+  problems: Problem[];
+  model: Model | null;
+}
+
+export interface Tiles {
+  origin: Point3;
+  cell: Point2;
+  columns: number;
+  rows: number;
+  tile: number;
+  levels: { stride: number; columns: number; rows: number }[];
+}
+
+export type RunState = 'waiting' | 'running' | 'done' | 'stopped' | 'interrupted' | 'failed';
+export interface Run {
+  id: string;
+  name: string;
+  file: string;
+  project: string;
+  state: RunState;
+  dimension: 2 | 3;
+  rocks: number;
+  done: number;
+  rate: number;
+  seconds: number;
+  seconds_left: number | null;
+  begun: string;
+  problems: Problem[];
+  folder: string;
+}
+
+export interface Statistics {
+  unit: string;
+  count: number;
+  statistics: Record<string, number>;
+  histogram: { edges: number[]; counts: number[] };
+  cumulative: Point2[];
+  box: { least: number; whisker_low: number; q1: number; median: number; q3: number; whisker_high: number; most: number };
+}
+
+export interface RockAnswer {
+  endpoint: Record<string, string>;
+  columns: string[];
+  rows: string[][];
+  hits: Record<string, string>[];
+  energy: [number, number, number, number][];
+}
+
+export interface RunBarrier {
+  name: string;
+  kind: 'barrier' | 'collector';
+  height_m: number;
+  capacity_kJ: number | null;
+  hits: number;
+  stopped: number;
+  passed_through: number;
+  passed_above: number;
+  design: unknown;
+}
+
+export interface RunMap {
+  name: string;
+  meaning: string;
+  unit: string;
+  scale: 'linear' | 'log';
+  least: number;
+  most: number;
+  source: string | null;
+}
+
+export interface Difference {
+  key: string;
+  here: unknown;
+  there: unknown;
+}

@@ -1,0 +1,47 @@
+// What the pointer does in the scene or on the section when it does not move the view: draw a line, place a seeder,
+// measure. Who wants to draw makes a tool active; the views tell it where the pointer is on the ground.
+
+import { signal } from '@preact/signals';
+import type { Point3 } from '../api/types';
+
+/// A place on the terrain, in the project's coordinates. In 2D, y is 0.
+export interface Place {
+  point: Point3;
+  /// The triangle of a mesh or the segment of a section that was hit.
+  facet?: number;
+}
+
+export interface Tool {
+  name: string;
+  /// What to do now, shown above the view.
+  hint: () => string;
+  click(place: Place, keys: { shift: boolean; ctrl: boolean }): void;
+  move?(place: Place | null): void;
+  /// Enter or a double click.
+  finish?(): void;
+  /// Escape; the tool is left afterwards.
+  cancel?(): void;
+  /// Backspace: the last point goes.
+  back?(): void;
+}
+
+export const tool = signal<Tool | null>(null);
+
+/// What tools and forms show in the scene besides the model.
+export interface Overlay {
+  points: Point3[];
+  kind: 'line' | 'points' | 'polygon';
+  colour?: string;
+  label?: string;
+}
+export const overlays = signal<Record<string, Overlay[]>>({});
+
+export function showOverlay(owner: string, list: Overlay[]) {
+  const { [owner]: _, ...others } = overlays.value;
+  overlays.value = list.length > 0 ? { ...others, [owner]: list } : others;
+}
+
+export function useTool(next: Tool | null) {
+  tool.value?.cancel?.();
+  tool.value = next;
+}

@@ -1,0 +1,3 @@
+export function SectionView() {
+  return <div class="empty">Section</div>;
+}

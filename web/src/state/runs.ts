@@ -1,0 +1,68 @@
+// The runs beside the open projects, as the server tells of them.
+
+import { computed, signal } from '@preact/signals';
+import { api } from '../api/client';
+import type { Run } from '../api/types';
+import { file, text } from './document';
+import { sayFailure } from './messages';
+
+export const runs = signal<Run[]>([]);
+/// The run that is looked at, and one that is laid over it.
+export const shownId = signal<string | null>(null);
+export const comparedId = signal<string | null>(null);
+export const isConnected = signal(true);
+
+const find = (id: string | null) => runs.value.find((run) => run.id === id) ?? null;
+export const shown = computed(() => find(shownId.value));
+export const compared = computed(() => find(comparedId.value));
+export const running = computed(() => runs.value.find((run) => run.state === 'running') ?? null);
+/// Of the open project, newest first.
+export const ownRuns = computed(() => runs.value.filter((run) => run.file === file.value));
+
+export const hasResults = (run: Run) => run.state === 'done' || run.state === 'stopped';
+
+function take(run: Run) {
+  const known = runs.value.some(({ id }) => id === run.id);
+  runs.value = known ? runs.value.map((old) => (old.id === run.id ? run : old)) : [run, ...runs.value];
+}
+
+/// Throws the rocks of the text as it stands.
+export async function compute(more: { name?: string; rocks?: number } = {}) {
+  if (file.value === null) return;
+  try {
+    const run = await api.compute(file.value, text.value, more);
+    take(run);
+    shownId.value = run.id;
+  } catch (error) {
+    sayFailure(error);
+  }
+}
+
+export const stop = (id: string) => api.stopRun(id).then(take, sayFailure);
+export const resume = (id: string) => api.resumeRun(id).then(take, sayFailure);
+export const rename = (id: string, name: string) => api.renameRun(id, name).then(take, sayFailure);
+export const remove = (id: string) => api.removeRun(id).then(() => forget(id), sayFailure);
+
+function forget(id: string) {
+  runs.value = runs.value.filter((run) => run.id !== id);
+  if (shownId.value === id) shownId.value = null;
+  if (comparedId.value === id) comparedId.value = null;
+}
+
+/// Follows the server's events; when it is gone, goes on trying.
+export function follow() {
+  const events = new EventSource('/api/events');
+  events.onopen = () => {
+    isConnected.value = true;
+    // What happened while nobody listened.
+    void api.runs().then((list) => (runs.value = list), sayFailure);
+  };
+  events.onerror = () => {
+    isConnected.value = false;
+    if (events.readyState === EventSource.CLOSED) setTimeout(follow, 2000);
+  };
+  events.addEventListener('run', (event) => take(JSON.parse((event as MessageEvent<string>).data) as Run));
+  events.addEventListener('removed', (event) =>
+    forget((JSON.parse((event as MessageEvent<string>).data) as { id: string }).id),
+  );
+}

@@ -1,0 +1,36 @@
+// How the page is looked at: what is chosen, which panels are open, light or dark.
+
+import { effect, signal } from '@preact/signals';
+
+export type Theme = 'system' | 'light' | 'dark';
+
+/// A signal that the browser remembers.
+function kept<T>(key: string, first: T) {
+  const found = localStorage.getItem(key);
+  const value = signal<T>(found === null ? first : (JSON.parse(found) as T));
+  effect(() => localStorage.setItem(key, JSON.stringify(value.value)));
+  return value;
+}
+
+export const theme = kept<Theme>('theme', 'system');
+effect(() => {
+  if (theme.value === 'system') delete document.documentElement.dataset.theme;
+  else document.documentElement.dataset.theme = theme.value;
+});
+
+export type SidePanel = 'model' | 'runs' | 'text';
+export const sidePanel = kept<SidePanel>('side panel', 'model');
+
+export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'maps' | 'compare';
+export const resultsTab = kept<ResultsTab>('results tab', 'overview');
+export const resultsOpen = kept('results open', true);
+
+/// A thing of the project by its path, such as ["seeder", 0]: its form is open, and the scene marks it.
+export const chosen = signal<(string | number)[] | null>(null);
+/// The rock of the run that is looked at.
+export const chosenRock = signal<number | null>(null);
+export const helpOpen = signal(false);
+export const startOpen = signal(false);
+/// The map of the shown run that lies on the terrain, by its name.
+export const drapedMap = signal<string | null>(null);
+export const drapedOpacity = kept('opacity of the map', 0.85);

@@ -1,0 +1,217 @@
+// Changes a TOML text where it must change and nowhere else: comments, order and layout of the rest stay as they were
+// written.
+
+import { parseTOML, getStaticTOMLValue, type AST } from 'toml-eslint-parser';
+import { inlineText, keyText, pairText, tableText, type TomlTable, type TomlValue } from './format';
+
+export type Path = readonly (string | number)[];
+
+export type Edit =
+  /// Replaces the value at a path, or adds it where its table is; tables that are missing are made.
+  | { set: Path; value: TomlValue }
+  /// Removes a key, an entry of a list, or a table with what belongs to it. What is not there is removed already.
+  | { remove: Path }
+  /// Adds a table `[[path]]` after the last of its kind.
+  | { append: Path; value: TomlTable };
+
+/// The values of a text. Throws where it is no TOML (ParseError, with `lineNumber`).
+export function valuesOf(text: string): TomlTable {
+  return getStaticTOMLValue(parseTOML(text, { tomlVersion: '1.0' })) as TomlTable;
+}
+
+export function edited(text: string, edits: readonly Edit[]): string {
+  return edits.reduce((now, edit) => {
+    if ('set' in edit) return setValue(now, edit.set, edit.value);
+    if ('remove' in edit) return removeAt(now, edit.remove);
+    return appendTable(now, edit.append, edit.value);
+  }, text);
+}
+
+type Table = AST.TOMLTopLevelTable | AST.TOMLTable;
+type Pair = AST.TOMLKeyValue;
+type Content = AST.TOMLContentNode;
+
+const isPrefix = (prefix: Path, path: Path) =>
+  prefix.length <= path.length && prefix.every((part, k) => String(part) === String(path[k]));
+const isSame = (a: Path, b: Path) => a.length === b.length && isPrefix(a, b);
+
+const splice = (text: string, from: number, to: number, piece: string) => text.slice(0, from) + piece + text.slice(to);
+
+function topOf(text: string): AST.TOMLTopLevelTable {
+  return parseTOML(text, { tomlVersion: '1.0' }).body[0];
+}
+
+/// The text of keys before the first table, then each table with its header.
+function tablesOf(top: AST.TOMLTopLevelTable): { path: Path; node: Table; pairs: Pair[] }[] {
+  const pairs = top.body.filter((node): node is Pair => node.type === 'TOMLKeyValue');
+  const tables = top.body.filter((node): node is AST.TOMLTable => node.type === 'TOMLTable');
+  return [
+    { path: [], node: top, pairs },
+    ...tables.map((node) => ({ path: node.resolvedKey, node, pairs: node.body })),
+  ];
+}
+
+const keysOf = (pair: Pair) => pair.key.keys.map((key) => (key.type === 'TOMLBare' ? key.name : key.value));
+
+/// What stands at a path: a pair, with the way on from there into its value.
+function findPair(top: AST.TOMLTopLevelTable, path: Path): { pair: Pair; rest: Path } | null {
+  for (const table of tablesOf(top)) {
+    if (!isPrefix(table.path, path)) continue;
+    for (const pair of table.pairs) {
+      const whole = [...table.path, ...keysOf(pair)];
+      if (whole.length > table.path.length && isPrefix(whole, path)) return { pair, rest: path.slice(whole.length) };
+    }
+  }
+  return null;
+}
+
+function childOf(node: Content, part: string | number): Content | null {
+  if (node.type === 'TOMLArray') return node.elements[Number(part)] ?? null;
+  if (node.type === 'TOMLInlineTable') return memberOf(node, part)?.value ?? null;
+  return null;
+}
+
+function memberOf(node: AST.TOMLInlineTable, part: string | number): Pair | null {
+  return node.body.find((pair) => isSame(keysOf(pair), [part])) ?? null;
+}
+
+/// As many tables within each other as the path says.
+function wrapped(path: Path, value: TomlValue): TomlValue {
+  return path.reduceRight<TomlValue>((inner, part) => ({ [String(part)]: inner }), value);
+}
+
+function setInside(text: string, node: Content, path: Path, value: TomlValue): string {
+  if (path.length === 0) return splice(text, node.range[0], node.range[1], inlineText(value));
+  const [part, ...rest] = path as [string | number, ...(string | number)[]];
+  const child = childOf(node, part);
+  if (child) return setInside(text, child, rest, value);
+  const fresh = wrapped(rest, value);
+  if (node.type === 'TOMLInlineTable') {
+    const last = node.body.at(-1);
+    const piece = pairText(String(part), fresh);
+    return last
+      ? splice(text, last.range[1], last.range[1], `, ${piece}`)
+      : splice(text, node.range[0], node.range[1], `{ ${piece} }`);
+  }
+  if (node.type === 'TOMLArray' && Number(part) === node.elements.length) {
+    const last = node.elements.at(-1);
+    return last
+      ? splice(text, last.range[1], last.range[1], `, ${inlineText(fresh)}`)
+      : splice(text, node.range[0], node.range[1], `[${inlineText(fresh)}]`);
+  }
+  // A plain value gives way to a table: 0.35 becomes { mean = 0.4 } where its mean is set.
+  return splice(text, node.range[0], node.range[1], inlineText(wrapped(path, value)));
+}
+
+const lineEnd = (text: string, at: number) => {
+  const end = text.indexOf('\n', at);
+  return end < 0 ? text.length : end;
+};
+const lineStart = (text: string, at: number) => text.lastIndexOf('\n', at - 1) + 1;
+
+/// Puts lines after the line in which something ends.
+function insertAfter(text: string, at: number, lines: string): string {
+  const end = lineEnd(text, at);
+  return end === text.length ? `${text}\n${lines}\n` : splice(text, end + 1, end + 1, `${lines}\n`);
+}
+
+function setValue(text: string, path: Path, value: TomlValue): string {
+  if (path.length === 0) throw new Error('a path is needed');
+  const top = topOf(text);
+  const found = findPair(top, path);
+  if (found) return setInside(text, found.pair.value, found.rest, value);
+
+  // The longest table above the path that has a header, or lies before the first one.
+  const tables = tablesOf(top).filter(({ path: above }) => isPrefix(above, path) && above.length < path.length);
+  const home = tables.reduce((best, table) => (table.path.length >= best.path.length ? table : best));
+  const rest = path.slice(home.path.length);
+  if (home.path.length === 0 && rest.length > 1) {
+    const header = rest.slice(0, -1);
+    if (typeof header[1] === 'number') throw new Error(`there is no [[${String(header[0])}]] number ${header[1]}`);
+    // Tables of one level have a header; what is in them stands in line.
+    const [name, ...inner] = rest;
+    const piece = `[${keyText(String(name))}]\n${pairText(String(inner[0]), wrapped(inner.slice(1), value))}`;
+    return `${text.trimEnd()}${text.trim() ? '\n\n' : ''}${piece}\n`;
+  }
+  const piece = pairText(String(rest[0]), wrapped(rest.slice(1), value));
+  const last = home.pairs.at(-1);
+  if (last) return insertAfter(text, last.range[1], piece);
+  if (home.node.type === 'TOMLTable') return insertAfter(text, home.node.key.range[1], piece);
+  return beforeFirstTable(text, top, piece);
+}
+
+/// After the comments at the beginning of the file, before the first table and what is said of it.
+function beforeFirstTable(text: string, top: AST.TOMLTopLevelTable, piece: string): string {
+  const first = top.body[0];
+  if (!first) return `${text.trimEnd()}${text.trim() ? '\n' : ''}${piece}\n`;
+  const start = commentStart(text, lineStart(text, first.range[0]));
+  return splice(text, start, start, `${piece}\n\n`);
+}
+
+/// Where the comment lines begin that stand directly above a line.
+function commentStart(text: string, line: number): number {
+  let start = line;
+  while (start > 0) {
+    const above = lineStart(text, start - 1);
+    if (!text.slice(above, start).trimStart().startsWith('#')) break;
+    start = above;
+  }
+  return start;
+}
+
+/// One of several with commas between them.
+function removeListed(text: string, list: readonly { range: AST.Range }[], k: number): string {
+  const [from, to] = list[k]!.range;
+  const next = list[k + 1];
+  if (next) return splice(text, from, next.range[0], '');
+  const before = list[k - 1];
+  if (before) return splice(text, before.range[1], to, '');
+  const comma = /^\s*,/.exec(text.slice(to));
+  return splice(text, from, to + (comma ? comma[0].length : 0), '');
+}
+
+function removeInside(text: string, node: Content, path: Path): string {
+  const [part, ...rest] = path as [string | number, ...(string | number)[]];
+  if (rest.length > 0) {
+    const child = childOf(node, part);
+    return child ? removeInside(text, child, rest) : text;
+  }
+  if (node.type === 'TOMLArray') {
+    return Number(part) < node.elements.length ? removeListed(text, node.elements, Number(part)) : text;
+  }
+  if (node.type !== 'TOMLInlineTable') return text;
+  const k = node.body.findIndex((pair) => isSame(keysOf(pair), [part]));
+  return k < 0 ? text : removeListed(text, node.body, k);
+}
+
+function removeAt(text: string, path: Path): string {
+  const top = topOf(text);
+  const found = findPair(top, path);
+  if (found) {
+    if (found.rest.length > 0) return removeInside(text, found.pair.value, found.rest);
+    const end = Math.min(lineEnd(text, found.pair.range[1]) + 1, text.length);
+    return splice(text, lineStart(text, found.pair.range[0]), end, '');
+  }
+  // A table goes with its comment and with the tables below it, from the last one on, so that places hold.
+  const tables = tablesOf(top).slice(1);
+  const doomed = tables.flatMap(({ path: own }, k) => (isPrefix(path, own) ? [k] : []));
+  return doomed.reverse().reduce((now, k) => {
+    const startOf = (index: number) => {
+      const table = tables[index];
+      return table ? commentStart(now, lineStart(now, table.node.range[0])) : now.length;
+    };
+    return splice(now, startOf(k), startOf(k + 1), '').replace(/\n{3,}$/, '\n');
+  }, text);
+}
+
+function appendTable(text: string, path: Path, value: TomlTable): string {
+  const top = topOf(text);
+  const found = findPair(top, path);
+  if (found && found.rest.length === 0 && found.pair.value.type === 'TOMLArray')
+    return setInside(text, found.pair.value, [found.pair.value.elements.length], value);
+  const piece = tableText(path.map(String), value);
+  const last = tablesOf(top).findLast(({ path: own }) => own.length > path.length && isPrefix(path, own));
+  if (!last) return `${text.trimEnd()}${text.trim() ? '\n\n' : ''}${piece}\n`;
+  const end = Math.max(last.node.range[1], last.pairs.at(-1)?.range[1] ?? 0);
+  return insertAfter(text, end, `\n${piece}`);
+}

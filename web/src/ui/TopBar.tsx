@@ -1,0 +1,73 @@
+import { close, file, isChanged, redo, redoes, save, undo, undoes, values } from '../state/document';
+import { isBuilding, problems } from '../state/model';
+import { compute, isConnected, running, stop } from '../state/runs';
+import { theme, type Theme } from '../state/view';
+import { clockText } from './format';
+
+const themes: Theme[] = ['system', 'light', 'dark'];
+
+function Progress() {
+  const run = running.value;
+  if (!run) return null;
+  return (
+    <div class="progress">
+      <progress max={run.rocks} value={run.done} aria-label="Rocks done" />
+      <span class="mono">
+        {run.done.toLocaleString()} of {run.rocks.toLocaleString()} rocks
+        {run.rate > 0 && `, ${Math.round(run.rate).toLocaleString()}/s`}
+        {run.seconds_left !== null && `, ${clockText(run.seconds_left)} left`}
+      </span>
+      <button class="button" onClick={() => void stop(run.id)}>
+        Stop
+      </button>
+    </div>
+  );
+}
+
+export function TopBar() {
+  const errors = problems.value.filter(({ severity }) => severity === 'error').length;
+  const name = typeof values.value.name === 'string' ? values.value.name : (file.value ?? '');
+  return (
+    <header class="bar">
+      <button class="button plain icon" title="Start page" aria-label="Start page" onClick={close}>
+        <img class="logo" src="/icon.svg" alt="" />
+      </button>
+      <div class="title">
+        <strong title={name}>{name}</strong>
+        <span class="faint" title={file.value ?? ''}>
+          {file.value}
+          {isChanged.value && ' (changed)'}
+        </span>
+      </div>
+      <button class="button icon" disabled={!undoes.value} title={undoes.value ? `Undo: ${undoes.value} (Ctrl+Z)` : 'Nothing to undo'} aria-label="Undo" onClick={undo}>
+        ↶
+      </button>
+      <button class="button icon" disabled={!redoes.value} title={redoes.value ? `Redo: ${redoes.value} (Ctrl+Y)` : 'Nothing to redo'} aria-label="Redo" onClick={redo}>
+        ↷
+      </button>
+      <button class="button" disabled={!isChanged.value} title="Save (Ctrl+S)" onClick={() => void save()}>
+        Save
+      </button>
+      <span class="space" />
+      <Progress />
+      {!isConnected.value && <span class="problem" role="alert">The server does not answer</span>}
+      {isBuilding.value && <span class="faint">checking…</span>}
+      <button
+        class="button first"
+        disabled={errors > 0}
+        title={errors > 0 ? 'The model has errors: see the list in the panel at the left' : 'Throw the rocks (Ctrl+Enter)'}
+        onClick={() => void compute()}
+      >
+        Compute
+      </button>
+      <button
+        class="button icon"
+        title={`Theme: ${theme.value}`}
+        aria-label={`Theme: ${theme.value}`}
+        onClick={() => (theme.value = themes[(themes.indexOf(theme.value) + 1) % themes.length]!)}
+      >
+        ◐
+      </button>
+    </header>
+  );
+}

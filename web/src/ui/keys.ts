@@ -1,0 +1,32 @@
+// Keys that work everywhere on the page.
+
+import { file, redo, save, undo } from '../state/document';
+import { compute } from '../state/runs';
+import { tool, useTool } from '../scene/tool';
+
+const isWriting = (target: EventTarget | null) =>
+  target instanceof HTMLElement && (target.isContentEditable || ['INPUT', 'TEXTAREA', 'SELECT'].includes(target.tagName));
+
+function onKey(event: KeyboardEvent) {
+  if (file.value === null) return;
+  const ctrl = event.ctrlKey || event.metaKey;
+  const key = event.key.toLowerCase();
+  const act = (what: () => unknown) => {
+    event.preventDefault();
+    void what();
+  };
+  if (ctrl && key === 's') return act(save);
+  if (ctrl && event.key === 'Enter') return act(() => compute());
+  if (isWriting(event.target)) return;
+  if (ctrl && key === 'z') return act(event.shiftKey ? redo : undo);
+  if (ctrl && key === 'y') return act(redo);
+  if (!tool.value) return;
+  if (event.key === 'Escape') return act(() => useTool(null));
+  if (event.key === 'Enter' && event.target === document.body) return act(() => tool.value?.finish?.());
+  if (event.key === 'Backspace') return act(() => tool.value?.back?.());
+}
+
+export function listenToKeys(): () => void {
+  addEventListener('keydown', onKey);
+  return () => removeEventListener('keydown', onKey);
+}
