@@ -19,5 +19,10 @@ void add_file_routes(Router& router, const Workplace& workplace);
 void add_project_routes(Router& router, const Workplace& workplace);
 void add_example_routes(Router& router, const Workplace& workplace);
 void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& shelf);
+void add_model_tile_routes(Router& router, const ModelShelf& shelf);
+void add_model_query_routes(Router& router, const ModelShelf& shelf);
+/// Geometry and distributions without a model.
+void add_shape_routes(Router& router);
+void add_verification_routes(Router& router);
 
 }  // namespace talus::server
