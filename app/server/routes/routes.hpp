@@ -9,6 +9,10 @@
 
 namespace talus::server {
 
+class EventHub;
+class RunModels;
+class RunStore;
+
 /// The page itself, and the way into a session. `address`: with a new token.
 void add_page_routes(Router& router, httplib::Server& server, Session& session,
                      const std::function<std::string()>& address);
@@ -17,5 +21,7 @@ void add_about_routes(Router& router, const Workplace& workplace, const std::str
 void add_file_routes(Router& router, const Workplace& workplace);
 void add_project_routes(Router& router, const Workplace& workplace);
 void add_example_routes(Router& router, const Workplace& workplace);
+void add_run_routes(Router& router, RunStore& runs, EventHub& events);
+void add_result_routes(Router& router, RunStore& runs, RunModels& models);
 
 }  // namespace talus::server
