@@ -1,15 +1,8 @@
 // Requests to the server that the page came from.
 
 import { readArrays, type Arrays } from './arrays';
-import type {
-  About,
-  Example,
-  FolderFile,
-  ModelAnswer,
-  Problem,
-  ProjectText,
-  Run,
-} from './types';
+import type { TomlTable } from '../toml/format';
+import type { About, Example, FolderFile, LibraryMaterial, ModelAnswer, Problem, ProjectText, Run } from './types';
 
 /// A refusal, with the reasons that the server gave.
 export class Refused extends Error {
@@ -60,6 +53,16 @@ const name = (file: string) => file.split('/').map(encodeURIComponent).join('/')
 export const api = {
   about: () => getJson<About>('/api/about'),
   settings: () => getJson<Record<string, unknown>>('/api/settings'),
+  materials: async () => (await getJson<{ materials: LibraryMaterial[] }>('/api/materials')).materials,
+  distribution: (setting: string, distribution: TomlTable, signal?: AbortSignal) =>
+    sendJson<{ density: [number, number][]; problems: Problem[] }>(
+      'POST',
+      '/api/distribution',
+      { ...distribution, setting },
+      signal,
+    ),
+  polygons: (asked: { polylines: unknown; tolerance_m: number }, signal?: AbortSignal) =>
+    sendJson<PolygonsAnswer>('POST', '/api/geometry/polygons', asked, signal),
   examples: async () => (await getJson<{ examples: Example[] }>('/api/examples')).examples,
   openExample: (id: string) => sendJson<{ project: string }>('POST', `/api/examples/${id}`, {}),
   files: async () => (await getJson<{ files: FolderFile[] }>('/api/files')).files,
