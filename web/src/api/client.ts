@@ -2,7 +2,7 @@
 
 import { readArrays, type Arrays } from './arrays';
 import type { TomlTable } from '../toml/format';
-import type { About, Example, FolderFile, LibraryMaterial, ModelAnswer, Problem, ProjectText, Run } from './types';
+import type { About, Example, FolderFile, LibraryMaterial, ModelAnswer, PolygonsAnswer, Problem, ProjectText, Run } from './types';
 
 /// A refusal, with the reasons that the server gave.
 export class Refused extends Error {
