@@ -177,3 +177,34 @@ export interface Difference {
   here: unknown;
   there: unknown;
 }
+
+export interface Verification {
+  passes: boolean;
+  cases: VerificationCase[];
+}
+
+export interface VerificationCase {
+  case: string;
+  title: string;
+  passes: boolean;
+  seconds: number;
+  agree: number;
+  compared: number;
+  tables: {
+    title: string;
+    manual: string;
+    run: string;
+    why: string;
+    agree: number;
+    differ: number;
+    numbers: {
+      row: string;
+      quantity: string;
+      published: string;
+      talus: number;
+      difference: number;
+      allowed: string;
+      verdict: string;
+    }[];
+  }[];
+}
