@@ -1,7 +1,10 @@
-// Compresses the built page, file by file, and lists the types, for the program to hold: node pack.mjs FOLDER
+// Adds the licences to the built page, compresses it file by file, and lists the types, for the program to hold:
+// node pack.mjs FOLDER
 import { readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { extname, join, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { licences } from './licences.mjs';
 
 const types = {
   '.css': 'text/css; charset=utf-8',
@@ -9,11 +12,13 @@ const types = {
   '.js': 'text/javascript; charset=utf-8',
   '.json': 'application/json',
   '.svg': 'image/svg+xml',
+  '.txt': 'text/plain; charset=utf-8',
   '.woff2': 'font/woff2',
 };
 
 const folder = process.argv[2];
 if (!folder) throw new Error('which folder?');
+writeFileSync(join(folder, 'licences.txt'), licences(fileURLToPath(new URL('.', import.meta.url))));
 const files = readdirSync(folder, { recursive: true })
   .map((name) => join(folder, String(name)))
   .filter((file) => statSync(file).isFile())

@@ -61,6 +61,8 @@ void serve(const ServeOptions& options) {
   add_file_routes(router, workplace);
   add_project_routes(router, workplace);
   add_example_routes(router, workplace);
+  ModelShelf shelf;
+  add_model_routes(router, workplace, shelf);
   add_run_routes(router, runs, events);
   add_result_routes(router, runs, run_models);
   add_page_routes(router, server, session, address);  // last: it takes every path that is left

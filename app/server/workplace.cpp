@@ -21,7 +21,9 @@ bool lies_below(const std::filesystem::path& folder, const std::filesystem::path
 Workplace::Workplace(std::filesystem::path folder) : folder_(std::filesystem::canonical(folder)) {}
 
 std::filesystem::path Workplace::at(std::string_view name) const {
-  const auto refuse = [&](const char* why) { return Refusal(403, std::string(name), "is no name in this folder", why); };
+  const auto refuse = [&](const char* why) {
+    return Refusal(403, std::string(name), "is no name in this folder", why);
+  };
   if (name.empty()) throw refuse("it is empty");
   if (name.size() > 1000) throw refuse("it is too long");
   const bool has_control = std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; });
@@ -43,6 +45,13 @@ std::filesystem::path Workplace::existing(std::string_view name) const {
   std::filesystem::path path = at(name);
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw Refusal(404, std::string(name), "there is no such file");
+  return path;
+}
+
+std::filesystem::path Workplace::project(std::string_view name) const {
+  std::filesystem::path path = at(name);
+  if (path.extension() != ".toml")
+    throw Refusal(400, std::string(name), "is no project file", "its name does not end in .toml");
   return path;
 }
 

@@ -18,6 +18,8 @@ class Workplace {
   [[nodiscard]] std::filesystem::path at(std::string_view name) const;
   /// The same of a file that must be there (404).
   [[nodiscard]] std::filesystem::path existing(std::string_view name) const;
+  /// A project file, there or not: other files are not read or written as text (400).
+  [[nodiscard]] std::filesystem::path project(std::string_view name) const;
 
  private:
   std::filesystem::path folder_;

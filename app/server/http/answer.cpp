@@ -13,6 +13,7 @@ Json as_json(const Problems& problems) {
     list.push_back({{"severity", problem.severity == Severity::error ? "error" : "warning"},
                     {"file", problem.file},
                     {"line", problem.line},
+                    {"path", problem.path},
                     {"where", problem.where},
                     {"what", problem.what},
                     {"why", problem.why},

@@ -31,14 +31,6 @@ void write(const fs::path& path, std::string_view text) {
 
 fs::path draft_of(const fs::path& file) { return file.parent_path() / ("." + file.filename().string() + ".draft"); }
 
-/// A project file: other files are not written to as text.
-fs::path project_file(const Workplace& workplace, const std::string& name) {
-  const fs::path file = workplace.at(name);
-  if (file.extension() != ".toml")
-    throw Refusal(400, name, "is no project file", "its name does not end in .toml");
-  return file;
-}
-
 Json hash_or_null(const std::optional<std::string>& text) {
   return text ? Json(io::text_of(io::checksum_of(*text))) : Json();
 }
@@ -51,7 +43,7 @@ void add_project_routes(Router& router, const Workplace& workplace) {
 
   router.get("/api/project", [&workplace](const Call& call) {
     const std::string name = call.query("file");
-    const fs::path file = project_file(workplace, name);
+    const fs::path file = workplace.project(name);
     const auto text = read(file);
     const auto draft = read(draft_of(file));
     if (!text && !draft) throw Refusal(404, name, "there is no such file");
@@ -63,7 +55,7 @@ void add_project_routes(Router& router, const Workplace& workplace) {
   router.put("/api/project", [&workplace](const Call& call) {
     call.only({"file", "text", "saved"});
     const std::string name = call.text("file"), text = call.text("text"), saved = call.text("saved", "");
-    const fs::path file = project_file(workplace, name);
+    const fs::path file = workplace.project(name);
     const std::lock_guard lock(writing);
     const Json there = hash_or_null(read(file));
     if (there != (saved.empty() ? Json() : Json(saved))) {
@@ -78,7 +70,7 @@ void add_project_routes(Router& router, const Workplace& workplace) {
   });
   router.put("/api/draft", [&workplace](const Call& call) {
     call.only({"file", "text"});
-    const fs::path draft = draft_of(project_file(workplace, call.text("file")));
+    const fs::path draft = draft_of(workplace.project(call.text("file")));
     const std::lock_guard lock(writing);
     std::error_code ignored;
     if (call.body.contains("text") && !call.body["text"].is_null()) {

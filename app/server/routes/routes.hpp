@@ -5,6 +5,7 @@
 #include <string>
 
 #include "http/router.hpp"
+#include "model_shelf.hpp"
 #include "workplace.hpp"
 
 namespace talus::server {
@@ -21,6 +22,7 @@ void add_about_routes(Router& router, const Workplace& workplace, const std::str
 void add_file_routes(Router& router, const Workplace& workplace);
 void add_project_routes(Router& router, const Workplace& workplace);
 void add_example_routes(Router& router, const Workplace& workplace);
+void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& shelf);
 void add_run_routes(Router& router, RunStore& runs, EventHub& events);
 void add_result_routes(Router& router, RunStore& runs, RunModels& models);
 

@@ -162,6 +162,15 @@ class Party {
 
 }  // namespace
 
+Vec3 start_of(const Model& model, std::uint64_t rock) {
+  const Seeder& seeder = seeder_of(model, rock);
+  const Draws draws({model.seed, model.sampling, seeder.first_rock, seeder.rocks}, rock);
+  RockRecord record;
+  return std::visit(
+      [&](const auto& surface) { return release_of(model, surface, draws, seeder, record).motion.position; },
+      model.surface);
+}
+
 /// What a simulator has for the kind of surface that its model has.
 class Simulator::Rocks {
  public:

@@ -19,6 +19,10 @@ struct SimulationOrder {
   std::function<void(const RockRecord&, const RockLog&)> see;
 };
 
+/// Where the centre of a rock is when it is released, for pictures of where rocks start; local [m]. Of a section whose
+/// vertices vary, on the one that is given.
+[[nodiscard]] Vec3 start_of(const Model& model, std::uint64_t rock);
+
 /// Simulates rocks of one model; each thread has its own.
 class Simulator {
  public:

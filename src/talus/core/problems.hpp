@@ -18,6 +18,7 @@ struct Problem {
   std::string what;   // the problem
   std::string why;    // why it is one, with what was expected
   std::string hint;   // what would mend it
+  std::string path;   // of the setting of a project, for programs: `material.0.roughness_deg`; no part of the text
   [[nodiscard]] std::string text() const;
 };
 

@@ -241,6 +241,7 @@ void Document::set(const std::string& override_text, Problems& problems) {
     return;
   }
 
+  paths_.reset();
   toml::node* parent = &root_;
   for (std::size_t i = 0; i < path->size(); ++i) {
     const std::string& part = (*path)[i];
@@ -281,10 +282,20 @@ Problem Document::at(const toml::node& node, Severity severity) const {
   // An override has no lines: it is its own place.
   const bool from_override = source.path && source.path->starts_with(override_mark);
   problem.line = from_override ? 0 : static_cast<int>(source.begin.line);
+  if (!paths_) paths_.emplace(root_);
+  problem.path = paths_->of(node);
   return problem;
 }
 
-Problem Document::nowhere() const { return {.file = file_, .where = {}, .what = {}, .why = {}, .hint = {}}; }
+Problem Document::missing(const toml::table& from, std::string_view key, Severity severity) const {
+  Problem problem = at(from, severity);
+  problem.path = SettingPaths::below(problem.path, key);
+  return problem;
+}
+
+Problem Document::nowhere(std::string_view key) const {
+  return {.file = file_, .where = {}, .what = {}, .why = {}, .hint = {}, .path = SettingPaths::below("", key)};
+}
 
 std::string quoted(const toml::node& node) {
   constexpr std::size_t longest = 60;  // bytes

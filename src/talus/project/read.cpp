@@ -31,7 +31,7 @@ void read_table(const Table& table, const Document& document, ValueReader& reade
   };
   if (!node) {
     if (!table.required) return;
-    refuse(document.nowhere(), fmt::format("{} is missing", table.heading()),
+    refuse(document.nowhere(table.key), fmt::format("{} is missing", table.heading()),
            table.repeated ? "a project needs at least one" : "a project needs it");
     return;
   }

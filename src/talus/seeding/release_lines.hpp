@@ -32,6 +32,10 @@ class ReleaseLines {
   [[nodiscard]] std::size_t line_at(double part) const;
   [[nodiscard]] std::size_t count() const { return lines_.size(); }
   [[nodiscard]] SourceId source_of(std::size_t line) const { return lines_[line].source; }
+  [[nodiscard]] std::span<const Vec3> points_of(std::size_t line) const {
+    const std::size_t last = line + 1 < lines_.size() ? lines_[line + 1].first : points_.size();
+    return std::span<const Vec3>(points_).subspan(lines_[line].first, last - lines_[line].first);
+  }
   [[nodiscard]] double length() const { return way_.empty() ? 0 : way_.back(); }  // of all lines [m]
   [[nodiscard]] std::size_t bytes() const { return points_.size() * (sizeof(Vec3) + sizeof(double)); }
 

@@ -62,6 +62,8 @@ class TriangleMesh {
   /// Some point of a facet.
   [[nodiscard]] const Vec3& point_of(FacetId facet) const { return facets_[facet.index].corner[0]; }
   [[nodiscard]] Outline outline(FacetId facet) const;
+  /// Its corners; those of neighbours are equal to the last bit.
+  [[nodiscard]] const Triangle& triangle(FacetId facet) const { return facets_[facet.index].corner; }
 
   /// Calls touch(normal, middle of the facet, distance, facet) for each facet within `radius` + `reach` of a centre:
   /// what a rock there may rest against.

@@ -31,3 +31,6 @@ export const chosen = signal<(string | number)[] | null>(null);
 export const chosenRock = signal<number | null>(null);
 export const helpOpen = signal(false);
 export const startOpen = signal(false);
+/// The map of the shown run that lies on the terrain, by its name.
+export const drapedMap = signal<string | null>(null);
+export const drapedOpacity = kept('opacity of the map', 0.85);

@@ -1,0 +1,174 @@
+#include "model_description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "talus/campaign/simulate.hpp"
+#include "talus/io/survey_crs.hpp"
+#include "talus/project/echo.hpp"
+#include "talus/project/settings.hpp"
+
+namespace talus::server {
+
+namespace {
+
+constexpr std::uint64_t most_places = 2'000;  // of a seeder, that are shown
+
+const char* kind_of(const Profile&) { return "section"; }
+const char* kind_of(const TriangleMesh&) { return "mesh"; }
+const char* kind_of(const RasterSurface&) { return "raster"; }
+
+Json crs_json(const std::string& wkt) {
+  if (wkt.empty()) return nullptr;
+  // The name in full stands first in WKT; the number, where there is one, is shorter.
+  const std::size_t begin = std::min(wkt.find('"'), wkt.size() - 1) + 1;
+  const std::string title = wkt.substr(begin, wkt.find('"', begin) - begin);
+  const auto known = crs_in_words(wkt);
+  if (!known || known->name == title) return title;
+  return known->name + ' ' + title;
+}
+
+class Describer {
+ public:
+  explicit Describer(const ShelvedModel& shelved) : project_(shelved.project), model_(shelved.model) {}
+
+  [[nodiscard]] Json place(const Vec3& local) const { return as_json(model_.frame.global_from_local(local)); }
+
+  [[nodiscard]] Json bounds() const {
+    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, model_.surface);
+    return {{"min", place(box.low)}, {"max", place(box.high)}};
+  }
+
+  /// Places where some of its rocks start, spread over all.
+  [[nodiscard]] Json places(const Seeder& seeder) const {
+    const bool is_point = std::holds_alternative<Vec3>(seeder.where);
+    const std::uint64_t count = is_point ? 1 : std::min(seeder.rocks, most_places);
+    Json list = Json::array();
+    for (std::uint64_t k = 0; k < count; ++k) {
+      // No product of two large numbers: rocks may be 10^15.
+      const std::uint64_t rock = seeder.rocks / count * k + seeder.rocks % count * k / count;
+      list.push_back(place(start_of(model_, seeder.first_rock + rock)));
+    }
+    return list;
+  }
+
+  [[nodiscard]] Json lines(const Seeder& seeder) const {
+    Json list = Json::array();
+    const auto* lines = std::get_if<ReleaseLines>(&seeder.where);
+    for (std::size_t k = 0; lines != nullptr && k < lines->count(); ++k) list.push_back(line(seeder, *lines, k));
+    return list;
+  }
+
+  [[nodiscard]] Json seeders() const {
+    Json list = Json::array();
+    for (const Seeder& seeder : model_.seeders) {
+      const auto in_file = std::find_if(project_.seeders.begin(), project_.seeders.end(),
+                                        [&](const project::Seeder& s) { return s.name == seeder.name; });
+      list.push_back({{"name", seeder.name},
+                      {"type", project::words(in_file->type)[static_cast<std::size_t>(in_file->type)]},
+                      {"path", fmt::format("seeder.{}", in_file - project_.seeders.begin())},
+                      {"rocks", seeder.rocks},
+                      {"first_rock", seeder.first_rock},
+                      {"lines", lines(seeder)},
+                      {"points", places(seeder)}});
+    }
+    return list;
+  }
+
+  [[nodiscard]] Json barriers() const {
+    Json list = Json::array();
+    std::size_t count = 0, collectors = 0;
+    for (const Barrier& barrier : model_.barriers) {
+      const char* kind = barrier.is_collector ? "collector" : "barrier";
+      Json foot = Json::array(), top = Json::array();
+      const auto add = [&](const Vec3& at, const Panel& panel) {
+        const bool is_flat = model_.laws.in_section;
+        const Vec3 of_plane = is_flat ? Vec3(1, 0, 1) : Vec3(1, 1, 1);
+        Json low = place(at.cwiseProduct(of_plane));
+        Json high = place((at + panel.height * panel.up).cwiseProduct(of_plane));
+        if (!foot.empty() && (is_flat || (foot.back() == low && top.back() == high))) return;
+        foot.push_back(std::move(low));
+        top.push_back(std::move(high));
+      };
+      for (const Panel& panel : barrier.panels()) {
+        add(panel.foot, panel);
+        add(panel.foot + panel.length * panel.along, panel);
+      }
+      list.push_back({{"name", barrier.name},
+                      {"kind", kind},
+                      {"path", fmt::format("{}.{}", kind, barrier.is_collector ? collectors++ : count++)},
+                      {"height_m", barrier.panels().empty() ? 0 : barrier.panels().front().height},
+                      {"capacity_kJ",
+                       barrier.is_collector || std::isinf(barrier.capacity) ? Json() : Json(barrier.capacity / 1000)},
+                      {"foot", std::move(foot)},
+                      {"top", std::move(top)}});
+    }
+    return list;
+  }
+
+ private:
+  /// A line as it was given, or laid on the ground where its rocks start at a height above it.
+  [[nodiscard]] Json line(const Seeder& seeder, const ReleaseLines& lines, std::size_t number) const {
+    Json list = Json::array();
+    const auto points = lines.points_of(number);
+    if (!seeder.above_surface) {
+      for (const Vec3& p : points) list.push_back(place(p));
+      return list;
+    }
+    const Vec3 above(0, 0, *seeder.above_surface);
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      for (const Vec3& p : on_ground(points[k].head<2>(), points[k + 1].head<2>())) list.push_back(place(p + above));
+    return list;
+  }
+
+  [[nodiscard]] std::vector<Vec3> on_ground(const Vec2& from, const Vec2& to) const {
+    if (const auto* mesh = std::get_if<TriangleMesh>(&model_.surface)) return mesh->draped(from, to);
+    if (const auto* raster = std::get_if<RasterSurface>(&model_.surface)) return raster->draped(from, to);
+    return on_profile(std::get<Profile>(model_.surface), from.x(), to.x());
+  }
+
+  static std::vector<Vec3> on_profile(const Profile& profile, double from, double to) {
+    std::vector<double> bends{from, to};
+    for (std::uint32_t k = 0; k < profile.facet_count(); ++k) {
+      const double x = profile.point_of({k}).x();
+      if (x > std::min(from, to) && x < std::max(from, to)) bends.push_back(x);
+    }
+    std::sort(bends.begin(), bends.end());
+    if (from > to) std::reverse(bends.begin(), bends.end());
+    std::vector<Vec3> line;
+    for (const double x : bends)
+      if (const auto z = profile.elevation(x)) line.emplace_back(x, 0, *z);
+    return line;
+  }
+
+  const project::Project& project_;
+  const Model& model_;
+};
+
+}  // namespace
+
+Json as_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+Json description_of(const ShelvedModel& shelved) {
+  const Model& model = shelved.model;
+  const Describer describer(shelved);
+  Json materials = Json::array();
+  for (const Material& material : model.ground.materials()) materials.push_back(material.name);
+  return {{"id", shelved.id},
+          {"dimension", shelved.project.is_2d() ? 2 : 3},
+          {"kind", std::visit([](const auto& surface) { return kind_of(surface); }, model.surface)},
+          {"rocks", model.rocks()},
+          {"crs", crs_json(model.crs_wkt)},
+          {"facets", std::visit([](const auto& surface) { return surface.facet_count(); }, model.surface)},
+          {"bounds", describer.bounds()},
+          {"terrain_report", model.terrain_report},
+          {"seeder_report", model.seeder_report},
+          {"materials", std::move(materials)},
+          {"seeders", describer.seeders()},
+          {"barriers", describer.barriers()},
+          {"project", project::echo(shelved.project)}};
+}
+
+}  // namespace talus::server

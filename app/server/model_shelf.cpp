@@ -1,0 +1,88 @@
+#include "model_shelf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "http/answer.hpp"
+#include "talus/io/checksum.hpp"
+#include "talus/project/model.hpp"
+#include "talus/project/read.hpp"
+
+namespace talus::server {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a model, all files that its project names.
+std::vector<fs::path> files_of(const project::Project& project) {
+  const project::Terrain& terrain = project.terrain;
+  std::vector<fs::path> files{terrain.mesh,     terrain.raster,   terrain.points,        terrain.lines,
+                              terrain.boundary, terrain.polygons, project.ground.raster, project.ground.polygons};
+  for (const project::Seeder& seeder : project.seeders)
+    for (const fs::path& file : {seeder.lines, seeder.polygons, seeder.mask}) files.push_back(file);
+  std::erase_if(files, [](const fs::path& file) { return file.empty(); });
+  return files;
+}
+
+/// What changes when a file is written again, or one beside it that belongs to it (slope.prj, slope.tif.aux.xml).
+/// Nothing where that cannot be seen from outside: the file may lead to others.
+std::optional<std::string> state_of(const fs::path& file) {
+  std::error_code error;
+  const std::string name = file.string();
+  if (!fs::is_regular_file(file, error) || name.starts_with("/vsi") || file.extension() == ".vrt") return std::nullopt;
+  const std::string stem = file.stem().string() + '.';
+  std::vector<std::string> states;
+  for (const fs::directory_entry& entry : fs::directory_iterator(file.parent_path(), error)) {
+    const std::string beside = entry.path().filename().string();
+    if (!beside.starts_with(stem)) continue;
+    std::error_code ignored;
+    states.push_back(fmt::format("{} {} {}", beside, entry.file_size(ignored),
+                                 entry.last_write_time(ignored).time_since_epoch().count()));
+  }
+  if (error) return std::nullopt;
+  std::sort(states.begin(), states.end());
+  return fmt::format("{}\n{}\n", name, fmt::join(states, "\n"));
+}
+
+}  // namespace
+
+ModelShelf::Held ModelShelf::kept(const std::string& id) const {
+  const std::lock_guard lock(shelf_);
+  const auto found = std::find_if(models_.begin(), models_.end(), [&](const Held& held) { return held->id == id; });
+  return found == models_.end() ? nullptr : *found;
+}
+
+ModelShelf::Held ModelShelf::build(const fs::path& file, std::string_view text) {
+  project::Reading reading = project::read_project_text(text, file);
+  // Models can be large: a second one waits, and then may be the first.
+  const std::lock_guard one_at_a_time(building_);
+  std::string what = fmt::format("{}\n{}\n", file.string(), text);
+  for (const fs::path& named : files_of(reading.project))
+    what += state_of(file.parent_path() / named).value_or(fmt::format("unknown {}\n", ++built_));
+  std::string id = io::text_of(io::checksum_of(what));
+
+  Held held = kept(id);
+  if (!held) {
+    auto built = std::make_shared<ShelvedModel>();
+    built->id = std::move(id);
+    built->model = project::build_model(reading.project, reading.warnings);
+    built->project = std::move(reading.project);
+    built->warnings = std::move(reading.warnings);
+    held = std::move(built);
+  }
+  const std::lock_guard lock(shelf_);
+  std::erase(models_, held);
+  models_.push_front(held);
+  if (models_.size() > most_kept) models_.pop_back();
+  return held;
+}
+
+ModelShelf::Held ModelShelf::find(const std::string& id) const {
+  if (Held held = kept(id)) return held;
+  throw Refusal(404, id, "there is no such model", "only the last few are kept", "Post the project again");
+}
+
+}  // namespace talus::server

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <unordered_map>
+#include <vector>
+
+#include "http/arrays.hpp"
+#include "model_description.hpp"
+#include "model_shelf.hpp"
+#include "routes/routes.hpp"
+#include "talus/project/problem_paths.hpp"
+
+namespace talus::server {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_cells = 250'000;  // of a raster that is sent as triangles
+
+/// Files called as in requests: relative to the folder that is worked in.
+Problems from_folder(const Problems& problems, const fs::path& folder) {
+  const std::string before = folder.string() + '/';
+  Problems shortened;
+  for (Problem problem : problems.list()) {
+    if (problem.file.starts_with(before)) problem.file.erase(0, before.size());
+    shortened.add(std::move(problem));
+  }
+  return shortened;
+}
+
+Answer answer_of(const Workplace& workplace, const fs::path& file, const std::string& text, const Problems& problems,
+                 Json model) {
+  return json_answer({{"problems", as_json(from_folder(project::with_paths(problems, text, file), workplace.folder()))},
+                      {"model", std::move(model)}});
+}
+
+Json profile_json(const Model& model, const Profile& profile) {
+  Json vertices = Json::array(), materials = Json::array();
+  const auto add = [&](const Vec3& local) {
+    const Vec3 p = model.frame.global_from_local(local);
+    vertices.push_back({p.x(), p.z()});
+  };
+  for (std::uint32_t k = 0; k < profile.facet_count(); ++k) {
+    const Outline outline = profile.outline({k});
+    if (k == 0) add(outline.edges[0].point);
+    add(outline.edges[1].point);
+    materials.push_back(model.ground.material_of(profile.source({k})).index);
+  }
+  return {{"vertices", std::move(vertices)}, {"materials", std::move(materials)}};
+}
+
+/// Triangles whose corners that lie together are one vertex.
+class SharedVertices {
+ public:
+  void add(const Triangle& triangle, MaterialId material) {
+    for (const Vec3& corner : triangle) triangles_.push_back(vertex(corner));
+    materials_.push_back(static_cast<std::uint16_t>(material.index));
+  }
+  [[nodiscard]] Answer answer(const Vec3& origin) const {
+    Arrays arrays(Json{{"origin", as_json(origin)}});
+    arrays.add("positions", std::span<const float>(positions_));
+    arrays.add("triangles", std::span<const std::uint32_t>(triangles_));
+    arrays.add("materials", std::span<const std::uint16_t>(materials_));
+    return arrays.answer();
+  }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const std::array<double, 3>& p) const {
+      std::size_t hash = 0;
+      for (const double x : p) hash = hash * 0x9e3779b97f4a7c15U + std::hash<double>()(x);
+      return hash;
+    }
+  };
+  std::uint32_t vertex(const Vec3& p) {
+    const auto [found, is_new] = numbers_.try_emplace({p.x(), p.y(), p.z()}, numbers_.size());
+    if (is_new)
+      for (const double x : p) positions_.push_back(static_cast<float>(x));
+    return found->second;
+  }
+
+  std::unordered_map<std::array<double, 3>, std::uint32_t, Hash> numbers_;
+  std::vector<float> positions_;
+  std::vector<std::uint32_t> triangles_;
+  std::vector<std::uint16_t> materials_;
+};
+
+Answer mesh_answer(const Model& model) {
+  SharedVertices vertices;
+  const auto add = [&](const auto& surface, FacetId facet) {
+    vertices.add(surface.triangle(facet), model.ground.material_of(surface.source(facet)));
+  };
+  if (const auto* mesh = std::get_if<TriangleMesh>(&model.surface)) {
+    for (std::uint32_t k = 0; k < mesh->facet_count(); ++k) add(*mesh, {k});
+    return vertices.answer(model.frame.origin);
+  }
+  const auto* raster = std::get_if<RasterSurface>(&model.surface);
+  if (raster == nullptr) throw Refusal(404, "mesh", "this model is a section", "", "Ask for its profile");
+  if (raster->cell_count() > most_cells) {
+    throw Refusal(404, "mesh", fmt::format("the raster has {} cells", raster->cell_count()),
+                  fmt::format("it is sent as triangles up to {}", most_cells), "Ask for its tiles");
+  }
+  const std::size_t columns = raster->grid().columns - 1;
+  for (std::uint32_t k = 0; k < raster->facet_count(); ++k)
+    if (raster->has_data(k / 2 % columns, k / 2 / columns)) add(*raster, {k});
+  return vertices.answer(model.frame.origin);
+}
+
+}  // namespace
+
+void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& shelf) {
+  router.post("/api/model", [&](const Call& call) {
+    call.only({"file", "text"});
+    const std::string text = call.text("text");
+    const fs::path file = workplace.project(call.text("file"));
+    try {
+      const ModelShelf::Held held = shelf.build(file, text);
+      return answer_of(workplace, file, text, held->warnings, description_of(*held));
+    } catch (const BadInput& bad) {
+      return answer_of(workplace, file, text, bad.problems(), nullptr);
+    }
+  });
+  router.get("/api/models/([0-9a-f]+)/profile", [&](const Call& call) {
+    const ModelShelf::Held held = shelf.find(call.part(1));
+    const auto* profile = std::get_if<Profile>(&held->model.surface);
+    if (profile == nullptr) throw Refusal(404, "profile", "this model is no section", "", "Ask for its mesh");
+    return json_answer(profile_json(held->model, *profile));
+  });
+  router.get("/api/models/([0-9a-f]+)/mesh",
+             [&](const Call& call) { return mesh_answer(shelf.find(call.part(1))->model); });
+}
+
+}  // namespace talus::server

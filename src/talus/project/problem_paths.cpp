@@ -1,0 +1,45 @@
+#include "talus/project/problem_paths.hpp"
+
+#include <algorithm>
+
+#include "talus/project/document.hpp"
+
+namespace talus::project {
+
+namespace {
+
+std::string path_of(const Problem& problem, const SettingPaths& paths, const toml::table& root,
+                    const std::filesystem::path& file) {
+  if (problem.file == file.string() || problem.file.empty()) {
+    if (problem.line > 0) return paths.on_line(static_cast<std::uint32_t>(problem.line));
+    std::string_view table = problem.where;
+    if (table.starts_with('[') && table.ends_with(']')) table = table.substr(1, table.size() - 2);
+    return root.contains(table) ? SettingPaths::below("", table) : std::string();
+  }
+  // As the setting has it, or with the project's folder before it.
+  if (std::string path = paths.of_text(problem.file); !path.empty()) return path;
+  const std::string folder = file.parent_path().string() + '/';
+  return problem.file.starts_with(folder) ? paths.of_text(problem.file.substr(folder.size())) : std::string();
+}
+
+}  // namespace
+
+Problems with_paths(const Problems& problems, std::string_view text, const std::filesystem::path& file) {
+  const auto& list = problems.list();
+  if (std::all_of(list.begin(), list.end(), [](const Problem& problem) { return !problem.path.empty(); }))
+    return problems;
+  try {
+    const Document document(text, file.string());
+    const SettingPaths paths(document.root());
+    Problems located;
+    for (Problem problem : list) {
+      if (problem.path.empty()) problem.path = path_of(problem, paths, document.root(), file);
+      located.add(std::move(problem));
+    }
+    return located;
+  } catch (const BadInput&) {  // no TOML: there are no settings
+    return problems;
+  }
+}
+
+}  // namespace talus::project
