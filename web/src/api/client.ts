@@ -2,7 +2,18 @@
 
 import { readArrays, type Arrays } from './arrays';
 import type { TomlTable } from '../toml/format';
-import type { About, Example, FolderFile, LibraryMaterial, ModelAnswer, PolygonsAnswer, Problem, ProjectText, Run } from './types';
+import type {
+  About,
+  Example,
+  FolderFile,
+  LibraryMaterial,
+  ModelAnswer,
+  Point2,
+  PolygonsAnswer,
+  Problem,
+  ProjectText,
+  Run,
+} from './types';
 
 /// A refusal, with the reasons that the server gave.
 export class Refused extends Error {
@@ -54,13 +65,9 @@ export const api = {
   about: () => getJson<About>('/api/about'),
   settings: () => getJson<Record<string, unknown>>('/api/settings'),
   materials: async () => (await getJson<{ materials: LibraryMaterial[] }>('/api/materials')).materials,
-  distribution: (setting: string, distribution: TomlTable, signal?: AbortSignal) =>
-    sendJson<{ density: [number, number][]; problems: Problem[] }>(
-      'POST',
-      '/api/distribution',
-      { ...distribution, setting },
-      signal,
-    ),
+  /// The density of what is drawn for a property; the key says within which limits.
+  distribution: (key: string, property: TomlTable, signal?: AbortSignal) =>
+    sendJson<{ density: Point2[]; problems: Problem[] }>('POST', '/api/distribution', { key, ...property }, signal),
   polygons: (asked: { polylines: unknown; tolerance_m: number }, signal?: AbortSignal) =>
     sendJson<PolygonsAnswer>('POST', '/api/geometry/polygons', asked, signal),
   examples: async () => (await getJson<{ examples: Example[] }>('/api/examples')).examples,

@@ -31,6 +31,7 @@ export interface LibraryMaterial {
   name: string;
   values: Record<string, unknown>;
   source: string;
+  checked: string;
 }
 
 export type FileKind = 'project' | 'raster' | 'mesh' | 'points' | 'vector' | 'other';

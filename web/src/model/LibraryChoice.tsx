@@ -1,17 +1,8 @@
 import { useEffect } from 'preact/hooks';
-import { signal } from '@preact/signals';
-import { api } from '../api/client';
-import type { LibraryMaterial } from '../api/types';
-import { sayFailure } from '../state/messages';
+import { library, loadLibrary } from './library';
 import { freshName } from './place';
 import { rowsOf } from '../state/document';
 import { add } from './things';
-
-export const library = signal<LibraryMaterial[]>([]);
-
-export function loadLibrary() {
-  if (library.value.length === 0) void api.materials().then((list) => (library.value = list), sayFailure);
-}
 
 /// A new material with the values of one of the library.
 export function LibraryChoice() {

@@ -1,7 +1,6 @@
 // The model as forms: an outline of the project, and the form of what is chosen in it.
 
 import { useEffect, useRef } from 'preact/hooks';
-import { problems } from '../state/model';
 import { rowsOf } from '../state/document';
 import { chosen, helpOpen } from '../state/view';
 import type { Path } from '../toml/edit';
@@ -10,6 +9,7 @@ import { Words } from './form/Words';
 import { loadSettings, tableOf } from './settings';
 import { sectionOf } from './sections';
 import { Outline } from './Outline';
+import { realProblems, sentenceOf, toneOf } from './awaited';
 import { TerrainForm } from './TerrainForm';
 import { takeFiles, listenToDrops } from './terrainFile';
 import { ProblemList } from './ProblemList';
@@ -42,7 +42,7 @@ function FormPage({ path }: { path: Path }) {
     heading.current?.focus({ preventScroll: true });
   }, []);
   // What is said of the table as a whole, not of a field.
-  const own = problems.value.filter((problem) => problem.path === path.join('.'));
+  const own = realProblems.value.filter((problem) => problem.path === path.join('.'));
   return (
     <section class="form-page" aria-label={title}>
       <header>
@@ -65,8 +65,10 @@ function FormPage({ path }: { path: Path }) {
       <p class="faint">
         <Words text={description.split(/(?<=\.) /)[0]!} />
       </p>
-      {own.map(({ text, what, why, severity }) => (
-        <span key={text} class={`problem ${severity}`}>{`${what}${why ? ` (${why})` : ''}`}</span>
+      {own.map((problem) => (
+        <span key={problem.text} class={`problem ${toneOf(problem)}`}>
+          {sentenceOf(problem)}
+        </span>
       ))}
       {isEntry ? (
         <TableForm table={key} path={path} />

@@ -1,7 +1,7 @@
 // The project by its sections: what is there, what is wrong with it, what is still to come.
 
 import { rowsOf, values } from '../state/document';
-import { problemsAt } from '../state/model';
+import { realProblemsAt, toneOf } from './awaited';
 import { chosen } from '../state/view';
 import { NextSteps } from './NextSteps';
 import { summaryOf } from './summaries';
@@ -12,8 +12,8 @@ import { materialColour } from './colours';
 import { LibraryChoice } from './LibraryChoice';
 
 function Badge({ path }: { path: string }) {
-  const list = problemsAt(path);
-  const errors = list.filter(({ severity }) => severity === 'error').length;
+  const list = realProblemsAt(path);
+  const errors = list.filter((problem) => toneOf(problem) === 'error').length;
   if (list.length === 0) return null;
   return (
     <span class={`badge ${errors > 0 ? 'error' : 'warning'}`} title={list.map(({ text }) => text).join('\n')}>

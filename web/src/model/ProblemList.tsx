@@ -1,26 +1,10 @@
 // What the engine says against the project: next steps first, then problems, each a way to its form.
 
 import type { Problem } from '../api/types';
-import { syntaxError, values } from '../state/document';
-import { problems } from '../state/model';
+import { syntaxError } from '../state/document';
 import { chosen, sidePanel } from '../state/view';
 import { sectionOf } from './sections';
-import { nextSteps } from './things';
-
-/// Whether a problem says no more than that something is still to come.
-const isAwaited = (problem: Problem, keys: string[]) =>
-  keys.some(
-    (key) =>
-      problem.path === key ||
-      problem.path.startsWith(`${key}.`) ||
-      problem.what.startsWith(`[[${key}]] is missing`) ||
-      problem.what.startsWith(`[${key}] is missing`),
-  );
-
-export function realProblems(): Problem[] {
-  const keys = nextSteps(values.value).map(({ key }) => key as string);
-  return problems.value.filter((problem) => !isAwaited(problem, keys));
-}
+import { realProblems, sentenceOf, toneOf } from './awaited';
 
 /// The path of the form in which a problem's field is.
 export function formOf(path: string): (string | number)[] | null {
@@ -60,7 +44,7 @@ export function focusField(path: string) {
 
 /// Folded beside a form, which shows its own problems.
 export function ProblemList({ folded }: { folded: boolean }) {
-  const list = realProblems();
+  const list = realProblems.value;
   if (list.length === 0 && !syntaxError.value) return null;
   const errors = list.filter(({ severity }) => severity === 'error').length;
   const warnings = list.length - errors;
@@ -71,14 +55,12 @@ export function ProblemList({ folded }: { folded: boolean }) {
       {list.slice(0, 50).map((problem) => (
         <button
           key={problem.text}
-          class={`problem ${problem.severity}`}
+          class={`problem ${toneOf(problem)}`}
           title={problem.text}
           onClick={() => show(problem)}
         >
           {problem.where && <strong>{problem.where}: </strong>}
-          {problem.what}
-          {problem.why && ` (${problem.why})`}
-          {problem.hint && `. ${problem.hint}`}
+          {sentenceOf(problem)}
         </button>
       ))}
     </details>

@@ -127,9 +127,7 @@ const groupsOf: Record<string, Group[]> = {
         ...terrainKinds.slice(2),
         'width_m',
         'section_std_dev_m',
-        ...Object.keys(terrainNeeds).filter(
-          (key) => !['width_m', 'section_std_dev_m'].includes(key),
-        ),
+        ...Object.keys(terrainNeeds).filter((key) => !['width_m', 'section_std_dev_m'].includes(key)),
       ],
       applies: (key, row) => (terrainNeeds[key] ?? [key]).some((other) => row[other] !== undefined),
     },

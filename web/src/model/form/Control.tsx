@@ -9,6 +9,7 @@ import { DistributionControl } from './DistributionControl';
 import { idOf, type FieldProps } from './Field';
 import { FileControl } from './FileControl';
 import { LineControl, RowsControl, TupleControl } from './geometry';
+import { LibraryControl } from './LibraryControl';
 import { ListControl } from './ListControl';
 import { NamesControl } from './NamesControl';
 import { PolylinesControl } from './PolylinesControl';
@@ -40,6 +41,7 @@ export function Control({ field, path }: FieldProps) {
         />
       );
     case 'choice':
+      if (field.key === 'like') return <LibraryControl field={field} path={path} />;
       return (
         <Choice
           {...common}

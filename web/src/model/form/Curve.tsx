@@ -18,13 +18,20 @@ const height = 64;
 
 export function Curve({ distribution, path, unit, title }: Props) {
   const [density, setDensity] = useState<[number, number][]>([]);
-  const setting = `${path[0]}.${path.at(-1)}`;
+  const key = String(path.at(-1));
   const asked = JSON.stringify(distribution);
   useEffect(() => {
+    // Texts where numbers belong are complained of elsewhere.
+    if (
+      Object.entries(JSON.parse(asked) as TomlTable).some(
+        ([part, value]) => part !== 'distribution' && typeof value !== 'number',
+      )
+    )
+      return setDensity([]);
     const own = new AbortController();
     const timer = setTimeout(() => {
       void api
-        .distribution(setting, JSON.parse(asked) as TomlTable, own.signal)
+        .distribution(key, JSON.parse(asked) as TomlTable, own.signal)
         .then((answer) => setDensity(answer.density))
         // What is wrong with it is said at its fields.
         .catch(() => !own.signal.aborted && setDensity([]));
@@ -33,7 +40,7 @@ export function Curve({ distribution, path, unit, title }: Props) {
       clearTimeout(timer);
       own.abort();
     };
-  }, [asked, setting]);
+  }, [asked, key]);
   if (density.length < 2) return null;
   const [from, to] = [density[0]![0], density.at(-1)![0]];
   const top = Math.max(...density.map(([, y]) => y));

@@ -1,8 +1,10 @@
 // A random property: a number, or a mean with a kind of distribution and its parameters; and the curve of it.
 
 import { edit, valueAt } from '../../state/document';
+import type { Problem } from '../../api/types';
 import { problemsAt } from '../../state/model';
 import type { TomlTable, TomlValue } from '../../toml/format';
+import { inheritedText, inheritedAt } from '../library';
 import { isTable, pathText, put, thingOf } from '../place';
 import { absentText, valueText } from '../schema';
 import { Choice } from './Choice';
@@ -21,15 +23,17 @@ export function DistributionControl({ field, path }: FieldProps) {
   const kind = String(given?.distribution ?? 'none');
   const kinds = field.type.parts.find(({ key }) => key === 'distribution')?.type;
   const id = idOf(path);
+  const parts = field.type.parts.map(({ key }) => key);
+  /// The part that a problem is about: its path says it, or its words do.
+  const partOf = ({ path: at, what }: Problem) =>
+    parts.find((key) => at === pathText([...path, key])) ?? parts.find((key) => what.includes(` ${key} `)) ?? 'mean';
   const isWrong = (key: string) =>
-    problemsAt(pathText(path)).some(
-      ({ path: at, severity }) =>
-        severity === 'error' && (at === pathText([...path, key]) || (key === 'mean' && at === pathText(path))),
-    );
+    problemsAt(pathText(path)).some((problem) => problem.severity === 'error' && partOf(problem) === key);
 
+  const inherited = inheritedAt(path);
   const chooseKind = (next: string | undefined) => {
     const what = `${next === 'none' ? 'make constant' : `make ${next}`}: ${field.title.toLowerCase()} of ${thingOf(path)}`;
-    const now = mean ?? standard?.mean;
+    const now = mean ?? (isTable(inherited) ? inherited.mean : inherited) ?? standard?.mean;
     if (next === undefined || next === 'none') {
       edit(what, [now === undefined ? { remove: path } : { set: path, value: now }]);
     } else if (given) edit(what, [{ set: [...path, 'distribution'], value: next }]);
@@ -44,7 +48,7 @@ export function DistributionControl({ field, path }: FieldProps) {
           value={mean}
           invalid={value !== undefined && isWrong('mean')}
           describedBy={problemsAt(pathText(path)).length > 0 ? `${id}-problems` : undefined}
-          placeholder={absentText(field)}
+          placeholder={inheritedText(path) ?? absentText(field)}
           take={(next) => put(given ? [...path, 'mean'] : path, next, field.title, pathText(path))}
         />
         {kinds?.kind === 'choice' && (

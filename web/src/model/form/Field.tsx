@@ -6,6 +6,7 @@ import { valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
 import { helpOpen } from '../../state/view';
 import type { Path } from '../../toml/edit';
+import { sentenceOf, toneOf } from '../awaited';
 import { pathText, put } from '../place';
 import type { Field as Setting } from '../schema';
 import { Control } from './Control';
@@ -76,9 +77,9 @@ export function Field({ field, path, before }: FieldProps & { before?: Component
       <Control field={field} path={path} />
       {problems.length > 0 && (
         <div id={`${id}-problems`}>
-          {problems.map(({ text, what, why, hint, severity }) => (
-            <span key={text} class={`problem ${isWanted ? 'warning' : severity}`}>
-              {`${what}${why ? ` (${why})` : ''}${hint ? `. ${hint}` : ''}`}
+          {problems.map((problem) => (
+            <span key={problem.text} class={`problem ${isWanted ? 'warning' : toneOf(problem)}`}>
+              {sentenceOf(problem)}
             </span>
           ))}
         </div>
