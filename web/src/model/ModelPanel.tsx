@@ -10,6 +10,8 @@ import { loadSettings, tableOf } from './settings';
 import { sectionOf } from './sections';
 import { Outline } from './Outline';
 import { realProblems, sentenceOf, toneOf } from './awaited';
+import { GroundForm } from './GroundForm';
+import { followChosen } from './highlight';
 import { TerrainForm } from './TerrainForm';
 import { takeFiles, listenToDrops } from './terrainFile';
 import { ProblemList } from './ProblemList';
@@ -20,6 +22,7 @@ import './model.css';
 export function ModelPanel() {
   useEffect(loadSettings, []);
   useEffect(() => listenToDrops(takeFiles), []);
+  useEffect(followChosen, []);
   const path = chosen.value;
   const isThere = path !== null && (typeof path[1] !== 'number' || rowsOf(String(path[0])).length > path[1]);
   return (
@@ -74,6 +77,8 @@ function FormPage({ path }: { path: Path }) {
         <TableForm table={key} path={path} />
       ) : key === 'terrain' ? (
         <TerrainForm />
+      ) : key === 'ground' ? (
+        <GroundForm />
       ) : (
         section.tables.map((table) => <TableForm key={table} table={table} path={table === '' ? [] : [table]} />)
       )}
