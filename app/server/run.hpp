@@ -7,6 +7,7 @@
 #include <string>
 
 #include "http/answer.hpp"
+#include "talus/project/read.hpp"
 
 namespace talus::server {
 
@@ -53,6 +54,10 @@ void keep(const Run& run);
 /// whose run.json is damaged what can be known is given, with the state `failed` and the reasons. `base`: the folder
 /// that is worked in.
 [[nodiscard]] Run find_run(const std::filesystem::path& folder, const std::filesystem::path& base);
+
+[[nodiscard]] inline project::Overrides overrides_of(const Run& run) {
+  return {.settings = {}, .rocks = run.asked_rocks, .seed = run.asked_seed};
+}
 
 /// Now, in UTC: 2026-11-21T16:55:12Z.
 [[nodiscard]] std::string time_now();

@@ -14,8 +14,7 @@ namespace {
 std::shared_ptr<const BuiltProject> build_again(const Run& run, const Workplace& workplace) {
   try {
     auto built = std::make_shared<BuiltProject>(
-        build(project::text_of_file(run.folder / run_project_name), workplace.at(run.file),
-              {.settings = {}, .rocks = run.asked_rocks, .seed = run.asked_seed}));
+        build(project::text_of_file(run.folder / run_project_name), workplace.at(run.file), overrides_of(run)));
     const std::string fingerprint = project::fingerprint_of(project::echo(built->project), built->model);
     if (read_summary(run).value("fingerprint", Json()) != fingerprint) return nullptr;
     return built;

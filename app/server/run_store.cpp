@@ -35,9 +35,9 @@ void check_name(const std::string& name) {
 
 /// Names that can stand in an address as they are.
 bool can_be_id(const std::string& name) {
-  return !name.empty() && name.size() <= 100 && name.front() != '.' && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) || c == '-' || c == '_' || c == '.';
-  });
+  return !name.empty() && name.size() <= 100 && name.front() != '.' &&
+         std::all_of(name.begin(), name.end(),
+                     [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_' || c == '.'; });
 }
 
 /// A new folder there, named by the time.
@@ -46,18 +46,14 @@ fs::path new_folder(const fs::path& above) {
   for (;;) {
     const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
     const auto part = now.time_since_epoch().count() % 1000;
-    fs::path folder = above / fmt::format("{:%Y%m%d-%H%M%S}-{:03}",
-                                          fmt::gmtime(std::chrono::system_clock::to_time_t(now)), part);
+    fs::path folder =
+        above / fmt::format("{:%Y%m%d-%H%M%S}-{:03}", fmt::gmtime(std::chrono::system_clock::to_time_t(now)), part);
     std::error_code error;
     if (fs::create_directory(folder, error)) return folder;
     if (error)
       throw BadInput(Problem{.file = folder.string(), .what = "cannot make this folder", .why = error.message()});
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-}
-
-project::Overrides overrides_of(const Run& run) {
-  return {.settings = {}, .rocks = run.asked_rocks, .seed = run.asked_seed};
 }
 
 Refusal not_now(const Run& run, const char* what, const char* why, const char* hint = "") {
@@ -130,9 +126,8 @@ std::vector<Run> RunStore::list() {
   const std::lock_guard lock(mutex_);
   std::vector<Run> runs;
   for (const auto& [id, entry] : entries_) runs.push_back(entry_of(id)->run);
-  std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
-    return a.begun != b.begun ? a.begun > b.begun : a.id > b.id;
-  });
+  std::sort(runs.begin(), runs.end(),
+            [](const Run& a, const Run& b) { return a.begun != b.begun ? a.begun > b.begun : a.id > b.id; });
   return runs;
 }
 
@@ -343,8 +338,7 @@ void RunStore::throw_rocks(const Job& job, LowPriorityArena& arena) {
   std::error_code ignored;
   const bool goes_on = job.task != Task::begin;
   const fs::path state = run.folder / io::run_state_name;
-  const double seconds_before =
-      goes_on && fs::exists(state, ignored) ? io::read_run_state_header(state).seconds : 0;
+  const double seconds_before = goes_on && fs::exists(state, ignored) ? io::read_run_state_header(state).seconds : 0;
 
   project::RunOptions options;
   options.campaign.stop = &entry.stop;

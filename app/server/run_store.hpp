@@ -41,6 +41,8 @@ class RunStore {
   [[nodiscard]] std::vector<Run> list();
   [[nodiscard]] Run find(const std::string& id);
   [[nodiscard]] Json told(const Run& run) const { return server::told(run, workplace_.folder()); }
+  /// The project's file, which need not be there any more.
+  [[nodiscard]] std::filesystem::path project_file(const Run& run) const { return workplace_.at(run.file); }
 
   /// Throws BadInput with all problems of the project and its model.
   Run begin(const RunOrder& order);

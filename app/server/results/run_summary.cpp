@@ -5,6 +5,9 @@
 
 #include "talus/io/json_text.hpp"
 #include "talus/io/ordinary_file.hpp"
+#include "talus/project/document.hpp"
+#include "talus/project/echo.hpp"
+#include "talus/project/read.hpp"
 
 namespace talus::server {
 
@@ -16,8 +19,7 @@ std::filesystem::path results_folder(const Run& run) {
   if (run.state == RunState::running) throw refuse("it is under way", "Stop it to see what is done");
   if (run.is_at_work) throw refuse("what was done before its server was killed is being written", "Ask again soon");
   std::error_code ignored;
-  if (!std::filesystem::exists(run.folder / "summary.json", ignored))
-    throw refuse("it ended before they were written");
+  if (!std::filesystem::exists(run.folder / "summary.json", ignored)) throw refuse("it ended before they were written");
   return run.folder;
 }
 
@@ -35,6 +37,20 @@ Json read_summary(const Run& run) {
   return json;
 }
 
+Json settings_of(const Run& run, const std::filesystem::path& project_file) {
+  return project::echo(
+      project::read_project_text(project::text_of_file(run.folder / run_project_name), project_file, overrides_of(run))
+          .project);
+}
+
+std::uint64_t rocks_done(const Json& summary) {
+  const Json::json_pointer done("/rocks/done");
+  if (!summary.contains(done) || !summary.at(done).is_number_unsigned())
+    throw BadInput(
+        Problem{.file = "summary.json", .where = "rocks/done", .what = "is missing", .why = "a run writes it"});
+  return summary.at(done).get<std::uint64_t>();
+}
+
 std::uint32_t Names::number(std::string_view name) {
   const auto [entry, is_new] = numbers_.try_emplace(std::string(name), static_cast<std::uint32_t>(list_.size()));
   if (is_new) list_.emplace_back(name);
@@ -44,8 +60,13 @@ std::uint32_t Names::number(std::string_view name) {
 std::vector<std::string> names_of(const Json& list) {
   std::vector<std::string> names;
   for (const Json& entry : list)
-    names.push_back(entry.is_object() && entry.contains("name") && entry["name"].is_string() ? entry["name"] : Json(""));
+    names.push_back(entry.is_object() && entry.contains("name") && entry["name"].is_string() ? entry["name"]
+                                                                                             : Json(""));
   return names;
+}
+
+std::vector<std::string> seeders_of(const Json& summary) {
+  return names_of(summary.value("project", Json::object()).value("seeder", Json::array()));
 }
 
 }  // namespace talus::server

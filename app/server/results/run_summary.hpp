@@ -1,6 +1,7 @@
 #pragma once
 // The results of a run where they lie, and what its summary.json names.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -17,6 +18,13 @@ namespace talus::server {
 
 /// summary.json. Throws BadInput where it is damaged, and refuses as above.
 [[nodiscard]] Json read_summary(const Run& run);
+
+/// The settings with which it was thrown, every default filled in: of its text, which is there before any result.
+/// Throws BadInput where this program no longer takes the text.
+[[nodiscard]] Json settings_of(const Run& run, const std::filesystem::path& project_file);
+
+/// How many rocks a summary is of.
+[[nodiscard]] std::uint64_t rocks_done(const Json& summary);
 
 /// Names in the order in which results number them; others that come up later are added behind.
 class Names {
@@ -36,5 +44,6 @@ class Names {
 
 /// The `name` of each entry of a list in the summary.
 [[nodiscard]] std::vector<std::string> names_of(const Json& list);
+[[nodiscard]] std::vector<std::string> seeders_of(const Json& summary);
 
 }  // namespace talus::server

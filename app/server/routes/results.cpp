@@ -87,7 +87,8 @@ void add_file_result_routes(Router& router, RunStore& runs) {
     const std::string name = request.matches[2].str();
     // Only names that are listed: nothing leads out of the folder.
     const auto files = files_of(folder);
-    const bool is_listed = std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.first == name; });
+    const bool is_listed =
+        std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.first == name; });
     if (!is_listed) throw Refusal(404, name, "there is no such file of this run");
     response.set_header("Content-Disposition", disposition(name));
     send_file(folder / name, type_of(name), response);
@@ -96,7 +97,9 @@ void add_file_result_routes(Router& router, RunStore& runs) {
 
 void add_result_routes(Router& router, RunStore& runs, RunModels& models) {
   add_file_result_routes(router, runs);
-  add_path_routes(router, runs, models);
+  add_rock_routes(router, runs, models);
+  add_statistics_routes(router, runs);
+  add_map_routes(router, runs);
 }
 
 }  // namespace talus::server

@@ -13,6 +13,8 @@ namespace talus::server {
 inline const std::string one_run = R"(/api/runs/([A-Za-z0-9._-]+))";
 
 void add_file_result_routes(Router& router, RunStore& runs);
-void add_path_routes(Router& router, RunStore& runs, RunModels& models);
+void add_rock_routes(Router& router, RunStore& runs, RunModels& models);
+void add_statistics_routes(Router& router, RunStore& runs);
+void add_map_routes(Router& router, RunStore& runs);
 
 }  // namespace talus::server

@@ -1,6 +1,9 @@
 #include "events.hpp"
+#include "results/run_summary.hpp"
+#include "routes/results.hpp"
 #include "routes/routes.hpp"
 #include "run_store.hpp"
+#include "talus/project/differences.hpp"
 
 namespace talus::server {
 
@@ -34,23 +37,30 @@ void add_run_routes(Router& router, RunStore& runs, EventHub& events) {
     for (const Run& run : runs.list()) list.push_back(runs.told(run));
     return json_answer({{"runs", std::move(list)}});
   });
-  const std::string one = R"(/api/runs/([A-Za-z0-9._-]+))";
-  router.get(one, [&runs](const Call& call) { return json_answer(runs.told(runs.find(call.part(1)))); });
-  router.patch(one, [&runs](const Call& call) {
+  router.get(one_run, [&runs](const Call& call) { return json_answer(runs.told(runs.find(call.part(1)))); });
+  router.patch(one_run, [&runs](const Call& call) {
     call.only({"name"});
     return json_answer(runs.told(runs.rename(call.part(1), call.text("name"))));
   });
-  router.post(one + "/stop", [&runs](const Call& call) {
+  router.post(one_run + "/stop", [&runs](const Call& call) {
     call.only({});
     return json_answer(runs.told(runs.stop(call.part(1))));
   });
-  router.post(one + "/resume", [&runs](const Call& call) {
+  router.post(one_run + "/resume", [&runs](const Call& call) {
     call.only({});
     return json_answer(runs.told(runs.resume(call.part(1))), 202);
   });
-  router.remove(one, [&runs](const Call& call) {
+  router.remove(one_run, [&runs](const Call& call) {
     runs.remove(call.part(1));
     return json_answer({{"id", call.part(1)}});
+  });
+  router.get(one_run + "/differences/([A-Za-z0-9._-]+)", [&runs](const Call& call) {
+    const Run here = runs.find(call.part(1)), there = runs.find(call.part(2));
+    Json list = Json::array();
+    for (const project::Difference& difference :
+         project::differences(settings_of(here, runs.project_file(here)), settings_of(there, runs.project_file(there))))
+      list.push_back({{"key", difference.key}, {"here", difference.here}, {"there", difference.there}});
+    return json_answer({{"differences", std::move(list)}});
   });
   router.stream("/api/events", [&events](const httplib::Request&, httplib::Response& response) {
     response.set_chunked_content_provider(

@@ -53,6 +53,9 @@ async function ask(method: string, path: string, body?: unknown, signal?: AbortS
 export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T> {
   return (await ask('GET', path, undefined, signal)).json() as Promise<T>;
 }
+export async function getText(path: string, signal?: AbortSignal): Promise<string> {
+  return (await ask('GET', path, undefined, signal)).text();
+}
 export async function sendJson<T>(method: 'POST' | 'PUT' | 'PATCH', path: string, body: unknown, signal?: AbortSignal) {
   return (await ask(method, path, body, signal)).json() as Promise<T>;
 }

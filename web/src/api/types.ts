@@ -120,7 +120,7 @@ export interface Run {
   dimension: 2 | 3;
   rocks: number;
   done: number;
-  rate: number;
+  rate: number | null;
   seconds: number;
   seconds_left: number | null;
   begun: string;
