@@ -10,7 +10,7 @@ import { Words } from './form/Words';
 import { loadSettings, tableOf } from './settings';
 import { sectionOf } from './sections';
 import { Outline } from './Outline';
-import { realProblems, sentenceOf, toneOf } from './awaited';
+import { problemsOfTable, sentenceOf, toneOf } from './awaited';
 import { DesignForm } from './DesignForm';
 import { GroundForm } from './GroundForm';
 import { followChosen } from './highlight';
@@ -48,7 +48,7 @@ function FormPage({ path }: { path: Path }) {
     heading.current?.focus({ preventScroll: true });
   }, []);
   // What is said of the table as a whole, not of a field.
-  const own = realProblems.value.filter((problem) => problem.path === path.join('.'));
+  const own = problemsOfTable(path, tableOf(key)?.fields.map((field) => field.key) ?? []);
   return (
     <section class="form-page" aria-label={title}>
       <header>
