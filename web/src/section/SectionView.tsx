@@ -5,8 +5,10 @@ import { ToolHint } from '../scene/ToolHint';
 import { model } from '../state/model';
 import { KindsLegend } from '../view/Legend';
 import { materialColour } from '../view/colours';
-import { keepDrawn, pointer } from './picture';
+import { chosenRock, resultsTab } from '../state/view';
+import { frame, keepDrawn, pathsToDraw, pointer } from './picture';
 import { listen } from './pointing';
+import { rockAt } from './pathLayer';
 import { SectionBar } from './SectionBar';
 import '../scene/scene.css';
 
@@ -24,12 +26,21 @@ function Status() {
   );
 }
 
+/// A click on a path chooses its rock; one beside all of them, none.
+function chooseRock(event: PointerEvent) {
+  const [seen, now] = [pathsToDraw.value, frame.value];
+  if (!seen || !now) return;
+  const box = (event.currentTarget as HTMLElement).getBoundingClientRect();
+  chosenRock.value = rockAt(seen, now, event.clientX - box.left, event.clientY - box.top, 8);
+  if (chosenRock.value !== null) resultsTab.value = 'rock';
+}
+
 export function SectionView() {
   const host = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
     const endDrawing = keepDrawn(host.current!, canvas.current!);
-    const endListening = listen(canvas.current!, () => false);
+    const endListening = listen(canvas.current!, chooseRock);
     return () => {
       endDrawing();
       endListening();

@@ -52,8 +52,8 @@ function thingAt({ x, z }: { x: number; z: number }): (string | number)[] | null
   return barrier ? parts(barrier.path) : null;
 }
 
-/// `onClick`: a click that neither a tool nor a thing took; it says whether it took it.
-export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent) => boolean): () => void {
+/// `onClick`: a click that neither a tool nor a thing took.
+export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent) => void): () => void {
   const listening = new AbortController();
   const on = <K extends keyof HTMLElementEventMap>(type: K, task: (event: HTMLElementEventMap[K]) => void) =>
     canvas.addEventListener(type, task, { signal: listening.signal, passive: false });
