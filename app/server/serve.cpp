@@ -8,10 +8,13 @@
 #include <memory>
 #include <thread>
 
+#include "events.hpp"
 #include "http/router.hpp"
 #include "http/session.hpp"
 #include "http/thread_pool.hpp"
 #include "routes/routes.hpp"
+#include "run_models.hpp"
+#include "run_store.hpp"
 #include "workplace.hpp"
 
 namespace talus::server {
@@ -51,6 +54,7 @@ void serve(const ServeOptions& options) {
   if (!std::filesystem::is_directory(options.folder, error))
     throw BadInput(Problem{.file = options.folder.string(), .what = "is no folder"});
   const Workplace workplace(options.folder);
+  EventHub events;
 
   httplib::Server server;
   server.new_task_queue = [] { return new ThreadPool(most_threads); };
@@ -60,6 +64,8 @@ void serve(const ServeOptions& options) {
   const int port = bind(server, options.port);
   Session session(options.key_file.empty() ? usual_key_file() : options.key_file, port);
   Router router(server, session, options.limits);
+  RunStore runs(workplace, events);
+  RunModels run_models(workplace);
   router.listens_on(port);
   server.set_payload_max_length(std::max(router.limits().upload_bytes, router.limits().json_bytes));
 
@@ -70,6 +76,8 @@ void serve(const ServeOptions& options) {
   add_example_routes(router, workplace);
   ModelShelf shelf;
   add_model_routes(router, workplace, shelf);
+  add_run_routes(router, runs, events);
+  add_result_routes(router, runs, run_models);
   add_model_tile_routes(router, shelf);
   add_model_query_routes(router, shelf);
   add_shape_routes(router);
@@ -79,6 +87,8 @@ void serve(const ServeOptions& options) {
   std::atomic<bool> ends{false};
   std::thread watch([&] {
     while (!ends && (options.stop == nullptr || !*options.stop)) std::this_thread::sleep_for(50ms);
+    events.close();
+    runs.close();
     server.stop();
   });
   // Connections are taken from the moment of binding; they are answered as soon as this thread listens.

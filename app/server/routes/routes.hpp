@@ -10,6 +10,10 @@
 
 namespace talus::server {
 
+class EventHub;
+class RunModels;
+class RunStore;
+
 /// The page itself, and the way into a session. `address`: with a new token.
 void add_page_routes(Router& router, httplib::Server& server, Session& session,
                      const std::function<std::string()>& address);
@@ -19,6 +23,8 @@ void add_file_routes(Router& router, const Workplace& workplace);
 void add_project_routes(Router& router, const Workplace& workplace);
 void add_example_routes(Router& router, const Workplace& workplace);
 void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& shelf);
+void add_run_routes(Router& router, RunStore& runs, EventHub& events);
+void add_result_routes(Router& router, RunStore& runs, RunModels& models);
 void add_model_tile_routes(Router& router, const ModelShelf& shelf);
 void add_model_query_routes(Router& router, const ModelShelf& shelf);
 /// Geometry and distributions without a model.

@@ -101,6 +101,12 @@ bool CsvReader::next() {
   return true;
 }
 
+void CsvReader::go_to(std::uint64_t byte) {
+  stream_.clear();
+  stream_.seekg(static_cast<std::streamoff>(byte));
+  knows_lines_ = false;
+}
+
 double CsvReader::number(std::size_t column) const {
   const std::string_view field = fields_[column];
   double value = 0;
@@ -125,7 +131,7 @@ std::int64_t CsvReader::whole_number(std::size_t column) const {
 
 void CsvReader::refuse(std::string where, std::string what, std::string why, std::string hint) const {
   throw BadInput({.file = file_,
-                  .line = line_,
+                  .line = knows_lines_ ? line_ : 0,
                   .where = std::move(where),
                   .what = std::move(what),
                   .why = std::move(why),

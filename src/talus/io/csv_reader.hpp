@@ -20,6 +20,9 @@ class CsvReader {
   /// Goes to the next row; false after the last. Throws BadInput on a row with too few or too many values, and on a
   /// last line without an end, the mark of a file that was cut short; and on one of more than a megabyte.
   [[nodiscard]] bool next();
+  /// The next row is the one that begins with this byte of the file. Complaints about it and those after it name no
+  /// line.
+  void go_to(std::uint64_t byte);
 
   // The values of the current row, by column. Views hold until the next call of next().
   [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
@@ -43,6 +46,7 @@ class CsvReader {
   std::vector<std::string_view> fields_;
   int line_ = 0;  // of the current row's first line
   int lines_read_ = 0;
+  bool knows_lines_ = true;
 };
 
 }  // namespace talus::io

@@ -1,9 +1,10 @@
 #pragma once
-// A stretch of a barrier's foot, for maps.
+// Stretches of a barrier's foot, and places along it, on plan.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace talus::io {
@@ -31,6 +32,25 @@ namespace talus::io {
     station = end;
   }
   return stretch.empty() ? std::vector{line[line.size() - 2], line.back()} : stretch;
+}
+
+/// How far along the line its point lies that is nearest to a place, on plan [m].
+[[nodiscard]] inline double station_of(const std::vector<std::array<double, 3>>& line, double x, double y) {
+  double station = 0, nearest = std::numeric_limits<double>::infinity(), begin = 0;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const double dx = line[k + 1][0] - line[k][0], dy = line[k + 1][1] - line[k][1];
+    const double length = std::hypot(dx, dy);
+    if (length == 0) continue;
+    const double px = x - line[k][0], py = y - line[k][1];
+    const double along = std::clamp((px * dx + py * dy) / length, 0.0, length);
+    const double distance = std::hypot(px - along * dx / length, py - along * dy / length);
+    if (distance < nearest) {
+      nearest = distance;
+      station = begin + along;
+    }
+    begin += length;
+  }
+  return station;
 }
 
 }  // namespace talus::io

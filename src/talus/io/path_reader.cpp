@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
 #include <string>
 
 #include "talus/core/problems.hpp"
@@ -26,16 +30,51 @@ std::array<double, 3> triple(const CsvReader& row, std::size_t first) {
   return {row.number(first), row.number(first + 1), row.number(first + 2)};
 }
 
+constexpr std::array path_states{PathState::projectile, PathState::impact,  PathState::sliding,
+                                 PathState::rolling,    PathState::barrier, PathState::ended};
+
+std::optional<PathState> state_named(std::string_view text) {
+  const auto found =
+      std::ranges::find(path_states, text, [](PathState state) { return std::string_view(name(state)); });
+  return found == path_states.end() ? std::nullopt : std::optional(*found);
+}
+
 }  // namespace
 
 PathState state_in(const CsvReader& row, std::size_t column) {
-  using enum PathState;
+  if (const auto state = state_named(row.text(column))) return *state;
   std::string known;
-  for (const PathState state : {projectile, impact, sliding, rolling, barrier, ended}) {
-    if (row.text(column) == name(state)) return state;
-    known += (known.empty() ? "" : ", ") + std::string(name(state));
-  }
+  for (const PathState state : path_states) known += (known.empty() ? "" : ", ") + std::string(name(state));
   row.refuse("state", fmt::format("\"{}\" is not a state", row.text(column)), "expected one of " + known);
+}
+
+Path path_of(const std::vector<std::vector<std::string>>& rows) {
+  const auto refuse = [](const std::string& text) {
+    throw BadInput(Problem{.what = "\"" + text + "\" is not what stands in a row of a path"});
+  };
+  const auto number = [&](const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) refuse(text);
+    return value;
+  };
+  Path path{.rock = static_cast<std::uint64_t>(number(rows.at(0).at(rock_column)))};
+  for (const std::vector<std::string>& row : rows) {
+    const auto triple_at = [&](std::size_t first) {
+      return std::array{number(row[first]), number(row[first + 1]), number(row[first + 2])};
+    };
+    const auto state = state_named(row.at(state_column));
+    if (!state || row.size() != path_columns.size()) refuse(row[state_column]);
+    path.rows.push_back({.event = path.rows.size(),
+                         .state = *state,
+                         .time_s = number(row[time]),
+                         .position_m = triple_at(x),
+                         .velocity_m_s = triple_at(vx),
+                         .ke_translational_J = number(row[ke_translational]),
+                         .ke_rotational_J = number(row[ke_rotational]),
+                         .pe_J = number(row[pe])});
+  }
+  return path;
 }
 
 PathReader::PathReader(const std::filesystem::path& file) : file_(file), row_(file, path_columns) {}

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "talus/io/csv_reader.hpp"
 #include "talus/io/run_folder.hpp"
@@ -24,6 +26,10 @@ class PathReader {
   CsvReader row_;
   Path path_;
 };
+
+/// The path that rows of such a file make (rock_rows.hpp); expects at least one. Throws BadInput where they are no
+/// path.
+[[nodiscard]] Path path_of(const std::vector<std::vector<std::string>>& rows);
 
 /// The state in a column of the current row; throws BadInput where it is none.
 [[nodiscard]] PathState state_in(const CsvReader& row, std::size_t column);

@@ -26,6 +26,14 @@ export interface Example {
   file: string;
 }
 
+export interface LibraryMaterial {
+  key: string;
+  name: string;
+  values: Record<string, unknown>;
+  source: string;
+  checked: string;
+}
+
 export type FileKind = 'project' | 'raster' | 'mesh' | 'points' | 'vector' | 'other';
 export interface FolderFile {
   name: string;
@@ -83,6 +91,13 @@ export interface ModelAnswer {
   model: Model | null;
 }
 
+export interface PolygonsAnswer {
+  vertices: Point3[];
+  triangles: [number, number, number][];
+  report: string;
+  problems: Problem[];
+}
+
 export interface Tiles {
   origin: Point3;
   cell: Point2;
@@ -102,7 +117,7 @@ export interface Run {
   dimension: 2 | 3;
   rocks: number;
   done: number;
-  rate: number;
+  rate: number | null;
   seconds: number;
   seconds_left: number | null;
   begun: string;
@@ -116,7 +131,15 @@ export interface Statistics {
   statistics: Record<string, number>;
   histogram: { edges: number[]; counts: number[] };
   cumulative: Point2[];
-  box: { least: number; whisker_low: number; q1: number; median: number; q3: number; whisker_high: number; most: number };
+  box: {
+    least: number;
+    whisker_low: number;
+    q1: number;
+    median: number;
+    q3: number;
+    whisker_high: number;
+    most: number;
+  };
 }
 
 export interface RockAnswer {

@@ -1,0 +1,74 @@
+#include "results/drawn_paths.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "talus/io/path_arcs.hpp"
+#include "talus/io/path_reader.hpp"
+
+namespace talus::server {
+
+namespace {
+
+/// How high points are above the ground.
+class HeightAboveGround {
+ public:
+  explicit HeightAboveGround(const Model* model) : model_(model) {}
+
+  [[nodiscard]] float operator()(const Vec3& place) const {
+    constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+    // A section that varies stands elsewhere for every rock.
+    if (model_ == nullptr || model_->varying) return unknown;
+    const Vec3 p = model_->frame.local_from_global(place);
+    // A rock on the ground may be a rounding beneath it.
+    constexpr double slack = 1e-3;
+    const auto ground = std::visit([&](const auto& surface) { return surface.elevation(p.x(), p.y(), p.z() + slack); },
+                                   model_->surface);
+    return ground ? static_cast<float>(std::max(0.0, p.z() - *ground)) : unknown;
+  }
+
+ private:
+  const Model* model_;
+};
+
+}  // namespace
+
+DrawnPaths drawn_paths(const std::filesystem::path& folder, const Json& summary, std::uint64_t rocks,
+                       const Model* model) {
+  constexpr double tolerance = 0.05;  // of the arcs [m]
+  const io::RunFacts facts = io::read_run_facts(folder);
+  const std::uint64_t total = facts.with_path.count_before(rocks_done(summary));
+  const io::EvenChoice chosen(rocks, total);
+  const auto wants = [&](std::uint64_t rock) {
+    return facts.with_path.contains(rock) && chosen.contains(facts.with_path.count_before(rock));
+  };
+  DrawnPaths paths;
+  paths.rocks = end_points(folder, summary, facts, wants);
+  paths.rocks.total = total;
+
+  const HeightAboveGround height(model);
+  io::PathReader reader(folder / "paths.csv");
+  while (paths.starts.size() < paths.rocks.rocks.size() && reader.next(wants)) {
+    const io::Path& path = reader.path();
+    if (path.rock != paths.rocks.rocks[paths.starts.size()])
+      throw BadInput(Problem{.file = (folder / "paths.csv").string(),
+                             .what = "has other rocks than endpoints.csv",
+                             .why = "rocks are missing in one of the two"});
+    if (paths.starts.empty()) paths.rocks.origin = origin_near(Vec3(path.rows[0].position_m.data()));
+    paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));
+    io::for_points_along(path, tolerance, [&](const io::PathPoint& point) {
+      const Vec3 place(point.position_m.data());
+      paths.times.push_back(static_cast<float>(point.time_s));
+      for (int axis = 0; axis < 3; ++axis)
+        paths.positions.push_back(static_cast<float>(place[axis] - paths.rocks.origin[axis]));
+      paths.speeds.push_back(static_cast<float>(Vec3(point.velocity_m_s.data()).norm()));
+      paths.energies.push_back(static_cast<float>(point.ke_total_J / 1000));
+      paths.heights.push_back(height(place));
+      paths.states.push_back(static_cast<std::uint8_t>(point.state));
+    });
+  }
+  paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));
+  return paths;
+}
+
+}  // namespace talus::server

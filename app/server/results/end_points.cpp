@@ -1,0 +1,88 @@
+#include "results/end_points.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "talus/io/csv_reader.hpp"
+#include "talus/io/run_folder.hpp"
+
+namespace talus::server {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+template <std::size_t n>
+constexpr std::size_t place_of(const std::array<std::string_view, n>& columns, std::string_view name) {
+  for (std::size_t k = 0; k < n; ++k)
+    if (columns[k] == name) return k;
+  throw "no such column";  // refused while compiling
+}
+
+std::uint8_t reason_in(const io::CsvReader& row, std::size_t column) {
+  for (int reason = 0; reason < end_reason_count; ++reason)
+    if (row.text(column) == name(static_cast<EndReason>(reason))) return static_cast<std::uint8_t>(reason);
+  row.refuse("end_reason", "is no reason to end", "expected one that this program knows");
+}
+
+void read_ends(const fs::path& file, const io::RunFacts& facts, const std::function<bool(std::uint64_t)>& wants,
+               EndPoints& ends) {
+  constexpr auto at = [](std::string_view name) { return place_of(io::endpoint_columns, name); };
+  io::CsvReader row(file, io::endpoint_columns);
+  while (row.next()) {
+    const auto rock = static_cast<std::uint64_t>(row.whole_number(at("rock")));
+    if (!wants(rock)) continue;
+    const Vec3 place(row.number(at("x_m")), row.number(at("y_m")), row.number(at("z_m")));
+    if (ends.rocks.empty()) ends.origin = origin_near(place);
+    for (int axis = 0; axis < 3; ++axis) ends.positions.push_back(static_cast<float>(place[axis] - ends.origin[axis]));
+    ends.rocks.push_back(static_cast<std::uint32_t>(rock));
+    ends.sources.push_back(static_cast<std::uint16_t>(ends.source_names.number(facts.source_of(rock))));
+    ends.seeders.push_back(static_cast<std::uint16_t>(ends.seeder_names.number(row.text(at("seeder")))));
+    ends.reasons.push_back(reason_in(row, at("end_reason")));
+    ends.masses.push_back(static_cast<float>(row.number(at("mass_kg"))));
+    ends.max_energies.push_back(static_cast<float>(row.number(at("max_ke_J")) / 1000));
+    ends.max_heights.push_back(static_cast<float>(row.number(at("max_bounce_m"))));
+  }
+}
+
+void read_hits(const fs::path& file, EndPoints& ends) {
+  constexpr auto at = [](std::string_view name) { return place_of(io::barrier_columns, name); };
+  constexpr std::uint32_t most = 32;
+  ends.barriers.resize(ends.rocks.size());
+  if (ends.barrier_names.empty()) return;
+  Names names(ends.barrier_names);
+  io::CsvReader row(file, io::barrier_columns);
+  auto next = ends.rocks.begin();
+  while (row.next()) {  // in the order of the rocks, as those are
+    const auto rock = static_cast<std::uint64_t>(row.whole_number(at("rock")));
+    while (next != ends.rocks.end() && *next < rock) ++next;
+    if (next == ends.rocks.end()) return;
+    const std::uint32_t barrier = names.number(row.text(at("barrier")));
+    if (*next == rock && barrier < most)
+      ends.barriers[static_cast<std::size_t>(next - ends.rocks.begin())] |= 1u << barrier;
+  }
+}
+
+}  // namespace
+
+EndPoints end_points(const fs::path& folder, const Json& summary, const io::RunFacts& facts,
+                     const std::function<bool(std::uint64_t)>& wants) {
+  EndPoints ends;
+  ends.source_names = Names(names_of(summary.value("sources", Json::array())));
+  ends.seeder_names = Names(seeders_of(summary));
+  ends.barrier_names = names_of(summary.value("barriers", Json::array()));
+  read_ends(folder / "endpoints.csv", facts, wants, ends);
+  read_hits(folder / "barriers.csv", ends);
+  return ends;
+}
+
+EndPoints end_points(const fs::path& folder, const Json& summary, std::uint64_t rocks) {
+  const std::uint64_t done = rocks_done(summary);
+  const io::EvenChoice chosen(rocks, done);
+  EndPoints ends = end_points(folder, summary, io::read_run_facts(folder),
+                              [&](std::uint64_t rock) { return chosen.contains(rock); });
+  ends.total = done;
+  return ends;
+}
+
+}  // namespace talus::server

@@ -1,0 +1,20 @@
+#pragma once
+// Results of a run, a file a kind.
+
+#include <string>
+
+#include "http/router.hpp"
+#include "run_models.hpp"
+#include "run_store.hpp"
+
+namespace talus::server {
+
+/// The path of one run.
+inline const std::string one_run = R"(/api/runs/([A-Za-z0-9._-]+))";
+
+void add_file_result_routes(Router& router, RunStore& runs);
+void add_rock_routes(Router& router, RunStore& runs, RunModels& models);
+void add_statistics_routes(Router& router, RunStore& runs);
+void add_map_routes(Router& router, RunStore& runs);
+
+}  // namespace talus::server

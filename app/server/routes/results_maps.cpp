@@ -1,0 +1,53 @@
+#include <algorithm>
+
+#include "http/arrays.hpp"
+#include "results/run_summary.hpp"
+#include "routes/results.hpp"
+#include "talus/io/map_reading.hpp"
+
+namespace talus::server {
+
+namespace {
+
+const char* name(io::ColourScale scale) { return scale == io::ColourScale::linear ? "linear" : "log"; }
+
+}  // namespace
+
+void add_map_routes(Router& router, RunStore& runs) {
+  router.get(one_run + "/maps", [&runs](const Call& call) {
+    Json list = Json::array();
+    for (const io::MapFile& map : io::maps_of_run(results_folder(runs.find(call.part(1)))))
+      list.push_back({{"name", map.name},
+                      {"meaning", map.meaning},
+                      {"unit", map.unit},
+                      {"scale", name(map.scale)},
+                      {"least", map.least},
+                      {"most", map.greatest},
+                      {"source", map.source.empty() ? Json() : Json(map.source)}});
+    return json_answer({{"maps", std::move(list)}});
+  });
+  router.get(one_run + "/maps/(.+)", [&runs](const Call& call) {
+    constexpr int most_pixels = 8192;
+    const auto folder = results_folder(runs.find(call.part(1)));
+    const auto pixels = static_cast<int>(call.query_number("pixels", 1024, most_pixels));
+    // Only names that are listed: nothing leads out of the folder.
+    const auto maps = io::maps_of_run(folder);
+    const auto map = std::ranges::find(maps, call.part(2), &io::MapFile::name);
+    if (map == maps.end()) throw Refusal(404, call.part(2), "there is no such map of this run");
+    const io::MapValues values = io::read_map(folder, *map, std::max(pixels, io::least_pixels));
+    Json colours = Json::array();
+    for (const auto& [value, colour] : io::colour_ramp(map->scale, map->least, map->greatest))
+      colours.push_back({value, colour});
+    Arrays arrays({{"origin", values.origin},
+                   {"cell", values.cell},
+                   {"columns", values.columns},
+                   {"rows", values.rows},
+                   {"scale", name(map->scale)},
+                   {"limits", {map->least, map->greatest}},
+                   {"colours", std::move(colours)}});
+    arrays.add("values", std::span<const float>(values.values));
+    return arrays.answer();
+  });
+}
+
+}  // namespace talus::server

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include "http/arrays.hpp"
+#include "results/drawn_paths.hpp"
+#include "results/end_points.hpp"
+#include "results/one_rock.hpp"
+#include "routes/results.hpp"
+
+namespace talus::server {
+
+namespace {
+
+Json names_of_reasons() {
+  Json names = Json::array();
+  for (int k = 0; k < end_reason_count; ++k) names.push_back(name(static_cast<EndReason>(k)));
+  return names;
+}
+
+Json names_of_states() {
+  using enum PathState;
+  Json names = Json::array();
+  for (const PathState state : {projectile, impact, sliding, rolling, barrier, ended}) names.push_back(name(state));
+  return names;
+}
+
+Json head(const EndPoints& rocks) {
+  return {{"total", rocks.total},
+          {"origin", {rocks.origin.x(), rocks.origin.y(), rocks.origin.z()}},
+          {"sources", rocks.source_names.list()},
+          {"seeders", rocks.seeder_names.list()},
+          {"reasons", names_of_reasons()},
+          {"barriers", rocks.barrier_names}};
+}
+
+template <class T>
+void add(Arrays& arrays, const char* name, const std::vector<T>& values) {
+  arrays.add(name, std::span<const T>(values));
+}
+
+void add_rocks(Arrays& arrays, const EndPoints& rocks) {
+  add(arrays, "rocks", rocks.rocks);
+  add(arrays, "sources", rocks.sources);
+  add(arrays, "seeders", rocks.seeders);
+  add(arrays, "reasons", rocks.reasons);
+  add(arrays, "masses", rocks.masses);
+  add(arrays, "max_energies", rocks.max_energies);
+  add(arrays, "max_heights", rocks.max_heights);
+  add(arrays, "barriers", rocks.barriers);
+}
+
+}  // namespace
+
+void add_rock_routes(Router& router, RunStore& runs, RunModels& models) {
+  router.get(one_run + "/paths", [&](const Call& call) {
+    const std::uint64_t wanted = call.query_number("rocks", 10'000, 100'000);
+    const Run run = runs.find(call.part(1));
+    const auto folder = results_folder(run);
+    const auto built = models.find(run);
+    const DrawnPaths paths = drawn_paths(folder, read_summary(run), wanted, built ? &built->model : nullptr);
+    Json header = head(paths.rocks);
+    header["states"] = names_of_states();
+    Arrays arrays(std::move(header));
+    add_rocks(arrays, paths.rocks);
+    add(arrays, "starts", paths.starts);
+    add(arrays, "times", paths.times);
+    add(arrays, "positions", paths.positions);
+    add(arrays, "speeds", paths.speeds);
+    add(arrays, "energies", paths.energies);
+    add(arrays, "heights", paths.heights);
+    add(arrays, "states", paths.states);
+    return arrays.answer();
+  });
+  router.get(one_run + "/endpoints", [&runs](const Call& call) {
+    const std::uint64_t wanted = call.query_number("rocks", 100'000, 1'000'000);
+    const Run run = runs.find(call.part(1));
+    const auto folder = results_folder(run);
+    const EndPoints rocks = end_points(folder, read_summary(run), wanted);
+    Arrays arrays(head(rocks));
+    add_rocks(arrays, rocks);
+    add(arrays, "positions", rocks.positions);
+    return arrays.answer();
+  });
+  router.get(one_run + "/rocks/([0-9]{1,19})", [&](const Call& call) {
+    const Run run = runs.find(call.part(1));
+    return json_answer(one_rock(results_folder(run), std::stoull(call.part(2)), [&] { return models.find(run); }));
+  });
+}
+
+}  // namespace talus::server

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "results/run_summary.hpp"
+#include "routes/results.hpp"
+#include "talus/io/column_statistics.hpp"
+#include "talus/io/summary_json.hpp"
+#include "talus/statistics/box_plot.hpp"
+
+namespace talus::server {
+
+namespace {
+
+constexpr std::uint64_t histogram_bins = 40;  // about; as in summary.json
+constexpr std::size_t cumulative_points = 400;
+
+/// All values of a parameter; refused where one is none of those that there are.
+std::vector<std::string> names_in(const Call& call, const std::string& key, const std::vector<std::string>& known) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < call.request.get_param_value_count(key); ++k) {
+    names.push_back(call.request.get_param_value(key, k));
+    if (std::find(known.begin(), known.end(), names.back()) == known.end())
+      throw Refusal(400, key, fmt::format("this run has no \"{}\"", names.back()),
+                    fmt::format("known are {}", fmt::join(known, ", ")));
+  }
+  return names;
+}
+
+std::optional<double> energy_in(const Call& call, const std::string& key) {
+  const std::string text = call.query(key);
+  if (text.empty()) return std::nullopt;
+  double energy = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), energy);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(energy))
+    throw Refusal(400, key, fmt::format("\"{}\" is no energy", text), "expected a number");
+  return energy * 1000;
+}
+
+io::RockFilter filter_in(const Call& call, const Json& summary) {
+  std::vector<std::string> reasons;
+  for (int k = 0; k < end_reason_count; ++k) reasons.emplace_back(name(static_cast<EndReason>(k)));
+  return {.end_reasons = names_in(call, "reason", reasons),
+          .seeders = names_in(call, "seeder", seeders_of(summary)),
+          .sources = names_in(call, "source", names_of(summary.value("sources", Json::array()))),
+          .barriers = names_in(call, "barrier", names_of(summary.value("barriers", Json::array()))),
+          .least_energy_J = energy_in(call, "min_energy_kJ"),
+          .most_energy_J = energy_in(call, "max_energy_kJ")};
+}
+
+const io::NumberColumn& column_in(const Call& call, const std::vector<io::NumberColumn>& known) {
+  const std::string wanted = call.query("of");
+  const auto found = std::ranges::find(known, wanted, &io::NumberColumn::name);
+  if (found != known.end()) return *found;
+  std::vector<std::string_view> names;
+  for (const io::NumberColumn& column : known) names.push_back(column.name);
+  throw Refusal(400, "of", fmt::format("\"{}\" is no column of numbers", wanted),
+                fmt::format("expected one of {}", fmt::join(names, ", ")));
+}
+
+Json statistics_answer(const Tally& tally, const io::NumberColumn& column) {
+  Json edges = Json::array(), counts = Json::array(), cumulative = Json::array(), box;
+  if (const auto histogram = tally.histogram(histogram_bins)) {
+    const BinEdges& bins = histogram->edges();
+    for (std::uint64_t k = 0; k <= bins.bins; ++k) edges.push_back(bins.edge(k));
+    counts = histogram->counts();
+  }
+  for (const auto& [value, share] : io::cumulative(tally, cumulative_points)) cumulative.push_back({value, share});
+  if (const auto plot = box_plot(tally.sketch())) {
+    const Descriptive all = tally.describe();
+    box = {{"least", *all.minimum},  {"whisker_low", plot->lower_whisker}, {"q1", plot->lower_quartile},
+           {"median", plot->median}, {"q3", plot->upper_quartile},         {"whisker_high", plot->upper_whisker},
+           {"most", *all.maximum}};
+  }
+  return {{"of", column.name},
+          {"unit", column.unit},
+          {"count", tally.count()},
+          {"statistics", statistics_json(tally)},
+          {"histogram", {{"edges", std::move(edges)}, {"counts", std::move(counts)}}},
+          {"cumulative", std::move(cumulative)},
+          {"box", std::move(box)}};
+}
+
+/// What the summary says of a barrier, and how it is to be designed, if that was asked for.
+Json barrier_json(const io::BarrierFacts& barrier, const Json& in_summary, const Json& summary) {
+  Json design;
+  const Json::json_pointer lines("/design/lines");
+  if (summary.contains(lines))
+    for (const Json& line : summary.at(lines))
+      if (line.value("name", "") == barrier.name) design = line;
+  return {{"name", barrier.name},
+          {"kind", barrier.kind},
+          {"height_m", barrier.height_m},
+          {"capacity_kJ", barrier.capacity_kJ ? Json(*barrier.capacity_kJ) : Json()},
+          {"hits", barrier.hits},
+          {"rocks_hit", barrier.rocks_hit},
+          {"stopped", barrier.stopped},
+          {"rebounded", barrier.rebounded},
+          {"passed_through", barrier.broke_through + barrier.passed},
+          {"passed_above", barrier.passed_above},
+          {"statistics", in_summary.value("statistics", Json())},
+          {"design", std::move(design)}};
+}
+
+}  // namespace
+
+void add_statistics_routes(Router& router, RunStore& runs) {
+  router.get(one_run + "/statistics", [&runs](const Call& call) {
+    const Run run = runs.find(call.part(1));
+    const auto folder = results_folder(run);
+    const io::NumberColumn& column = column_in(call, io::endpoint_numbers());
+    const io::RockFilter filter = filter_in(call, read_summary(run));
+    const Tally tally = io::endpoint_statistics(folder, io::read_run_facts(folder), column.name, filter);
+    return json_answer(statistics_answer(tally, column));
+  });
+  router.get(one_run + "/barriers", [&runs](const Call& call) {
+    const Run run = runs.find(call.part(1));
+    const Json summary = read_summary(run);
+    const io::RunFacts facts = io::read_run_facts(results_folder(run));
+    Json list = Json::array();
+    for (std::size_t k = 0; k < facts.barriers.size(); ++k)
+      list.push_back(barrier_json(facts.barriers[k], summary.at("barriers").at(k), summary));
+    return json_answer({{"barriers", std::move(list)}});
+  });
+  router.get(one_run + "/barriers/([0-9]{1,9})/statistics", [&runs](const Call& call) {
+    const Run run = runs.find(call.part(1));
+    const auto folder = results_folder(run);
+    const io::RunFacts facts = io::read_run_facts(folder);
+    const std::size_t number = std::stoull(call.part(2));
+    if (number >= facts.barriers.size())
+      throw Refusal(404, call.part(2), "there is no such barrier",
+                    fmt::format("this run has {}, counted from 0", facts.barriers.size()));
+    const io::NumberColumn& column = column_in(call, io::barrier_numbers());
+    const Json summary = read_summary(run);
+    const io::RockFilter filter = filter_in(call, summary);
+    const Tally tally = io::barrier_statistics(folder, facts, facts.barriers[number].name, column.name, filter);
+    Json answer = statistics_answer(tally, column);
+    // The summary squares the size of the velocity, the table adds squares up: their energies differ in the last bit.
+    const Json::json_pointer known(fmt::format("/barriers/{}/statistics/{}", number, column.name));
+    if (filter.is_empty() && summary.contains(known)) answer["statistics"] = summary.at(known);
+    return json_answer(answer);
+  });
+}
+
+}  // namespace talus::server

@@ -1,0 +1,201 @@
+#include "run.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "folder_lock.hpp"
+#include "talus/io/json_text.hpp"
+#include "talus/io/ordinary_file.hpp"
+#include "talus/io/output_file.hpp"
+#include "talus/io/run_state.hpp"
+
+namespace talus::server {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::pair<RunState, const char*>, 6> states{{{RunState::waiting, "waiting"},
+                                                                  {RunState::running, "running"},
+                                                                  {RunState::done, "done"},
+                                                                  {RunState::stopped, "stopped"},
+                                                                  {RunState::interrupted, "interrupted"},
+                                                                  {RunState::failed, "failed"}}};
+
+const char* name(RunState state) {
+  return std::find_if(states.begin(), states.end(), [&](const auto& known) { return known.first == state; })->second;
+}
+
+constexpr std::uintmax_t most_bytes = 16u << 20u;
+
+[[noreturn]] void refuse(const fs::path& file, std::string where, std::string what, std::string why) {
+  throw BadInput(Problem{.file = file.string(),
+                         .where = std::move(where),
+                         .what = std::move(what),
+                         .why = std::move(why),
+                         .hint = "The run's other files may be whole"});
+}
+
+Json read_json(const fs::path& file) {
+  if (const auto why = not_an_ordinary_file(file)) refuse(file, "", "cannot be read", *why);
+  std::error_code error;
+  if (const auto bytes = fs::file_size(file, error); error || bytes > most_bytes)
+    refuse(file, "", "cannot be read", error ? error.message() : fmt::format("it has {} bytes", bytes));
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (io::depth_of_json(text) > io::deepest_json) refuse(file, "", "is damaged", "it holds lists within lists");
+  Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) refuse(file, "", "is damaged", "it holds no JSON object");
+  return json;
+}
+
+/// A value of a kind; refused where it is missing or of another.
+template <class Value>
+Value value_of(const Json& json, const char* key, const fs::path& file) {
+  const auto found = json.find(key);
+  if (found == json.end()) refuse(file, key, "is missing", "the server writes it");
+  bool fits = false;
+  if constexpr (std::is_same_v<Value, std::string>) {
+    fits = found->is_string();
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    fits = found->is_number();
+  } else if constexpr (std::is_unsigned_v<Value>) {
+    fits = found->is_number_unsigned();
+  } else {
+    fits = found->is_number_integer();
+  }
+  if (!fits) refuse(file, key, fmt::format("is of type {}", found->type_name()), "the server writes another");
+  return found->get<Value>();
+}
+
+template <class Value>
+std::optional<Value> value_if_any(const Json& json, const char* key, const fs::path& file) {
+  if (!json.contains(key) || json.at(key).is_null()) return std::nullopt;
+  return value_of<Value>(json, key, file);
+}
+
+void read_into(Run& run, const fs::path& file) {
+  const Json json = read_json(file);
+  run.name = value_of<std::string>(json, "name", file);
+  run.project = value_of<std::string>(json, "project", file);
+  const std::string state = value_of<std::string>(json, "state", file);
+  const auto known = std::find_if(states.begin(), states.end(), [&](const auto& entry) { return entry.second == state; });
+  if (known == states.end()) refuse(file, "state", fmt::format("\"{}\" is no state of a run", state), "");
+  run.state = known->first;
+  run.dimension = value_of<int>(json, "dimension", file) == 2 ? 2 : 3;
+  run.rocks = value_of<std::uint64_t>(json, "rocks", file);
+  run.done = value_of<std::uint64_t>(json, "done", file);
+  run.seconds = value_of<double>(json, "seconds", file);
+  run.begun = value_of<std::string>(json, "begun", file);
+  if (json.contains("problems") && json.at("problems").is_array()) run.problems = json.at("problems");
+  run.asked_rocks = value_if_any<std::int64_t>(json, "asked_rocks", file);
+  run.asked_seed = value_if_any<std::uint64_t>(json, "asked_seed", file);
+  const std::string project_file = value_of<std::string>(json, "file", file);
+  if (fs::path(project_file).filename() != project_file) refuse(file, "file", "is no name of a file", "");
+  run.file = (fs::path(run.file) / project_file).generic_string();
+}
+
+/// How far a killed run got.
+void find_checkpoint(Run& run) {
+  run.done = 0;
+  run.seconds = 0;
+  const fs::path file = run.folder / io::run_state_name;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return;
+  const io::RunStateHeader header = io::read_run_state_header(file);
+  run.done = header.rocks().count();
+  run.seconds = header.seconds;
+}
+
+std::string iso(std::chrono::system_clock::time_point time) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
+}
+
+}  // namespace
+
+std::string time_now() { return iso(std::chrono::system_clock::now()); }
+
+Json told(const Run& run, const fs::path& base) {
+  const bool is_running = run.state == RunState::running;
+  std::optional<double> rate = run.rate;
+  if (!is_running && run.seconds > 0 && run.done > 0) rate = static_cast<double>(run.done) / run.seconds;
+  Json json{{"id", run.id},
+            {"name", run.name},
+            {"file", run.file},
+            {"project", run.project},
+            {"state", name(run.state)},
+            {"dimension", run.dimension},
+            {"rocks", run.rocks},
+            {"done", run.done},
+            {"rate", rate ? Json(*rate) : Json()},
+            {"seconds", run.seconds},
+            {"seconds_left", nullptr},
+            {"begun", run.begun},
+            {"problems", run.problems},
+            {"folder", run.folder.lexically_relative(base).generic_string()}};
+  if (is_running && rate.value_or(0) > 0)
+    json["seconds_left"] = static_cast<double>(run.rocks - run.done) / *rate;
+  return json;
+}
+
+void keep(const Run& run) {
+  Json json{{"name", run.name},
+            {"file", fs::path(run.file).filename().string()},
+            {"project", run.project},
+            {"state", name(run.state)},
+            {"dimension", run.dimension},
+            {"rocks", run.rocks},
+            {"done", run.done},
+            {"seconds", run.seconds},
+            {"begun", run.begun},
+            {"problems", run.problems}};
+  if (run.asked_rocks) json["asked_rocks"] = *run.asked_rocks;
+  if (run.asked_seed) json["asked_seed"] = *run.asked_seed;
+  OutputFile file(run.folder / run_file_name);
+  file.write(json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  file.commit();
+}
+
+Run find_run(const fs::path& folder, const fs::path& base) {
+  Run run;
+  run.id = run.name = folder.filename().string();
+  run.folder = folder;
+  // It lies in DIR/runs/PROJECT/ID, beside DIR/FILE.
+  run.file = folder.parent_path().parent_path().parent_path().lexically_relative(base).generic_string();
+  if (run.file == ".") run.file.clear();
+  run.project = folder.parent_path().filename().string();
+  const fs::path file = folder / run_file_name;
+  std::error_code ignored;
+  const auto written = fs::last_write_time(file, ignored);
+  if (!ignored)
+    run.begun = iso(std::chrono::time_point_cast<std::chrono::system_clock::duration>(
+        std::chrono::file_clock::to_sys(written)));
+  try {
+    read_into(run, file);
+  } catch (const BadInput& bad) {
+    run.state = RunState::failed;
+    run.is_damaged = true;
+    run.problems = as_json(bad.problems());
+  }
+  if (run.state != RunState::running && run.state != RunState::waiting) return run;
+  run.is_elsewhere = !FolderLock::take(folder);
+  if (run.is_elsewhere) return run;
+  run.was_killed = true;
+  run.state = RunState::interrupted;
+  try {
+    find_checkpoint(run);
+  } catch (const BadInput& bad) {
+    run.state = RunState::failed;
+    run.problems = as_json(bad.problems());
+  }
+  return run;
+}
+
+}  // namespace talus::server

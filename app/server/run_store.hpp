@@ -1,0 +1,92 @@
+#pragma once
+// The runs of the folder that is worked in: found there, thrown one after the other, kept.
+
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "events.hpp"
+#include "low_priority.hpp"
+#include "run.hpp"
+#include "run_model.hpp"
+#include "workplace.hpp"
+
+namespace talus::server {
+
+/// What somebody wants to have run.
+struct RunOrder {
+  std::string file;  // the project's, relative to the folder that is worked in
+  std::string text;  // of the project
+  std::string name;  // of the run; empty: the project's
+  std::optional<std::int64_t> rocks;
+  std::optional<std::uint64_t> seed;
+};
+
+/// Every function may be called by any thread. An id that is none is refused with 404, what a run's state does not
+/// allow with 409.
+class RunStore {
+ public:
+  /// Finds the runs of earlier servers. Of those that were killed the results are written as far as they had got.
+  RunStore(const Workplace& workplace, EventHub& events);
+  RunStore(const RunStore&) = delete;
+  RunStore& operator=(const RunStore&) = delete;
+  ~RunStore() { close(); }
+
+  /// Newest first.
+  [[nodiscard]] std::vector<Run> list();
+  [[nodiscard]] Run find(const std::string& id);
+  [[nodiscard]] Json told(const Run& run) const { return server::told(run, workplace_.folder()); }
+  /// The project's file, which need not be there any more.
+  [[nodiscard]] std::filesystem::path project_file(const Run& run) const { return workplace_.at(run.file); }
+
+  /// Throws BadInput with all problems of the project and its model.
+  Run begin(const RunOrder& order);
+  Run rename(const std::string& id, const std::string& name);
+  /// What is done is kept. One that is under way goes on until the blocks that are begun are finished.
+  Run stop(const std::string& id);
+  Run resume(const std::string& id);
+  void remove(const std::string& id);
+
+  /// Stops the run under way and waits for it.
+  void close();
+
+ private:
+  struct Entry {
+    Run run;
+    std::atomic<bool> stop{false};
+    std::unique_ptr<BuiltProject> built;  // where it is at hand
+  };
+  enum class Task { begin, resume, write_what_is_done };
+  struct Job {
+    std::shared_ptr<Entry> entry;
+    Task task;
+  };
+
+  void find_runs();
+  void work();
+  void do_job(const Job& job, LowPriorityArena& arena);
+  void throw_rocks(const Job& job, LowPriorityArena& arena);
+  void fail(Entry& entry, const Problems& problems);
+  /// Keeps a run that has changed, and tells it. Expects the lock.
+  void changed(Entry& entry);
+  [[nodiscard]] std::shared_ptr<Entry> entry_of(const std::string& id);
+  /// Takes a run's jobs out of the queue. Expects the lock.
+  void unqueue(const Entry& entry);
+
+  const Workplace& workplace_;
+  EventHub& events_;
+  std::mutex mutex_;
+  std::condition_variable news_;
+  std::map<std::string, std::shared_ptr<Entry>> entries_;
+  std::deque<Job> queue_;
+  std::shared_ptr<Entry> under_way_;
+  bool is_closed_ = false;
+  std::thread worker_;
+};
+
+}  // namespace talus::server
