@@ -4,12 +4,14 @@ import { useEffect, useRef } from 'preact/hooks';
 import { rowsOf } from '../state/document';
 import { chosen, helpOpen } from '../state/view';
 import type { Path } from '../toml/edit';
+import { DocumentDialog } from '../help/Document';
 import { TableForm } from './form/TableForm';
 import { Words } from './form/Words';
 import { loadSettings, tableOf } from './settings';
 import { sectionOf } from './sections';
 import { Outline } from './Outline';
 import { realProblems, sentenceOf, toneOf } from './awaited';
+import { DesignForm } from './DesignForm';
 import { GroundForm } from './GroundForm';
 import { followChosen } from './highlight';
 import { TerrainForm } from './TerrainForm';
@@ -29,6 +31,7 @@ export function ModelPanel() {
     <div class="model">
       <ProblemList folded={isThere} />
       {isThere ? <FormPage key={path.join('.')} path={path} /> : <Outline />}
+      <DocumentDialog />
     </div>
   );
 }
@@ -79,6 +82,8 @@ function FormPage({ path }: { path: Path }) {
         <TerrainForm />
       ) : key === 'ground' ? (
         <GroundForm />
+      ) : key === 'design' ? (
+        <DesignForm />
       ) : (
         section.tables.map((table) => <TableForm key={table} table={table} path={table === '' ? [] : [table]} />)
       )}
