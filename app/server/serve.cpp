@@ -65,6 +65,10 @@ void serve(const ServeOptions& options) {
   add_model_routes(router, workplace, shelf);
   add_run_routes(router, runs, events);
   add_result_routes(router, runs, run_models);
+  add_model_tile_routes(router, shelf);
+  add_model_query_routes(router, shelf);
+  add_shape_routes(router);
+  add_verification_routes(router);
   add_page_routes(router, server, session, address);  // last: it takes every path that is left
 
   std::atomic<bool> ends{false};

@@ -1,8 +1,8 @@
 // The rooms of the workbench: bar, model or runs at the left, the view, results below it.
 
-import { model } from './state/model';
 import { sidePanel } from './state/view';
 import { ModelPanel } from './model/ModelPanel';
+import { dimension } from './model/place';
 import { ResultsPanel } from './results/ResultsPanel';
 import { RunsPanel } from './runs/RunsPanel';
 import { SceneView } from './scene/SceneView';
@@ -10,6 +10,7 @@ import { SectionView } from './section/SectionView';
 import { TextPanel } from './model/TextPanel';
 import { TopBar } from './ui/TopBar';
 import { Tabs } from './ui/Tabs';
+import { SavingDialogs } from './ui/SavingDialogs';
 
 export function Workbench() {
   return (
@@ -33,9 +34,10 @@ export function Workbench() {
         </div>
       </aside>
       <main class="view">
-        <div class="picture">{model.value?.dimension === 2 ? <SectionView /> : <SceneView />}</div>
+        <div class="picture">{dimension.value === 2 ? <SectionView /> : <SceneView />}</div>
         <ResultsPanel />
       </main>
+      <SavingDialogs />
     </div>
   );
 }

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstring>
+#include <vector>
 
 namespace talus::server {
 
@@ -25,6 +26,16 @@ template void Arrays::add(std::string_view, const char*, std::span<const double>
 template void Arrays::add(std::string_view, const char*, std::span<const std::uint8_t>);
 template void Arrays::add(std::string_view, const char*, std::span<const std::uint16_t>);
 template void Arrays::add(std::string_view, const char*, std::span<const std::uint32_t>);
+
+void Arrays::add_smallest(std::string_view name, std::span<const std::uint32_t> values, std::size_t count) {
+  if (count <= 1U << 8U) {
+    add(name, std::span<const std::uint8_t>(std::vector<std::uint8_t>(values.begin(), values.end())));
+  } else if (count <= 1U << 16U) {
+    add(name, std::span<const std::uint16_t>(std::vector<std::uint16_t>(values.begin(), values.end())));
+  } else {
+    add(name, values);
+  }
+}
 
 Answer Arrays::answer() const {
   const std::string header = header_.dump(-1, ' ', false, Json::error_handler_t::replace);

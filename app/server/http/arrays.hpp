@@ -20,6 +20,8 @@ class Arrays {
   void add(std::string_view name, std::span<const std::uint8_t> values) { add(name, "u8", values); }
   void add(std::string_view name, std::span<const std::uint16_t> values) { add(name, "u16", values); }
   void add(std::string_view name, std::span<const std::uint32_t> values) { add(name, "u32", values); }
+  /// As the smallest whole numbers that hold all below `count`.
+  void add_smallest(std::string_view name, std::span<const std::uint32_t> values, std::size_t count);
 
   [[nodiscard]] Answer answer() const;
 

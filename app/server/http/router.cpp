@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "talus/io/json_text.hpp"
+
 namespace talus::server {
 
 namespace {
@@ -54,6 +56,7 @@ Json read_body(const httplib::Request& request, const Limits& limits) {
   if (request.body.size() > limits.json_bytes)
     throw Refusal(413, "", fmt::format("the request has {} bytes", request.body.size()),
                   fmt::format("at most {} are read", limits.json_bytes));
+  if (io::depth_of_json(request.body) > io::deepest_json) throw Refusal(400, "", "lists lie too deep in the request");
   Json body = Json::parse(request.body, nullptr, false);
   if (body.is_discarded()) throw Refusal(400, "", "the request's body is no JSON");
   if (!body.is_object()) throw Refusal(400, "", "the request's body is no JSON object");
@@ -87,6 +90,18 @@ std::string Call::text(const std::string& key) const {
 std::string Call::text(const std::string& key, const std::string& otherwise) const {
   const auto found = body.find(key);
   return found == body.end() || found->is_null() ? otherwise : text(key);
+}
+
+double Call::number(const std::string& key) const {
+  const auto found = body.find(key);
+  if (found == body.end()) throw Refusal(400, key, "is missing");
+  if (!found->is_number()) throw Refusal(400, key, "is no number");
+  return found->get<double>();
+}
+
+double Call::number(const std::string& key, double otherwise) const {
+  const auto found = body.find(key);
+  return found == body.end() || found->is_null() ? otherwise : number(key);
 }
 
 void Call::only(std::initializer_list<const char*> keys) const {
@@ -156,11 +171,15 @@ httplib::Server::Handler Router::guarded(Handler handler, bool has_body) const {
   };
 }
 
-void Router::get(const std::string& pattern, Handler handler) { server_.Get(pattern, guarded(std::move(handler), false)); }
+void Router::get(const std::string& pattern, Handler handler) {
+  server_.Get(pattern, guarded(std::move(handler), false));
+}
 void Router::post(const std::string& pattern, Handler handler) {
   server_.Post(pattern, guarded(std::move(handler), true));
 }
-void Router::put(const std::string& pattern, Handler handler) { server_.Put(pattern, guarded(std::move(handler), true)); }
+void Router::put(const std::string& pattern, Handler handler) {
+  server_.Put(pattern, guarded(std::move(handler), true));
+}
 void Router::patch(const std::string& pattern, Handler handler) {
   server_.Patch(pattern, guarded(std::move(handler), true));
 }

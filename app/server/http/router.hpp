@@ -34,6 +34,8 @@ struct Call {
   // null.
   [[nodiscard]] std::string text(const std::string& key) const;
   [[nodiscard]] std::string text(const std::string& key, const std::string& otherwise) const;
+  [[nodiscard]] double number(const std::string& key) const;
+  [[nodiscard]] double number(const std::string& key, double otherwise) const;
   /// Refuses keys of the body that are none of these.
   void only(std::initializer_list<const char*> keys) const;
 };

@@ -1,5 +1,6 @@
 #include "routes/routes.hpp"
 #include "talus/project/document.hpp"
+#include "talus/project/echo.hpp"
 #include "talus/project/material_library.hpp"
 #include "talus/project/schema.hpp"
 
@@ -16,9 +17,13 @@ void add_about_routes(Router& router, const Workplace& workplace, const std::str
   router.get("/api/settings", [](const Call&) { return json_answer(project::schema()); });
   router.get("/api/materials", [](const Call&) {
     Json list = Json::array();
-    for (const project::LibraryMaterial& material : project::material_library()) {
-      list.push_back({{"key", material.key}, {"meaning", material.meaning}, {"given", material.given},
-                      {"source", material.source}});
+    for (const project::LibraryMaterial& entry : project::material_library()) {
+      project::Material material = entry.material;
+      Json values = Json::object();
+      for (const std::string& key : entry.given)
+        values[key] = *project::written(project::setting("material", key).slot(&material), false);
+      list.push_back({{"key", entry.key}, {"name", entry.meaning}, {"values", std::move(values)},
+                      {"source", entry.source}, {"checked", entry.checked}});
     }
     return json_answer({{"materials", list}});
   });

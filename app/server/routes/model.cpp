@@ -53,15 +53,17 @@ Json profile_json(const Model& model, const Profile& profile) {
 /// Triangles whose corners that lie together are one vertex.
 class SharedVertices {
  public:
-  void add(const Triangle& triangle, MaterialId material) {
+  void add(const Triangle& triangle, std::uint32_t source, MaterialId material) {
     for (const Vec3& corner : triangle) triangles_.push_back(vertex(corner));
-    materials_.push_back(static_cast<std::uint16_t>(material.index));
+    sources_.push_back(source);
+    materials_.push_back(material.index);
   }
-  [[nodiscard]] Answer answer(const Vec3& origin) const {
-    Arrays arrays(Json{{"origin", as_json(origin)}});
+  [[nodiscard]] Answer answer(const Model& model) const {
+    Arrays arrays(Json{{"origin", as_json(model.frame.origin)}});
     arrays.add("positions", std::span<const float>(positions_));
     arrays.add("triangles", std::span<const std::uint32_t>(triangles_));
-    arrays.add("materials", std::span<const std::uint16_t>(materials_));
+    arrays.add("sources", std::span<const std::uint32_t>(sources_));
+    arrays.add_smallest("materials", materials_, model.ground.materials().size());
     return arrays.answer();
   }
 
@@ -82,18 +84,17 @@ class SharedVertices {
 
   std::unordered_map<std::array<double, 3>, std::uint32_t, Hash> numbers_;
   std::vector<float> positions_;
-  std::vector<std::uint32_t> triangles_;
-  std::vector<std::uint16_t> materials_;
+  std::vector<std::uint32_t> triangles_, sources_, materials_;
 };
 
 Answer mesh_answer(const Model& model) {
   SharedVertices vertices;
   const auto add = [&](const auto& surface, FacetId facet) {
-    vertices.add(surface.triangle(facet), model.ground.material_of(surface.source(facet)));
+    vertices.add(surface.triangle(facet), surface.source(facet), model.ground.material_of(surface.source(facet)));
   };
   if (const auto* mesh = std::get_if<TriangleMesh>(&model.surface)) {
     for (std::uint32_t k = 0; k < mesh->facet_count(); ++k) add(*mesh, {k});
-    return vertices.answer(model.frame.origin);
+    return vertices.answer(model);
   }
   const auto* raster = std::get_if<RasterSurface>(&model.surface);
   if (raster == nullptr) throw Refusal(404, "mesh", "this model is a section", "", "Ask for its profile");
@@ -104,7 +105,7 @@ Answer mesh_answer(const Model& model) {
   const std::size_t columns = raster->grid().columns - 1;
   for (std::uint32_t k = 0; k < raster->facet_count(); ++k)
     if (raster->has_data(k / 2 % columns, k / 2 / columns)) add(*raster, {k});
-  return vertices.answer(model.frame.origin);
+  return vertices.answer(model);
 }
 
 }  // namespace

@@ -25,5 +25,10 @@ void add_example_routes(Router& router, const Workplace& workplace);
 void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& shelf);
 void add_run_routes(Router& router, RunStore& runs, EventHub& events);
 void add_result_routes(Router& router, RunStore& runs, RunModels& models);
+void add_model_tile_routes(Router& router, const ModelShelf& shelf);
+void add_model_query_routes(Router& router, const ModelShelf& shelf);
+/// Geometry and distributions without a model.
+void add_shape_routes(Router& router);
+void add_verification_routes(Router& router);
 
 }  // namespace talus::server

@@ -7,6 +7,7 @@
 
 #include "talus/io/vector_file.hpp"
 #include "talus/project/choose_cells.hpp"
+#include "talus/project/drawn.hpp"
 #include "talus/project/settings.hpp"
 
 namespace talus::project {
@@ -14,8 +15,6 @@ namespace talus::project {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;
-constexpr Bounds not_negative{0, 1e300};
-constexpr Bounds positive{1e-300, 1e300};
 constexpr std::uint64_t most_complaints = 5;  // of the vertices of one seeder
 
 class SeederBuilder {
@@ -75,19 +74,19 @@ class SeederBuilder {
   static void set_size_and_speed(const Seeder& s, talus::Seeder& seeder) {
     if (s.diameter_m) {
       seeder.size_of = SizeOf::diameter;
-      seeder.size = Sampler(*s.diameter_m, positive);
+      seeder.size = sampler_of("diameter_m", *s.diameter_m);
     } else if (s.volume_m3) {
       seeder.size_of = SizeOf::volume;
-      seeder.size = Sampler(*s.volume_m3, positive);
+      seeder.size = sampler_of("volume_m3", *s.volume_m3);
     } else {
-      seeder.size = Sampler(s.mass_kg, positive);
+      seeder.size = sampler_of("mass_kg", s.mass_kg);
     }
-    seeder.density = Sampler(s.density_kg_m3, positive);
+    seeder.density = sampler_of("density_kg_m3", s.density_kg_m3);
     seeder.direction = Vec3(s.direction[0], s.direction[1], s.direction[2]).normalized();
-    if (s.speed_m_s) seeder.speed = Sampler(*s.speed_m_s, not_negative);
-    seeder.horizontal = Sampler(s.horizontal_velocity_m_s, Bounds{});
-    seeder.vertical = Sampler(s.vertical_velocity_m_s, Bounds{});
-    seeder.spin = Sampler(s.rotational_velocity_deg_s, Bounds{}, radians);
+    if (s.speed_m_s) seeder.speed = sampler_of("speed_m_s", *s.speed_m_s);
+    seeder.horizontal = sampler_of("horizontal_velocity_m_s", s.horizontal_velocity_m_s);
+    seeder.vertical = sampler_of("vertical_velocity_m_s", s.vertical_velocity_m_s);
+    seeder.spin = sampler_of("rotational_velocity_deg_s", s.rotational_velocity_deg_s, radians);
   }
 
   bool place_at_point(const Seeder& s, talus::Seeder& seeder) {

@@ -8,33 +8,25 @@
 #include "talus/project/build_ground.hpp"
 #include "talus/project/build_seeders.hpp"
 #include "talus/project/build_terrain.hpp"
+#include "talus/project/drawn.hpp"
 
 namespace talus::project {
 
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;
-constexpr Bounds share{0, 1};
-constexpr Bounds not_negative{0, 1e300};
-
-// A plain number of degrees is the standard deviation of the tilt; a distribution is that of the tilt itself.
-Sampler roughness_sampler(const Distribution& roughness) {
-  if (roughness.kind != DistributionKind::none) return Sampler(roughness, Bounds{}, radians);
-  if (roughness.mean == 0) return Sampler(0.0);
-  return Sampler(Distribution{0, DistributionKind::normal, roughness.mean, {}, {}}, Bounds{-90, 90}, radians);
-}
 
 talus::Material material_of(const Material& m) {
   talus::Material material;
   material.name = m.name;
-  material.normal_restitution = Sampler(m.normal_restitution, share);
-  material.tangential_restitution = Sampler(m.tangential_restitution, share);
-  material.friction_angle = Sampler(m.friction_angle_deg, Bounds{0, 89.9}, radians);
-  material.roughness = roughness_sampler(m.roughness_deg);
+  material.normal_restitution = sampler_of("normal_restitution", m.normal_restitution);
+  material.tangential_restitution = sampler_of("tangential_restitution", m.tangential_restitution);
+  material.friction_angle = sampler_of("friction_angle_deg", m.friction_angle_deg, radians);
+  material.roughness = sampler_of("roughness_deg", m.roughness_deg, radians);
   material.roughness_spacing = m.roughness_spacing_m;
   material.roughness_amplitude = m.roughness_amplitude_m;
-  material.dynamic_friction = Sampler(m.dynamic_friction, not_negative);
-  material.rolling_friction = Sampler(m.rolling_friction, not_negative);
+  material.dynamic_friction = sampler_of("dynamic_friction", m.dynamic_friction);
+  material.rolling_friction = sampler_of("rolling_friction", m.rolling_friction);
   if (m.forest_drag_kg_s) {
     material.forest_drag = *m.forest_drag_kg_s;
   } else if (m.forest != Forest::none) {

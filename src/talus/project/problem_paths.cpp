@@ -8,13 +8,26 @@ namespace talus::project {
 
 namespace {
 
+/// The table, or the entry of one of its lists that is named first, as in "polylines[2] crosses itself".
+std::string entry_of(const toml::table& root, std::string_view key, std::string_view what) {
+  const toml::table* table = root.get(key)->as_table();
+  std::string path = SettingPaths::below("", key);
+  const std::string_view name = what.substr(0, what.find(' '));
+  const std::size_t open = name.find('[');
+  if (table == nullptr || open == std::string_view::npos || !name.ends_with(']')) return path;
+  const std::string_view number = name.substr(open + 1, name.size() - open - 2);
+  if (!table->contains(name.substr(0, open)) || number.find_first_not_of("0123456789") != std::string_view::npos)
+    return path;
+  return SettingPaths::below(SettingPaths::below(std::move(path), name.substr(0, open)), number);
+}
+
 std::string path_of(const Problem& problem, const SettingPaths& paths, const toml::table& root,
                     const std::filesystem::path& file) {
   if (problem.file == file.string() || problem.file.empty()) {
     if (problem.line > 0) return paths.on_line(static_cast<std::uint32_t>(problem.line));
     std::string_view table = problem.where;
     if (table.starts_with('[') && table.ends_with(']')) table = table.substr(1, table.size() - 2);
-    return root.contains(table) ? SettingPaths::below("", table) : std::string();
+    return root.contains(table) ? entry_of(root, table, problem.what) : std::string();
   }
   // As the setting has it, or with the project's folder before it.
   if (std::string path = paths.of_text(problem.file); !path.empty()) return path;

@@ -44,7 +44,11 @@ struct Typed {
   Json operator()(const std::int64_t*) const { return whole(); }
   Json operator()(const std::uint64_t*) const { return whole(); }
   Json operator()(const std::string*) const { return text(); }
-  Json operator()(const std::filesystem::path*) const { return text(); }
+  Json operator()(const std::filesystem::path*) const {
+    Json file = text();
+    file["x-file"] = true;
+    return file;
+  }
   Json operator()(const std::array<double, 3>*) const { return tuple_of(number(), 3, 3); }
   Json operator()(const Distribution*) const {
     Json parts = table_schema(distribution_table());
@@ -117,6 +121,9 @@ Json table_schema(const Table& table) {
     } else if (!setting.without_it.empty()) {
       property["x-without-it"] = std::string(setting.without_it);
     }
+    if (setting.range.infinite_allowed) property["x-infinite"] = true;
+    if (!setting.excludes.empty()) property["x-excludes"] = setting.excludes;
+    if (!setting.source.empty()) property["x-source"] = std::string(setting.source);
     if (setting.required) required.push_back(std::string(setting.key));
     properties[std::string(setting.key)] = std::move(property);
   }

@@ -197,6 +197,31 @@ double Sampler::draw_random(double u) const {
   return (not_below < high_ ? not_below : high_) * scale_;
 }
 
+std::vector<Density> density_of(const Distribution& distribution, Bounds bounds, std::size_t intervals) {
+  if (distribution.kind == DistributionKind::none || intervals == 0) return {};
+  const Untruncated base = untruncated(distribution);
+  const Bounds limits = limits_of(distribution, bounds);
+  const Sampler sampler(distribution, bounds);
+  constexpr double tail = 1e-3;
+  constexpr double near = 0.2;  // a limit that is so near, as a part of the width without tails, is shown
+  const double first = sampler.draw(tail), last = sampler.draw(1 - tail), width = last - first;
+  const double low = limits.least > first - near * width ? limits.least : first;
+  const double high = limits.most < last + near * width ? limits.most : last;
+
+  // Of differences of probabilities the one with more digits: of those below in the lower half, above in the upper.
+  const auto part = [](const Tails& left, const Tails& right) {
+    return left.below < left.above ? right.below - left.below : left.above - right.above;
+  };
+  const double whole = part(tails(base, limits.least), tails(base, limits.most));
+  const double step = (high - low) / static_cast<double>(intervals);
+  std::vector<Density> list;
+  for (std::size_t k = 0; k < intervals; ++k) {
+    const double left = low + static_cast<double>(k) * step, right = low + static_cast<double>(k + 1) * step;
+    list.push_back({0.5 * (left + right), part(tails(base, left), tails(base, right)) / (right - left) / whole});
+  }
+  return list;
+}
+
 namespace {
 
 const char* name_of(DistributionKind kind) {

@@ -3,8 +3,10 @@
 // the sampler made of it, which turns one uniform number into one draw by the inverse of the truncated distribution
 // function.
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace talus {
 
@@ -68,6 +70,15 @@ class Sampler {
   double span_above_ = 1;                  // and of upper tails
   double scale_ = 1;
 };
+
+/// How likely draws are near a value: the part of them in an interval around it, over the interval's width.
+struct Density {
+  double value, density;
+};
+
+/// Of so many equal intervals one beside the other, for a picture: from the least to the greatest draw, but for tails
+/// of up to a thousandth of all draws. Empty for a constant. Expects a distribution that `why_unusable` accepts.
+[[nodiscard]] std::vector<Density> density_of(const Distribution& distribution, Bounds bounds, std::size_t intervals);
 
 /// Why a sampler cannot be made of this distribution, or nothing: for example a beta without limits. In the form
 /// `problem (why). hint`, in the words and units of the project file.

@@ -1,14 +1,19 @@
 // Requests to the server that the page came from.
 
 import { readArrays, type Arrays } from './arrays';
+import type { TomlTable } from '../toml/format';
 import type {
   About,
   Example,
   FolderFile,
+  LibraryMaterial,
   ModelAnswer,
+  Point2,
+  PolygonsAnswer,
   Problem,
   ProjectText,
   Run,
+  Verification,
 } from './types';
 
 /// A refusal, with the reasons that the server gave.
@@ -48,6 +53,9 @@ async function ask(method: string, path: string, body?: unknown, signal?: AbortS
 export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T> {
   return (await ask('GET', path, undefined, signal)).json() as Promise<T>;
 }
+export async function getText(path: string, signal?: AbortSignal): Promise<string> {
+  return (await ask('GET', path, undefined, signal)).text();
+}
 export async function sendJson<T>(method: 'POST' | 'PUT' | 'PATCH', path: string, body: unknown, signal?: AbortSignal) {
   return (await ask(method, path, body, signal)).json() as Promise<T>;
 }
@@ -60,9 +68,18 @@ const name = (file: string) => file.split('/').map(encodeURIComponent).join('/')
 export const api = {
   about: () => getJson<About>('/api/about'),
   settings: () => getJson<Record<string, unknown>>('/api/settings'),
+  materials: async () => (await getJson<{ materials: LibraryMaterial[] }>('/api/materials')).materials,
+  /// The density of what is drawn for a property; the key says within which limits.
+  distribution: (key: string, property: TomlTable, signal?: AbortSignal) =>
+    sendJson<{ density: Point2[]; problems: Problem[] }>('POST', '/api/distribution', { key, ...property }, signal),
+  polygons: (asked: { polylines: unknown; tolerance_m: number }, signal?: AbortSignal) =>
+    sendJson<PolygonsAnswer>('POST', '/api/geometry/polygons', asked, signal),
   examples: async () => (await getJson<{ examples: Example[] }>('/api/examples')).examples,
   openExample: (id: string) => sendJson<{ project: string }>('POST', `/api/examples/${id}`, {}),
-  files: async () => (await getJson<{ files: FolderFile[] }>('/api/files')).files,
+  /// The files of the folder, and which of its projects have a draft.
+  folder: () => getJson<{ files: FolderFile[]; drafts: string[] }>('/api/files'),
+  files: async () => (await api.folder()).files,
+  verification: () => getJson<Verification>('/api/verification'),
   upload: async (file: string, content: Blob, replace = false) => {
     let response: Response;
     try {

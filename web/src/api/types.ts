@@ -26,6 +26,14 @@ export interface Example {
   file: string;
 }
 
+export interface LibraryMaterial {
+  key: string;
+  name: string;
+  values: Record<string, unknown>;
+  source: string;
+  checked: string;
+}
+
 export type FileKind = 'project' | 'raster' | 'mesh' | 'points' | 'vector' | 'other';
 export interface FolderFile {
   name: string;
@@ -47,6 +55,8 @@ export type Point3 = [number, number, number];
 export interface ModelSeeder {
   name: string;
   type: 'point' | 'line' | 'polygon' | 'raster';
+  /// Of the entry in the project, such as "seeder.0".
+  path: string;
   rocks: number;
   first_rock: number;
   lines: Point3[][];
@@ -56,6 +66,7 @@ export interface ModelSeeder {
 export interface ModelBarrier {
   name: string;
   kind: 'barrier' | 'collector';
+  path: string;
   height_m: number;
   capacity_kJ: number | null;
   foot: Point3[];
@@ -83,6 +94,13 @@ export interface ModelAnswer {
   model: Model | null;
 }
 
+export interface PolygonsAnswer {
+  vertices: Point3[];
+  triangles: [number, number, number][];
+  report: string;
+  problems: Problem[];
+}
+
 export interface Tiles {
   origin: Point3;
   cell: Point2;
@@ -102,7 +120,7 @@ export interface Run {
   dimension: 2 | 3;
   rocks: number;
   done: number;
-  rate: number;
+  rate: number | null;
   seconds: number;
   seconds_left: number | null;
   begun: string;
@@ -116,7 +134,15 @@ export interface Statistics {
   statistics: Record<string, number>;
   histogram: { edges: number[]; counts: number[] };
   cumulative: Point2[];
-  box: { least: number; whisker_low: number; q1: number; median: number; q3: number; whisker_high: number; most: number };
+  box: {
+    least: number;
+    whisker_low: number;
+    q1: number;
+    median: number;
+    q3: number;
+    whisker_high: number;
+    most: number;
+  };
 }
 
 export interface RockAnswer {
@@ -153,4 +179,35 @@ export interface Difference {
   key: string;
   here: unknown;
   there: unknown;
+}
+
+export interface Verification {
+  passes: boolean;
+  cases: VerificationCase[];
+}
+
+export interface VerificationCase {
+  case: string;
+  title: string;
+  passes: boolean;
+  seconds: number;
+  agree: number;
+  compared: number;
+  tables: {
+    title: string;
+    manual: string;
+    run: string;
+    why: string;
+    agree: number;
+    differ: number;
+    numbers: {
+      row: string;
+      quantity: string;
+      published: string;
+      talus: number;
+      difference: number;
+      allowed: string;
+      verdict: string;
+    }[];
+  }[];
 }

@@ -1,13 +1,97 @@
-import { problems } from '../state/model';
+// The model as forms: an outline of the project, and the form of what is chosen in it.
+
+import { useEffect, useRef } from 'preact/hooks';
+import { rowsOf } from '../state/document';
+import { chosen, helpOpen } from '../state/view';
+import type { Path } from '../toml/edit';
+import { TableForm } from './form/TableForm';
+import { Words } from './form/Words';
+import { loadSettings, tableOf } from './settings';
+import { sectionOf } from './sections';
+import { Outline } from './Outline';
+import { realProblems, sentenceOf, toneOf } from './awaited';
+import { GroundForm } from './GroundForm';
+import { followChosen } from './highlight';
+import { TerrainForm } from './TerrainForm';
+import { takeFiles, listenToDrops } from './terrainFile';
+import { ProblemList } from './ProblemList';
+import { nameOf } from './place';
+import { copy, remove } from './things';
+import './model.css';
 
 export function ModelPanel() {
+  useEffect(loadSettings, []);
+  useEffect(() => listenToDrops(takeFiles), []);
+  useEffect(followChosen, []);
+  const path = chosen.value;
+  const isThere = path !== null && (typeof path[1] !== 'number' || rowsOf(String(path[0])).length > path[1]);
   return (
-    <div style={{ padding: 10 }}>
-      {problems.value.map((problem) => (
-        <span key={problem.text} class={`problem ${problem.severity}`}>
-          {problem.text}
+    <div class="model">
+      <ProblemList folded={isThere} />
+      {isThere ? <FormPage key={path.join('.')} path={path} /> : <Outline />}
+    </div>
+  );
+}
+
+function FormPage({ path }: { path: Path }) {
+  const section = sectionOf(path)!;
+  const [key, index] = [String(path[0]), path[1]];
+  const isEntry = typeof index === 'number';
+  const title = isEntry ? nameOf(key, index) : section.title;
+  const description = tableOf(isEntry ? key : section.tables.at(-1)!)?.description ?? '';
+  const heading = useRef<HTMLHeadingElement>(null);
+  useEffect(() => {
+    heading.current?.closest('.body')?.scrollTo(0, 0);
+    heading.current?.focus({ preventScroll: true });
+  }, []);
+  // What is said of the table as a whole, not of a field.
+  const own = realProblems.value.filter((problem) => problem.path === path.join('.'));
+  return (
+    <section class="form-page" aria-label={title}>
+      <header>
+        <button class="button plain back" onClick={() => (chosen.value = null)}>
+          ‹ Model
+        </button>
+        <h2 ref={heading} tabIndex={-1}>
+          {title}
+        </h2>
+        <button
+          class="button icon"
+          aria-pressed={helpOpen.value}
+          title="Explain every setting"
+          aria-label="Explain every setting"
+          onClick={() => (helpOpen.value = !helpOpen.value)}
+        >
+          ?
+        </button>
+      </header>
+      <p class="faint">
+        <Words text={description.split(/(?<=\.) /)[0]!} />
+      </p>
+      {own.map((problem) => (
+        <span key={problem.text} class={`problem ${toneOf(problem)}`}>
+          {sentenceOf(problem)}
         </span>
       ))}
-    </div>
+      {isEntry ? (
+        <TableForm table={key} path={path} />
+      ) : key === 'terrain' ? (
+        <TerrainForm />
+      ) : key === 'ground' ? (
+        <GroundForm />
+      ) : (
+        section.tables.map((table) => <TableForm key={table} table={table} path={table === '' ? [] : [table]} />)
+      )}
+      {isEntry && (
+        <div class="row acts">
+          <button class="button" onClick={() => copy(key, index)}>
+            Copy
+          </button>
+          <button class="button danger" onClick={() => remove(key, index)}>
+            Delete {key}
+          </button>
+        </div>
+      )}
+    </section>
   );
 }

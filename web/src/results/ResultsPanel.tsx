@@ -1,6 +1,99 @@
-import { shown } from '../state/runs';
+// What the run that is shown gave, below the view.
+
+import { useId } from 'preact/hooks';
+import type { Run } from '../api/types';
+import { hasResults, ownRuns, resume, shown } from '../state/runs';
+import { resultsOpen, resultsShare, resultsTab, sidePanel, type ResultsTab } from '../state/view';
+import { Tabs } from '../ui/Tabs';
+import { Distributions } from './Distributions';
+import { Overview } from './Overview';
+import { Rock } from './Rock';
+import { Splitter } from './Splitter';
+import './results.css';
+
+const pages: Partial<Record<ResultsTab, { title: string; page: (props: { run: Run }) => preact.JSX.Element }>> = {
+  overview: { title: 'Overview', page: Overview },
+  distributions: { title: 'Distributions', page: Distributions },
+  rock: { title: 'Rock', page: Rock },
+};
+
+/// Why there is nothing to look at, and what to do about it.
+function NoResults({ run }: { run: Run }) {
+  if (run.state === 'waiting') return <div class="empty">This run waits for others to end. Its results come then.</div>;
+  if (run.state === 'running')
+    return <div class="empty">The rocks are being thrown. Results come when all are done, or when the run is stopped.</div>;
+  if (run.state === 'interrupted')
+    return (
+      <div class="empty">
+        <p>The server was ended while this run was under way.</p>
+        <button class="button" style={{ justifySelf: 'center' }} onClick={() => void resume(run.id)}>
+          Resume
+        </button>
+      </div>
+    );
+  return (
+    <div class="answer-missing">
+      <p>This run failed. What is written below must be mended; then compute again.</p>
+      {run.problems.map((problem) => (
+        <span key={problem.text} class={`problem ${problem.severity}`}>
+          {problem.text}
+        </span>
+      ))}
+    </div>
+  );
+}
 
 export function ResultsPanel() {
-  if (!shown.value) return null;
-  return <section class="results" aria-label="Results" />;
+  const panel = useId();
+  const run = shown.value;
+  if (!run && ownRuns.value.length === 0) return null;
+  const tabs = (Object.keys(pages) as ResultsTab[]).map((name) => ({ name, title: pages[name]!.title }));
+  const now = pages[resultsTab.value] ? resultsTab.value : 'overview';
+  const Page = pages[now]!.page;
+  const isOpen = resultsOpen.value;
+  return (
+    <section
+      class="results"
+      aria-label="Results"
+      style={isOpen ? { height: `${Math.round(resultsShare.value * 1000) / 10}vh` } : {}}
+    >
+      {isOpen && <Splitter />}
+      <div class="results-bar">
+        <Tabs
+          label="Results"
+          tabs={tabs}
+          now={now}
+          choose={(name) => {
+            resultsTab.value = name;
+            resultsOpen.value = true;
+          }}
+        />
+        <span class="results-run" title={run?.name}>
+          {run?.name}
+        </span>
+        <button
+          class="button plain"
+          aria-expanded={isOpen}
+          aria-controls={panel}
+          onClick={() => (resultsOpen.value = !isOpen)}
+        >
+          {isOpen ? 'Hide ▾' : 'Results ▴'}
+        </button>
+      </div>
+      <div id={panel} class="results-body" role="tabpanel" aria-label={pages[now]!.title}>
+        {!isOpen ? null : !run ? (
+          <div class="empty">
+            <p>No run is shown.</p>
+            <button class="button" style={{ justifySelf: 'center' }} onClick={() => (sidePanel.value = 'runs')}>
+              Choose one under Runs
+            </button>
+          </div>
+        ) : hasResults(run) ? (
+          <Page run={run} />
+        ) : (
+          <NoResults run={run} />
+        )}
+      </div>
+    </section>
+  );
 }

@@ -1,15 +1,34 @@
-import { ownRuns, shownId } from '../state/runs';
+// The runs of the open project, newest first.
+
+import { areKnown, compute, ownRuns } from '../state/runs';
+import { problems } from '../state/model';
+import { RunCard } from './RunCard';
+import './runs.css';
+
+const nearest = 20;
 
 export function RunsPanel() {
-  if (ownRuns.value.length === 0) return <div class="empty">No runs yet. Compute throws the rocks.</div>;
-  return (
-    <ul>
-      {ownRuns.value.map((run) => (
-        <li key={run.id}>
-          <button class="button" aria-pressed={run.id === shownId.value} onClick={() => (shownId.value = run.id)}>
-            {run.name}: {run.state}, {run.done} rocks
+  if (!areKnown.value) return <div class="empty">Asking the server for the runs…</div>;
+  const runs = ownRuns.value;
+  if (runs.length === 0) {
+    const hasErrors = problems.value.some(({ severity }) => severity === 'error');
+    return (
+      <div class="empty">
+        <p>No run yet. A run throws the rocks of the project and keeps what becomes of them.</p>
+        {hasErrors ? (
+          <p>The model has errors, listed under Model; mend them first.</p>
+        ) : (
+          <button class="button first" style={{ justifySelf: 'center' }} onClick={() => void compute()}>
+            Compute
           </button>
-        </li>
+        )}
+      </div>
+    );
+  }
+  return (
+    <ul class="runs" aria-label="Runs">
+      {runs.map((run, k) => (
+        <RunCard key={run.id} run={run} isNear={k < nearest} />
       ))}
     </ul>
   );

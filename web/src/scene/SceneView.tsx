@@ -1,3 +1,58 @@
+// The model in three dimensions, with what is needed to look at it.
+
+import { useSignal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import { model } from '../state/model';
+import { sayFailure } from '../state/messages';
+import type { OpenScene } from './open';
+import * as picture from './picture';
+import { Compass } from './Compass';
+import { SceneBar } from './SceneBar';
+import { SceneLegend } from './SceneLegend';
+import { StatusLine } from './StatusLine';
+import { ToolHint } from './ToolHint';
+import './scene.css';
+
 export function SceneView() {
-  return <div class="empty">Scene</div>;
+  const host = useRef<HTMLDivElement>(null);
+  const open = useSignal<OpenScene | null>(null);
+  useEffect(() => {
+    let gone = false;
+    picture.failure.value = null;
+    import('./open').then(({ openScene }) => {
+      if (gone) return;
+      try {
+        open.value = openScene(host.current!);
+      } catch {
+        picture.failure.value =
+          'This browser shows no 3D graphics (WebGL 2). Switch on hardware acceleration in its settings, or try another browser. Everything else works without it.';
+      }
+    }, sayFailure);
+    return () => {
+      gone = true;
+      open.value?.dispose();
+      open.value = null;
+    };
+  }, []);
+  return (
+    <div class="scene">
+      <div class="canvas" ref={host} />
+      {picture.failure.value !== null && (
+        <div class="empty cover" role="alert">
+          {picture.failure.value}
+        </div>
+      )}
+      {!model.value && picture.failure.value === null && <div class="empty cover">There is no model to show yet.</div>}
+      {picture.isLoading.value && <div class="loading" role="status">Fetching the terrain…</div>}
+      {open.value && model.value && picture.failure.value === null && (
+        <>
+          <SceneBar open={open.value} />
+          <Compass open={open.value} />
+          <SceneLegend />
+          <ToolHint />
+          <StatusLine />
+        </>
+      )}
+    </div>
+  );
 }

@@ -3,10 +3,12 @@
 import { batch, effect, signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { Model, Problem } from '../api/types';
+import { withoutStandIns, withStandIns } from '../model/standIn';
 import { file, text } from './document';
 import { sayFailure } from './messages';
 
-/// The last one that could be built; while a change is looked at, or has errors, it is that of the text before.
+/// The last one that could be built; while a change is looked at, or its terrain has errors, it is that of the text
+/// before. What has errors elsewhere is left out of it.
 export const model = signal<Model | null>(null);
 export const problems = signal<Problem[]>([]);
 export const isBuilding = signal(false);
@@ -27,10 +29,11 @@ export async function build() {
   const name = file.value;
   try {
     const answer = await api.model(name, text.value, own.signal);
+    const shown = answer.model ?? (await buildWithStandIns(name, text.value, answer.problems, own.signal));
     if (own.signal.aborted) return;
     batch(() => {
       problems.value = answer.problems;
-      if (answer.model || modelFile !== name) model.value = answer.model;
+      if (shown || modelFile !== name) model.value = shown;
       modelFile = name;
       isCurrent.value = answer.model !== null;
     });
@@ -41,6 +44,20 @@ export async function build() {
   } finally {
     if (asking === own) isBuilding.value = false;
   }
+}
+
+/// The model of a text that cannot run yet, as far as it goes.
+async function buildWithStandIns(name: string, now: string, found: Problem[], signal: AbortSignal) {
+  let [next, wrong]: [string | null, Problem[]] = [now, found];
+  // What is wrong on the terrain is seen only when the rest is right.
+  for (let round = 0; round < 3; ++round) {
+    next = withStandIns(next, wrong);
+    if (next === null) return null;
+    const answer = await api.model(name, next, signal);
+    if (answer.model) return withoutStandIns(answer.model);
+    wrong = answer.problems;
+  }
+  return null;
 }
 
 effect(() => {

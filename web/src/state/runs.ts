@@ -1,6 +1,6 @@
 // The runs beside the open projects, as the server tells of them.
 
-import { computed, signal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import { api } from '../api/client';
 import type { Run } from '../api/types';
 import { file, text } from './document';
@@ -11,6 +11,8 @@ export const runs = signal<Run[]>([]);
 export const shownId = signal<string | null>(null);
 export const comparedId = signal<string | null>(null);
 export const isConnected = signal(true);
+/// Whether the server has told of its runs.
+export const areKnown = signal(false);
 
 const find = (id: string | null) => runs.value.find((run) => run.id === id) ?? null;
 export const shown = computed(() => find(shownId.value));
@@ -21,13 +23,26 @@ export const ownRuns = computed(() => runs.value.filter((run) => run.file === fi
 
 export const hasResults = (run: Run) => run.state === 'done' || run.state === 'stopped';
 
+// Who opens a project sees its newest results; what is shown of another project goes.
+let pickedFor: string | null = null;
+effect(() => {
+  const name = file.value;
+  if (name === null || !areKnown.value || pickedFor === name) {
+    if (name === null) pickedFor = null;
+    return;
+  }
+  pickedFor = name;
+  shownId.value = ownRuns.peek().find(hasResults)?.id ?? null;
+  comparedId.value = null;
+});
+
 function take(run: Run) {
   const known = runs.value.some(({ id }) => id === run.id);
   runs.value = known ? runs.value.map((old) => (old.id === run.id ? run : old)) : [run, ...runs.value];
 }
 
 /// Throws the rocks of the text as it stands.
-export async function compute(more: { name?: string; rocks?: number } = {}) {
+export async function compute(more: { name?: string; rocks?: number; seed?: number } = {}) {
   if (file.value === null) return;
   try {
     const run = await api.compute(file.value, text.value, more);
@@ -55,7 +70,10 @@ export function follow() {
   events.onopen = () => {
     isConnected.value = true;
     // What happened while nobody listened.
-    void api.runs().then((list) => (runs.value = list), sayFailure);
+    void api.runs().then((list) => {
+      runs.value = list;
+      areKnown.value = true;
+    }, sayFailure);
   };
   events.onerror = () => {
     isConnected.value = false;

@@ -24,13 +24,17 @@ export const sidePanel = kept<SidePanel>('side panel', 'model');
 export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'maps' | 'compare';
 export const resultsTab = kept<ResultsTab>('results tab', 'overview');
 export const resultsOpen = kept('results open', true);
+/// Of the window's height.
+export const resultsShare = kept('results share', 0.45);
+/// Whether tables show numbers with all the digits that the files have.
+export const allDigits = kept('all digits', false);
 
 /// A thing of the project by its path, such as ["seeder", 0]: its form is open, and the scene marks it.
 export const chosen = signal<(string | number)[] | null>(null);
 /// The rock of the run that is looked at.
 export const chosenRock = signal<number | null>(null);
+/// The map of the run that lies on the terrain, by its name.
+export const drapedMap = signal<string | null>(null);
 export const helpOpen = signal(false);
 export const startOpen = signal(false);
-/// The map of the shown run that lies on the terrain, by its name.
-export const drapedMap = signal<string | null>(null);
 export const drapedOpacity = kept('opacity of the map', 0.85);

@@ -2,6 +2,7 @@
 // written.
 
 import { parseTOML, getStaticTOMLValue, type AST } from 'toml-eslint-parser';
+import { commentStart, insertAfter, insertListed, lineEnd, lineStart, removeListed, splice } from './lines';
 import { inlineText, keyText, pairText, tableText, type TomlTable, type TomlValue } from './format';
 
 export type Path = readonly (string | number)[];
@@ -20,6 +21,9 @@ export function valuesOf(text: string): TomlTable {
 }
 
 export function edited(text: string, edits: readonly Edit[]): string {
+  // Line ends of Windows stay where all are of Windows.
+  if (/\r\n/.test(text) && !/(^|[^\r])\n/.test(text))
+    return edited(text.replaceAll('\r\n', '\n'), edits).replaceAll('\n', '\r\n');
   return edits.reduce((now, edit) => {
     if ('set' in edit) return setValue(now, edit.set, edit.value);
     if ('remove' in edit) return removeAt(now, edit.remove);
@@ -34,8 +38,6 @@ type Content = AST.TOMLContentNode;
 const isPrefix = (prefix: Path, path: Path) =>
   prefix.length <= path.length && prefix.every((part, k) => String(part) === String(path[k]));
 const isSame = (a: Path, b: Path) => a.length === b.length && isPrefix(a, b);
-
-const splice = (text: string, from: number, to: number, piece: string) => text.slice(0, from) + piece + text.slice(to);
 
 function topOf(text: string): AST.TOMLTopLevelTable {
   return parseTOML(text, { tomlVersion: '1.0' }).body[0];
@@ -96,30 +98,50 @@ function setInside(text: string, node: Content, path: Path, value: TomlValue): s
   if (node.type === 'TOMLArray' && Number(part) === node.elements.length) {
     const last = node.elements.at(-1);
     return last
-      ? splice(text, last.range[1], last.range[1], `, ${inlineText(fresh)}`)
+      ? insertListed(text, last.range, node.range[1], inlineText(fresh))
       : splice(text, node.range[0], node.range[1], `[${inlineText(fresh)}]`);
   }
   // A plain value gives way to a table: 0.35 becomes { mean = 0.4 } where its mean is set.
   return splice(text, node.range[0], node.range[1], inlineText(wrapped(path, value)));
 }
 
-const lineEnd = (text: string, at: number) => {
-  const end = text.indexOf('\n', at);
-  return end < 0 ? text.length : end;
-};
-const lineStart = (text: string, at: number) => text.lastIndexOf('\n', at - 1) + 1;
-
-/// Puts lines after the line in which something ends.
-function insertAfter(text: string, at: number, lines: string): string {
-  const end = lineEnd(text, at);
-  return end === text.length ? `${text}\n${lines}\n` : splice(text, end + 1, end + 1, `${lines}\n`);
+/// The last pair that is written with dots and belongs to a table above the path, as far as the path goes with it.
+function dottedSibling(top: AST.TOMLTopLevelTable, path: Path): { pair: Pair; above: Path } | null {
+  let found: { pair: Pair; above: Path } | null = null;
+  for (const table of tablesOf(top)) {
+    if (!isPrefix(table.path, path)) continue;
+    for (const pair of table.pairs) {
+      const next = table.path.length;
+      if (keysOf(pair).length > 1 && path.length > next + 1 && String(path[next]) === keysOf(pair)[0])
+        found = { pair, above: table.path };
+    }
+  }
+  return found;
 }
+
+/// Whether tables or dotted keys make up a value that is set as a whole.
+const isScattered = (top: AST.TOMLTopLevelTable, path: Path) =>
+  tablesOf(top).some(
+    (table) =>
+      (table.path.length >= path.length && isPrefix(path, table.path)) ||
+      table.pairs.some((pair) => {
+        const whole = [...table.path, ...keysOf(pair)];
+        return whole.length > path.length && isPrefix(path, whole);
+      }),
+  );
 
 function setValue(text: string, path: Path, value: TomlValue): string {
   if (path.length === 0) throw new Error('a path is needed');
   const top = topOf(text);
   const found = findPair(top, path);
   if (found) return setInside(text, found.pair.value, found.rest, value);
+
+  if (isScattered(top, path)) return setValue(removeAt(text, path), path, value);
+  const sibling = dottedSibling(top, path);
+  if (sibling) {
+    const keys = path.slice(sibling.above.length).map((part) => keyText(String(part)));
+    return insertAfter(text, sibling.pair.range[1], `${keys.join('.')} = ${inlineText(value)}`);
+  }
 
   // The longest table above the path that has a header, or lies before the first one.
   const tables = tablesOf(top).filter(({ path: above }) => isPrefix(above, path) && above.length < path.length);
@@ -148,28 +170,6 @@ function beforeFirstTable(text: string, top: AST.TOMLTopLevelTable, piece: strin
   return splice(text, start, start, `${piece}\n\n`);
 }
 
-/// Where the comment lines begin that stand directly above a line.
-function commentStart(text: string, line: number): number {
-  let start = line;
-  while (start > 0) {
-    const above = lineStart(text, start - 1);
-    if (!text.slice(above, start).trimStart().startsWith('#')) break;
-    start = above;
-  }
-  return start;
-}
-
-/// One of several with commas between them.
-function removeListed(text: string, list: readonly { range: AST.Range }[], k: number): string {
-  const [from, to] = list[k]!.range;
-  const next = list[k + 1];
-  if (next) return splice(text, from, next.range[0], '');
-  const before = list[k - 1];
-  if (before) return splice(text, before.range[1], to, '');
-  const comma = /^\s*,/.exec(text.slice(to));
-  return splice(text, from, to + (comma ? comma[0].length : 0), '');
-}
-
 function removeInside(text: string, node: Content, path: Path): string {
   const [part, ...rest] = path as [string | number, ...(string | number)[]];
   if (rest.length > 0) {
@@ -192,16 +192,27 @@ function removeAt(text: string, path: Path): string {
     const end = Math.min(lineEnd(text, found.pair.range[1]) + 1, text.length);
     return splice(text, lineStart(text, found.pair.range[0]), end, '');
   }
-  // A table goes with its comment and with the tables below it, from the last one on, so that places hold.
+  // Keys that are written with dots, each on its line; then tables, with their comments. From the last one on, so that
+  // places hold.
+  const whole = (table: Path, pair: Pair) => [...table, ...keysOf(pair)];
+  const dotted = tablesOf(top).flatMap(({ path: own, pairs }) =>
+    isPrefix(path, own) ? [] : pairs.filter((pair) => isPrefix(path, whole(own, pair))),
+  );
   const tables = tablesOf(top).slice(1);
-  const doomed = tables.flatMap(({ path: own }, k) => (isPrefix(path, own) ? [k] : []));
-  return doomed.reverse().reduce((now, k) => {
-    const startOf = (index: number) => {
-      const table = tables[index];
-      return table ? commentStart(now, lineStart(now, table.node.range[0])) : now.length;
-    };
-    return splice(now, startOf(k), startOf(k + 1), '').replace(/\n{3,}$/, '\n');
-  }, text);
+  const startOf = (k: number) => {
+    const table = tables[k];
+    return table ? commentStart(text, lineStart(text, table.node.range[0])) : text.length;
+  };
+  const doomed: [number, number][] = [
+    ...dotted.map(({ range: [from, to] }): [number, number] => [lineStart(text, from), lineEnd(text, to) + 1]),
+    ...tables.flatMap(({ path: own }, k): [number, number][] =>
+      isPrefix(path, own) ? [[startOf(k), startOf(k + 1)]] : [],
+    ),
+  ];
+  if (doomed.length === 0) return text;
+  const left = doomed.sort(([a], [b]) => b - a).reduce((now, [from, to]) => splice(now, from, to, ''), text);
+  const isAtEnd = doomed.some(([, to]) => to >= text.length);
+  return isAtEnd && left.trim() ? `${left.trimEnd()}\n` : left;
 }
 
 function appendTable(text: string, path: Path, value: TomlTable): string {

@@ -1,7 +1,9 @@
-import { close, file, isChanged, redo, redoes, save, undo, undoes, values } from '../state/document';
-import { isBuilding, problems } from '../state/model';
-import { compute, isConnected, running, stop } from '../state/runs';
+import { close, file, isChanged, redo, redoes, undo, undoes, values } from '../state/document';
+import { save, savingAs } from '../state/saving';
+import { isBuilding } from '../state/model';
+import { isConnected, running, stop } from '../state/runs';
 import { theme, type Theme } from '../state/view';
+import { ComputeMenu } from '../runs/ComputeMenu';
 import { clockText } from './format';
 
 const themes: Theme[] = ['system', 'light', 'dark'];
@@ -14,7 +16,7 @@ function Progress() {
       <progress max={run.rocks} value={run.done} aria-label="Rocks done" />
       <span class="mono">
         {run.done.toLocaleString()} of {run.rocks.toLocaleString()} rocks
-        {run.rate > 0 && `, ${Math.round(run.rate).toLocaleString()}/s`}
+        {run.rate !== null && run.rate > 0 && `, ${Math.round(run.rate).toLocaleString()}/s`}
         {run.seconds_left !== null && `, ${clockText(run.seconds_left)} left`}
       </span>
       <button class="button" onClick={() => void stop(run.id)}>
@@ -25,7 +27,6 @@ function Progress() {
 }
 
 export function TopBar() {
-  const errors = problems.value.filter(({ severity }) => severity === 'error').length;
   const name = typeof values.value.name === 'string' ? values.value.name : (file.value ?? '');
   return (
     <header class="bar">
@@ -48,18 +49,14 @@ export function TopBar() {
       <button class="button" disabled={!isChanged.value} title="Save (Ctrl+S)" onClick={() => void save()}>
         Save
       </button>
+      <button class="button" onClick={() => (savingAs.value = true)}>
+        Save as…
+      </button>
       <span class="space" />
       <Progress />
       {!isConnected.value && <span class="problem" role="alert">The server does not answer</span>}
       {isBuilding.value && <span class="faint">checking…</span>}
-      <button
-        class="button first"
-        disabled={errors > 0}
-        title={errors > 0 ? 'The model has errors: see the list in the panel at the left' : 'Throw the rocks (Ctrl+Enter)'}
-        onClick={() => void compute()}
-      >
-        Compute
-      </button>
+      <ComputeMenu />
       <button
         class="button icon"
         title={`Theme: ${theme.value}`}

@@ -15,3 +15,24 @@ export function numberText(value: number, digits = 4): string {
   if (size !== 0 && (size >= 1e9 || size < 1e-4)) return value.toExponential(digits - 1);
   return size >= 10 ** digits ? Math.round(value).toLocaleString('en') : String(Number(value.toPrecision(digits)));
 }
+
+/// "2.3 MB".
+export function bytesText(bytes: number): string {
+  const units = ['bytes', 'kB', 'MB', 'GB', 'TB'];
+  const k = Math.min(bytes < 1000 ? 0 : Math.floor(Math.log10(bytes) / 3), units.length - 1);
+  return `${numberText(bytes / 1000 ** k, 3)} ${units[k]}`;
+}
+
+/// When something was, in the reader's time: "21 Nov, 11:05".
+export function momentText(iso: string): string {
+  const moment = new Date(iso);
+  if (Number.isNaN(moment.getTime())) return iso;
+  const isThisYear = moment.getFullYear() === new Date().getFullYear();
+  return moment.toLocaleString('en-GB', {
+    day: 'numeric',
+    month: 'short',
+    ...(!isThisYear && { year: 'numeric' }),
+    hour: '2-digit',
+    minute: '2-digit',
+  });
+}

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "model_shelf.hpp"
+#include "routes/numbers.hpp"
+#include "routes/routes.hpp"
+#include "talus/terrain/section_along.hpp"
+
+namespace talus::server {
+
+namespace {
+
+constexpr std::size_t most_points = 100'000;  // whose elevations are asked for at once
+constexpr std::size_t most_bends = 1'000;     // of a line
+constexpr std::size_t most_of_section = 5'000;
+
+/// On plan, local.
+std::vector<Vec2> plan_points(const Call& call, const char* key, const LocalFrame& frame, std::size_t least,
+                              std::size_t most) {
+  std::vector<Vec2> points;
+  for (const auto& [x, y] : number_lists<2>(call, key, least, most))
+    points.emplace_back(x - frame.origin.x(), y - frame.origin.y());
+  return points;
+}
+
+Json elevations_json(const Model& model, const std::vector<Vec2>& points) {
+  Json list = Json::array();
+  for (const Vec2& p : points) {
+    const auto z = std::visit([&](const auto& surface) { return surface.elevation(p.x(), p.y()); }, model.surface);
+    list.push_back(z ? Json(*z + model.frame.origin.z()) : Json());
+  }
+  return {{"z", std::move(list)}};
+}
+
+Json section_json(const Model& model, const std::vector<Vec2>& line) {
+  std::vector<SectionPoint> section;
+  if (const auto* mesh = std::get_if<TriangleMesh>(&model.surface)) {
+    section = section_along(*mesh, line, most_of_section);
+  } else if (const auto* raster = std::get_if<RasterSurface>(&model.surface)) {
+    section = section_along(*raster, line, most_of_section);
+  } else {
+    throw Refusal(404, "section", "this model is a section itself", "", "Ask for its profile");
+  }
+  Json distances = Json::array(), heights = Json::array(), xs = Json::array(), ys = Json::array();
+  for (const SectionPoint& point : section) {
+    distances.push_back(point.distance);
+    heights.push_back(point.z ? Json(*point.z + model.frame.origin.z()) : Json());
+    xs.push_back(point.place.x() + model.frame.origin.x());
+    ys.push_back(point.place.y() + model.frame.origin.y());
+  }
+  return {{"distance_m", std::move(distances)},
+          {"z_m", std::move(heights)},
+          {"x_m", std::move(xs)},
+          {"y_m", std::move(ys)}};
+}
+
+}  // namespace
+
+void add_model_query_routes(Router& router, const ModelShelf& shelf) {
+  router.post("/api/models/([0-9a-f]+)/elevations", [&](const Call& call) {
+    call.only({"points"});
+    const ModelShelf::Held held = shelf.find(call.part(1));
+    return json_answer(elevations_json(held->model, plan_points(call, "points", held->model.frame, 0, most_points)));
+  });
+  router.post("/api/models/([0-9a-f]+)/section", [&](const Call& call) {
+    call.only({"line"});
+    const ModelShelf::Held held = shelf.find(call.part(1));
+    return json_answer(section_json(held->model, plan_points(call, "line", held->model.frame, 2, most_bends)));
+  });
+}
+
+}  // namespace talus::server

@@ -1,0 +1,12 @@
+// JSON whose numbers stay as they were written, so that what is shown is what the file says, digit for digit.
+
+/// A number as a file has it: "152530.42507165897".
+export type NumberText = string;
+
+type WithSource = (this: unknown, key: string, value: unknown, context?: { source?: string }) => unknown;
+
+export function parseExact<T>(text: string): T {
+  const keep: WithSource = (_key, value, context) =>
+    typeof value === 'number' ? (context?.source ?? String(value)) : value;
+  return JSON.parse(text, keep as (key: string, value: unknown) => unknown) as T;
+}

@@ -1,0 +1,93 @@
+// Requests for what a run gave.
+
+import type { RockFilter } from '../state/filter';
+import { getJson, getText } from './client';
+import { parseExact, type NumberText } from './exact';
+import type { Difference, RockAnswer, RunBarrier, RunMap, Statistics } from './types';
+
+/// Descriptive statistics as summary.json has them, figure by figure.
+export interface FigureTexts {
+  [figure: string]: NumberText | NumberText[] | Record<string, NumberText>;
+}
+
+/// The part of summary.json that the page shows.
+export interface Summary {
+  name: string;
+  seed: NumberText;
+  rocks: { planned: NumberText; done: NumberText; lifted: NumberText };
+  interrupted: boolean;
+  end_reasons: Record<string, NumberText>;
+  events: NumberText;
+  statistics: Record<string, FigureTexts>;
+  barriers?: { name: string; statistics: Record<string, FigureTexts> }[];
+  design?: Design;
+  sources: { name: string }[];
+  project: { seeder: { name?: string }[] };
+  warnings: string[];
+  timings: { seconds: NumberText; rocks_per_second: NumberText; threads: NumberText };
+}
+
+/// A percentile with the ends of its confidence interval; null: too few rocks for it.
+export type Interval = [NumberText, NumberText | null, NumberText | null];
+export interface DesignLine {
+  name: string;
+  rocks: NumberText;
+  percentiles: Record<string, Record<string, Interval>>;
+  needs: { energy_J: NumberText; class: NumberText; height_m: NumberText } | null;
+}
+export interface Design {
+  standard: string;
+  confidence: NumberText;
+  design_percentile: NumberText;
+  lines: DesignLine[];
+}
+
+export interface ColumnStatistics extends Omit<Statistics, 'statistics'> {
+  statistics: FigureTexts;
+}
+
+export interface RunFile {
+  name: string;
+  bytes: number;
+}
+
+const at = (id: string) => `/api/runs/${encodeURIComponent(id)}`;
+export const fileAddress = (id: string, name: string) =>
+  `${at(id)}/files/${name.split('/').map(encodeURIComponent).join('/')}`;
+
+/// The filter as the server's query has it.
+function queryOf(filter: RockFilter | null): string {
+  const query = new URLSearchParams();
+  const lists = { reason: filter?.reasons, seeder: filter?.seeders, source: filter?.sources, barrier: filter?.barriers };
+  for (const [key, names] of Object.entries(lists)) for (const name of names ?? []) query.append(key, name);
+  if (filter && filter.minEnergy_kJ !== null) query.set('min_energy_kJ', String(filter.minEnergy_kJ));
+  if (filter && filter.maxEnergy_kJ !== null) query.set('max_energy_kJ', String(filter.maxEnergy_kJ));
+  const text = query.toString();
+  return text && `&${text}`;
+}
+
+async function statisticsAt(path: string, signal?: AbortSignal): Promise<ColumnStatistics> {
+  const text = await getText(path, signal);
+  // Numbers to draw, and figures to print.
+  const exact = parseExact<{ statistics: FigureTexts }>(text);
+  return { ...(JSON.parse(text) as Statistics), statistics: exact.statistics };
+}
+
+export const results = {
+  summary: async (id: string, signal?: AbortSignal) => parseExact<Summary>(await getText(`${at(id)}/summary`, signal)),
+  files: async (id: string, signal?: AbortSignal) =>
+    (await getJson<{ files: RunFile[] }>(`${at(id)}/files`, signal)).files,
+  fileText: (id: string, name: string, signal?: AbortSignal) => getText(fileAddress(id, name), signal),
+  statistics: (id: string, column: string, filter: RockFilter | null, signal?: AbortSignal) =>
+    statisticsAt(`${at(id)}/statistics?of=${encodeURIComponent(column)}${queryOf(filter)}`, signal),
+  barriers: async (id: string, signal?: AbortSignal) =>
+    (await getJson<{ barriers: RunBarrier[] }>(`${at(id)}/barriers`, signal)).barriers,
+  barrierStatistics: (id: string, barrier: number, column: string, filter: RockFilter | null, signal?: AbortSignal) =>
+    statisticsAt(`${at(id)}/barriers/${barrier}/statistics?of=${encodeURIComponent(column)}${queryOf(filter)}`, signal),
+  rock: (id: string, rock: number, signal?: AbortSignal) => getJson<RockAnswer>(`${at(id)}/rocks/${rock}`, signal),
+  maps: async (id: string, signal?: AbortSignal) => (await getJson<{ maps: RunMap[] }>(`${at(id)}/maps`, signal)).maps,
+  differences: async (id: string, other: string, signal?: AbortSignal) =>
+    (await getJson<{ differences: Difference[] }>(`${at(id)}/differences/${encodeURIComponent(other)}`, signal))
+      .differences,
+};
+

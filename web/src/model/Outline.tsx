@@ -1,0 +1,88 @@
+// The project by its sections: what is there, what is wrong with it, what is still to come.
+
+import { rowsOf, values } from '../state/document';
+import { realProblemsAt, toneOf } from './awaited';
+import { chosen } from '../state/view';
+import { NextSteps } from './NextSteps';
+import { summaryOf } from './summaries';
+import { sections, type Section } from './sections';
+import { add, nextSteps } from './things';
+import { nameOf } from './place';
+import { materialColour } from './colours';
+import { LibraryChoice } from './LibraryChoice';
+
+function Badge({ path }: { path: string }) {
+  const list = realProblemsAt(path);
+  const errors = list.filter((problem) => toneOf(problem) === 'error').length;
+  if (list.length === 0) return null;
+  return (
+    <span class={`badge ${errors > 0 ? 'error' : 'warning'}`} title={list.map(({ text }) => text).join('\n')}>
+      {errors > 0 ? errors : list.length}
+      <span class="visually-hidden">{errors > 0 ? ' problems' : ' warnings'}</span>
+    </span>
+  );
+}
+
+function Row({
+  path,
+  title,
+  detail,
+  colour,
+}: {
+  path: (string | number)[];
+  title: string;
+  detail: string;
+  colour?: string;
+}) {
+  return (
+    <button class="item" onClick={() => (chosen.value = path)}>
+      {colour && <span class="chip" style={{ background: colour }} />}
+      <span class="name">{title}</span>
+      <span class="faint detail">{detail}</span>
+      <Badge path={path.join('.')} />
+    </button>
+  );
+}
+
+function SectionRows({ section }: { section: Section }) {
+  if (section.lists.length === 0)
+    return <Row path={[section.name]} title={section.title} detail={summaryOf(section.name)} />;
+  const isAwaited = nextSteps(values.value).some(({ key }) => key === section.name);
+  return (
+    <section class={isAwaited ? 'awaited' : ''} aria-label={section.title}>
+      <h3>{section.title}</h3>
+      {section.lists.map(({ key }) =>
+        rowsOf(key).map((_, index) => (
+          <Row
+            key={`${key}.${index}`}
+            path={[key, index]}
+            title={nameOf(key, index)}
+            detail={summaryOf(key, index)}
+            colour={key === 'material' ? materialColour(index) : undefined}
+          />
+        )),
+      )}
+      <div class="row adds">
+        {section.lists.map(({ key, one }) => (
+          <button key={key} class="button plain" onClick={() => add(key)}>
+            + Add {one}
+          </button>
+        ))}
+        {section.name === 'material' && <LibraryChoice />}
+      </div>
+    </section>
+  );
+}
+
+export function Outline() {
+  return (
+    <>
+      <NextSteps />
+      <nav class="outline" aria-label="Model">
+        {sections.map((section) => (
+          <SectionRows key={section.name} section={section} />
+        ))}
+      </nav>
+    </>
+  );
+}

@@ -1,0 +1,68 @@
+// What the engine says against the project: next steps first, then problems, each a way to its form.
+
+import type { Problem } from '../api/types';
+import { syntaxError } from '../state/document';
+import { chosen, sidePanel } from '../state/view';
+import { sectionOf } from './sections';
+import { realProblems, sentenceOf, toneOf } from './awaited';
+
+/// The path of the form in which a problem's field is.
+export function formOf(path: string): (string | number)[] | null {
+  if (path === '') return null;
+  const [table = '', index] = path.split('.');
+  const section = sectionOf([table]);
+  if (section?.lists.some(({ key }) => key === table))
+    return index !== undefined && /^\d+$/.test(index) ? [table, Number(index)] : null;
+  return [section?.name ?? 'analysis'];
+}
+
+/// Opens the form of a problem and puts the focus into its field.
+function show(problem: Problem) {
+  const form = formOf(problem.path);
+  if (!form) {
+    sidePanel.value = 'text';
+    return;
+  }
+  chosen.value = form;
+  requestAnimationFrame(() => requestAnimationFrame(() => focusField(problem.path)));
+}
+
+export function focusField(path: string) {
+  for (let parts = path.split('.'); parts.length > 0; parts = parts.slice(0, -1)) {
+    const field = document.querySelector<HTMLElement>(`.field[data-path="${CSS.escape(parts.join('.'))}"]`);
+    if (!field) continue;
+    for (let at: HTMLElement | null = field; at; at = at.parentElement)
+      if (at instanceof HTMLDetailsElement) at.open = true;
+    field.scrollIntoView({ block: 'nearest' });
+    (
+      field.querySelector<HTMLElement>('[aria-invalid="true"]') ??
+      field.querySelector<HTMLElement>('input, select, textarea')
+    )?.focus();
+    return;
+  }
+}
+
+/// Folded beside a form, which shows its own problems.
+export function ProblemList({ folded }: { folded: boolean }) {
+  const list = realProblems.value;
+  if (list.length === 0 && !syntaxError.value) return null;
+  const errors = list.filter(({ severity }) => severity === 'error').length;
+  const warnings = list.length - errors;
+  const counted = (count: number, word: string) => (count > 0 ? [`${count} ${word}${count > 1 ? 's' : ''}`] : []);
+  return (
+    <details class="problems" open={!folded && (errors > 0 || list.length <= 2)}>
+      <summary>{[...counted(errors, 'problem'), ...counted(warnings, 'warning')].join(', ')}</summary>
+      {list.slice(0, 50).map((problem) => (
+        <button
+          key={problem.text}
+          class={`problem ${toneOf(problem)}`}
+          title={problem.text}
+          onClick={() => show(problem)}
+        >
+          {problem.where && <strong>{problem.where}: </strong>}
+          {sentenceOf(problem)}
+        </button>
+      ))}
+    </details>
+  );
+}

@@ -1,0 +1,102 @@
+// The terrain: which kind it is, its file or its vertices, and how it is turned.
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { edit, file } from '../state/document';
+import { sayFailure } from '../state/messages';
+import { model } from '../state/model';
+import { files, loadFiles, relativeTo } from './files';
+import { Field } from './form/Field';
+import { TableForm } from './form/TableForm';
+import { tableAt } from './place';
+import { fieldOf } from './settings';
+import { terrainOfFile, takeFiles, useTerrainFile } from './terrainFile';
+import { changeTo, kindOf, terrainKinds, type TerrainKind } from './terrainKinds';
+
+export function TerrainForm() {
+  const terrain = tableAt(['terrain']);
+  const [picked, setPicked] = useState<TerrainKind | null>(null);
+  const given = kindOf(terrain);
+  const kind = given ?? picked;
+  const pick = (next: TerrainKind) => {
+    const edits = changeTo(next, terrain);
+    setPicked(next);
+    if (edits.length > 0) edit(`make the terrain a ${next.title.toLowerCase()}`, edits);
+  };
+  if (!kind) return <NoTerrain pick={pick} />;
+  // A file that is not chosen yet has no key that its form would show.
+  const missing = kind.keys.filter((key) => terrain[key] === undefined).flatMap((key) => fieldOf('terrain', key) ?? []);
+  return (
+    <>
+      <div class="field">
+        <div class="head">
+          <label for="terrain-kind">Kind</label>
+        </div>
+        <select
+          id="terrain-kind"
+          value={kind.name}
+          onChange={(event) => pick(terrainKinds.find(({ name }) => name === event.currentTarget.value)!)}
+        >
+          {terrainKinds.map(({ name, title }) => (
+            <option key={name} value={name}>
+              {title}
+            </option>
+          ))}
+        </select>
+        <p class="faint">{kind.what}.</p>
+      </div>
+      {missing.map((field) => (
+        <Field key={field.key} field={field} path={['terrain', field.key]} />
+      ))}
+      <TableForm table="terrain" path={['terrain']} />
+      {model.value?.terrain_report && (
+        <section class="report" aria-label="Report of the terrain">
+          <h3>Report</h3>
+          <p>{model.value.terrain_report}</p>
+        </section>
+      )}
+    </>
+  );
+}
+
+/// What can be done where there is no terrain yet.
+function NoTerrain({ pick }: { pick: (kind: TerrainKind) => void }) {
+  useEffect(() => void loadFiles(), []);
+  const input = useRef<HTMLInputElement>(null);
+  const fitting = files.value.flatMap(({ name }) => {
+    const terrain = terrainOfFile(name);
+    return terrain ? [{ name: relativeTo(file.value ?? '', name), ...terrain }] : [];
+  });
+  return (
+    <div class="no-terrain">
+      <p>No terrain yet. Drop a file here, or choose:</p>
+      <button class="button first" onClick={() => input.current?.click()}>
+        Upload a terrain file…
+      </button>
+      <input
+        ref={input}
+        type="file"
+        hidden
+        multiple
+        aria-label="Upload a terrain file"
+        onChange={(event) => void takeFiles([...(event.currentTarget.files ?? [])]).catch(sayFailure)}
+      />
+      {fitting.length > 0 && (
+        <>
+          <h3>Files of the folder</h3>
+          {fitting.slice(0, 12).map(({ name, kind, key }) => (
+            <button key={name} class="card" onClick={() => useTerrainFile(name, kind, key)}>
+              <span class="name">{name}</span>
+            </button>
+          ))}
+        </>
+      )}
+      <h3>Kinds of terrain</h3>
+      {terrainKinds.map((kind) => (
+        <button key={kind.name} class="card" onClick={() => pick(kind)}>
+          <span class="name">{kind.title}</span>
+          <span class="faint">{kind.what}</span>
+        </button>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,96 @@
+// The control of a setting, by the form of its value.
+
+import { valueAt } from '../../state/document';
+import { problemsAt } from '../../state/model';
+import { pathText, put } from '../place';
+import { absentText, valueText, wordText } from '../schema';
+import { Choice } from './Choice';
+import { DistributionControl } from './DistributionControl';
+import { idOf, type FieldProps } from './Field';
+import { FileControl } from './FileControl';
+import { LineControl, RowsControl, TupleControl } from './geometry';
+import { LibraryControl } from './LibraryControl';
+import { ListControl } from './ListControl';
+import { NamesControl } from './NamesControl';
+import { PolylinesControl } from './PolylinesControl';
+import { materialFields, NameChoice, NameList } from './references';
+import { TypedInput } from './TypedInput';
+
+export function Control({ field, path }: FieldProps) {
+  const value = valueAt(path);
+  const id = idOf(path);
+  const invalid = value !== undefined && problemsAt(pathText(path)).some(({ severity }) => severity === 'error');
+  const describedBy = problemsAt(pathText(path)).length > 0 ? `${id}-problems` : undefined;
+  const take = (next: Parameters<typeof put>[1]) => put(path, next, field.title);
+  const common = { id, invalid, describedBy };
+  switch (field.type.kind) {
+    case 'number':
+    case 'whole':
+      return <TypedInput {...common} value={value} placeholder={absentText(field)} take={take} />;
+    case 'text':
+      if (materialFields.has(pathText([path[0]!, field.key]))) return <NameChoice field={field} path={path} />;
+      return <TypedInput {...common} isText value={value} placeholder={absentText(field)} take={take} />;
+    case 'boolean':
+      return (
+        <input
+          id={id}
+          type="checkbox"
+          aria-describedby={describedBy}
+          checked={typeof value === 'boolean' ? value : field.default === true}
+          onChange={(event) => take(event.currentTarget.checked)}
+        />
+      );
+    case 'choice':
+      if (field.key === 'like') return <LibraryControl field={field} path={path} />;
+      return (
+        <Choice
+          {...common}
+          words={field.type.words}
+          value={value}
+          absent={field.required ? '' : absentText(field)}
+          take={take}
+        />
+      );
+    case 'word or number':
+      return (
+        <>
+          <TypedInput
+            {...common}
+            words={`${id}-words`}
+            value={value}
+            placeholder={`${absentText(field)}; ${field.type.words.map(wordText).join(', ')} or a number`}
+            take={take}
+          />
+          <datalist id={`${id}-words`}>
+            {field.type.words.map((word) => (
+              <option key={word} value={word} />
+            ))}
+          </datalist>
+        </>
+      );
+    case 'list':
+      if (field.type.of === 'text') return <NameList field={field} path={path} />;
+      return (
+        <ListControl
+          {...common}
+          value={value}
+          placeholder={valueText(field.default) || absentText(field)}
+          take={take}
+        />
+      );
+    case 'file':
+      return <FileControl field={field} path={path} />;
+    case 'distribution':
+      return <DistributionControl field={field} path={path} />;
+    case 'tuple':
+      return <TupleControl field={field} path={path} />;
+    case 'rows':
+      return <RowsControl field={field} path={path} />;
+    case 'lists of rows':
+      return <PolylinesControl field={field} path={path} />;
+    case 'line':
+      return <LineControl field={field} path={path} />;
+    case 'names':
+      return <NamesControl field={field} path={path} />;
+  }
+}

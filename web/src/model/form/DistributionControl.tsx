@@ -1,0 +1,95 @@
+// A random property: a number, or a mean with a kind of distribution and its parameters; and the curve of it.
+
+import { edit, valueAt } from '../../state/document';
+import type { Problem } from '../../api/types';
+import { problemsAt } from '../../state/model';
+import type { TomlTable, TomlValue } from '../../toml/format';
+import { inheritedText, inheritedAt } from '../library';
+import { isTable, pathText, put, thingOf } from '../place';
+import { absentText, valueText } from '../schema';
+import { Choice } from './Choice';
+import { Curve } from './Curve';
+import { idOf, type FieldProps } from './Field';
+import { TypedInput } from './TypedInput';
+
+const kindTitles: Record<string, string> = { none: 'constant' };
+
+export function DistributionControl({ field, path }: FieldProps) {
+  if (field.type.kind !== 'distribution') return null;
+  const value = valueAt(path);
+  const given: TomlTable | null = isTable(value) ? value : null;
+  const standard = isTable(field.default) ? field.default : null;
+  const mean = given ? given.mean : (value as TomlValue | undefined);
+  const kind = String(given?.distribution ?? 'none');
+  const kinds = field.type.parts.find(({ key }) => key === 'distribution')?.type;
+  const id = idOf(path);
+  const parts = field.type.parts.map(({ key }) => key);
+  /// The part that a problem is about: its path says it, or its words do.
+  const partOf = ({ path: at, what }: Problem) =>
+    parts.find((key) => at === pathText([...path, key])) ?? parts.find((key) => what.includes(` ${key} `)) ?? 'mean';
+  const isWrong = (key: string) =>
+    problemsAt(pathText(path)).some((problem) => problem.severity === 'error' && partOf(problem) === key);
+
+  const inherited = inheritedAt(path);
+  const chooseKind = (next: string | undefined) => {
+    const what = `${next === 'none' ? 'make constant' : `make ${next}`}: ${field.title.toLowerCase()} of ${thingOf(path)}`;
+    const now = mean ?? (isTable(inherited) ? inherited.mean : inherited) ?? standard?.mean;
+    if (next === undefined || next === 'none') {
+      edit(what, [now === undefined ? { remove: path } : { set: path, value: now }]);
+    } else if (given) edit(what, [{ set: [...path, 'distribution'], value: next }]);
+    else edit(what, [{ set: path, value: { ...(now !== undefined && { mean: now }), distribution: next } }]);
+  };
+  return (
+    <>
+      <div class="distribution">
+        <TypedInput
+          id={id}
+          label={`${field.title}: mean`}
+          value={mean}
+          invalid={value !== undefined && isWrong('mean')}
+          describedBy={problemsAt(pathText(path)).length > 0 ? `${id}-problems` : undefined}
+          placeholder={inheritedText(path) ?? absentText(field)}
+          take={(next) => put(given ? [...path, 'mean'] : path, next, field.title, pathText(path))}
+        />
+        {kinds?.kind === 'choice' && (
+          <Choice
+            label={`${field.title}: distribution`}
+            words={kinds.words}
+            titles={kindTitles}
+            value={kind}
+            absent=""
+            take={chooseKind}
+          />
+        )}
+      </div>
+      {given && kind !== 'none' && (
+        <>
+          <div class="tuple">
+            {field.type.parts
+              .filter(({ key }) => key !== 'mean' && key !== 'distribution')
+              .map((part) => (
+                <label key={part.key} title={part.description}>
+                  <span class="faint">{part.title}</span>
+                  <TypedInput
+                    label={`${field.title}: ${part.title.toLowerCase()}`}
+                    value={given[part.key]}
+                    invalid={isWrong(part.key)}
+                    placeholder={part.key === 'std_dev' ? '' : valueText(part.default)}
+                    take={(next) =>
+                      put(
+                        [...path, part.key],
+                        next,
+                        `${part.title.toLowerCase()} of ${field.title.toLowerCase()}`,
+                        pathText([...path, part.key]),
+                      )
+                    }
+                  />
+                </label>
+              ))}
+          </div>
+          <Curve distribution={given} path={path} unit={field.unit} title={field.title} />
+        </>
+      )}
+    </>
+  );
+}

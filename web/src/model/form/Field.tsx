@@ -1,0 +1,90 @@
+// One setting: its label, its value, what the engine says against it, and help.
+
+import type { ComponentChildren } from 'preact';
+import { useState } from 'preact/hooks';
+import { valueAt } from '../../state/document';
+import { problemsAt } from '../../state/model';
+import { helpOpen } from '../../state/view';
+import type { Path } from '../../toml/edit';
+import { sentenceOf, toneOf } from '../awaited';
+import { pathText, put } from '../place';
+import type { Field as Setting } from '../schema';
+import { Control } from './Control';
+import { Help } from './Help';
+
+export interface FieldProps {
+  field: Setting;
+  path: Path;
+}
+
+export const idOf = (path: Path) => `field-${path.join('-')}`;
+
+/// Whether a field is one control, whose label points at it; a group of controls has a name of its own.
+const isSingle = ({ type }: Setting) =>
+  ['number', 'whole', 'boolean', 'choice', 'text', 'file', 'word or number', 'list'].includes(type.kind);
+
+export function Field({ field, path, before }: FieldProps & { before?: ComponentChildren }) {
+  const [open, setOpen] = useState(false);
+  const value = valueAt(path);
+  const problems = problemsAt(pathText(path));
+  const isWanted = value === undefined && problems.length > 0;
+  const id = idOf(path);
+  const isHelped = open || helpOpen.value;
+  const label = (
+    <>
+      {field.title}
+      {field.unit && <span class="unit"> {field.unit}</span>}
+    </>
+  );
+  return (
+    <div
+      class={`field ${isWanted ? 'wanted' : ''} ${field.type.kind === 'boolean' ? 'beside' : ''}`}
+      data-path={pathText(path)}
+      role={isSingle(field) ? undefined : 'group'}
+      aria-labelledby={isSingle(field) ? undefined : `${id}-label`}
+    >
+      <div class="head">
+        {before}
+        {isSingle(field) ? (
+          <label for={id} title={field.description}>
+            {label}
+          </label>
+        ) : (
+          <span id={`${id}-label`} class="label" title={field.description}>
+            {label}
+          </span>
+        )}
+        {value !== undefined && !field.required && (
+          <button
+            class="mini"
+            title={`Back to what holds without it`}
+            aria-label={`Clear ${field.title}`}
+            onClick={() => put(path, undefined, field.title)}
+          >
+            ↺
+          </button>
+        )}
+        <button
+          class="mini"
+          aria-expanded={isHelped}
+          aria-label={`About ${field.title}`}
+          title="What is this?"
+          onClick={() => setOpen(!open)}
+        >
+          ?
+        </button>
+      </div>
+      <Control field={field} path={path} />
+      {problems.length > 0 && (
+        <div id={`${id}-problems`}>
+          {problems.map((problem) => (
+            <span key={problem.text} class={`problem ${isWanted ? 'warning' : toneOf(problem)}`}>
+              {sentenceOf(problem)}
+            </span>
+          ))}
+        </div>
+      )}
+      {isHelped && <Help field={field} path={path} />}
+    </div>
+  );
+}

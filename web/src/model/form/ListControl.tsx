@@ -1,0 +1,20 @@
+import type { TomlValue } from '../../toml/format';
+import { cellText, typedValue } from '../numbers';
+import { TypedInput } from './TypedInput';
+
+interface Props {
+  id: string;
+  value: TomlValue | undefined;
+  placeholder: string;
+  invalid: boolean;
+  describedBy?: string;
+  take: (value: TomlValue | undefined) => void;
+}
+
+/// Numbers with commas or blanks between them.
+export function ListControl({ value, take, ...rest }: Props) {
+  const text = Array.isArray(value) ? value.map(cellText).join(', ') : cellText(value);
+  const read = (typed: TomlValue | undefined) =>
+    typeof typed !== 'string' ? undefined : typed.split(/[,;\s]+/).flatMap((part) => typedValue(part) ?? []);
+  return <TypedInput {...rest} isText value={text === '' ? undefined : text} take={(typed) => take(read(typed))} />;
+}

@@ -1,0 +1,55 @@
+import { useState } from 'preact/hooks';
+import type { TomlValue } from '../../toml/format';
+import { cellText, numberOf, typedValue } from '../numbers';
+
+export interface TypedInputProps {
+  id?: string;
+  label?: string;
+  value: TomlValue | undefined;
+  placeholder?: string;
+  invalid?: boolean;
+  describedBy?: string;
+  words?: string;
+  /// A text, which is taken when it is complete; a number is taken with every key.
+  isText?: boolean;
+  take: (value: TomlValue | undefined) => void;
+  onKeyDown?: (event: KeyboardEvent & { currentTarget: HTMLInputElement }) => void;
+  onPaste?: (event: ClipboardEvent) => void;
+}
+
+/// A line of input. While it is typed in, it shows what was typed; otherwise what the project says.
+export function TypedInput(props: TypedInputProps) {
+  const { value, take, isText = false } = props;
+  const [typed, setTyped] = useState<string | null>(null);
+  const read = (text: string) => (isText ? (text.trim() === '' ? undefined : text) : typedValue(text));
+  const settle = (text: string) => {
+    setTyped(null);
+    if (text !== cellText(value)) take(read(text));
+  };
+  return (
+    <input
+      id={props.id}
+      type="text"
+      inputMode={isText ? undefined : 'decimal'}
+      class={isText ? 'typed' : 'typed number'}
+      autocomplete="off"
+      spellcheck={false}
+      aria-label={props.label}
+      aria-invalid={props.invalid ?? false}
+      aria-describedby={props.describedBy}
+      list={props.words}
+      placeholder={props.placeholder}
+      value={typed ?? cellText(value)}
+      onInput={(event) => {
+        const text = event.currentTarget.value;
+        setTyped(text);
+        const number = isText ? undefined : numberOf(text);
+        if (number !== undefined && number !== value) take(number);
+      }}
+      onChange={(event) => settle(event.currentTarget.value)}
+      onBlur={() => setTyped(null)}
+      onKeyDown={props.onKeyDown}
+      onPaste={props.onPaste}
+    />
+  );
+}

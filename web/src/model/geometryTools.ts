@@ -1,0 +1,118 @@
+// From the form into the view and back: which settings can be drawn, and what is written of what was drawn.
+
+import type { Point3 } from '../api/types';
+import { edit, valueAt } from '../state/document';
+import { model } from '../state/model';
+import type { Path } from '../toml/edit';
+import type { TomlValue } from '../toml/format';
+import { draw, rounded } from './drawing';
+import { is2d, tableAt, thingOf } from './place';
+
+const extent = () => {
+  const bounds = model.value?.bounds;
+  return bounds ? Math.max(bounds.max[0] - bounds.min[0], bounds.max[1] - bounds.min[1]) : 0;
+};
+const short = (value: number) => rounded(value, extent());
+
+/// A position of rocks on the ground: its height is the surface's, or says `height_above_m`.
+function position(path: Path, [x, y]: Point3): TomlValue[] {
+  const plan = is2d.value ? [short(x)] : [short(x), short(y)];
+  return tableAt(path.slice(0, 2)).height_above_m !== undefined ? plan : [...plan, 'surface'];
+}
+const onPlan = ([x, y]: Point3): TomlValue[] => [short(x), short(y)];
+const inSection = ([x, , z]: Point3): TomlValue[] => [short(x), short(z)];
+
+interface Drawable {
+  title: string;
+  start: () => void;
+}
+
+/// How a setting is drawn, or null where it is not.
+export function drawable(path: Path): Drawable | null {
+  const [table, key] = [path[0], path.at(-1)];
+  const thing = thingOf(path);
+  const set = (what: string, value: TomlValue) => edit(`${what} ${thing}`, [{ set: path, value }]);
+  if (table === 'terrain' && key === 'section' && is2d.value) {
+    const old = valueAt(path);
+    const hasRows = Array.isArray(old) && old.length > 0;
+    return {
+      title: hasRows ? 'Draw it anew' : 'Draw the section',
+      start: () =>
+        draw({
+          name: 'Section',
+          kind: 'line',
+          least: 2,
+          hint: 'Click the vertices of the slope, from left to right.',
+          done: (places) => set('draw', places.map(inSection)),
+        }),
+    };
+  }
+  if (table === 'seeder' && key === 'position')
+    return {
+      title: 'Pick in the view',
+      start: () =>
+        draw({
+          name: thing,
+          kind: 'points',
+          least: 1,
+          most: 1,
+          hint: 'Click where rocks start.',
+          done: ([place]) => set('place', position(path, place!)),
+        }),
+    };
+  if (table === 'seeder' && key === 'points')
+    return {
+      title: 'Draw in the view',
+      start: () =>
+        draw({
+          name: thing,
+          kind: 'line',
+          least: 2,
+          hint: 'Click along the line from which rocks start.',
+          done: (places) =>
+            set(
+              'draw',
+              places.map((place) => position(path, place)),
+            ),
+        }),
+    };
+  if (table === 'seeder' && key === 'polygon')
+    return {
+      title: 'Draw in the view',
+      start: () =>
+        draw({
+          name: thing,
+          kind: 'polygon',
+          least: 3,
+          hint: 'Click round the ground from which rocks start.',
+          done: (places) => set('draw', places.map(onPlan)),
+        }),
+    };
+  if ((table === 'barrier' || table === 'collector') && key === 'line') {
+    if (is2d.value)
+      return {
+        title: 'Pick in the view',
+        start: () =>
+          draw({
+            name: thing,
+            kind: 'points',
+            least: 1,
+            most: 1,
+            hint: 'Click where it stands.',
+            done: ([place]) => set('place', short(place![0])),
+          }),
+      };
+    return {
+      title: 'Draw in the view',
+      start: () =>
+        draw({
+          name: thing,
+          kind: 'line',
+          least: 2,
+          hint: 'Click along it. What it leans towards is at its right.',
+          done: (places) => set('draw', places.map(onPlan)),
+        }),
+    };
+  }
+  return null;
+}

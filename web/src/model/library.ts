@@ -1,0 +1,27 @@
+// The library of materials, and what an entry of the project has of it.
+
+import { signal } from '@preact/signals';
+import { api } from '../api/client';
+import type { LibraryMaterial } from '../api/types';
+import { sayFailure } from '../state/messages';
+import type { Path } from '../toml/edit';
+import type { TomlValue } from '../toml/format';
+import { tableAt } from './place';
+import { valueText } from './schema';
+
+export const library = signal<LibraryMaterial[]>([]);
+
+export function loadLibrary() {
+  if (library.value.length === 0) void api.materials().then((list) => (library.value = list), sayFailure);
+}
+
+/// The value that a material of the project has of the library, where it names one.
+export function inheritedAt(path: Path): TomlValue | undefined {
+  const { like } = path[0] === 'material' && path.length === 3 ? tableAt(path.slice(0, 2)) : {};
+  return library.value.find(({ key }) => key === like)?.values[String(path[2])] as TomlValue | undefined;
+}
+
+export function inheritedText(path: Path): string | undefined {
+  const value = inheritedAt(path);
+  return value === undefined ? undefined : `library ${valueText(value)}`;
+}

@@ -1,0 +1,56 @@
+// Where things of the project stand in its text, and what they are called.
+
+import { computed } from '@preact/signals';
+import { edit, rowsOf, valueAt, values } from '../state/document';
+import { model } from '../state/model';
+import type { Edit, Path } from '../toml/edit';
+import type { TomlTable, TomlValue } from '../toml/format';
+import { consequences, isTable } from './consequences';
+import { sections } from './sections';
+
+export { isTable } from './consequences';
+
+/// A table of the project; empty where it is not there.
+export function tableAt(path: Path): TomlTable {
+  const value = valueAt(path);
+  return isTable(value) ? value : {};
+}
+
+/// Whether positions are [x, z]: by what the text says, so that it holds while there is no model.
+export const is2d = computed(() => {
+  const { terrain } = values.value;
+  return isTable(terrain) && terrain.section !== undefined && terrain.width_m === undefined;
+});
+/// What the view shows: the model as it was built last, or what the text is about to become.
+export const dimension = computed<2 | 3>(() => model.value?.dimension ?? (is2d.value ? 2 : 3));
+
+/// What results and messages call an entry of a list: "Type One", "seeder 2".
+export function nameOf(key: string, index: number): string {
+  const name = rowsOf(key)[index]?.name;
+  return typeof name === 'string' && name !== '' ? name : `${key} ${index + 1}`;
+}
+
+/// The thing that a path leads to or into, for people: "Type One", "Terrain".
+export function thingOf(path: Path): string {
+  if (typeof path[1] === 'number') return nameOf(String(path[0]), path[1]);
+  if (path.length < 2) return 'the project';
+  return sections.find(({ name }) => name === path[0])?.title.toLowerCase() ?? String(path[0]);
+}
+
+/// The paths that the engine's problems name.
+export const pathText = (path: Path) => path.join('.');
+
+/// Sets a value, or removes its key where there is none.
+export function put(path: Path, value: TomlValue | undefined, title: string, merge = pathText(path)) {
+  const what = value === undefined ? `clear ${title}` : `change ${title}`;
+  const own: Edit = value === undefined ? { remove: path } : { set: path, value };
+  edit(`${what} of ${thingOf(path)}`, [own, ...consequences(values.value, path, value)], merge);
+}
+
+/// A name that no entry of these lists has: "Material 3".
+export function freshName(keys: string[], word: string): string {
+  const taken = new Set(keys.flatMap((key) => rowsOf(key).map((_, index) => nameOf(key, index).toLowerCase())));
+  for (let number = 1; ; ++number) {
+    if (!taken.has(`${word} ${number}`.toLowerCase())) return `${word} ${number}`;
+  }
+}

@@ -1,0 +1,69 @@
+// Rows of numbers between the project and an edit table.
+
+import type { Edit, Path } from '../toml/edit';
+import type { TomlValue } from '../toml/format';
+import { cellText, typedValue } from './numbers';
+
+/// The cells of a table as text; a row that is no list has one.
+export function cellsOf(value: unknown, columns: number): string[][] {
+  if (!Array.isArray(value)) return [];
+  return value.map((row: unknown) => {
+    const cells = Array.isArray(row) ? row.map(cellText) : [cellText(row)];
+    return cells.concat(Array<string>(Math.max(0, columns - cells.length)).fill(''));
+  });
+}
+
+/// A row's value, or undefined while cells before the last that is given, or the first so many, are empty.
+export function rowValue(cells: readonly string[], least: number): TomlValue[] | undefined {
+  const filled = cells.findLastIndex((cell) => cell.trim() !== '') + 1;
+  if (filled < least) return undefined;
+  const values = cells.slice(0, filled).map(typedValue);
+  return values.some((value) => value === undefined) ? undefined : (values as TomlValue[]);
+}
+
+/// All rows, or undefined while one is incomplete.
+export function rowsValue(cells: readonly (readonly string[])[], least: number): TomlValue[][] | undefined {
+  const rows = cells.map((row) => rowValue(row, least));
+  return rows.some((row) => row === undefined) ? undefined : (rows as TomlValue[][]);
+}
+
+/// Cells with a block laid over them from a cell on; rows that are missing are added, what is too wide is left out.
+export function overlaid(
+  cells: readonly string[][],
+  block: readonly string[][],
+  row: number,
+  column: number,
+  columns: number,
+): string[][] {
+  const result = cells.map((line) => [...line]);
+  block.forEach((line, k) => {
+    while (result.length <= row + k) result.push(Array<string>(columns).fill(''));
+    line.forEach((cell, j) => {
+      if (column + j < columns) result[row + k]![column + j] = cell;
+    });
+  });
+  return result;
+}
+
+const same = (a: TomlValue | undefined, b: TomlValue | undefined) => JSON.stringify(a) === JSON.stringify(b);
+
+/// The fewest edits that make rows of others, so that the layout of the rest stays.
+export function rowEdits(path: Path, before: unknown, after: TomlValue[][]): Edit[] {
+  const old = Array.isArray(before) ? (before as TomlValue[]) : undefined;
+  if (!old || old.length === 0 || after.length === 0) return [{ set: path, value: after }];
+  if (after.length >= old.length) {
+    const edits = after.flatMap<Edit>((row, r) => {
+      const known = old[r];
+      if (same(known, row)) return [];
+      if (!Array.isArray(known) || known.length !== row.length) return [{ set: [...path, r], value: row }];
+      return row.flatMap((value, c) => (same(known[c], value) ? [] : [{ set: [...path, r, c], value }]));
+    });
+    // Most of the rows are new: written as a whole they have a line each.
+    return edits.length <= 8 ? edits : [{ set: path, value: after }];
+  }
+  const first = after.findIndex((row, k) => !same(old[k], row));
+  const gone = first < 0 ? after.length : first;
+  const isOneGone =
+    old.length === after.length + 1 && after.slice(gone).every((row, k) => same(old[gone + 1 + k], row));
+  return isOneGone ? [{ remove: [...path, gone] }] : [{ set: path, value: after }];
+}

@@ -1,0 +1,52 @@
+import { expect, test } from 'vitest';
+import type { Problem } from '../api/types';
+import { valuesOf } from '../toml/edit';
+import { withStandIns } from './standIn';
+
+const error = (path: string): Problem => ({
+  severity: 'error',
+  path,
+  file: '',
+  line: 0,
+  where: '',
+  what: '',
+  why: '',
+  hint: '',
+  text: path,
+});
+const terrain = '[terrain]\nsection = [[5, 1], [10, -5]]\n';
+
+test('a material and a seeder stand in where there are none', () =>
+  expect(valuesOf(withStandIns(terrain, [error(''), error('')])!)).toMatchObject({
+    material: [{}],
+    seeder: [{ position: [5, 1], rocks: 1 }],
+  }));
+
+test('what is complained of goes, from the last on', () => {
+  const text = `${terrain}[[material]]\nname = "A"\nrn = 3\n[[seeder]]\nrocks = 0\n[[seeder]]\nrocks = 4\n[[seeder]]\nrocks = 0\n[ground]\ndefault = "B"\n`;
+  const next = withStandIns(
+    text,
+    ['material.0.rn', 'seeder.0', 'seeder.2.rocks', 'seeder.2.mass_kg', 'ground.default'].map(error),
+  );
+  expect(valuesOf(next!)).toEqual({
+    terrain: {
+      section: [
+        [5, 1],
+        [10, -5],
+      ],
+    },
+    material: [{ name: 'A' }],
+    seeder: [{ rocks: 4 }],
+    ground: {},
+  });
+});
+
+test('nothing stands in for a terrain', () => {
+  expect(withStandIns(terrain, [error('terrain.section.1')])).toBeNull();
+  expect(withStandIns('name = "A"', [error('')])).toBeNull();
+});
+
+test('warnings take nothing away', () => {
+  const text = `${terrain}[[material]]\nname = "A"\n[[seeder]]\nrocks = 1\n`;
+  expect(withStandIns(text, [{ ...error('seeder.0.rocks'), severity: 'warning' }])).toBeNull();
+});

@@ -1,0 +1,57 @@
+// While a project cannot run yet, its terrain can be shown all the same: a text without what the engine complains of, and
+// with something in the place of what is missing.
+
+import type { Model, Problem } from '../api/types';
+import { edited, valuesOf, type Edit, type Path } from '../toml/edit';
+import type { TomlTable, TomlValue } from '../toml/format';
+import { isTable } from './consequences';
+
+const name = 'stands in for a seeder';
+
+/// "material.0.name" as a path.
+const pathOf = (text: string): Path => text.split('.').map((part) => (/^\d+$/.test(part) ? Number(part) : part));
+
+/// What is taken out because of a problem: an entry of a list as a whole, a key of another table.
+function removalFor(problem: Problem): Edit | null {
+  const path = pathOf(problem.path);
+  const [table, index] = path;
+  if (problem.severity !== 'error' || table === undefined || table === '') return null;
+  if (table === 'material') return path.length > 2 ? { remove: path.slice(0, 3) } : null;
+  if (typeof index === 'number') return { remove: [table, index] };
+  return { remove: path.length > 1 ? path.slice(0, 2) : path };
+}
+
+function placeOn(terrain: TomlTable): TomlValue[] {
+  const { section } = terrain;
+  if (Array.isArray(section) && terrain.width_m === undefined && Array.isArray(section[0])) return section[0];
+  return [0, 0, 0];
+}
+
+/// A text that may build, or null where the terrain itself is what is wrong.
+export function withStandIns(text: string, problems: readonly Problem[]): string | null {
+  try {
+    const { terrain } = valuesOf(text);
+    const errors = problems.filter(({ severity }) => severity === 'error');
+    if (!isTable(terrain) || errors.some(({ path }) => path === 'terrain' || path.startsWith('terrain.'))) return null;
+    const removes = errors.flatMap((problem) => removalFor(problem) ?? []);
+    // From the last one on, so that numbers of entries hold.
+    const inOrder = [...new Map(removes.map((edit) => [JSON.stringify(edit), edit])).values()].sort((a, b) =>
+      JSON.stringify(b).localeCompare(JSON.stringify(a), 'en', { numeric: true }),
+    );
+    let next = edited(text, inOrder);
+    const left = valuesOf(next);
+    const isNone = (key: string) => !Array.isArray(left[key]) || left[key].length === 0;
+    const seeder = { name, position: placeOn(terrain), rocks: 1, mass_kg: 1000 };
+    if (isNone('material')) next = edited(next, [{ append: ['material'], value: { name: 'Ground' } }]);
+    if (isNone('seeder')) next = edited(next, [{ append: ['seeder'], value: seeder }]);
+    return next === text ? null : next;
+  } catch {
+    return null;
+  }
+}
+
+/// The model as it was built, without what only stood in.
+export function withoutStandIns(model: Model): Model {
+  const seeders = model.seeders.filter((seeder) => seeder.name !== name);
+  return seeders.length === model.seeders.length ? model : { ...model, seeders, rocks: model.rocks - 1 };
+}

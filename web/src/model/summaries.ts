@@ -1,0 +1,84 @@
+// One line about each part of the model, from its text.
+
+import { rowsOf, valueAt, values } from '../state/document';
+import { model } from '../state/model';
+import type { TomlTable, TomlValue } from '../toml/format';
+import { isTable, tableAt } from './place';
+import { valueText, wordText } from './schema';
+
+const number = (value: TomlValue | undefined) => (isTable(value) ? valueText(value.mean) : valueText(value));
+const counted = (count: number, one: string, many = `${one}s`) =>
+  `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
+
+function terrain(): string {
+  const { section, width_m, ...given } = tableAt(['terrain']);
+  if (Array.isArray(section))
+    return `section, ${counted(section.length, 'vertex', 'vertices')}${width_m === undefined ? '' : `, ${number(width_m)} m wide`}`;
+  for (const key of ['raster', 'mesh', 'points', 'lines', 'polygons'])
+    if (typeof given[key] === 'string') return given[key];
+  if (Array.isArray(given.polylines)) return counted(given.polylines.length, 'polyline');
+  if (Array.isArray(given.triangles)) return counted(given.triangles.length, 'triangle');
+  return 'none yet';
+}
+
+function seeder(row: TomlTable): string {
+  const type = wordText(String(row.type ?? 'point'));
+  const built = model.value?.seeders.find(({ name }) => name === row.name);
+  const rocks =
+    row.rocks_per_cell !== undefined
+      ? `${number(row.rocks_per_cell)} rocks a cell`
+      : counted(built?.rocks ?? Number(row.rocks ?? 1), 'rock');
+  return `${type}, ${rocks}`;
+}
+
+function material(row: TomlTable): string {
+  if (row.like !== undefined && row.normal_restitution === undefined) return wordText(String(row.like));
+  return `Rn ${number(row.normal_restitution) || '0.35'}, Rt ${number(row.tangential_restitution) || '0.85'}`;
+}
+
+function barrier(key: string, row: TomlTable): string {
+  const capacity = row.capacity_kJ;
+  return [
+    key,
+    row.height_m !== undefined ? `${number(row.height_m)} m` : '',
+    typeof capacity === 'number' && Number.isFinite(capacity) ? `${capacity} kJ` : '',
+  ]
+    .filter(Boolean)
+    .join(', ');
+}
+
+export function summaryOf(key: string, index?: number): string {
+  const row = index === undefined ? {} : (rowsOf(key)[index] ?? {});
+  switch (key) {
+    case 'analysis':
+      return wordText(String(valueAt(['analysis', 'model']) ?? 'lumped_mass'));
+    case 'terrain':
+      return terrain();
+    case 'ground':
+      return groundText();
+    case 'material':
+      return material(row);
+    case 'seeder':
+      return seeder(row);
+    case 'barrier':
+    case 'collector':
+      return barrier(key, row);
+    case 'sampling':
+      return `seed ${valueText(valueAt(['sampling', 'seed']) ?? 1)}`;
+    case 'output':
+      return `paths of ${valueText(valueAt(['output', 'paths']) ?? 'all')}`;
+    case 'design':
+      return isTable(values.value.design) ? 'on' : 'off';
+    default:
+      return '';
+  }
+}
+
+function groundText(): string {
+  const ground = tableAt(['ground']);
+  if (typeof ground.raster === 'string') return ground.raster;
+  if (typeof ground.polygons === 'string') return ground.polygons;
+  if (ground.segments !== undefined) return 'by segments';
+  if (ground.triangles !== undefined) return 'by triangles';
+  return typeof ground.default === 'string' ? ground.default : 'one material';
+}

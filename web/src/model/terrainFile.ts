@@ -1,0 +1,64 @@
+// A file becomes the terrain: chosen, uploaded, or dropped on the page.
+
+import { edit, file } from '../state/document';
+import { say, sayFailure } from '../state/messages';
+import { chosen } from '../state/view';
+import { loadFiles, uploadBeside } from './files';
+import { tableAt } from './place';
+import { changeTo, terrainKinds } from './terrainKinds';
+
+const endings: [RegExp, string, string][] = [
+  [/\.(tiff?|asc|vrt|img|dem)$/i, 'raster', 'raster'],
+  [/\.(obj|stl|ply)$/i, 'mesh', 'mesh'],
+  [/\.(csv|xyz|txt|pts|dat|las)$/i, 'survey', 'points'],
+  [/\.dxf$/i, 'survey', 'lines'],
+];
+
+/// The kind and the key of the terrain that a file would be, by its name; null: none.
+export function terrainOfFile(name: string): { kind: string; key: string } | null {
+  const found = endings.find(([ending]) => ending.test(name));
+  return found ? { kind: found[1], key: found[2] } : null;
+}
+
+/// The terrain is this file from now on, called as the project calls it.
+export function useTerrainFile(name: string, kindName: string, key: string) {
+  const kind = terrainKinds.find((one) => one.name === kindName)!;
+  const edits = changeTo(kind, tableAt(['terrain']), undefined);
+  edit(`take ${name} as the terrain`, [...edits, { set: ['terrain', key], value: name }]);
+}
+
+/// Keeps dropped files beside the project; the first that can be a terrain becomes it.
+export async function takeFiles(list: readonly File[]) {
+  if (file.value === null) return;
+  let taken: { name: string; kind: string; key: string } | null = null;
+  for (const one of list) {
+    const name = await uploadBeside(file.value, one);
+    const terrain = terrainOfFile(one.name);
+    if (name !== null && terrain && !taken) taken = { name, ...terrain };
+  }
+  await loadFiles();
+  if (taken) {
+    useTerrainFile(taken.name, taken.kind, taken.key);
+    chosen.value = ['terrain'];
+  } else if (list.length > 0)
+    say('note', `Kept in the folder: ${list.map(({ name }) => name).join(', ')}. Forms that name a file offer it now.`);
+}
+
+/// Lets files be dropped anywhere on the page.
+export function listenToDrops(take: (list: File[]) => Promise<void>): () => void {
+  const over = (event: DragEvent) => {
+    if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
+  };
+  const drop = (event: DragEvent) => {
+    const list = [...(event.dataTransfer?.files ?? [])];
+    if (list.length === 0) return;
+    event.preventDefault();
+    void take(list).catch(sayFailure);
+  };
+  addEventListener('dragover', over);
+  addEventListener('drop', drop);
+  return () => {
+    removeEventListener('dragover', over);
+    removeEventListener('drop', drop);
+  };
+}

@@ -1,0 +1,76 @@
+// Adding, copying and taking out materials, seeders, barriers and collectors.
+
+import { edit, rowsOf, values } from '../state/document';
+import { chosen } from '../state/view';
+import type { TomlTable } from '../toml/format';
+import { removal } from './consequences';
+import { freshName, is2d, nameOf } from './place';
+
+const words: Record<string, string> = {
+  material: 'Material',
+  seeder: 'Seeder',
+  barrier: 'Barrier',
+  collector: 'Collector',
+};
+const family = (key: string) => (key === 'barrier' || key === 'collector' ? ['barrier', 'collector'] : [key]);
+
+/// What a new entry begins with, besides its name; what only the user can know is left out.
+function first(key: string): TomlTable {
+  switch (key) {
+    case 'seeder':
+      return { type: 'point', rocks: 50 };
+    case 'barrier':
+    case 'collector':
+      return { height_m: 3 };
+    default:
+      return {};
+  }
+}
+
+/// Adds an entry as one step and opens its form.
+export function add(key: string, more: TomlTable = {}, what = `add a ${key}`) {
+  const value = { name: freshName(family(key), words[key] ?? key), ...first(key), ...more };
+  const index = rowsOf(key).length;
+  edit(what, [{ append: [key], value }]);
+  chosen.value = [key, index];
+}
+
+export function copy(key: string, index: number) {
+  const row = rowsOf(key)[index];
+  if (!row) return;
+  add(key, { ...row, name: freshName(family(key), nameOf(key, index)) }, `copy ${nameOf(key, index)}`);
+}
+
+export function remove(key: string, index: number) {
+  edit(`delete ${nameOf(key, index)}`, removal(values.value, [key, index]));
+  if (chosen.value?.[0] === key) chosen.value = null;
+}
+
+export interface Step {
+  key: 'terrain' | 'material' | 'seeder';
+  what: string;
+}
+
+/// What a project still needs before rocks can be thrown, in the order in which it is best done.
+export function nextSteps(project: TomlTable): Step[] {
+  const terrain = project.terrain as TomlTable | undefined;
+  const hasSurface =
+    terrain &&
+    ['mesh', 'triangles', 'raster', 'points', 'lines', 'polylines', 'polygons'].some(
+      (key) => terrain[key] !== undefined,
+    );
+  const section = terrain?.section;
+  const isEmpty = (key: string) => !Array.isArray(project[key]) || project[key].length === 0;
+  const steps: Step[] = [];
+  if (!hasSurface && !(Array.isArray(section) && section.length >= 2))
+    steps.push({
+      key: 'terrain',
+      what:
+        section !== undefined && is2d.value
+          ? 'The slope has no vertices yet: draw them, or type or paste them into a table.'
+          : 'No terrain yet: give a file, or draw it.',
+    });
+  if (isEmpty('material')) steps.push({ key: 'material', what: 'No material yet: what is the ground made of?' });
+  if (isEmpty('seeder')) steps.push({ key: 'seeder', what: 'No seeder yet: where do rocks start?' });
+  return steps;
+}

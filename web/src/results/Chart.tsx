@@ -1,0 +1,96 @@
+// A plot with its title, and buttons that save it: as a picture, as a drawing, as the table that it draws.
+
+import type { EChartsType } from 'echarts/core';
+import type { EChartsOption } from 'echarts/types/dist/shared';
+import type { ComponentChildren } from 'preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { sayFailure } from '../state/messages';
+import { theme } from '../state/view';
+import { frame, lookOfPage, type Look } from './chartLook';
+import { savePng, saveSvg } from './picture';
+import { saveCsv, type Cell } from './save';
+
+interface Props {
+  title: string;
+  /// What the plot shows, for who cannot see it.
+  description: string;
+  file: string;
+  option: (look: Look) => EChartsOption;
+  /// The numbers that are drawn; the first row names the columns.
+  rows: () => Cell[][];
+  /// Beside the title.
+  tools?: ComponentChildren;
+  /// What is wrong with it.
+  note?: string | null;
+  choose?: (event: { seriesName?: string; dataIndex?: number; data?: unknown }) => void;
+}
+
+/// Counts the changes between light and dark.
+function useLook(): number {
+  const [count, setCount] = useState(0);
+  useEffect(() => {
+    const dark = matchMedia('(prefers-color-scheme: dark)');
+    const changed = () => setCount((now) => now + 1);
+    dark.addEventListener('change', changed);
+    const stop = theme.subscribe(changed);
+    return () => {
+      dark.removeEventListener('change', changed);
+      stop();
+    };
+  }, []);
+  return count;
+}
+
+export function Chart({ title, description, file, option, rows, tools, note, choose }: Props) {
+  const box = useRef<HTMLDivElement>(null);
+  const [chart, setChart] = useState<EChartsType | null>(null);
+  const look = useLook();
+  const chosen = useRef(choose);
+  chosen.current = choose;
+
+  useEffect(() => {
+    let made: EChartsType | null = null;
+    let isGone = false;
+    const watch = new ResizeObserver(() => made?.resize());
+    import('./echarts').then(({ init }) => {
+      if (isGone || !box.current) return;
+      made = init(box.current, null, { renderer: 'svg' });
+      made.on('click', (event) => chosen.current?.(event as object));
+      watch.observe(box.current);
+      setChart(made);
+    }, sayFailure);
+    return () => {
+      isGone = true;
+      watch.disconnect();
+      made?.dispose();
+    };
+  }, []);
+
+  useEffect(() => {
+    const now = lookOfPage();
+    chart?.setOption({ ...frame(now), ...option(now) }, { notMerge: true });
+  }, [chart, option, look]);
+
+  const drawing = () => box.current?.querySelector('svg') ?? null;
+  return (
+    <figure class="chart">
+      <figcaption>
+        <h3>{title}</h3>
+        {tools}
+        <span class="chart-buttons" role="group" aria-label={`Save: ${title}`}>
+          <button class="button plain" onClick={() => savePng(`${file}.png`, drawing(), lookOfPage().panel)}>
+            PNG
+          </button>
+          <button class="button plain" onClick={() => saveSvg(`${file}.svg`, drawing(), lookOfPage().panel)}>
+            SVG
+          </button>
+          <button class="button plain" onClick={() => saveCsv(file, rows())}>
+            CSV
+          </button>
+        </span>
+      </figcaption>
+      <div ref={box} class="chart-picture" role="img" aria-label={description} />
+      {note && <span class="problem">{note}</span>}
+    </figure>
+  );
+}

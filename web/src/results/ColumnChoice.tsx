@@ -1,0 +1,40 @@
+import { titleOf, unitOf, withUnit } from './columns';
+
+/// Which column of a table is looked at.
+export function ColumnChoice({
+  columns,
+  now,
+  choose,
+}: {
+  columns: readonly string[];
+  now: string;
+  choose: (column: string) => void;
+}) {
+  return (
+    <label class="choice">
+      Quantity
+      <select value={now} onChange={(event) => choose(event.currentTarget.value)}>
+        {columns.map((column) => (
+          <option key={column} value={column}>
+            {withUnit(titleOf(column), unitOf(column))}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+export const endpointColumns = [
+  'runout_xy_m',
+  'runout_z_m',
+  'runout_total_m',
+  'max_ke_J',
+  'max_bounce_m',
+  'time_s',
+  'events',
+  'mass_kg',
+  'radius_m',
+  'x_m',
+  'y_m',
+  'z_m',
+];

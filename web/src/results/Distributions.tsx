@@ -1,0 +1,61 @@
+// How a quantity is distributed over the rocks that the filter leaves.
+
+import { useMemo, useState } from 'preact/hooks';
+import { results } from '../api/results';
+import type { Run } from '../api/types';
+import { filter } from '../state/filter';
+import { ColumnChoice, endpointColumns } from './ColumnChoice';
+import { titleOf } from './columns';
+import { DistributionFigures } from './DistributionFigures';
+import { shownColour, type Layer } from './distributionPlots';
+import { FilterNote } from './FilterNote';
+import { GroupBoxes } from './GroupBoxes';
+import { useRemote } from './remote';
+import { fileName } from './save';
+import { StatisticsTable } from './StatisticsTable';
+import { Waiting } from './Waiting';
+
+export function Distributions({ run }: { run: Run }) {
+  const [column, choose] = useState('runout_xy_m');
+  const now = filter.value;
+  const answer = useRemote(run.id, `${run.done} ${column} ${JSON.stringify(now)}`, async (signal) => ({
+    column,
+    statistics: await results.statistics(run.id, column, now, signal),
+  }));
+  const found = answer.value;
+  const layers = useMemo<Layer[]>(
+    () => (found ? [{ name: run.name, statistics: found.statistics, colour: shownColour }] : []),
+    [found, run.name],
+  );
+  return (
+    <div class="tab-page">
+      <div class="tab-tools">
+        <ColumnChoice columns={endpointColumns} now={column} choose={choose} />
+        <FilterNote />
+        {found && <span class="faint">{found.statistics.count.toLocaleString('en')} rocks</span>}
+      </div>
+      {!found ? (
+        <Waiting of={answer} />
+      ) : found.statistics.count === 0 ? (
+        <div class="empty">The filter leaves no rock of this run.</div>
+      ) : (
+        <div class="figures">
+          <DistributionFigures layers={layers} column={found.column} thing="Rocks" of={run.name} />
+          <GroupBoxes run={run} column={found.column} all={found.statistics} />
+          <StatisticsTable
+            caption="Statistics"
+            file={fileName(run.name, found.column, 'statistics')}
+            columns={[
+              {
+                key: found.column,
+                title: titleOf(found.column),
+                unit: found.statistics.unit,
+                figures: found.statistics.statistics,
+              },
+            ]}
+          />
+        </div>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,23 @@
+import { everyRock, filter, isFiltering } from '../state/filter';
+
+/// That the filter leaves some rocks out, and a way to take it away.
+export function FilterNote() {
+  if (!isFiltering(filter.value)) return null;
+  const { reasons, seeders, sources, barriers, minEnergy_kJ, maxEnergy_kJ } = filter.value;
+  const parts = [
+    reasons?.join(' or '),
+    seeders && `from ${seeders.join(' or ')}`,
+    sources && `from ${sources.join(' or ')}`,
+    barriers && `hit ${barriers.join(' or ')}`,
+    minEnergy_kJ !== null && `at least ${minEnergy_kJ} kJ`,
+    maxEnergy_kJ !== null && `at most ${maxEnergy_kJ} kJ`,
+  ];
+  return (
+    <span class="mark filter-note">
+      Only rocks: {parts.filter(Boolean).join('; ')}
+      <button class="button plain" onClick={() => (filter.value = everyRock)}>
+        All rocks
+      </button>
+    </span>
+  );
+}

@@ -1,0 +1,83 @@
+// Box plots of a quantity, one for all rocks and one for each group of them.
+
+import { useCallback, useState } from 'preact/hooks';
+import { results, type ColumnStatistics } from '../api/results';
+import type { Run } from '../api/types';
+import { filter, type RockFilter } from '../state/filter';
+import { Chart } from './Chart';
+import type { Look } from './chartLook';
+import { titleOf } from './columns';
+import { boxes, boxRows, shownColour, type Layer } from './distributionPlots';
+import { useRemote } from './remote';
+import { fileName } from './save';
+
+const groupings = {
+  none: 'all rocks',
+  reasons: 'by end',
+  seeders: 'by seeder',
+  sources: 'by source',
+  barriers: 'by barrier hit',
+} as const;
+type Grouping = keyof typeof groupings;
+
+const mostGroups = 24;
+
+/// The names that a filter may have, in the run's order.
+async function namesOf(run: Run, grouping: Exclude<Grouping, 'none'>, signal: AbortSignal): Promise<string[]> {
+  const summary = await results.summary(run.id, signal);
+  const names = {
+    reasons: () => Object.keys(summary.end_reasons),
+    seeders: () => summary.project.seeder.map(({ name }, k) => name ?? `seeder ${k + 1}`),
+    sources: () => summary.sources.map(({ name }) => name),
+    barriers: () => (summary.barriers ?? []).map(({ name }) => name),
+  }[grouping]();
+  return [...new Set(names)].slice(0, mostGroups);
+}
+
+async function groupsOf(run: Run, column: string, grouping: Grouping, now: RockFilter, signal: AbortSignal) {
+  if (grouping === 'none') return [];
+  const chosen = now[grouping];
+  const names = (await namesOf(run, grouping, signal)).filter((name) => !chosen || chosen.includes(name));
+  return Promise.all(
+    names.map(async (name): Promise<Layer> => {
+      const one = { ...now, [grouping]: [name] };
+      return { name, statistics: await results.statistics(run.id, column, one, signal), colour: shownColour };
+    }),
+  );
+}
+
+export function GroupBoxes({ run, column, all }: { run: Run; column: string; all: ColumnStatistics }) {
+  const [grouping, group] = useState<Grouping>('reasons');
+  const now = filter.value;
+  const answer = useRemote(run.id, `${run.done} ${column} ${grouping} ${JSON.stringify(now)}`, async (signal) => ({
+    column,
+    layers: await groupsOf(run, column, grouping, now, signal),
+  }));
+  const groups = answer.value?.column === column ? answer.value.layers : null;
+  const layers: Layer[] = [{ name: 'All', statistics: all, colour: shownColour }, ...(groups ?? [])];
+  const title = titleOf(column);
+  const draw = useCallback((look: Look) => boxes(layers, title, look), [all, groups, title]);
+  return (
+    <Chart
+      title="Box plots"
+      description={`Box plots of ${title.toLowerCase()}, ${groupings[grouping]}. The CSV button saves their numbers.`}
+      file={fileName(run.name, column, 'boxes')}
+      option={draw}
+      rows={() => boxRows(layers)}
+      tools={
+        <select
+          aria-label="Groups of the box plots"
+          value={grouping}
+          onChange={(event) => group(event.currentTarget.value as Grouping)}
+        >
+          {Object.entries(groupings).map(([name, words]) => (
+            <option key={name} value={name}>
+              {words}
+            </option>
+          ))}
+        </select>
+      }
+      note={answer.error}
+    />
+  );
+}

@@ -1,0 +1,34 @@
+import type { FigureTexts } from '../api/results';
+import { allDigits } from '../state/view';
+import { DataTable } from './DataTable';
+import { DigitsSwitch } from './DigitsSwitch';
+import { figureText, figuresOf } from './statisticsTable';
+
+interface Props {
+  caption: string;
+  file: string;
+  /// A column of the table each: its name in the file, what it is called, its unit, its figures.
+  columns: { key: string; title: string; unit: string; figures: FigureTexts }[];
+}
+
+/// Descriptive statistics side by side, a figure a row.
+export function StatisticsTable({ caption, file, columns }: Props) {
+  const first = columns[0];
+  if (!first) return null;
+  return (
+    <DataTable
+      caption={caption}
+      file={file}
+      hasHeads
+      tools={<DigitsSwitch all={allDigits} />}
+      columns={[
+        { key: 'figure', title: 'Figure', isText: true },
+        ...columns.map(({ key, title, unit }) => ({ key, title, unit })),
+      ]}
+      rows={figuresOf(first.figures).map(({ key, title }) => [
+        title,
+        ...columns.map(({ figures }) => figureText(figures, key)),
+      ])}
+    />
+  );
+}

@@ -1,0 +1,52 @@
+// Columns of the result files: what they are called on the page, and in which unit they are read.
+
+const unitsByEnding: readonly (readonly [string, string])[] = [
+  ['_rad_s', 'rad/s'],
+  ['_m_s', 'm/s'],
+  ['_kJ', 'kJ'],
+  ['_kg', 'kg'],
+  ['_deg', '°'],
+  ['_J', 'J'],
+  ['_m', 'm'],
+  ['_s', 's'],
+];
+
+const titles: Record<string, string> = {
+  rock: 'Rock',
+  seeder: 'Seeder',
+  x_m: 'End point, x',
+  y_m: 'End point, y',
+  z_m: 'End point, z',
+  end_x_m: 'End point, x',
+  runout_xy_m: 'Runout on plan',
+  runout_z_m: 'Drop from start to end',
+  runout_total_m: 'Runout in space',
+  time_s: 'Time',
+  events: 'Events',
+  end_reason: 'End',
+  mass_kg: 'Mass',
+  radius_m: 'Radius',
+  max_ke_J: 'Greatest kinetic energy',
+  max_bounce_m: 'Greatest bounce height',
+};
+
+/// "max_ke_J" is in "J"; nothing for numbers without a unit.
+export function unitOf(column: string): string {
+  return unitsByEnding.find(([ending]) => column.endsWith(ending))?.[1] ?? '';
+}
+
+/// "Greatest kinetic energy"; of a column that is not known, its name in words.
+export function titleOf(column: string): string {
+  const known = titles[column];
+  if (known) return known;
+  const ending = unitsByEnding.find(([end]) => column.endsWith(end))?.[0] ?? '';
+  const words = column.slice(0, column.length - ending.length).replaceAll('_', ' ');
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/// Energies are read in kJ: how a unit is drawn, and by what its numbers are divided for that.
+export function readingOf(unit: string): { unit: string; per: number } {
+  return unit === 'J' ? { unit: 'kJ', per: 1000 } : { unit, per: 1 };
+}
+
+export const withUnit = (title: string, unit: string) => (unit ? `${title} [${unit}]` : title);

@@ -1,0 +1,187 @@
+// Histogram, cumulative curve and box plots, drawn from what the server counted.
+
+import type { EChartsOption } from 'echarts/types/dist/shared';
+import type { ColumnStatistics } from '../api/results';
+import { numberText } from '../ui/format';
+import { axis, type Look } from './chartLook';
+import { readingOf, withUnit } from './columns';
+import type { Cell } from './save';
+
+/// The same of one or several things, such as two runs.
+export interface Layer {
+  name: string;
+  statistics: ColumnStatistics;
+  /// Of the look's colours.
+  colour: (look: Look) => string;
+}
+
+export const shownColour = (look: Look) => look.shown;
+export const comparedColour = (look: Look) => look.compared;
+
+type Rectangle = { api: (k: number) => number };
+
+const several = (layers: readonly Layer[], look: Look): EChartsOption =>
+  layers.length > 1
+    ? {
+        legend: { top: 0, textStyle: { color: look.text }, itemWidth: 16, itemHeight: 10, type: 'plain' },
+        grid: { left: 12, right: 18, top: 34, bottom: 8, outerBoundsMode: 'same', outerBoundsContain: 'all' },
+      }
+    : {};
+
+const legendEntries = (layers: readonly Layer[], look: Look) =>
+  layers.map((layer) => ({ name: layer.name, itemStyle: { color: layer.colour(look) } }));
+
+export function histogram(layers: readonly Layer[], title: string, thing: string, look: Look): EChartsOption {
+  const { unit, per } = readingOf(layers[0]?.statistics.unit ?? '');
+  const common = several(layers, look);
+  return {
+    ...common,
+    ...(layers.length > 1 && { legend: { ...(common.legend as object), data: legendEntries(layers, look) } }),
+    tooltip: { ...tooltipOf(look), trigger: 'item' },
+    xAxis: axis(look, withUnit(title, unit)),
+    yAxis: { ...axis(look, thing), min: 0, minInterval: 1 },
+    series: layers.map((layer) => {
+      const { edges, counts } = layer.statistics.histogram;
+      const colour = layer.colour(look);
+      return {
+        type: 'custom',
+        name: layer.name,
+        itemStyle: { color: colour },
+        encode: { x: [0, 1], y: 2 },
+        data: counts.map((count, k) => [edges[k]! / per, edges[k + 1]! / per, count]),
+        renderItem: (_params, api) => {
+          const value = api.value as Rectangle['api'];
+          const [left, top] = api.coord([value(0), value(2)]) as [number, number];
+          const [right, base] = api.coord([value(1), 0]) as [number, number];
+          const gap = right - left > 4 ? 1 : 0;
+          return {
+            type: 'rect',
+            shape: { x: left, y: top, width: Math.max(right - left - gap, 0.5), height: base - top },
+            style: { fill: colour, fillOpacity: layers.length > 1 ? 0.45 : 0.85, stroke: colour, lineWidth: gap },
+          };
+        },
+        tooltip: {
+          formatter: (point: unknown) => {
+            const [from, to, count] = (point as { value: [number, number, number] }).value;
+            const name = layers.length > 1 ? `${layer.name}\n` : '';
+            return `${name}${numberText(from)} to ${numberText(to)} ${unit}\n${count.toLocaleString('en')} ${thing.toLowerCase()}`;
+          },
+        },
+      };
+    }),
+  } as EChartsOption;
+}
+
+export function histogramRows(layers: readonly Layer[], column: string): Cell[][] {
+  return [
+    ['of', `${column}_from`, `${column}_to`, 'count'],
+    ...layers.flatMap(({ name, statistics: { histogram: found } }) =>
+      found.counts.map((count, k) => [name, found.edges[k]!, found.edges[k + 1]!, count]),
+    ),
+  ];
+}
+
+export function cumulative(layers: readonly Layer[], title: string, thing: string, look: Look): EChartsOption {
+  const { unit, per } = readingOf(layers[0]?.statistics.unit ?? '');
+  return {
+    ...several(layers, look),
+    tooltip: {
+      ...tooltipOf(look),
+      trigger: 'axis',
+      valueFormatter: (share: unknown) => `${numberText(Number(share))} % at most`,
+    },
+    xAxis: { ...axis(look, withUnit(title, unit)), axisPointer: { label: { precision: 3 } } },
+    yAxis: { ...axis(look, `Share of ${thing.toLowerCase()} [%]`), min: 0, max: 100 },
+    series: layers.map((layer) => ({
+      type: 'line',
+      name: layer.name,
+      step: 'end',
+      showSymbol: false,
+      lineStyle: { color: layer.colour(look), width: 2 },
+      itemStyle: { color: layer.colour(look) },
+      data: layer.statistics.cumulative.map(([value, share]) => [value / per, share * 100]),
+    })),
+  } as EChartsOption;
+}
+
+export function cumulativeRows(layers: readonly Layer[], column: string): Cell[][] {
+  return [
+    ['of', column, 'share'],
+    ...layers.flatMap(({ name, statistics }) => statistics.cumulative.map(([value, share]) => [name, value, share])),
+  ];
+}
+
+/// One box a layer. Whiskers reach as far as the server says; the least and greatest value are dots.
+export function boxes(layers: readonly Layer[], title: string, look: Look): EChartsOption {
+  const { unit, per } = readingOf(layers[0]?.statistics.unit ?? '');
+  const withBox = layers.filter(({ statistics }) => statistics.box);
+  return {
+    tooltip: { ...tooltipOf(look), trigger: 'item' },
+    xAxis: axis(look, withUnit(title, unit)),
+    yAxis: {
+      type: 'category',
+      inverse: true,
+      data: withBox.map(({ name }) => name),
+      axisLabel: { color: look.text, width: 130, overflow: 'truncate' },
+      axisLine: { lineStyle: { color: look.faint } },
+      axisTick: { show: false },
+    },
+    series: [
+      {
+        type: 'boxplot',
+        boxWidth: [8, 34],
+        data: withBox.map(({ statistics: { box }, colour }) => ({
+          value: [box.whisker_low, box.q1, box.median, box.q3, box.whisker_high].map((value) => value / per),
+          itemStyle: { color: 'transparent', borderColor: colour(look), borderWidth: 1.6 },
+        })),
+        tooltip: {
+          formatter: (point: unknown) => {
+            const layer = withBox[(point as { dataIndex: number }).dataIndex]!;
+            const { box, count } = layer.statistics;
+            const line = (words: string, value: number) => `${words} ${numberText(value / per)} ${unit}`;
+            return [
+              `${layer.name}: ${count.toLocaleString('en')}`,
+              line('greatest', box.most),
+              line('upper whisker', box.whisker_high),
+              line('third quartile', box.q3),
+              line('median', box.median),
+              line('first quartile', box.q1),
+              line('lower whisker', box.whisker_low),
+              line('least', box.least),
+            ].join('\n');
+          },
+        },
+      },
+      {
+        type: 'scatter',
+        symbolSize: 5,
+        itemStyle: { color: look.faint },
+        silent: true,
+        data: withBox.flatMap(({ statistics: { box } }, k) => [
+          [box.least / per, k],
+          [box.most / per, k],
+        ]),
+      },
+    ],
+  } as EChartsOption;
+}
+
+export function boxRows(layers: readonly Layer[]): Cell[][] {
+  const keys = ['least', 'whisker_low', 'q1', 'median', 'q3', 'whisker_high', 'most'] as const;
+  return [
+    ['of', 'count', ...keys],
+    ...layers
+      .filter(({ statistics }) => statistics.box)
+      .map(({ name, statistics: { box, count } }) => [name, count, ...keys.map((key) => box[key])]),
+  ];
+}
+
+export function tooltipOf(look: Look) {
+  return {
+    renderMode: 'richText' as const,
+    confine: true,
+    backgroundColor: look.panel,
+    borderColor: look.line,
+    textStyle: { color: look.text, fontSize: 12, fontFamily: look.font },
+  };
+}

@@ -1,0 +1,126 @@
+import { useId, useState } from 'preact/hooks';
+import type { Run } from '../api/types';
+import { comparedId, hasResults, remove, resume, shown, shownId, stop } from '../state/runs';
+import { Dialog } from '../ui/Dialog';
+import { clockText, momentText, numberText } from '../ui/format';
+import { RunDifferences } from './Differences';
+import { RunDetails } from './RunDetails';
+import { RunName } from './RunName';
+import { RunStateText } from './RunStateText';
+import { useChanges } from './runText';
+
+function Facts({ run }: { run: Run }) {
+  const facts = [
+    momentText(run.begun),
+    `${run.rocks.toLocaleString('en')} rocks`,
+    run.seconds > 0 && (run.seconds < 60 ? `${numberText(run.seconds, 2)} s` : clockText(run.seconds)),
+    run.rate !== null && run.rate > 0 && `${Math.round(run.rate).toLocaleString('en')} rocks/s`,
+  ];
+  return <p class="faint">{facts.filter(Boolean).join(' · ')}</p>;
+}
+
+function Progress({ run }: { run: Run }) {
+  return (
+    <div class="run-progress">
+      <progress max={run.rocks} value={run.done} aria-label={`Rocks done of ${run.name}`} />
+      {run.seconds_left !== null && <span class="mono">{clockText(run.seconds_left)} left</span>}
+    </div>
+  );
+}
+
+function DeleteDialog({ run, close }: { run: Run; close: () => void }) {
+  return (
+    <Dialog title="Delete this run?" close={close}>
+      <p>
+        “{run.name}” and its folder <span class="mono">{run.folder}</span> are deleted. This cannot be undone.
+      </p>
+      <div class="dialog-buttons">
+        <button class="button" onClick={close}>
+          Keep it
+        </button>
+        <button
+          class="button danger"
+          onClick={() => {
+            close();
+            void remove(run.id);
+          }}
+        >
+          Delete
+        </button>
+      </div>
+    </Dialog>
+  );
+}
+
+const counted = (n: number, word: string) => `${n} ${word}${n === 1 ? '' : 's'}`;
+
+/// One run of the list. `isNear`: among the newest, whose texts are compared with the project at once.
+export function RunCard({ run, isNear }: { run: Run; isNear: boolean }) {
+  const [isOpen, open] = useState(false);
+  const [isDeleting, askToDelete] = useState(false);
+  const details = useId();
+  const changes = useChanges(run, isNear || isOpen);
+  const isShown = run.id === shownId.value;
+  const isCompared = run.id === comparedId.value;
+  const isUnderWay = run.state === 'running' || run.state === 'waiting';
+  const errors = run.problems.filter(({ severity }) => severity === 'error').length;
+  const warnings = run.problems.length - errors;
+  return (
+    <li class={`run ${isShown ? 'shown' : isCompared ? 'compared' : ''}`}>
+      <RunName run={run} />
+      <RunStateText run={run} />
+      {run.state === 'running' && <Progress run={run} />}
+      <Facts run={run} />
+      {(changes?.length || run.problems.length > 0) && (
+        <p class="run-marks">
+          {changes && changes.length > 0 && <span class="mark">from an older text</span>}
+          {errors > 0 && <span class="mark error">{counted(errors, 'error')}</span>}
+          {warnings > 0 && <span class="mark warning">{counted(warnings, 'warning')}</span>}
+        </p>
+      )}
+      <div class="run-buttons">
+        <button
+          class="button"
+          aria-pressed={isShown}
+          onClick={() => {
+            shownId.value = isShown ? null : run.id;
+            if (isCompared) comparedId.value = null;
+          }}
+        >
+          Show
+        </button>
+        {hasResults(run) && !isShown && shown.value && (
+          <button class="button" aria-pressed={isCompared} onClick={() => (comparedId.value = isCompared ? null : run.id)}>
+            Compare
+          </button>
+        )}
+        {isUnderWay && (
+          <button class="button" title="What is done is kept" onClick={() => void stop(run.id)}>
+            Stop
+          </button>
+        )}
+        {(run.state === 'stopped' || run.state === 'interrupted') && (
+          <button class="button" title="Goes on with the rocks that are left" onClick={() => void resume(run.id)}>
+            Resume
+          </button>
+        )}
+        <button class="button plain" aria-expanded={isOpen} aria-controls={details} onClick={() => open(!isOpen)}>
+          Details
+        </button>
+        {!isUnderWay && (
+          <button class="button plain danger" onClick={() => askToDelete(true)}>
+            Delete
+          </button>
+        )}
+      </div>
+      {isCompared && shown.value && (
+        <>
+          <h3>What differs</h3>
+          <RunDifferences run={shown.value} other={run} />
+        </>
+      )}
+      <div id={details}>{isOpen && <RunDetails run={run} changes={changes} />}</div>
+      {isDeleting && <DeleteDialog run={run} close={() => askToDelete(false)} />}
+    </li>
+  );
+}

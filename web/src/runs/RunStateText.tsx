@@ -1,0 +1,26 @@
+import type { Run, RunState } from '../api/types';
+
+const looks: Record<RunState, { sign: string; words: string }> = {
+  waiting: { sign: '…', words: 'Waiting for its turn' },
+  running: { sign: '▶', words: 'Running' },
+  done: { sign: '✓', words: 'Done' },
+  stopped: { sign: '■', words: 'Stopped' },
+  interrupted: { sign: '!', words: 'Interrupted' },
+  failed: { sign: '✕', words: 'Failed' },
+};
+
+/// Where a run stands, as a sign and in words.
+export function RunStateText({ run }: { run: Run }) {
+  const { sign, words } = looks[run.state];
+  const isPart = run.state !== 'done' && run.state !== 'waiting' && run.done > 0;
+  const of = `${run.done.toLocaleString('en')} of ${run.rocks.toLocaleString('en')} rocks`;
+  return (
+    <span class={`run-state ${run.state}`}>
+      <span class="sign" aria-hidden="true">
+        {sign}
+      </span>
+      {words}
+      {isPart && `, ${of}`}
+    </span>
+  );
+}

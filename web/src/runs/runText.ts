@@ -1,0 +1,31 @@
+// The text that a run was computed from, beside the text as it stands.
+
+import { results } from '../api/results';
+import type { Run } from '../api/types';
+import { useRemote } from '../results/remote';
+import { file, text, values } from '../state/document';
+import { differencesOf, type ValueDifference } from '../toml/differences';
+import { valuesOf } from '../toml/edit';
+
+const texts = new Map<string, Promise<string>>(); // a run's text never changes
+
+function textOf(run: Run): Promise<string> {
+  const known = texts.get(run.id);
+  if (known) return known;
+  const asked = results.fileText(run.id, 'project.toml');
+  texts.set(run.id, asked);
+  asked.catch(() => texts.delete(run.id));
+  return asked;
+}
+
+/// The values in which a run's text differs from the project as it stands; null: not known.
+export function useChanges(run: Run, isWanted: boolean): ValueDifference[] | null {
+  const answer = useRemote(run.id, isWanted && run.file === file.value ? run.id : null, () => textOf(run));
+  if (answer.value === null) return null;
+  if (answer.value === text.value) return [];
+  try {
+    return differencesOf(valuesOf(answer.value), values.value);
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,62 @@
+// The row of controls above the picture.
+
+import { layerNames, layers, contours, exaggeration, shading, type Shading } from '../view/settings';
+import { Popover } from '../view/Popover';
+import { namedViews, type NamedView } from './namedViews';
+import type { OpenScene } from './open';
+
+const shadings: Record<Shading, string> = {
+  elevation: 'Elevation',
+  hillshade: 'Hillshade',
+  slope: 'Slope',
+  material: 'Material',
+};
+const stretches = [1, 1.5, 2, 3, 5];
+
+export function SceneBar({ open }: { open: OpenScene }) {
+  return (
+    <div class="view-bar" role="toolbar" aria-label="View">
+      <Popover title="View">
+        {(Object.keys(namedViews) as NamedView[]).map((name) => (
+          <button key={name} class="button plain" onClick={() => open.scene.view(name)}>
+            <span>{namedViews[name].title}</span>
+            <kbd>{namedViews[name].key}</kbd>
+          </button>
+        ))}
+      </Popover>
+      <Popover title="Terrain">
+        <fieldset>
+          <legend>Shaded by</legend>
+          {(Object.keys(shadings) as Shading[]).map((how) => (
+            <label key={how}>
+              <input type="radio" name="shading" checked={shading.value === how} onChange={() => (shading.value = how)} />
+              {shadings[how]}
+            </label>
+          ))}
+        </fieldset>
+        <label>
+          <input type="checkbox" checked={contours.value} onChange={(event) => (contours.value = event.currentTarget.checked)} />
+          Contour lines
+        </label>
+        <label>
+          Heights times
+          <select value={exaggeration.value} onChange={(event) => (exaggeration.value = Number(event.currentTarget.value))}>
+            {stretches.map((factor) => (
+              <option key={factor} value={factor}>
+                {factor}
+              </option>
+            ))}
+          </select>
+        </label>
+      </Popover>
+      <Popover title="Layers">
+        {(Object.keys(layers) as (keyof typeof layers)[]).map((name) => (
+          <label key={name}>
+            <input type="checkbox" checked={layers[name].value} onChange={(event) => (layers[name].value = event.currentTarget.checked)} />
+            {layerNames[name]}
+          </label>
+        ))}
+      </Popover>
+    </div>
+  );
+}

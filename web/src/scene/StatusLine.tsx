@@ -1,0 +1,25 @@
+import { numberText } from '../ui/format';
+import { roundStep } from '../view/ticks';
+import { camera, contourInterval, pointer } from './picture';
+
+/// Scale, contours, and where the pointer is.
+export function StatusLine() {
+  const { metresPerPixel } = camera.value;
+  let metres = roundStep(60 * metresPerPixel);
+  if (metres / metresPerPixel > 150) metres /= 2;
+  const place = pointer.value;
+  return (
+    <div class="status-line">
+      <span class="scale-bar" title="At the middle of the view">
+        <i style={{ width: `${metres / metresPerPixel}px` }} />
+        {metres >= 1000 ? `${metres / 1000} km` : `${numberText(metres)} m`}
+      </span>
+      {contourInterval.value > 0 && <span>contours every {numberText(contourInterval.value)} m</span>}
+      {place && (
+        <span class="mono">
+          x {place.point[0].toFixed(2)} y {place.point[1].toFixed(2)} z {place.point[2].toFixed(2)} m
+        </span>
+      )}
+    </div>
+  );
+}

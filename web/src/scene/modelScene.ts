@@ -1,0 +1,202 @@
+// The model in three dimensions: fetches its terrain, places marks, and follows what is chosen on the page.
+
+import { effect } from '@preact/signals';
+import { Box3, Group, Vector3, type Object3D } from 'three';
+import type { Model, Point3 } from '../api/types';
+import { file } from '../state/document';
+import { sayFailure } from '../state/messages';
+import { model } from '../state/model';
+import { markColours } from '../view/colours';
+import { contours, exaggeration, layers, shading } from '../view/settings';
+import { shade } from '../view/theme';
+import { roundStep } from '../view/ticks';
+import { Frame } from './frame';
+import { band, clear, dots, line, patch } from './marks';
+import { MeshTerrain } from './meshTerrain';
+import { look, type NamedView } from './namedViews';
+import * as picture from './picture';
+import { Stage } from './stage';
+import { TerrainMaterial } from './terrainMaterial';
+import type { Terrain } from './terrain';
+import { TiledTerrain } from './tiledTerrain';
+import { overlays } from './tool';
+
+/// What the terrain depends on: other changes of the project leave it as it is.
+const terrainKey = ({ bounds, facets, kind, materials, project }: Model) =>
+  JSON.stringify([file.peek(), bounds, facets, kind, materials, project.terrain, project.ground]);
+
+export class ModelScene {
+  readonly stage: Stage;
+  frame = new Frame([0, 0, 0]);
+  terrain: Terrain | null = null;
+  box = new Box3(new Vector3(), new Vector3(1, 1, 1));
+  private material: TerrainMaterial | null = null;
+  private key = '';
+  private shownFile: string | null = null;
+  private asking = new AbortController();
+  private readonly seeders = new Group();
+  private readonly barriers = new Group();
+  private readonly drawings = new Group();
+  private readonly ends: (() => void)[] = [];
+  /// Called when the frame or the terrain is another one.
+  readonly onTerrain: (() => void)[] = [];
+
+  constructor(host: HTMLElement) {
+    this.stage = new Stage(host);
+    this.stage.world.add(this.seeders, this.barriers, this.drawings);
+    this.stage.onLost = (lost) => (picture.failure.value = lost ? 'The graphics card let go of the picture. It comes back by itself as soon as it can; otherwise load the page again.' : null);
+    this.stage.beforeFrame.push(() => this.prepare());
+    this.ends.push(
+      effect(() => {
+        if (model.value && model.value.dimension === 3) void this.show(model.value).catch(sayFailure);
+      }),
+      effect(() => this.paint()),
+      effect(() => this.stretch(exaggeration.value)),
+      effect(() => this.draw(overlays.value)),
+      effect(() => {
+        this.seeders.visible = layers.seeders.value;
+        this.barriers.visible = layers.barriers.value;
+        if (this.terrain) this.terrain.object.visible = layers.terrain.value;
+        this.stage.invalidate();
+      }),
+    );
+  }
+
+  local = (point: Point3) => this.frame.local(point);
+
+  private async show(next: Model) {
+    const key = terrainKey(next);
+    if (key !== this.key) {
+      this.key = key;
+      await this.load(next);
+    }
+    if (key === this.key) this.mark(next);
+  }
+
+  private async load(next: Model) {
+    this.asking.abort();
+    const asking = (this.asking = new AbortController());
+    const { min, max } = next.bounds;
+    const frame = new Frame(min.map((low, k) => (low + max[k]!) / 2) as Point3);
+    const material = new TerrainMaterial(next.kind === 'raster');
+    picture.isLoading.value = true;
+    try {
+      const terrain =
+        next.kind === 'raster'
+          ? await TiledTerrain.of(next.id, frame, [min[2], max[2]], material, asking.signal, () => this.stage.invalidate())
+          : await MeshTerrain.of(next.id, frame, material, asking.signal);
+      if (asking.signal.aborted) return terrain.dispose();
+      this.takeTerrain(next, frame, terrain, material);
+    } catch (error) {
+      if (asking.signal.aborted) return;
+      this.key = '';
+      throw error;
+    } finally {
+      if (this.asking === asking) picture.isLoading.value = false;
+    }
+  }
+
+  private takeTerrain(next: Model, frame: Frame, terrain: Terrain, material: TerrainMaterial) {
+    const moved = frame.local(this.frame.base);
+    if (this.terrain) this.stage.world.remove(this.terrain.object);
+    this.terrain?.dispose();
+    this.material?.dispose();
+    [this.frame, this.terrain, this.material] = [frame, terrain, material];
+    terrain.object.visible = layers.terrain.peek();
+    this.stage.world.add(terrain.object);
+    this.box = new Box3(frame.local(next.bounds.min), frame.local(next.bounds.max));
+    this.box.getBoundingSphere(this.stage.extent);
+    const isOther = this.shownFile !== file.peek();
+    this.shownFile = file.peek();
+    material.uniforms.range.value.set(this.box.min.z, this.box.max.z);
+    material.uniforms.exaggeration.value = exaggeration.peek();
+    picture.elevations.value = [next.bounds.min[2], next.bounds.max[2]];
+    this.paint();
+    if (isOther) this.view('oblique');
+    else {
+      // The same project, changed: the eye stays where it was.
+      moved.z *= this.stage.world.scale.z;
+      this.stage.camera.position.add(moved);
+      this.stage.controls.target.add(moved);
+    }
+    this.draw(overlays.peek());
+    for (const task of this.onTerrain) task();
+    this.stage.invalidate();
+  }
+
+  private paint() {
+    const [how, light] = [shading.value, shade.value];
+    void contours.value;
+    this.material?.paint(how, light, model.peek()?.materials.length ?? 1);
+    this.stage.invalidate();
+  }
+
+  private stretch(factor: number) {
+    const { stage } = this;
+    const before = stage.world.scale.z;
+    stage.world.scale.z = factor;
+    stage.camera.position.z += stage.controls.target.z * (factor / before - 1);
+    stage.controls.target.z *= factor / before;
+    if (this.material) this.material.uniforms.exaggeration.value = factor;
+    stage.invalidate();
+  }
+
+  private mark(next: Model) {
+    clear(this.seeders);
+    clear(this.barriers);
+    for (const { points, lines, type } of next.seeders) {
+      const look = { colour: markColours.seeder, size: 3 };
+      for (const each of lines) this.seeders.add(line(each.map(this.local), look, type === 'polygon'));
+      if (points.length > 0) this.seeders.add(dots(points.map(this.local), { ...look, size: 10 }));
+    }
+    for (const { foot, top, kind } of next.barriers)
+      this.barriers.add(band(foot.map(this.local), top.map(this.local), markColours[kind]));
+    this.stage.invalidate();
+  }
+
+  private draw(lists: typeof overlays.value) {
+    clear(this.drawings);
+    for (const { points, kind, colour = markColours.tool } of Object.values(lists).flat()) {
+      const places = points.map(this.local);
+      const look = { colour, size: 2.5, above: true };
+      if (kind === 'polygon' && places.length === 3) this.drawings.add(patch(places, colour));
+      if (kind !== 'points') this.drawings.add(line(places, look, kind === 'polygon'));
+      if (kind !== 'polygon' && places.length > 0) this.drawings.add(dots(places, { ...look, size: 9 }));
+    }
+    this.stage.invalidate();
+  }
+
+  /// Before each frame.
+  private prepare() {
+    const { stage, material } = this;
+    this.terrain?.look(stage.camera, stage.size.height * stage.renderer.getPixelRatio(), stage.world.scale.z);
+    const metresPerPixel = stage.metresPerPixel;
+    const interval = contours.peek() ? roundStep(Math.max(14 * metresPerPixel, (this.box.max.z - this.box.min.z) / 60)) : 0;
+    if (material) {
+      material.uniforms.interval.value = interval;
+      material.uniforms.phase.value = interval > 0 ? this.frame.base[2] % (5 * interval) : 0;
+    }
+    if (picture.contourInterval.peek() !== interval) picture.contourInterval.value = interval;
+    const heading = (-stage.controls.getAzimuthalAngle() * 180) / Math.PI;
+    const known = picture.camera.peek();
+    if (known.metresPerPixel !== metresPerPixel || known.heading !== heading)
+      picture.camera.value = { metresPerPixel, heading };
+  }
+
+  view(name: NamedView) {
+    look(this.stage, name, this.box);
+  }
+
+  add(object: Object3D) {
+    this.stage.world.add(object);
+  }
+
+  dispose() {
+    this.asking.abort();
+    this.ends.forEach((end) => end());
+    this.terrain?.dispose();
+    this.material?.dispose();
+    for (const group of [this.seeders, this.barriers, this.drawings]) clear(group);
+    this.stage.dispose();
+  }
+}

@@ -1,0 +1,23 @@
+// All that the scene needs of three.js, in one piece that is fetched when a scene is first shown.
+
+import { ModelScene } from './modelScene';
+import { Pointing } from './pointing';
+
+export interface OpenScene {
+  scene: ModelScene;
+  pointing: Pointing;
+  dispose(): void;
+}
+
+export function openScene(host: HTMLElement): OpenScene {
+  const scene = new ModelScene(host);
+  const pointing = new Pointing(scene);
+  return {
+    scene,
+    pointing,
+    dispose() {
+      pointing.dispose();
+      scene.dispose();
+    },
+  };
+}

@@ -1,0 +1,137 @@
+// The picture: renderer, camera and controls. A frame is drawn when something changed, and not otherwise.
+
+import { Group, MOUSE, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer, type Ray } from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+
+export class Stage {
+  readonly scene = new Scene();
+  /// What stands in the project's space; its z is exaggerated.
+  readonly world = new Group();
+  readonly camera = new PerspectiveCamera(32, 1, 0.1, 1000);
+  readonly renderer: WebGLRenderer;
+  readonly controls: OrbitControls;
+  /// Around the model, in the scene's coordinates without exaggeration.
+  readonly extent = new Sphere(new Vector3(), 100);
+  /// Before each frame; true asks for another one after it.
+  readonly beforeFrame: (() => boolean | void)[] = [];
+  onLost: (lost: boolean) => void = () => {};
+  private frame = 0;
+  private readonly watcher: ResizeObserver;
+
+  /// Throws where the browser has no WebGL 2.
+  constructor(readonly host: HTMLElement) {
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    const { domElement: canvas } = this.renderer;
+    canvas.tabIndex = 0;
+    canvas.setAttribute('role', 'application');
+    canvas.setAttribute(
+      'aria-label',
+      'Model in three dimensions. Arrow keys move it, with Shift they turn it, plus and minus zoom, 1 to 7 choose a view.',
+    );
+    host.append(canvas);
+    this.scene.add(this.world);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.zoomToCursor = true;
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.18;
+    this.controls.screenSpacePanning = false;
+    this.controls.maxPolarAngle = Math.PI * 0.98;
+    this.controls.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN };
+    this.controls.keyPanSpeed = 40;
+    this.controls.listenToKeyEvents(canvas);
+    this.controls.addEventListener('change', () => this.invalidate());
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      this.onLost(true);
+    });
+    canvas.addEventListener('webglcontextrestored', () => {
+      this.onLost(false);
+      this.invalidate();
+    });
+    this.watcher = new ResizeObserver(() => this.resize());
+    this.watcher.observe(host);
+    this.resize();
+  }
+
+  get size(): { width: number; height: number } {
+    return { width: Math.max(1, this.host.clientWidth), height: Math.max(1, this.host.clientHeight) };
+  }
+
+  private resize() {
+    const { width, height } = this.size;
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  invalidate() {
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = 0;
+      this.draw();
+    });
+  }
+
+  /// Now; for the picture file, too, whose pixels are gone after the task.
+  draw() {
+    const moving = this.controls.update();
+    this.clip();
+    this.camera.updateMatrixWorld();
+    let more = moving;
+    for (const task of this.beforeFrame) more = task() === true || more;
+    this.renderer.render(this.scene, this.camera);
+    if (more) this.invalidate();
+  }
+
+  private clip() {
+    const centre = this.extent.center.clone();
+    const stretch = this.world.scale.z;
+    centre.z *= stretch;
+    const radius = this.extent.radius * Math.max(1, stretch);
+    const away = this.camera.position.distanceTo(centre);
+    const { camera } = this;
+    camera.near = Math.max(away - 1.5 * radius, 0.01 * this.camera.position.distanceTo(this.controls.target), 1e-3);
+    camera.far = Math.max(away + 1.5 * radius, 2 * camera.near);
+    camera.updateProjectionMatrix();
+  }
+
+  /// Metres that a pixel covers at the point around which the view turns.
+  get metresPerPixel(): number {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    return (2 * distance * Math.tan((this.camera.fov * Math.PI) / 360)) / this.size.height;
+  }
+
+  /// The ray through a place of the window, in the scene's coordinates without exaggeration; its direction is not of
+  /// unit length there.
+  ray(clientX: number, clientY: number): Ray {
+    const box = this.renderer.domElement.getBoundingClientRect();
+    const at = new Vector2(
+      ((clientX - box.left) / box.width) * 2 - 1,
+      1 - ((clientY - box.top) / box.height) * 2,
+    );
+    const caster = new Raycaster();
+    caster.setFromCamera(at, this.camera);
+    caster.ray.origin.z /= this.world.scale.z;
+    caster.ray.direction.z /= this.world.scale.z;
+    return caster.ray;
+  }
+
+  /// A place of the world as CSS pixels of the picture; null behind the eye.
+  pixelOf(point: Vector3): { x: number; y: number } | null {
+    const { width, height } = this.size;
+    const at = point.clone().applyMatrix4(this.world.matrixWorld).project(this.camera);
+    return at.z > 1 ? null : { x: ((at.x + 1) / 2) * width, y: ((1 - at.y) / 2) * height };
+  }
+
+  dispose() {
+    cancelAnimationFrame(this.frame);
+    this.frame = -1;
+    this.watcher.disconnect();
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+    this.renderer.domElement.remove();
+  }
+}

@@ -1,0 +1,20 @@
+// What the scene asks of a terrain, whatever it is made of.
+
+import type { Camera, Object3D, Ray, Vector3 } from 'three';
+
+export interface Hit {
+  /// In the scene's coordinates, without vertical exaggeration.
+  point: Vector3;
+  distance: number;
+  /// The triangle of a mesh.
+  facet?: number;
+}
+
+export interface Terrain {
+  object: Object3D;
+  /// Chooses what is drawn from here; `pixels` is the height of the picture.
+  look(camera: Camera & { fov: number }, pixels: number, exaggeration: number): void;
+  /// The first place that a ray meets, in the scene's coordinates without exaggeration.
+  pick(ray: Ray): Hit | null;
+  dispose(): void;
+}

@@ -1,0 +1,164 @@
+// How ground looks: light from the north-west with some from around it, a colour by elevation, slope or material,
+// contour lines, and a map of results over it.
+
+import { DataTexture, DoubleSide, GLSL3, LinearFilter, NearestFilter, RGBAFormat, ShaderMaterial, Vector2, Vector4 } from 'three';
+import { colourOf, elevationRamp, groundColour, listBytes, materialColour, rampBytes, slopeRamp, type Colour } from '../view/colours';
+import type { Shading } from '../view/settings';
+
+const vertex = /* glsl */ `
+#ifdef TILE
+in vec2 node;
+in float height;
+in vec2 gradient;
+#endif
+in float ground;
+out vec3 place;   // in the scene's coordinates, without exaggeration
+out vec3 across;  // normal of the smooth surface
+flat out int kind;
+uniform float exaggeration;
+void main() {
+#ifdef TILE
+  vec3 at = vec3(node, height);
+  across = vec3(-gradient, 1.0);
+#else
+  vec3 at = position;
+  across = normal;
+#endif
+  vec4 world = modelMatrix * vec4(at, 1.0);
+  place = vec3(world.xy, world.z / exaggeration);
+  kind = int(ground + 0.5);
+  gl_Position = projectionMatrix * viewMatrix * world;
+}`;
+
+const fragment = /* glsl */ `
+precision highp float;
+in vec3 place;
+in vec3 across;
+flat in int kind;
+out vec4 colour;
+uniform float exaggeration;
+uniform int shading;       // 0 hillshade, 1 elevation, 2 slope, 3 material
+uniform bool faceted;
+uniform vec2 range;        // least and greatest z
+uniform sampler2D ramp;
+uniform sampler2D kinds;
+uniform int kindCount;
+uniform vec3 plain;
+uniform vec3 ink;
+uniform float interval;    // of contours; 0: none
+uniform float phase;       // the z of the frame's base, within five intervals
+uniform sampler2D map;
+uniform vec4 mapArea;      // its south-west corner and its size
+uniform float mapOpacity;
+
+float lineAt(float value, float width) {
+  float slope = fwidth(value);
+  float off = abs(fract(value - 0.5) - 0.5) / max(slope, 1e-6);
+  return (1.0 - smoothstep(width - 0.5, width + 0.5, off)) * (1.0 - smoothstep(0.15, 0.45, slope));
+}
+
+void main() {
+  vec3 n = faceted ? cross(dFdx(place), dFdy(place)) : across;
+  n = normalize(n);
+  if (n.z < 0.0) n = -n;
+  float steepness = degrees(acos(clamp(n.z, 0.0, 1.0)));
+  vec3 shown = normalize(vec3(n.xy, n.z / exaggeration));
+
+  vec3 base = plain;
+  if (shading == 1) base = texture(ramp, vec2((place.z - range.x) / max(range.y - range.x, 1e-6), 0.5)).rgb;
+  if (shading == 2) base = texture(ramp, vec2(steepness / 70.0, 0.5)).rgb;
+  if (shading == 3) base = texelFetch(kinds, ivec2(kind % kindCount, 0), 0).rgb;
+
+  // One sun at 315 degrees and 45 up, two weaker ones at 250 and 20, and the sky.
+  float sun = max(dot(shown, vec3(-0.5, 0.5, 0.7071)), 0.0);
+  float west = max(dot(shown, vec3(-0.7713, -0.2807, 0.5713)), 0.0);
+  float north = max(dot(shown, vec3(0.2807, 0.7713, 0.5713)), 0.0);
+  float light = 0.40 * (0.5 + 0.5 * shown.z) + 0.60 * (0.66 * sun / 0.7071 + 0.18 * west / 0.5713 + 0.16 * north / 0.5713);
+  light = light < 1.0 ? light : 1.0 + 0.55 * (light - 1.0);
+  vec3 tint = mix(vec3(0.90, 0.96, 1.08), vec3(1.02, 1.0, 0.97), clamp(1.4 * sun, 0.0, 1.0));
+
+  if (mapOpacity > 0.0) {
+    vec2 at = (place.xy - mapArea.xy) / mapArea.zw;
+    if (all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)))) {
+      vec4 value = texture(map, at);
+      base = mix(base, value.rgb, value.a * mapOpacity);
+      light = mix(light, 0.25 + 0.75 * light, value.a * mapOpacity);
+    }
+  }
+  vec3 lit = base * light * tint;
+  if (interval > 0.0) {
+    float level = (place.z + phase) / interval;
+    float line = max(0.28 * lineAt(level, 0.45), 0.5 * lineAt(level / 5.0, 0.7));
+    lit = mix(lit, ink, line);
+  }
+  colour = vec4(lit, 1.0);
+}`;
+
+const dark: Colour = [28, 24, 18];
+const unit = (colour: Colour) => colour.map((value) => value / 255);
+
+function texture(bytes: Uint8Array<ArrayBuffer>, filter: typeof NearestFilter | typeof LinearFilter) {
+  const made = new DataTexture(bytes, bytes.length / 4, 1, RGBAFormat);
+  made.magFilter = made.minFilter = filter;
+  made.needsUpdate = true;
+  return made;
+}
+
+const modes: Record<Shading, number> = { hillshade: 0, elevation: 1, slope: 2, material: 3 };
+
+function uniforms() {
+  return {
+    exaggeration: { value: 1 },
+    shading: { value: 1 },
+    faceted: { value: false },
+    range: { value: new Vector2(0, 1) },
+    ramp: { value: texture(rampBytes(elevationRamp.light), LinearFilter) },
+    kinds: { value: texture(listBytes([materialColour(0)]), NearestFilter) },
+    kindCount: { value: 1 },
+    plain: { value: unit(groundColour.light) },
+    ink: { value: unit(dark) },
+    interval: { value: 0 },
+    phase: { value: 0 },
+    map: { value: null as DataTexture | null },
+    mapArea: { value: new Vector4(0, 0, 1, 1) },
+    mapOpacity: { value: 0 },
+  };
+}
+export type TerrainUniforms = ReturnType<typeof uniforms>;
+
+export class TerrainMaterial extends ShaderMaterial {
+  declare uniforms: TerrainUniforms;
+
+  constructor(tiles: boolean) {
+    super({
+      glslVersion: GLSL3,
+      vertexShader: vertex,
+      fragmentShader: fragment,
+      uniforms: uniforms(),
+      defines: tiles ? { TILE: 1 } : {},
+      side: DoubleSide,
+      // Lines that lie on the ground are drawn over it.
+      polygonOffset: true,
+      polygonOffsetFactor: 1.5,
+      polygonOffsetUnits: 4,
+    });
+  }
+
+  paint(shading: Shading, shade: 'light' | 'dark', materials: number) {
+    const { ramp, kinds } = this.uniforms;
+    ramp.value.dispose();
+    ramp.value = texture(rampBytes((shading === 'slope' ? slopeRamp : elevationRamp)[shade]), LinearFilter);
+    kinds.value.dispose();
+    kinds.value = texture(listBytes(Array.from({ length: Math.max(1, materials) }, (_, k) => materialColour(k))), NearestFilter);
+    this.uniforms.kindCount.value = Math.max(1, materials);
+    this.uniforms.shading.value = modes[shading];
+    this.uniforms.plain.value = unit(groundColour[shade]);
+    this.uniforms.ink.value = unit(shade === 'light' ? dark : colourOf('#101010'));
+  }
+
+  override dispose() {
+    this.uniforms.ramp.value.dispose();
+    this.uniforms.kinds.value.dispose();
+    super.dispose();
+  }
+}

@@ -1,0 +1,197 @@
+// A raster terrain: coarse tiles far away, fine ones near, fetched as they are wanted.
+
+import { Box3, Frustum, Group, Matrix4, Vector3, type Camera, type Ray } from 'three';
+import { getArrays, getJson } from '../api/client';
+import type { Tiles } from '../api/types';
+import { sayFailure } from '../state/messages';
+import type { Frame } from './frame';
+import type { Hit, Terrain } from './terrain';
+import type { TerrainMaterial } from './terrainMaterial';
+import { Tile, type TileHeader } from './tile';
+
+const pixelsPerCell = 2.2; // finer tiles are taken where a cell covers more
+const requestsAtOnce = 6;
+const mostBytes = 200e6; // of tiles that are kept
+
+interface Node {
+  level: number; // in `levels`, coarsest first
+  column: number;
+  row: number;
+  box: Box3;
+  tile?: Tile;
+  children?: Node[];
+  priority: number;
+  asked: boolean;
+}
+
+export class TiledTerrain implements Terrain {
+  readonly object = new Group();
+  private readonly levels: { number: number; stride: number; columns: number; rows: number }[];
+  private readonly roots: Node[] = [];
+  private wanted: Node[] = [];
+  private loading = 0;
+  private bytes = 0;
+  private readonly loaded = new Set<Node>();
+  private drawn: Node[] = [];
+  private turn = 0;
+
+  private constructor(
+    private readonly model: string,
+    private readonly tiles: Tiles,
+    private readonly frame: Frame,
+    private readonly zRange: [number, number],
+    private readonly material: TerrainMaterial,
+    private readonly signal: AbortSignal,
+    private readonly changed: () => void,
+  ) {
+    this.levels = tiles.levels.map((level, number) => ({ ...level, number })).sort((a, b) => b.stride - a.stride);
+    const { columns, rows } = this.levels[0]!;
+    for (let row = 0; row < rows; ++row)
+      for (let column = 0; column < columns; ++column) this.roots.push(this.node(0, column, row));
+  }
+
+  /// Ready as soon as the coarsest tiles are here.
+  static async of(
+    model: string,
+    frame: Frame,
+    z: [number, number],
+    material: TerrainMaterial,
+    signal: AbortSignal,
+    changed: () => void,
+  ): Promise<TiledTerrain> {
+    const tiles = await getJson<Tiles>(`/api/models/${model}/tiles`, signal);
+    const terrain = new TiledTerrain(model, tiles, frame, z, material, signal, changed);
+    await Promise.all(terrain.roots.map((root) => terrain.load(root)));
+    return terrain;
+  }
+
+  private node(level: number, column: number, row: number): Node {
+    const { origin, cell, tile, columns, rows } = this.tiles;
+    const { stride } = this.levels[level]!;
+    const side = tile * stride;
+    const place = (k: number, axis: 0 | 1, most: number) =>
+      origin[axis] - this.frame.base[axis] + cell[axis] * Math.min(k * side, most - 1);
+    const base = this.frame.base[2];
+    const box = new Box3(
+      new Vector3(place(column, 0, columns), place(row, 1, rows), this.zRange[0] - base),
+      new Vector3(place(column + 1, 0, columns), place(row + 1, 1, rows), this.zRange[1] - base),
+    );
+    return { level, column, row, box, priority: 0, asked: false };
+  }
+
+  private childrenOf(node: Node): Node[] {
+    if (node.children) return node.children;
+    const list: Node[] = [];
+    const finer = this.levels[node.level + 1];
+    if (finer) {
+      const share = this.levels[node.level]!.stride / finer.stride;
+      for (let r = node.row * share; r < Math.min(finer.rows, (node.row + 1) * share); ++r)
+        for (let c = node.column * share; c < Math.min(finer.columns, (node.column + 1) * share); ++c) {
+          const child = this.node(node.level + 1, c, r);
+          if (node.tile) [child.box.min.z, child.box.max.z] = [node.tile.box.min.z - 1, node.tile.box.max.z + 1];
+          list.push(child);
+        }
+    }
+    return (node.children = list);
+  }
+
+  look(camera: Camera & { fov: number }, pixels: number, exaggeration: number) {
+    ++this.turn;
+    const view = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    view.multiply(new Matrix4().makeScale(1, 1, exaggeration));
+    const frustum = new Frustum().setFromProjectionMatrix(view);
+    const eye = camera.position.clone();
+    eye.z /= exaggeration;
+    const focal = pixels / (2 * Math.tan((camera.fov * Math.PI) / 360));
+    this.wanted = [];
+    const now: Node[] = [];
+    const visit = (node: Node) => {
+      if (!frustum.intersectsBox(node.box)) return;
+      const cell = this.tiles.cell[0] * this.levels[node.level]!.stride;
+      const gap = node.box.clampPoint(eye, new Vector3()).sub(eye);
+      gap.z *= exaggeration;
+      const size = (cell * focal) / Math.max(gap.length(), 0.1);
+      if (node.tile) node.tile.used = this.turn;
+      if (size > pixelsPerCell && node.level + 1 < this.levels.length) {
+        const children = this.childrenOf(node).filter((child) => frustum.intersectsBox(child.box));
+        for (const child of children)
+          if (!child.tile) {
+            child.priority = size;
+            this.wanted.push(child);
+          }
+        if (children.every((child) => child.tile)) return children.forEach(visit);
+      }
+      if (node.tile) now.push(node);
+    };
+    this.roots.forEach(visit);
+    for (const node of this.drawn) if (!now.includes(node) && node.tile) node.tile.mesh.visible = false;
+    for (const node of now) node.tile!.mesh.visible = true;
+    this.drawn = now;
+    this.wanted.sort((a, b) => b.priority - a.priority);
+    this.fetchNext();
+    this.forget();
+  }
+
+  private fetchNext() {
+    while (this.loading < requestsAtOnce) {
+      const next = this.wanted.find((node) => !node.asked && !node.tile);
+      if (!next) return;
+      void this.load(next).then(
+        () => this.changed(),
+        (error: unknown) => {
+          if (!this.signal.aborted) sayFailure(error);
+        },
+      );
+    }
+  }
+
+  private async load(node: Node) {
+    node.asked = true;
+    ++this.loading;
+    const { number, stride } = this.levels[node.level]!;
+    try {
+      const answer = await getArrays<TileHeader>(
+        `/api/models/${this.model}/tiles/${number}/${node.column}/${node.row}`,
+        this.signal,
+      );
+      const cell: [number, number] = [this.tiles.cell[0] * stride, this.tiles.cell[1] * stride];
+      node.tile = new Tile(answer, this.frame, cell, this.material);
+      node.box = node.tile.box;
+      node.tile.mesh.visible = false;
+      node.tile.used = this.turn;
+      this.object.add(node.tile.mesh);
+      this.loaded.add(node);
+      this.bytes += node.tile.bytes;
+      node.asked = false;
+    } finally {
+      --this.loading;
+    }
+  }
+
+  /// Lets go of tiles that were not looked at for longest.
+  private forget() {
+    if (this.bytes < mostBytes) return;
+    const old = [...this.loaded].filter((node) => node.level > 0 && node.tile!.used < this.turn);
+    old.sort((a, b) => a.tile!.used - b.tile!.used);
+    for (const node of old) {
+      if (this.bytes < 0.8 * mostBytes) return;
+      this.bytes -= node.tile!.bytes;
+      this.object.remove(node.tile!.mesh);
+      node.tile!.dispose();
+      delete node.tile;
+      this.loaded.delete(node);
+    }
+  }
+
+  pick(ray: Ray): Hit | null {
+    let distance = Infinity;
+    for (const { tile } of this.drawn) distance = Math.min(distance, tile?.pick(ray) ?? Infinity);
+    return distance < Infinity ? { point: ray.at(distance, new Vector3()), distance } : null;
+  }
+
+  dispose() {
+    for (const { tile } of this.loaded) tile!.dispose();
+    this.loaded.clear();
+    this.drawn = [];
+  }
+}

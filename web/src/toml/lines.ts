@@ -1,0 +1,60 @@
+// Pieces of a text whose layout stays: lines, comments above them, entries of lists.
+
+import type { AST } from 'toml-eslint-parser';
+
+export const splice = (text: string, from: number, to: number, piece: string) =>
+  text.slice(0, from) + piece + text.slice(to);
+
+export const lineEnd = (text: string, at: number) => {
+  const end = text.indexOf('\n', at);
+  return end < 0 ? text.length : end;
+};
+
+export const lineStart = (text: string, at: number) => text.lastIndexOf('\n', at - 1) + 1;
+
+/// Puts lines after the line in which something ends.
+export function insertAfter(text: string, at: number, lines: string): string {
+  const end = lineEnd(text, at);
+  return end === text.length ? `${text}\n${lines}\n` : splice(text, end + 1, end + 1, `${lines}\n`);
+}
+
+/// Where the comment lines begin that stand directly above a line.
+export function commentStart(text: string, line: number): number {
+  let start = line;
+  while (start > 0) {
+    const above = lineStart(text, start - 1);
+    if (!text.slice(above, start).trimStart().startsWith('#')) break;
+    start = above;
+  }
+  return start;
+}
+
+/// Whether something stands alone on its lines, but for a comma and a comment after it.
+export function isAlone(text: string, [from, to]: AST.Range): boolean {
+  const before = text.slice(lineStart(text, from), from);
+  return before.trim() === '' && /^[ \t]*,?[ \t]*(#.*)?$/.test(text.slice(to, lineEnd(text, to)));
+}
+
+/// An entry more after the last of a list that ends at `end`: on a line of its own, where the last one has one.
+export function insertListed(text: string, last: AST.Range, end: number, piece: string): string {
+  if (!isAlone(text, last) || lineEnd(text, last[1]) >= end) return splice(text, last[1], last[1], `, ${piece}`);
+  const start = lineStart(text, last[0]);
+  const indent = text.slice(start, last[0]);
+  const hasComma = /^\s*,/.test(text.slice(last[1], end));
+  const at = lineEnd(text, last[1]);
+  const grown = splice(text, at, at, `\n${indent}${piece}${hasComma ? ',' : ''}`);
+  return hasComma ? grown : splice(grown, last[1], last[1], ',');
+}
+
+/// One of several with commas between them.
+export function removeListed(text: string, list: readonly { range: AST.Range }[], k: number): string {
+  const [from, to] = list[k]!.range;
+  if (list.length > 1 && isAlone(text, [from, to]))
+    return splice(text, lineStart(text, from), lineEnd(text, to) + 1, '');
+  const next = list[k + 1];
+  if (next) return splice(text, from, next.range[0], '');
+  const before = list[k - 1];
+  if (before) return splice(text, before.range[1], to, '');
+  const comma = /^\s*,/.exec(text.slice(to));
+  return splice(text, from, to + (comma ? comma[0].length : 0), '');
+}

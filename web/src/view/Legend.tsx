@@ -1,0 +1,44 @@
+// Legends: a scale with its ends and middle, or a list of kinds.
+
+import { numberText } from '../ui/format';
+import './legend.css';
+
+interface Scale {
+  title: string;
+  gradient: string;
+  low: number;
+  high: number;
+  /// On a logarithmic scale the middle is the geometric mean.
+  logarithmic?: boolean;
+}
+
+export function ScaleLegend({ title, gradient, low, high, logarithmic = false }: Scale) {
+  const middle = logarithmic ? Math.sqrt(low * high) : (low + high) / 2;
+  return (
+    <figure class="legend">
+      <figcaption>{title}</figcaption>
+      <div class="ramp" style={{ background: gradient }} />
+      <div class="ends mono">
+        <span>{numberText(low, 3)}</span>
+        <span>{numberText(middle, 3)}</span>
+        <span>{numberText(high, 3)}</span>
+      </div>
+    </figure>
+  );
+}
+
+export function KindsLegend({ title, kinds }: { title: string; kinds: { name: string; colour: string }[] }) {
+  return (
+    <figure class="legend">
+      <figcaption>{title}</figcaption>
+      <ul>
+        {kinds.map(({ name, colour }) => (
+          <li key={name}>
+            <i style={{ background: colour }} />
+            <span title={name}>{name}</span>
+          </li>
+        ))}
+      </ul>
+    </figure>
+  );
+}
