@@ -1,13 +1,17 @@
 #include "serve.hpp"
 
 #include <fmt/format.h>
+#include <sys/socket.h>
 
+#include <algorithm>
 #include <chrono>
+#include <memory>
 #include <thread>
 
 #include "events.hpp"
 #include "http/router.hpp"
 #include "http/session.hpp"
+#include "http/thread_pool.hpp"
 #include "routes/routes.hpp"
 #include "run_models.hpp"
 #include "run_store.hpp"
@@ -19,15 +23,24 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A page holds one stream of events and asks for a few things at a time; a slow reader holds one thread.
-constexpr std::size_t threads = 64;
+// A page asks for a few things at a time. A connection that is silent, or that reads slowly, holds a thread for a
+// while, and must not keep others waiting.
+constexpr std::size_t most_threads = 2'000;
+
+// The library lets five connections wait to be taken, and another server take the same port.
+constexpr int most_waiting = 512;
 
 int bind(httplib::Server& server, int port) {
-  if (port == 0) {
-    if (const int any = server.bind_to_any_port("127.0.0.1"); any > 0) return any;
-  } else if (server.bind_to_port("127.0.0.1", port)) {
-    return port;
-  }
+  const auto listening = std::make_shared<int>(-1);
+  server.set_socket_options([listening](int socket) {
+    *listening = socket;
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
+  const int bound = port == 0                                ? server.bind_to_any_port("127.0.0.1")
+                    : server.bind_to_port("127.0.0.1", port) ? port
+                                                             : -1;
+  if (bound > 0 && listen(*listening, most_waiting) == 0) return bound;
   throw BadInput(Problem{.where = "--port",
                          .what = fmt::format("port {} cannot be had", port),
                          .why = "another program listens there, perhaps another `talus serve`",
@@ -44,17 +57,17 @@ void serve(const ServeOptions& options) {
   EventHub events;
 
   httplib::Server server;
-  server.new_task_queue = [] { return new httplib::ThreadPool(threads); };
+  server.new_task_queue = [] { return new ThreadPool(most_threads); };
   server.set_tcp_nodelay(true);
   server.set_keep_alive_max_count(10'000);
   server.set_write_timeout(30s);
   const int port = bind(server, options.port);
   Session session(options.key_file.empty() ? usual_key_file() : options.key_file, port);
-  Router router(server, session, {});
+  Router router(server, session, options.limits);
   RunStore runs(workplace, events);
   RunModels run_models(workplace);
   router.listens_on(port);
-  server.set_payload_max_length(router.limits().upload_bytes);
+  server.set_payload_max_length(std::max(router.limits().upload_bytes, router.limits().json_bytes));
 
   const auto address = [&] { return fmt::format("http://127.0.0.1:{}/?token={}", port, session.new_token()); };
   add_about_routes(router, workplace, options.project);

@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "http/limits.hpp"
+
 namespace talus::server {
 
 struct ServeOptions {
@@ -13,6 +15,7 @@ struct ServeOptions {
   std::string project;                 // to open first, relative to the folder; empty: none
   int port = 8425;                     // 0: any that is free
   std::filesystem::path key_file;      // of the sessions
+  Limits limits;
   /// Called once requests are answered, with the address to open.
   std::function<void(const std::string& address)> ready;
   const std::atomic<bool>* stop = nullptr;  // set from outside

@@ -9,14 +9,10 @@
 #include <vector>
 
 #include "http/answer.hpp"
+#include "http/limits.hpp"
 #include "http/session.hpp"
 
 namespace talus::server {
-
-struct Limits {
-  std::size_t upload_bytes = 4ull << 30u;
-  std::size_t json_bytes = 64u << 20u;  // as large as a project file may be
-};
 
 /// A request to the API by somebody who may make it.
 struct Call {

@@ -8,6 +8,7 @@
 #include "model_description.hpp"
 #include "model_shelf.hpp"
 #include "routes/routes.hpp"
+#include "run_model.hpp"
 #include "talus/project/problem_paths.hpp"
 
 namespace talus::server {
@@ -18,20 +19,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_cells = 250'000;  // of a raster that is sent as triangles
 
-/// Files called as in requests: relative to the folder that is worked in.
-Problems from_folder(const Problems& problems, const fs::path& folder) {
-  const std::string before = folder.string() + '/';
-  Problems shortened;
-  for (Problem problem : problems.list()) {
-    if (problem.file.starts_with(before)) problem.file.erase(0, before.size());
-    shortened.add(std::move(problem));
-  }
-  return shortened;
-}
-
 Answer answer_of(const Workplace& workplace, const fs::path& file, const std::string& text, const Problems& problems,
                  Json model) {
-  return json_answer({{"problems", as_json(from_folder(project::with_paths(problems, text, file), workplace.folder()))},
+  return json_answer({{"problems", as_json(seen_from(workplace.folder(), project::with_paths(problems, text, file)))},
                       {"model", std::move(model)}});
 }
 

@@ -42,10 +42,9 @@ class Rules {
  private:
   using Node = const toml::node*;
 
-  /// Complains in the place of a node, or of none where the node is not there.
-  void complain(Node node, std::string where, std::string what, std::string why, std::string hint = {},
+  void complain(const Spot& spot, std::string where, std::string what, std::string why, std::string hint = {},
                 Severity severity = Severity::error) {
-    Problem problem = node ? document_.at(*node, severity) : document_.nowhere();
+    Problem problem = document_.at(spot, severity);
     problem.where = std::move(where);
     problem.what = std::move(what);
     problem.why = std::move(why);
@@ -115,7 +114,8 @@ class Rules {
                "expected one of section, mesh, triangles, raster, points, lines, polylines and polygons");
     }
     if (has_triangles != has_vertices && !has_section && !has_mesh && !has_raster && !is_surveyed) {
-      complain(row, where, fmt::format("{} is missing", has_triangles ? "vertices" : "triangles"),
+      const std::string_view missing = has_triangles ? "vertices" : "triangles";
+      complain({row, row, missing}, where, fmt::format("{} is missing", missing),
                "an inline mesh needs vertices and triangles");
     }
     if (!has_section) {
@@ -153,7 +153,7 @@ class Rules {
     if (const Node raster = good(row, "raster")) about_gis_file(where, "raster", raster, project_.terrain.raster);
     if (good(row, "vertices") && good(row, "triangles")) about_inline_mesh(where, row);
     SurveyRules{project_, *row, [&](std::string_view key) { return good(row, key); },
-                [&](Node at, std::string what, std::string why, std::string hint, Severity severity) {
+                [&](const Spot& at, std::string what, std::string why, std::string hint, Severity severity) {
                   complain(at, where, std::move(what), std::move(why), std::move(hint), severity);
                 }}
         .check();
@@ -260,7 +260,8 @@ class Rules {
     }
     if (has_forest && !row.contains("forest_height_m")) {
       const Node forest = row.get(material.forest_drag_kg_s ? "forest_drag_kg_s" : "forest");
-      complain(forest, where, "forest_height_m is missing", "a forest brakes rocks up to its effective height only",
+      complain({forest, &row, "forest_height_m"}, where, "forest_height_m is missing",
+               "a forest brakes rocks up to its effective height only",
                "Write how high above the ground its trunks and branches hold rocks up");
     }
   }
@@ -306,7 +307,8 @@ class Rules {
     const bool is_told = row && (row->contains("default") || row->contains("segments") || row->contains("triangles") ||
                                  row->contains("raster") || row->contains("polygons"));
     if (!is_told && project_.materials.size() > 1) {
-      complain(row, where, "default is missing", fmt::format("there are {} materials", project_.materials.size()),
+      complain({row, row, "default"}, where, "default is missing",
+               fmt::format("there are {} materials", project_.materials.size()),
                fmt::format("Write default = \"{}\", or segments with one name for each segment",
                            project_.materials.front().name));
     }
@@ -344,7 +346,8 @@ class Rules {
         about_gis_file(where, "raster", raster, project_.ground.raster);
       }
       if (!row->contains("classes")) {
-        complain(raster, where, "classes is missing", "nothing says which class of the raster is which material",
+        complain({raster, row, "classes"}, where, "classes is missing",
+                 "nothing says which class of the raster is which material",
                  fmt::format("Write classes = {{ 1 = \"{}\" }}, with one entry for each class",
                              project_.materials.front().name));
       }
@@ -376,7 +379,8 @@ class Rules {
       about_gis_file(where, "polygons", polygons, project_.ground.polygons);
     }
     if (!row->contains("attribute")) {
-      complain(polygons, where, "attribute is missing", "nothing says which polygon is of which material",
+      complain({polygons, row, "attribute"}, where, "attribute is missing",
+               "nothing says which polygon is of which material",
                "Write attribute = \"...\"; ogrinfo -so lists what there is");
     }
     if (const Node values = good(row, "values")) {
@@ -438,7 +442,7 @@ class Rules {
                 is_2d(document_.root()) == true,
                 table("terrain") && table("terrain")->contains("raster"),
                 [&](std::string_view key) { return good(&row, key); },
-                [&](Node at, std::string what, std::string why, std::string hint, Severity severity) {
+                [&](const Spot& at, std::string what, std::string why, std::string hint, Severity severity) {
                   complain(at, where, std::move(what), std::move(why), std::move(hint), severity);
                 }}
         .check();
@@ -462,8 +466,9 @@ class Rules {
   void about_restitution(const toml::table& row, const std::string& where, std::string_view kind) {
     if (kind != "barrier" || row.contains("normal_restitution") == row.contains("tangential_restitution")) return;
     const bool has_normal = row.contains("normal_restitution");
-    complain(row.get(has_normal ? "normal_restitution" : "tangential_restitution"), where,
-             fmt::format("{} is missing", has_normal ? "tangential_restitution" : "normal_restitution"),
+    const std::string_view given = has_normal ? "normal_restitution" : "tangential_restitution";
+    const std::string_view missing = has_normal ? "tangential_restitution" : "normal_restitution";
+    complain({row.get(given), &row, missing}, where, fmt::format("{} is missing", missing),
              "a barrier has both restitutions, or neither and holds what it stops");
   }
 

@@ -38,7 +38,8 @@ constexpr std::array<OwnKey, 14> own_keys{{{"position", {true, false, false, fal
 
 std::string_view SeederRules::refuse(std::string_view key, std::string what, std::string why, std::string hint) const {
   const toml::node* node = row.get(key);
-  complain(node ? node : &row, std::move(what), std::move(why), std::move(hint), Severity::error);
+  complain(node || key.empty() ? Spot(node ? node : &row) : Spot(&row, &row, key), std::move(what), std::move(why),
+           std::move(hint), Severity::error);
   return key;
 }
 
@@ -49,7 +50,7 @@ void SeederRules::check() const {
   }
   about_files();
   if (!has("mass_kg") && !has("volume_m3") && !has("diameter_m")) {
-    refuse("", "the size of the rocks is missing", "expected one of mass_kg, volume_m3 and diameter_m");
+    refuse("mass_kg", "the size of the rocks is missing", "expected one of mass_kg, volume_m3 and diameter_m");
   }
 }
 
@@ -70,7 +71,7 @@ std::string_view SeederRules::about_place() const {
       if (!polygon.empty()) {
         return refuse(polygon, "a polygon is given for a point", "it has an area", "Write type = \"polygon\"");
       }
-      return refuse("", "position is missing", "a point seeder needs it");
+      return refuse("position", "position is missing", "a point seeder needs it");
     case SeederType::line:
       if (has_points) return "";
       if (has_lines) {
@@ -81,11 +82,11 @@ std::string_view SeederRules::about_place() const {
         return refuse("position", "position is given for a line", "a line seeder needs two or more points",
                       "Write points = [..., ...]");
       }
-      return refuse("", "points is missing", "a line seeder needs two or more points",
+      return refuse("points", "points is missing", "a line seeder needs two or more points",
                     "Or name a file: lines = \"cliff.gpkg\"");
     case SeederType::polygon:
       if (!polygon.empty()) return "";
-      return refuse("", "polygons is missing", "a polygon seeder needs it, or polygon",
+      return refuse("polygons", "polygons is missing", "a polygon seeder needs it, or polygon",
                     "Write polygons = \"cliffs.gpkg\", or polygon = [[x, y], ...]");
     case SeederType::raster:
       break;
@@ -134,7 +135,7 @@ void SeederRules::about_cells() const {
            fmt::format("min_slope_deg is {:g}, and no cell could be both", *seeder.min_slope_deg));
   }
   if (!has_grid && !is_flat && !has("cell_m")) {
-    refuse("", "cell_m is missing", "the terrain is no raster, so it has no cells of its own",
+    refuse("cell_m", "cell_m is missing", "the terrain is no raster, so it has no cells of its own",
            "Give the side of the cells from which rocks start, in metres");
   }
   if (has_grid && good("cell_m")) {

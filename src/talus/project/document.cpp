@@ -287,9 +287,10 @@ Problem Document::at(const toml::node& node, Severity severity) const {
   return problem;
 }
 
-Problem Document::missing(const toml::table& from, std::string_view key, Severity severity) const {
-  Problem problem = at(from, severity);
-  problem.path = SettingPaths::below(problem.path, key);
+Problem Document::at(const Spot& spot, Severity severity) const {
+  Problem problem = spot.node ? at(*spot.node, severity) : nowhere();
+  problem.severity = severity;
+  if (spot.lacking) problem.path = SettingPaths::below(at(*spot.lacking).path, spot.key);
   return problem;
 }
 

@@ -18,6 +18,18 @@ inline constexpr std::uintmax_t most_bytes = 64u << 20u;
 /// Reads a whole file, or says why it cannot be read.
 [[nodiscard]] std::string text_of_file(const std::filesystem::path& file);
 
+/// What a complaint is about: a value; or a key that a table lacks, told of in the place of a value (the table itself,
+/// or a key beside it).
+struct Spot {
+  const toml::node* node;  // null: of no place
+  const toml::table* lacking = nullptr;
+  std::string_view key{};
+
+  Spot(const toml::node* value) : node(value) {}  // NOLINT: most complaints are about a value
+  Spot(const toml::node* place, const toml::table* table, std::string_view missing_key)
+      : node(place), lacking(table), key(missing_key) {}
+};
+
 class Document {
  public:
   /// Throws BadInput where the text is no TOML.
@@ -34,9 +46,7 @@ class Document {
 
   /// A complaint about a value, in its place.
   [[nodiscard]] Problem at(const toml::node& node, Severity severity = Severity::error) const;
-  /// A complaint about a key that a table, which is there, does not have.
-  [[nodiscard]] Problem missing(const toml::table& from, std::string_view key,
-                                Severity severity = Severity::error) const;
+  [[nodiscard]] Problem at(const Spot& spot, Severity severity = Severity::error) const;
   /// A complaint about what is not there; `key`: the table that is meant, if it is one.
   [[nodiscard]] Problem nowhere(std::string_view key = {}) const;
 

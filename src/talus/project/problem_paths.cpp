@@ -26,7 +26,9 @@ std::string path_of(const Problem& problem, const SettingPaths& paths, const tom
   if (problem.file == file.string() || problem.file.empty()) {
     if (problem.line > 0) return paths.on_line(static_cast<std::uint32_t>(problem.line));
     std::string_view table = problem.where;
-    if (table.starts_with('[') && table.ends_with(']')) table = table.substr(1, table.size() - 2);
+    const bool is_table = table.starts_with('[') && table.ends_with(']');
+    if (is_table) table = table.substr(1, table.size() - 2);
+    if (is_table && !root.contains(table)) return SettingPaths::below("", table);
     return root.contains(table) ? entry_of(root, table, problem.what) : std::string();
   }
   // As the setting has it, or with the project's folder before it.

@@ -102,7 +102,7 @@ void ValueReader::read_rows(const Table& table, const toml::table& from, Row row
     const toml::node* node = from.get(setting.key);
     if (!node) {
       if (!setting.required) continue;
-      Problem problem = document_.missing(from, setting.key);
+      Problem problem = document_.at(Spot(&from, &from, setting.key));
       problem.where = where;
       problem.what = fmt::format("{}{} is missing", lead, setting.key);
       if (!setting.range.is_everything()) problem.why = fmt::format("expected {}", setting.range.text());

@@ -76,7 +76,7 @@ export interface ModelBarrier {
 export interface Model {
   id: string;
   dimension: 2 | 3;
-  kind: 'profile' | 'mesh' | 'raster';
+  kind: 'section' | 'mesh' | 'raster';
   rocks: number;
   crs: string;
   facets: number;

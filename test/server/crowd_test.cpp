@@ -1,0 +1,98 @@
+// Many who say nothing, and one who reads slowly, keep nobody waiting.
+
+#include "server/served.hpp"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+
+#include <chrono>
+
+namespace talus {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+using testing_tools::Json;
+using testing_tools::Reply;
+using testing_tools::Served;
+
+/// Connections that go when this goes.
+class Connections {
+ public:
+  ~Connections() {
+    for (const int each : open_) close(each);
+  }
+  /// Gives -1 where there is none to be had.
+  int add(int port, int receive_buffer = 0) {
+    const int made = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (made < 0) return -1;
+    open_.push_back(made);
+    if (receive_buffer > 0) setsockopt(made, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    return connect(made, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 ? made : -1;
+  }
+
+ private:
+  std::vector<int> open_;
+};
+
+class Crowd : public Served {
+ protected:
+  void SetUp() override {
+    // Both ends of each connection are in this process.
+    rlimit files{};
+    getrlimit(RLIMIT_NOFILE, &files);
+    before_ = files;
+    files.rlim_cur = std::min<rlim_t>(files.rlim_max, 4096);
+    if (files.rlim_cur < 2200 || setrlimit(RLIMIT_NOFILE, &files) != 0) GTEST_SKIP() << "too few files may be open";
+  }
+  void TearDown() override { setrlimit(RLIMIT_NOFILE, &before_); }
+
+  rlimit before_{};
+};
+
+TEST_F(Crowd, OfAThousandConnectionsKeepsNobodyWaiting) {
+  Connections silent;
+  const std::string half = "GET /api/about HTTP/1.1\r\nHost: 127.0.0.1\r\n";
+  for (int k = 0; k < 1000; ++k) {
+    const int made = silent.add(port_);
+    ASSERT_GE(made, 0) << k;
+    if (k % 2 == 0) {
+      ASSERT_EQ(::send(made, half.data(), half.size(), MSG_NOSIGNAL), static_cast<ssize_t>(half.size()));
+    }
+  }
+  const auto begin = Clock::now();
+  EXPECT_EQ(get("/api/about").status, 200);
+  EXPECT_LT(Clock::now() - begin, 4s);  // less than the server waits for a silent one
+}
+
+TEST_F(Crowd, OrASlowReaderKeepsNobodyWaiting) {
+  // A large answer, of which nothing is read.
+  const std::string text =
+      "[terrain]\nsection = [[0, 10], [10, 0]]\n[[material]]\nname = \"A\"\n[[seeder]]\nposition = [1, 9]\nmass_kg = "
+      "1\n#" +
+      std::string(8 << 20, '#') + "\n";
+  write("large.toml", text);
+  Connections slow;
+  for (int k = 0; k < 20; ++k) {
+    const int made = slow.add(port_, 4096);
+    ASSERT_GE(made, 0);
+    const std::string request =
+        "GET /api/project?file=large.toml HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port_) +
+        "\r\nCookie: " + cookie_ + "\r\n\r\n";
+    ASSERT_EQ(::send(made, request.data(), request.size(), MSG_NOSIGNAL), static_cast<ssize_t>(request.size()));
+  }
+  std::this_thread::sleep_for(200ms);
+  const auto begin = Clock::now();
+  EXPECT_EQ(get("/api/about").status, 200);
+  EXPECT_LT(Clock::now() - begin, 4s);
+}
+
+}  // namespace
+}  // namespace talus

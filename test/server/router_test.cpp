@@ -1,0 +1,116 @@
+// Who may ask, and what is no request.
+
+#include "server/served.hpp"
+
+namespace talus {
+namespace {
+
+using testing_tools::Json;
+using testing_tools::Reply;
+using testing_tools::Served;
+
+class Asked : public Served {
+ protected:
+  Asked() : Served({.upload_bytes = 4096, .json_bytes = 1024}) {}
+};
+
+TEST_F(Asked, AnswersWhoeverHasTheCookie) {
+  const Reply about = get("/api/about");
+  EXPECT_EQ(about.status, 200);
+  EXPECT_EQ(about.json()["limits"]["upload_bytes"], 4096);
+}
+
+TEST_F(Asked, RefusesWithoutTheCookie) {
+  for (const std::string cookie : {"", "talus-1=0", "talus=1; other=2"}) {
+    const Reply reply = send("GET", "/api/about", "", {{"Cookie", cookie}});
+    EXPECT_EQ(reply.status, 403) << cookie;
+    EXPECT_EQ(reply.problem(), "this browser has no session here. Open the address that `talus serve` printed");
+  }
+  std::string guess = cookie_;
+  guess.back() = guess.back() == '0' ? '1' : '0';
+  EXPECT_EQ(send("GET", "/api/about", "", {{"Cookie", guess}}).status, 403);
+}
+
+TEST_F(Asked, RefusesAnotherHost) {
+  for (const std::string& host : {std::string("evil.example"), "evil.example:" + std::to_string(port_),
+                                  std::string("127.0.0.1:1"), std::string("127.0.0.1")}) {
+    const Reply reply = send("GET", "/api/about", "", {{"Host", host}});
+    EXPECT_EQ(reply.status, 403) << host;
+    EXPECT_EQ(reply.problem(), "Host: this server has another name. Use the address that it printed");
+  }
+  EXPECT_EQ(send("GET", "/api/about", "", {{"Host", "localhost:" + std::to_string(port_)}}).status, 200);
+}
+
+TEST_F(Asked, RefusesAnotherOrigin) {
+  for (const std::string& origin : {std::string("http://evil.example"), std::string("null"),
+                                    "https://127.0.0.1:" + std::to_string(port_), std::string("http://127.0.0.1:1")}) {
+    const Reply reply = send("GET", "/api/about", "", {{"Origin", origin}});
+    EXPECT_EQ(reply.status, 403) << origin;
+    EXPECT_EQ(reply.problem(), "Origin: another page may not ask this server");
+  }
+  EXPECT_EQ(send("GET", "/api/about", "", {{"Origin", "http://127.0.0.1:" + std::to_string(port_)}}).status, 200);
+}
+
+TEST_F(Asked, RefusesAnotherTypeOfBody) {
+  for (const std::string type : {"text/plain", "application/x-www-form-urlencoded", "application/jsonp", ""}) {
+    EXPECT_EQ(send("POST", "/api/tokens", "{}", {{"Content-Type", type}}).status, 415) << type;
+    EXPECT_EQ(send("PUT", "/api/files/a.csv", "1", {{"Content-Type", type}}).status, 415) << type;
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("a.csv")));
+}
+
+TEST_F(Asked, RefusesWhatIsNoJson) {
+  const auto posted = [&](const std::string& body) {
+    return send("POST", "/api/model", body, {{"Content-Type", "application/json; charset=utf-8"}});
+  };
+  for (const std::string body : {"", "{", "{\"file\": }", "{\"mean\": 1e999}", "\xff\xfe", "nul"}) {
+    EXPECT_EQ(posted(body).status, 400) << body;
+    EXPECT_EQ(posted(body).problem(), "the request's body is no JSON") << body;
+  }
+  for (const std::string body : {"[]", "1", "\"text\"", "null"})
+    EXPECT_EQ(posted(body).problem(), "the request's body is no JSON object") << body;
+  const Reply deep = posted("{\"text\": " + std::string(300, '[') + std::string(300, ']') + "}");
+  EXPECT_EQ(deep.status, 400);
+  EXPECT_EQ(deep.problem(), "lists lie too deep in the request");
+}
+
+TEST_F(Asked, RefusesABodyThatIsTooLarge) {
+  const Json body{{"file", "a.toml"}, {"text", std::string(2000, '#')}};
+  const Reply reply = post("/api/model", body);
+  EXPECT_EQ(reply.status, 413);
+  EXPECT_EQ(reply.problem(),
+            "the request has " + std::to_string(body.dump().size()) + " bytes (at most 1024 are read)");
+}
+
+TEST_F(Asked, RefusesKeysThatAreMissingUnknownOrOfAnotherType) {
+  EXPECT_EQ(post("/api/model", {{"file", "a.toml"}}).problem(), "text: is missing");
+  EXPECT_EQ(post("/api/model", {{"file", "a.toml"}, {"text", 1}}).problem(), "text: is no text");
+  EXPECT_EQ(post("/api/model", {{"file", "a.toml"}, {"text", ""}, {"txt", ""}}).problem(),
+            "txt: is not a key of this request");
+  EXPECT_EQ(post("/api/distribution", {{"mean", "1"}}).problem(), "mean: is no number");
+  EXPECT_EQ(post("/api/distribution", {{"men", 1}}).status, 400);
+}
+
+TEST_F(Asked, SaysInJsonThatThereIsNoSuchThing) {
+  for (const std::string what : {"/api/nothing", "/api/models/0123/nothing", "/api"}) {
+    const Reply reply = get(what);
+    EXPECT_EQ(reply.status, 404) << what;
+    EXPECT_EQ(reply.problem(), what + ": there is no such thing here");
+  }
+}
+
+TEST_F(Asked, SendsItsPolicyWithEveryAnswer) {
+  for (const std::string what : {"/", "/api/about", "/api/nothing"}) {
+    const Reply reply = get(what);
+    const auto header = [&](const char* name) {
+      const auto found = reply.headers.find(name);
+      return found == reply.headers.end() ? "" : found->second;
+    };
+    EXPECT_NE(header("Content-Security-Policy").find("default-src 'none'"), std::string::npos) << what;
+    EXPECT_EQ(header("X-Content-Type-Options"), "nosniff") << what;
+    EXPECT_EQ(reply.headers.count("Access-Control-Allow-Origin"), 0U) << what;
+  }
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,54 @@
+// Beginning to serve, and ending.
+
+#include "server/served.hpp"
+
+#include "talus/core/problems.hpp"
+
+namespace talus {
+namespace {
+
+using testing_tools::Served;
+
+using Serving = Served;
+
+/// What the server says instead of serving.
+std::string refusal(server::ServeOptions options) {
+  const std::atomic<bool> stop{true};
+  options.stop = &stop;
+  options.ready = nullptr;
+  try {
+    server::serve(options);
+  } catch (const BadInput& bad) {
+    return bad.what();
+  }
+  return "serves";
+}
+
+TEST_F(Serving, NeedsAPortOfItsOwn) {
+  server::ServeOptions other = options_;
+  other.port = port_;
+  EXPECT_EQ(refusal(other), "--port: port " + std::to_string(port_) +
+                                " cannot be had (another program listens there, perhaps another `talus serve`). Name "
+                                "another one, or 0 for any that is free");
+  EXPECT_EQ(get("/api/about").status, 200);
+}
+
+TEST_F(Serving, NeedsAFolder) {
+  server::ServeOptions other = options_;
+  other.port = 0;
+  other.folder = path("none");
+  EXPECT_EQ(refusal(other), path("none").string() + ": is no folder");
+}
+
+TEST_F(Serving, EndsWhileConnectionsAreOpen) {
+  httplib::Client client("127.0.0.1", port_);
+  client.set_keep_alive(true);
+  ASSERT_TRUE(client.Get("/api/about"));
+  const auto begin = std::chrono::steady_clock::now();
+  stop();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(15));
+  EXPECT_FALSE(client.Get("/api/about"));
+}
+
+}  // namespace
+}  // namespace talus

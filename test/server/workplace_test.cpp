@@ -1,0 +1,163 @@
+// Names in requests stay in the folder; files come in whole; drafts and saved texts do not overwrite each other.
+
+#include "workplace.hpp"
+#include "server/served.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing_tools::Json;
+using testing_tools::Reply;
+using testing_tools::Served;
+
+class Place : public Served {
+ protected:
+  Place() : Served({.upload_bytes = 65536}) {
+    std::ofstream(base_ / "secret.toml") << "secret";
+    fs::create_directories(base_ / "outside");
+    std::ofstream(base_ / "outside" / "secret.toml") << "secret";
+  }
+
+  /// The problem of a name, or that there is none.
+  [[nodiscard]] std::string refusal(const std::string& name) const {
+    try {
+      static_cast<void>(server::Workplace(path("")).at(name));
+    } catch (const server::Refusal& refused) {
+      EXPECT_EQ(refused.status(), 403);
+      return refused.problem().why;
+    }
+    return "is fine";
+  }
+};
+
+TEST_F(Place, KnowsNamesThatStayInIt) {
+  for (const std::string name : {"a.toml", "a/b.toml", "a b/ü.tif", "a..b", "a../b~"})
+    EXPECT_EQ(refusal(name), "is fine") << name;
+}
+
+TEST_F(Place, RefusesNamesThatLeadElsewhere) {
+  EXPECT_EQ(refusal(""), "it is empty");
+  EXPECT_EQ(refusal("../secret.toml"), "it leads out of the folder");
+  EXPECT_EQ(refusal("a/../../secret.toml"), "it leads out of the folder");
+  EXPECT_EQ(refusal("a/.."), "it leads out of the folder");
+  EXPECT_EQ(refusal("/etc/passwd"), "it is absolute");
+  EXPECT_EQ(refusal(".a.toml.draft"), "it begins with a dot");
+  EXPECT_EQ(refusal("a/.git/config"), "it begins with a dot");
+  EXPECT_EQ(refusal("./a.toml"), "it begins with a dot");
+  EXPECT_EQ(refusal("a\nb"), "it has control characters");
+  EXPECT_EQ(refusal(std::string("a\0b", 3)), "it has control characters");
+  EXPECT_EQ(refusal(std::string(2000, 'a')), "it is too long");
+}
+
+TEST_F(Place, RefusesLinksThatLeadOut) {
+  fs::create_directory_symlink(base_ / "outside", path("linked"));
+  fs::create_symlink(base_ / "secret.toml", path("link.toml"));
+  write("inside.toml", "name = \"in\"");
+  fs::create_symlink(path("inside.toml"), path("good.toml"));
+  EXPECT_EQ(refusal("linked/secret.toml"), "it leads out of the folder");
+  EXPECT_EQ(refusal("linked/new.toml"), "it leads out of the folder");
+  EXPECT_EQ(refusal("link.toml"), "it leads out of the folder");
+  EXPECT_EQ(refusal("good.toml"), "is fine");
+}
+
+TEST_F(Place, IsNotLeftByRequests) {
+  fs::create_directory_symlink(base_ / "outside", path("linked"));
+  for (const std::string name : {"../secret.toml", "%2e%2e%2fsecret.toml", "%2e%2e/secret.toml",
+                                 "a/%2e%2e/%2e%2e/secret.toml", "linked/secret.toml", "%2fetc%2fpasswd.toml"}) {
+    EXPECT_EQ(get("/api/project?file=" + name).status, 403) << name;
+    EXPECT_EQ(upload(name + "?replace=1", "overwritten").status, 403) << name;
+  }
+  for (const std::string name : {"../secret.toml", "a/../../secret.toml", "linked/secret.toml", "/etc/x.toml"}) {
+    EXPECT_EQ(put("/api/project", {{"file", name}, {"text", "overwritten"}, {"saved", nullptr}}).status, 403) << name;
+    EXPECT_EQ(put("/api/draft", {{"file", name}, {"text", "overwritten"}}).status, 403) << name;
+    EXPECT_EQ(post("/api/model", {{"file", name}, {"text", ""}}).status, 403) << name;
+  }
+  std::ifstream secret(base_ / "secret.toml"), outside(base_ / "outside" / "secret.toml");
+  std::string text;
+  secret >> text;
+  EXPECT_EQ(text, "secret");
+  outside >> text;
+  EXPECT_EQ(text, "secret");
+}
+
+TEST_F(Place, KeepsFilesThatAreSent) {
+  const std::string bytes("\0\1\2\xff", 4);
+  const Reply kept = upload("data/dem.tif", bytes);
+  EXPECT_EQ(kept.status, 201);
+  EXPECT_EQ(read("data/dem.tif"), bytes);
+  EXPECT_EQ(upload("data/dem.tif", "other").status, 409);
+  EXPECT_EQ(read("data/dem.tif"), bytes);
+  EXPECT_EQ(upload("data/dem.tif?replace=1", "other").status, 201);
+  EXPECT_EQ(read("data/dem.tif"), "other");
+  const Json files = get("/api/files").json()["files"];
+  ASSERT_EQ(files.size(), 1U);
+  EXPECT_EQ(files[0]["name"], "data/dem.tif");
+  EXPECT_EQ(files[0]["bytes"], 5);
+  EXPECT_EQ(files[0]["kind"], "raster");
+}
+
+TEST_F(Place, RefusesFilesThatAreTooLarge) {
+  EXPECT_EQ(upload("all.csv", std::string(65536, '1')).status, 201);
+  EXPECT_EQ(upload("more.csv", std::string(65537, '1')).status, 413);
+  EXPECT_FALSE(fs::exists(path("more.csv")));
+  EXPECT_EQ(get("/api/files").json()["files"].size(), 1U);  // nor is there a part of it
+}
+
+TEST_F(Place, WritesAProjectThatNobodyChangedMeanwhile) {
+  const auto saved = [&](const std::string& text, const Json& hash) {
+    return put("/api/project", {{"file", "a.toml"}, {"text", text}, {"saved", hash}});
+  };
+  const Reply first = saved("one", nullptr);
+  EXPECT_EQ(first.status, 200);
+  EXPECT_EQ(read("a.toml"), "one");
+  EXPECT_EQ(saved("two", nullptr).status, 409);
+  EXPECT_EQ(saved("two", "0123").status, 409);
+  EXPECT_EQ(saved("two", first.json()["saved"]).status, 200);
+  write("a.toml", "by another program");
+  EXPECT_EQ(saved("three", first.json()["saved"]).problem(),
+            "a.toml: was changed by another program meanwhile. Read it again, or save under another name");
+  EXPECT_EQ(read("a.toml"), "by another program");
+  EXPECT_EQ(get("/api/project?file=a.toml").json()["text"], "by another program");
+  EXPECT_EQ(get("/api/project?file=b.toml").status, 404);
+  EXPECT_EQ(get("/api/project?file=a.csv").status, 400);
+}
+
+TEST_F(Place, KeepsADraftBesideTheProject) {
+  write("a.toml", "saved");
+  EXPECT_EQ(put("/api/draft", {{"file", "a.toml"}, {"text", "drafted"}}).status, 200);
+  Json project = get("/api/project?file=a.toml").json();
+  EXPECT_EQ(project["text"], "saved");
+  EXPECT_EQ(project["draft"], "drafted");
+  EXPECT_EQ(get("/api/files").json()["files"].size(), 1U);
+  EXPECT_EQ(put("/api/project", {{"file", "a.toml"}, {"text", "drafted"}, {"saved", project["saved"]}}).status, 200);
+  project = get("/api/project?file=a.toml").json();
+  EXPECT_EQ(project["text"], "drafted");
+  EXPECT_TRUE(project["draft"].is_null());
+  EXPECT_EQ(put("/api/draft", {{"file", "a.toml"}, {"text", "again"}}).status, 200);
+  EXPECT_EQ(put("/api/draft", {{"file", "a.toml"}, {"text", nullptr}}).status, 200);
+  EXPECT_TRUE(get("/api/project?file=a.toml").json()["draft"].is_null());
+}
+
+TEST_F(Place, CopiesExamplesAndLeavesWhatIsThere) {
+  const Json examples = get("/api/examples").json()["examples"];
+  ASSERT_FALSE(examples.empty());
+  for (const Json& example : examples) {
+    const Reply copied = post("/api/examples/" + example["id"].get<std::string>(), Json::object());
+    EXPECT_EQ(copied.status, 200);
+    EXPECT_EQ(copied.json()["project"], example["file"]);
+    const std::string name = example["file"];
+    ASSERT_TRUE(fs::exists(path(name))) << name;
+    const Reply model = post("/api/model", {{"file", name}, {"text", read(name)}});
+    EXPECT_FALSE(model.json()["model"].is_null()) << model.body;
+  }
+  const std::string name = examples[0]["file"];
+  write(name, "mine");
+  EXPECT_EQ(post("/api/examples/" + examples[0]["id"].get<std::string>(), Json::object()).status, 200);
+  EXPECT_EQ(read(name), "mine");
+  EXPECT_EQ(post("/api/examples/none", Json::object()).status, 404);
+}
+
+}  // namespace
+}  // namespace talus
