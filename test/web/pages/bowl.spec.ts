@@ -43,31 +43,29 @@ test('the bowl of the manual is built by hand, and its rock takes the published 
   await page.getByRole('button', { name: '‹ Model' }).click();
 
   await page.getByRole('button', { name: '+ Add material' }).click();
-  await page.getByLabel('Normal restitution', { exact: true }).fill('0.3');
-  await page.getByLabel('Tangential restitution', { exact: true }).fill('0.7');
-  await page.getByLabel(/^Friction angle/).first().fill('30');
+  await page.getByLabel('Normal restitution: mean').fill('0.3');
+  await page.getByLabel('Tangential restitution: mean').fill('0.7');
+  await page.getByLabel('Friction angle: mean').fill('30');
   await page.getByRole('button', { name: '‹ Model' }).click();
 
   await page.getByRole('button', { name: '+ Add seeder' }).click();
-  const seeder = page.getByRole('region', { name: 'Seeder' });
-  for (const [name, value] of [
-    ['x', '0'],
-    ['y', '0'],
-    ['z', '20'],
-  ] as const)
-    await seeder.getByLabel(name, { exact: true }).first().fill(value);
-  await seeder.getByLabel('Rocks', { exact: true }).fill('1');
-  await seeder.getByLabel(/^One of mass/).selectOption({ label: 'Diameter' });
-  await seeder.getByLabel('Diameter', { exact: true }).fill('1');
-  await seeder.getByLabel('Horizontal velocity', { exact: true }).fill('3');
+  const seeder = page.getByRole('region', { name: 'Seeder 1' });
+  await seeder.getByLabel('Position, x').fill('0');
+  await seeder.getByLabel('Position, y').fill('0');
+  await seeder.getByLabel('Position, z').fill('20');
+  await seeder.getByRole('textbox', { name: 'Rocks', exact: true }).fill('1');
+  await seeder.getByRole('button', { name: 'Diameter', exact: true }).click();
+  await seeder.getByLabel('Diameter: mean').fill('1');
+  await seeder.getByLabel('Horizontal velocity: mean').fill('3');
+  await seeder.getByLabel('Horizontal velocity: mean').press('Tab');
   await page.getByRole('button', { name: 'Save', exact: true }).click();
   await expect(page.getByText('Saved bowl.toml')).toBeVisible();
   expect(server.read('bowl.toml')).toContain('polylines = [');
 
   await page.getByRole('button', { name: 'Compute', exact: true }).click();
   await page.getByRole('tab', { name: 'Rock', exact: true }).click();
-  await page.getByLabel('Rock', { exact: true }).fill('0');
-  await page.getByLabel('Rock', { exact: true }).press('Enter');
+  await page.getByRole('spinbutton', { name: 'Rock' }).fill('0');
+  await page.getByRole('spinbutton', { name: 'Rock' }).press('Enter');
   const table = page.getByRole('region', { name: 'Path of rock 0' }).getByRole('table');
   await expect(table).toBeVisible();
   const shown = await cellsOf(table);
