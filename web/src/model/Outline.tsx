@@ -35,7 +35,7 @@ function Row({
   colour?: string;
 }) {
   return (
-    <button class="item" onClick={() => (chosen.value = path)}>
+    <button class="item" data-item={path.join('.')} onClick={() => (chosen.value = path)}>
       {colour && <span class="chip" style={{ background: colour }} />}
       <span class="name">{title}</span>
       <span class="faint detail">{detail}</span>
