@@ -28,5 +28,14 @@ TEST(FootStretch, OfAPlaceIsThePlace) {
   EXPECT_TRUE(stretch_of({}, 0, 10).empty());
 }
 
+TEST(AlongAFoot, APlaceIsWhereTheLineIsNearest) {
+  EXPECT_DOUBLE_EQ(station_of(foot, 15, 20), 25);
+  EXPECT_DOUBLE_EQ(station_of(foot, 15 + 8, 20 - 6), 25);  // beside it
+  EXPECT_DOUBLE_EQ(station_of(foot, 29, 70), 80);
+  EXPECT_DOUBLE_EQ(station_of(foot, -5, -5), 0);
+  EXPECT_DOUBLE_EQ(station_of(foot, 31, 500), 110);
+  EXPECT_EQ(station_of({{1, 2, 3}}, 7, 8), 0);
+}
+
 }  // namespace
 }  // namespace talus::io

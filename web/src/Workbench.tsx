@@ -10,6 +10,7 @@ import { SectionView } from './section/SectionView';
 import { TextPanel } from './model/TextPanel';
 import { TopBar } from './ui/TopBar';
 import { Tabs } from './ui/Tabs';
+import { SavingDialogs } from './ui/SavingDialogs';
 
 export function Workbench() {
   return (
@@ -36,6 +37,7 @@ export function Workbench() {
         <div class="picture">{dimension.value === 2 ? <SectionView /> : <SceneView />}</div>
         <ResultsPanel />
       </main>
+      <SavingDialogs />
     </div>
   );
 }

@@ -42,8 +42,15 @@ bool is_of_results(const fs::path& folder) {
   return fs::exists(folder / "summary.json", ignored) || fs::exists(folder / "run.json", ignored);
 }
 
-Json listing(const Workplace& workplace, bool& is_cut) {
+struct Listing {
   Json files = Json::array();
+  Json drafts = Json::array();  // projects that have one
+  bool is_cut = false;
+};
+
+Listing listing(const Workplace& workplace) {
+  Listing found;
+  auto& [files, drafts, is_cut] = found;
   std::error_code error;
   auto entry = fs::recursive_directory_iterator(workplace.folder(), fs::directory_options::skip_permission_denied, error);
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
@@ -55,7 +62,12 @@ Json listing(const Workplace& workplace, bool& is_cut) {
         entry.disable_recursion_pending();
       continue;
     }
-    if (is_hidden || !entry->is_regular_file(ignored)) continue;
+    if (!entry->is_regular_file(ignored)) continue;
+    if (is_hidden && path.extension() == ".draft") {
+      const std::string name = path.stem().string().substr(1);
+      drafts.push_back((path.parent_path() / name).lexically_relative(workplace.folder()).generic_string());
+    }
+    if (is_hidden) continue;
     if (files.size() == most) {
       is_cut = true;
       break;
@@ -68,16 +80,17 @@ Json listing(const Workplace& workplace, bool& is_cut) {
                      {"kind", kind_of(path)}});
   }
   std::sort(files.begin(), files.end(), [](const Json& a, const Json& b) { return a["name"] < b["name"]; });
-  return files;
+  std::sort(drafts.begin(), drafts.end());
+  return found;
 }
 
 }  // namespace
 
 void add_file_routes(Router& router, const Workplace& workplace) {
   router.get("/api/files", [&workplace](const Call&) {
-    bool is_cut = false;
-    Json files = listing(workplace, is_cut);
-    return json_answer({{"files", std::move(files)}, {"more", is_cut}});
+    Listing found = listing(workplace);
+    return json_answer(
+        {{"files", std::move(found.files)}, {"drafts", std::move(found.drafts)}, {"more", found.is_cut}});
   });
   router.upload(R"(/api/files/(.+))", [&](const httplib::Request& request, const httplib::ContentReader& content) {
     const std::string name = request.matches[1].str();

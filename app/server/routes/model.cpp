@@ -46,16 +46,19 @@ class SharedVertices {
   explicit SharedVertices(std::size_t triangles) {
     numbers_.reserve(triangles / 2 + 3);
     triangles_.reserve(3 * triangles);
+    sources_.reserve(triangles);
     materials_.reserve(triangles);
   }
-  void add(const Triangle& triangle, MaterialId material) {
+  void add(const Triangle& triangle, std::uint32_t source, MaterialId material) {
     for (const Vec3& corner : triangle) triangles_.push_back(vertex(corner));
+    sources_.push_back(source);
     materials_.push_back(material.index);
   }
   [[nodiscard]] Answer answer(const Model& model) const {
     Arrays arrays(Json{{"origin", as_json(model.frame.origin)}});
     arrays.add("positions", std::span<const float>(positions_));
     arrays.add("triangles", std::span<const std::uint32_t>(triangles_));
+    arrays.add("sources", std::span<const std::uint32_t>(sources_));
     arrays.add_smallest("materials", materials_, model.ground.materials().size());
     return arrays.answer();
   }
@@ -77,13 +80,13 @@ class SharedVertices {
 
   std::unordered_map<std::array<double, 3>, std::uint32_t, Hash> numbers_;
   std::vector<float> positions_;
-  std::vector<std::uint32_t> triangles_, materials_;
+  std::vector<std::uint32_t> triangles_, sources_, materials_;
 };
 
 Answer mesh_answer(const Model& model) {
   SharedVertices vertices(std::visit([](const auto& surface) { return surface.facet_count(); }, model.surface));
   const auto add = [&](const auto& surface, FacetId facet) {
-    vertices.add(surface.triangle(facet), model.ground.material_of(surface.source(facet)));
+    vertices.add(surface.triangle(facet), surface.source(facet), model.ground.material_of(surface.source(facet)));
   };
   if (const auto* mesh = std::get_if<TriangleMesh>(&model.surface)) {
     for (std::uint32_t k = 0; k < mesh->facet_count(); ++k) add(*mesh, {k});

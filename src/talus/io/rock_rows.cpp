@@ -15,27 +15,31 @@ namespace {
 
 constexpr std::uint64_t little = 1u << 16u;  // bytes that are read rather than searched further
 
-/// The rock of the row with which a text begins, if it begins with a row.
-std::optional<std::uint64_t> rock_at(std::string_view text, std::size_t column) {
-  for (; column > 0; --column) {
-    if (text.starts_with('"')) {
-      std::size_t end = 1;
-      while (end < text.size() && (text[end] != '"' || text.substr(end + 1).starts_with('"')))
-        end += text[end] == '"' ? 2 : 1;
-      text.remove_prefix(std::min(end, text.size()));
+/// The rock of the row that a line holds, if it holds one whole: not every line does, since a name in quotes may hold a
+/// line's end.
+std::optional<std::uint64_t> rock_in(std::string_view line, std::size_t column, std::size_t columns) {
+  std::optional<std::uint64_t> rock;
+  for (std::size_t k = 0;; ++k) {
+    std::size_t end = 0;
+    if (line.starts_with('"')) {
+      for (end = 1; end < line.size() && (line[end] != '"' || line.substr(end + 1).starts_with('"'));)
+        end += line[end] == '"' ? 2 : 1;
+      if (end >= line.size()) return std::nullopt;
     }
-    const std::size_t comma = text.find_first_of(",\n");
-    if (comma == std::string_view::npos || text[comma] == '\n') return std::nullopt;
-    text.remove_prefix(comma + 1);
+    end = std::min(line.find(',', end), line.size());
+    if (k == column) {
+      std::uint64_t number = 0;
+      const auto [last, error] = std::from_chars(line.data(), line.data() + end, number);
+      if (error == std::errc() && last == line.data() + end) rock = number;
+    }
+    if (end == line.size()) return k + 1 == columns ? rock : std::nullopt;
+    line.remove_prefix(end + 1);
   }
-  std::uint64_t rock = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rock);
-  if (error != std::errc() || end == text.data() + text.size() || *end != ',') return std::nullopt;
-  return rock;
 }
 
 /// Where a row begins that has no row of the rock before it; 0: the file's beginning. By bisection.
-std::uint64_t begin_before(const std::filesystem::path& file, std::size_t column, std::uint64_t rock) {
+std::uint64_t begin_before(const std::filesystem::path& file, std::size_t column, std::size_t columns,
+                           std::uint64_t rock) {
   std::error_code error;
   std::uint64_t low = 0, high = std::filesystem::file_size(file, error);
   if (error) return 0;
@@ -46,14 +50,17 @@ std::uint64_t begin_before(const std::filesystem::path& file, std::size_t column
     part.resize(std::min<std::uint64_t>(little, high - middle));
     stream.seekg(static_cast<std::streamoff>(middle));
     if (!stream.read(part.data(), static_cast<std::streamsize>(part.size()))) return low;
-    // Not every line begins a row: a name in quotes may hold a line's end.
     std::optional<std::uint64_t> found;
     std::size_t begin = part.find('\n');
-    for (; begin != std::string::npos && !found; begin = part.find('\n', begin + 1))
-      if ((found = rock_at(std::string_view(part).substr(begin + 1), column))) break;
+    while (begin != std::string::npos && !found) {
+      const std::size_t end = part.find('\n', ++begin);
+      if (end == std::string::npos) break;
+      found = rock_in(std::string_view(part).substr(begin, end - begin), column, columns);
+      if (!found) begin = end;
+    }
     if (!found) return low;
     if (*found < rock) {
-      low = middle + begin + 1;
+      low = middle + begin;
     } else {
       high = middle;
     }
@@ -69,7 +76,7 @@ std::vector<std::vector<std::string>> rows_of_rock(const std::filesystem::path& 
   TALUS_PROMISE(found != columns.end(), "the table has rocks");
   const auto column = static_cast<std::size_t>(found - columns.begin());
   CsvReader row(file, columns);
-  if (const std::uint64_t begin = begin_before(file, column, rock); begin > 0) row.go_to(begin);
+  if (const std::uint64_t begin = begin_before(file, column, columns.size(), rock); begin > 0) row.go_to(begin);
   std::vector<std::vector<std::string>> rows;
   while (row.next()) {
     const auto current = static_cast<std::uint64_t>(row.whole_number(column));

@@ -13,6 +13,7 @@ import type {
   Problem,
   ProjectText,
   Run,
+  Verification,
 } from './types';
 
 /// A refusal, with the reasons that the server gave.
@@ -75,7 +76,10 @@ export const api = {
     sendJson<PolygonsAnswer>('POST', '/api/geometry/polygons', asked, signal),
   examples: async () => (await getJson<{ examples: Example[] }>('/api/examples')).examples,
   openExample: (id: string) => sendJson<{ project: string }>('POST', `/api/examples/${id}`, {}),
-  files: async () => (await getJson<{ files: FolderFile[] }>('/api/files')).files,
+  /// The files of the folder, and which of its projects have a draft.
+  folder: () => getJson<{ files: FolderFile[]; drafts: string[] }>('/api/files'),
+  files: async () => (await api.folder()).files,
+  verification: () => getJson<Verification>('/api/verification'),
   upload: async (file: string, content: Blob, replace = false) => {
     let response: Response;
     try {

@@ -55,6 +55,8 @@ export type Point3 = [number, number, number];
 export interface ModelSeeder {
   name: string;
   type: 'point' | 'line' | 'polygon' | 'raster';
+  /// Of the entry in the project, such as "seeder.0".
+  path: string;
   rocks: number;
   first_rock: number;
   lines: Point3[][];
@@ -64,6 +66,7 @@ export interface ModelSeeder {
 export interface ModelBarrier {
   name: string;
   kind: 'barrier' | 'collector';
+  path: string;
   height_m: number;
   capacity_kJ: number | null;
   foot: Point3[];
@@ -73,7 +76,7 @@ export interface ModelBarrier {
 export interface Model {
   id: string;
   dimension: 2 | 3;
-  kind: 'profile' | 'mesh' | 'raster';
+  kind: 'section' | 'mesh' | 'raster';
   rocks: number;
   crs: string;
   facets: number;
@@ -176,4 +179,35 @@ export interface Difference {
   key: string;
   here: unknown;
   there: unknown;
+}
+
+export interface Verification {
+  passes: boolean;
+  cases: VerificationCase[];
+}
+
+export interface VerificationCase {
+  case: string;
+  title: string;
+  passes: boolean;
+  seconds: number;
+  agree: number;
+  compared: number;
+  tables: {
+    title: string;
+    manual: string;
+    run: string;
+    why: string;
+    agree: number;
+    differ: number;
+    numbers: {
+      row: string;
+      quantity: string;
+      published: string;
+      talus: number;
+      difference: number;
+      allowed: string;
+      verdict: string;
+    }[];
+  }[];
 }

@@ -4,12 +4,16 @@ import { useEffect, useRef } from 'preact/hooks';
 import { rowsOf } from '../state/document';
 import { chosen, helpOpen } from '../state/view';
 import type { Path } from '../toml/edit';
+import { DocumentDialog } from '../help/Document';
 import { TableForm } from './form/TableForm';
 import { Words } from './form/Words';
 import { loadSettings, tableOf } from './settings';
 import { sectionOf } from './sections';
 import { Outline } from './Outline';
 import { realProblems, sentenceOf, toneOf } from './awaited';
+import { DesignForm } from './DesignForm';
+import { GroundForm } from './GroundForm';
+import { followChosen } from './highlight';
 import { TerrainForm } from './TerrainForm';
 import { takeFiles, listenToDrops } from './terrainFile';
 import { ProblemList } from './ProblemList';
@@ -20,12 +24,14 @@ import './model.css';
 export function ModelPanel() {
   useEffect(loadSettings, []);
   useEffect(() => listenToDrops(takeFiles), []);
+  useEffect(followChosen, []);
   const path = chosen.value;
   const isThere = path !== null && (typeof path[1] !== 'number' || rowsOf(String(path[0])).length > path[1]);
   return (
     <div class="model">
       <ProblemList folded={isThere} />
       {isThere ? <FormPage key={path.join('.')} path={path} /> : <Outline />}
+      <DocumentDialog />
     </div>
   );
 }
@@ -74,6 +80,10 @@ function FormPage({ path }: { path: Path }) {
         <TableForm table={key} path={path} />
       ) : key === 'terrain' ? (
         <TerrainForm />
+      ) : key === 'ground' ? (
+        <GroundForm />
+      ) : key === 'design' ? (
+        <DesignForm />
       ) : (
         section.tables.map((table) => <TableForm key={table} table={table} path={table === '' ? [] : [table]} />)
       )}

@@ -8,7 +8,7 @@ import { summaryOf } from './summaries';
 import { sections, type Section } from './sections';
 import { add, nextSteps } from './things';
 import { nameOf } from './place';
-import { materialColour } from './colours';
+import { materialColour } from '../view/colours';
 import { LibraryChoice } from './LibraryChoice';
 
 function Badge({ path }: { path: string }) {

@@ -129,7 +129,8 @@ const groupsOf: Record<string, Group[]> = {
         'section_std_dev_m',
         ...Object.keys(terrainNeeds).filter((key) => !['width_m', 'section_std_dev_m'].includes(key)),
       ],
-      applies: (key, row) => (terrainNeeds[key] ?? [key]).some((other) => row[other] !== undefined),
+      applies: (key, row, is2d) =>
+        (key !== 'section_std_dev_m' || is2d) && (terrainNeeds[key] ?? [key]).some((other) => row[other] !== undefined),
     },
     { title: 'Turning', folded: true, keys: ['rotate_deg', 'rotate_about'], applies: (_key, _row, is2d) => !is2d },
   ],
@@ -202,7 +203,7 @@ const groupsOf: Record<string, Group[]> = {
   ground: [
     { title: '', keys: ['default'] },
     {
-      title: 'Where other materials are',
+      title: '',
       keys: ['segments', 'triangles', 'raster', 'classes', 'polygons', 'layer', 'attribute', 'values'],
       applies: (key, row) => {
         if (key === 'classes') return row.raster !== undefined;

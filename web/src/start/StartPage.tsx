@@ -1,50 +1,102 @@
-// What a new user sees first: examples that are one click from rocks in motion, the folder's projects, a new one.
+// What a new user sees first: examples that are one click from rocks in motion, a new project, the folder's projects.
 
 import { useEffect } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { about } from '../app';
 import { api } from '../api/client';
-import type { Example, FolderFile } from '../api/types';
+import type { Example } from '../api/types';
+import { files } from '../model/files';
+import { listenToDrops } from '../model/terrainFile';
 import { open } from '../state/document';
 import { sayFailure } from '../state/messages';
+import { beginWith, NewProject } from './NewProject';
+import { VerificationPage } from './VerificationPage';
+import './start.css';
 
 const examples = signal<Example[]>([]);
-const projects = signal<FolderFile[]>([]);
+const drafts = signal<string[]>([]);
+const verifying = signal(false);
 
 async function load() {
-  examples.value = await api.examples();
-  projects.value = (await api.files()).filter(({ kind }) => kind === 'project');
+  const [list, folder] = await Promise.all([api.examples(), api.folder()]);
+  examples.value = list;
+  files.value = folder.files;
+  drafts.value = folder.drafts;
 }
 
 export function StartPage() {
   useEffect(() => void load().catch(sayFailure), []);
+  useEffect(() => listenToDrops((list) => beginWith(list)), []);
+  if (verifying.value) return <VerificationPage close={() => (verifying.value = false)} />;
   const openExample = (id: string) =>
-    api.openExample(id).then(({ project }) => open(project)).catch(sayFailure);
+    api
+      .openExample(id)
+      .then(({ project }) => open(project))
+      .catch(sayFailure);
   return (
     <main class="start">
-      <h1>Talus</h1>
-      <p class="faint">
-        Rockfall on your own slopes: where rocks go, how fast, how high, and what stops them.
-        {about.value && ` Version ${about.value.version}, in ${about.value.folder}.`}
-      </p>
-      <h2 style={{ marginTop: 24 }}>Try an example</h2>
-      <div class="cards">
-        {examples.value.map(({ id, title, what }) => (
-          <button key={id} class="card" onClick={() => void openExample(id)}>
-            <span class="name">{title}</span>
-            <span class="faint">{what}</span>
+      <header>
+        <img class="logo" src="/icon.svg" alt="" />
+        <div>
+          <h1>Talus</h1>
+          <p class="faint">Rockfall on your own slopes: where rocks go, how fast, how high, and what stops them.</p>
+        </div>
+      </header>
+      <section aria-labelledby="examples">
+        <h2 id="examples">Try an example</h2>
+        <div class="cards">
+          {examples.value.map(({ id, title, what }) => (
+            <button key={id} class="card" onClick={() => void openExample(id)}>
+              <span class="name">{title}</span>
+              <span class="faint">{what}</span>
+            </button>
+          ))}
+        </div>
+      </section>
+      <NewProject />
+      <Projects />
+      <footer class="faint">
+        <p>
+          Does it compute what is published?{' '}
+          <button class="button" onClick={() => (verifying.value = true)}>
+            Run the verification cases
           </button>
-        ))}
-      </div>
-      {projects.value.length > 0 && <h2>Projects in this folder</h2>}
-      <div class="cards">
-        {projects.value.map(({ name, modified }) => (
-          <button key={name} class="card" onClick={() => void open(name).catch(sayFailure)}>
-            <span class="name">{name}</span>
-            <span class="faint">{new Date(modified).toLocaleString()}</span>
-          </button>
-        ))}
-      </div>
+        </p>
+        {about.value && (
+          <p>
+            Version {about.value.version}, working in <span class="mono">{about.value.folder}</span>
+          </p>
+        )}
+      </footer>
     </main>
+  );
+}
+
+function Projects() {
+  const projects = files.value.filter(({ kind }) => kind === 'project');
+  const unsaved = drafts.value.filter((draft) => !projects.some(({ name }) => name === draft));
+  if (projects.length + unsaved.length === 0) return null;
+  const openFile = (name: string) => void open(name).catch(sayFailure);
+  return (
+    <section aria-labelledby="projects">
+      <h2 id="projects">Projects of this folder</h2>
+      <div class="cards">
+        {unsaved.map((name) => (
+          <button key={name} class="card" onClick={() => openFile(name)}>
+            <span class="name">{name}</span>
+            <span class="faint">a draft, never saved</span>
+          </button>
+        ))}
+        {projects.map(({ name, modified }) => (
+          <button key={name} class="card" onClick={() => openFile(name)}>
+            <span class="name">{name}</span>
+            <span class="faint">
+              {new Date(modified).toLocaleString('en-GB', { dateStyle: 'medium', timeStyle: 'short' })}
+              {drafts.value.includes(name) && ', with a draft that is not saved'}
+            </span>
+          </button>
+        ))}
+      </div>
+    </section>
   );
 }

@@ -5,7 +5,7 @@ import { batch, computed, effect, signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import { edited, valuesOf, type Edit, type Path } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
-import { say } from './messages';
+import { chosen, chosenRock } from './view';
 
 interface Step {
   text: string;
@@ -19,7 +19,7 @@ const mostCharacters = 50_000_000; // of all steps together
 export const file = signal<string | null>(null);
 export const text = signal('');
 /// The hash of the file as it was read or written last; null: it was never saved.
-const savedHash = signal<string | null>(null);
+export const savedHash = signal<string | null>(null);
 const savedText = signal('');
 const past = signal<Step[]>([]);
 const future = signal<Step[]>([]);
@@ -127,10 +127,17 @@ function begin(name: string, now: string, saved: string, hash: string | null) {
 
 /// Opens a project of the folder; a draft that was left is taken up, and the saved text is one undo away.
 export async function open(name: string) {
-  const project = await api.project(name);
+  const local = localDraft(name);
+  const project = await api.project(name).catch((error: unknown) => {
+    // Never saved, and the server did not hear of it before it went.
+    if (error instanceof Refused && error.status === 404 && local !== null)
+      return { text: '', saved: null, draft: local };
+    throw error;
+  });
   begin(name, project.text, project.text, project.saved);
-  isDraft.value = project.draft !== null;
-  if (project.draft !== null) replaceText(project.draft, 'take up the draft');
+  const draft = local !== null && local !== project.text ? local : project.draft;
+  isDraft.value = draft !== null;
+  if (draft !== null) replaceText(draft, 'take up the draft');
 }
 
 /// Begins a project that has no file yet.
@@ -141,34 +148,22 @@ export function start(name: string, first: string) {
 
 export function close() {
   sessionStorage.removeItem('file');
-  file.value = null;
-}
-
-export async function save() {
-  if (file.value === null) return;
-  const [name, now] = [file.value, text.value];
-  try {
-    const { saved } = await api.saveProject(name, now, savedHash.value);
-    batch(() => {
-      savedHash.value = saved;
-      savedText.value = now;
-      isDraft.value = false;
-    });
-    say('saved', `Saved ${name}`);
-  } catch (error) {
-    say('error', error instanceof Refused && error.status === 409 ? `Not saved: ${error.message}` : String(error));
-  }
-}
-
-/// Takes the file as it is on the disk, as a step that can be undone.
-export async function readAgain() {
-  if (file.value === null) return;
-  const project = await api.project(file.value);
-  replaceText(project.text, 'read the file again');
   batch(() => {
-    savedHash.value = project.saved;
-    savedText.value = project.text;
+    file.value = null;
+    chosen.value = null;
+    chosenRock.value = null;
   });
+}
+
+/// The text as it was then is in the file, which has this hash and from now on this name.
+export function settle(name: string, saved: string, hash: string | null) {
+  batch(() => {
+    file.value = name;
+    savedHash.value = hash;
+    savedText.value = saved;
+    isDraft.value = false;
+  });
+  sessionStorage.setItem('file', name);
 }
 
 // Drafts: what is not saved is kept by the server within a second, and in the browser, should the server be gone.

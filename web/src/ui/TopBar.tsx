@@ -1,4 +1,5 @@
-import { close, file, isChanged, redo, redoes, save, undo, undoes, values } from '../state/document';
+import { close, file, isChanged, redo, redoes, undo, undoes, values } from '../state/document';
+import { save, savingAs } from '../state/saving';
 import { isBuilding } from '../state/model';
 import { isConnected, running, stop } from '../state/runs';
 import { theme, type Theme } from '../state/view';
@@ -47,6 +48,9 @@ export function TopBar() {
       </button>
       <button class="button" disabled={!isChanged.value} title="Save (Ctrl+S)" onClick={() => void save()}>
         Save
+      </button>
+      <button class="button" onClick={() => (savingAs.value = true)}>
+        Save as…
       </button>
       <span class="space" />
       <Progress />

@@ -1,11 +1,18 @@
 // Keys that work everywhere on the page.
 
-import { file, redo, save, undo } from '../state/document';
+import { file, redo, undo } from '../state/document';
+import { save } from '../state/saving';
 import { compute } from '../state/runs';
 import { tool, useTool } from '../scene/tool';
 
 const isWriting = (target: EventTarget | null) =>
   target instanceof HTMLElement && (target.isContentEditable || ['INPUT', 'TEXTAREA', 'SELECT'].includes(target.tagName));
+
+/// What is being typed counts: a field takes it when it changes.
+function taken(what: () => unknown) {
+  if (isWriting(document.activeElement)) document.activeElement?.dispatchEvent(new Event('change', { bubbles: true }));
+  void what();
+}
 
 function onKey(event: KeyboardEvent) {
   if (file.value === null) return;
@@ -15,8 +22,8 @@ function onKey(event: KeyboardEvent) {
     event.preventDefault();
     void what();
   };
-  if (ctrl && key === 's') return act(save);
-  if (ctrl && event.key === 'Enter') return act(() => compute());
+  if (ctrl && key === 's') return act(() => taken(save));
+  if (ctrl && event.key === 'Enter') return act(() => taken(compute));
   if (isWriting(event.target)) return;
   if (ctrl && key === 'z') return act(event.shiftKey ? redo : undo);
   if (ctrl && key === 'y') return act(redo);

@@ -14,17 +14,18 @@ type Group = ReturnType<typeof groupsIn>[number];
 
 const isGiven = (path: Path) => valueAt(path) !== undefined || problemsAt(pathText(path)).length > 0;
 
-export function TableForm({ table, path, except = [] }: { table: string; path: Path; except?: string[] }) {
+/// All of a table's settings, or only some.
+export function TableForm({ table, path, only }: { table: string; path: Path; only?: string[] }) {
   const described = tableOf(table);
   if (!described) return null;
   const groups = groupsIn(
     table,
-    described.fields.filter(({ key }) => !except.includes(key)),
+    described.fields.filter(({ key }) => only?.includes(key) ?? true),
   );
   return (
     <>
-      {groups.map((group) => (
-        <GroupOfFields key={group.title} group={group} path={path} />
+      {groups.map((group, k) => (
+        <GroupOfFields key={k} group={group} path={path} />
       ))}
     </>
   );

@@ -1,0 +1,98 @@
+// Which ground is made of which material: everywhere the same, by segments or triangles that are picked, by files.
+
+import { useState } from 'preact/hooks';
+import { edit, rowsOf } from '../state/document';
+import { sayFailure } from '../state/messages';
+import { model } from '../state/model';
+import { assignByClicks, assignByPolygon } from './assignTool';
+import { materialColour } from '../view/colours';
+import { Field } from './form/Field';
+import { materialNames } from './form/references';
+import { TableForm } from './form/TableForm';
+import { changeWay, groundWays, wayOf, waysFor, type GroundWay } from './groundWays';
+import { nameOf, tableAt } from './place';
+import { fieldOf } from './settings';
+import { kindOf } from './terrainKinds';
+
+export function GroundForm() {
+  const [picked, setPicked] = useState<GroundWay | null>(null);
+  const ground = tableAt(['ground']);
+  const given = wayOf(ground);
+  const way = given.name === 'one' && picked ? picked : given;
+  const allowed = waysFor(kindOf(tableAt(['terrain']))?.name ?? '');
+  const offered = groundWays.filter((one) => allowed.includes(one) || one === way);
+  const pick = (next: GroundWay) => {
+    setPicked(next);
+    const edits = changeWay(next, ground, materialNames());
+    if (edits.length > 0) edit(`ground: ${next.title.toLowerCase()}`, edits);
+  };
+  // Files that are not chosen yet, and segments that are still all the same.
+  const wanted = way.keys.slice(0, 1).filter((key) => key !== 'triangles' && ground[key] === undefined);
+  return (
+    <>
+      <TableForm table="ground" path={['ground']} only={['default']} />
+      <div class="field">
+        <div class="head">
+          <label for="ground-way">Where materials are</label>
+        </div>
+        <select
+          id="ground-way"
+          value={way.name}
+          onChange={(event) => pick(groundWays.find(({ name }) => name === event.currentTarget.value)!)}
+        >
+          {offered.map(({ name, title }) => (
+            <option key={name} value={name}>
+              {title}
+            </option>
+          ))}
+        </select>
+      </div>
+      {(way.name === 'segments' || way.name === 'triangles') && <Pickers way={way} />}
+      {wanted
+        .flatMap((key) => fieldOf('ground', key) ?? [])
+        .map((field) => (
+          <Field key={field.key} field={field} path={['ground', field.key]} />
+        ))}
+      <TableForm table="ground" path={['ground']} only={way.keys.filter((key) => key !== 'triangles')} />
+      {way.name === 'triangles' && Array.isArray(ground.triangles) && (
+        <p class="faint">{ground.triangles.length.toLocaleString('en')} triangles have a material of their own.</p>
+      )}
+    </>
+  );
+}
+
+/// A button a material, which starts the picking in the view.
+function Pickers({ way }: { way: GroundWay }) {
+  const materials = rowsOf('material');
+  const isPossible = model.value !== null;
+  return (
+    <div class="pickers">
+      <p class="faint">Choose a material, then click {way.name} in the view.</p>
+      {materials.map((_, k) => (
+        <div key={k} class="row">
+          <span class="chip" style={{ background: materialColour(k) }} />
+          <span class="name">{nameOf('material', k)}</span>
+          <button
+            class="button"
+            disabled={!isPossible}
+            aria-label={`Pick ${way.name} of ${nameOf('material', k)}`}
+            onClick={() => void assignByClicks(k).catch(sayFailure)}
+          >
+            Pick
+          </button>
+          {way.name === 'triangles' && (
+            <button
+              class="button"
+              disabled={!isPossible}
+              aria-label={`Draw a polygon of ${nameOf('material', k)}`}
+              onClick={() => assignByPolygon(k)}
+            >
+              Polygon
+            </button>
+          )}
+        </div>
+      ))}
+      {materials.length < 2 && <p class="faint">With one material there is nothing to tell apart: add another one.</p>}
+    </div>
+  );
+}

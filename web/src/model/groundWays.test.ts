@@ -1,0 +1,29 @@
+import { expect, test } from 'vitest';
+import { changeWay, groundWays, segmentsWith, trianglesWith, wayOf, waysFor } from './groundWays';
+
+test('the way that a project has', () => {
+  expect(wayOf({}).name).toBe('one');
+  expect(wayOf({ default: 'A', classes: {}, raster: 'x.tif' }).name).toBe('raster');
+});
+
+test('what belongs to another way goes', () =>
+  expect(changeWay(groundWays[0]!, { polygons: 'a.gpkg', attribute: 'm', default: 'A' }, ['A', 'B'])).toEqual([
+    { remove: ['ground', 'polygons'] },
+    { remove: ['ground', 'attribute'] },
+  ]));
+
+test('several materials get a default', () =>
+  expect(changeWay(groundWays[2]!, {}, ['A', 'B'])).toEqual([{ set: ['ground', 'default'], value: 'A' }]));
+
+test('segments and triangles of a list that is not there, or too short', () => {
+  expect(segmentsWith(undefined, 3, 1, 'B', 'A')).toEqual(['A', 'B', 'A']);
+  expect(segmentsWith(['B'], 2, 1, 'C', 'A')).toEqual(['B', 'C']);
+  expect(trianglesWith(undefined, 4, [1, 3], 2, 0)).toEqual([0, 2, 0, 2]);
+  expect(trianglesWith([1, 1], 3, [0], 0, 0)).toEqual([0, 1, 0]);
+});
+
+test('a section has segments, a raster has none', () => {
+  expect(waysFor('section').map(({ name }) => name)).toEqual(['one', 'segments']);
+  expect(waysFor('raster').map(({ name }) => name)).toEqual(['one', 'polygons', 'raster']);
+  expect(waysFor('polylines').map(({ name }) => name)).toContain('triangles');
+});

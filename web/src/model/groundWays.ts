@@ -1,0 +1,72 @@
+// The ways to say which ground is made of which material.
+
+import type { Edit } from '../toml/edit';
+import type { TomlTable, TomlValue } from '../toml/format';
+
+export interface GroundWay {
+  name: string;
+  title: string;
+  keys: string[];
+}
+
+export const groundWays: GroundWay[] = [
+  { name: 'one', title: 'One material everywhere', keys: [] },
+  { name: 'segments', title: 'By segments of the section', keys: ['segments'] },
+  { name: 'triangles', title: 'By triangles, picked in the view', keys: ['triangles'] },
+  { name: 'polygons', title: 'By polygons of a file', keys: ['polygons', 'layer', 'attribute', 'values'] },
+  { name: 'raster', title: 'By a raster of classes', keys: ['raster', 'classes'] },
+];
+
+export const wayOf = (ground: TomlTable): GroundWay =>
+  groundWays.find(({ keys }) => keys[0] !== undefined && ground[keys[0]] !== undefined) ?? groundWays[0]!;
+
+/// Those that a kind of terrain allows, by the key of `[terrain]` that makes it.
+export function waysFor(terrainKind: string): GroundWay[] {
+  const names: Record<string, string[]> = {
+    section: ['one', 'segments'],
+    raster: ['one', 'polygons', 'raster'],
+  };
+  const allowed = names[terrainKind] ?? ['one', 'triangles', 'polygons', 'raster'];
+  return groundWays.filter(({ name }) => allowed.includes(name));
+}
+
+/// The edits that change to a way: what belongs to the others goes; where several materials need a default, it is given.
+export function changeWay(way: GroundWay, ground: TomlTable, materials: readonly string[]): Edit[] {
+  const removes = groundWays
+    .flatMap(({ name, keys }) => (name === way.name ? [] : keys))
+    .filter((key) => ground[key] !== undefined);
+  const needsDefault = ground.default === undefined && materials.length > 1 && materials[0] !== undefined;
+  return [
+    ...removes.map((key) => ({ remove: ['ground', key] })),
+    ...(needsDefault ? [{ set: ['ground', 'default'], value: materials[0]! }] : []),
+  ];
+}
+
+/// The materials of segments with one changed; a list that is too short is filled.
+export function segmentsWith(
+  given: unknown,
+  count: number,
+  segment: number,
+  material: string,
+  standard: string,
+): TomlValue[] {
+  const list = Array.isArray(given) ? (given as TomlValue[]) : [];
+  return Array.from({ length: Math.max(count, list.length) }, (_, k) =>
+    k === segment ? material : (list[k] ?? standard),
+  );
+}
+
+/// The same of triangles, which have materials by their number.
+export function trianglesWith(
+  given: unknown,
+  count: number,
+  triangles: readonly number[],
+  material: number,
+  standard: number,
+): TomlValue[] {
+  const list = Array.isArray(given) ? (given as TomlValue[]) : [];
+  const changed = new Set(triangles);
+  return Array.from({ length: Math.max(count, list.length) }, (_, k) =>
+    changed.has(k) ? material : (list[k] ?? standard),
+  );
+}

@@ -1,0 +1,97 @@
+// A new project: its name, and what its terrain begins with.
+
+import { useRef, useState } from 'preact/hooks';
+import { uploadBeside } from '../model/files';
+import { terrainOfFile } from '../model/terrainFile';
+import { start } from '../state/document';
+import { say, sayFailure } from '../state/messages';
+import { chosen, sidePanel } from '../state/view';
+import { files } from '../model/files';
+import { fileNameOf, firstText, type Beginning } from './newProject';
+
+/// Opens a new project; without a name it is called after its terrain.
+export function begin(name: string, beginning: Beginning) {
+  const called = name.trim() || (beginning.kind === 'file' ? beginning.name.replace(/\.[^.]+$/, '') : 'New slope');
+  start(
+    fileNameOf(
+      called,
+      files.value.map(({ name: file }) => file),
+    ),
+    firstText(called, beginning),
+  );
+  sidePanel.value = 'model';
+  chosen.value = beginning.kind === 'file' ? null : ['terrain'];
+}
+
+/// Keeps the files in the folder; a project begins with the first that can be a terrain.
+export async function beginWith(list: readonly File[], name = '') {
+  let terrain: Beginning | null = null;
+  for (const one of list) {
+    const found = terrainOfFile(one.name);
+    const kept = await uploadBeside('', one);
+    if (kept !== null && found && !terrain) terrain = { kind: 'file', name: kept, key: found.key };
+  }
+  if (terrain) begin(name, terrain);
+  else if (list.length > 0)
+    say(
+      'note',
+      'That is no terrain that Talus reads: a raster (.tif, .asc), a mesh (.obj, .stl, .ply), points (.csv, .xyz, .las) or lines (.dxf).',
+    );
+}
+
+export function NewProject() {
+  const [name, setName] = useState('');
+  const input = useRef<HTMLInputElement>(null);
+  const there = files.value.filter(({ name: file }) => terrainOfFile(file) !== null);
+  return (
+    <section aria-labelledby="new-project">
+      <h2 id="new-project">New project</h2>
+      <label class="new-name">
+        Name
+        <input value={name} placeholder="New slope" onInput={(event) => setName(event.currentTarget.value)} />
+      </label>
+      <div class="cards">
+        <button class="card" onClick={() => begin(name, { kind: 'section' })}>
+          <span class="name">Section, 2D</span>
+          <span class="faint">Draw or paste a slope in section; it can be extruded later</span>
+        </button>
+        <button class="card" onClick={() => begin(name, { kind: 'space' })}>
+          <span class="name">Empty, 3D</span>
+          <span class="faint">Build the slope of closed polylines, or choose a terrain later</span>
+        </button>
+        <button class="card" onClick={() => input.current?.click()}>
+          <span class="name">From a terrain file…</span>
+          <span class="faint">A GeoTIFF, a mesh, surveyed points: pick it, or drop it anywhere here</span>
+        </button>
+      </div>
+      <input
+        ref={input}
+        type="file"
+        hidden
+        multiple
+        aria-label="Terrain file"
+        onChange={(event) => void beginWith([...(event.currentTarget.files ?? [])], name).catch(sayFailure)}
+      />
+      {there.length > 0 && (
+        <label class="new-name">
+          From a terrain of the folder
+          <select
+            value=""
+            onChange={(event) => {
+              const file = event.currentTarget.value;
+              const found = terrainOfFile(file);
+              if (found) begin(name, { kind: 'file', name: file, key: found.key });
+            }}
+          >
+            <option value="">choose …</option>
+            {there.map(({ name: file }) => (
+              <option key={file} value={file}>
+                {file}
+              </option>
+            ))}
+          </select>
+        </label>
+      )}
+    </section>
+  );
+}
