@@ -43,6 +43,12 @@ Json profile_json(const Model& model, const Profile& profile) {
 /// Triangles whose corners that lie together are one vertex.
 class SharedVertices {
  public:
+  explicit SharedVertices(std::size_t triangles) {
+    numbers_.reserve(triangles / 2 + 3);
+    triangles_.reserve(3 * triangles);
+    sources_.reserve(triangles);
+    materials_.reserve(triangles);
+  }
   void add(const Triangle& triangle, std::uint32_t source, MaterialId material) {
     for (const Vec3& corner : triangle) triangles_.push_back(vertex(corner));
     sources_.push_back(source);
@@ -78,7 +84,7 @@ class SharedVertices {
 };
 
 Answer mesh_answer(const Model& model) {
-  SharedVertices vertices;
+  SharedVertices vertices(std::visit([](const auto& surface) { return surface.facet_count(); }, model.surface));
   const auto add = [&](const auto& surface, FacetId facet) {
     vertices.add(surface.triangle(facet), surface.source(facet), model.ground.material_of(surface.source(facet)));
   };

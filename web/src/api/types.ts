@@ -153,18 +153,6 @@ export interface RockAnswer {
   energy: [number, number, number, number][];
 }
 
-export interface RunBarrier {
-  name: string;
-  kind: 'barrier' | 'collector';
-  height_m: number;
-  capacity_kJ: number | null;
-  hits: number;
-  stopped: number;
-  passed_through: number;
-  passed_above: number;
-  design: unknown;
-}
-
 export interface RunMap {
   name: string;
   meaning: string;

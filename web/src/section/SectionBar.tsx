@@ -1,6 +1,7 @@
 // The row of controls above the section.
 
 import type { RefObject } from 'preact';
+import { PathChoices } from '../paths/PathChoices';
 import { file } from '../state/document';
 import { Popover } from '../view/Popover';
 import { equalAxes, layerNames, layers } from '../view/settings';
@@ -39,6 +40,7 @@ export function SectionBar({ canvas }: { canvas: RefObject<HTMLCanvasElement> })
       <button class="button" aria-pressed={equalAxes.value} title="One metre up is as long as one metre along" onClick={() => (equalAxes.value = !equalAxes.value)}>
         Equal axes
       </button>
+      <PathChoices />
       <Popover title="Layers">
         {(Object.keys(layers) as (keyof typeof layers)[]).map((name) => (
           <label key={name}>

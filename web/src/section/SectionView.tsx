@@ -1,6 +1,7 @@
 // The section of a 2D model, with what is needed to look at it.
 
 import { useEffect, useRef } from 'preact/hooks';
+import { PathLegend } from '../paths/PathLegend';
 import { ToolHint } from '../scene/ToolHint';
 import { model } from '../state/model';
 import { KindsLegend } from '../view/Legend';
@@ -58,7 +59,10 @@ export function SectionView() {
         aria-label={`The slope in section, ${now?.seeders.length ?? 0} seeders, ${now?.barriers.length ?? 0} barriers and collectors. Arrows move it, plus and minus zoom, 0 shows all.`}
       />
       <SectionBar canvas={canvas} />
-      <div class="legends above">{kinds.length > 0 && <KindsLegend title="Material" kinds={kinds} />}</div>
+      <div class="legends above">
+        <PathLegend />
+        {kinds.length > 0 && <KindsLegend title="Material" kinds={kinds} />}
+      </div>
       <ToolHint />
       <Status />
     </div>
