@@ -34,9 +34,7 @@ export function FileControl({ field, path }: FieldProps) {
         value={now}
         onChange={(event) => put(path, event.currentTarget.value || undefined, field.title)}
       >
-        <option value="">
-          {emptyText}
-        </option>
+        <option value="">{emptyText}</option>
         {(now === '' || names.includes(now) ? names : [now, ...names]).map((name) => (
           <option key={name} value={name}>
             {name}
