@@ -146,6 +146,23 @@ auto isolate(Work&& work) {
 }
 }  // namespace this_task_arena
 
+/// Threads are made anew for each piece of work, with the priority of whoever makes them.
+class task_arena {
+ public:
+  template <class Work>
+  auto execute(Work&& work) {
+    return work();
+  }
+};
+
+class task_scheduler_observer {
+ public:
+  explicit task_scheduler_observer(task_arena&) {}
+  virtual ~task_scheduler_observer() = default;
+  void observe(bool) {}
+  virtual void on_scheduler_entry(bool) {}
+};
+
 template <class Value>
 class enumerable_thread_specific {
  public:
