@@ -50,3 +50,14 @@ test('warnings take nothing away', () => {
   const text = `${terrain}[[material]]\nname = "A"\n[[seeder]]\nrocks = 1\n`;
   expect(withStandIns(text, [{ ...error('seeder.0.rocks'), severity: 'warning' }])).toBeNull();
 });
+
+test('off a terrain far from the origin, it stands in the middle of it', () => {
+  const text = '[terrain]\nraster = "a.tif"\n[[material]]\nname = "A"\n';
+  const first = withStandIns(text, [error('')])!;
+  expect(valuesOf(first)).toMatchObject({ seeder: [{ position: [0, 0, 0] }] });
+  const off = {
+    ...error('seeder.0'),
+    why: 'on plan the terrain lies within x = 652002.5 to 652747.5, y = 5234002.5 to 5234547.5',
+  };
+  expect(valuesOf(withStandIns(first, [off])!)).toMatchObject({ seeder: [{ position: [652375, 5234275, 0] }] });
+});

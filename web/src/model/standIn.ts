@@ -21,10 +21,15 @@ function removalFor(problem: Problem): Edit | null {
   return { remove: path.length > 1 ? path.slice(0, 2) : path };
 }
 
-function placeOn(terrain: TomlTable): TomlValue[] {
+/// On the terrain: at the first vertex of a section; elsewhere in the middle of what the engine says of its extent.
+function placeOn(terrain: TomlTable, problems: readonly Problem[]): TomlValue[] {
   const { section } = terrain;
   if (Array.isArray(section) && terrain.width_m === undefined && Array.isArray(section[0])) return section[0];
-  return [0, 0, 0];
+  const extents = problems.map(({ why }) =>
+    /x = (\S+) to (\S+), y = (\S+) to ([^\s)]+)/.exec(why)?.slice(1).map(Number),
+  );
+  const [west, east, south, north] = extents.find((extent) => extent?.every(Number.isFinite)) ?? [0, 0, 0, 0];
+  return [(west! + east!) / 2, (south! + north!) / 2, 0];
 }
 
 /// A text that may build, or null where the terrain itself is what is wrong.
@@ -41,7 +46,7 @@ export function withStandIns(text: string, problems: readonly Problem[]): string
     let next = edited(text, inOrder);
     const left = valuesOf(next);
     const isNone = (key: string) => !Array.isArray(left[key]) || left[key].length === 0;
-    const seeder = { name, position: placeOn(terrain), rocks: 1, mass_kg: 1000 };
+    const seeder = { name, position: placeOn(terrain, errors), rocks: 1, mass_kg: 1000 };
     if (isNone('material')) next = edited(next, [{ append: ['material'], value: { name: 'Ground' } }]);
     if (isNone('seeder')) next = edited(next, [{ append: ['seeder'], value: seeder }]);
     return next === text ? null : next;
