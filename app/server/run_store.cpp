@@ -289,19 +289,24 @@ void RunStore::work() {
       }
     }
     do_job(job, arena);
+    std::unique_ptr<BuiltProject> let_go;  // outside of the lock: a large model takes its time
     const std::lock_guard lock(mutex_);
-    under_way_.reset();
-    job.entry->run.is_at_work = false;
-    job.entry->built.reset();
-    job.entry->run.rate.reset();
-    changed(*job.entry);
+    let_go.swap(job.entry->built);
   }
+}
+
+void RunStore::finish(Entry& entry) {
+  under_way_.reset();
+  entry.run.is_at_work = false;
+  entry.run.rate.reset();
+  changed(entry);
 }
 
 void RunStore::fail(Entry& entry, const Problems& problems) {
   const std::lock_guard lock(mutex_);
   entry.run.state = RunState::failed;
   for (const Json& problem : as_json(seen_from(workplace_.folder(), problems))) entry.run.problems.push_back(problem);
+  finish(entry);
 }
 
 void RunStore::do_job(const Job& job, LowPriorityArena& arena) {
@@ -378,6 +383,7 @@ void RunStore::throw_rocks(const Job& job, LowPriorityArena& arena) {
   } else if (job.task != Task::write_what_is_done) {
     entry.run.state = RunState::stopped;
   }
+  finish(entry);
 }
 
 }  // namespace talus::server

@@ -72,6 +72,8 @@ class RunStore {
   void do_job(const Job& job, LowPriorityArena& arena);
   void throw_rocks(const Job& job, LowPriorityArena& arena);
   void fail(Entry& entry, const Problems& problems);
+  /// The worker is done with a run, whose state is its last. Expects the lock.
+  void finish(Entry& entry);
   /// Keeps a run that has changed, and tells it. Expects the lock.
   void changed(Entry& entry);
   [[nodiscard]] std::shared_ptr<Entry> entry_of(const std::string& id);

@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -28,21 +29,40 @@ namespace info {
 inline int default_concurrency() { return 4; }
 }  // namespace info
 
-/// Nested ones restore what held before; of several at the same time in several threads the last one holds.
+/// The least of those that are there holds, as in TBB.
 class global_control {
  public:
   enum parameter { max_allowed_parallelism };
-  global_control(parameter, std::size_t most) : before_(limit().exchange(most)) {}
+  global_control(parameter, std::size_t most) {
+    const std::lock_guard lock(mutex());
+    mine_ = all().insert(most);
+    least() = *all().begin();
+  }
   global_control(const global_control&) = delete;
   global_control& operator=(const global_control&) = delete;
-  ~global_control() { limit() = before_; }
-  static std::atomic<std::size_t>& limit() {
-    static std::atomic<std::size_t> most{static_cast<std::size_t>(info::default_concurrency())};
-    return most;
+  ~global_control() {
+    const std::lock_guard lock(mutex());
+    all().erase(mine_);
+    least() = all().empty() ? default_limit() : *all().begin();
   }
+  // Relaxed: to ask must not put one thread's work before another's.
+  static std::size_t limit() { return least().load(std::memory_order_relaxed); }
 
  private:
-  std::size_t before_;
+  static std::size_t default_limit() { return static_cast<std::size_t>(info::default_concurrency()); }
+  static std::mutex& mutex() {
+    static std::mutex only;
+    return only;
+  }
+  static std::multiset<std::size_t>& all() {
+    static std::multiset<std::size_t> limits;
+    return limits;
+  }
+  static std::atomic<std::size_t>& least() {
+    static std::atomic<std::size_t> limit{default_limit()};
+    return limit;
+  }
+  std::multiset<std::size_t>::iterator mine_;
 };
 
 namespace threads {
@@ -61,7 +81,7 @@ void call(std::size_t most, const Work& work) {
     }
   };
   std::vector<std::thread> others;
-  for (std::size_t k = 1; k < std::min(most, global_control::limit().load()); ++k) others.emplace_back(guarded);
+  for (std::size_t k = 1; k < std::min(most, global_control::limit()); ++k) others.emplace_back(guarded);
   guarded();
   for (std::thread& other : others) other.join();
   if (thrown) std::rethrow_exception(thrown);
@@ -145,6 +165,23 @@ auto isolate(Work&& work) {
   return work();
 }
 }  // namespace this_task_arena
+
+/// Threads are made anew for each piece of work, with the priority of whoever makes them.
+class task_arena {
+ public:
+  template <class Work>
+  auto execute(Work&& work) {
+    return work();
+  }
+};
+
+class task_scheduler_observer {
+ public:
+  explicit task_scheduler_observer(task_arena&) {}
+  virtual ~task_scheduler_observer() = default;
+  void observe(bool) {}
+  virtual void on_scheduler_entry(bool) {}
+};
 
 template <class Value>
 class enumerable_thread_specific {

@@ -28,6 +28,14 @@ const titles: Record<string, string> = {
   radius_m: 'Radius',
   max_ke_J: 'Greatest kinetic energy',
   max_bounce_m: 'Greatest bounce height',
+  ke_total_J: 'Kinetic energy',
+  ke_translational_J: 'Translational energy',
+  ke_rotational_J: 'Rotational energy',
+  impact_height_m: 'Height above the foot',
+  velocity_m_s: 'Velocity',
+  angle_deg: 'Angle to the normal',
+  station_m: 'Place along the line',
+  height_m: 'Height',
 };
 
 /// "max_ke_J" is in "J"; nothing for numbers without a unit.

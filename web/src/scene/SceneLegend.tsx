@@ -1,6 +1,7 @@
 // What the colours of the ground mean.
 
 import { model } from '../state/model';
+import { MapLegend } from '../maps/MapLegend';
 import { PathLegend } from '../paths/PathLegend';
 import { cssGradient, elevationRamp, materialColour, slopeRamp } from '../view/colours';
 import { KindsLegend, ScaleLegend } from '../view/Legend';
@@ -30,6 +31,7 @@ export function SceneLegend() {
   return (
     <div class="legends">
       <PathLegend />
+      <MapLegend />
       <GroundLegend />
     </div>
   );

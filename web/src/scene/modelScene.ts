@@ -7,6 +7,8 @@ import { file } from '../state/document';
 import { sayFailure } from '../state/messages';
 import { model } from '../state/model';
 import { markColours } from '../view/colours';
+import { drapedOpacity } from '../state/view';
+import { shownMap } from '../maps/shownMap';
 import { contours, exaggeration, layers, shading } from '../view/settings';
 import { shade } from '../view/theme';
 import { roundStep } from '../view/ticks';
@@ -14,6 +16,7 @@ import { Frame } from './frame';
 import { band, clear, dots, line, patch } from './marks';
 import { MeshTerrain } from './meshTerrain';
 import { look, type NamedView } from './namedViews';
+import { mapTexture } from './mapTexture';
 import * as picture from './picture';
 import { Stage } from './stage';
 import { TerrainMaterial } from './terrainMaterial';
@@ -51,6 +54,7 @@ export class ModelScene {
         if (model.value && model.value.dimension === 3) void this.show(model.value).catch(sayFailure);
       }),
       effect(() => this.paint()),
+      effect(() => this.drape()),
       effect(() => this.stretch(exaggeration.value)),
       effect(() => this.draw(overlays.value)),
       effect(() => {
@@ -112,6 +116,7 @@ export class ModelScene {
     material.uniforms.exaggeration.value = exaggeration.peek();
     picture.elevations.value = [next.bounds.min[2], next.bounds.max[2]];
     this.paint();
+    this.drape();
     if (isOther) this.view('oblique');
     else {
       // The same project, changed: the eye stays where it was.
@@ -128,6 +133,24 @@ export class ModelScene {
     const [how, light] = [shading.value, shade.value];
     void contours.value;
     this.material?.paint(how, light, model.peek()?.materials.length ?? 1);
+    this.stage.invalidate();
+  }
+
+  /// Lays the map that is chosen on the terrain.
+  private drape() {
+    const [map, opacity] = [shownMap.value, drapedOpacity.value];
+    const { uniforms } = this.material ?? {};
+    if (!uniforms) return;
+    if (uniforms.map.value?.userData.of !== map) {
+      uniforms.map.value?.dispose();
+      uniforms.map.value = map ? mapTexture(map) : null;
+    }
+    uniforms.mapOpacity.value = map ? opacity : 0;
+    if (map) {
+      const { origin, cell, columns, rows } = map.header;
+      const [x, y] = [origin[0] - this.frame.base[0], origin[1] - this.frame.base[1]];
+      uniforms.mapArea.value.set(x, y, columns * cell[0], rows * cell[1]);
+    }
     this.stage.invalidate();
   }
 

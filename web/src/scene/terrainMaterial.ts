@@ -69,11 +69,13 @@ void main() {
   if (shading == 2) base = texture(ramp, vec2(steepness / 70.0, 0.5)).rgb;
   if (shading == 3) base = texelFetch(kinds, ivec2(kind % kindCount, 0), 0).rgb;
 
-  // One sun at 315 degrees and 45 up, two weaker ones at 250 and 20, and the sky.
+  // One sun at 315 degrees and 45 up, two weaker ones at 250 and 20, the sky, and a little from behind the viewer of the
+  // first picture, so that steep faces that turn away from the sun keep their colour.
   float sun = max(dot(shown, vec3(-0.5, 0.5, 0.7071)), 0.0);
   float west = max(dot(shown, vec3(-0.7713, -0.2807, 0.5713)), 0.0);
   float north = max(dot(shown, vec3(0.2807, 0.7713, 0.5713)), 0.0);
-  float light = 0.40 * (0.5 + 0.5 * shown.z) + 0.60 * (0.66 * sun / 0.7071 + 0.18 * west / 0.5713 + 0.16 * north / 0.5713);
+  float fill = max(dot(shown, vec3(0.6, -0.6, 0.53)), 0.0);
+  float light = 0.46 * (0.55 + 0.45 * shown.z) + 0.24 * fill + 0.54 * (0.66 * sun / 0.7071 + 0.18 * west / 0.5713 + 0.16 * north / 0.5713);
   light = light < 1.0 ? light : 1.0 + 0.55 * (light - 1.0);
   vec3 tint = mix(vec3(0.90, 0.96, 1.08), vec3(1.02, 1.0, 0.97), clamp(1.4 * sun, 0.0, 1.0));
 

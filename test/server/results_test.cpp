@@ -1,0 +1,332 @@
+// Results over the wire are those of the files.
+
+#include "server/served_runs.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+
+#include "cli/run_files.hpp"
+#include "talus/io/csv_reader.hpp"
+#include "talus/io/path_reader.hpp"
+#include "talus/io/run_folder.hpp"
+
+namespace talus {
+namespace {
+
+using testing_tools::ArraysOf;
+using testing_tools::Json;
+using testing_tools::Reply;
+using testing_tools::ServedRuns;
+using Texts = std::vector<std::string>;
+
+/// 75 rocks of two sources in 3D, with a fence and a collector, maps and a design (run_files.hpp).
+class Results : public ServedRuns {
+ protected:
+  Results() {
+    const test::Workplace work;
+    text_ = text_of(test::write_slope_with_barrier(work));
+    id_ = begin(text_);
+    EXPECT_EQ(wait_for(id_, "done")["state"], "done");
+    folder_ = folder_of(id_);
+  }
+  [[nodiscard]] Reply of(const std::string& what) const { return get("/api/runs/" + id_ + what); }
+  [[nodiscard]] std::vector<Texts> rows_of(const char* name, std::span<const std::string_view> columns) const {
+    std::vector<Texts> rows;
+    io::CsvReader row(folder_ / name, columns);
+    while (row.next()) {
+      Texts& texts = rows.emplace_back();
+      for (std::size_t k = 0; k < columns.size(); ++k) texts.emplace_back(row.text(k));
+    }
+    return rows;
+  }
+  [[nodiscard]] std::vector<Texts> endpoints() const { return rows_of("endpoints.csv", io::endpoint_columns); }
+  [[nodiscard]] std::vector<Texts> hits() const { return rows_of("barriers.csv", io::barrier_columns); }
+
+  std::string text_, id_;
+  std::filesystem::path folder_;
+};
+
+TEST_F(Results, AreTheFilesOfTheRun) {
+  const Json files = of("/files").json()["files"];
+  std::map<std::string, std::uint64_t> listed;
+  for (const Json& file : files) listed[file["name"]] = file["bytes"];
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
+    const std::string name = entry.path().lexically_relative(folder_).generic_string();
+    if (!entry.is_regular_file() || name == "run.json") continue;
+    ASSERT_TRUE(listed.contains(name)) << name;
+    EXPECT_EQ(listed[name], entry.file_size());
+    const Reply reply = of("/files/" + name);
+    EXPECT_EQ(reply.status, 200) << name;
+    EXPECT_EQ(reply.body, test::bytes_of(entry.path())) << name;
+    const auto disposition = reply.headers.find("Content-Disposition");
+    ASSERT_NE(disposition, reply.headers.end());
+    EXPECT_EQ(disposition->second, "attachment; filename*=UTF-8''" + entry.path().filename().string());
+    listed.erase(name);
+  }
+  EXPECT_TRUE(listed.empty()) << listed.begin()->first;
+}
+
+TEST_F(Results, HaveNoFilesBesideThose) {
+  std::filesystem::create_symlink("/etc/passwd", folder_ / "link.csv");
+  for (const char* name : {"run.json", "../../../slope.toml", "%2e%2e/%2e%2e/slope.toml", "maps", "maps/",
+                           "nothing.csv", "link.csv", "/etc/passwd", "%2fetc%2fpasswd", ".", "maps/../summary.json"})
+    EXPECT_EQ(of(std::string("/files/") + name).status, 404) << name;
+  for (const char* name : {"nothing", "../endpoints", "passages.tif", "by_source/x/passages", "%2e%2e/passages"})
+    EXPECT_EQ(of(std::string("/maps/") + name).status, 404) << name;
+}
+
+TEST_F(Results, OfEveryPathAreItsPointsWithTheRowsAmongThem) {
+  const ArraysOf paths(of("/paths"));
+  const auto rocks = paths.get<std::uint32_t>("rocks", "u32"), starts = paths.get<std::uint32_t>("starts", "u32");
+  const auto times = paths.get<float>("times", "f32"), positions = paths.get<float>("positions", "f32");
+  const auto speeds = paths.get<float>("speeds", "f32"), energies = paths.get<float>("energies", "f32");
+  const auto heights = paths.get<float>("heights", "f32"), max_heights = paths.get<float>("max_heights", "f32");
+  const auto states = paths.get<std::uint8_t>("states", "u8");
+  ASSERT_EQ(rocks.size(), 75U);
+  ASSERT_EQ(starts.size(), 76U);
+  EXPECT_EQ(starts.front(), 0U);
+  EXPECT_EQ(starts.back(), times.size());
+  EXPECT_EQ(positions.size(), 3 * times.size());
+  for (const std::size_t size : {speeds.size(), energies.size(), heights.size(), states.size()})
+    EXPECT_EQ(size, times.size());
+  EXPECT_EQ(paths.header["total"], 75);
+  EXPECT_EQ(paths.header["states"][4], "barrier");
+
+  io::PathReader reader(folder_ / "paths.csv");
+  std::size_t rock = 0, rows = 0;
+  float greatest_difference = 0;
+  for (; reader.next([](std::uint64_t) { return true; }); ++rock) {
+    ASSERT_EQ(reader.path().rock, rocks[rock]);
+    std::size_t k = starts[rock];
+    float highest = 0;
+    for (const io::PathRow& row : reader.path().rows) {
+      while (k < starts[rock + 1] &&
+             (times[k] != static_cast<float>(row.time_s) || states[k] != static_cast<std::uint8_t>(row.state)))
+        highest = std::max(highest, heights[k++]);
+      ASSERT_LT(k, starts[rock + 1]) << "a row of rock " << rock << " at " << row.time_s << " s is missing";
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(positions[3 * k + axis] + paths.header["origin"][axis].get<double>(), row.position_m[axis], 1e-4);
+      EXPECT_EQ(energies[k], static_cast<float>((row.ke_translational_J + row.ke_rotational_J) / 1000));
+      if (row.state == PathState::impact) {
+        EXPECT_LT(heights[k], 1e-3F) << "it strikes the ground";
+      }
+      highest = std::max(highest, heights[k++]);
+      ++rows;
+    }
+    EXPECT_EQ(k, starts[rock + 1]);
+    EXPECT_LE(highest, max_heights[rock] + 1e-3F);
+    greatest_difference = std::max(greatest_difference, max_heights[rock] - highest);
+  }
+  EXPECT_EQ(rock, 75U);
+  // Between two points of an arc the ground may fall away; here it is as steep as four to one.
+  EXPECT_LT(greatest_difference, 1.5F);
+  EXPECT_GT(times.size(), 2 * rows) << "flights have no points between";
+}
+
+TEST_F(Results, OfEveryRockAreThoseOfItsTables) {
+  for (const char* what : {"/paths", "/endpoints"}) {
+    const ArraysOf arrays(of(what));
+    const Json& header = arrays.header;
+    const auto sources = arrays.get<std::uint16_t>("sources", "u16"),
+               seeders = arrays.get<std::uint16_t>("seeders", "u16");
+    const auto reasons = arrays.get<std::uint8_t>("reasons", "u8");
+    const auto masses = arrays.get<float>("masses", "f32"), energies = arrays.get<float>("max_energies", "f32");
+    const auto barriers = arrays.get<std::uint32_t>("barriers", "u32");
+    const std::vector<Texts> rows = endpoints(), all_hits = hits();
+    ASSERT_EQ(rows.size(), masses.size());
+    EXPECT_EQ(header["barriers"][0], "Fence");
+    std::uint32_t seen = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      EXPECT_EQ(header["seeders"][seeders[k]], rows[k][1]);
+      EXPECT_EQ(header["sources"][sources[k]], rows[k][1]) << "a seeder without another source is its own";
+      EXPECT_EQ(header["reasons"][reasons[k]], rows[k][10]);
+      EXPECT_EQ(masses[k], static_cast<float>(std::stod(rows[k][11])));
+      EXPECT_EQ(energies[k], static_cast<float>(std::stod(rows[k][13]) / 1000));
+      std::uint32_t expected = 0;
+      for (const Texts& hit : all_hits)
+        if (hit[1] == rows[k][0]) expected |= hit[0] == header["barriers"][0] ? 1U : 2U;
+      EXPECT_EQ(barriers[k], expected) << k;
+      seen |= expected;
+    }
+    EXPECT_EQ(seen, 3U) << "a barrier that no rock hits shows nothing";
+  }
+}
+
+TEST_F(Results, OfTheEndsAreWhereTheyEnd) {
+  const ArraysOf ends(of("/endpoints"));
+  const auto positions = ends.get<float>("positions", "f32");
+  const std::vector<Texts> rows = endpoints();
+  ASSERT_EQ(positions.size(), 3 * rows.size());
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    EXPECT_NEAR(positions[k] + ends.header["origin"][k % 3].get<double>(), std::stod(rows[k / 3][2 + k % 3]), 1e-4);
+  const ArraysOf ten(of("/endpoints?rocks=10"));
+  EXPECT_EQ(ten.get<std::uint32_t>("rocks", "u32").size(), 10U);
+  EXPECT_EQ(ten.header["total"], 75);
+  EXPECT_EQ(ArraysOf(of("/paths?rocks=7")).get<std::uint32_t>("starts", "u32").size(), 8U);
+  EXPECT_EQ(ArraysOf(of("/paths?rocks=0")).get<std::uint32_t>("starts", "u32").size(), 1U);
+  EXPECT_EQ(of("/paths?rocks=-1").status, 400);
+}
+
+TEST_F(Results, OfOneRockAreItsRowsAsTheyStand) {
+  const std::vector<Texts> ends = endpoints(), all_hits = hits();
+  std::map<std::string, std::vector<Texts>> paths;
+  for (const Texts& row : rows_of("paths.csv", io::path_columns)) paths[row[0]].push_back(row);
+  for (const Texts& end : ends) {
+    const Json rock = of("/rocks/" + end[0]).json();
+    EXPECT_EQ(rock["in_table"], true);
+    EXPECT_EQ(rock["columns"], Json(io::path_columns));
+    EXPECT_EQ(rock["rows"], Json(paths[end[0]]));
+    ASSERT_EQ(rock["endpoint"].size(), end.size());
+    for (std::size_t k = 0; k < end.size(); ++k)
+      EXPECT_EQ(rock["endpoint"][std::string(io::endpoint_columns[k])], end[k]);
+    std::size_t count = 0;
+    for (const Texts& hit : all_hits) count += hit[1] == end[0] ? 1 : 0;
+    EXPECT_EQ(rock["hits"].size(), count);
+    EXPECT_EQ(rock["energy"].front()[1], std::stod(paths[end[0]].front()[13]));
+    EXPECT_EQ(rock["energy"].back()[3], std::stod(paths[end[0]].back()[15]));
+  }
+  EXPECT_EQ(of("/rocks/75").status, 404);
+  EXPECT_EQ(of("/rocks/9999999999999999999").status, 404);
+  EXPECT_EQ(of("/rocks/-1").status, 404);
+}
+
+TEST_F(Results, OfARockWithoutAPathInTheTableAreComputedAgain) {
+  const std::string few = begin(text_ + "\n[output]\npaths = 5\n");
+  ASSERT_EQ(wait_for(few, "done")["state"], "done");
+  int again = 0;
+  for (int rock = 0; rock < 75; ++rock) {
+    const Json here = of("/rocks/" + std::to_string(rock)).json();
+    const Json there = get("/api/runs/" + few + "/rocks/" + std::to_string(rock)).json();
+    again += there["in_table"] == false ? 1 : 0;
+    EXPECT_EQ(there["rows"], here["rows"]) << rock;
+    EXPECT_EQ(there["energy"], here["energy"]) << rock;
+    EXPECT_EQ(there["endpoint"], here["endpoint"]) << rock;
+  }
+  EXPECT_EQ(again, 70);
+}
+
+// Of another project the paths would be others: then nothing is said rather than something wrong.
+TEST_F(Results, OfAChangedProjectAreNotComputedAgain) {
+  const std::string few = begin(text_ + "\n[output]\npaths = 5\n");
+  ASSERT_EQ(wait_for(few, "done")["state"], "done");
+  const std::string file = run(few)["folder"].get<std::string>() + "/project.toml";
+  std::string text = read(file);
+  write(file, text.replace(text.find("position = [5, 20"), 17, "position = [5, 21"));
+  int refused = 0;
+  for (int rock = 0; rock < 75; ++rock)
+    refused += get("/api/runs/" + few + "/rocks/" + std::to_string(rock)).status == 404 ? 1 : 0;
+  EXPECT_EQ(refused, 70);
+  for (const float height : ArraysOf(get("/api/runs/" + few + "/paths")).get<float>("heights", "f32"))
+    EXPECT_TRUE(std::isnan(height));
+}
+
+TEST_F(Results, InStatisticsAreThoseOfTheSummary) {
+  const Json summary = of("/summary").json();
+  const std::map<std::string, std::string> columns{{"end_x_m", "x_m"},
+                                                   {"runout_xy_m", "runout_xy_m"},
+                                                   {"runout_total_m", "runout_total_m"},
+                                                   {"max_ke_J", "max_ke_J"},
+                                                   {"max_bounce_m", "max_bounce_m"}};
+  for (const auto& [key, column] : columns) {
+    const Json found = of("/statistics?of=" + column).json();
+    EXPECT_EQ(found["statistics"].dump(), summary["statistics"][key].dump()) << key;
+    EXPECT_EQ(found["count"], 75);
+    EXPECT_EQ(found["histogram"]["edges"].size(), found["histogram"]["counts"].size() + 1);
+    if (summary["histograms"].contains(key)) {
+      EXPECT_EQ(found["histogram"]["counts"], summary["histograms"][key]["counts"]);
+      EXPECT_EQ(found["histogram"]["edges"][0], summary["histograms"][key]["low"]);
+    }
+    EXPECT_EQ(found["box"]["median"], found["statistics"]["median"]);
+    EXPECT_EQ(found["box"]["most"], found["statistics"]["maximum"]);
+    EXPECT_EQ(found["cumulative"].back()[1], 1);
+  }
+  EXPECT_EQ(of("/statistics?of=max_ke_J").json()["unit"], "J");
+  ASSERT_EQ(summary["barriers"].size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k)
+    for (const auto& [column, known] : summary["barriers"][k]["statistics"].items())
+      EXPECT_EQ(of("/barriers/" + std::to_string(k) + "/statistics?of=" + column).json()["statistics"].dump(),
+                known.dump());
+}
+
+TEST_F(Results, InStatisticsCanBeFiltered) {
+  const std::vector<Texts> rows = endpoints();
+  const auto count = [&](const char* filter) {
+    return of(std::string("/statistics?of=x_m&") + filter).json()["count"];
+  };
+  EXPECT_EQ(count("seeder=Ledge"), 25);
+  EXPECT_EQ(count("seeder=Ledge&seeder="
+                  "Crest"),
+            75);
+  EXPECT_EQ(count("reason=at%20rest").get<std::size_t>(),
+            static_cast<std::size_t>(
+                std::count_if(rows.begin(), rows.end(), [](const Texts& row) { return row[10] == "at rest"; })));
+  EXPECT_EQ(count("min_energy_kJ=100").get<std::size_t>(),
+            static_cast<std::size_t>(
+                std::count_if(rows.begin(), rows.end(), [](const Texts& row) { return std::stod(row[13]) >= 1e5; })));
+  const Json none = of("/statistics?of=x_m&min_energy_kJ=1e9").json();
+  EXPECT_EQ(none["count"], 0);
+  EXPECT_TRUE(none["box"].is_null());
+  EXPECT_TRUE(none["statistics"]["mean"].is_null());
+  EXPECT_TRUE(none["histogram"]["counts"].empty());
+  for (const char* wrong : {"of=seeder", "of=", "of=x_m&seeder=Nobody", "of=x_m&reason=tired", "of=x_m&barrier=Wall",
+                            "of=x_m&source=%3Cb%3E", "of=x_m&min_energy_kJ=much", "of=x_m&max_energy_kJ=inf"})
+    EXPECT_EQ(of(std::string("/statistics?") + wrong).status, 400) << wrong;
+  EXPECT_EQ(of("/barriers/2/statistics?of=time_s").status, 404);
+  EXPECT_EQ(of("/barriers/0/statistics?of=runout_xy_m").status, 400);
+}
+
+TEST_F(Results, OfBarriersAreThoseOfTheSummary) {
+  const Json summary = of("/summary").json(), barriers = of("/barriers").json()["barriers"];
+  ASSERT_EQ(barriers.size(), 2U);
+  const Json &fence = barriers[0], &known = summary["barriers"][0];
+  EXPECT_EQ(fence["name"], "Fence");
+  EXPECT_EQ(fence["kind"], "barrier");
+  EXPECT_EQ(fence["height_m"], 1.5);
+  EXPECT_EQ(fence["capacity_kJ"], 60);
+  EXPECT_EQ(fence["hits"], known["hits"]);
+  EXPECT_EQ(fence["stopped"], known["outcomes"]["stopped"]);
+  EXPECT_EQ(fence["passed_through"], known["outcomes"]["broke through"]);
+  EXPECT_EQ(fence["passed_above"], known["passed_above"]);
+  EXPECT_EQ(fence["design"], summary["design"]["lines"][0]);
+  EXPECT_EQ(barriers[1]["kind"], "collector");
+  EXPECT_TRUE(barriers[1]["capacity_kJ"].is_null());
+}
+
+#ifdef TALUS_HAS_GDAL
+TEST_F(Results, OfMapsAreThoseOfTheFiles) {
+  const Json maps = of("/maps").json()["maps"];
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "maps"))
+    files += entry.path().extension() == ".tif" ? 1 : 0;
+  EXPECT_EQ(maps.size(), files);
+  EXPECT_EQ(maps[0]["name"], "passages");
+  EXPECT_TRUE(maps[0]["source"].is_null());
+  for (const Json& map : maps) {
+    const ArraysOf values(of("/maps/" + map["name"].get<std::string>()));
+    const auto cells = values.get<float>("values", "f32");
+    EXPECT_EQ(cells.size(), values.header["columns"].get<std::size_t>() * values.header["rows"].get<std::size_t>());
+    float most = 0;
+    for (const float value : cells) most = std::isnan(value) ? most : std::max(most, value);
+    EXPECT_EQ(most, map["most"].get<float>()) << map["name"];
+    EXPECT_EQ(values.header["limits"][1], map["most"]);
+    EXPECT_DOUBLE_EQ(values.header["colours"].back()[0].get<double>(), map["most"].get<double>());
+  }
+  // Every rock that came to rest lies in a cell of the map.
+  const ArraysOf deposits(of("/maps/deposits"));
+  const auto cells = deposits.get<float>("values", "f32");
+  const Json& header = deposits.header;
+  for (const Texts& row : endpoints()) {
+    if (row[10] != "at rest") continue;
+    const auto column = static_cast<std::size_t>((std::stod(row[2]) - header["origin"][0].get<double>()) /
+                                                 header["cell"][0].get<double>());
+    const auto line = static_cast<std::size_t>((std::stod(row[3]) - header["origin"][1].get<double>()) /
+                                               header["cell"][1].get<double>());
+    EXPECT_GE(cells[line * header["columns"].get<std::size_t>() + column], 1) << row[0];
+  }
+}
+#endif
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,20 @@
+import { cssOf } from '../view/colours';
+import { ScaleLegend } from '../view/Legend';
+import { shownMap } from './shownMap';
+
+/// What the colours of the map on the terrain mean.
+export function MapLegend() {
+  const map = shownMap.value;
+  if (!map) return null;
+  const { colours, limits, scale } = map.header;
+  const stops = colours.map(([, colour], k) => `${cssOf(colour)} ${(100 * k) / Math.max(colours.length - 1, 1)}%`);
+  return (
+    <ScaleLegend
+      title={map.name}
+      gradient={`linear-gradient(to right, ${stops.join(', ')})`}
+      low={limits[0]}
+      high={limits[1]}
+      logarithmic={scale === 'log'}
+    />
+  );
+}
