@@ -10,6 +10,7 @@ import { shading } from '../view/settings';
 import { draw } from './drawing';
 import { segmentsWith, trianglesWith } from './groundWays';
 import { nameOf, tableAt } from './place';
+import { isWithin } from './plan';
 import { materialNames } from './form/references';
 
 interface Facets {
@@ -69,14 +70,6 @@ export async function assignByClicks(material: number) {
       ]);
     },
   });
-}
-
-/// Whether a point lies within a closed line on plan: a ray to the east crosses it an odd number of times.
-export function isWithin([x, y]: readonly [number, number], ring: readonly Point3[]): boolean {
-  return ring.reduce((inside, [ax, ay], k) => {
-    const [bx, by] = ring[(k + 1) % ring.length]!;
-    return ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax) ? !inside : inside;
-  }, false);
 }
 
 /// The triangles of a mesh whose middle is within a polygon that is drawn.

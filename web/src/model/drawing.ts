@@ -75,9 +75,3 @@ export function draw({ name, hint, kind, least, most = Infinity, done }: Drawing
     },
   });
 }
-
-/// To a millimetre, or a centimetre where the ground is wide: finer than anyone points.
-export function rounded(value: number, extent: number): number {
-  const digits = extent > 200 ? 2 : 3;
-  return Number(value.toFixed(digits));
-}

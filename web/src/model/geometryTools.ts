@@ -5,8 +5,9 @@ import { edit, valueAt } from '../state/document';
 import { model } from '../state/model';
 import type { Path } from '../toml/edit';
 import type { TomlValue } from '../toml/format';
-import { draw, rounded } from './drawing';
+import { draw } from './drawing';
 import { is2d, tableAt, thingOf } from './place';
+import { rounded } from './plan';
 
 const extent = () => {
   const bounds = model.value?.bounds;

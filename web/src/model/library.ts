@@ -7,7 +7,7 @@ import { sayFailure } from '../state/messages';
 import type { Path } from '../toml/edit';
 import type { TomlValue } from '../toml/format';
 import { tableAt } from './place';
-import { valueText } from './schema';
+import { valueText } from './words';
 
 export const library = signal<LibraryMaterial[]>([]);
 

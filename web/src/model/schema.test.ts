@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { absentText, rangeText, tablesOf, titleOf, unitText, valueText } from './schema';
+import { tablesOf } from './schema';
+import { absentText, rangeText, titleOf, unitText, valueText } from './words';
 
 const distribution = {
   type: 'object',

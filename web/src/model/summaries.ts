@@ -4,7 +4,7 @@ import { rowsOf, valueAt, values } from '../state/document';
 import { model } from '../state/model';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { isTable, tableAt } from './place';
-import { valueText, wordText } from './schema';
+import { valueText, wordText } from './words';
 
 const number = (value: TomlValue | undefined) => (isTable(value) ? valueText(value.mean) : valueText(value));
 const counted = (count: number, one: string, many = `${one}s`) =>

@@ -1,6 +1,6 @@
 import type { TomlValue } from '../../toml/format';
 import { cellText } from '../numbers';
-import { wordText } from '../schema';
+import { wordText } from '../words';
 
 interface Props {
   id?: string;

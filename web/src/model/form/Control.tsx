@@ -3,7 +3,7 @@
 import { valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
 import { pathText, put } from '../place';
-import { absentText, valueText, wordText } from '../schema';
+import { absentText, valueText, wordText } from '../words';
 import { Choice } from './Choice';
 import { DistributionControl } from './DistributionControl';
 import { idOf, type FieldProps } from './Field';

@@ -6,7 +6,7 @@ import { problemsAt } from '../../state/model';
 import type { TomlTable, TomlValue } from '../../toml/format';
 import { inheritedText, inheritedAt } from '../library';
 import { isTable, pathText, put, thingOf } from '../place';
-import { absentText, valueText } from '../schema';
+import { absentText, valueText } from '../words';
 import { Choice } from './Choice';
 import { Curve } from './Curve';
 import { idOf, type FieldProps } from './Field';

@@ -26,7 +26,8 @@ export function Field({ field, path, before }: FieldProps & { before?: Component
   const [open, setOpen] = useState(false);
   const value = valueAt(path);
   const problems = problemsOf(path);
-  const isWanted = value === undefined && problems.length > 0;
+  const isEmpty = value === undefined || (Array.isArray(value) && value.length === 0);
+  const isWanted = isEmpty && problems.length > 0;
   const id = idOf(path);
   const isHelped = open || helpOpen.value;
   const label = (

@@ -7,7 +7,7 @@ import { problemsAt } from '../../state/model';
 import { files, fittingFiles, loadFiles, relativeTo, uploadBeside } from '../files';
 import { cellText } from '../numbers';
 import { pathText, put } from '../place';
-import { absentText } from '../schema';
+import { absentText } from '../words';
 import { idOf, type FieldProps } from './Field';
 
 export function FileControl({ field, path }: FieldProps) {

@@ -1,7 +1,8 @@
 import { reading } from '../../help/Document';
 import { topicOf } from '../../help/topics';
 import type { Path } from '../../toml/edit';
-import { absentText, rangeText, type Field } from '../schema';
+import type { Field } from '../schema';
+import { absentText, rangeText } from '../words';
 import { Words } from './Words';
 
 /// `max_time_s` in `[analysis]`, as the file has it.

@@ -2,7 +2,7 @@ import { useEffect } from 'preact/hooks';
 import { valueAt } from '../../state/document';
 import { library, loadLibrary } from '../library';
 import { put } from '../place';
-import { absentText } from '../schema';
+import { absentText } from '../words';
 import { Choice } from './Choice';
 import { idOf, type FieldProps } from './Field';
 

@@ -6,7 +6,7 @@ import { problemsOf } from '../awaited';
 import type { Path } from '../../toml/edit';
 import { is2d, tableAt, thingOf } from '../place';
 import type { Field as Setting } from '../schema';
-import { groupsIn } from '../sections';
+import { groupsIn } from '../groups';
 import { tableOf } from '../settings';
 import { Field } from './Field';
 

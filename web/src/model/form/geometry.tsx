@@ -5,7 +5,7 @@ import { edit, valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
 import type { TomlValue } from '../../toml/format';
 import { is2d, pathText, put, tableAt, thingOf } from '../place';
-import { absentText } from '../schema';
+import { absentText } from '../words';
 import { cellsOf, rowEdits, rowsValue } from '../rows';
 import { DrawButton } from './DrawButton';
 import { EditTable } from './EditTable';

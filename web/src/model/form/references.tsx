@@ -3,7 +3,7 @@
 import { edit, rowsOf, valueAt } from '../../state/document';
 import { model } from '../../state/model';
 import { is2d, nameOf, pathText, put, tableAt } from '../place';
-import { absentText } from '../schema';
+import { absentText } from '../words';
 import { cellText } from '../numbers';
 import { Choice } from './Choice';
 import { idOf, type FieldProps } from './Field';
