@@ -8,7 +8,8 @@ function(talus_embed_page target)
   set(packed ${CMAKE_BINARY_DIR}/web)
   set(output ${CMAKE_BINARY_DIR}/generated/page_assets.cpp)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${web}/src/* ${web}/public/*)
-  list(APPEND sources ${web}/index.html ${web}/vite.config.ts ${web}/tsconfig.json ${web}/package.json)
+  file(GLOB documents CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/*.md)  # which the page's help quotes
+  list(APPEND sources ${documents} ${web}/index.html ${web}/vite.config.ts ${web}/tsconfig.json ${web}/package.json)
   set(embed ${CMAKE_SOURCE_DIR}/cmake/embed_bytes.cmake)
   add_custom_command(
     OUTPUT ${output}

@@ -8,6 +8,7 @@ export default defineConfig({
   esbuild: { jsx: 'automatic', jsxImportSource: 'preact' },
   build: { target: 'es2022', chunkSizeWarningLimit: 1500 },
   server: {
+    fs: { allow: ['..'] }, // docs
     proxy: {
       '/api': { target: server, changeOrigin: true, headers: { origin: server } },
     },

@@ -10,6 +10,7 @@
 #include "talus/io/output_file.hpp"
 #include "talus/io/run_state.hpp"
 #include "talus/project/document.hpp"
+#include "talus/project/problem_paths.hpp"
 #include "talus/project/run.hpp"
 
 namespace talus::server {
@@ -137,9 +138,7 @@ Run RunStore::find(const std::string& id) {
 }
 
 Run RunStore::begin(const RunOrder& order) {
-  const fs::path file = workplace_.at(order.file);
-  if (file.extension() != ".toml")
-    throw Refusal(400, order.file, "is no project file", "its name does not end in .toml");
+  const fs::path file = workplace_.project(order.file);
   if (!order.name.empty()) check_name(order.name);
   auto entry = std::make_shared<Entry>();
   Run& run = entry->run;
@@ -150,7 +149,7 @@ Run RunStore::begin(const RunOrder& order) {
   try {
     entry->built = std::make_unique<BuiltProject>(build(order.text, file, overrides_of(run)));
   } catch (const BadInput& bad) {
-    throw BadInput(seen_from(workplace_.folder(), bad.problems()));
+    throw BadInput(seen_from(workplace_.folder(), project::with_paths(bad.problems(), order.text, file)));
   }
   run.project = entry->built->project.name;
   run.name = order.name.empty() ? run.project : order.name;

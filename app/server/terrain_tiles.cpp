@@ -11,9 +11,10 @@ namespace talus::server {
 
 namespace {
 
-/// Steps of a level along one side of the raster; the last may be shorter, so that every level ends where the raster
-/// does.
-std::uint32_t steps(std::uint32_t nodes, std::uint32_t stride) { return (nodes - 1 + stride - 1) / stride; }
+/// Nodes of the raster from one to the next of a level, along a side that may be shorter than that.
+std::uint32_t spacing(std::uint32_t nodes, std::uint32_t stride) { return std::min(stride, nodes - 1); }
+
+std::uint32_t steps(std::uint32_t nodes, std::uint32_t stride) { return (nodes - 1) / spacing(nodes, stride); }
 
 std::uint32_t tiles(std::uint32_t nodes, std::uint32_t stride) {
   return (steps(nodes, stride) + TerrainTiles::side - 1) / TerrainTiles::side;
@@ -24,8 +25,7 @@ std::vector<std::uint32_t> nodes_of(std::uint32_t nodes, std::uint32_t stride, s
   const std::uint32_t first = tile * TerrainTiles::side;
   const std::uint32_t last = std::min(first + TerrainTiles::side, steps(nodes, stride));
   std::vector<std::uint32_t> list;
-  for (std::uint32_t k = first; k <= last; ++k)
-    list.push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{k} * stride, nodes - 1)));
+  for (std::uint32_t k = first; k <= last; ++k) list.push_back(k * spacing(nodes, stride));
   return list;
 }
 
@@ -39,18 +39,19 @@ TerrainTiles::TerrainTiles(const Model& model, const RasterSurface& raster) : mo
   }
 }
 
+Json TerrainTiles::place(std::uint32_t column, std::uint32_t row) const {
+  const RasterGrid& grid = raster_.grid();
+  // Heights are those of the grid, to the last bit.
+  return as_json(model_.frame.global_from_local({grid.x0 + column * grid.dx, grid.y0 + row * grid.dy, 0}));
+}
+
 Json TerrainTiles::description() const {
   const RasterGrid& grid = raster_.grid();
   Json levels = Json::array();
   for (const Level& level : levels_)
     levels.push_back({{"stride", level.stride}, {"columns", level.columns}, {"rows", level.rows}});
-  return {{"origin", as_json(model_.frame.origin)},
-          {"corner", {grid.x0, grid.y0}},
-          {"cell", {grid.dx, grid.dy}},
-          {"columns", grid.columns},
-          {"rows", grid.rows},
-          {"tile", side},
-          {"levels", std::move(levels)}};
+  return {{"origin", place(0, 0)}, {"cell", {grid.dx, grid.dy}}, {"columns", grid.columns}, {"rows", grid.rows},
+          {"tile", side},          {"levels", std::move(levels)}};
 }
 
 Answer TerrainTiles::tile(std::size_t level, std::uint32_t column, std::uint32_t row) const {
@@ -72,13 +73,8 @@ Answer TerrainTiles::tile(std::size_t level, std::uint32_t column, std::uint32_t
       materials.push_back(model_.ground.material_of(j * (grid.columns - 1) + i).index);
     }
   }
-  const auto place = [&](std::uint32_t i, std::uint32_t j) {
-    return Json{grid.x0 + i * grid.dx, grid.y0 + j * grid.dy};
-  };
-  Arrays arrays(Json{{"origin", as_json(model_.frame.origin)},
-                     {"corner", place(columns.front(), rows.front())},
-                     {"cell", {stride * grid.dx, stride * grid.dy}},
-                     {"end", place(columns.back(), rows.back())},
+  Arrays arrays(Json{{"origin", place(columns.front(), rows.front())},
+                     {"cell", {spacing(grid.columns, stride) * grid.dx, spacing(grid.rows, stride) * grid.dy}},
                      {"columns", columns.size()},
                      {"rows", rows.size()}});
   arrays.add("heights", std::span<const float>(heights));

@@ -1,6 +1,7 @@
 #pragma once
 // A raster in tiles and levels of detail, for a page that draws what it looks at: level 0 has every node, each further
-// one every second node of the one before it, and the last is one tile.
+// one every second node of the one before it, and the last is one tile. Nodes are evenly spaced, so that a coarse level
+// may end short of the raster by less than its spacing.
 
 #include <cstdint>
 #include <vector>
@@ -28,6 +29,9 @@ class TerrainTiles {
   [[nodiscard]] Answer tile(std::size_t level, std::uint32_t column, std::uint32_t row) const;
 
  private:
+  /// Of a node, and the height from which heights count.
+  [[nodiscard]] Json place(std::uint32_t column, std::uint32_t row) const;
+
   const Model& model_;
   const RasterSurface& raster_;
   std::vector<Level> levels_;

@@ -414,10 +414,10 @@ TEST_F(ModelOf, HasTilesOfARaster) {
                                              {"stride": 2, "columns": 1, "rows": 1}])"));
 
   const auto node = [&](const ArraysOf& tile, int column, int row) {
-    const double x = std::min(tile.header["corner"][0].get<double>() + column * tile.header["cell"][0].get<double>(),
-                              tile.header["end"][0].get<double>());
-    const double y = std::min(tile.header["corner"][1].get<double>() + row * tile.header["cell"][1].get<double>(),
-                              tile.header["end"][1].get<double>());
+    const double x =
+        tile.header["origin"][0].get<double>() + column * tile.header["cell"][0].get<double>() - ours.frame.origin.x();
+    const double y =
+        tile.header["origin"][1].get<double>() + row * tile.header["cell"][1].get<double>() - ours.frame.origin.y();
     return std::pair(std::lround((x - grid.x0) / grid.dx), std::lround((y - grid.y0) / grid.dy));
   };
   std::set<std::pair<long, long>> seen;
@@ -443,20 +443,31 @@ TEST_F(ModelOf, HasTilesOfARaster) {
         if (which[0] == '0') seen.emplace(i, j);
       }
     }
-    if (which[0] == '1') {  // the whole raster, to its last column and row
+    EXPECT_EQ(tile.header["origin"][2], ours.frame.origin.z());
+    if (which[0] == '1') {  // the whole raster, but for what is no whole step
       EXPECT_EQ(node(tile, 0, 0), std::pair(0L, 0L));
-      EXPECT_EQ(node(tile, wide - 1, high - 1), std::pair(columns - 1L, rows - 1L));
+      EXPECT_EQ(node(tile, wide - 1, high - 1), std::pair(columns - 2L, rows - 2L));
     }
   }
   EXPECT_EQ(seen.size(), static_cast<std::size_t>(columns * rows));
   const ArraysOf first(get(at(model, "tiles/0/0/0"))), second(get(at(model, "tiles/0/1/0")));
-  EXPECT_EQ(first.header["end"][0], second.header["corner"][0]);  // neighbours share an edge
+  EXPECT_EQ(first.header["origin"][0].get<double>() + 256 * 10, second.header["origin"][0].get<double>());
+  EXPECT_EQ(first.header["columns"], 257);  // neighbours share an edge
   EXPECT_TRUE(std::isnan(first.get<float>("heights", "f32")[2 * 257 + 3]));
 
   for (const std::string which : {"2/0/0", "0/2/0", "0/0/1", "0/999999999/0"})
     EXPECT_EQ(get(at(model, "tiles/" + which)).status, 404) << which;
   for (const std::string which : {"0/0/-1", "0/0/4294967296", "a/0/0", "0/0"})
     EXPECT_EQ(get(at(model, "tiles/" + which)).status, 404) << which;
+}
+
+TEST_F(ModelOf, HasTilesOfAStripNarrowerThanAStep) {
+  const Json model = model_of(raster_project(2000, 3));
+  const Json levels = get(at(model, "tiles")).json()["levels"];
+  EXPECT_EQ(levels.back(), Json::parse(R"({"stride": 8, "columns": 1, "rows": 1})"));
+  const ArraysOf tile(get(at(model, "tiles/3/0/0")));
+  EXPECT_EQ(tile.header["rows"], 2);
+  EXPECT_EQ(tile.header["cell"], (Json{80.0, 20.0}));
 }
 
 TEST_F(ModelOf, LeavesHolesOutOfTrianglesAndSections) {

@@ -3,6 +3,7 @@
 import { sidePanel } from './state/view';
 import { ModelPanel } from './model/ModelPanel';
 import { dimension } from './model/place';
+import { TimeBar } from './paths/TimeBar';
 import { ResultsPanel } from './results/ResultsPanel';
 import { RunsPanel } from './runs/RunsPanel';
 import { SceneView } from './scene/SceneView';
@@ -35,6 +36,7 @@ export function Workbench() {
       </aside>
       <main class="view">
         <div class="picture">{dimension.value === 2 ? <SectionView /> : <SceneView />}</div>
+        <TimeBar />
         <ResultsPanel />
       </main>
       <SavingDialogs />

@@ -8,6 +8,7 @@
 #include "model_description.hpp"
 #include "model_shelf.hpp"
 #include "routes/routes.hpp"
+#include "run_model.hpp"
 #include "talus/project/problem_paths.hpp"
 
 namespace talus::server {
@@ -18,20 +19,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_cells = 250'000;  // of a raster that is sent as triangles
 
-/// Files called as in requests: relative to the folder that is worked in.
-Problems from_folder(const Problems& problems, const fs::path& folder) {
-  const std::string before = folder.string() + '/';
-  Problems shortened;
-  for (Problem problem : problems.list()) {
-    if (problem.file.starts_with(before)) problem.file.erase(0, before.size());
-    shortened.add(std::move(problem));
-  }
-  return shortened;
-}
-
 Answer answer_of(const Workplace& workplace, const fs::path& file, const std::string& text, const Problems& problems,
                  Json model) {
-  return json_answer({{"problems", as_json(from_folder(project::with_paths(problems, text, file), workplace.folder()))},
+  return json_answer({{"problems", as_json(seen_from(workplace.folder(), project::with_paths(problems, text, file)))},
                       {"model", std::move(model)}});
 }
 
@@ -53,6 +43,12 @@ Json profile_json(const Model& model, const Profile& profile) {
 /// Triangles whose corners that lie together are one vertex.
 class SharedVertices {
  public:
+  explicit SharedVertices(std::size_t triangles) {
+    numbers_.reserve(triangles / 2 + 3);
+    triangles_.reserve(3 * triangles);
+    sources_.reserve(triangles);
+    materials_.reserve(triangles);
+  }
   void add(const Triangle& triangle, std::uint32_t source, MaterialId material) {
     for (const Vec3& corner : triangle) triangles_.push_back(vertex(corner));
     sources_.push_back(source);
@@ -88,7 +84,7 @@ class SharedVertices {
 };
 
 Answer mesh_answer(const Model& model) {
-  SharedVertices vertices;
+  SharedVertices vertices(std::visit([](const auto& surface) { return surface.facet_count(); }, model.surface));
   const auto add = [&](const auto& surface, FacetId facet) {
     vertices.add(surface.triangle(facet), surface.source(facet), model.ground.material_of(surface.source(facet)));
   };

@@ -3,7 +3,7 @@
 import type { RockFilter } from '../state/filter';
 import { getJson, getText } from './client';
 import { parseExact, type NumberText } from './exact';
-import type { Difference, RockAnswer, RunBarrier, RunMap, Statistics } from './types';
+import type { Difference, RockAnswer, RunMap, Statistics } from './types';
 
 /// Descriptive statistics as summary.json has them, figure by figure.
 export interface FigureTexts {
@@ -40,6 +40,21 @@ export interface Design {
   confidence: NumberText;
   design_percentile: NumberText;
   lines: DesignLine[];
+}
+
+/// Numbers as texts.
+export interface BarrierAnswer {
+  name: string;
+  kind: 'barrier' | 'collector';
+  height_m: NumberText;
+  capacity_kJ: NumberText | null;
+  hits: NumberText;
+  rocks_hit: NumberText;
+  stopped: NumberText;
+  rebounded: NumberText;
+  passed_through: NumberText;
+  passed_above: NumberText;
+  design: DesignLine | null;
 }
 
 export interface ColumnStatistics extends Omit<Statistics, 'statistics'> {
@@ -81,7 +96,7 @@ export const results = {
   statistics: (id: string, column: string, filter: RockFilter | null, signal?: AbortSignal) =>
     statisticsAt(`${at(id)}/statistics?of=${encodeURIComponent(column)}${queryOf(filter)}`, signal),
   barriers: async (id: string, signal?: AbortSignal) =>
-    (await getJson<{ barriers: RunBarrier[] }>(`${at(id)}/barriers`, signal)).barriers,
+    parseExact<{ barriers: BarrierAnswer[] }>(await getText(`${at(id)}/barriers`, signal)).barriers,
   barrierStatistics: (id: string, barrier: number, column: string, filter: RockFilter | null, signal?: AbortSignal) =>
     statisticsAt(`${at(id)}/barriers/${barrier}/statistics?of=${encodeURIComponent(column)}${queryOf(filter)}`, signal),
   rock: (id: string, rock: number, signal?: AbortSignal) => getJson<RockAnswer>(`${at(id)}/rocks/${rock}`, signal),

@@ -76,7 +76,7 @@ export interface ModelBarrier {
 export interface Model {
   id: string;
   dimension: 2 | 3;
-  kind: 'profile' | 'mesh' | 'raster';
+  kind: 'section' | 'mesh' | 'raster';
   rocks: number;
   crs: string;
   facets: number;
@@ -151,18 +151,6 @@ export interface RockAnswer {
   rows: string[][];
   hits: Record<string, string>[];
   energy: [number, number, number, number][];
-}
-
-export interface RunBarrier {
-  name: string;
-  kind: 'barrier' | 'collector';
-  height_m: number;
-  capacity_kJ: number | null;
-  hits: number;
-  stopped: number;
-  passed_through: number;
-  passed_above: number;
-  design: unknown;
 }
 
 export interface RunMap {

@@ -5,7 +5,7 @@ import { edit, rowsOf } from '../state/document';
 import { sayFailure } from '../state/messages';
 import { model } from '../state/model';
 import { assignByClicks, assignByPolygon } from './assignTool';
-import { materialColour } from './colours';
+import { materialColour } from '../view/colours';
 import { Field } from './form/Field';
 import { materialNames } from './form/references';
 import { TableForm } from './form/TableForm';

@@ -1,15 +1,19 @@
 // The model as forms: an outline of the project, and the form of what is chosen in it.
 
-import { useEffect, useRef } from 'preact/hooks';
-import { rowsOf } from '../state/document';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
+import { isChanged, isDraft, rowsOf, savedHash } from '../state/document';
+import { sayFailure } from '../state/messages';
+import { readAgain } from '../state/saving';
 import { chosen, helpOpen } from '../state/view';
 import type { Path } from '../toml/edit';
+import { DocumentDialog } from '../help/Document';
 import { TableForm } from './form/TableForm';
 import { Words } from './form/Words';
 import { loadSettings, tableOf } from './settings';
 import { sectionOf } from './sections';
 import { Outline } from './Outline';
-import { realProblems, sentenceOf, toneOf } from './awaited';
+import { problemsOfTable, sentenceOf, toneOf } from './awaited';
+import { DesignForm } from './DesignForm';
 import { GroundForm } from './GroundForm';
 import { followChosen } from './highlight';
 import { TerrainForm } from './TerrainForm';
@@ -25,10 +29,44 @@ export function ModelPanel() {
   useEffect(followChosen, []);
   const path = chosen.value;
   const isThere = path !== null && (typeof path[1] !== 'number' || rowsOf(String(path[0])).length > path[1]);
+  // Back in the outline the keyboard stands where it left it.
+  const last = useRef<string | null>(null);
+  useEffect(() => {
+    if (isThere) last.current = path.join('.');
+    else document.querySelector<HTMLElement>(`.outline [data-item="${last.current}"]`)?.focus();
+  }, [isThere]);
   return (
     <div class="model">
+      <DraftNotice />
       <ProblemList folded={isThere} />
       {isThere ? <FormPage key={path.join('.')} path={path} /> : <Outline />}
+      <DocumentDialog />
+    </div>
+  );
+}
+
+/// What was not saved in an earlier session, and was taken up.
+function DraftNotice() {
+  if (!isDraft.value || !isChanged.value) return null;
+  return (
+    <div class="problem warning" role="status">
+      This is a draft that was not saved.
+      <div class="row">
+        <button class="button" onClick={() => (isDraft.value = false)}>
+          Go on with it
+        </button>
+        {savedHash.value !== null && (
+          <button
+            class="button"
+            onClick={() => {
+              isDraft.value = false;
+              void readAgain().catch(sayFailure);
+            }}
+          >
+            Back to the file
+          </button>
+        )}
+      </div>
     </div>
   );
 }
@@ -40,12 +78,12 @@ function FormPage({ path }: { path: Path }) {
   const title = isEntry ? nameOf(key, index) : section.title;
   const description = tableOf(isEntry ? key : section.tables.at(-1)!)?.description ?? '';
   const heading = useRef<HTMLHeadingElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     heading.current?.closest('.body')?.scrollTo(0, 0);
     heading.current?.focus({ preventScroll: true });
   }, []);
   // What is said of the table as a whole, not of a field.
-  const own = realProblems.value.filter((problem) => problem.path === path.join('.'));
+  const own = problemsOfTable(path, tableOf(key)?.fields.map((field) => field.key) ?? []);
   return (
     <section class="form-page" aria-label={title}>
       <header>
@@ -79,6 +117,8 @@ function FormPage({ path }: { path: Path }) {
         <TerrainForm />
       ) : key === 'ground' ? (
         <GroundForm />
+      ) : key === 'design' ? (
+        <DesignForm />
       ) : (
         section.tables.map((table) => <TableForm key={table} table={table} path={table === '' ? [] : [table]} />)
       )}

@@ -8,7 +8,7 @@ import { summaryOf } from './summaries';
 import { sections, type Section } from './sections';
 import { add, nextSteps } from './things';
 import { nameOf } from './place';
-import { materialColour } from './colours';
+import { materialColour } from '../view/colours';
 import { LibraryChoice } from './LibraryChoice';
 
 function Badge({ path }: { path: string }) {
@@ -35,7 +35,7 @@ function Row({
   colour?: string;
 }) {
   return (
-    <button class="item" onClick={() => (chosen.value = path)}>
+    <button class="item" data-item={path.join('.')} onClick={() => (chosen.value = path)}>
       {colour && <span class="chip" style={{ background: colour }} />}
       <span class="name">{title}</span>
       <span class="faint detail">{detail}</span>

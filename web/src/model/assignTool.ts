@@ -6,6 +6,7 @@ import { useTool } from '../scene/tool';
 import { edit, valueAt } from '../state/document';
 import { sayFailure } from '../state/messages';
 import { model } from '../state/model';
+import { shading } from '../view/settings';
 import { draw } from './drawing';
 import { segmentsWith, trianglesWith } from './groundWays';
 import { nameOf, tableAt } from './place';
@@ -50,6 +51,7 @@ export async function assignByClicks(material: number) {
   if (!now) return;
   const name = nameOf('material', material);
   const facets = now.dimension === 3 ? await facetsOf(now) : null;
+  shading.value = 'material';
   useTool({
     name,
     hint: () => `Click ${facets ? 'triangles' : 'segments'} that are ${name}. Escape leaves.`,
@@ -82,6 +84,7 @@ export function assignByPolygon(material: number) {
   const now = model.value;
   if (!now) return;
   const name = nameOf('material', material);
+  shading.value = 'material';
   draw({
     name,
     kind: 'polygon',

@@ -3,7 +3,9 @@
 import { computed } from '@preact/signals';
 import type { Problem } from '../api/types';
 import { values } from '../state/document';
-import { problems } from '../state/model';
+import { problems, problemsAt } from '../state/model';
+import type { Path } from '../toml/edit';
+import { pathText } from './place';
 import { nextSteps } from './things';
 
 /// Whether a problem says no more than that something is still to come.
@@ -32,3 +34,16 @@ export const sentenceOf = ({ what, why, hint }: Problem) =>
 
 /// How loudly it is said: what is only missing is still to come.
 export const toneOf = ({ what, severity }: Problem) => (/ (is|are) missing$/.test(what) ? 'warning' : severity);
+
+/// What is said of a setting: at its path, or of its table, beginning with its key where the key is missing.
+export function problemsOf(path: Path): Problem[] {
+  const [own, table, key] = [pathText(path), pathText(path.slice(0, -1)), String(path.at(-1))];
+  const ofTable = problems.value.filter((problem) => problem.path === table && problem.what.startsWith(`${key} `));
+  return [...problemsAt(own), ...ofTable];
+}
+
+/// What is said of a table as a whole, not of one of these settings.
+export const problemsOfTable = (path: Path, keys: readonly string[]) =>
+  realProblems.value.filter(
+    (problem) => problem.path === pathText(path) && !keys.some((key) => problem.what.startsWith(`${key} `)),
+  );

@@ -1,7 +1,9 @@
 // Drawing in the view: places are clicked one after the other, and taken together when the drawing is finished.
 
+import { signal } from '@preact/signals';
 import { showOverlay, tool, useTool, type Overlay, type Place } from '../scene/tool';
 import type { Point3 } from '../api/types';
+import { model } from '../state/model';
 
 interface Drawing {
   name: string;
@@ -14,42 +16,52 @@ interface Drawing {
   done: (places: Point3[]) => void;
 }
 
-/// Whether two clicks are one: a double click leaves a second one at the same place.
-const isSame = (a: Point3 | undefined, b: Point3) => a !== undefined && a.every((value, k) => value === b[k]);
+const doubleClick = 400; // ms
+/// Whether two clicks are one place: the second half of a double click, whose hand may have moved a little.
+function isSame(a: Point3 | undefined, b: Point3, elapsed: number): boolean {
+  if (!a) return false;
+  const bounds = model.peek()?.bounds;
+  const extent = bounds ? Math.hypot(...bounds.max.map((high, k) => high - bounds.min[k]!)) : 0;
+  return Math.hypot(...a.map((value, k) => value - b[k]!)) <= (elapsed < doubleClick ? 0.01 * extent : 0);
+}
 
 export function draw({ name, hint, kind, least, most = Infinity, done }: Drawing) {
-  let places: Point3[] = [];
+  // A signal, since the hint follows it.
+  const places = signal<Point3[]>([]);
   let pointer: Point3 | null = null;
+  let clicked = 0;
   const show = () => {
-    const points = pointer && places.length < most ? [...places, pointer] : places;
+    const points = pointer && places.value.length < most ? [...places.value, pointer] : places.value;
     const line: Overlay[] =
       kind !== 'points' && points.length > 1 ? [{ points, kind: points.length > 2 ? kind : 'line' }] : [];
-    showOverlay('drawing', places.length + line.length > 0 ? [...line, { points: places, kind: 'points' }] : []);
+    showOverlay(
+      'drawing',
+      places.value.length + line.length > 0 ? [...line, { points: places.value, kind: 'points' }] : [],
+    );
   };
   const end = () => {
     showOverlay('drawing', []);
     if (tool.value?.name === name) tool.value = null;
   };
   const finish = () => {
-    if (places.length < least) return;
-    const taken = places;
+    if (places.value.length < least) return;
+    const taken = places.value;
     end();
     done(taken);
   };
   useTool({
     name,
     hint: () => {
-      const missing = least - places.length;
-      const keys = 'Backspace takes the last one back, Escape leaves.';
       if (most === 1) return hint;
-      if (missing > 0) return `${hint} ${keys}`;
-      return `${hint} Enter or a double click finishes. ${keys}`;
+      return `${hint} ${places.value.length >= least ? 'Enter or a double click finishes, ' : ''}Backspace takes a point back, Escape leaves.`;
     },
     click({ point }: Place) {
-      if (isSame(places.at(-1), point)) return;
-      places = [...places, point];
-      if (places.length >= most) finish();
-      else refresh();
+      const elapsed = performance.now() - clicked;
+      clicked += elapsed;
+      if (isSame(places.value.at(-1), point, elapsed)) return;
+      places.value = [...places.value, point];
+      if (places.value.length >= most) finish();
+      else show();
     },
     move(place) {
       pointer = place?.point ?? null;
@@ -58,15 +70,10 @@ export function draw({ name, hint, kind, least, most = Infinity, done }: Drawing
     finish: most === 1 ? undefined : finish,
     cancel: end,
     back() {
-      places = places.slice(0, -1);
-      refresh();
+      places.value = places.value.slice(0, -1);
+      show();
     },
   });
-  // The hint follows the number of places: the tool is a new one to who shows it.
-  function refresh() {
-    show();
-    if (tool.value) tool.value = { ...tool.value };
-  }
 }
 
 /// To a millimetre, or a centimetre where the ground is wide: finer than anyone points.

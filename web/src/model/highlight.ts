@@ -1,6 +1,6 @@
 // What is chosen in the forms is marked in the view.
 
-import { effect } from '@preact/signals';
+import { effect, untracked } from '@preact/signals';
 import { showOverlay, type Overlay } from '../scene/tool';
 import { model } from '../state/model';
 import { chosen } from '../state/view';
@@ -16,6 +16,6 @@ export function followChosen(): () => void {
       if (seeder.lines.length === 0) marks.push({ points: seeder.points.slice(0, 500), kind: 'points' });
     }
     if (barrier) marks.push({ points: barrier.top, kind: 'line' }, { points: barrier.foot, kind: 'line' });
-    showOverlay('chosen', marks);
+    untracked(() => showOverlay('chosen', marks));
   });
 }

@@ -139,10 +139,10 @@ function kindOf(node: Node): Kind {
   }
 }
 
-function fieldsOf(table: Node): Field[] {
+function fieldsOf(table: Node, name = ''): Field[] {
   return Object.entries(table.properties ?? {}).map(([key, node]) => ({
     key,
-    title: titleOf(key, node['x-unit'] ?? ''),
+    title: titleOf(key, node['x-unit'] ?? '', name),
     unit: unitText(node['x-unit'] ?? ''),
     type: kindOf(node),
     description: node.description ?? '',
@@ -176,14 +176,22 @@ export function tablesOf(schema: unknown): Table[] {
           key,
           repeated: node.items !== undefined,
           description: table.description ?? '',
-          fields: fieldsOf(table),
+          fields: fieldsOf(table, key),
         };
       }),
   ];
 }
 
-// Where the key alone would read badly.
+// Where the key alone would read badly; of one table, or of all.
 const titles: Record<string, string> = {
+  'design.lines': 'Candidate lines',
+  'seeder.lines': 'Lines of a file',
+  'seeder.points': 'Points of a line',
+  'seeder.polygon': 'Polygon',
+  'seeder.polygons': 'Polygons of a file',
+  'terrain.boundary': 'Boundary of the survey',
+  'terrain.lines': 'Contours and breaklines',
+  'terrain.points': 'Surveyed points',
   crs: 'Coordinate system',
   geopackage: 'Rocks in the GeoPackage',
   like: 'Values of the library',
@@ -210,8 +218,9 @@ const titles: Record<string, string> = {
 };
 
 /// "Normal restitution" of normal_restitution, "Forest height" of forest_height_m: the key without its unit.
-export function titleOf(key: string, unit = ''): string {
-  if (titles[key]) return titles[key];
+export function titleOf(key: string, unit = '', table = ''): string {
+  const given = titles[`${table}.${key}`] ?? titles[key];
+  if (given) return given;
   const ending = `_${unit.replace('1/', 'per_').replaceAll('/', '_')}`;
   const bare = unit && key.endsWith(ending) ? key.slice(0, -ending.length) : key;
   return `${bare.charAt(0).toUpperCase()}${bare.slice(1).replaceAll('_', ' ')}`;
@@ -254,6 +263,6 @@ export function valueText(value: unknown): string {
 export function absentText(field: Field): string {
   if (field.default !== undefined) return `default ${valueText(field.default)}`;
   if (field.required) return 'required';
-  if (field.withoutIt) return field.withoutIt;
+  if (field.withoutIt) return field.withoutIt.replaceAll('`', '');
   return field.infinite ? 'default unlimited' : '';
 }

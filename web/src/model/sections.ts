@@ -75,7 +75,6 @@ const seederPlaces: Record<string, (row: TomlTable) => boolean> = {
 
 const surveyKeys = ['points', 'lines'];
 const terrainNeeds: Record<string, string[]> = {
-  section_std_dev_m: ['section'],
   width_m: ['section'],
   point_classes: ['points'],
   points_layer: ['points'],
@@ -126,11 +125,15 @@ const groupsOf: Record<string, Group[]> = {
         'vertices',
         ...terrainKinds.slice(2),
         'width_m',
-        'section_std_dev_m',
-        ...Object.keys(terrainNeeds).filter((key) => !['width_m', 'section_std_dev_m'].includes(key)),
+        ...Object.keys(terrainNeeds).filter((key) => key !== 'width_m'),
       ],
-      applies: (key, row, is2d) =>
-        (key !== 'section_std_dev_m' || is2d) && (terrainNeeds[key] ?? [key]).some((other) => row[other] !== undefined),
+      applies: (key, row) => (terrainNeeds[key] ?? [key]).some((other) => row[other] !== undefined),
+    },
+    {
+      title: 'Uncertain vertices',
+      keys: ['section_std_dev_m'],
+      folded: true,
+      applies: (_key, row, is2d) => is2d && row.section !== undefined,
     },
     { title: 'Turning', folded: true, keys: ['rotate_deg', 'rotate_about'], applies: (_key, _row, is2d) => !is2d },
   ],

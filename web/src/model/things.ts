@@ -2,9 +2,10 @@
 
 import { edit, rowsOf, values } from '../state/document';
 import { chosen } from '../state/view';
+import type { Edit } from '../toml/edit';
 import type { TomlTable } from '../toml/format';
 import { removal } from './consequences';
-import { freshName, is2d, nameOf } from './place';
+import { freshName, is2d, nameOf, tableAt } from './place';
 
 const words: Record<string, string> = {
   material: 'Material',
@@ -31,8 +32,15 @@ function first(key: string): TomlTable {
 export function add(key: string, more: TomlTable = {}, what = `add a ${key}`) {
   const value = { name: freshName(family(key), words[key] ?? key), ...first(key), ...more };
   const index = rowsOf(key).length;
-  edit(what, [{ append: [key], value }]);
+  edit(what, [{ append: [key], value }, ...(key === 'material' && index === 1 ? defaultGround() : [])]);
   chosen.value = [key, index];
+}
+
+/// With a second material the ground needs to know which one it is made of where nothing else is said.
+function defaultGround(): Edit[] {
+  const ground = tableAt(['ground']);
+  const isSaid = ['default', 'segments', 'triangles'].some((key) => ground[key] !== undefined);
+  return isSaid ? [] : [{ set: ['ground', 'default'], value: nameOf('material', 0) }];
 }
 
 export function copy(key: string, index: number) {

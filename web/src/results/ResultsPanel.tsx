@@ -5,16 +5,22 @@ import type { Run } from '../api/types';
 import { hasResults, ownRuns, resume, shown } from '../state/runs';
 import { resultsOpen, resultsShare, resultsTab, sidePanel, type ResultsTab } from '../state/view';
 import { Tabs } from '../ui/Tabs';
+import { Barriers } from './Barriers';
+import { Compare } from './Compare';
 import { Distributions } from './Distributions';
+import { Maps } from './Maps';
 import { Overview } from './Overview';
 import { Rock } from './Rock';
 import { Splitter } from './Splitter';
 import './results.css';
 
-const pages: Partial<Record<ResultsTab, { title: string; page: (props: { run: Run }) => preact.JSX.Element }>> = {
+const pages: Record<ResultsTab, { title: string; page: (props: { run: Run }) => preact.JSX.Element }> = {
   overview: { title: 'Overview', page: Overview },
   distributions: { title: 'Distributions', page: Distributions },
+  barriers: { title: 'Barriers', page: Barriers },
   rock: { title: 'Rock', page: Rock },
+  maps: { title: 'Maps', page: Maps },
+  compare: { title: 'Compare', page: Compare },
 };
 
 /// Why there is nothing to look at, and what to do about it.
@@ -47,9 +53,9 @@ export function ResultsPanel() {
   const panel = useId();
   const run = shown.value;
   if (!run && ownRuns.value.length === 0) return null;
-  const tabs = (Object.keys(pages) as ResultsTab[]).map((name) => ({ name, title: pages[name]!.title }));
+  const tabs = (Object.keys(pages) as ResultsTab[]).map((name) => ({ name, title: pages[name].title }));
   const now = pages[resultsTab.value] ? resultsTab.value : 'overview';
-  const Page = pages[now]!.page;
+  const Page = pages[now].page;
   const isOpen = resultsOpen.value;
   return (
     <section
@@ -80,7 +86,7 @@ export function ResultsPanel() {
           {isOpen ? 'Hide ▾' : 'Results ▴'}
         </button>
       </div>
-      <div id={panel} class="results-body" role="tabpanel" aria-label={pages[now]!.title}>
+      <div id={panel} class="results-body" role="tabpanel" aria-label={pages[now].title}>
         {!isOpen ? null : !run ? (
           <div class="empty">
             <p>No run is shown.</p>

@@ -1,6 +1,7 @@
 // The row of controls above the picture.
 
 import { layerNames, layers, contours, exaggeration, shading, type Shading } from '../view/settings';
+import { PathChoices } from '../paths/PathChoices';
 import { Popover } from '../view/Popover';
 import { namedViews, type NamedView } from './namedViews';
 import type { OpenScene } from './open';
@@ -49,6 +50,7 @@ export function SceneBar({ open }: { open: OpenScene }) {
           </select>
         </label>
       </Popover>
+      <PathChoices />
       <Popover title="Layers">
         {(Object.keys(layers) as (keyof typeof layers)[]).map((name) => (
           <label key={name}>

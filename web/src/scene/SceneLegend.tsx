@@ -1,6 +1,7 @@
 // What the colours of the ground mean.
 
 import { model } from '../state/model';
+import { PathLegend } from '../paths/PathLegend';
 import { cssGradient, elevationRamp, materialColour, slopeRamp } from '../view/colours';
 import { KindsLegend, ScaleLegend } from '../view/Legend';
 import { layers, shading } from '../view/settings';
@@ -28,6 +29,7 @@ export function GroundLegend() {
 export function SceneLegend() {
   return (
     <div class="legends">
+      <PathLegend />
       <GroundLegend />
     </div>
   );

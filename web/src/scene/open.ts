@@ -2,6 +2,7 @@
 
 import { ModelScene } from './modelScene';
 import { Pointing } from './pointing';
+import { RunScene } from './runScene';
 
 export interface OpenScene {
   scene: ModelScene;
@@ -12,11 +13,13 @@ export interface OpenScene {
 export function openScene(host: HTMLElement): OpenScene {
   const scene = new ModelScene(host);
   const pointing = new Pointing(scene);
+  const runs = new RunScene(scene);
   return {
     scene,
     pointing,
     dispose() {
       pointing.dispose();
+      runs.dispose();
       scene.dispose();
     },
   };

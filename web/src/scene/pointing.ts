@@ -15,6 +15,8 @@ export class Pointing {
   private down: { x: number; y: number } | null = null;
   private last: PointerEvent | null = null;
   private waiting = 0;
+  /// The clicks that are still being answered, in their order.
+  private busy: Promise<void> = Promise.resolve();
   /// A click that no tool took.
   onClick: (event: PointerEvent) => void = () => {};
   private readonly listening = new AbortController();
@@ -30,7 +32,7 @@ export class Pointing {
     on('pointerup', (event) => {
       const still = this.down && Math.hypot(event.clientX - this.down.x, event.clientY - this.down.y) < drag;
       this.down = null;
-      if (still) void this.click(event).catch(sayFailure);
+      if (still) this.busy = this.busy.then(() => this.click(event)).catch(sayFailure);
     });
     on('pointermove', (event) => {
       this.last = event;
@@ -42,7 +44,8 @@ export class Pointing {
       tool.value?.move?.(null);
     });
     on('dblclick', (event) => {
-      if (tool.value) return tool.value.finish?.();
+      // After the clicks that it is made of, which may wait for the engine.
+      if (tool.value) return void this.busy.then(() => tool.value?.finish?.());
       // The view turns around the place that was meant.
       const place = this.placeAt(event.clientX, event.clientY);
       if (place) this.centre(scene.local(place.point));

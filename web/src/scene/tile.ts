@@ -9,6 +9,7 @@ import type { TerrainMaterial } from './terrainMaterial';
 
 export interface TileHeader {
   origin: Point3;
+  cell: [number, number];
   columns: number;
   rows: number;
 }
@@ -98,7 +99,9 @@ export class Tile {
         const here = at(i, j);
         const k = (j + 1) * across + i + 1;
         height[k] = here;
-        ground[k] = (arrays.materials?.[j * columns + i] ?? 0) as number;
+        // Materials are of cells: a node has that of the cell north-east of it, if there is one.
+        const cellOf = Math.min(j, rows - 2) * (columns - 1) + Math.min(i, columns - 2);
+        ground[k] = (arrays.materials?.[cellOf] ?? 0) as number;
         if (Number.isNaN(here)) {
           holes = true;
           continue;

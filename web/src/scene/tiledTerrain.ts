@@ -148,14 +148,13 @@ export class TiledTerrain implements Terrain {
   private async load(node: Node) {
     node.asked = true;
     ++this.loading;
-    const { number, stride } = this.levels[node.level]!;
+    const { number } = this.levels[node.level]!;
     try {
       const answer = await getArrays<TileHeader>(
         `/api/models/${this.model}/tiles/${number}/${node.column}/${node.row}`,
         this.signal,
       );
-      const cell: [number, number] = [this.tiles.cell[0] * stride, this.tiles.cell[1] * stride];
-      node.tile = new Tile(answer, this.frame, cell, this.material);
+      node.tile = new Tile(answer, this.frame, answer.header.cell, this.material);
       node.box = node.tile.box;
       node.tile.mesh.visible = false;
       node.tile.used = this.turn;

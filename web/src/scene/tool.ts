@@ -37,7 +37,8 @@ export interface Overlay {
 export const overlays = signal<Record<string, Overlay[]>>({});
 
 export function showOverlay(owner: string, list: Overlay[]) {
-  const { [owner]: _, ...others } = overlays.value;
+  // Not read as a dependency: effects that show something would follow themselves.
+  const { [owner]: _, ...others } = overlays.peek();
   overlays.value = list.length > 0 ? { ...others, [owner]: list } : others;
 }
 

@@ -1,3 +1,70 @@
+// The section of a 2D model, with what is needed to look at it.
+
+import { useEffect, useRef } from 'preact/hooks';
+import { PathLegend } from '../paths/PathLegend';
+import { ToolHint } from '../scene/ToolHint';
+import { model } from '../state/model';
+import { KindsLegend } from '../view/Legend';
+import { materialColour } from '../view/colours';
+import { chosenRock, resultsTab } from '../state/view';
+import { frame, keepDrawn, pathsToDraw, pointer } from './picture';
+import { listen } from './pointing';
+import { rockAt } from './pathLayer';
+import { SectionBar } from './SectionBar';
+import '../scene/scene.css';
+
+function Status() {
+  const place = pointer.value;
+  return (
+    <div class="status-line">
+      {place && (
+        <span class="mono">
+          x {place.x.toFixed(2)} z {place.z.toFixed(2)} m
+          {place.ground !== null && `, ground ${place.ground.toFixed(2)} m`}
+        </span>
+      )}
+    </div>
+  );
+}
+
+/// A click on a path chooses its rock; one beside all of them, none.
+function chooseRock(event: PointerEvent) {
+  const [seen, now] = [pathsToDraw.value, frame.value];
+  if (!seen || !now) return;
+  const box = (event.currentTarget as HTMLElement).getBoundingClientRect();
+  chosenRock.value = rockAt(seen, now, event.clientX - box.left, event.clientY - box.top, 8);
+  if (chosenRock.value !== null) resultsTab.value = 'rock';
+}
+
 export function SectionView() {
-  return <div class="empty">Section</div>;
+  const host = useRef<HTMLDivElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    const endDrawing = keepDrawn(host.current!, canvas.current!);
+    const endListening = listen(canvas.current!, chooseRock);
+    return () => {
+      endDrawing();
+      endListening();
+    };
+  }, []);
+  const now = model.value;
+  const kinds = (now?.materials ?? []).map((name, k) => ({ name, colour: materialColour(k) }));
+  return (
+    <div class="scene" ref={host}>
+      <canvas
+        ref={canvas}
+        class="section-canvas"
+        tabIndex={0}
+        role="img"
+        aria-label={`The slope in section, ${now?.seeders.length ?? 0} seeders, ${now?.barriers.length ?? 0} barriers and collectors. Arrows move it, plus and minus zoom, 0 shows all.`}
+      />
+      <SectionBar canvas={canvas} />
+      <div class="legends above">
+        <PathLegend />
+        {kinds.length > 0 && <KindsLegend title="Material" kinds={kinds} />}
+      </div>
+      <ToolHint />
+      <Status />
+    </div>
+  );
 }

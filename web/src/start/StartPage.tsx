@@ -9,6 +9,7 @@ import { files } from '../model/files';
 import { listenToDrops } from '../model/terrainFile';
 import { open } from '../state/document';
 import { sayFailure } from '../state/messages';
+import { compute, ownRuns } from '../state/runs';
 import { beginWith, NewProject } from './NewProject';
 import { VerificationPage } from './VerificationPage';
 import './start.css';
@@ -24,15 +25,18 @@ async function load() {
   drafts.value = folder.drafts;
 }
 
+/// Opens an example with its rocks in motion: one that has not been run yet is.
+async function show(id: string) {
+  const { project } = await api.openExample(id);
+  await open(project);
+  if (ownRuns.value.length === 0) await compute();
+}
+
 export function StartPage() {
   useEffect(() => void load().catch(sayFailure), []);
   useEffect(() => listenToDrops((list) => beginWith(list)), []);
   if (verifying.value) return <VerificationPage close={() => (verifying.value = false)} />;
-  const openExample = (id: string) =>
-    api
-      .openExample(id)
-      .then(({ project }) => open(project))
-      .catch(sayFailure);
+  const openExample = (id: string) => void show(id).catch(sayFailure);
   return (
     <main class="start">
       <header>
@@ -46,7 +50,7 @@ export function StartPage() {
         <h2 id="examples">Try an example</h2>
         <div class="cards">
           {examples.value.map(({ id, title, what }) => (
-            <button key={id} class="card" onClick={() => void openExample(id)}>
+            <button key={id} class="card" onClick={() => openExample(id)}>
               <span class="name">{title}</span>
               <span class="faint">{what}</span>
             </button>

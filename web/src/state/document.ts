@@ -5,6 +5,7 @@ import { batch, computed, effect, signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import { edited, valuesOf, type Edit, type Path } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
+import { chosen, chosenRock } from './view';
 
 interface Step {
   text: string;
@@ -147,7 +148,11 @@ export function start(name: string, first: string) {
 
 export function close() {
   sessionStorage.removeItem('file');
-  file.value = null;
+  batch(() => {
+    file.value = null;
+    chosen.value = null;
+    chosenRock.value = null;
+  });
 }
 
 /// The text as it was then is in the file, which has this hash and from now on this name.

@@ -10,6 +10,8 @@ export const runs = signal<Run[]>([]);
 /// The run that is looked at, and one that is laid over it.
 export const shownId = signal<string | null>(null);
 export const comparedId = signal<string | null>(null);
+/// Runs that this page began and whose rocks were not seen yet.
+export const startedHere = new Set<string>();
 export const isConnected = signal(true);
 /// Whether the server has told of its runs.
 export const areKnown = signal(false);
@@ -46,6 +48,7 @@ export async function compute(more: { name?: string; rocks?: number; seed?: numb
   if (file.value === null) return;
   try {
     const run = await api.compute(file.value, text.value, more);
+    startedHere.add(run.id);
     take(run);
     shownId.value = run.id;
   } catch (error) {

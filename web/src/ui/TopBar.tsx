@@ -34,16 +34,28 @@ export function TopBar() {
         <img class="logo" src="/icon.svg" alt="" />
       </button>
       <div class="title">
-        <strong title={name}>{name}</strong>
+        <h1 title={name}>{name}</h1>
         <span class="faint" title={file.value ?? ''}>
           {file.value}
           {isChanged.value && ' (changed)'}
         </span>
       </div>
-      <button class="button icon" disabled={!undoes.value} title={undoes.value ? `Undo: ${undoes.value} (Ctrl+Z)` : 'Nothing to undo'} aria-label="Undo" onClick={undo}>
+      <button
+        class="button icon"
+        disabled={!undoes.value}
+        title={undoes.value ? `Undo: ${undoes.value} (Ctrl+Z)` : 'Nothing to undo'}
+        aria-label="Undo"
+        onClick={undo}
+      >
         ↶
       </button>
-      <button class="button icon" disabled={!redoes.value} title={redoes.value ? `Redo: ${redoes.value} (Ctrl+Y)` : 'Nothing to redo'} aria-label="Redo" onClick={redo}>
+      <button
+        class="button icon"
+        disabled={!redoes.value}
+        title={redoes.value ? `Redo: ${redoes.value} (Ctrl+Y)` : 'Nothing to redo'}
+        aria-label="Redo"
+        onClick={redo}
+      >
         ↷
       </button>
       <button class="button" disabled={!isChanged.value} title="Save (Ctrl+S)" onClick={() => void save()}>
@@ -54,7 +66,11 @@ export function TopBar() {
       </button>
       <span class="space" />
       <Progress />
-      {!isConnected.value && <span class="problem" role="alert">The server does not answer</span>}
+      {!isConnected.value && (
+        <span class="problem" role="alert">
+          The server does not answer
+        </span>
+      )}
       {isBuilding.value && <span class="faint">checking…</span>}
       <ComputeMenu />
       <button

@@ -8,6 +8,12 @@ import { tool, useTool } from '../scene/tool';
 const isWriting = (target: EventTarget | null) =>
   target instanceof HTMLElement && (target.isContentEditable || ['INPUT', 'TEXTAREA', 'SELECT'].includes(target.tagName));
 
+/// A field with something typed in it has an undo of its own; one that shows what the project says has none.
+const undoesItself = (target: EventTarget | null) =>
+  isWriting(target) &&
+  !(target instanceof HTMLSelectElement) &&
+  !(target instanceof HTMLInputElement && (target.type !== 'text' || target.dataset.clean !== undefined));
+
 /// What is being typed counts: a field takes it when it changes.
 function taken(what: () => unknown) {
   if (isWriting(document.activeElement)) document.activeElement?.dispatchEvent(new Event('change', { bubbles: true }));
@@ -24,10 +30,10 @@ function onKey(event: KeyboardEvent) {
   };
   if (ctrl && key === 's') return act(() => taken(save));
   if (ctrl && event.key === 'Enter') return act(() => taken(compute));
-  if (isWriting(event.target)) return;
+  if (undoesItself(event.target)) return;
   if (ctrl && key === 'z') return act(event.shiftKey ? redo : undo);
   if (ctrl && key === 'y') return act(redo);
-  if (!tool.value) return;
+  if (!tool.value || isWriting(event.target)) return;
   if (event.key === 'Escape') return act(() => useTool(null));
   if (event.key === 'Enter' && event.target === document.body) return act(() => tool.value?.finish?.());
   if (event.key === 'Backspace') return act(() => tool.value?.back?.());

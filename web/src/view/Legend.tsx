@@ -10,9 +10,11 @@ interface Scale {
   high: number;
   /// On a logarithmic scale the middle is the geometric mean.
   logarithmic?: boolean;
+  /// Greater values have the last colour.
+  isClipped?: boolean;
 }
 
-export function ScaleLegend({ title, gradient, low, high, logarithmic = false }: Scale) {
+export function ScaleLegend({ title, gradient, low, high, logarithmic = false, isClipped = false }: Scale) {
   const middle = logarithmic ? Math.sqrt(low * high) : (low + high) / 2;
   return (
     <figure class="legend">
@@ -21,7 +23,10 @@ export function ScaleLegend({ title, gradient, low, high, logarithmic = false }:
       <div class="ends mono">
         <span>{numberText(low, 3)}</span>
         <span>{numberText(middle, 3)}</span>
-        <span>{numberText(high, 3)}</span>
+        <span>
+          {isClipped && <span title="or more">≥ </span>}
+          {numberText(high, 3)}
+        </span>
       </div>
     </figure>
   );

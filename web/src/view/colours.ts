@@ -10,6 +10,12 @@ const even = (...colours: string[]): Ramp => colours.map((colour, k) => [k / (co
 /// Matplotlib's viridis (CC0), at nine places.
 export const viridis = even('#440154', '#472d7b', '#3b528b', '#2c728e', '#21918c', '#28ae80', '#5ec962', '#addc30', '#fde725');
 
+/// What moves, over the land: matplotlib's plasma (CC0), without its end that is lost on the ground.
+export const pathRamp = {
+  light: even('#0d0887', '#4c02a1', '#7e03a8', '#a92395', '#cc4778', '#e56b5d', '#f89540'),
+  dark: even('#7e03a8', '#a92395', '#cc4778', '#e56b5d', '#f89540', '#fdc527', '#f0f921'),
+};
+
 /// Land, muted, so that what lies on it stands out.
 export const elevationRamp = {
   light: even('#a9b79c', '#c4c9a4', '#ddd6b4', '#d9c6a3', '#cbb59b', '#d8cfc6', '#f1eeea'),

@@ -8,6 +8,13 @@ export function roundStep(least: number): number {
   return power * (lead <= 1.000001 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
 }
 
+/// The next number with two digits that count: 123 is 130.
+export function roundUp(value: number): number {
+  if (!(value > 0)) return 0;
+  const unit = 10 ** (Math.floor(Math.log10(value)) - 1);
+  return Number((unit * Math.ceil(value / unit - 1e-9)).toPrecision(2));
+}
+
 /// The multiples of `step` from `low` to `high`.
 export function ticks(low: number, high: number, step: number): number[] {
   const list: number[] = [];

@@ -1,7 +1,7 @@
 // A table of numbers that is typed in, or pasted from a spreadsheet.
 
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { TomlValue } from '../../toml/format';
 import { Dialog } from '../../ui/Dialog';
 import { pastedRows, withoutNames } from '../numbers';
@@ -21,6 +21,8 @@ interface Props {
 }
 
 const page = 100;
+const isBlank = (row: readonly string[]) => row.every((cell) => cell.trim() === '');
+const withoutBlanks = (rows: string[][]) => rows.slice(0, rows.findLastIndex((row) => !isBlank(row)) + 1);
 
 export function EditTable({ label, columns, cells, least, take, children }: Props) {
   // Rows that are not complete yet, over the rows that the project had when they were begun.
@@ -31,9 +33,12 @@ export function EditTable({ label, columns, cells, least, take, children }: Prop
   const table = useRef<HTMLTableElement>(null);
   const over = JSON.stringify(cells);
   const shown = draft && draft.over === over ? draft.cells : cells;
+  const blank = Array<string>(columns.length).fill('');
+  // The last row is always empty, for the next one to be typed.
+  const rendered = isBlank(shown.at(-1) ?? ['.']) ? shown : [...shown, blank];
 
   const change = (next: string[][], what: string) => {
-    const rows = rowsValue(next, least);
+    const rows = rowsValue(withoutBlanks(next), least);
     setDraft(rows ? null : { cells: next, over });
     if (rows) take(rows, what);
   };
@@ -52,17 +57,17 @@ export function EditTable({ label, columns, cells, least, take, children }: Prop
     input.focus();
     input.select();
   };
-  useEffect(find);
+  useLayoutEffect(find);
 
   const insert = (at: number) => {
-    change(shown.toSpliced(at, 0, Array<string>(columns.length).fill('')), 'insert a row in');
+    if (at < shown.length) change(shown.toSpliced(at, 0, blank), 'insert a row in');
     go(at, 0);
   };
   const paste = (text: string, row: number, column: number) => {
     const block = pastedRows(text);
     if (block.length === 0) return false;
     const next = overlaid(
-      shown,
+      rendered,
       column === 0 ? withoutNames(block, columns.length) : block,
       row,
       column,
@@ -74,85 +79,87 @@ export function EditTable({ label, columns, cells, least, take, children }: Prop
   const onKey = (event: KeyboardEvent, row: number, column: number) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key === 'ArrowUp' && row > 0) go(row - 1, column);
-    else if (event.key === 'ArrowDown' && row + 1 < shown.length) go(row + 1, column);
+    else if (event.key === 'ArrowDown' && row + 1 < rendered.length) go(row + 1, column);
     else if (event.key === 'Enter') {
+      // The cell is taken first: a row that is complete makes way for the next.
       (event.currentTarget as HTMLElement).blur();
-      if (row + 1 < shown.length) go(row + 1, column);
-      else insert(shown.length);
+      go(row + 1, 0);
     } else return;
     event.preventDefault();
   };
 
-  const waiting = shown.findIndex((row) => rowsValue([row], least) === undefined);
+  const waiting = withoutBlanks(shown).findIndex((row) => rowsValue([row], least) === undefined);
   return (
     <div class="edit-table">
-      {shown.length > 0 && (
-        <div class="scroll">
-          <table ref={table} aria-label={label}>
-            <thead>
-              <tr>
-                <th scope="col">
-                  <span class="visually-hidden">Row</span>
+      <div class="scroll">
+        <table ref={table} aria-label={label}>
+          <thead>
+            <tr>
+              <th scope="col">
+                <span class="visually-hidden">Row</span>
+              </th>
+              {columns.map((column) => (
+                <th key={column} scope="col">
+                  {column}
                 </th>
-                {columns.map((column) => (
-                  <th key={column} scope="col">
-                    {column}
+              ))}
+              <th scope="col">
+                <span class="visually-hidden">Change rows</span>
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {rendered.slice(first, first + page).map((row, k) => {
+              const r = first + k;
+              return (
+                <tr key={r}>
+                  <th scope="row" class="faint">
+                    {r + 1}
                   </th>
-                ))}
-                <th scope="col">
-                  <span class="visually-hidden">Change rows</span>
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {shown.slice(first, first + page).map((row, k) => {
-                const r = first + k;
-                return (
-                  <tr key={r}>
-                    <th scope="row" class="faint">
-                      {r + 1}
-                    </th>
-                    {columns.map((column, c) => (
-                      <td key={column} data-cell={`${r},${c}`}>
-                        <TypedInput
-                          label={`${column}, row ${r + 1}`}
-                          value={row[c] === '' ? undefined : row[c]}
-                          take={(value) =>
-                            change(shown.with(r, row.with(c, value === undefined ? '' : String(value))), 'change')
-                          }
-                          onKeyDown={(event) => onKey(event, r, c)}
-                          onPaste={(event) => {
-                            const text = event.clipboardData?.getData('text') ?? '';
-                            if (/[\t\r\n;]/.test(text.trim()) && paste(text, r, c)) event.preventDefault();
-                          }}
-                        />
-                      </td>
-                    ))}
-                    <td class="acts">
-                      <button
-                        class="mini"
-                        title="Insert a row above"
-                        aria-label={`Insert a row above row ${r + 1}`}
-                        onClick={() => insert(r)}
-                      >
-                        +
-                      </button>
-                      <button
-                        class="mini"
-                        title="Delete this row"
-                        aria-label={`Delete row ${r + 1}`}
-                        onClick={() => change(shown.toSpliced(r, 1), 'delete a row of')}
-                      >
-                        ✕
-                      </button>
+                  {columns.map((column, c) => (
+                    <td key={column} data-cell={`${r},${c}`}>
+                      <TypedInput
+                        label={`${column}, row ${r + 1}`}
+                        value={row[c] === '' ? undefined : row[c]}
+                        take={(value) =>
+                          change(rendered.with(r, row.with(c, value === undefined ? '' : String(value))), 'change')
+                        }
+                        onKeyDown={(event) => onKey(event, r, c)}
+                        onPaste={(event) => {
+                          const text = event.clipboardData?.getData('text') ?? '';
+                          if (/[\t\r\n;]/.test(text.trim()) && paste(text, r, c)) event.preventDefault();
+                        }}
+                      />
                     </td>
-                  </tr>
-                );
-              })}
-            </tbody>
-          </table>
-        </div>
-      )}
+                  ))}
+                  <td class="acts">
+                    {r < shown.length && (
+                      <>
+                        <button
+                          class="mini"
+                          title="Insert a row above"
+                          aria-label={`Insert a row above row ${r + 1}`}
+                          onClick={() => insert(r)}
+                        >
+                          +
+                        </button>
+                        <button
+                          class="mini"
+                          title="Delete this row"
+                          aria-label={`Delete row ${r + 1}`}
+                          onClick={() => change(shown.toSpliced(r, 1), 'delete a row of')}
+                        >
+                          ✕
+                        </button>
+                      </>
+                    )}
+                  </td>
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </div>
       {shown.length > page && (
         <p class="pages">
           <button class="button" disabled={first === 0} onClick={() => setFirst(first - page)}>

@@ -3,10 +3,9 @@
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import { valueAt } from '../../state/document';
-import { problemsAt } from '../../state/model';
 import { helpOpen } from '../../state/view';
 import type { Path } from '../../toml/edit';
-import { sentenceOf, toneOf } from '../awaited';
+import { problemsOf, sentenceOf, toneOf } from '../awaited';
 import { pathText, put } from '../place';
 import type { Field as Setting } from '../schema';
 import { Control } from './Control';
@@ -26,7 +25,7 @@ const isSingle = ({ type }: Setting) =>
 export function Field({ field, path, before }: FieldProps & { before?: ComponentChildren }) {
   const [open, setOpen] = useState(false);
   const value = valueAt(path);
-  const problems = problemsAt(pathText(path));
+  const problems = problemsOf(path);
   const isWanted = value === undefined && problems.length > 0;
   const id = idOf(path);
   const isHelped = open || helpOpen.value;

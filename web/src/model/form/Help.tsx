@@ -1,3 +1,5 @@
+import { reading } from '../../help/Document';
+import { topicOf } from '../../help/topics';
 import type { Path } from '../../toml/edit';
 import { absentText, rangeText, type Field } from '../schema';
 import { Words } from './Words';
@@ -13,6 +15,7 @@ function place(path: Path): string {
 export function Help({ field, path }: { field: Field; path: Path }) {
   const range = 'range' in field.type ? rangeText(field.type.range) : '';
   const absent = absentText(field);
+  const topic = topicOf(path);
   return (
     <div class="help">
       <p>
@@ -52,6 +55,11 @@ export function Help({ field, path }: { field: Field; path: Path }) {
           <code>{field.key}</code> {place(path)}
         </dd>
       </dl>
+      {topic && (
+        <button class="button plain more" onClick={() => (reading.value = topic)}>
+          {`Read more: ${topic.heading.replaceAll('`', '')}`}
+        </button>
+      )}
     </div>
   );
 }

@@ -3,87 +3,81 @@
 import { useState } from 'preact/hooks';
 import { edit, valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
+import type { Path } from '../../toml/edit';
 import type { TomlValue } from '../../toml/format';
-import { pathText, put } from '../place';
+import { pathText } from '../place';
 import { cellsOf, rowEdits } from '../rows';
 import { EditTable } from './EditTable';
 import type { FieldProps } from './Field';
 import { PolygonPreview } from './PolygonPreview';
 
-const isClosed = (rows: TomlValue): boolean =>
-  Array.isArray(rows) && rows.length > 1 && JSON.stringify(rows[0]) === JSON.stringify(rows.at(-1));
+const isClosed = (rows: TomlValue[]): boolean =>
+  rows.length > 1 && JSON.stringify(rows[0]) === JSON.stringify(rows.at(-1));
 
-export function PolylinesControl({ field, path }: FieldProps) {
+export function PolylinesControl({ path }: FieldProps) {
   const [adding, setAdding] = useState(false);
   const value = valueAt(path);
   const lists = Array.isArray(value) ? value : [];
-  const remove = (k: number) =>
-    lists.length === 1
-      ? edit('delete polyline 1', [{ set: path, value: [] }])
-      : edit(`delete polyline ${k + 1}`, [{ remove: [...path, k] }]);
+  const hasNew = adding || lists.length === 0;
   return (
     <div class="polylines">
-      {lists.map((rows, k) => {
-        const own = [...path, k];
-        const problems = problemsAt(pathText(own));
-        return (
-          <details key={k} class="polyline" open={lists.length <= 4 || problems.length > 0}>
-            <summary>
-              Polyline {k + 1}{' '}
-              <span class="faint">
-                {Array.isArray(rows) ? rows.length : 0} vertices{isClosed(rows) ? ', closed' : ', open'}
-              </span>
-            </summary>
-            <EditTable
-              label={`Polyline ${k + 1}`}
-              columns={['x', 'y', 'z']}
-              cells={cellsOf(rows, 3)}
-              least={3}
-              take={(next, what) =>
-                edit(`${what} polyline ${k + 1}`, rowEdits(own, rows, next), what === 'change' ? pathText(own) : '')
-              }
-            >
-              {Array.isArray(rows) && rows.length > 2 && !isClosed(rows) && (
-                <button
-                  class="button"
-                  onClick={() => edit(`close polyline ${k + 1}`, [{ set: [...own, rows.length], value: rows[0]! }])}
-                >
-                  Close it
-                </button>
-              )}
-              <button class="button danger" aria-label={`Delete polyline ${k + 1}`} onClick={() => remove(k)}>
-                Delete
-              </button>
-            </EditTable>
-          </details>
-        );
-      })}
-      {adding || lists.length === 0 ? (
-        <details class="polyline" open>
-          <summary>
-            Polyline {lists.length + 1}{' '}
-            <span class="faint">new: type or paste its vertices, the last as the first</span>
-          </summary>
-          <EditTable
-            key={lists.length}
-            label={`Polyline ${lists.length + 1}`}
-            columns={['x', 'y', 'z']}
-            cells={[]}
-            least={3}
-            take={(next) => {
-              if (next.length === 0) return;
-              setAdding(false);
-              if (lists.length === 0) put(path, [next], field.title, '');
-              else edit(`add polyline ${lists.length + 1}`, [{ set: [...path, lists.length], value: next }]);
-            }}
-          />
-        </details>
-      ) : (
+      {Array.from({ length: lists.length + (hasNew ? 1 : 0) }, (_, k) => (
+        // A new one stays where it is when its first vertex makes it one of the project's.
+        <Polyline key={k} path={path} lists={lists} k={k} added={() => setAdding(false)} />
+      ))}
+      {!hasNew && (
         <button class="button" onClick={() => setAdding(true)}>
           + Add polyline
         </button>
       )}
       {lists.length > 0 && <PolygonPreview polylines={lists} />}
     </div>
+  );
+}
+
+function Polyline({ path, lists, k, added }: { path: Path; lists: TomlValue[]; k: number; added: () => void }) {
+  const given = lists[k];
+  const rows = Array.isArray(given) ? given : [];
+  const own = [...path, k];
+  const [open, setOpen] = useState(lists.length <= 4 || given === undefined || problemsAt(pathText(own)).length > 0);
+  const take = (next: TomlValue[][], what: string) => {
+    if (given !== undefined) {
+      edit(`${what} polyline ${k + 1}`, rowEdits(own, rows, next), what === 'change' ? pathText(own) : '');
+    } else if (next.length > 0) {
+      added();
+      edit(
+        `add polyline ${k + 1}`,
+        [k === 0 ? { set: path, value: [next] } : { set: own, value: next }],
+        pathText(own),
+      );
+    }
+  };
+  const remove = () =>
+    edit(`delete polyline ${k + 1}`, [lists.length === 1 ? { set: path, value: [] } : { remove: own }]);
+  const state =
+    given === undefined
+      ? 'new: type or paste its vertices, the last as the first'
+      : `${rows.length} vertices, ${isClosed(rows) ? 'closed' : 'open'}`;
+  return (
+    <details class="polyline" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>
+        Polyline {k + 1} <span class="faint">{state}</span>
+      </summary>
+      <EditTable label={`Polyline ${k + 1}`} columns={['x', 'y', 'z']} cells={cellsOf(rows, 3)} least={3} take={take}>
+        {rows.length > 2 && !isClosed(rows) && (
+          <button
+            class="button"
+            onClick={() => edit(`close polyline ${k + 1}`, [{ set: [...own, rows.length], value: rows[0]! }])}
+          >
+            Close it
+          </button>
+        )}
+        {given !== undefined && (
+          <button class="button danger" aria-label={`Delete polyline ${k + 1}`} onClick={remove}>
+            Delete
+          </button>
+        )}
+      </EditTable>
+    </details>
   );
 }

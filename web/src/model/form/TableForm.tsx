@@ -2,9 +2,9 @@
 
 import { useState } from 'preact/hooks';
 import { edit, valueAt } from '../../state/document';
-import { problemsAt } from '../../state/model';
+import { problemsOf } from '../awaited';
 import type { Path } from '../../toml/edit';
-import { is2d, pathText, tableAt, thingOf } from '../place';
+import { is2d, tableAt, thingOf } from '../place';
 import type { Field as Setting } from '../schema';
 import { groupsIn } from '../sections';
 import { tableOf } from '../settings';
@@ -12,7 +12,7 @@ import { Field } from './Field';
 
 type Group = ReturnType<typeof groupsIn>[number];
 
-const isGiven = (path: Path) => valueAt(path) !== undefined || problemsAt(pathText(path)).length > 0;
+const isGiven = (path: Path) => valueAt(path) !== undefined || problemsOf(path).length > 0;
 
 /// All of a table's settings, or only some.
 export function TableForm({ table, path, only }: { table: string; path: Path; only?: string[] }) {

@@ -38,6 +38,7 @@ export function TypedInput(props: TypedInputProps) {
       aria-invalid={props.invalid ?? false}
       aria-describedby={props.describedBy}
       list={props.words}
+      data-clean={typed === null ? '' : undefined}
       placeholder={props.placeholder}
       value={typed ?? cellText(value)}
       onInput={(event) => {

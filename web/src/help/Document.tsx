@@ -1,0 +1,125 @@
+// The documents of the project, read in the page.
+
+import type { ComponentChildren } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { signal } from '@preact/signals';
+import { sayFailure } from '../state/messages';
+import { Dialog } from '../ui/Dialog';
+import { blocksOf, sectionOf, spansOf, type Block } from './markdown';
+import type { Topic } from './topics';
+import './help.css';
+
+const texts: Record<string, () => Promise<{ default: string }>> = {
+  'laws.md': () => import('../../../docs/laws.md?raw'),
+  'barrier-design.md': () => import('../../../docs/barrier-design.md?raw'),
+  'terrain.md': () => import('../../../docs/terrain.md?raw'),
+  'gis.md': () => import('../../../docs/gis.md?raw'),
+  'outputs.md': () => import('../../../docs/outputs.md?raw'),
+  'materials.md': () => import('../../../docs/materials.md?raw'),
+  'project-file.md': () => import('../../../docs/project-file.md?raw'),
+};
+
+/// What is read; null: nothing.
+export const reading = signal<Topic | null>(null);
+
+export function DocumentDialog() {
+  const topic = reading.value;
+  const [blocks, setBlocks] = useState<Block[]>([]);
+  const [isWhole, setWhole] = useState(false);
+  useEffect(() => {
+    setWhole(false);
+    setBlocks([]);
+    if (topic) void texts[topic.document]!().then(({ default: text }) => setBlocks(blocksOf(text)), sayFailure);
+  }, [topic]);
+  if (!topic) return null;
+  const shown = isWhole ? blocks : sectionOf(blocks, topic.heading);
+  return (
+    <Dialog title={topic.heading.replaceAll('`', '')} close={() => (reading.value = null)}>
+      <div class="document">
+        {shown.slice(isWhole ? 0 : 1).map((block, k) => (
+          <BlockView key={k} block={block} />
+        ))}
+      </div>
+      {!isWhole && shown.length < blocks.length && (
+        <button class="button" onClick={() => setWhole(true)}>
+          The whole document
+        </button>
+      )}
+    </Dialog>
+  );
+}
+
+function Spans({ text }: { text: string }) {
+  return (
+    <>
+      {spansOf(text).map((span, k): ComponentChildren => {
+        switch (span.kind) {
+          case 'code':
+            return <code key={k}>{span.text}</code>;
+          case 'strong':
+            return <strong key={k}>{span.text}</strong>;
+          case 'emphasis':
+            return <em key={k}>{span.text}</em>;
+          case 'link':
+            return <span key={k}>{span.text}</span>;
+          default:
+            return span.text;
+        }
+      })}
+    </>
+  );
+}
+
+function BlockView({ block }: { block: Block }) {
+  switch (block.kind) {
+    case 'heading':
+      return (
+        <h3>
+          <Spans text={block.text} />
+        </h3>
+      );
+    case 'paragraph':
+      return (
+        <p>
+          <Spans text={block.text} />
+        </p>
+      );
+    case 'code':
+      return <pre>{block.text}</pre>;
+    case 'list': {
+      const items = block.items.map((item, k) => (
+        <li key={k}>
+          <Spans text={item} />
+        </li>
+      ));
+      return block.ordered ? <ol>{items}</ol> : <ul>{items}</ul>;
+    }
+    case 'table':
+      return (
+        <div class="scroll">
+          <table>
+            <thead>
+              <tr>
+                {block.head.map((cell, k) => (
+                  <th key={k} scope="col">
+                    <Spans text={cell} />
+                  </th>
+                ))}
+              </tr>
+            </thead>
+            <tbody>
+              {block.rows.map((row, k) => (
+                <tr key={k}>
+                  {row.map((cell, j) => (
+                    <td key={j}>
+                      <Spans text={cell} />
+                    </td>
+                  ))}
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
+      );
+  }
+}

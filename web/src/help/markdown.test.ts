@@ -1,0 +1,66 @@
+import { describe, expect, test } from 'vitest';
+import laws from '../../../docs/laws.md?raw';
+import barriers from '../../../docs/barrier-design.md?raw';
+import terrain from '../../../docs/terrain.md?raw';
+import gis from '../../../docs/gis.md?raw';
+import outputs from '../../../docs/outputs.md?raw';
+import materials from '../../../docs/materials.md?raw';
+import project from '../../../docs/project-file.md?raw';
+import { blocksOf, sectionOf, spansOf } from './markdown';
+import { topics } from './topics';
+
+describe('blocks', () => {
+  test('headings, paragraphs of several lines, code', () =>
+    expect(blocksOf('# A `b`\n\nOne\ntwo.\n\n```\na  b\n\nc\n```\nthree')).toEqual([
+      { kind: 'heading', level: 1, text: 'A `b`' },
+      { kind: 'paragraph', text: 'One two.' },
+      { kind: 'code', text: 'a  b\n\nc' },
+      { kind: 'paragraph', text: 'three' },
+    ]));
+  test('lists with items of several lines', () =>
+    expect(blocksOf('Say:\n- one\n  more\n- two\n\n1. first\n2. second')).toEqual([
+      { kind: 'paragraph', text: 'Say:' },
+      { kind: 'list', ordered: false, items: ['one more', 'two'] },
+      { kind: 'list', ordered: true, items: ['first', 'second'] },
+    ]));
+  test('tables', () =>
+    expect(blocksOf('| a | b |\n| --- | --- |\n| 1 | |\n')).toEqual([
+      { kind: 'table', head: ['a', 'b'], rows: [['1', '']] },
+    ]));
+  test('comments are left out', () => expect(blocksOf('<!-- a\nb -->\nc')).toEqual([{ kind: 'paragraph', text: 'c' }]));
+});
+
+test('spans', () =>
+  expect(spansOf('a `b*c*` **d** *e* [f](g.md) 2 * 3')).toEqual([
+    { kind: 'text', text: 'a ' },
+    { kind: 'code', text: 'b*c*' },
+    { kind: 'text', text: ' ' },
+    { kind: 'strong', text: 'd' },
+    { kind: 'text', text: ' ' },
+    { kind: 'emphasis', text: 'e' },
+    { kind: 'text', text: ' ' },
+    { kind: 'link', text: 'f', to: 'g.md' },
+    { kind: 'text', text: ' 2 * 3' },
+  ]));
+
+test('a section ends where one of its level begins', () => {
+  const blocks = blocksOf('# A\n\n## B\n\nb\n\n### C\n\nc\n\n## D\n\nd');
+  expect(sectionOf(blocks, 'B').map((block) => ('text' in block ? block.text : ''))).toEqual(['B', 'b', 'C', 'c']);
+  expect(sectionOf(blocks, 'none')).toHaveLength(blocks.length);
+});
+
+test('every topic that help leads to is in the documents', () => {
+  const documents: Record<string, string> = {
+    'laws.md': laws,
+    'barrier-design.md': barriers,
+    'terrain.md': terrain,
+    'gis.md': gis,
+    'outputs.md': outputs,
+    'materials.md': materials,
+    'project-file.md': project,
+  };
+  for (const { document, heading } of Object.values(topics)) {
+    const headings = blocksOf(documents[document]!).filter(({ kind }) => kind === 'heading');
+    expect(headings.map((block) => (block as { text: string }).text)).toContain(heading);
+  }
+});

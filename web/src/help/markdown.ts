@@ -1,0 +1,84 @@
+// As much of Markdown as our own documents use.
+
+export type Block =
+  | { kind: 'heading'; level: number; text: string }
+  | { kind: 'paragraph'; text: string }
+  | { kind: 'list'; ordered: boolean; items: string[] }
+  | { kind: 'table'; head: string[]; rows: string[][] }
+  | { kind: 'code'; text: string };
+
+export type Span =
+  { kind: 'text' | 'code' | 'strong' | 'emphasis'; text: string } | { kind: 'link'; text: string; to: string };
+
+const cells = (line: string) =>
+  line
+    .replace(/^\||\|\s*$/g, '')
+    .split(/(?<!\\)\|/)
+    .map((cell) => cell.trim());
+
+const item = /^(-|\d+\.) +/;
+
+export function blocksOf(markdown: string): Block[] {
+  const lines = markdown.replace(/<!--[\s\S]*?-->/g, '').split('\n');
+  const blocks: Block[] = [];
+  let k = 0;
+  const take = (while_: (line: string) => boolean): string[] => {
+    const taken: string[] = [];
+    while (k < lines.length && while_(lines[k]!)) taken.push(lines[k++]!);
+    return taken;
+  };
+  while (k < lines.length) {
+    const line = lines[k]!;
+    const heading = /^(#+) +(.*)$/.exec(line);
+    if (line.trim() === '') ++k;
+    else if (heading) {
+      blocks.push({ kind: 'heading', level: heading[1]!.length, text: heading[2]! });
+      ++k;
+    } else if (line.startsWith('```')) {
+      ++k;
+      blocks.push({ kind: 'code', text: take((next) => !next.startsWith('```')).join('\n') });
+      ++k;
+    } else if (line.startsWith('|')) {
+      const [head, , ...rows] = take((next) => next.startsWith('|'));
+      blocks.push({ kind: 'table', head: cells(head!), rows: rows.map(cells) });
+    } else if (item.test(line)) {
+      const items: string[] = [];
+      for (const next of take((more) => item.test(more) || /^\s+\S/.test(more))) {
+        if (item.test(next)) items.push(next.replace(item, ''));
+        else items[items.length - 1] += ` ${next.trim()}`;
+      }
+      blocks.push({ kind: 'list', ordered: /^\d/.test(line), items });
+    } else {
+      const text = take((next) => next.trim() !== '' && !/^(#+ |```|\|)/.test(next) && !item.test(next));
+      blocks.push({ kind: 'paragraph', text: text.map((part) => part.trim()).join(' ') });
+    }
+  }
+  return blocks;
+}
+
+/// The blocks under a heading, which is the first of them; all where there is no such heading.
+export function sectionOf(blocks: readonly Block[], heading: string): Block[] {
+  const start = blocks.findIndex((block) => block.kind === 'heading' && block.text === heading);
+  if (start < 0) return [...blocks];
+  const { level } = blocks[start] as { level: number };
+  const length = blocks.slice(start + 1).findIndex((block) => block.kind === 'heading' && block.level <= level);
+  return blocks.slice(start, length < 0 ? undefined : start + 1 + length);
+}
+
+const marks = /`([^`]+)`|\*\*([^*]+)\*\*|\*([^*\s][^*]*)\*|\[([^\]]+)\]\(([^)]+)\)/g;
+
+export function spansOf(text: string): Span[] {
+  const spans: Span[] = [];
+  let at = 0;
+  for (const found of text.matchAll(marks)) {
+    if (found.index > at) spans.push({ kind: 'text', text: text.slice(at, found.index) });
+    const [whole, code, strong, emphasis, name, to] = found;
+    if (code !== undefined) spans.push({ kind: 'code', text: code });
+    else if (strong !== undefined) spans.push({ kind: 'strong', text: strong });
+    else if (emphasis !== undefined) spans.push({ kind: 'emphasis', text: emphasis });
+    else spans.push({ kind: 'link', text: name!, to: to! });
+    at = found.index + whole.length;
+  }
+  if (at < text.length) spans.push({ kind: 'text', text: text.slice(at) });
+  return spans;
+}

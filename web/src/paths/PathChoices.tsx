@@ -1,0 +1,34 @@
+// How paths are drawn, in a small panel of each view's bar.
+
+import { layers, pathColour, type PathColour } from '../view/settings';
+import { Popover } from '../view/Popover';
+import { pathColours } from './colouring';
+import { shownPaths } from './drawnPaths';
+
+export function PathChoices() {
+  const paths = shownPaths.value;
+  if (!paths) return null;
+  const { total } = paths.header;
+  return (
+    <Popover title="Paths">
+      <label>
+        <input type="checkbox" checked={layers.paths.value} onChange={(event) => (layers.paths.value = event.currentTarget.checked)} />
+        Show paths
+      </label>
+      <fieldset>
+        <legend>Coloured by</legend>
+        {(Object.keys(pathColours) as PathColour[]).map((by) => (
+          <label key={by}>
+            <input type="radio" name="path colour" checked={pathColour.value === by} onChange={() => (pathColour.value = by)} />
+            {pathColours[by]}
+          </label>
+        ))}
+      </fieldset>
+      {paths.rocks.length < total && (
+        <span class="faint">
+          {paths.rocks.length.toLocaleString('en')} of {total.toLocaleString('en')} paths are drawn, spread evenly.
+        </span>
+      )}
+    </Popover>
+  );
+}

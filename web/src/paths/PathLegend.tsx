@@ -1,0 +1,28 @@
+// What the colours of paths mean.
+
+import { compared, shown } from '../state/runs';
+import { cssGradient, markColours } from '../view/colours';
+import { KindsLegend, ScaleLegend } from '../view/Legend';
+import { layers } from '../view/settings';
+import { colouring } from './colouring';
+import { comparedPaths } from './drawnPaths';
+
+export function PathLegend() {
+  const how = colouring.value;
+  if (!how || !layers.paths.value) return null;
+  return (
+    <>
+      {how.kind === 'scale' ? (
+        <ScaleLegend title={how.title} gradient={cssGradient(how.ramp)} low={how.low} high={how.high} isClipped={how.isClipped} />
+      ) : (
+        <KindsLegend
+          title={how.title}
+          kinds={how.names.map((name, k) => ({ name, colour: how.colours[k]! })).filter((_, k) => how.isThere[k])}
+        />
+      )}
+      {comparedPaths.value && compared.value && (
+        <KindsLegend title="Runs" kinds={[{ name: `${compared.value.name}, over ${shown.value?.name}`, colour: markColours.compared }]} />
+      )}
+    </>
+  );
+}

@@ -1,0 +1,56 @@
+// Plays the rocks of the shown run: the same moment in every view.
+
+import { numberText } from '../ui/format';
+import { playbackSpeed } from '../view/settings';
+import { shownPaths } from './drawnPaths';
+import { endTime, goTo, isPlaying, pause, play, speeds, time } from './playback';
+import './timeBar.css';
+
+function key(event: KeyboardEvent) {
+  if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLSelectElement) return;
+  if (event.key !== ' ' || event.target instanceof HTMLButtonElement) return;
+  event.preventDefault();
+  if (isPlaying.value) pause();
+  else play();
+}
+
+export function TimeBar() {
+  if (!shownPaths.value || endTime.value === 0) return null;
+  const [now, end] = [time.value, endTime.value];
+  const text = `${now.toFixed(end < 10 ? 2 : 1)} of ${end.toFixed(end < 10 ? 2 : 1)} s`;
+  return (
+    <div class="time-bar" role="group" aria-label="Time of the rocks" onKeyDown={key}>
+      <button class="button" aria-label={isPlaying.value ? 'Pause' : 'Play'} title={isPlaying.value ? 'Pause' : 'Play the rocks'} onClick={isPlaying.value ? pause : play}>
+        <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
+          <path d={isPlaying.value ? 'M3 2h4v12H3zM9 2h4v12H9z' : 'M3 2l11 6-11 6z'} />
+        </svg>
+      </button>
+      <input
+        type="range"
+        aria-label="Time"
+        aria-valuetext={text}
+        title="Space plays; the arrow keys step"
+        min={0}
+        max={end}
+        step={end / 500}
+        value={now}
+        onInput={(event) => {
+          pause();
+          goTo(Number(event.currentTarget.value));
+        }}
+      />
+      <output class="mono">{text}</output>
+      <select
+        aria-label="Speed of playing"
+        value={playbackSpeed.value}
+        onChange={(event) => (playbackSpeed.value = Number(event.currentTarget.value))}
+      >
+        {speeds.map((factor) => (
+          <option key={factor} value={factor}>
+            {numberText(factor)}×
+          </option>
+        ))}
+      </select>
+    </div>
+  );
+}

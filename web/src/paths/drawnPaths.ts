@@ -1,0 +1,115 @@
+// The paths of the run that is shown, and of the one that is compared with it, as arrays for drawing. Both views read
+// them from here.
+
+import { effect, signal, type ReadonlySignal, type Signal } from '@preact/signals';
+import { getArrays } from '../api/client';
+import type { Point3, Run } from '../api/types';
+import { sayFailure } from '../state/messages';
+import { compared, hasResults, shown } from '../state/runs';
+
+export interface PathsHeader {
+  /// Rocks with a path in the run's table; those here are spread evenly over them.
+  total: number;
+  /// `positions` are relative to it.
+  origin: Point3;
+  sources: string[];
+  seeders: string[];
+  reasons: string[];
+  states: string[];
+  barriers: string[];
+}
+
+export interface DrawnPaths {
+  run: string;
+  header: PathsHeader;
+  /// Of rock k are the points from `starts[k]` up to before `starts[k + 1]`.
+  starts: Uint32Array;
+
+  // Of each point.
+  times: Float32Array; // s
+  positions: Float32Array; // three each, m
+  speeds: Float32Array; // m/s
+  energies: Float32Array; // kJ
+  heights: Float32Array; // above the ground, m; NaN: not known
+  states: Uint8Array;
+
+  // Of each rock.
+  rocks: Uint32Array;
+  sources: Uint16Array;
+  seeders: Uint16Array;
+  reasons: Uint8Array;
+  masses: Float32Array; // kg
+  maxEnergies: Float32Array; // kJ
+  maxHeights: Float32Array; // m
+  barriers: Uint32Array; // bit k: it hit barrier k
+}
+
+const mostRocks = 10_000;
+const mostKept = 4;
+const kept = new Map<string, Promise<DrawnPaths>>();
+
+async function load(run: Run, signal: AbortSignal): Promise<DrawnPaths> {
+  const address = `/api/runs/${encodeURIComponent(run.id)}/paths?rocks=${mostRocks}`;
+  const { header, arrays } = await getArrays<PathsHeader>(address, signal);
+  const { max_energies: maxEnergies, max_heights: maxHeights, ...others } = arrays;
+  return { run: run.id, header, maxEnergies, maxHeights, ...others } as DrawnPaths;
+}
+
+// A run that was resumed has other paths than before.
+const keyOf = (run: Run) => `${run.id} ${run.done}`;
+
+function fetched(run: Run, signal: AbortSignal): Promise<DrawnPaths> {
+  const key = keyOf(run);
+  const answer = kept.get(key) ?? load(run, signal);
+  kept.delete(key);
+  kept.set(key, answer);
+  answer.catch(() => kept.get(key) === answer && kept.delete(key));
+  for (const old of [...kept.keys()].slice(0, -mostKept)) kept.delete(old);
+  return answer;
+}
+
+function pathsOf(run: ReadonlySignal<Run | null>, isLoading: Signal<boolean>): ReadonlySignal<DrawnPaths | null> {
+  const paths = signal<DrawnPaths | null>(null);
+  let asking: AbortController | undefined;
+  let asked = '';
+  effect(() => {
+    const now = run.value && hasResults(run.value) ? run.value : null;
+    const key = now ? keyOf(now) : '';
+    if (key === asked) return;
+    asked = key;
+    asking?.abort();
+    const own = (asking = new AbortController());
+    if (paths.peek()?.run !== now?.id) paths.value = null;
+    isLoading.value = now !== null;
+    if (!now) return;
+    fetched(now, own.signal)
+      .then(
+        (found) => {
+          if (!own.signal.aborted) paths.value = found.rocks.length > 0 ? found : null;
+        },
+        (error: unknown) => {
+          if (!own.signal.aborted) sayFailure(error);
+        },
+      )
+      .finally(() => {
+        if (asking === own) isLoading.value = false;
+      });
+  });
+  return paths;
+}
+
+export const isLoadingPaths = signal(false);
+/// Null while they are fetched, and where the run has none.
+export const shownPaths = pathsOf(shown, isLoadingPaths);
+export const comparedPaths = pathsOf(compared, signal(false));
+
+/// The place of a rock among those that are drawn; -1: it is none of them.
+export function indexOfRock({ rocks }: DrawnPaths, rock: number): number {
+  let [low, high] = [0, rocks.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (rocks[middle]! < rock) low = middle + 1;
+    else high = middle;
+  }
+  return rocks[low] === rock ? low : -1;
+}

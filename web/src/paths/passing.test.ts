@@ -1,0 +1,26 @@
+import { expect, test } from 'vitest';
+import { everyRock } from '../state/filter';
+import { passing } from './passing';
+
+const rocks = {
+  header: { reasons: ['rest', 'left'], seeders: ['Crest', 'Ledge'], sources: ['a'], barriers: ['Net', 'Wall'] },
+  reasons: Uint8Array.of(0, 1, 1),
+  seeders: Uint16Array.of(0, 0, 1),
+  sources: Uint16Array.of(0, 0, 0),
+  maxEnergies: Float32Array.of(10, 20, 30),
+  barriers: Uint32Array.of(0, 1, 2),
+};
+const passes = (some: Partial<typeof everyRock>) => [...passing(rocks, { ...everyRock, ...some })];
+
+test('without conditions all pass', () => expect(passes({})).toEqual([1, 1, 1]));
+test('names of a kind are joined by "or"', () => {
+  expect(passes({ reasons: ['left'] })).toEqual([0, 1, 1]);
+  expect(passes({ reasons: ['left', 'rest'] })).toEqual([1, 1, 1]);
+  expect(passes({ reasons: [] })).toEqual([0, 0, 0]);
+});
+test('conditions are joined by "and"', () => expect(passes({ reasons: ['left'], seeders: ['Crest'] })).toEqual([0, 1, 0]));
+test('a barrier is one that was hit', () => {
+  expect(passes({ barriers: ['Wall'] })).toEqual([0, 0, 1]);
+  expect(passes({ barriers: ['Net', 'Wall'] })).toEqual([0, 1, 1]);
+});
+test('ends of the energies pass', () => expect(passes({ minEnergy_kJ: 10, maxEnergy_kJ: 20 })).toEqual([1, 1, 0]));

@@ -1,0 +1,140 @@
+// What rocks did to each barrier and collector, and what it would have to hold.
+
+import { useMemo, useState } from 'preact/hooks';
+import { results, type BarrierAnswer } from '../api/results';
+import type { Run } from '../api/types';
+import { filter } from '../state/filter';
+import { ColumnChoice } from './ColumnChoice';
+import { titleOf } from './columns';
+import { DataTable } from './DataTable';
+import { DesignTable } from './DesignTable';
+import { DistributionFigures } from './DistributionFigures';
+import { shownColour, type Layer } from './distributionPlots';
+import { FilterNote } from './FilterNote';
+import { useRemote } from './remote';
+import { fileName } from './save';
+import { StatisticsTable } from './StatisticsTable';
+import { Waiting } from './Waiting';
+
+const hitColumns = [
+  'ke_total_J',
+  'ke_translational_J',
+  'ke_rotational_J',
+  'impact_height_m',
+  'velocity_m_s',
+  'angle_deg',
+  'station_m',
+  'time_s',
+];
+
+function Counts({ run, barriers }: { run: Run; barriers: BarrierAnswer[] }) {
+  const count = (key: string, title: string) => ({ key, title });
+  return (
+    <DataTable
+      caption="Barriers and collectors"
+      file={fileName(run.name, 'barriers')}
+      hasHeads
+      columns={[
+        { key: 'barrier', title: 'Name', isText: true },
+        { key: 'kind', title: 'Kind', isText: true },
+        { key: 'height_m', title: 'Height', unit: 'm' },
+        { key: 'capacity_kJ', title: 'Capacity', unit: 'kJ', isText: true },
+        count('rocks_hit', 'Rocks that hit'),
+        count('stopped', 'Stopped'),
+        count('rebounded', 'Rebounded'),
+        count('passed_through', 'Passed through'),
+        count('passed_above', 'Passed above'),
+      ]}
+      rows={barriers.map((barrier) => [
+        barrier.name,
+        barrier.kind,
+        barrier.height_m,
+        barrier.kind === 'collector' ? '' : (barrier.capacity_kJ ?? 'unlimited'),
+        barrier.rocks_hit,
+        barrier.stopped,
+        barrier.rebounded,
+        barrier.passed_through,
+        barrier.passed_above,
+      ])}
+    />
+  );
+}
+
+function Hits({ run, barrier, number }: { run: Run; barrier: BarrierAnswer; number: number }) {
+  const [column, choose] = useState('ke_total_J');
+  const now = filter.value;
+  const answer = useRemote(`${run.id} ${number}`, `${run.done} ${column} ${JSON.stringify(now)}`, async (signal) => ({
+    column,
+    statistics: await results.barrierStatistics(run.id, number, column, now, signal),
+  }));
+  const found = answer.value;
+  const layers = useMemo<Layer[]>(
+    () => (found ? [{ name: barrier.name, statistics: found.statistics, colour: shownColour }] : []),
+    [found, barrier.name],
+  );
+  return (
+    <>
+      <div class="tab-tools">
+        <ColumnChoice columns={hitColumns} now={column} choose={choose} />
+        <FilterNote />
+        {found && <span class="faint">{found.statistics.count.toLocaleString('en')} hits</span>}
+      </div>
+      {!found ? (
+        <Waiting of={answer} />
+      ) : found.statistics.count === 0 ? (
+        <p class="faint tab-tools">No rock hit it.</p>
+      ) : (
+        <div class="figures">
+          <DistributionFigures layers={layers} column={found.column} thing="Hits" of={`${run.name} ${barrier.name}`} />
+          <StatisticsTable
+            caption="Statistics"
+            file={fileName(run.name, barrier.name, found.column, 'statistics')}
+            columns={[
+              { key: found.column, title: titleOf(found.column), unit: found.statistics.unit, figures: found.statistics.statistics },
+            ]}
+          />
+        </div>
+      )}
+    </>
+  );
+}
+
+export function Barriers({ run }: { run: Run }) {
+  const [chosen, choose] = useState(0);
+  const answer = useRemote(run.id, String(run.done), (signal) => results.barriers(run.id, signal));
+  const barriers = answer.value;
+  if (!barriers) return <Waiting of={answer} />;
+  const barrier = barriers[chosen] ?? barriers[0];
+  if (!barrier)
+    return <div class="empty">This run had no barriers. Add a barrier or a collector to the model, and compute again.</div>;
+  return (
+    <div class="tab-page">
+      <div class="tab-block">
+        <Counts run={run} barriers={barriers} />
+      </div>
+      <div class="tab-tools">
+        <label class="choice">
+          Barrier
+          <select value={chosen} onChange={(event) => choose(Number(event.currentTarget.value))}>
+            {barriers.map(({ name }, k) => (
+              <option key={k} value={k}>
+                {name}
+              </option>
+            ))}
+          </select>
+        </label>
+      </div>
+      <Hits run={run} barrier={barrier} number={barriers.indexOf(barrier)} />
+      <div class="tab-block">
+        {barrier.design ? (
+          <DesignTable run={run} name={barrier.name} design={barrier.design} />
+        ) : (
+          <p class="faint">
+            For what it would have to hold, percentiles with their confidence and the check of a standard, switch on
+            Barrier design in the model, and compute again.
+          </p>
+        )}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,52 @@
+// What a barrier along a line would have to hold: percentiles with their confidence intervals, and the standard's needs.
+
+import type { DesignLine } from '../api/results';
+import type { Run } from '../api/types';
+import { DataTable } from './DataTable';
+import { titleOf, unitOf } from './columns';
+import { fileName } from './save';
+
+export function DesignTable({ run, name, design }: { run: Run; name: string; design: DesignLine }) {
+  const quantities = Object.entries(design.percentiles);
+  const percents = [...new Set(quantities.flatMap(([, of]) => Object.keys(of)))];
+  const rows = quantities.flatMap(([quantity, of]) =>
+    percents.map((percent) => {
+      const interval = of[percent];
+      return [titleOf(quantity), unitOf(quantity), percent, ...[0, 1, 2].map((k) => interval?.[k] ?? '')];
+    }),
+  );
+  const { needs } = design;
+  return (
+    <div class="design">
+      <DataTable
+        caption="Design percentiles"
+        file={fileName(run.name, name, 'design')}
+        hasHeads
+        columns={[
+          { key: 'quantity', title: 'Quantity', isText: true },
+          { key: 'unit', title: 'Unit', isText: true },
+          { key: 'percentile', title: 'Percentile', unit: '%' },
+          { key: 'value', title: 'Value' },
+          { key: 'low', title: 'Confidence, from' },
+          { key: 'high', title: 'to' },
+        ]}
+        rows={rows}
+      />
+      {needs ? (
+        <DataTable
+          caption="What the standard asks for"
+          file={fileName(run.name, name, 'needs')}
+          hasHeads
+          columns={[
+            { key: 'energy_J', title: 'Energy', unit: 'J' },
+            { key: 'class', title: 'EAD class' },
+            { key: 'height_m', title: 'Height', unit: 'm' },
+          ]}
+          rows={[[needs.energy_J, needs.class ?? '', needs.height_m]]}
+        />
+      ) : (
+        <p class="faint">Too few rocks for the check of the standard.</p>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,75 @@
+// The maps of a run: one of them lies on the terrain.
+
+import { fileAddress, results } from '../api/results';
+import type { Run, RunMap } from '../api/types';
+import { drapedMap, drapedOpacity } from '../state/view';
+import { numberText } from '../ui/format';
+import { useRemote } from './remote';
+import { Waiting } from './Waiting';
+
+function Row({ run, map }: { run: Run; map: RunMap }) {
+  const isShown = drapedMap.value === map.name;
+  return (
+    <tr class={isShown ? 'chosen' : ''}>
+      <th scope="row">
+        <button class="button" aria-pressed={isShown} onClick={() => (drapedMap.value = isShown ? null : map.name)}>
+          {map.name}
+        </button>
+      </th>
+      <td>{map.meaning}</td>
+      <td class="number">{numberText(map.least)}</td>
+      <td class="number">{numberText(map.most)}</td>
+      <td>{map.unit}</td>
+      <td>{map.source ?? 'all'}</td>
+      <td>
+        <a href={fileAddress(run.id, `maps/${map.name}.tif`)} download>
+          GeoTIFF
+        </a>
+      </td>
+    </tr>
+  );
+}
+
+export function Maps({ run }: { run: Run }) {
+  const answer = useRemote(run.id, String(run.done), (signal) => results.maps(run.id, signal));
+  const maps = answer.value;
+  if (!maps) return <Waiting of={answer} />;
+  if (maps.length === 0)
+    return <div class="empty">This run has no maps: they are made in 3D, where the project's output asks for them.</div>;
+  return (
+    <div class="tab-page">
+      <div class="tab-tools">
+        <span class="faint">Choose a map to lay it on the terrain.</span>
+        <label class="choice">
+          Opacity
+          <input
+            type="range"
+            min="0.1"
+            max="1"
+            step="0.05"
+            value={drapedOpacity.value}
+            onInput={(event) => (drapedOpacity.value = Number(event.currentTarget.value))}
+          />
+        </label>
+      </div>
+      <div class="tab-block table-scroll" tabIndex={0} role="region" aria-label="Maps">
+        <table>
+          <thead>
+            <tr>
+              {['Map', 'Shows', 'Least', 'Greatest', 'Unit', 'Source', 'File'].map((title) => (
+                <th key={title} scope="col" class={title === 'Least' || title === 'Greatest' ? 'number' : ''}>
+                  {title}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {maps.map((map) => (
+              <Row key={map.name} run={run} map={map} />
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,60 @@
+// Between metres of the section and pixels of its picture.
+
+export interface Frame {
+  width: number;
+  height: number;
+  /// The section's place at the middle of the picture [m].
+  x: number;
+  z: number;
+  /// Pixels a metre, along and up; equal where the axes are.
+  along: number;
+  up: number;
+}
+
+export interface Bounds {
+  x: [number, number];
+  z: [number, number];
+}
+
+export const pixelOf = (frame: Frame, x: number, z: number): [number, number] => [
+  frame.width / 2 + (x - frame.x) * frame.along,
+  frame.height / 2 - (z - frame.z) * frame.up,
+];
+
+export const placeOf = (frame: Frame, left: number, top: number): [number, number] => [
+  frame.x + (left - frame.width / 2) / frame.along,
+  frame.z - (top - frame.height / 2) / frame.up,
+];
+
+// Room for the numbers of the axes, the controls above and the line below.
+const margin = { left: 56, right: 40, top: 84, bottom: 64 };
+
+/// Shows all of the bounds, in the middle.
+export function fitted(bounds: Bounds, width: number, height: number, equal: boolean): Frame {
+  const span = ([low, high]: [number, number]) => Math.max(high - low, 1e-3);
+  const room = { width: Math.max(width - margin.left - margin.right, 40), height: Math.max(height - margin.top - margin.bottom, 40) };
+  const along = room.width / span(bounds.x);
+  const up = room.height / span(bounds.z);
+  const both = Math.min(along, up);
+  const frame = { width, height, x: 0, z: 0, along: equal ? both : along, up: equal ? both : up };
+  frame.x = (bounds.x[0] + bounds.x[1]) / 2 + (margin.right - margin.left) / 2 / frame.along;
+  frame.z = (bounds.z[0] + bounds.z[1]) / 2 + (margin.top - margin.bottom) / 2 / frame.up;
+  return frame;
+}
+
+/// Larger by a factor, with the place at a pixel where it is.
+export function zoomed(frame: Frame, factor: number, left: number, top: number): Frame {
+  const along = frame.along * factor;
+  if (along < 1e-4 || along > 1e5) return frame;
+  const [x, z] = placeOf(frame, left, top);
+  const next = { ...frame, along, up: frame.up * factor };
+  const [nowX, nowZ] = placeOf(next, left, top);
+  return { ...next, x: frame.x + x - nowX, z: frame.z + z - nowZ };
+}
+
+/// The picture moves by so many pixels.
+export const moved = (frame: Frame, left: number, top: number): Frame => ({
+  ...frame,
+  x: frame.x - left / frame.along,
+  z: frame.z + top / frame.up,
+});

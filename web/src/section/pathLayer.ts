@@ -1,0 +1,121 @@
+// The paths of the rocks on a picture of their own, which is drawn anew only when the view or the colours change, a few
+// milliseconds at a time, so that ten thousand of them never hold up the page.
+
+import { colourAt, cssOf, markColours } from '../view/colours';
+import type { Colouring } from '../paths/colouring';
+import type { DrawnPaths } from '../paths/drawnPaths';
+import { pixelOf, type Frame } from './frame';
+
+export interface PathsToDraw {
+  paths: DrawnPaths;
+  colouring: Colouring;
+  passes: Uint8Array | null; // of each rock; null: all
+}
+
+const shades = 48; // a scale is drawn in so many colours
+const budget = 10; // ms at a time
+
+type Pen = CanvasRenderingContext2D;
+
+/// Which colour a point has, as a number, and what colour that is.
+function colourNumbers(colouring: Colouring): { of: (point: number, rock: number) => number; css: string[] } {
+  if (colouring.kind === 'kinds') return { of: (_, rock) => colouring.numbers[rock]!, css: colouring.colours };
+  const { values, low, high, ramp } = colouring;
+  const css = Array.from({ length: shades }, (_, k) => cssOf(colourAt(ramp, k / (shades - 1))));
+  const of = (point: number) => {
+    const share = (values[point]! - low) / (high - low || 1);
+    return Number.isNaN(share) ? 0 : Math.max(0, Math.min(shades - 1, Math.round(share * (shades - 1))));
+  };
+  return { of, css };
+}
+
+export function drawPath(pen: Pen, frame: Frame, paths: DrawnPaths, rock: number, colour: (point: number) => string) {
+  const [first, end] = [paths.starts[rock]!, paths.starts[rock + 1]!];
+  const { origin } = paths.header;
+  const at = (k: number) => pixelOf(frame, origin[0] + paths.positions[3 * k]!, origin[2] + paths.positions[3 * k + 2]!);
+  let now = '';
+  for (let k = first + 1; k < end; ++k) {
+    const next = colour(k);
+    if (next !== now) {
+      if (now) pen.stroke();
+      pen.beginPath();
+      pen.moveTo(...at(k - 1));
+      pen.strokeStyle = now = next;
+    }
+    pen.lineTo(...at(k));
+  }
+  if (now) pen.stroke();
+}
+
+export class PathLayer {
+  readonly canvas = document.createElement('canvas');
+  private waiting = 0;
+
+  /// `progress`: called whenever more can be seen.
+  constructor(private readonly progress: () => void) {}
+
+  draw(frame: Frame, shown: PathsToDraw | null, other: DrawnPaths | null) {
+    this.stop();
+    const scale = Math.min(devicePixelRatio, 2);
+    Object.assign(this.canvas, { width: Math.round(frame.width * scale), height: Math.round(frame.height * scale) });
+    const pen = this.canvas.getContext('2d');
+    if (!pen) return;
+    pen.setTransform(scale, 0, 0, scale, 0, 0);
+    pen.lineJoin = 'round';
+    const tasks = [...(other ? [this.compared(pen, frame, other)] : []), ...(shown ? [this.coloured(pen, frame, shown)] : [])];
+    const go = () => {
+      const until = performance.now() + budget;
+      while (tasks[0] && performance.now() < until) if (!tasks[0]()) tasks.shift();
+      this.progress();
+      this.waiting = tasks.length > 0 ? requestAnimationFrame(go) : 0;
+    };
+    go();
+  }
+
+  stop() {
+    cancelAnimationFrame(this.waiting);
+  }
+
+  /// Draws one path a call; false when there are no more.
+  private coloured(pen: Pen, frame: Frame, { paths, colouring, passes }: PathsToDraw): () => boolean {
+    const { of, css } = colourNumbers(colouring);
+    let rock = 0;
+    return () => {
+      if (rock >= paths.rocks.length) return false;
+      pen.lineWidth = paths.rocks.length > 500 ? 0.8 : 1.4;
+      if (!passes || passes[rock]) drawPath(pen, frame, paths, rock, (point) => css[of(point, rock)]!);
+      return ++rock < paths.rocks.length;
+    };
+  }
+
+  private compared(pen: Pen, frame: Frame, paths: DrawnPaths): () => boolean {
+    let rock = 0;
+    return () => {
+      if (rock >= paths.rocks.length) return false;
+      pen.lineWidth = 1;
+      drawPath(pen, frame, paths, rock, () => markColours.compared);
+      return ++rock < paths.rocks.length;
+    };
+  }
+}
+
+/// The rock whose path passes nearest to a pixel; null: none within `within` pixels.
+export function rockAt({ paths, passes }: PathsToDraw, frame: Frame, left: number, top: number, within: number): number | null {
+  const { origin } = paths.header;
+  let best = { rock: -1, distance: within };
+  for (let rock = 0; rock < paths.rocks.length; ++rock) {
+    if (passes && !passes[rock]) continue;
+    let before: [number, number] | null = null;
+    for (let k = paths.starts[rock]!; k < paths.starts[rock + 1]!; ++k) {
+      const now = pixelOf(frame, origin[0] + paths.positions[3 * k]!, origin[2] + paths.positions[3 * k + 2]!);
+      if (before) {
+        const [dx, dy] = [now[0] - before[0], now[1] - before[1]];
+        const share = Math.max(0, Math.min(1, ((left - before[0]) * dx + (top - before[1]) * dy) / (dx * dx + dy * dy || 1)));
+        const distance = Math.hypot(left - before[0] - share * dx, top - before[1] - share * dy);
+        if (distance < best.distance) best = { rock, distance };
+      }
+      before = now;
+    }
+  }
+  return best.rock < 0 ? null : paths.rocks[best.rock]!;
+}

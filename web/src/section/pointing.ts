@@ -1,0 +1,122 @@
+// The pointer and the keys over the section: where it is, the view, clicks for the tool or for what stands there.
+
+import type { Place } from '../scene/tool';
+import { tool } from '../scene/tool';
+import { model } from '../state/model';
+import { chosen } from '../state/view';
+import { moved, pixelOf, placeOf, zoomed } from './frame';
+import { fit, frame, pointer } from './picture';
+import { groundBelow, nearestSegment, profile } from './profile';
+
+const drag = 4; // pixels that make a click a drag
+const near = 12; // pixels within which a thing is meant
+
+function placeAt(canvas: HTMLCanvasElement, event: MouseEvent): { x: number; z: number } | null {
+  if (!frame.value) return null;
+  const box = canvas.getBoundingClientRect();
+  const [x, z] = placeOf(frame.value, event.clientX - box.left, event.clientY - box.top);
+  return { x, z };
+}
+
+/// With the segment that is meant: the one under the pointer, or the nearest.
+function meant({ x, z }: { x: number; z: number }): Place {
+  const now = profile.value;
+  if (!now || !frame.value) return { point: [x, 0, z] };
+  const found = nearestSegment(now, x, z, frame.value.up / frame.value.along);
+  const facet = found.distance * frame.value.along <= near ? found.segment : groundBelow(now, x)?.segment;
+  return { point: [x, 0, z], ...(facet !== undefined && { facet }) };
+}
+
+/// The setting whose thing is drawn at a place: a seeder, a barrier, the ground.
+function thingAt({ x, z }: { x: number; z: number }): (string | number)[] | null {
+  const [now, view] = [model.value, frame.value];
+  if (!now || !view) return null;
+  const [left, top] = pixelOf(view, x, z);
+  const away = ([px, , pz]: [number, number, number]) => {
+    const [a, b] = pixelOf(view, px, pz);
+    return Math.hypot(a - left, b - top);
+  };
+  const parts = (path: string) => path.split('.').map((part) => (/^\d+$/.test(part) ? Number(part) : part));
+  const seeder = now.seeders.find(({ points }) => points.some((point) => away(point) < near));
+  if (seeder) return parts(seeder.path);
+  const barrier = now.barriers.find(({ foot, top: high }) => {
+    const [a, b] = [foot[0], high[0]];
+    if (!a || !b) return false;
+    const middles = [0, 0.25, 0.5, 0.75, 1].map((s): [number, number, number] => [
+      a[0] + s * (b[0] - a[0]),
+      0,
+      a[2] + s * (b[2] - a[2]),
+    ]);
+    return middles.some((point) => away(point) < near);
+  });
+  return barrier ? parts(barrier.path) : null;
+}
+
+/// `onClick`: a click that neither a tool nor a thing took.
+export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent) => void): () => void {
+  const listening = new AbortController();
+  const on = <K extends keyof HTMLElementEventMap>(type: K, task: (event: HTMLElementEventMap[K]) => void) =>
+    canvas.addEventListener(type, task, { signal: listening.signal, passive: false });
+  let down: { x: number; y: number; still: boolean } | null = null;
+
+  on('pointerdown', (event) => {
+    canvas.focus({ preventScroll: true });
+    canvas.setPointerCapture(event.pointerId);
+    down = { x: event.clientX, y: event.clientY, still: true };
+  });
+  on('pointermove', (event) => {
+    if (down && frame.value) {
+      const [dx, dy] = [event.clientX - down.x, event.clientY - down.y];
+      if (down.still && Math.hypot(dx, dy) < drag) return;
+      frame.value = moved(frame.value, dx, dy);
+      down = { x: event.clientX, y: event.clientY, still: false };
+      return;
+    }
+    const place = placeAt(canvas, event);
+    if (!place) return;
+    const ground = profile.value ? groundBelow(profile.value, place.x) : null;
+    pointer.value = { ...place, ground: ground?.z ?? null };
+    tool.value?.move?.(meant(place));
+  });
+  on('pointerup', (event) => {
+    const wasClick = down?.still && event.button === 0;
+    down = null;
+    const place = placeAt(canvas, event);
+    if (!wasClick || !place) return;
+    if (tool.value) return tool.value.click(meant(place), { shift: event.shiftKey, ctrl: event.ctrlKey });
+    const thing = thingAt(place);
+    if (thing) chosen.value = thing;
+    else onClick(event);
+  });
+  on('pointerleave', () => {
+    pointer.value = null;
+    tool.value?.move?.(null);
+  });
+  on('dblclick', () => tool.value?.finish?.());
+  on('wheel', (event) => {
+    event.preventDefault();
+    const box = canvas.getBoundingClientRect();
+    if (frame.value)
+      frame.value = zoomed(frame.value, Math.exp(-0.0015 * event.deltaY), event.clientX - box.left, event.clientY - box.top);
+  });
+  on('keydown', (event) => {
+    const now = frame.value;
+    if (!now || event.ctrlKey || event.metaKey || event.altKey) return;
+    const step = 60;
+    const arrows: Record<string, [number, number]> = {
+      ArrowLeft: [step, 0],
+      ArrowRight: [-step, 0],
+      ArrowUp: [0, step],
+      ArrowDown: [0, -step],
+    };
+    const arrow = arrows[event.key];
+    if (arrow) frame.value = moved(now, ...arrow);
+    else if (event.key === '+' || event.key === '=') frame.value = zoomed(now, 1.25, now.width / 2, now.height / 2);
+    else if (event.key === '-') frame.value = zoomed(now, 0.8, now.width / 2, now.height / 2);
+    else if (event.key === '0') fit();
+    else if (event.key === 'Enter' && tool.value) tool.value.finish?.();
+    else return;
+    event.preventDefault();
+  });
+  return () => listening.abort();
+}

@@ -1,0 +1,66 @@
+// The slope of a 2D model, as the engine has it.
+
+import { effect, signal } from '@preact/signals';
+import { getJson } from '../api/client';
+import type { Point2 } from '../api/types';
+import { sayFailure } from '../state/messages';
+import { build, model } from '../state/model';
+import { Refused } from '../api/client';
+
+export interface Profile {
+  model: string;
+  vertices: Point2[];
+  materials: number[];
+}
+
+/// Of the last model that could be built.
+export const profile = signal<Profile | null>(null);
+
+async function fetchProfile(id: string, asking: AbortSignal) {
+  try {
+    const answer = await getJson<Omit<Profile, 'model'>>(`/api/models/${id}/profile`, asking);
+    if (!asking.aborted) profile.value = { ...answer, model: id };
+  } catch (error) {
+    if (asking.aborted) return;
+    // Forgotten by the server: built again, it has a picture again.
+    if (error instanceof Refused && error.status === 404) void build();
+    else sayFailure(error);
+  }
+}
+
+effect(() => {
+  const now = model.value;
+  if (!now || now.dimension !== 2) {
+    profile.value = null;
+    return;
+  }
+  const asking = new AbortController();
+  void fetchProfile(now.id, asking.signal);
+  return () => asking.abort();
+});
+
+/// The ground below a place, and which segment it is; null beside the slope.
+export function groundBelow({ vertices }: Profile, x: number): { z: number; segment: number } | null {
+  for (let k = 0; k + 1 < vertices.length; ++k) {
+    const [a, b] = [vertices[k]!, vertices[k + 1]!];
+    const [low, high] = a[0] <= b[0] ? [a, b] : [b, a];
+    if (x < low[0] || x > high[0] || low[0] === high[0]) continue;
+    const share = (x - low[0]) / (high[0] - low[0]);
+    return { z: low[1] + share * (high[1] - low[1]), segment: k };
+  }
+  return null;
+}
+
+/// The segment that comes nearest to a place, and how near [m], with metres up weighed by `stretch`.
+export function nearestSegment({ vertices }: Profile, x: number, z: number, stretch: number): { segment: number; distance: number } {
+  let best = { segment: 0, distance: Infinity };
+  for (let k = 0; k + 1 < vertices.length; ++k) {
+    const [[ax, az], [bx, bz]] = [vertices[k]!, vertices[k + 1]!];
+    const [dx, dz] = [bx - ax, (bz - az) * stretch];
+    const [px, pz] = [x - ax, (z - az) * stretch];
+    const share = Math.max(0, Math.min(1, (px * dx + pz * dz) / (dx * dx + dz * dz || 1)));
+    const distance = Math.hypot(px - share * dx, pz - share * dz);
+    if (distance < best.distance) best = { segment: k, distance };
+  }
+  return best;
+}
