@@ -9,7 +9,7 @@ export function NextSteps() {
   const act = { terrain: 'Make the terrain', material: 'Add a material', seeder: 'Add a seeder' };
   return (
     <section class="next-steps" aria-label="Next steps">
-      <h3>Next</h3>
+      <h2>Next</h2>
       <ol>
         {steps.map(({ key, what }, k) => (
           <li key={key}>

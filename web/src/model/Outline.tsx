@@ -50,7 +50,7 @@ function SectionRows({ section }: { section: Section }) {
   const isAwaited = nextSteps(values.value).some(({ key }) => key === section.name);
   return (
     <section class={isAwaited ? 'awaited' : ''} aria-label={section.title}>
-      <h3>{section.title}</h3>
+      <h2>{section.title}</h2>
       {section.lists.map(({ key }) =>
         rowsOf(key).map((_, index) => (
           <Row

@@ -4,6 +4,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { api } from '../api/client';
 import type { Verification, VerificationCase } from '../api/types';
 import { sayFailure } from '../state/messages';
+import { numberText } from '../ui/format';
 
 export function VerificationPage({ close }: { close: () => void }) {
   const [answer, setAnswer] = useState<Verification | null>(null);
@@ -59,7 +60,8 @@ function Table({ table }: { table: VerificationCase['tables'][number] }) {
   return (
     <details class="table" onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>
-        {table.title}, {table.manual}: {table.run} <span class={table.differ === 0 ? 'good' : 'bad'}>{verdict}</span>
+        {[table.title, table.manual, table.run].filter(Boolean).join(', ')}{' '}
+        <span class={table.differ === 0 ? 'good' : 'bad'}>{verdict}</span>
       </summary>
       <p class="faint">{table.why}</p>
       {open && (
@@ -83,7 +85,7 @@ function Table({ table }: { table: VerificationCase['tables'][number] }) {
                   <td>{number.quantity}</td>
                   <td class="number">{number.published}</td>
                   <td class="number">{number.talus}</td>
-                  <td class="number">{number.difference}</td>
+                  <td class="number">{numberText(number.difference, 3)}</td>
                   <td class="number">{number.allowed}</td>
                   <td>{number.verdict}</td>
                 </tr>

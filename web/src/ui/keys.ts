@@ -6,7 +6,8 @@ import { compute } from '../state/runs';
 import { tool, useTool } from '../scene/tool';
 
 const isWriting = (target: EventTarget | null) =>
-  target instanceof HTMLElement && (target.isContentEditable || ['INPUT', 'TEXTAREA', 'SELECT'].includes(target.tagName));
+  target instanceof HTMLElement &&
+  (target.isContentEditable || ['INPUT', 'TEXTAREA', 'SELECT'].includes(target.tagName));
 
 /// A field with something typed in it has an undo of its own; one that shows what the project says has none.
 const undoesItself = (target: EventTarget | null) =>

@@ -17,6 +17,9 @@ export function FileControl({ field, path }: FieldProps) {
   const now = cellText(value);
   const project = file.value ?? '';
   const names = fittingFiles(field.key, files.value).map(({ name }) => relativeTo(project, name));
+  // Of the keys that make a terrain the engine says that one is needed; here it is which file.
+  const absent = field.excludes.length > 0 ? 'no file chosen' : absentText(field) || 'no file chosen';
+  const emptyText = names.length > 0 || now ? absent : 'no fitting file in the folder yet';
   const problems = problemsAt(pathText(path));
   const upload = async (chosen: File) => {
     const name = await uploadBeside(project, chosen);
@@ -31,9 +34,7 @@ export function FileControl({ field, path }: FieldProps) {
         value={now}
         onChange={(event) => put(path, event.currentTarget.value || undefined, field.title)}
       >
-        <option value="">
-          {names.length > 0 || now ? absentText(field) || 'no file' : 'no fitting file in the folder yet'}
-        </option>
+        <option value="">{emptyText}</option>
         {(now === '' || names.includes(now) ? names : [now, ...names]).map((name) => (
           <option key={name} value={name}>
             {name}
