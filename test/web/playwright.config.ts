@@ -6,7 +6,7 @@ export default defineConfig({
   testDir: 'pages',
   outputDir: 'results',
   workers: 1,
-  timeout: 60_000,
+  timeout: 90_000,
   expect: { timeout: 15_000 },
   reporter: [['list']],
   use: {

@@ -38,6 +38,13 @@ effect(() => {
   comparedId.value = null;
 });
 
+const isKnown = (id: string) => runs.peek().some((run) => run.id === id);
+
+/// What a request answered. Events tell of the same change, and may have told of later ones already.
+function takeAnswer(run: Run) {
+  if (!isConnected.peek() || !isKnown(run.id)) take(run);
+}
+
 function take(run: Run) {
   const known = runs.value.some(({ id }) => id === run.id);
   runs.value = known ? runs.value.map((old) => (old.id === run.id ? run : old)) : [run, ...runs.value];
@@ -49,16 +56,16 @@ export async function compute(more: { name?: string; rocks?: number; seed?: numb
   try {
     const run = await api.compute(file.value, text.value, more);
     startedHere.add(run.id);
-    take(run);
+    takeAnswer(run);
     shownId.value = run.id;
   } catch (error) {
     sayFailure(error);
   }
 }
 
-export const stop = (id: string) => api.stopRun(id).then(take, sayFailure);
-export const resume = (id: string) => api.resumeRun(id).then(take, sayFailure);
-export const rename = (id: string, name: string) => api.renameRun(id, name).then(take, sayFailure);
+export const stop = (id: string) => api.stopRun(id).then(takeAnswer, sayFailure);
+export const resume = (id: string) => api.resumeRun(id).then(takeAnswer, sayFailure);
+export const rename = (id: string, name: string) => api.renameRun(id, name).then(takeAnswer, sayFailure);
 export const remove = (id: string) => api.removeRun(id).then(() => forget(id), sayFailure);
 
 function forget(id: string) {

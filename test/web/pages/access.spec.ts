@@ -1,0 +1,53 @@
+// For everybody: by the keyboard alone, and without what axe-core finds serious.
+
+import AxeBuilder from '@axe-core/playwright';
+import type { Page } from '@playwright/test';
+import { openExample, runIsShown } from '../support/steps';
+import { expect, test } from '../support/workbench';
+
+async function seriousFindings(page: Page): Promise<string[]> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  return violations
+    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).join(' | ')}`);
+}
+
+test('from the start page to a changed run without a mouse', async ({ workbench: page }) => {
+  const example = page.getByRole('button', { name: /^Tutorial 1, a section/ });
+  await expect(example).toBeVisible();
+  while (!(await example.evaluate((element) => element === document.activeElement))) await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  await runIsShown(page);
+  const material = page.getByRole('button', { name: /^Type One/ });
+  for (let k = 0; k < 60 && !(await material.evaluate((element) => element === document.activeElement)); ++k)
+    await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  const mean = page.getByLabel('Normal restitution: mean');
+  for (let k = 0; k < 60 && !(await mean.evaluate((element) => element === document.activeElement)); ++k)
+    await page.keyboard.press('Tab');
+  await page.keyboard.press('Control+a');
+  await page.keyboard.type('0.47');
+  await page.keyboard.press('Control+Enter');
+  await page.getByRole('tab', { name: 'Runs' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.locator('li.run')).toHaveCount(2);
+});
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`no serious findings, ${colorScheme}`, async ({ workbench: page }) => {
+    test.setTimeout(120_000);
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    await expect(page.getByRole('button', { name: /^Tutorial 1, a section/ })).toBeVisible();
+    expect(await seriousFindings(page)).toEqual([]);
+    await openExample(page, 'Tutorial 1, in 3D');
+    for (const tab of ['Overview', 'Distributions', 'Barriers', 'Rock', 'Maps', 'Compare']) {
+      await page.getByRole('tab', { name: tab, exact: true }).click();
+      await expect(page.getByRole('tabpanel', { name: tab })).toBeVisible();
+      expect(await seriousFindings(page), tab).toEqual([]);
+    }
+    await page.getByRole('button', { name: /^Type One/ }).click();
+    expect(await seriousFindings(page), 'a form').toEqual([]);
+    await page.getByRole('tab', { name: 'Runs' }).click();
+    expect(await seriousFindings(page), 'runs').toEqual([]);
+  });
+}

@@ -1,0 +1,29 @@
+// What several tests do on the page.
+
+import { expect, type Page } from '@playwright/test';
+
+/// Opens an example of the start page, and waits until its run is done and shown.
+export async function openExample(page: Page, title: string) {
+  await page.getByRole('button', { name: new RegExp(`^${title}`) }).click();
+  await runIsShown(page);
+}
+
+export async function runIsShown(page: Page) {
+  await expect(page.getByRole('group', { name: 'Time of the rocks' })).toBeVisible({ timeout: 60_000 });
+}
+
+export const openForm = (page: Page, name: RegExp | string) =>
+  page.getByRole('navigation', { name: 'Model' }).getByRole('button', { name }).first().click();
+
+export const backToModel = (page: Page) => page.getByRole('button', { name: '‹ Model' }).click();
+
+/// Computes with so many rocks, under a name.
+export async function computeWith(page: Page, name: string, rocks: number) {
+  await page.getByRole('button', { name: 'Options of the run' }).click();
+  const form = page.getByRole('form', { name: 'Options of the run' });
+  await form.getByLabel('Name of the run').fill(name);
+  await form.getByLabel('Number of rocks in all').fill(String(rocks));
+  await form.getByRole('button', { name: 'Compute this run' }).click();
+}
+
+export const runCard = (page: Page, name: string) => page.locator('li.run').filter({ hasText: name });
