@@ -103,8 +103,6 @@ export interface PolygonsAnswer {
 
 export interface Tiles {
   origin: Point3;
-  /// Of the first node, less the origin.
-  corner: Point2;
   cell: Point2;
   columns: number;
   rows: number;

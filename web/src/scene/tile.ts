@@ -2,16 +2,13 @@
 
 import { Box3, BufferAttribute, BufferGeometry, Mesh, Sphere, Vector3, type Ray } from 'three';
 import type { Arrays } from '../api/arrays';
-import type { Point2, Point3 } from '../api/types';
+import type { Point3 } from '../api/types';
 import type { Frame } from './frame';
 import { meet, walk, type PlanGrid } from './gridWalk';
 import type { TerrainMaterial } from './terrainMaterial';
 
 export interface TileHeader {
   origin: Point3;
-  /// Of the first and the last node, less the origin.
-  corner: Point2;
-  end: Point2;
   cell: [number, number];
   columns: number;
   rows: number;
@@ -21,17 +18,17 @@ const sharedNodes = new Map<string, BufferAttribute>();
 const sharedIndex = new Map<string, BufferAttribute>();
 
 /// The places of a tile's nodes in cells, with a rim around them that hangs down, so that tiles of different levels show
-/// no cracks between them. The last column and row may be nearer than a cell.
-function nodesOf(columns: number, rows: number, [lastColumn, lastRow]: Point2): BufferAttribute {
-  const key = `${columns} ${rows} ${lastColumn} ${lastRow}`;
+/// no cracks between them.
+function nodesOf(columns: number, rows: number): BufferAttribute {
+  const key = `${columns} ${rows}`;
   let nodes = sharedNodes.get(key);
   if (!nodes) {
     const array = new Float32Array(2 * (columns + 2) * (rows + 2));
     let k = 0;
     for (let j = -1; j <= rows; ++j)
       for (let i = -1; i <= columns; ++i) {
-        array[k++] = i < columns - 1 ? Math.max(0, i) : lastColumn;
-        array[k++] = j < rows - 1 ? Math.max(0, j) : lastRow;
+        array[k++] = Math.min(columns - 1, Math.max(0, i));
+        array[k++] = Math.min(rows - 1, Math.max(0, j));
       }
     nodes = new BufferAttribute(array, 2);
     sharedNodes.set(key, nodes);
@@ -81,9 +78,7 @@ export class Tile {
   ) {
     const { columns, rows } = header;
     this.heights = arrays.heights as Float32Array;
-    const { corner, end } = header;
-    const [x, y, z] = header.origin.map((value, k) => value - frame.base[k]! + (corner[k] ?? 0)) as Point3;
-    const last: Point2 = [(end[0] - corner[0]) / cell[0], (end[1] - corner[1]) / cell[1]];
+    const [x, y, z] = header.origin.map((value, k) => value - frame.base[k]!) as Point3;
     this.z = z;
     this.grid = { x, y, dx: cell[0], dy: cell[1], columns: columns - 1, rows: rows - 1 };
 
@@ -143,7 +138,7 @@ export class Tile {
     }
 
     const geometry = new BufferGeometry();
-    geometry.setAttribute('node', nodesOf(columns, rows, last));
+    geometry.setAttribute('node', nodesOf(columns, rows));
     geometry.setAttribute('height', new BufferAttribute(height, 1));
     geometry.setAttribute('gradient', new BufferAttribute(gradient, 2));
     geometry.setAttribute('ground', new BufferAttribute(ground, 1));
@@ -151,7 +146,7 @@ export class Tile {
     if (!(low <= high)) [low, high] = [0, 0];
     this.box = new Box3(
       new Vector3(x, y, z + low),
-      new Vector3(x + end[0] - corner[0], y + end[1] - corner[1], z + high),
+      new Vector3(x + cell[0] * (columns - 1), y + cell[1] * (rows - 1), z + high),
     );
     geometry.boundingSphere = new Sphere(new Vector3(0, 0, 0), Infinity);
     this.mesh = new Mesh(geometry, material);

@@ -66,11 +66,11 @@ export class TiledTerrain implements Terrain {
   }
 
   private node(level: number, column: number, row: number): Node {
-    const { origin, corner, cell, tile, columns, rows } = this.tiles;
+    const { origin, cell, tile, columns, rows } = this.tiles;
     const { stride } = this.levels[level]!;
     const side = tile * stride;
     const place = (k: number, axis: 0 | 1, most: number) =>
-      origin[axis] - this.frame.base[axis] + corner[axis] + cell[axis] * Math.min(k * side, most - 1);
+      origin[axis] - this.frame.base[axis] + cell[axis] * Math.min(k * side, most - 1);
     const base = this.frame.base[2];
     const box = new Box3(
       new Vector3(place(column, 0, columns), place(row, 1, rows), this.zRange[0] - base),
