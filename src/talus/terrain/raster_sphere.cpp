@@ -1,6 +1,7 @@
 // How a sphere meets a raster. Its path is looked at in parts, each over one cell, so that a contact found in one part
-// comes before all of the parts to come. In most parts the sphere is clear of all nodes around. In the others it meets
-// faces first; the time of such a contact shortens the part in which sides and corners are asked.
+// comes before all of the parts to come. In most parts the sphere is clear of all nodes around; where it is well clear,
+// several cells are one part. In the others it meets faces first; the time of such a contact shortens the part in which
+// sides and corners are asked.
 //
 // What can be told from the ends of a part is told before any root is looked for: a facet is out of reach if the sphere
 // stays above its plane, and with it are its sides and corners. And where a sphere first touches a side, no point of
@@ -41,13 +42,22 @@ class RasterSurface::SphereSearch {
     end_time_ = t;
     end_ = place(t);
   }
+  /// Whether the sphere would be well clear at a time if the ground went on as it did in the last part.
+  [[nodiscard]] bool seems_clear_at(double t) const {
+    const auto u = static_cast<double>(near_.first_column), v = static_cast<double>(near_.first_row);
+    return height(place(t), slope_, u, v) - slanting_reach_ - highest_ > 0.25 * std::max(grid_.dx, grid_.dy);
+  }
+  /// Whether a part of the path, over several cells, is clear of all nodes. If so, the next part begins at its end.
+  bool skip_until(double leave) {
+    begin_part(leave);
+    if (is_clear()) return true;
+    start_at(start_time_);
+    return false;
+  }
   /// Looks at the part of the path up to a time; the next part begins there.
   void look_until(double leave) {
-    start_time_ = end_time_;
-    start_ = end_;
-    end_at(leave);
-    near_ = cells_near();
-    if (near_.first_column > near_.last_column || near_.first_row > near_.last_row || is_clear_of_all()) return;
+    begin_part(leave);
+    if (is_clear()) return;
     const Cells cells = cells_beneath();
     for (std::int64_t row = cells.first_row; row <= cells.last_row; ++row) {
       for (std::int64_t column = cells.first_column; column <= cells.last_column; ++column) {
@@ -91,6 +101,12 @@ class RasterSurface::SphereSearch {
   // How far a foot may be from where it should be [cells], by rounding or of a sphere that has sunk in by a trace.
   static constexpr double unsure = 0.02;
 
+  void begin_part(double leave) {
+    start_time_ = end_time_;
+    start_ = end_;
+    end_at(leave);
+    near_ = cells_near();
+  }
   [[nodiscard]] Place place(double t) const {
     const Vec3 p = path_.at(t);
     return {(p.x() - grid_.x0) * u_scale_, (p.y() - grid_.y0) * v_scale_, p.z()};
@@ -180,11 +196,12 @@ class RasterSurface::SphereSearch {
   [[nodiscard]] double room_over_slope() const {
     const auto u = static_cast<double>(near_.first_column), v = static_cast<double>(near_.first_row);
     return std::min(height(start_, slope_, u, v), height(end_, slope_, u, v)) - std::max(0.0, sag(slope_)) -
-           (radius_ + box_pad) * std::sqrt(squared_slant(slope_));
+           slanting_reach_;
   }
   // Whether the sphere is out of reach of all nodes near. The plane from which their heights are measured leans as the
   // ground does.
-  [[nodiscard]] bool is_clear_of_all() {
+  [[nodiscard]] bool is_clear() {
+    if (near_.first_column > near_.last_column || near_.first_row > near_.last_row) return true;
     const std::int64_t across = near_.last_column - near_.first_column + 1,
                        along = near_.last_row - near_.first_row + 1;
     const float *south = node(near_.first_column, near_.first_row),
@@ -192,15 +209,17 @@ class RasterSurface::SphereSearch {
     const double sw = south[0], se = south[across], nw = north[0], ne = north[across];
     slope_ = {0, 0.5 * (se - sw + ne - nw) / static_cast<double>(across),
               0.5 * (nw - sw + ne - se) / static_cast<double>(along)};
+    slanting_reach_ = (radius_ + box_pad) * std::sqrt(squared_slant(slope_));
     room_ = room_over_slope();
-    double highest = -infinite, rise = 0;
+    highest_ = -infinite;
+    double rise = 0;
     for (std::int64_t row = 0; row <= along; ++row, south += grid_.columns, rise += slope_.along_v) {
       double there = rise;
       for (std::int64_t column = 0; column <= across; ++column, there += slope_.along_u) {
-        highest = std::max(highest, south[column] - there);
+        highest_ = std::max(highest_, south[column] - there);
       }
     }
-    return highest < room_;
+    return highest_ < room_;
   }
   // Whether it is out of reach of a cell's nodes. (Not so where one of them, or of those around, has no data.)
   [[nodiscard]] bool is_clear_of(std::int64_t column, std::int64_t row, const Cell& here) const {
@@ -423,8 +442,10 @@ class RasterSurface::SphereSearch {
   double start_time_ = 0, end_time_ = 0;
   Place start_{}, end_{}, bend_{};
   Cells near_{};
-  Plane slope_{};    // through the south-west corner of those cells, at height 0
-  double room_ = 0;  // above it [m]
+  Plane slope_{};              // through the south-west corner of those cells, at height 0; from there upwards:
+  double room_ = 0;            // for nodes that the sphere does not touch [m]
+  double slanting_reach_ = 0;  // the sphere's reach [m]
+  double highest_ = infinite;  // of the nodes [m]
   static constexpr std::size_t most_facets = 32;
   std::array<Facet, most_facets> facet_;  // that the sphere may touch
   std::size_t facets_ = 0;
@@ -466,7 +487,18 @@ std::optional<Contact> RasterSurface::first_contact_of_sphere(const Parabola& pa
   SphereSearch search(*this, path, SpherePath::flight, radius, t_max, left);
   if (at.is_over()) return std::nullopt;
   search.start_at(at.enter());
-  for (; !at.is_over() && at.enter() <= search.best().t; at.advance()) search.look_until(at.leave());
+  constexpr int at_once = 4;  // cells, where it is well clear
+  for (; !at.is_over() && at.enter() <= search.best().t; at.advance()) {
+    if (search.seems_clear_at(at.leave())) {
+      GridWalk ahead = at;
+      for (int k = 1; k < at_once && !ahead.is_last(); ++k) ahead.advance();
+      if (!ahead.is_over() && search.seems_clear_at(ahead.leave()) && search.skip_until(ahead.leave())) {
+        at = ahead;
+        continue;
+      }
+    }
+    search.look_until(at.leave());
+  }
   return search.best().contact();
 }
 
