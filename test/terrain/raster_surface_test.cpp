@@ -132,6 +132,46 @@ TEST(RasterSurface, ASphereMeetsWhatItMeetsOnTheMesh) {
   for (const int each : met) EXPECT_GT(each, 50);
 }
 
+// On ground so even that neighbouring facets are nearly one plane, where a sphere that bounces and rolls is close to
+// many of them at a time.
+TEST(RasterSurface, ASphereBouncesDownSmoothGroundAsOnTheMesh) {
+  Dice dice(205);
+  std::array<int, 3> met{};
+  for (int k = 0; k < 40; ++k) {
+    const double roughness = dice.magnitude(1e-3, 0.3), wave = dice.between(3, 20);
+    RasterGrid grid = random_grid(dice, 40, 40, dice.between(0.3, 1), roughness);
+    for (std::uint32_t j = 0; j < grid.rows; ++j) {
+      for (std::uint32_t i = 0; i < grid.columns; ++i) {
+        grid.z[grid.index(i, j)] += static_cast<float>(0.1 * wave * std::sin(i / wave) * std::cos(j / wave));
+      }
+    }
+    const RasterSurface raster(std::move(grid));
+    const TriangleMesh mesh = mesh_of(raster);
+    for (int i = 0; i < 60; ++i) {
+      const double radius = dice.magnitude(0.05, 1.5);
+      Parabola path = random_flight(dice, raster.bounds(), radius);
+      for (int bounce = 0; bounce < 20; ++bounce) {
+        const auto contact = raster.first_contact(path, radius, 100);
+        expect_same(contact, mesh.first_contact(path, radius, 100));
+        if (HasFatalFailure()) return;
+        if (!contact) break;
+        ++met[static_cast<std::size_t>(contact->feature)];
+        const Vec3& n = contact->normal;
+        const Vec3 place = path.at(contact->t), arriving = path.velocity(contact->t);
+        if (arriving.dot(n) > -0.05) break;  // of bounces without end the times are rounding
+        const Vec3 along = 0.9 * tangential(arriving, n);
+        const Parabola leg{place, along, 0.5 * tangential(path.a, n)};
+        expect_same(raster.first_contact_on_leg(leg, radius, 0.05, LeftPlanes(n)),
+                    mesh.first_contact_on_leg(leg, radius, 0.05, LeftPlanes(n)));
+        if (HasFatalFailure()) return;
+        path = {place, along - 0.5 * arriving.dot(n) * n, path.a};
+      }
+    }
+  }
+  EXPECT_GT(met[0], 2000);
+  EXPECT_GT(met[1], 100);
+}
+
 TEST(RasterSurface, HeightsOutlinesAndExitsAreTheMeshs) {
   Dice dice(203);
   for (int k = 0; k < 50; ++k) {

@@ -85,28 +85,79 @@ double first_at(Polynomial c, double level, double t_max) {
   return roots.count > 0 ? roots.t[0] : std::numeric_limits<double>::infinity();
 }
 
-// Whether a polynomial is surely positive in a window: it lies between its least and its greatest Bernstein
-// coefficient (Farin, "Curves and surfaces for CAGD", 5th ed. 2002, section 6.6).
-bool stays_positive(const Polynomial& c, const TimeWindow& window) {
-  const double a = window.enter, h = window.leave - a;
-  // The polynomial of s in [0, 1] with t = a + s h.
-  const double d0 = value(c, a);
-  if (d0 <= 0) return false;
-  const double d1 = h * (c[1] + a * (2 * c[2] + a * (3 * c[3] + a * 4 * c[4])));
-  const double d2 = h * h * (c[2] + a * (3 * c[3] + a * 6 * c[4]));
-  const double d3 = h * h * h * (c[3] + a * 4 * c[4]);
-  const double d4 = h * h * h * h * c[4];
-  return d0 + d1 / 4 > 0 && d0 + d1 / 2 + d2 / 6 > 0 && d0 + 3 * d1 / 4 + d2 / 2 + d3 / 4 > 0 &&
-         d0 + d1 + d2 + d3 + d4 > 0;
+// A polynomial between two times by its Bernstein coefficients: it lies between the least and the greatest of them, and
+// has as many roots there as they change sign, or fewer by an even number (Farin, "Curves and surfaces for CAGD", 5th
+// ed. 2002, sections 6.6 and 6.10).
+struct BernsteinPart {
+  std::array<double, 5> b;
+  double from, to;
+
+  BernsteinPart() = default;
+  BernsteinPart(const Polynomial& c, const TimeWindow& window) : from(window.enter), to(window.leave) {
+    const double a = from, h = to - from;
+    // The powers of s in [0, 1] with t = a + s h.
+    const double d0 = value(c, a);
+    const double d1 = h * (c[1] + a * (2 * c[2] + a * (3 * c[3] + a * 4 * c[4])));
+    const double d2 = h * h * (c[2] + a * (3 * c[3] + a * 6 * c[4]));
+    const double d3 = h * h * h * (c[3] + a * 4 * c[4]);
+    const double d4 = h * h * h * h * c[4];
+    b = {d0, d0 + d1 * 0.25, d0 + d1 * 0.5 + d2 * (1.0 / 6), d0 + d1 * 0.75 + d2 * 0.5 + d3 * 0.25,
+         d0 + d1 + d2 + d3 + d4};
+  }
+  [[nodiscard]] int sign_changes() const {
+    int changes = 0;
+    for (std::size_t k = 0; k < 4; ++k) changes += (b[k] < 0) != (b[k + 1] < 0) ? 1 : 0;
+    return changes;
+  }
+  // Becomes its second half, and gives the first.
+  BernsteinPart split_off_first_half() {
+    BernsteinPart first = *this;
+    for (std::size_t left = 4; left > 0; --left) {  // de Casteljau
+      first.b[4 - left] = b[0];
+      for (std::size_t k = 0; k < left; ++k) b[k] = 0.5 * (b[k] + b[k + 1]);
+    }
+    first.b[4] = b[0];
+    first.to = from = 0.5 * (from + to);
+    return first;
+  }
+};
+
+// Calls meets(t) for each time in a window at which a polynomial, positive at its start, falls through zero, rising,
+// until it returns true; gives that time. Parts of the window with one change of sign have one root.
+template <class Meets>
+std::optional<double> first_fall(const Polynomial& c, const TimeWindow& window, Meets&& meets) {
+  constexpr std::size_t most_halvings = 40;  // two roots so near each other are none: it only touches zero
+  std::array<BernsteinPart, most_halvings + 2> waiting;
+  std::array<std::size_t, most_halvings + 2> halvings;
+  waiting[0] = BernsteinPart(c, window);
+  halvings[0] = 0;
+  for (std::size_t count = 1; count > 0;) {
+    BernsteinPart& part = waiting[count - 1];
+    const int changes = part.sign_changes();
+    if (changes > 1 && halvings[count - 1] < most_halvings) {
+      waiting[count] = part.split_off_first_half();
+      halvings[count] = ++halvings[count - 1];
+      ++count;
+      continue;
+    }
+    --count;
+    if (!(part.b[0] >= 0 && part.b[4] < 0)) continue;
+    const double t = bracketed_root(c, part.from, part.b[0], part.to);
+    if (meets(t)) return t;
+  }
+  return std::nullopt;
 }
 
-// The falls of a squared distance, less radius^2, up to the window's end.
-Falls falls_in(const Polynomial& c, double radius, const TimeWindow& window) {
+// The first fall of a squared distance, less radius^2, in a window, that meets(t) accepts.
+template <class Meets>
+std::optional<double> first_touch(const Polynomial& c, double radius, const TimeWindow& window, Meets&& meets) {
   const double slack = 2 * radius * contact_slack;
-  Polynomial above = c;
-  above[0] -= slack;
-  if (stays_positive(above, window)) return {};
-  return falls(c, window.leave, slack);
+  if (window.is_empty()) return std::nullopt;
+  if (value(c, window.enter) > slack) return first_fall(c, window, meets);
+  for (const double t : falls(c, window.leave, slack)) {
+    if (meets(t)) return t;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -141,16 +192,14 @@ std::optional<double> touch_edge(const Parabola& path, const Vec3& a, const Vec3
   const Vec3 d = from_a - from_a.dot(e) * e;
   const Vec3 v = path.v - path.v.dot(e) * e;
   const Vec3 acceleration = path.a - path.a.dot(e) * e;
-  for (const double t : falls_in(squared_distance(d, v, acceleration, radius), radius, window)) {
+  return first_touch(squared_distance(d, v, acceleration, radius), radius, window, [&](double t) {
     const double along = (path.at(t) - a).dot(e);
-    if (along >= 0 && along <= length) return t;
-  }
-  return std::nullopt;
+    return along >= 0 && along <= length;
+  });
 }
 
 std::optional<double> touch_point(const Parabola& path, const Vec3& q, double radius, const TimeWindow& window) {
-  const Falls times = falls_in(squared_distance(path.p - q, path.v, path.a, radius), radius, window);
-  return times.count > 0 ? std::optional(times.t[0]) : std::nullopt;
+  return first_touch(squared_distance(path.p - q, path.v, path.a, radius), radius, window, [](double) { return true; });
 }
 
 }  // namespace talus

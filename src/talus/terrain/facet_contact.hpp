@@ -75,32 +75,40 @@ void meet_sphere(const Parabola& path, SpherePath kind, double radius, const Tim
   return contact_slack * (1 + std::min(tangential_speed / std::max(normal_speed, 1e-300), 1e4));
 }
 
-template <class Sharp>
-void meet_sphere(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
-                 FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best) {
-  const std::array<Vec3, 3> side{corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
-  const Vec3 n = side[0].cross(side[1]).normalized();
-  const double vn = n.dot(path.v), an = n.dot(path.a);
-  const double h0 = n.dot(path.p - corner[0]) - radius;
-  if (an <= 0) {
-    // The height over the plane is a concave function of time: above it at both ends of the window, the sphere is above
-    // it in between, and so above the sides and corners.
-    const auto height = [&](double t) { return h0 + t * (vn + 0.5 * an * t); };
-    if (height(window.enter) > box_pad && height(window.leave) > box_pad) return;
-  }
-  const bool in_left_plane = h0 <= 1e-7 && left.contain(n, same_plane);
+/// A triangle's sides, unit normal, and the height of a sphere over its plane, h0 + vn t + an t^2 / 2.
+struct SphereOverFacet {
+  std::array<Vec3, 3> side;
+  Vec3 n;
+  double h0, vn, an;
+
+  SphereOverFacet(const Parabola& path, double radius, const Triangle& corner)
+      : side{corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]},
+        n(side[0].cross(side[1]).normalized()),
+        h0(n.dot(path.p - corner[0]) - radius),
+        vn(n.dot(path.v)),
+        an(n.dot(path.a)) {}
+};
+
+/// Lets a sphere meet the triangle's face, and neither its sides nor its corners.
+inline void meet_face(const Parabola& path, double radius, const Triangle& corner, const SphereOverFacet& over,
+                      FacetName name, const LeftPlanes& left, ContactCandidate& best) {
+  const bool in_left_plane = over.h0 <= 1e-7 && left.contain(over.n, same_plane);
   // A sphere that is in the facet already (its centre still above it) is not let any deeper.
-  if (const auto t = falling_root(h0, vn, an, radius);
-      t && !in_left_plane && best.beaten_by(*t, Feature::facet, name.source)) {
-    const Vec3 foot = path.at(*t) - radius * n;
-    const Vec3 arriving = path.velocity(*t);
-    const double slack = outline_slack(arriving.norm(), -n.dot(arriving));
-    bool inside = true;
-    for (std::size_t c = 0; c < 3; ++c) {
-      inside = inside && n.dot(side[c].cross(foot - corner[c])) >= -slack * side[c].norm();
-    }
-    if (inside) best = {*t, n, name.facet, name.source, Feature::facet};
+  const auto t = falling_root(over.h0, over.vn, over.an, radius);
+  if (!t || in_left_plane || !best.beaten_by(*t, Feature::facet, name.source)) return;
+  const Vec3 foot = path.at(*t) - radius * over.n;
+  const Vec3 arriving = path.velocity(*t);
+  const double slack = outline_slack(arriving.norm(), -over.n.dot(arriving));
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!(over.n.dot(over.side[c].cross(foot - corner[c])) >= -slack * over.side[c].norm())) return;
   }
+  best = {*t, over.n, name.facet, name.source, Feature::facet};
+}
+
+/// Lets a sphere meet the triangle's sides and corners.
+template <class Sharp>
+void meet_sides(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
+                FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best) {
   const auto offer = [&](double t, const Vec3& away, Feature feature, std::size_t what) {
     const Vec3 out = away.normalized();
     // A rock that rolls on a plane touches that plane's own edges from above, which is no new contact.
@@ -112,8 +120,9 @@ void meet_sphere(const Parabola& path, SpherePath kind, double radius, const Tim
     const TimeWindow until_now{window.enter, std::min(window.leave, best.t)};
     if (until_now.is_empty()) return;
     if (sharp(c, -1.0)) {
-      const double length = side[c].norm();
-      const Vec3 e = side[c] / length;
+      const Vec3 side = corner[next_corner[c]] - corner[c];
+      const double length = side.norm();
+      const Vec3 e = side / length;
       const auto t = touch_edge(path, corner[c], e, length, radius, until_now);
       if (t) offer(*t, tangential(path.at(*t) - corner[c], e), Feature::edge, c);
     }
@@ -122,6 +131,20 @@ void meet_sphere(const Parabola& path, SpherePath kind, double radius, const Tim
       if (t) offer(*t, path.at(*t) - corner[c], Feature::vertex, 3 + c);
     }
   }
+}
+
+template <class Sharp>
+void meet_sphere(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
+                 FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best) {
+  const SphereOverFacet over(path, radius, corner);
+  if (over.an <= 0) {
+    // The height over the plane is a concave function of time: above it at both ends of the window, the sphere is above
+    // it in between, and so above the sides and corners.
+    const auto height = [&](double t) { return over.h0 + t * (over.vn + 0.5 * over.an * t); };
+    if (height(window.enter) > box_pad && height(window.leave) > box_pad) return;
+  }
+  meet_face(path, radius, corner, over, name, left, best);
+  meet_sides(path, kind, radius, window, corner, name, left, sharp, best);
 }
 
 }  // namespace talus

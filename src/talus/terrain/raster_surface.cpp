@@ -20,7 +20,10 @@ RasterSurface::RasterSurface(RasterGrid grid) : grid_(std::move(grid)) {
   rows_ = grid_.rows - 1;
   float low = std::numeric_limits<float>::infinity(), high = -low;
   for (const float z : grid_.z) {
-    if (std::isnan(z)) continue;
+    if (std::isnan(z)) {
+      has_holes_ = true;
+      continue;
+    }
     low = std::min(low, z);
     high = std::max(high, z);
   }
@@ -102,76 +105,6 @@ Outline RasterSurface::outline(FacetId facet) const {
     edge.beyond = beyond[c];
   }
   return outline;
-}
-
-// As TriangleMesh::find_sharp_features, for one side.
-bool RasterSurface::is_sharp_edge(FacetId facet, std::size_t side) const {
-  const auto beyond = neighbours(facet)[side];
-  if (!beyond) return true;
-  const Triangle here = triangle(facet);
-  const Vec3 n = area_normal(here).normalized();
-  double lowest = 0, reach = 0;
-  for (const Vec3& corner : triangle(*beyond)) {
-    lowest = std::min(lowest, n.dot(corner - here[side]));
-    reach = std::max(reach, (corner - here[side]).norm());
-  }
-  return lowest < -1e-9 * reach;
-}
-
-bool RasterSurface::is_sharp_vertex(const Vec3& vertex) const {
-  bool sharp = false;
-  visit_cells(cells_within(vertex.x(), vertex.x(), vertex.y(), vertex.y()), [&](FacetId facet, const Triangle& corner) {
-    for (std::size_t c = 0; c < 3 && !sharp; ++c) {
-      const bool ends_here = corner[c] == vertex || corner[next_corner[c]] == vertex;
-      sharp = ends_here && is_sharp_edge(facet, c);
-    }
-  });
-  return sharp;
-}
-
-// Every side and corner belongs to one of the facets around it, so that a sphere asks each of them once: a side to the
-// facet of lower number, a corner to the cell of which it is the south-west one, if that has data.
-std::uint32_t RasterSurface::owned_parts(std::int64_t column, std::int64_t row, const Cell& cell,
-                                         std::uint32_t half) const {
-  const bool is_first = half == 0, north_east = cell.cut_north_east();
-  const auto data = [&](std::int64_t dx, std::int64_t dy) {
-    const std::int64_t i = column + dx, j = row + dy;
-    return i >= 0 && j >= 0 && i < static_cast<std::int64_t>(columns_) && j < static_cast<std::int64_t>(rows_) &&
-           has_data(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-  };
-  enum Part { south, east, north, west, diagonal, sw, se, nw, ne };
-  static constexpr std::array<std::array<Part, 6>, 4> parts{{{south, diagonal, west, sw, se, nw},
-                                                             {east, north, diagonal, se, ne, nw},
-                                                             {south, east, diagonal, sw, se, ne},
-                                                             {diagonal, north, west, sw, ne, nw}}};
-  const auto owns = [&](Part part) {
-    switch (part) {
-      case south:
-        return !data(0, -1);
-      case west:
-        return !data(-1, 0);
-      case east:
-      case north:
-        return true;
-      case diagonal:
-      case sw:
-        return is_first;
-      case se:
-        return is_first && !data(1, 0);
-      case nw:
-        return is_first != north_east && !data(0, 1) && !data(-1, 1);
-      case ne:
-        return is_first == north_east && !data(1, 1) && !data(0, 1) && !data(1, 0);
-    }
-    return false;
-  };
-  std::uint32_t owned = 0;
-  for (std::size_t k = 0; k < 6; ++k) owned |= owns(parts[(north_east ? 2U : 0U) + half][k]) ? 1U << k : 0U;
-  return owned;
-}
-
-bool RasterSurface::is_sharp(FacetId facet, std::size_t what) const {
-  return what < 3 ? is_sharp_edge(facet, what) : is_sharp_vertex(triangle(facet)[what - 3]);
 }
 
 // ---- contacts ----
@@ -256,76 +189,6 @@ std::optional<Contact> RasterSurface::first_contact_of_point(const Parabola& pat
     }
     height_entering = height_leaving;
   }
-  return best.contact();
-}
-
-// The cells that the sphere may touch while its centre is over one cell are a square of cells around that. When the
-// centre goes on to the next cell, one row or column of them is new.
-std::optional<Contact> RasterSurface::first_contact_of_sphere(const Parabola& path, double radius, double t_max,
-                                                              const LeftPlanes& left) const {
-  const double reach = radius + box_pad;
-  const auto across = static_cast<std::int64_t>(std::ceil(reach / grid_.dx));
-  const auto along = static_cast<std::int64_t>(std::ceil(reach / grid_.dy));
-  const auto columns = static_cast<std::int64_t>(columns_), rows = static_cast<std::int64_t>(rows_);
-
-  ContactCandidate best{t_max};
-  const FlightSlabs slabs(path);
-  const auto ask = [&](std::int64_t first_column, std::int64_t last_column, std::int64_t first_row,
-                       std::int64_t last_row) {
-    for (std::int64_t row = std::max<std::int64_t>(first_row, 0); row <= std::min(last_row, rows - 1); ++row) {
-      for (std::int64_t column = std::max<std::int64_t>(first_column, 0); column <= std::min(last_column, columns - 1);
-           ++column) {
-        const Cell here = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
-        if (!here.has_data()) continue;
-        const double west = grid_.x0 + static_cast<double>(column) * grid_.dx;
-        const double south = grid_.y0 + static_cast<double>(row) * grid_.dy;
-        const Box box{{west, south, std::min({here.sw, here.se, here.nw, here.ne})},
-                      {west + grid_.dx, south + grid_.dy, std::max({here.sw, here.se, here.nw, here.ne})}};
-        const TimeWindow window = slabs.window(box, reach, best.t);
-        if (window.is_empty()) continue;
-        const auto both = triangles(column, row, here);
-        for (std::uint32_t half = 0; half < 2; ++half) {
-          const FacetId facet{facet_of(column, row, half)};
-          meet_sphere(path, SpherePath::flight, radius, window, both[half], {facet.index, facet.index}, left,
-                      sharp_parts(column, row, here, half), best);
-        }
-      }
-    }
-  };
-
-  // The centre may be beside the terrain.
-  GridWalk at(path, t_max, grid_.x0 - static_cast<double>(across) * grid_.dx,
-              grid_.y0 - static_cast<double>(along) * grid_.dy, grid_.dx, grid_.dy, columns + 2 * across,
-              rows + 2 * along);
-  if (at.is_over()) return std::nullopt;
-  std::int64_t column = at.column() - across, row = at.row() - along;
-  ask(column - across, column + across, row - along, row + along);
-  for (at.advance(); !at.is_over() && at.enter() <= best.t; at.advance()) {
-    const std::int64_t next_column = at.column() - across, next_row = at.row() - along;
-    if (next_column != column) {
-      const std::int64_t newest = next_column > column ? next_column + across : next_column - across;
-      ask(newest, newest, next_row - along, next_row + along);
-    } else {
-      const std::int64_t newest = next_row > row ? next_row + along : next_row - along;
-      ask(next_column - across, next_column + across, newest, newest);
-    }
-    column = next_column;
-    row = next_row;
-  }
-  return best.contact();
-}
-
-std::optional<Contact> RasterSurface::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
-                                                           const LeftPlanes& on) const {
-  ContactCandidate best{t_max};
-  const Box swept = swept_box(leg, t_max, radius + box_pad);
-  visit_cells(cells_within(swept.low.x(), swept.high.x(), swept.low.y(), swept.high.y()),
-              [&](FacetId facet, const Triangle& corner) {
-                const auto [column, row] = place(facet);
-                const Cell here = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
-                meet_sphere(leg, SpherePath::leg, radius, {0, t_max}, corner, {facet.index, facet.index}, on,
-                            sharp_parts(column, row, here, facet.index % 2), best);
-              });
   return best.contact();
 }
 

@@ -104,18 +104,7 @@ class RasterSurface {
   }
   [[nodiscard]] std::array<Triangle, 2> triangles(std::int64_t column, std::int64_t row, const Cell& cell) const;
   [[nodiscard]] std::array<std::optional<FacetId>, 3> neighbours(FacetId facet) const;
-  /// A bit for each of the sides 0 to 2 and corners 3 to 5 of a facet.
-  [[nodiscard]] std::uint32_t owned_parts(std::int64_t column, std::int64_t row, const Cell& cell,
-                                          std::uint32_t half) const;
-  [[nodiscard]] bool is_sharp(FacetId facet, std::size_t what) const;
-  /// What meet_sphere() asks for. Most facets are never asked, so that nothing is found out before.
-  [[nodiscard]] auto sharp_parts(std::int64_t column, std::int64_t row, const Cell& here, std::uint32_t half) const {
-    return [=, this, owned = std::optional<std::uint32_t>()](std::size_t what, double t) mutable {
-      if (t >= 0) return is_sharp(FacetId{facet_of(column, row, half)}, what);
-      if (!owned) owned = owned_parts(column, row, here, half);
-      return (*owned & (1U << what)) != 0;
-    };
-  }
+  class SphereSearch;
   [[nodiscard]] bool is_sharp_edge(FacetId facet, std::size_t side) const;
   [[nodiscard]] bool is_sharp_vertex(const Vec3& vertex) const;
   [[nodiscard]] std::optional<Contact> first_contact_of_point(const Parabola& path, double t_max,
@@ -128,6 +117,7 @@ class RasterSurface {
 
   RasterGrid grid_;
   std::size_t columns_ = 0, rows_ = 0;  // of cells
+  bool has_holes_ = false;
   Box bounds_;
 };
 
