@@ -230,8 +230,9 @@ TEST(Ranks, ThatDoNotFindEachOtherAreRefused) {
   if (!has_mpirun()) GTEST_SKIP() << "there is no mpirun, whose parts MPI needs";
   const Workplace work;
   const std::string run = "run " + tutorial("2d") + " -o " + (work / "out").string();
-  const std::string first = "PMI_SIZE=3 PMI_RANK=0 OMPI_MCA_btl=self ",
-                    second = "PMI_SIZE=3 PMI_RANK=1 OMPI_MCA_btl=self ";
+  std::string launched = "PMI_SIZE=3 OMPI_MCA_btl=self ";
+  for (const std::string& word : environment_of_mpi()) launched += word + ' ';
+  const std::string first = launched + "PMI_RANK=0 ", second = launched + "PMI_RANK=1 ";
 #ifdef TALUS_HAS_MPI
   const std::string why =
       "(started by a launcher that this program's MPI does not know, each is alone). Start them with the mpirun of "
