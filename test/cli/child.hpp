@@ -7,14 +7,31 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 extern char** environ;
 
 namespace talus::test {
+
+/// Whether a file that a child writes comes to be, within a time that is long for any machine.
+inline bool appears(const std::filesystem::path& file) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  constexpr std::chrono::minutes patience(10);
+#else
+  constexpr std::chrono::minutes patience(1);
+#endif
+  const auto begin = std::chrono::steady_clock::now();
+  while (!std::filesystem::exists(file)) {
+    if (std::chrono::steady_clock::now() - begin > patience) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
 
 class Child {
  public:

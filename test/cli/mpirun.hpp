@@ -14,6 +14,19 @@ namespace talus::test {
 
 inline bool has_mpirun() { return std::system("command -v mpirun >/dev/null 2>&1") == 0; }
 
+/// NAME=value: what sanitizers are told of a program that calls MPI, which is not instrumented itself.
+inline std::vector<std::string> environment_of_mpi() {
+#if defined(__SANITIZE_ADDRESS__)
+  // Whole stacks, through code without frame pointers: what MPI keeps is known by who called the part that took it.
+  return {"ASAN_OPTIONS=fast_unwind_on_malloc=0:malloc_context_size=50",
+          "LSAN_OPTIONS=print_suppressions=0:suppressions=" TALUS_SOURCE_DIR "/cmake/asan/suppressions"};
+#elif defined(__SANITIZE_THREAD__)
+  return {"TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=" TALUS_SOURCE_DIR "/cmake/tsan/suppressions"};
+#else
+  return {};
+#endif
+}
+
 /// What stands before the program: works for root, on fewer cores than ranks, and without a network.
 inline std::vector<std::string> mpirun(int ranks) {
   std::vector<std::string> words{"mpirun",
@@ -29,10 +42,9 @@ inline std::vector<std::string> mpirun(int ranks) {
                                  "none",
                                  "-n",
                                  std::to_string(ranks)};
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  // MPI itself is not instrumented, and keeps memory to its end.
-  words.insert(words.end(), {"env", "ASAN_OPTIONS=detect_leaks=0", "TSAN_OPTIONS=ignore_noninstrumented_modules=1"});
-#endif
+  words.emplace_back("env");
+  const std::vector<std::string> environment = environment_of_mpi();
+  words.insert(words.end(), environment.begin(), environment.end());
   return words;
 }
 

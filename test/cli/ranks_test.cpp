@@ -56,13 +56,6 @@ class OnRanks : public testing::Test {
     said.text = work.read("said");
     return said;
   }
-  void wait_for(const std::string& file) const {
-    const auto begin = std::chrono::steady_clock::now();
-    while (!fs::exists(work / file) && std::chrono::steady_clock::now() - begin < std::chrono::seconds(60)) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    ASSERT_TRUE(fs::exists(work / file)) << work.read("said");
-  }
   /// All processes of a run into this folder, at once: if mpirun alone is killed its ranks go on for a moment.
   void kill_all(const std::string& folder) const {
     const std::string word = (work / folder).string();
@@ -131,7 +124,7 @@ TEST_F(OnRanks, AKilledRunIsResumedByOneProcessAndTheOtherWayRound) {
   for (const bool ranks_first : {true, false}) {
     {
       Child child(run("killed"), work / "said", ranks_first ? mpirun(3) : std::vector<std::string>());
-      wait_for("killed/run.state");
+      ASSERT_TRUE(appears(work / "killed/run.state")) << work.read("said");
       kill_all("killed");
       ASSERT_NE(child.wait(), 0) << work.read("said");
     }
@@ -152,7 +145,7 @@ TEST_F(OnRanks, AreStoppedBySigusr1AndKeepWhatIsDone) {
                  "--checkpoint-every", "0.01", "--threads", "1"});
   };
   Child child(run("stopped"), work / "said", mpirun(2));
-  wait_for("stopped/run.state");
+  ASSERT_TRUE(appears(work / "stopped/run.state")) << work.read("said");
   child.signal(SIGUSR1);
   EXPECT_EQ(child.wait(), 3) << work.read("said");
   EXPECT_EQ(count(work.read("said"), ", and --resume goes on from there"), 1) << work.read("said");
@@ -230,8 +223,9 @@ TEST(Ranks, ThatDoNotFindEachOtherAreRefused) {
   if (!has_mpirun()) GTEST_SKIP() << "there is no mpirun, whose parts MPI needs";
   const Workplace work;
   const std::string run = "run " + tutorial("2d") + " -o " + (work / "out").string();
-  const std::string first = "PMI_SIZE=3 PMI_RANK=0 OMPI_MCA_btl=self ",
-                    second = "PMI_SIZE=3 PMI_RANK=1 OMPI_MCA_btl=self ";
+  std::string launched = "PMI_SIZE=3 OMPI_MCA_btl=self ";
+  for (const std::string& word : environment_of_mpi()) launched += word + ' ';
+  const std::string first = launched + "PMI_RANK=0 ", second = launched + "PMI_RANK=1 ";
 #ifdef TALUS_HAS_MPI
   const std::string why =
       "(started by a launcher that this program's MPI does not know, each is alone). Start them with the mpirun of "

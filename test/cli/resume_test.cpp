@@ -87,7 +87,7 @@ TEST(Resume, OfAKilledShardGivesTheSameBytes) {
   for (auto* arguments : {&whole, &killed}) arguments->insert(arguments->end(), {"--shard", "2/3", "--threads", "2"});
   ASSERT_EQ(Child(whole, work / "said").wait(), 0) << work.read("said");
   Child child(killed, work / "said");
-  while (!fs::exists(work / "killed/run.state")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(appears(work / "killed/run.state")) << work.read("said");
   child.signal(SIGKILL);
   child.wait();
   ASSERT_EQ(Child(resuming(killed), work / "said").wait(), 0) << work.read("said");
@@ -100,7 +100,7 @@ class StoppedRun : public testing::Test {
  protected:
   void SetUp() override {
     Child child(run("stopped"), work / "said");
-    while (!fs::exists(work / "stopped/run.state")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_TRUE(appears(work / "stopped/run.state")) << work.read("said");
     child.signal(SIGINT);
     ASSERT_EQ(child.wait(), 3) << work.read("said");
   }
@@ -256,7 +256,7 @@ TEST(Resume, IsNotPromisedWhereTheFolderVanished) {
   Child child({"run", tutorial("2d"), "-q", "--rocks", "100000000", "--set", "output.paths=none", "--checkpoint-every",
                "0.002", "-o", (work / "out").string()},
               work / "said");
-  while (!fs::exists(work / "out/run.state")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(appears(work / "out/run.state")) << work.read("said");
   fs::rename(work / "out", work / "elsewhere");
   EXPECT_EQ(child.wait(), 2);
   const std::string said = work.read("said");
