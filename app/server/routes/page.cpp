@@ -22,7 +22,7 @@ void send(const Asset& asset, httplib::Response& response) {
 constexpr const char* used_up =
     "<!doctype html><meta charset=utf-8><title>Talus</title><body style='font:16px sans-serif;margin:3em;max-width:36em'>"
     "<h1>This address has been used</h1><p>It worked once. Start <code>talus serve</code> again for another, or take one "
-    "from a page that is open: menu, <i>Address for another browser</i>.</p>";
+    "from a start page that is open: <i>Address for another browser</i>.</p>";
 
 constexpr const char* no_session =
     "<!doctype html><meta charset=utf-8><title>Talus</title><body style='font:16px sans-serif;margin:3em;max-width:36em'>"

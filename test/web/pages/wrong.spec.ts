@@ -10,7 +10,7 @@ const wrong: { form: RegExp; field: string | RegExp; value: string; says: RegExp
   { form: /^Crest/, field: 'Rocks', value: '-3', says: /rocks/ },
   { form: /^Line at 15 m/, field: 'Height m', value: '-1', says: /height/ },
   { form: /^Sampling/, field: 'Seed', value: '-1', says: /seed/ },
-  { form: /^Output/, field: /^Raster cell/, value: '-2', says: /raster_cell/ },
+  { form: /^Output/, field: /^Cell of the maps/, value: '-2', says: /raster_cell/ },
 ];
 
 test('each is marked, and its undoing heals it', async ({ workbench: page }) => {
@@ -18,11 +18,12 @@ test('each is marked, and its undoing heals it', async ({ workbench: page }) => 
   await openExample(page, 'Tutorial 1, in 3D');
   for (const { form, field, value, says } of wrong) {
     await openForm(page, form);
-    const input = page.getByRole('textbox', { name: field, exact: typeof field === 'string' }).first();
+    const name = { name: field, exact: typeof field === 'string' };
+    const input = page.getByRole('textbox', name).or(page.getByRole('combobox', name)).first();
     await input.fill(value);
     await input.press('Tab');
     await expect(input, `${form}`).toHaveAttribute('aria-invalid', 'true');
-    await expect(page.locator('.side').getByText(says).first()).toBeVisible();
+    await expect(page.locator('.side').getByText(says).filter({ visible: true }).first()).toBeVisible();
     await expect(page.getByRole('button', { name: 'Compute', exact: true })).toBeDisabled();
     await page.getByRole('button', { name: 'Undo' }).click();
     await expect(input).toHaveAttribute('aria-invalid', 'false');

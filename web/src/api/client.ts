@@ -74,6 +74,7 @@ export const api = {
     sendJson<{ density: Point2[]; problems: Problem[] }>('POST', '/api/distribution', { key, ...property }, signal),
   polygons: (asked: { polylines: unknown; tolerance_m: number }, signal?: AbortSignal) =>
     sendJson<PolygonsAnswer>('POST', '/api/geometry/polygons', asked, signal),
+  newAddress: async () => (await sendJson<{ address: string }>('POST', '/api/tokens', {})).address,
   examples: async () => (await getJson<{ examples: Example[] }>('/api/examples')).examples,
   openExample: (id: string) => sendJson<{ project: string }>('POST', `/api/examples/${id}`, {}),
   /// The files of the folder, and which of its projects have a draft.

@@ -17,6 +17,8 @@ import './start.css';
 const examples = signal<Example[]>([]);
 const drafts = signal<string[]>([]);
 const verifying = signal(false);
+/// An address that was asked for, for another browser or a script.
+const given = signal<string | null>(null);
 
 async function load() {
   const [list, folder] = await Promise.all([api.examples(), api.folder()]);
@@ -65,6 +67,16 @@ export function StartPage() {
           <button class="button" onClick={() => (verifying.value = true)}>
             Run the verification cases
           </button>
+        </p>
+        <p>
+          <button class="button" onClick={() => void api.newAddress().then((address) => (given.value = address), sayFailure)}>
+            Address for another browser
+          </button>{' '}
+          {given.value && (
+            <>
+              <output class="mono">{given.value}</output> works once.
+            </>
+          )}
         </p>
         {about.value && (
           <p>
