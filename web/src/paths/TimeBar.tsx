@@ -32,7 +32,7 @@ export function TimeBar() {
         title="Space plays; the arrow keys step"
         min={0}
         max={end}
-        step={end / 500}
+        step="any"
         value={now}
         onInput={(event) => {
           pause();

@@ -1,8 +1,11 @@
 // The row of controls above the picture.
 
 import { layerNames, layers, contours, exaggeration, shading, type Shading } from '../view/settings';
+import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
+import { DistanceButton } from '../view/DistanceButton';
 import { Popover } from '../view/Popover';
+import { savePicture } from '../view/savePicture';
 import { namedViews, type NamedView } from './namedViews';
 import type { OpenScene } from './open';
 
@@ -51,6 +54,7 @@ export function SceneBar({ open }: { open: OpenScene }) {
         </label>
       </Popover>
       <PathChoices />
+      <FilterChoices />
       <Popover title="Layers">
         {(Object.keys(layers) as (keyof typeof layers)[]).map((name) => (
           <label key={name}>
@@ -59,6 +63,17 @@ export function SceneBar({ open }: { open: OpenScene }) {
           </label>
         ))}
       </Popover>
+      <DistanceButton />
+      <button
+        class="button"
+        title="Save the picture as PNG"
+        onClick={() => {
+          open.scene.stage.draw(); // its pixels are gone after the task
+          savePicture(open.scene.stage.renderer.domElement);
+        }}
+      >
+        Picture
+      </button>
     </div>
   );
 }

@@ -1,5 +1,6 @@
 // All that the scene needs of three.js, in one piece that is fetched when a scene is first shown.
 
+import { chosenRock, resultsTab } from '../state/view';
 import { ModelScene } from './modelScene';
 import { Pointing } from './pointing';
 import { RunScene } from './runScene';
@@ -14,6 +15,11 @@ export function openScene(host: HTMLElement): OpenScene {
   const scene = new ModelScene(host);
   const pointing = new Pointing(scene);
   const runs = new RunScene(scene);
+  // A click that no tool takes is for a path; one beside all of them is for none.
+  pointing.onClick = ({ clientX, clientY }) => {
+    chosenRock.value = runs.rockAt(clientX, clientY);
+    if (chosenRock.value !== null) resultsTab.value = 'rock';
+  };
   return {
     scene,
     pointing,

@@ -14,6 +14,7 @@ import { clear, line } from './marks';
 import type { ModelScene } from './modelScene';
 import { pathLines } from './pathLines';
 import { PathLook } from './pathShader';
+import { rockNear } from './pickPath';
 import { RockDots } from './rockDots';
 
 /// The paths of one run as they are drawn.
@@ -100,6 +101,15 @@ export class RunScene {
     });
   }
 
+  /// The rock whose path is meant by a place of the window.
+  rockAt(clientX: number, clientY: number): number | null {
+    const [{ stage }, paths] = [this.scene, shownPaths.peek()];
+    if (!paths || !layers.paths.peek()) return null;
+    const box = stage.renderer.domElement.getBoundingClientRect();
+    const shift = this.scene.local(paths.header.origin);
+    return rockNear(stage, paths, shownPassing.peek(), shift, clientX - box.left, clientY - box.top, 8);
+  }
+
   private colour() {
     if (colouring.value) this.shown?.look.colourBy(colouring.value);
     this.scene.stage.invalidate();
@@ -109,8 +119,9 @@ export class RunScene {
     for (const run of [this.shown, this.compared]) {
       if (!run) continue;
       run.look.uniforms.time.value = whole ? Infinity : now;
-      run.dots.object.visible = !whole;
-      if (!whole) run.dots.at(now);
+      // When all have stopped, they lie where they ended.
+      run.dots.object.visible = !whole || layers.ends.value;
+      run.dots.at(whole ? Infinity : now);
     }
     this.scene.stage.invalidate();
   }

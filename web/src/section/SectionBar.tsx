@@ -1,8 +1,10 @@
 // The row of controls above the section.
 
 import type { RefObject } from 'preact';
+import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
-import { file } from '../state/document';
+import { savePicture } from '../view/savePicture';
+import { DistanceButton } from '../view/DistanceButton';
 import { Popover } from '../view/Popover';
 import { equalAxes, layerNames, layers } from '../view/settings';
 import { zoomed } from './frame';
@@ -11,18 +13,6 @@ import { fit, frame } from './picture';
 function zoom(factor: number) {
   const now = frame.value;
   if (now) frame.value = zoomed(now, factor, now.width / 2, now.height / 2);
-}
-
-/// The picture as it is seen, as a file.
-function save(canvas: HTMLCanvasElement | null) {
-  canvas?.toBlob((blob) => {
-    if (!blob) return;
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(blob);
-    link.download = `${(file.value ?? 'section').replace(/^.*\/|\.toml$/g, '')}.png`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-  });
 }
 
 export function SectionBar({ canvas }: { canvas: RefObject<HTMLCanvasElement> }) {
@@ -41,6 +31,7 @@ export function SectionBar({ canvas }: { canvas: RefObject<HTMLCanvasElement> })
         Equal axes
       </button>
       <PathChoices />
+      <FilterChoices />
       <Popover title="Layers">
         {(Object.keys(layers) as (keyof typeof layers)[]).map((name) => (
           <label key={name}>
@@ -49,7 +40,8 @@ export function SectionBar({ canvas }: { canvas: RefObject<HTMLCanvasElement> })
           </label>
         ))}
       </Popover>
-      <button class="button" title="Save the picture as PNG" onClick={() => save(canvas.current)}>
+      <DistanceButton />
+      <button class="button" title="Save the picture as PNG" onClick={() => savePicture(canvas.current)}>
         Picture
       </button>
     </div>

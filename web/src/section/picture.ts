@@ -63,8 +63,9 @@ function drawRun(pen: CanvasRenderingContext2D, now: Frame, paths: HTMLCanvasEle
   const seen = pathsToDraw.value;
   if (!seen) return;
   if (chosenRock.value !== null) drawChosen(pen, now, seen.paths, chosenRock.value, colours);
-  if (isWhole.value) drawEnds(pen, now, seen.paths, seen.passes, colours);
-  else if (moving.value) drawMovingRocks(pen, now, seen.paths, moving.value, time.value, seen.passes, colours);
+  if (isWhole.value) {
+    if (layers.ends.value) drawEnds(pen, now, seen.paths, seen.passes, colours);
+  } else if (moving.value) drawMovingRocks(pen, now, seen.paths, moving.value, time.value, seen.passes, colours);
 }
 
 function draw(canvas: HTMLCanvasElement, now: Frame, paths: HTMLCanvasElement) {
@@ -116,7 +117,7 @@ export function keepDrawn(host: HTMLElement, canvas: HTMLCanvasElement): () => v
   const stopDrawing = effect(() => {
     const now = frame.value;
     void [shade.value, profile.value, model.value, chosen.value, chosenRock.value, overlays.value, draws.value];
-    void [layers.terrain.value, layers.barriers.value, layers.seeders.value, layers.paths.value];
+    void [layers.terrain.value, layers.barriers.value, layers.seeders.value, layers.paths.value, layers.ends.value];
     void [pathsToDraw.value, time.value, isWhole.value];
     if (!now) return;
     cancelAnimationFrame(waiting);

@@ -24,8 +24,9 @@ export const layers = {
   seeders: kept('seeders', true),
   barriers: kept('barriers', true),
   paths: kept('paths', true),
+  ends: kept('ends', true),
 };
-export const layerNames = { terrain: 'Terrain', seeders: 'Seeders', barriers: 'Barriers', paths: 'Paths' } as const;
+export const layerNames = { terrain: 'Terrain', seeders: 'Seeders', barriers: 'Barriers', paths: 'Paths', ends: 'End points' } as const;
 
 /// In the section view and in sections: one metre up is as long as one metre along.
 export const equalAxes = kept('equal axes', true);

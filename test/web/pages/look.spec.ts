@@ -1,0 +1,48 @@
+// Looking at a run: a path that is clicked, rocks that are filtered, a distance that is measured.
+
+import { openExample } from '../support/steps';
+import { expect, test } from '../support/workbench';
+
+test('a click on a path in the section shows its rock', async ({ workbench: page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openExample(page, 'Tutorial 1, a section');
+  const box = (await page.getByRole('img', { name: /^The slope in section/ }).boundingBox())!;
+  // All rocks fall past the upper face: somewhere on the way across it there is a path.
+  const field = page.getByRole('spinbutton', { name: 'Rock' });
+  for (let share = 0.36; share < 0.46 && !(await field.isVisible()); share += 0.006)
+    await page.mouse.click(box.x + share * box.width, box.y + 0.42 * box.height);
+  await expect(field).toBeVisible();
+  await expect(field).toHaveValue(/^\d+$/);
+  await expect(page.getByRole('region', { name: /^Path of rock \d+/ })).toBeVisible();
+});
+
+test('a filter is shared by the view and the figures', async ({ workbench: page, server }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openExample(page, 'Tutorial 1, in 3D');
+  await page.locator('summary', { hasText: 'Filter' }).click();
+  await page.getByRole('checkbox', { name: 'Line at 15 m' }).check();
+  await page.getByRole('tab', { name: 'Distributions' }).click();
+  const runs = await page.evaluate(async () => (await fetch('/api/runs')).json());
+  const lines = server.read(`${runs.runs[0].folder}/barriers.csv`).trim().split('\n').slice(1);
+  const rocks = new Set(lines.map((line: string) => line.split(',')[1]));
+  await expect(page.getByText(`${rocks.size} rocks`)).toBeVisible();
+  await page.getByRole('button', { name: 'All rocks' }).first().click();
+  await expect(page.getByText('50 rocks', { exact: true })).toBeVisible();
+});
+
+test('distances are those of the ground', async ({ workbench: page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openExample(page, 'Tutorial 1, a section');
+  await page.getByRole('button', { name: 'Distance' }).click();
+  const picture = page.getByRole('img', { name: /^The slope in section/ });
+  const box = (await picture.boundingBox())!;
+  const place = async (x: number, y: number) => {
+    await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+    const [, px, pz] = /x (\S+) z (\S+) m/.exec((await page.locator('.status-line').textContent())!)!;
+    return [Number(px), Number(pz)] as const;
+  };
+  const [a, b] = [await place(0.3, 0.5), await place(0.7, 0.6)];
+  const said = (await page.locator('.tool-hint').textContent())!;
+  const plan = Number(/([\d.]+) m on plan/.exec(said)![1]);
+  expect(Math.abs(plan - Math.abs(b[0] - a[0]))).toBeLessThan(0.02);
+});
