@@ -31,11 +31,6 @@ export function fittingFiles(key: string, list: readonly FolderFile[]): FolderFi
   return list.filter(({ kind }) => (wanted ? wanted.includes(kind) : kind !== 'project'));
 }
 
-/// The setting of `[terrain]` that a file would be, by its kind.
-export function terrainKeyOf({ kind }: FolderFile): string | null {
-  return { raster: 'raster', mesh: 'mesh', points: 'points', vector: 'lines', project: null, other: null }[kind];
-}
-
 const folderOf = (name: string) => name.split('/').slice(0, -1);
 
 /// A file of the folder as a project names it: relative to its own place.

@@ -4,6 +4,7 @@
 import { colourAt, cssOf, markColours } from '../view/colours';
 import type { Colouring } from '../paths/colouring';
 import type { DrawnPaths } from '../paths/drawnPaths';
+import { nearestRock } from '../paths/nearestRock';
 import { pixelOf, type Frame } from './frame';
 
 export interface PathsToDraw {
@@ -99,23 +100,9 @@ export class PathLayer {
   }
 }
 
-/// The rock whose path passes nearest to a pixel; null: none within `within` pixels.
+/// The rock whose path is meant by a pixel; null: none within `within` pixels.
 export function rockAt({ paths, passes }: PathsToDraw, frame: Frame, left: number, top: number, within: number): number | null {
-  const { origin } = paths.header;
-  let best = { rock: -1, distance: within };
-  for (let rock = 0; rock < paths.rocks.length; ++rock) {
-    if (passes && !passes[rock]) continue;
-    let before: [number, number] | null = null;
-    for (let k = paths.starts[rock]!; k < paths.starts[rock + 1]!; ++k) {
-      const now = pixelOf(frame, origin[0] + paths.positions[3 * k]!, origin[2] + paths.positions[3 * k + 2]!);
-      if (before) {
-        const [dx, dy] = [now[0] - before[0], now[1] - before[1]];
-        const share = Math.max(0, Math.min(1, ((left - before[0]) * dx + (top - before[1]) * dy) / (dx * dx + dy * dy || 1)));
-        const distance = Math.hypot(left - before[0] - share * dx, top - before[1] - share * dy);
-        if (distance < best.distance) best = { rock, distance };
-      }
-      before = now;
-    }
-  }
-  return best.rock < 0 ? null : paths.rocks[best.rock]!;
+  const { header, positions } = paths;
+  const at = (k: number) => pixelOf(frame, header.origin[0] + positions[3 * k]!, header.origin[2] + positions[3 * k + 2]!);
+  return nearestRock(paths, passes, at, [left, top], within);
 }

@@ -1,11 +1,11 @@
 // The slope of a 2D model, as the engine has it.
 
 import { effect, signal } from '@preact/signals';
-import { getJson } from '../api/client';
+import { getJson, Refused } from '../api/client';
 import type { Point2 } from '../api/types';
 import { sayFailure } from '../state/messages';
 import { build, model } from '../state/model';
-import { Refused } from '../api/client';
+import { distanceToLine } from '../view/nearness';
 
 export interface Profile {
   model: string;
@@ -56,10 +56,7 @@ export function nearestSegment({ vertices }: Profile, x: number, z: number, stre
   let best = { segment: 0, distance: Infinity };
   for (let k = 0; k + 1 < vertices.length; ++k) {
     const [[ax, az], [bx, bz]] = [vertices[k]!, vertices[k + 1]!];
-    const [dx, dz] = [bx - ax, (bz - az) * stretch];
-    const [px, pz] = [x - ax, (z - az) * stretch];
-    const share = Math.max(0, Math.min(1, (px * dx + pz * dz) / (dx * dx + dz * dz || 1)));
-    const distance = Math.hypot(px - share * dx, pz - share * dz);
+    const distance = distanceToLine([x, z * stretch], [ax, az * stretch], [bx, bz * stretch]);
     if (distance < best.distance) best = { segment: k, distance };
   }
   return best;

@@ -36,5 +36,4 @@ export const chosenRock = signal<number | null>(null);
 /// The map of the run that lies on the terrain, by its name.
 export const drapedMap = signal<string | null>(null);
 export const helpOpen = signal(false);
-export const startOpen = signal(false);
 export const drapedOpacity = kept('opacity of the map', 0.85);

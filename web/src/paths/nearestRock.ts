@@ -1,0 +1,29 @@
+// Which rock is meant by a place of a picture.
+
+import { distanceToLine, type Pixel } from '../view/nearness';
+import type { DrawnPaths } from './drawnPaths';
+
+/// The rock whose path passes nearest to a pixel, among those that pass the filter; null: none within `within` pixels.
+/// `pixelOf` a point of the paths; null: it is not in the picture.
+export function nearestRock(
+  paths: DrawnPaths,
+  passes: Uint8Array | null,
+  pixelOf: (point: number) => Pixel | null,
+  place: Pixel,
+  within: number,
+): number | null {
+  let best = { rock: -1, distance: within };
+  for (let rock = 0; rock < paths.rocks.length; ++rock) {
+    if (passes && !passes[rock]) continue;
+    let before: Pixel | null = null;
+    for (let k = paths.starts[rock]!; k < paths.starts[rock + 1]!; ++k) {
+      const now = pixelOf(k);
+      if (before && now) {
+        const distance = distanceToLine(place, before, now);
+        if (distance < best.distance) best = { rock, distance };
+      }
+      before = now;
+    }
+  }
+  return best.rock < 0 ? null : paths.rocks[best.rock]!;
+}

@@ -1,0 +1,10 @@
+// How near a place of a picture is to what is drawn there.
+
+export type Pixel = readonly [number, number];
+
+/// From a place to the line between two others.
+export function distanceToLine([x, y]: Pixel, [ax, ay]: Pixel, [bx, by]: Pixel): number {
+  const [dx, dy] = [bx - ax, by - ay];
+  const share = Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
+  return Math.hypot(x - ax - share * dx, y - ay - share * dy);
+}
