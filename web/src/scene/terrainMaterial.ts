@@ -54,7 +54,9 @@ uniform float mapOpacity;
 float lineAt(float value, float width) {
   float slope = fwidth(value);
   float off = abs(fract(value - 0.5) - 0.5) / max(slope, 1e-6);
-  return (1.0 - smoothstep(width - 0.5, width + 0.5, off)) * (1.0 - smoothstep(0.15, 0.45, slope));
+  // Neither where lines would run together, nor where level ground would be one broad line.
+  float isSeen = (1.0 - smoothstep(0.15, 0.45, slope)) * smoothstep(1e-5, 1e-4, slope);
+  return (1.0 - smoothstep(width - 0.5, width + 0.5, off)) * isSeen;
 }
 
 void main() {
