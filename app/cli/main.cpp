@@ -1,8 +1,10 @@
 // The command line: parses, dispatches, and turns failures into exit codes.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "answer.hpp"
+#include "command_line.hpp"
 #include "commands.hpp"
 
 namespace talus::cli {
@@ -136,10 +138,14 @@ int dispatch(int argc, char** argv) {
   new_command->add_option("file", new_options.file, "The file to write")->required()->type_name("PROJECT.toml");
   new_command->add_flag("--force", new_options.force, "Overwrite a file that is there");
 
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  app.failure_message([&](const CLI::App*, const CLI::Error& error) { return complaint_about(app, error, words); });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? done : bad_input;
+    const ExitCode code = error.get_exit_code() == 0 ? done : bad_input;
+    if (answers_for_all(words)) app.exit(error);
+    return code;
   }
   if (*run_command) return run(run_options);
   if (*serve_command) return serve(serve_options);

@@ -8,6 +8,7 @@
 #include "talus/campaign/simulate.hpp"
 #include "talus/io/survey_crs.hpp"
 #include "talus/project/echo.hpp"
+#include "talus/project/ground_areas.hpp"
 #include "talus/project/settings.hpp"
 
 namespace talus::server {
@@ -73,6 +74,29 @@ class Describer {
                       {"first_rock", seeder.first_rock},
                       {"lines", lines(seeder)},
                       {"points", places(seeder)}});
+    }
+    return list;
+  }
+
+  /// Where they are on the ground: a line a side, of those that are not beyond the terrain.
+  [[nodiscard]] Json areas() const {
+    const Vec2 origin = model_.frame.origin.head(2);
+    Json list = Json::array();
+    for (std::size_t k = 0; k < project_.areas.size(); ++k) {
+      const project::Area& area = project_.areas[k];
+      Json sides = Json::array();
+      for (std::size_t i = 0; i < area.polygon.size(); ++i) {
+        const auto &from = area.polygon[i], &to = area.polygon[(i + 1) % area.polygon.size()];
+        Json side = Json::array();
+        for (const Vec3& p : on_ground(Vec2(from[0], from[1]) - origin, Vec2(to[0], to[1]) - origin)) {
+          side.push_back(place(p));
+        }
+        if (!side.empty()) sides.push_back(std::move(side));
+      }
+      list.push_back({{"name", area.name},
+                      {"path", fmt::format("area.{}", k)},
+                      {"material", project::number_of_material(project_, area.material)},
+                      {"sides", std::move(sides)}});
     }
     return list;
   }
@@ -166,6 +190,7 @@ Json description_of(const ShelvedModel& shelved) {
           {"terrain_report", model.terrain_report},
           {"seeder_report", model.seeder_report},
           {"materials", std::move(materials)},
+          {"areas", describer.areas()},
           {"seeders", describer.seeders()},
           {"barriers", describer.barriers()},
           {"project", project::echo(shelved.project)}};

@@ -60,6 +60,7 @@ void serve(const ServeOptions& options) {
   server.new_task_queue = [] { return new ThreadPool(most_threads); };
   server.set_tcp_nodelay(true);
   server.set_keep_alive_max_count(10'000);
+  server.set_keep_alive_timeout(1);  // [s]: the program ends when the last connection that is silent is closed
   server.set_write_timeout(30s);
   const int port = bind(server, options.port);
   Session session(options.key_file.empty() ? usual_key_file() : options.key_file, port);

@@ -168,6 +168,19 @@ TEST_F(OnRanks, SayOnceWhatIsWrongWithAProject) {
   EXPECT_EQ(count(said.text, "slinding"), count(expected.text, "slinding")) << said.text;
 }
 
+TEST_F(OnRanks, SayOnceWhatIsWrongWithACommandLine) {
+  const Said mistyped = on(3, {"rnu", tutorial("2d")});
+  EXPECT_EQ(mistyped.exit_code, 2);
+  EXPECT_EQ(count(mistyped.text, "Did you mean \"run\"?"), 1) << mistyped.text;
+  const Said version = on(3, {"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_EQ(version.text, "talus " TALUS_VERSION "\n");
+  // Where each runs alone, their words may differ; after the first that fails, mpirun may end the others.
+  const int times = count(on(3, {"run", "--alone"}).text, "project is required");
+  EXPECT_GE(times, 1);
+  EXPECT_LE(times, 3);
+}
+
 TEST_F(OnRanks, SayOnceThatTheFolderCannotBeWritten) {
   work.write("file", "");
   const Said said = on(3, {"run", tutorial("2d"), "-o", (work / "file").string()});

@@ -39,9 +39,30 @@ TEST(RefusedByTheProgram, ANameOfNoFile) {
 TEST(RefusedByTheProgram, NumbersBelowNothing) {
   const Workplace place;
   const std::string file = place.write("slope.toml", good);
-  const std::string help = ": expected 0 or more\nRun with --help for more information.\n";
-  EXPECT_EQ(said(place, "run " + file + " --seed -1"), "2 --seed" + help);
-  EXPECT_EQ(said(place, "replay " + file + " --rock -1"), "2 --rock" + help);
+  EXPECT_EQ(said(place, "run " + file + " --seed -1"), "2 --seed: expected 0 or more\n`talus run --help` says more.\n");
+  EXPECT_EQ(said(place, "replay " + file + " --rock -1"),
+            "2 --rock: expected 0 or more\n`talus replay --help` says more.\n");
+}
+
+TEST(RefusedByTheProgram, ACommandThatThereIsNot) {
+  const Workplace place;
+  const std::string known = "(known are run, serve, merge, check, replay, report, verify, materials, schema, new)",
+                    help = "\n`talus --help` says more.\n";
+  EXPECT_EQ(said(place, "rnu slope.toml"), "2 there is no command \"rnu\". Did you mean \"run\"?" + help);
+  EXPECT_EQ(said(place, "slope.toml"),
+            "2 there is no command \"slope.toml\". Did you mean `talus run slope.toml`?" + help);
+  EXPECT_EQ(said(place, "throw slope.toml"), "2 there is no command \"throw\" " + known + help);
+  EXPECT_EQ(said(place, ""), "2 the command is missing " + known + help);
+  EXPECT_EQ(said(place, "--verison"), "2 the command is missing " + known + ". Did you mean --version?" + help);
+}
+
+TEST(RefusedByTheProgram, AnOptionThatThereIsNot) {
+  const Workplace place;
+  EXPECT_EQ(said(place, "run slope.toml --thread=2"),
+            "2 The following argument was not expected: --thread=2. Did you mean --threads?\n"
+            "`talus run --help` says more.\n");
+  EXPECT_EQ(said(place, "check slope.toml --gravity"),
+            "2 The following argument was not expected: --gravity\n`talus check --help` says more.\n");
 }
 
 TEST(RefusedByTheProgram, AKeyOfEndlessParts) {
@@ -99,7 +120,8 @@ TEST(RefusedByTheProgram, ARasterOfMoreCellsThanCanBeCounted) {
   const std::string file = place.write("slope.toml", on_raster);
   place.write("dem.vrt", vrt("1000000", "1000000"));
   EXPECT_EQ(said(place, "check " + file),
-            "2 dem.vrt: has 1000000 x 1000000 cells (Talus takes fewer than 2147483648). Cut it to the slope: "
+            "2 slope.toml:2: [terrain]: raster dem.vrt: has 1000000 x 1000000 cells (Talus takes fewer than "
+            "2147483648). Cut it to the slope: "
             "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif\n");
 }
 
@@ -109,10 +131,10 @@ TEST(RefusedByTheProgram, ARasterThatTakesMoreMemoryThanThereIs) {
   const Workplace place;
   const std::string file = place.write("slope.toml", on_raster);
   place.write("dem.vrt", vrt("40000", "30000"));
-  EXPECT_EQ(
-      said(place, "check " + file, "ulimit -v 4000000; "),
-      "2 dem.vrt: has 40000 x 30000 cells (they need 4.8 GB of memory, and there are 4.1 GB). Cut it to the slope: "
-      "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif\n");
+  EXPECT_EQ(said(place, "check " + file, "ulimit -v 4000000; "),
+            "2 slope.toml:2: [terrain]: raster dem.vrt: has 40000 x 30000 cells (they need 4.8 GB of memory, and there "
+            "are 4.1 GB). Cut it to the slope: "
+            "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif\n");
 }
 
 #endif
@@ -121,7 +143,8 @@ TEST(RefusedByTheProgram, ATerrainThatIsAPipe) {
   const Workplace place;
   const std::string file = place.write("slope.toml", on_raster);
   ASSERT_EQ(::mkfifo((place / "dem.vrt").c_str(), 0600), 0);
-  EXPECT_EQ(said(place, "check " + file, "timeout 20 "), "2 dem.vrt: cannot be read (it is a pipe). Name a file\n");
+  EXPECT_EQ(said(place, "check " + file, "timeout 20 "),
+            "2 slope.toml:2: [terrain]: raster dem.vrt: cannot be read (it is a pipe). Name a file\n");
 }
 
 #endif

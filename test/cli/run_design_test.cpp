@@ -14,6 +14,7 @@
 
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "support/browser.hpp"
 
 namespace talus::test {
 namespace {
@@ -187,6 +188,29 @@ heights_m = [1, 2, 3, 4, 6, 8]
   EXPECT_GT(beside, 0u);
   EXPECT_GT(caught, lower.size() / 2);
   EXPECT_LT(caught, lower.size() - beside) << "the comparison says something";
+}
+
+TEST(RunDesign, ShowsTheCostAlsoOfKitsThatCatchTooLittle) {
+  if (!testing_tools::has_browser()) GTEST_SKIP() << "there is no chromium";
+  const Workplace work;
+  const std::string project = with_collectors(work, "3d", R"(
+[[collector]]
+name = "Tall"
+line = [[8, 0], [8, 50]]
+height_m = 500
+[design]
+lines = ["Tall"]
+energies_kJ = [100, 5000]
+heights_m = [1, 500]
+)");
+  const Said said = talus_says("run -q " + project + " --rocks 300 -o " + (work / "out").string());
+  ASSERT_EQ(said.exit_code, 0) << said.text;
+  const std::string rows = testing_tools::said_in_page(work / "out/report.html", R"(
+    const table = [...document.querySelectorAll('table')].find((t) => t.textContent.includes('Kits to choose from'));
+    return [...table.querySelectorAll('tr')].map((tr) => [...tr.children].slice(-2).map((c) => c.textContent)
+      .map((text, k) => k === 1 && Number(text.replace(/,/g, '')) > 0 ? 'number' : text).join(' ')).join('; ');
+  )");
+  EXPECT_EQ(rows, "Catches enough Cost index; yes number; no number");
 }
 
 TEST(RunDesign, WorksInSection) {

@@ -88,6 +88,24 @@ TEST(TalusRun, GivesTheSameBytesOnOneTwoAndEightThreads) {
   }
 }
 
+TEST(TalusRun, SaysBeforehandThatTheTableOfPathsWillBeLarge) {
+  const Workplace place;
+  const auto said = [&](const std::string& paths) {
+    // The run takes long; what is said before it is enough.
+    return talus_says("run " + tutorial("3d") + " --rocks 2000000 --set output.paths=" + paths + " -o " +
+                          (place / "out").string(),
+                      "timeout -s INT 3 ")
+        .text;
+  };
+  const std::string all = said("all");
+  // 20,000 of these rocks fill 59.8 MB.
+  EXPECT_NE(all.find("paths.csv will have about 6.1 GB, with the paths of all rocks (output.paths = 1000 keeps those "
+                     "of 1000)\n"),
+            std::string::npos)
+      << all;
+  EXPECT_EQ(said("1000").find("paths.csv"), std::string::npos);
+}
+
 TEST(TalusRun, DefaultsToTheProjectsNameBesideItsFile) {
   const Workplace place;
   ASSERT_EQ(talus_says("new " + (place / "slope.toml").string()).exit_code, 0);

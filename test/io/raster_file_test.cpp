@@ -24,11 +24,11 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 class RasterFileTest : public RasterFolder {
  protected:
-  [[nodiscard]] RasterFile read(const std::string& name) {
+  RasterFile read(const std::string& name, const SaidOfCrs& said = {}) {
     warnings_ = Problems{};
-    return read_raster_file(path(name), warnings_);
+    return read_raster_file(path(name), warnings_, said);
   }
-  [[nodiscard]] RasterFile read(const RasterSpec& spec) {
+  RasterFile read(const RasterSpec& spec) {
     make("dem.tif", spec);
     return read("dem.tif");
   }
@@ -165,8 +165,39 @@ TEST_F(RasterFileTest, AaiGridWithoutACoordinateSystemIsReadWithAWarning) {
   EXPECT_EQ(file.without_data, 1U);
   EXPECT_EQ(file.crs_wkt, "");
   EXPECT_EQ(warnings(),
-            "dem.asc: warning: names no coordinate system (its cells are taken to be 5 x 5 m). Name it: gdal_translate "
-            "-a_srs EPSG:XXXX dem.asc dem_placed.tif");
+            "dem.asc: warning: names no coordinate system (its cells are taken to be 5 x 5 m). Name it: crs = "
+            "\"EPSG:XXXX\" in [terrain], or \"local\" for metres of no map");
+}
+
+TEST_F(RasterFileTest, TakesTheCoordinateSystemThatIsSaidWhereItNamesNone) {
+  write("dem.asc", "ncols 2\nnrows 2\nxllcorner 400000\nyllcorner 300000\ncellsize 5\nNODATA_value -9999\n1 2\n3 4\n");
+  const RasterFile placed = read("dem.asc", {.crs = *crs_in_words("EPSG:31287"), .is_local = false});
+  EXPECT_EQ(placed.crs_name, "EPSG:31287");
+  EXPECT_EQ(placed.crs_wkt, read(RasterSpec{}).crs_wkt);
+  read("dem.asc", {.crs = *crs_in_words("EPSG:31287"), .is_local = false});
+  EXPECT_EQ(warnings(), "");
+  EXPECT_EQ(read("dem.asc", {.crs = {}, .is_local = true}).crs_wkt, "");
+  EXPECT_EQ(warnings(), "");
+}
+
+TEST_F(RasterFileTest, IsHeldToTheCoordinateSystemThatIsSaid) {
+  write("dem.asc", "ncols 2\nnrows 2\nxllcorner 4\nyllcorner 45\ncellsize 0.001\nNODATA_value -9999\n1 2\n3 4\n");
+  EXPECT_EQ(refusal_of([&] { read("dem.asc", {.crs = *crs_in_words("EPSG:4326"), .is_local = false}); }),
+            "dem.asc: is in degrees (EPSG:4326 is a geographic coordinate system; Talus needs metres on plan). Project "
+            "it: gdalwarp -t_srs EPSG:32631 -r bilinear dem.asc dem_metres.tif");
+  // A model of a metre, in the laboratory.
+  EXPECT_EQ(read("dem.asc", {.crs = {}, .is_local = true}).grid.dx, 0.001);
+}
+
+TEST_F(RasterFileTest, RefusesAnotherCoordinateSystemThanItsOwn) {
+  read(RasterSpec{});
+  const std::string hint =
+      "Leave out crs, or give the file the true one: gdal_translate -a_srs EPSG:XXXX dem.tif dem_placed.tif";
+  EXPECT_EQ(refusal_of([&] { read("dem.tif", {.crs = *crs_in_words("EPSG:32633"), .is_local = false}); }),
+            "dem.tif: is in EPSG:31287 (the project says crs = \"EPSG:32633\"). " + hint);
+  EXPECT_EQ(refusal_of([&] { read("dem.tif", {.crs = {}, .is_local = true}); }),
+            "dem.tif: is in EPSG:31287 (the project says crs = \"local\"). " + hint);
+  EXPECT_EQ(read("dem.tif", {.crs = *crs_in_words("EPSG:31287"), .is_local = false}).crs_name, "EPSG:31287");
 }
 
 TEST_F(RasterFileTest, AMosaicOfTilesIsTheSameGridAsOneFile) {

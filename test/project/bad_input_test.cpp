@@ -99,6 +99,26 @@ rocks = 11)"}},
      {{"rocks = 10", "rocks = 99999999999999999999"}},
      "slope.toml:24: this is not TOML (Error while parsing decimal integer: "
      "'99999999999999999999' is not representable in 64 bits)"},
+    {"DecimalComma",
+     {{"friction_angle_deg = 30", "friction_angle_deg = 30,5"}},
+     "slope.toml:12: this is not TOML (Error while parsing key-value pair: expected a comment or whitespace, saw ','). "
+     "Write 30.5: a number has no comma"},
+    {"DecimalCommaInQuotes",
+     {{"friction_angle_deg = 30", "friction_angle_deg = \"30,5\""}},
+     "slope.toml:12: material \"Rock\": friction_angle_deg is \"30,5\" (expected a number or { mean = ..., "
+     "distribution = ..., ... }). Write 30.5, without quotes"},
+    {"MistypedSize",
+     {{"mass_kg", "diametr_m"}},
+     "slope.toml:25: seeder \"Crest\": unknown key \"diametr_m\". Did you mean \"diameter_m\"?"},
+    {"MistypedPosition",
+     {{"position", "postion"}},
+     "slope.toml:23: seeder \"Crest\": unknown key \"postion\". Did you mean \"position\"?"},
+    {"MistypedTerrain",
+     {{"section = [", "sektion = ["}},
+     "slope.toml:7: [terrain]: unknown key \"sektion\". Did you mean \"section\"?"},
+    {"MistypedRequiredKey",
+     {{"height_m", "hight_m"}},
+     "slope.toml:30: barrier \"Fence\": unknown key \"hight_m\". Did you mean \"height_m\"?"},
     {"UnknownKey",
      {{"gravity_m_s2", "gravity_ms2"}},
      "slope.toml:4: [analysis]: unknown key \"gravity_ms2\". Did you mean \"gravity_m_s2\"?"},
@@ -125,11 +145,11 @@ gravity_m_s2 = 9.81)",
        R"([weather]
 wind = 3)"}},
      "slope.toml:3: unknown table [weather] (known are name, analysis, sampling, terrain, "
-     "material, ground, seeder, barrier, collector, design and output)"},
+     "material, ground, area, seeder, barrier, collector, design and output)"},
     {"UnknownKeyBeforeTheFirstTable",
      {{R"(name = "Slope")", R"(titel = "Slope")"}},
      "slope.toml:1: unknown key \"titel\" (known are name, analysis, sampling, terrain, material, "
-     "ground, seeder, barrier, collector, design and output)"},
+     "ground, area, seeder, barrier, collector, design and output)"},
     {"TableOnceInsteadOfList",
      {{"[[barrier]]", "[barrier]"}},
      "slope.toml:27: [barrier] is a single table (there may be several; expected [[barrier]])"},
@@ -942,6 +962,10 @@ const std::vector<BadOverride> bad_overrides{
      {"analysis.gravity_m_s2=[9.81"},
      "--set analysis.gravity_m_s2=[9.81: the value is not TOML (Error while parsing array: "
      "encountered end-of-file)"},
+    {"SetDecimalComma",
+     {"analysis.gravity_m_s2=9,81"},
+     "--set analysis.gravity_m_s2=9,81: the value is not TOML (Error while parsing key-value pair: expected a comment "
+     "or whitespace, saw ','). Write 9.81: a number has no comma"},
     {"SetTwoValues",
      {"analysis.gravity_m_s2=9\nx=3"},
      "--set analysis.gravity_m_s2=9\n"

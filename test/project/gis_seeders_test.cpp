@@ -339,6 +339,19 @@ TEST_F(GisSeeders, LinesOffTheTerrainAndOverHolesAreRefused) {
             "lies within x = 1757002.5 to 1757297.5, y = 5917002.5 to 5917197.5)");
 }
 
+TEST_F(GisSeeders, WhatIsWrongWithAFileIsSaidWhereItIsNamed) {
+  layer("cliffs.gpkg", "name", {{box(100, 50, 150, 60), ""}});
+  const std::string wrong = "has no layer \"leyer\" (it has \"layer\"). Did you mean \"layer\"?";
+  EXPECT_EQ(refusal(head + "type = \"polygon\"\npolygons = \"cliffs.gpkg\"\nlayer = \"leyer\"\n"),
+            "slope.toml:9: seeder \"Cliffs\": polygons cliffs.gpkg: " + wrong);
+  const std::string nameless = head.substr(0, head.find("name = \"Cliffs\"")) + head.substr(head.find("diameter_m"));
+  EXPECT_EQ(refusal(nameless + "type = \"polygon\"\npolygons = \"cliffs.gpkg\"\nlayer = \"leyer\"\n"),
+            "slope.toml:8: seeder 1: polygons cliffs.gpkg: " + wrong);
+  EXPECT_EQ(refusal(head + "type = \"polygon\"\npolygons = \"other.gpkg\"\nlayer = \"leyer\"\n",
+                    {.settings = {"seeder.0.polygons=\"cliffs.gpkg\""}, .rocks = {}, .seed = {}}),
+            "--set seeder.0.polygons=\"cliffs.gpkg\": seeder \"Cliffs\": polygons cliffs.gpkg: " + wrong);
+}
+
 TEST_F(GisSeeders, WhereNoRockCouldStartIsRefusedWithWhatWasFound) {
   const std::string polygon = head + "type = \"polygon\"\npolygons = \"cliffs.gpkg\"\n";
   layer("cliffs.gpkg", "name", {{box(5000, 50, 5010, 60), ""}});

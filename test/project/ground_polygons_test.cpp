@@ -182,37 +182,45 @@ TEST_F(GroundPolygons, ValuesWithoutAMaterialAreRefused) {
          {box(50, 0, 90, 50), "Rocks"},
          {box(0, 50, 50, 90), "Bog"},
          {box(9, 90, 50, 99), ""}});
-  EXPECT_EQ(refusal(head),
-            "slope.toml: [ground]: 1 of 4 polygons have no kind (feature 4 of polygons \"ground.gpkg\"). Give each a "
-            "value, or take it out of the file\n"
-            "slope.toml: [ground]: polygons \"ground.gpkg\" has values of kind that are no materials (\"Bog\" in 1, "
-            "\"Rocks\" in 2 of 4 polygons). Say which material it is: values = { \"Bog\" = \"Rock\" }");
+  EXPECT_EQ(
+      refusal(head),
+      "slope.toml:15: [ground]: 1 of 4 polygons have no kind (feature 4 of polygons \"ground.gpkg\"). Give each a "
+      "value, or take it out of the file\n"
+      "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are no materials (\"Bog\" in 1, "
+      "\"Rocks\" in 2 of 4 polygons). Say which material it is: values = { \"Bog\" = \"Rock\" }");
   layer("ground.gpkg", "kind", {{box(0, 0, 50, 50), "Rocks"}});
   EXPECT_EQ(
       refusal(head),
-      "slope.toml: [ground]: polygons \"ground.gpkg\" has values of kind that are no materials (\"Rocks\" in 1 of "
+      "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are no materials (\"Rocks\" in 1 of "
       "1 polygons). Did you mean \"Rock\" by \"Rocks\"?");
-  EXPECT_EQ(refusal(head + "values = { Moor = \"Meadow\" }\n"),
-            "slope.toml: [ground]: polygons \"ground.gpkg\" has values of kind that are not in values (\"Rocks\" in 1 "
-            "of 1 polygons). Add \"Rocks\" = \"...\" to values");
+  EXPECT_EQ(
+      refusal(head + "values = { Moor = \"Meadow\" }\n"),
+      "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not in values (\"Rocks\" in 1 "
+      "of 1 polygons). Add \"Rocks\" = \"...\" to values");
 }
 
 TEST_F(GroundPolygons, FilesThatDoNotFitAreRefused) {
   layer("ground.gpkg", "kind", {{box(9000, 0, 9050, 50), "Rock"}});
-  EXPECT_EQ(refusal(head),
-            "slope.toml: [ground]: polygons \"ground.gpkg\" do not reach the terrain (they lie within x = 1766000 to "
-            "1766050, y = 5917000 to 5917050; the terrain within x = 1757002.5 to 1757297.5, y = 5917002.5 to "
-            "5917197.5). Compare what ogrinfo says of their coordinate system");
+  EXPECT_EQ(
+      refusal(head),
+      "slope.toml:15: [ground]: polygons \"ground.gpkg\" do not reach the terrain (they lie within x = 1766000 to "
+      "1766050, y = 5917000 to 5917050; the terrain within x = 1757002.5 to 1757297.5, y = 5917002.5 to "
+      "5917197.5). Compare what ogrinfo says of their coordinate system");
   layer("ground.gpkg", "kind", {{box(0, 0, 50, 50), "Rock"}, {box(9000, 0, 9050, 50), "Rock"}});
   static_cast<void>(model(head));
-  EXPECT_THAT(warnings(), HasSubstr("slope.toml: warning: [ground]: 1 of 2 polygons do not reach the terrain (polygons "
-                                    "\"ground.gpkg\" has more than is needed, or some of it is misplaced)"));
+  EXPECT_THAT(warnings(),
+              HasSubstr("slope.toml:15: warning: [ground]: 1 of 2 polygons do not reach the terrain (polygons "
+                        "\"ground.gpkg\" has more than is needed, or some of it is misplaced)"));
   layer("ground.gpkg", "sort", {{box(0, 0, 50, 50), "Rock"}});
-  EXPECT_EQ(refusal(head), "ground.gpkg: layer \"layer\" has no attribute \"kind\" (it has \"sort\")");
+  EXPECT_EQ(
+      refusal(head),
+      "slope.toml:15: [ground]: polygons ground.gpkg: layer \"layer\" has no attribute \"kind\" (it has \"sort\")");
   EXPECT_EQ(refusal(head + "layer = \"leyer\"\n"),
-            "ground.gpkg: has no layer \"leyer\" (it has \"layer\"). Did you mean \"layer\"?");
+            "slope.toml:15: [ground]: polygons ground.gpkg: has no layer \"leyer\" (it has \"layer\"). Did you mean "
+            "\"layer\"?");
   layer("ground.gpkg", "kind", {{"LINESTRING (0 0, 1 1)", "Rock"}});
-  EXPECT_EQ(refusal(head), "ground.gpkg: feature 1 is a line (polygons are expected)");
+  EXPECT_EQ(refusal(head),
+            "slope.toml:15: [ground]: polygons ground.gpkg: feature 1 is a line (polygons are expected)");
   std::filesystem::remove(path("ground.gpkg"));
   EXPECT_EQ(refusal(head), without_folder(fmt::format(
                                "slope.toml:15: [ground]: polygons is \"ground.gpkg\" (there is no file {}). Its "

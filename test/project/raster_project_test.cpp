@@ -154,9 +154,10 @@ TEST_F(RasterProject, CellsWithoutClassAreCountedAndGetTheDefault) {
   const Model out = model(terrain_raster + rest + from_classes);
   EXPECT_EQ(material_at(out, 0, 18), 0U);
   EXPECT_EQ(material_at(out, 0, 0), 1U);
-  EXPECT_EQ(warnings(),
-            "slope.toml: warning: [ground]: 85 of 741 cells of the terrain have no class (raster \"ground.tif\" has no "
-            "data there, or ends before). They are given the default material, \"Rock\"");
+  EXPECT_EQ(
+      warnings(),
+      "slope.toml:17: warning: [ground]: 85 of 741 cells of the terrain have no class (raster \"ground.tif\" has no "
+      "data there, or ends before). They are given the default material, \"Rock\"");
 }
 
 TEST_F(RasterProject, HolesOfTheTerrainNeedNoClass) {
@@ -186,9 +187,10 @@ TEST_F(RasterProject, ClassesThatAreNoMaterialsAreRefusedWithTheirCount) {
   classes.cells[0] = 7;
   classes.cells[9] = 9;
   make("ground.tif", classes);
-  EXPECT_EQ(refusal(terrain_raster + rest + from_classes),
-            "slope.toml: [ground]: raster \"ground.tif\" has classes that are not in classes (7 in 9, 9 in 12 of the "
-            "terrain's cells). Add 7 = \"...\" to classes");
+  EXPECT_EQ(
+      refusal(terrain_raster + rest + from_classes),
+      "slope.toml:17: [ground]: raster \"ground.tif\" has classes that are not in classes (7 in 9, 9 in 12 of the "
+      "terrain's cells). Add 7 = \"...\" to classes");
 }
 
 TEST_F(RasterProject, AGroundWithoutAnyClassIsRefused) {
@@ -199,7 +201,7 @@ TEST_F(RasterProject, AGroundWithoutAnyClassIsRefused) {
   make("ground.tif", classes);
   EXPECT_EQ(
       refusal(terrain_raster + rest + from_classes),
-      "slope.toml: [ground]: raster \"ground.tif\" has no class anywhere on the terrain (none of 741 cells has data "
+      "slope.toml:17: [ground]: raster \"ground.tif\" has no class anywhere on the terrain (none of 741 cells has data "
       "in it). Look at it with gdalinfo -stats: what it declares as no data is no class");
 }
 
@@ -209,7 +211,7 @@ TEST_F(RasterProject, AGroundBesideTheTerrainIsRefused) {
   classes.geotransform = {500000, 20, 0, north, 0, -20};
   make("ground.tif", classes);
   EXPECT_EQ(refusal(terrain_raster + rest + from_classes),
-            "slope.toml: [ground]: raster \"ground.tif\" does not reach the terrain (the terrain lies within x = "
+            "slope.toml:17: [ground]: raster \"ground.tif\" does not reach the terrain (the terrain lies within x = "
             "400002.5 to 400197.5, y = 300002.5 to 300097.5). Compare what gdalinfo says of the raster, and its "
             "coordinate system");
 }
@@ -233,8 +235,8 @@ TEST_F(RasterProject, WhatIsWrongWithAFileAndWithTheSeedersIsToldTogether) {
   std::string text = terrain_raster + rest + from_classes;
   text.replace(text.find("400010"), 6, "400210");
   EXPECT_EQ(refusal(text),
-            "ground.tif: has 1.5 as a class (a class is a whole number of at most 32 bits). Round them: gdal_translate "
-            "-ot Int32 ground.tif ground_classes.tif\n"
+            "slope.toml:17: [ground]: raster ground.tif: has 1.5 as a class (a class is a whole number of at most 32 "
+            "bits). Round them: gdal_translate -ot Int32 ground.tif ground_classes.tif\n"
             "slope.toml:8: seeder \"Crest\": (400210, 300050) is off the terrain (on plan the terrain lies within x = "
             "400002.5 to 400197.5, y = 300002.5 to 300097.5)");
 }
@@ -247,14 +249,30 @@ TEST_F(RasterProject, FilesThatAreNotThereAreRefusedInTheirLines) {
             "the project file");
 }
 
+TEST_F(RasterProject, TakesACoordinateSystemWhereTheFileNamesNone) {
+  RasterSpec spec = slope();
+  spec.crs = "";
+  make("dem.tif", spec);
+  const auto with_crs = [&](const std::string& crs) {
+    return model("[terrain]\nraster = \"dem.tif\"\n" + crs + rest + all_rock).crs_wkt;
+  };
+  EXPECT_EQ(with_crs(""), "");
+  EXPECT_NE(warnings(), "");
+  EXPECT_EQ(with_crs("crs = \"local\"\n"), "");
+  EXPECT_EQ(warnings(), "");
+  EXPECT_THAT(with_crs("crs = \"EPSG:31287\"\n"), ::testing::StartsWith("PROJCRS["));
+  EXPECT_EQ(warnings(), "");
+}
+
 TEST_F(RasterProject, ATerrainInDegreesIsRefused) {
   RasterSpec spec = slope();
   spec.crs = "EPSG:4326";
   spec.geotransform = {11.2, 0.0001, 0, 47.3, 0, -0.0001};
   make("dem.tif", spec);
-  EXPECT_EQ(refusal(terrain_raster + rest + all_rock),
-            "dem.tif: is in degrees (EPSG:4326 is a geographic coordinate system; Talus needs metres on plan). Project "
-            "it: gdalwarp -t_srs EPSG:32632 -r bilinear dem.tif dem_metres.tif");
+  EXPECT_EQ(
+      refusal(terrain_raster + rest + all_rock),
+      "slope.toml:2: [terrain]: raster dem.tif: is in degrees (EPSG:4326 is a geographic coordinate system; Talus "
+      "needs metres on plan). Project it: gdalwarp -t_srs EPSG:32632 -r bilinear dem.tif dem_metres.tif");
 }
 
 }  // namespace

@@ -163,10 +163,10 @@ class RefusedMesh : public ::testing::Test {
 
 TEST_F(RefusedMesh, InDegrees) {
   write("slope.obj", "v 13.1 47.2 900\nv 13.101 47.2 800\nv 13.1 47.201 850\nf 1 2 3\n");
-  EXPECT_EQ(
-      refusal("mesh = \"slope.obj\""),
-      "slope.obj: seems to be in degrees (it lies within x = 13.1 to 13.101, y = 47.2 to 47.201 and is 100 m high). "
-      "Project it to metres; or, if they are metres, write crs = \"local\"");
+  EXPECT_EQ(refusal("mesh = \"slope.obj\""),
+            "slope.toml:2: [terrain]: mesh slope.obj: seems to be in degrees (it lies within x = 13.1 to 13.101, y = "
+            "47.2 to 47.201 and is 100 m high). "
+            "Project it to metres; or, if they are metres, write crs = \"local\"");
   EXPECT_EQ(refusal("mesh = \"slope.obj\"\ncrs = \"local\""), "was read");
 }
 

@@ -255,6 +255,10 @@ polygons = "ground.gpkg"
 layer = "2024"
 attribute = "kind"
 values = { Fels = "Rock", "Schutt, grob" = "Scree" }
+[[area]]
+name = "fan"
+material = "Scree"
+polygon = [[0, 0], [5, 0], [5, 5.5]]
 [[seeder]]
 type = "line"
 source = "north face"

@@ -86,10 +86,6 @@ const std::vector<BadTerrain> bad_terrains{
     {"TurnedSurvey", "points = \"p.csv\"\nrotate_deg = 30",
      "slope.toml:3: [terrain]: rotate_deg is given with points (a survey stands where its coordinates say). Leave it "
      "out"},
-    {"CrsOfARaster", "raster = \"dem.tif\"\ncrs = \"EPSG:31287\"",
-     "slope.toml:3: [terrain]: crs is given for a raster (a raster names its own). Name the raster's with "
-     "gdal_translate "
-     "-a_srs"},
     {"CrsOfASection", "section = [[0, 0], [10, -10]]\nwidth_m = 5\ncrs = \"EPSG:31287\"",
      "slope.toml:4: [terrain]: crs is given for a section (a section lies nowhere on a map). Leave it out"},
     {"NoPolylines", "polylines = []", "slope.toml:2: [terrain]: polylines is empty (a terrain has at least one)"},

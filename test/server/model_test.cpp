@@ -151,7 +151,7 @@ TEST_F(ModelOf, NamesTheSettingOfEachProblem) {
                                       "rock has mass; expected more than 0)"}));
   EXPECT_EQ(paths_of(with(section_text, "[30, 5]", "[30, \"five\"]")), std::vector<std::string>{"terrain.section.2.1"});
   EXPECT_EQ(paths_of(with(section_text, "name = \"Soil\"", "nam = \"Soil\"")),
-            (std::vector<std::string>{"material.1.name", "material.1.nam"}));
+            std::vector<std::string>{"material.1.nam"});
   EXPECT_EQ(paths_of(with(section_text, "\"Soil\"]", "\"Sol\"]")), std::vector<std::string>{"ground.segments.1"});
   EXPECT_EQ(paths_of(with(section_text, "[[seeder]]", "[[seder]]")), (std::vector<std::string>{"seeder", "seder"}));
   EXPECT_EQ(paths_of(section_text + "[analysis]\nrn_mass_scale_kg = 10\n"),
@@ -184,7 +184,8 @@ TEST_F(ModelOf, NamesTheSettingOfAFileThatIsWrong) {
   const Json answer = posted(text);
   EXPECT_TRUE(answer["model"].is_null());
   ASSERT_FALSE(answer["problems"].empty());
-  EXPECT_EQ(answer["problems"][0]["file"], "bad.obj");
+  EXPECT_EQ(answer["problems"][0]["file"], "slope.toml");
+  EXPECT_EQ(answer["problems"][0]["line"], 2);
   EXPECT_EQ(answer["problems"][0]["path"], "terrain.mesh");
 }
 
@@ -220,6 +221,44 @@ TEST_F(ModelOf, TellsOfASection) {
   EXPECT_EQ(get(at(model, "mesh")).status, 404);
   EXPECT_EQ(get(at(model, "tiles")).status, 404);
   EXPECT_EQ(post(at(model, "section"), {{"line", {{0, 0}, {1, 1}}}}).status, 404);
+}
+
+TEST_F(ModelOf, CountsSegmentsAsTheProjectDoes) {
+  const std::string backwards = with(section_text, "[[0, 20], [10, 10], [30, 5]]", "[[30, 5], [10, 10], [0, 20]]");
+  const Json given = get(at(model_of(section_text), "profile")).json();
+  EXPECT_EQ(given["segments"], (Json{0, 1}));
+  const Json profile = get(at(model_of(backwards), "profile")).json();
+  EXPECT_EQ(profile["vertices"], given["vertices"]) << "from left to right";
+  EXPECT_EQ(profile["segments"], (Json{1, 0}));
+  EXPECT_EQ(profile["materials"], (Json{1, 0})) << "rock, then soil, as the section goes";
+
+  const ArraysOf extruded(get(at(model_of(mesh_text), "mesh")));
+  EXPECT_EQ(extruded.header["parts"], 2);
+  EXPECT_EQ(extruded.get<std::uint32_t>("parts", "u32"), (std::vector<std::uint32_t>{0, 0, 1, 1}));
+}
+
+TEST_F(ModelOf, CountsTrianglesAsTheProjectDoesWhereMendingDropsSome) {
+  // The second triangle repeats the first, the fourth is no more than a line.
+  const std::string text = R"(
+[terrain]
+vertices = [[0, 0, 0], [10, 0, 0], [10, 10, 5], [0, 10, 5], [20, 0, 0]]
+triangles = [[0, 1, 2], [0, 1, 2], [0, 2, 3], [0, 1, 4], [1, 4, 2]]
+[[material]]
+name = "Rock"
+[[material]]
+name = "Soil"
+[ground]
+triangles = [0, 0, 1, 0, 1]
+[[seeder]]
+position = [5, 2, "surface"]
+mass_kg = 1000
+)";
+  const Json model = model_of(text);
+  EXPECT_EQ(model["facets"], 3);
+  const ArraysOf mesh(get(at(model, "mesh")));
+  EXPECT_EQ(mesh.header["parts"], 5);
+  EXPECT_EQ(mesh.get<std::uint32_t>("parts", "u32"), (std::vector<std::uint32_t>{0, 2, 4}));
+  EXPECT_EQ(mesh.get<std::uint8_t>("materials", "u8"), (std::vector<std::uint8_t>{0, 1, 1}));
 }
 
 TEST_F(ModelOf, HasTheTrianglesOfTheEngine) {
@@ -305,6 +344,23 @@ TEST_F(ModelOf, ShowsPlacesWhereRocksStart) {
     rows.insert(std::floor(p[1].get<double>()));
   }
   EXPECT_EQ(rows.size(), 28U);  // from all over the area, not only from where the first rocks start
+}
+
+TEST_F(ModelOf, ShowsAreasOnTheGround) {
+  const Json model = model_of(std::string(mesh_text) +
+                              "[[area]]\nname = \"Fan\"\nmaterial = \"Rock\"\n"
+                              "polygon = [[1002, 2], [1006, 2], [1006, 300]]\n");
+  ASSERT_EQ(model["areas"].size(), 1U);
+  const Json& area = model["areas"][0];
+  EXPECT_EQ(area["name"], "Fan");
+  EXPECT_EQ(area["path"], "area.0");
+  EXPECT_EQ(model["materials"][area["material"].get<std::size_t>()], "Rock");
+  ASSERT_EQ(area["sides"].size(), 3U);  // the parts of them that have ground below
+  for (const Json& side : area["sides"]) {
+    for (const Json& p : side) EXPECT_NEAR(p[2].get<double>(), 20 - (p[0].get<double>() - 1000), 1e-9);
+  }
+  EXPECT_EQ(area["sides"][0].front()[0], 1002);
+  EXPECT_EQ(area["sides"][0].back()[0], 1006);
 }
 
 TEST_F(ModelOf, IsTheSameForTheSameText) {

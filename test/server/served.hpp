@@ -135,7 +135,7 @@ class Served : public ::testing::Test {
   Reply send(const std::string& method, const std::string& what, const std::string& body = {},
              httplib::Headers headers = {}) const {
     httplib::Client client("127.0.0.1", port_);
-    client.set_read_timeout(60, 0);
+    client.set_read_timeout(600, 0);  // a build with sanitizers is slow
     if (headers.find("Cookie") == headers.end()) headers.emplace("Cookie", cookie_);
     httplib::Request request;
     request.method = method;

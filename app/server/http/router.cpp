@@ -49,15 +49,22 @@ Answer answer_of(const std::function<Answer()>& function) {
   }
 }
 
-Json read_body(const httplib::Request& request, const Limits& limits) {
+Json read_body(const httplib::Request& request, const httplib::ContentReader& content, const Limits& limits) {
   const std::string type = request.get_header_value("Content-Type");
   if (type.substr(0, type.find(';')) != "application/json")
     throw Refusal(415, "Content-Type", fmt::format("\"{}\" is not understood", type), "expected application/json");
-  if (request.body.size() > limits.json_bytes)
-    throw Refusal(413, "", fmt::format("the request has {} bytes", request.body.size()),
-                  fmt::format("at most {} are read", limits.json_bytes));
-  if (io::depth_of_json(request.body) > io::deepest_json) throw Refusal(400, "", "lists lie too deep in the request");
-  Json body = Json::parse(request.body, nullptr, false);
+  std::string text;
+  bool is_too_large = false;
+  const bool is_whole = content([&](const char* data, std::size_t length) {
+    is_too_large = length > limits.json_bytes - text.size();
+    if (!is_too_large) text.append(data, length);
+    return !is_too_large;
+  });
+  if (is_too_large)
+    throw Refusal(413, "", "the request is too large", fmt::format("at most {} bytes are read", limits.json_bytes));
+  if (!is_whole) throw Refusal(400, "", "the request did not arrive whole");
+  if (io::depth_of_json(text) > io::deepest_json) throw Refusal(400, "", "lists lie too deep in the request");
+  Json body = Json::parse(text, nullptr, false);
   if (body.is_discarded()) throw Refusal(400, "", "the request's body is no JSON");
   if (!body.is_object()) throw Refusal(400, "", "the request's body is no JSON object");
   return body;
@@ -160,31 +167,31 @@ bool Router::lets_in(const httplib::Request& request, httplib::Response& respons
   return true;
 }
 
-httplib::Server::Handler Router::guarded(Handler handler, bool has_body) const {
-  return [this, handler = std::move(handler), has_body](const httplib::Request& request, httplib::Response& response) {
-    write(answer_of([&] {
-            Call call{request};
-            if (has_body) call.body = read_body(request, limits_);
-            return handler(call);
-          }),
-          response);
+httplib::Server::Handler Router::guarded(Handler handler) {
+  return [handler = std::move(handler)](const httplib::Request& request, httplib::Response& response) {
+    write(answer_of([&] { return handler(Call{request}); }), response);
   };
 }
 
-void Router::get(const std::string& pattern, Handler handler) {
-  server_.Get(pattern, guarded(std::move(handler), false));
+httplib::Server::HandlerWithContentReader Router::guarded_with_body(Handler handler) const {
+  return [this, handler = std::move(handler)](const httplib::Request& request, httplib::Response& response,
+                                              const httplib::ContentReader& content) {
+    write(answer_of([&] { return handler(Call{request, read_body(request, content, limits_)}); }), response);
+  };
 }
+
+void Router::get(const std::string& pattern, Handler handler) { server_.Get(pattern, guarded(std::move(handler))); }
 void Router::post(const std::string& pattern, Handler handler) {
-  server_.Post(pattern, guarded(std::move(handler), true));
+  server_.Post(pattern, guarded_with_body(std::move(handler)));
 }
 void Router::put(const std::string& pattern, Handler handler) {
-  server_.Put(pattern, guarded(std::move(handler), true));
+  server_.Put(pattern, guarded_with_body(std::move(handler)));
 }
 void Router::patch(const std::string& pattern, Handler handler) {
-  server_.Patch(pattern, guarded(std::move(handler), true));
+  server_.Patch(pattern, guarded_with_body(std::move(handler)));
 }
 void Router::remove(const std::string& pattern, Handler handler) {
-  server_.Delete(pattern, guarded(std::move(handler), false));
+  server_.Delete(pattern, guarded(std::move(handler)));
 }
 
 void Router::stream(const std::string& pattern, RawHandler handler) {

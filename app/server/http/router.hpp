@@ -60,7 +60,9 @@ class Router {
 
  private:
   [[nodiscard]] bool lets_in(const httplib::Request& request, httplib::Response& response) const;
-  [[nodiscard]] httplib::Server::Handler guarded(Handler handler, bool has_body) const;
+  [[nodiscard]] static httplib::Server::Handler guarded(Handler handler);
+  /// No more of the body is taken than is allowed of JSON.
+  [[nodiscard]] httplib::Server::HandlerWithContentReader guarded_with_body(Handler handler) const;
 
   httplib::Server& server_;
   Session& session_;

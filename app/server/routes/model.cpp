@@ -26,7 +26,7 @@ Answer answer_of(const Workplace& workplace, const fs::path& file, const std::st
 }
 
 Json profile_json(const Model& model, const Profile& profile) {
-  Json vertices = Json::array(), materials = Json::array();
+  Json vertices = Json::array(), materials = Json::array(), segments = Json::array();
   const auto add = [&](const Vec3& local) {
     const Vec3 p = model.frame.global_from_local(local);
     vertices.push_back({p.x(), p.z()});
@@ -36,8 +36,9 @@ Json profile_json(const Model& model, const Profile& profile) {
     if (k == 0) add(outline.edges[0].point);
     add(outline.edges[1].point);
     materials.push_back(model.ground.material_of(profile.source({k})).index);
+    segments.push_back(model.parts.of(profile.source({k})));
   }
-  return {{"vertices", std::move(vertices)}, {"materials", std::move(materials)}};
+  return {{"vertices", std::move(vertices)}, {"materials", std::move(materials)}, {"segments", std::move(segments)}};
 }
 
 /// Triangles whose corners that lie together are one vertex.
@@ -46,19 +47,19 @@ class SharedVertices {
   explicit SharedVertices(std::size_t triangles) {
     numbers_.reserve(triangles / 2 + 3);
     triangles_.reserve(3 * triangles);
-    sources_.reserve(triangles);
+    parts_.reserve(triangles);
     materials_.reserve(triangles);
   }
-  void add(const Triangle& triangle, std::uint32_t source, MaterialId material) {
+  void add(const Triangle& triangle, std::uint32_t part, MaterialId material) {
     for (const Vec3& corner : triangle) triangles_.push_back(vertex(corner));
-    sources_.push_back(source);
+    parts_.push_back(part);
     materials_.push_back(material.index);
   }
   [[nodiscard]] Answer answer(const Model& model) const {
-    Arrays arrays(Json{{"origin", as_json(model.frame.origin)}});
+    Arrays arrays(Json{{"origin", as_json(model.frame.origin)}, {"parts", model.parts.count}});
     arrays.add("positions", std::span<const float>(positions_));
     arrays.add("triangles", std::span<const std::uint32_t>(triangles_));
-    arrays.add("sources", std::span<const std::uint32_t>(sources_));
+    arrays.add("parts", std::span<const std::uint32_t>(parts_));
     arrays.add_smallest("materials", materials_, model.ground.materials().size());
     return arrays.answer();
   }
@@ -80,13 +81,14 @@ class SharedVertices {
 
   std::unordered_map<std::array<double, 3>, std::uint32_t, Hash> numbers_;
   std::vector<float> positions_;
-  std::vector<std::uint32_t> triangles_, sources_, materials_;
+  std::vector<std::uint32_t> triangles_, parts_, materials_;
 };
 
 Answer mesh_answer(const Model& model) {
   SharedVertices vertices(std::visit([](const auto& surface) { return surface.facet_count(); }, model.surface));
   const auto add = [&](const auto& surface, FacetId facet) {
-    vertices.add(surface.triangle(facet), surface.source(facet), model.ground.material_of(surface.source(facet)));
+    const std::uint32_t source = surface.source(facet);
+    vertices.add(surface.triangle(facet), model.parts.of(source), model.ground.material_of(source));
   };
   if (const auto* mesh = std::get_if<TriangleMesh>(&model.surface)) {
     for (std::uint32_t k = 0; k < mesh->facet_count(); ++k) add(*mesh, {k});

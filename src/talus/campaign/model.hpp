@@ -23,10 +23,20 @@ struct VaryingSection {
   std::vector<std::array<Sampler, 2>> shifts;  // of x and z [m]
 };
 
+/// How a project counts what its terrain is made of: the segments of a section, extruded or not, the triangles of a
+/// mesh before it was mended, the cells of a raster.
+struct TerrainParts {
+  std::size_t count = 0;
+  std::vector<std::uint32_t> of_source;  // for each number that a surface's source() gives; empty: the same number
+
+  [[nodiscard]] std::uint32_t of(std::uint32_t source) const { return of_source.empty() ? source : of_source[source]; }
+};
+
 struct Model {
   std::variant<Profile, TriangleMesh, RasterSurface> surface;
   std::optional<VaryingSection> varying;  // only with a Profile
   LocalFrame frame;
+  TerrainParts parts;
   std::string crs_wkt;         // of the user's coordinates; empty: not known
   std::string terrain_report;  // what mending the mesh found and did, for the user
   std::string seeder_report;   // from where seeders on lines and cells start rocks, a line each, for the user

@@ -76,7 +76,27 @@ bool seems_to_be_in_degrees(GDALDataset& dataset, const Placing& at) {
          north - at.south < widest && std::max(at.dx, at.dy) < largest_cell;
 }
 
-void judge_place(GDALDataset& dataset, const Placing& at, const OGRSpatialReference* crs, RasterProblems& problems) {
+/// The file's own, or that which is said of files that name none.
+std::optional<OGRSpatialReference> crs_of(GDALDataset& dataset, const SaidOfCrs& said, RasterProblems& problems) {
+  const OGRSpatialReference* own = dataset.GetSpatialRef();
+  if (own && !own->IsEmpty()) {
+    const SurveyCrs of_file{wkt_of(*own), name_of(*own)};
+    if (said.is_local || (said.crs.is_known() && !have_one_plan(of_file, said.crs))) {
+      problems.refuse(fmt::format("is in {}", of_file.name),
+                      fmt::format("the project says crs = \"{}\"", said.is_local ? "local" : said.crs.name),
+                      "Leave out crs, or give the file the true one: " +
+                          problems.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif"));
+    }
+    return *own;
+  }
+  OGRSpatialReference crs;
+  if (!said.crs.is_known() || crs.importFromWkt(said.crs.wkt.c_str()) != OGRERR_NONE) return std::nullopt;
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return crs;
+}
+
+void judge_place(GDALDataset& dataset, const Placing& at, const OGRSpatialReference* crs, bool is_local,
+                 RasterProblems& problems) {
   constexpr double smallest_cell = 1e-3;  // m
   const double east = at.west + at.dx * dataset.GetRasterXSize(), north = at.south + at.dy * dataset.GetRasterYSize();
   if (std::max({std::abs(at.west), std::abs(east), std::abs(at.south), std::abs(north)}) > largest_coordinate_m) {
@@ -85,7 +105,7 @@ void judge_place(GDALDataset& dataset, const Placing& at, const OGRSpatialRefere
                                 at.west, east, at.south, north, largest_coordinate_m),
                     "Tell it: " + problems.command("gdal_translate -a_ullr WEST NORTH EAST SOUTH", "_placed.tif"));
   } else if (crs ? !crs->IsGeographic() && std::min(at.dx, at.dy) < smallest_cell
-                 : seems_to_be_in_degrees(dataset, at)) {
+                 : !is_local && seems_to_be_in_degrees(dataset, at)) {
     problems.refuse("seems to be in degrees",
                     fmt::format("its cells are {:.6g} x {:.6g}, and it {}", at.dx, at.dy,
                                 crs ? "is said to be in " + name_of(*crs) : "names no coordinate system"),
@@ -328,7 +348,7 @@ class BandReader {
 
 bool can_read_rasters() { return true; }
 
-RasterFile read_raster_file(const std::filesystem::path& path, Problems& warnings) {
+RasterFile read_raster_file(const std::filesystem::path& path, Problems& warnings, const SaidOfCrs& said) {
   GdalMessages messages;
   RasterProblems problems(path);
   const GDALDatasetUniquePtr dataset = open_raster(messages, problems);
@@ -336,8 +356,8 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
 
   judge_size(*dataset, problems);
   const auto place = placing(*dataset, problems);
-  const OGRSpatialReference* crs = dataset->GetSpatialRef();
-  if (crs && crs->IsEmpty()) crs = nullptr;
+  const std::optional<OGRSpatialReference> named = crs_of(*dataset, said, problems);
+  const OGRSpatialReference* const crs = named ? &*named : nullptr;
   std::optional<Vec2> centre;
   double t[6];
   if (dataset->GetGeoTransform(t) == CE_None) {
@@ -347,7 +367,7 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
   judge_band(band, problems);
   // Before the plan: a projected copy would no longer say what unit its heights are in.
   judge_unit(band, crs, problems);
-  if (place) judge_place(*dataset, *place, crs, problems);
+  if (place) judge_place(*dataset, *place, crs, said.is_local, problems);
   if (crs) judge_terrain_crs(*crs, centre, problems);
   problems.throw_if_any();
 
@@ -355,10 +375,10 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
   if (crs) {
     out.crs_wkt = wkt_of(*crs);
     out.crs_name = name_of(*crs);
-  } else {
+  } else if (!said.is_local) {
     problems.warn("names no coordinate system",
                   fmt::format("its cells are taken to be {:.6g} x {:.6g} m", place->dx, place->dy),
-                  "Name it: " + problems.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif"));
+                  "Name it: crs = \"EPSG:XXXX\" in [terrain], or \"local\" for metres of no map");
   }
   if (dataset->GetRasterCount() > 1 && dataset->GetRasterBand(2)->GetColorInterpretation() != GCI_AlphaBand) {
     problems.warn(fmt::format("has {} bands", dataset->GetRasterCount()), "Talus reads the first");
@@ -376,7 +396,7 @@ namespace talus {
 
 bool can_read_rasters() { return false; }
 
-RasterFile read_raster_file(const std::filesystem::path& path, Problems&) {
+RasterFile read_raster_file(const std::filesystem::path& path, Problems&, const SaidOfCrs&) {
   throw BadInput(Problem{.file = path.string(),
                          .where = {},
                          .what = "cannot be read",

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/survey_crs.hpp"
 #include "talus/terrain/raster_grid.hpp"
 
 namespace talus {
@@ -20,8 +21,8 @@ inline constexpr double greatest_elevation_m = 100000;
 
 struct RasterFile {
   RasterGrid grid;                 // in the file's coordinates [m]; its nodes are the centres of the file's cells
-  std::string crs_wkt;             // the coordinate system as WKT 2; empty where the file names none
-  std::string crs_name;            // for people, for example "EPSG:31287"; empty where the file names none
+  std::string crs_wkt;             // the coordinate system as WKT 2; empty where nobody names one
+  std::string crs_name;            // for people, for example "EPSG:31287"; empty where nobody names one
   std::uint64_t without_data = 0;  // nodes
 };
 
@@ -36,7 +37,9 @@ struct RasterFile {
 ///
 /// Throws BadInput with all that is wrong: no file, no raster or one cut short, a plan that is not in metres, turned,
 /// or of unknown place, heights that are not in metres, or none, too few cells or too many. Each says how to mend it.
+/// `said` holds where the file names no coordinate system; where it names another there is a refusal.
 /// What is only doubtful is added to `warnings`.
-[[nodiscard]] RasterFile read_raster_file(const std::filesystem::path& path, Problems& warnings);
+[[nodiscard]] RasterFile read_raster_file(const std::filesystem::path& path, Problems& warnings,
+                                          const SaidOfCrs& said = {});
 
 }  // namespace talus

@@ -17,6 +17,12 @@ struct SurveyCrs {
   [[nodiscard]] bool is_known() const { return !wkt.empty(); }
 };
 
+/// What the project says of coordinates.
+struct SaidOfCrs {
+  SurveyCrs crs;          // of files that name none, and of the terrain; not known: that of the files
+  bool is_local = false;  // metres of no map, even where they look like degrees
+};
+
 /// What a command that mends such a file looks like.
 enum class SurveyKind { text, las, vector };
 

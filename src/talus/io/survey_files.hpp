@@ -14,12 +14,6 @@
 
 namespace talus {
 
-/// What the project says of coordinates.
-struct SaidOfCrs {
-  SurveyCrs crs;          // of files that name none, and of the terrain; not known: that of the files
-  bool is_local = false;  // metres of no map, even where they look like degrees
-};
-
 struct SurveySources {
   std::filesystem::path points;             // .csv .xyz .txt .pts .dat: text; .las; any other: a vector file of points
   std::vector<std::int64_t> point_classes;  // of LAS; empty: all but noise

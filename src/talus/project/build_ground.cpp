@@ -7,6 +7,8 @@
 #include <map>
 
 #include "talus/io/class_raster.hpp"
+#include "talus/project/ground_areas.hpp"
+#include "talus/project/ground_parts.hpp"
 #include "talus/project/ground_polygons.hpp"
 
 namespace talus::project {
@@ -21,12 +23,6 @@ Problem about_ground(const Project& project, std::string what, std::string why, 
           .what = std::move(what),
           .why = std::move(why),
           .hint = std::move(hint)};
-}
-
-std::uint32_t number_of(const Project& project, const std::string& material) {
-  const auto found = std::find_if(project.materials.begin(), project.materials.end(),
-                                  [&](const Material& m) { return m.name == material; });
-  return static_cast<std::uint32_t>(found - project.materials.begin());
 }
 
 /// Calls take(number, middle) for every cell with data or triangle, as the surface's source numbers it, the middle in
@@ -53,10 +49,10 @@ class Classifier {
   Classifier(const Project& project, const BuiltTerrain& terrain, Problems& warnings)
       : project_(project),
         raster_(project.file.parent_path() / project.ground.raster, terrain.crs_wkt, warnings),
-        default_(static_cast<std::uint8_t>(number_of(project, project.ground.default_material))),
+        default_(static_cast<std::uint8_t>(number_of_material(project, project.ground.default_material))),
         of_part_(terrain.facet_centres.empty() ? terrain.parts : terrain.facet_centres.size(), default_) {
     for (const auto& [number, material] : project.ground.classes) {
-      material_of_class_[number] = static_cast<std::uint8_t>(number_of(project, material));
+      material_of_class_[number] = static_cast<std::uint8_t>(number_of_material(project, material));
     }
     for_each_part(terrain, [&](std::size_t number, const Vec2& middle) {
       numbers_.push_back(number);
@@ -131,42 +127,20 @@ class Classifier {
   std::vector<Vec2> middles_;
 };
 
-// A byte a cell or triangle, from a raster of classes or from polygons.
-talus::Ground from_gis(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
-                       Problems& problems, Problems& warnings) {
-  constexpr std::size_t most_materials = std::numeric_limits<std::uint8_t>::max();  // one number stands for none
-  const bool by_raster = !project.ground.raster.empty();
-  if (materials.size() > most_materials) {
-    problems.add(about_ground(
-        project, fmt::format("{} is given with {} materials", by_raster ? "raster" : "polygons", materials.size()),
-        fmt::format("a ground from a file has at most {}", most_materials)));
-    return {};
-  }
-  try {
-    if (!by_raster) return talus::Ground(std::move(materials), materials_of_polygons(project, terrain, warnings));
-    Classifier classifier(project, terrain, warnings);
-    return talus::Ground(std::move(materials), classifier.materials(terrain, problems, warnings));
-  } catch (const BadInput& bad) {
-    problems.append(bad.problems());
-    return {};
-  }
+/// A byte a cell or triangle, from a raster of classes or from polygons.
+std::vector<std::uint8_t> from_gis(const Project& project, const BuiltTerrain& terrain, Problems& problems,
+                                   Problems& warnings) {
+  if (project.ground.raster.empty()) return materials_of_polygons(project, terrain, warnings);
+  Classifier classifier(project, terrain, warnings);
+  return classifier.materials(terrain, problems, warnings);
 }
 
-}  // namespace
-
-talus::Ground build_ground(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
-                           Problems& problems, Problems& warnings) {
+/// The materials that the project lists by segments or triangles, in the order of the surface's source.
+std::vector<MaterialId> listed(const Project& project, const BuiltTerrain& terrain, Problems& problems) {
   const Ground& ground = project.ground;
-  if (!ground.raster.empty() || !ground.polygons.empty()) {
-    return from_gis(project, std::move(materials), terrain, problems, warnings);
-  }
-  if (ground.segments.empty() && ground.triangles.empty()) {
-    return talus::Ground(std::move(materials), MaterialId{number_of(project, ground.default_material)});
-  }
-
   std::vector<MaterialId> of_part;
   of_part.reserve(terrain.parts);
-  for (const std::string& name : ground.segments) of_part.push_back(MaterialId{number_of(project, name)});
+  for (const std::string& name : ground.segments) of_part.push_back(MaterialId{number_of_material(project, name)});
   // The section was walked from left to right; its materials come with it.
   if (!ground.segments.empty() && project.terrain.section.front()[0] > project.terrain.section.back()[0]) {
     std::reverse(of_part.begin(), of_part.end());
@@ -179,11 +153,52 @@ talus::Ground build_ground(const Project& project, std::vector<talus::Material> 
     problems.add(std::move(problem));
     return {};
   }
-  if (terrain.part_of_facet.empty()) return talus::Ground(std::move(materials), std::move(of_part));
+  if (terrain.part_of_facet.empty()) return of_part;
   std::vector<MaterialId> of_facet;
   of_facet.reserve(terrain.part_of_facet.size());
   for (const std::uint32_t part : terrain.part_of_facet) of_facet.push_back(of_part[part]);
-  return talus::Ground(std::move(materials), std::move(of_facet));
+  return of_facet;
+}
+
+}  // namespace
+
+talus::Ground build_ground(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
+                           Problems& problems, Problems& warnings) {
+  constexpr std::size_t most_materials = std::numeric_limits<std::uint8_t>::max();  // one number stands for none
+  const Ground& ground = project.ground;
+  const bool is_gis = !ground.raster.empty() || !ground.polygons.empty();
+  const bool is_listed = !ground.segments.empty() || !ground.triangles.empty();
+  const MaterialId standard{number_of_material(project, ground.default_material)};
+  if (!is_gis && project.areas.empty()) {
+    if (!is_listed) return talus::Ground(std::move(materials), standard);
+    return talus::Ground(std::move(materials), listed(project, terrain, problems));
+  }
+
+  if (materials.size() > most_materials) {
+    const std::string_view what = !ground.raster.empty() ? "raster" : is_gis ? "polygons" : "an area";
+    problems.add(
+        about_ground(project, fmt::format("{} is given with {} materials", what, materials.size()),
+                     fmt::format("a ground {} has at most {}", is_gis ? "from a file" : "with areas", most_materials)));
+    return {};
+  }
+  try {
+    std::vector<std::uint8_t> of_part;
+    if (is_gis) {
+      of_part = from_gis(project, terrain, problems, warnings);
+    } else if (is_listed) {
+      for (const MaterialId id : listed(project, terrain, problems)) {
+        of_part.push_back(static_cast<std::uint8_t>(id.index));
+      }
+    } else {
+      of_part.assign(GroundParts(terrain).count(), static_cast<std::uint8_t>(standard.index));
+    }
+    if (problems.has_errors()) return {};
+    paint_areas(project, terrain, of_part, warnings);
+    return talus::Ground(std::move(materials), std::move(of_part));
+  } catch (const BadInput& bad) {
+    problems.append(bad.problems());
+    return {};
+  }
 }
 
 }  // namespace talus::project

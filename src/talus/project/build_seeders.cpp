@@ -8,6 +8,7 @@
 #include "talus/io/vector_file.hpp"
 #include "talus/project/choose_cells.hpp"
 #include "talus/project/drawn.hpp"
+#include "talus/project/named_files.hpp"
 #include "talus/project/settings.hpp"
 
 namespace talus::project {
@@ -17,13 +18,13 @@ namespace {
 constexpr double radians = std::numbers::pi / 180;
 constexpr std::uint64_t most_complaints = 5;  // of the vertices of one seeder
 
+/// Adds one seeder.
 class SeederBuilder {
  public:
   SeederBuilder(const Project& project, Model& model, Problems& problems, Problems& warnings)
       : project_(project), model_(model), problems_(problems), warnings_(warnings) {}
 
   void add(const Seeder& s) {
-    off_terrain_ = 0;
     talus::Seeder seeder;
     seeder.name = s.name;
     seeder.first_rock = model_.rocks();
@@ -219,14 +220,27 @@ class SeederBuilder {
   Model& model_;
   Problems& problems_;
   Problems& warnings_;
-  std::uint64_t off_terrain_ = 0;  // places of the seeder being added
+  std::uint64_t off_terrain_ = 0;  // places
 };
+
+/// As the reader calls it: by its name, or by its number where it has none.
+std::string row_of(const Project& project, std::size_t i) {
+  std::string by_name = fmt::format("seeder \"{}\"", project.seeders[i].name);
+  const bool is_named = std::any_of(project.named_files.begin(), project.named_files.end(),
+                                    [&](const NamedFile& file) { return file.where == by_name; });
+  return is_named ? by_name : fmt::format("seeder {}", i + 1);
+}
 
 }  // namespace
 
 void add_seeders(const Project& project, Model& model, Problems& problems, Problems& warnings) {
-  SeederBuilder builder(project, model, problems, warnings);
-  for (const Seeder& seeder : project.seeders) builder.add(seeder);
+  for (std::size_t i = 0; i < project.seeders.size(); ++i) {
+    const Seeder& seeder = project.seeders[i];
+    naming_files(project, row_of(project, i), problems, warnings, [&](Problems& own_problems, Problems& own_warnings) {
+      SeederBuilder(project, model, own_problems, own_warnings).add(seeder);
+      return true;
+    });
+  }
 }
 
 }  // namespace talus::project

@@ -7,6 +7,12 @@
 namespace talus::project {
 namespace {
 
+std::filesystem::path beside(const Project& project, const std::filesystem::path& file) {
+  return file.empty() ? file : project.file.parent_path() / file;
+}
+
+}  // namespace
+
 SaidOfCrs said_of_crs(const Project& project) {
   const std::string& words = project.terrain.crs;
   if (words.empty()) return {};
@@ -18,12 +24,6 @@ SaidOfCrs said_of_crs(const Project& project) {
                          .why = "no coordinate system of this name is known",
                          .hint = "Expected for example \"EPSG:31287\", or \"local\""});
 }
-
-std::filesystem::path beside(const Project& project, const std::filesystem::path& file) {
-  return file.empty() ? file : project.file.parent_path() / file;
-}
-
-}  // namespace
 
 SurveyedMesh survey_mesh(const Project& project, Problems& warnings) {
   const Terrain& terrain = project.terrain;

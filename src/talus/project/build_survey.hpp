@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/survey_crs.hpp"
 #include "talus/project/project.hpp"
 #include "talus/terrain/raw_mesh.hpp"
 
@@ -22,6 +23,9 @@ struct SurveyedMesh {
 
 /// From `polylines` or `polygons`; not yet merged.
 [[nodiscard]] SurveyedMesh polygon_mesh(const Project& project, Problems& warnings);
+
+/// What `crs` says. Throws BadInput where nobody knows the coordinate system.
+[[nodiscard]] SaidOfCrs said_of_crs(const Project& project);
 
 /// The coordinate system that `crs` names, as WKT; empty where it names none. Throws BadInput where nobody knows it, or
 /// where it is not in metres.

@@ -111,7 +111,7 @@ BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
   for (const std::uint32_t original : mesh.original)
     built.part_of_facet.push_back(is_extruded ? original / 2 : original);
 
-  if (!project.ground.raster.empty() || !project.ground.polygons.empty()) {
+  if (!project.ground.raster.empty() || !project.ground.polygons.empty() || !project.areas.empty()) {
     for (const auto& [a, b, c] : mesh.triangles) {
       const Vec3 centre = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
       built.facet_centres.emplace_back(centre.x(), centre.y());
@@ -139,7 +139,8 @@ BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
 }
 
 BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
-  RasterFile file = read_raster_file(project.file.parent_path() / project.terrain.raster, warnings);
+  RasterFile file =
+      read_raster_file(project.file.parent_path() / project.terrain.raster, warnings, said_of_crs(project));
   RasterGrid& grid = file.grid;
   BuiltTerrain built;
   const std::uint64_t cells = (std::uint64_t{grid.columns} - 1) * (grid.rows - 1);

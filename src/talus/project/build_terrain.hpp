@@ -19,7 +19,7 @@ struct BuiltTerrain {
   std::string crs_wkt;                       // of the user's coordinates; empty: not known
   std::string report;                        // what mending a mesh found and did; what a raster is
   std::vector<std::uint32_t> part_of_facet;  // for each facet as the surface's source numbers it
-  std::vector<Vec2> facet_centres;           // the same facets on plan, the user's; where a ground from GIS needs them
+  std::vector<Vec2> facet_centres;           // the same facets on plan, the user's; where a ground from GIS or an area needs them
   std::vector<double> facet_areas;           // and their areas on plan [m2]; where a ground from polygons needs them
 };
 

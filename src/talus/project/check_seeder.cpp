@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <array>
 
+#include "talus/project/named_files.hpp"
+#include "talus/project/settings.hpp"
+#include "talus/project/values.hpp"
+
 namespace talus::project {
 
 namespace {
@@ -43,13 +47,19 @@ std::string_view SeederRules::refuse(std::string_view key, std::string what, std
   return key;
 }
 
+bool SeederRules::misses(std::string_view key) const {
+  static const Table& seeders =
+      *std::find_if(tables().begin(), tables().end(), [](const Table& table) { return table.key == "seeder"; });
+  return !has(key) && !is_mistyped(seeders, row, key);
+}
+
 void SeederRules::check() const {
   if (type_is_good) {
     about_idle_keys(about_place());
     if (seeder.type == SeederType::polygon || seeder.type == SeederType::raster) about_cells();
   }
   about_files();
-  if (!has("mass_kg") && !has("volume_m3") && !has("diameter_m")) {
+  if (misses("mass_kg") && misses("volume_m3") && misses("diameter_m")) {
     refuse("mass_kg", "the size of the rocks is missing", "expected one of mass_kg, volume_m3 and diameter_m");
   }
 }
@@ -71,6 +81,7 @@ std::string_view SeederRules::about_place() const {
       if (!polygon.empty()) {
         return refuse(polygon, "a polygon is given for a point", "it has an area", "Write type = \"polygon\"");
       }
+      if (!misses("position")) return "";
       return refuse("position", "position is missing", "a point seeder needs it");
     case SeederType::line:
       if (has_points) return "";
@@ -82,10 +93,12 @@ std::string_view SeederRules::about_place() const {
         return refuse("position", "position is given for a line", "a line seeder needs two or more points",
                       "Write points = [..., ...]");
       }
+      if (!misses("points") || !misses("lines")) return "";
       return refuse("points", "points is missing", "a line seeder needs two or more points",
                     "Or name a file: lines = \"cliff.gpkg\"");
     case SeederType::polygon:
       if (!polygon.empty()) return "";
+      if (!misses("polygons") || !misses("polygon")) return "";
       return refuse("polygons", "polygons is missing", "a polygon seeder needs it, or polygon",
                     "Write polygons = \"cliffs.gpkg\", or polygon = [[x, y], ...]");
     case SeederType::raster:
@@ -95,7 +108,7 @@ std::string_view SeederRules::about_place() const {
     return refuse(polygon, "a polygon is given for a raster", "slopes and masks hold for polygons too",
                   "Write type = \"polygon\"");
   }
-  if (has("mask") || has("min_slope_deg") || has("max_slope_deg")) return "";
+  if (!misses("mask") || !misses("min_slope_deg") || !misses("max_slope_deg")) return "";
   return refuse("", "nothing says which cells", "a raster seeder needs a slope or a mask",
                 "Write min_slope_deg = 45, or mask = \"release.tif\"");
 }
@@ -134,7 +147,7 @@ void SeederRules::about_cells() const {
     refuse("max_slope_deg", fmt::format("max_slope_deg is {:g}", *seeder.max_slope_deg),
            fmt::format("min_slope_deg is {:g}, and no cell could be both", *seeder.min_slope_deg));
   }
-  if (!has_grid && !is_flat && !has("cell_m")) {
+  if (!has_grid && !is_flat && misses("cell_m")) {
     refuse("cell_m", "cell_m is missing", "the terrain is no raster, so it has no cells of its own",
            "Give the side of the cells from which rocks start, in metres");
   }
@@ -145,15 +158,11 @@ void SeederRules::about_cells() const {
 }
 
 void SeederRules::about_files() const {
-  // A project that is only a text has no folder in which its files could lie.
-  std::error_code error;
-  if (!std::filesystem::exists(project.file, error)) return;
   const auto look = [&](std::string_view key, const std::filesystem::path& file) {
     if (!good(key)) return;
-    const std::filesystem::path path = project.file.parent_path() / file;
-    if (path.string().starts_with("/vsi") || std::filesystem::exists(path, error)) return;
-    refuse(key, fmt::format("{} is \"{}\"", key, file.string()), fmt::format("there is no file {}", path.string()),
-           "Its path is relative to the project file");
+    const std::string why = why_missing(project, file);
+    if (why.empty()) return;
+    refuse(key, fmt::format("{} is \"{}\"", key, file.string()), why, "Its path is relative to the project file");
   };
   look("lines", seeder.lines);
   look("polygons", seeder.polygons);

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <system_error>
+
+#include "talus/project/named_files.hpp"
 
 namespace talus::project {
 namespace {
@@ -55,10 +56,8 @@ void SurveyRules::about_company() const {
     if (!node || has_effect) continue;
     complain(node, fmt::format("{} is given without {}", key, needed), "it would have no effect", "", Severity::error);
   }
-  if (const auto* crs = good("crs"); crs && (row.contains("section") || row.contains("raster"))) {
-    complain(crs, fmt::format("crs is given for a {}", row.contains("raster") ? "raster" : "section"),
-             row.contains("raster") ? "a raster names its own" : "a section lies nowhere on a map",
-             row.contains("raster") ? "Name the raster's with gdal_translate -a_srs" : "Leave it out", Severity::error);
+  if (const auto* crs = good("crs"); crs && row.contains("section")) {
+    complain(crs, "crs is given for a section", "a section lies nowhere on a map", "Leave it out", Severity::error);
   }
   if (const auto* turn = good("rotate_deg"); turn && (has_survey || has_polygons) && project.terrain.rotate_deg != 0) {
     complain(turn,
@@ -79,15 +78,10 @@ void SurveyRules::about_files() const {
   for (const auto& [key, file] : files) {
     const auto* node = good(key);
     if (!node) continue;
-    // What GDAL opens may be a folder, or lie in a file system of its own; a project that is only a text has no folder.
-    std::error_code error;
-    const std::filesystem::path path = project.file.parent_path() / *file;
-    if (!std::filesystem::exists(project.file, error) || std::filesystem::exists(path, error) ||
-        path.string().starts_with("/vsi")) {
-      continue;
-    }
-    complain(node, fmt::format("{} is {}", key, quoted(*node)), fmt::format("there is no file {}", path.string()),
-             "Its path is relative to the project file", Severity::error);
+    const std::string why = why_missing(project, *file);
+    if (why.empty()) continue;
+    complain(node, fmt::format("{} is {}", key, quoted(*node)), why, "Its path is relative to the project file",
+             Severity::error);
   }
   if (!good("points")) return;
   if (const auto* classes = good("point_classes"); classes && !is_las(terrain.points)) {

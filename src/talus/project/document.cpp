@@ -12,6 +12,8 @@
 #include <system_error>
 #include <vector>
 
+#include "talus/project/decimal_comma.hpp"
+
 namespace talus::project {
 namespace {
 
@@ -19,6 +21,17 @@ constexpr std::string_view override_mark = "--set ";
 
 Problem about_file(const std::filesystem::path& file, std::string what, std::string why = {}, std::string hint = {}) {
   return {.file = file.string(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
+}
+
+std::string_view line_of(std::string_view text, std::size_t number) {
+  for (; number > 1 && !text.empty(); --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+/// Where a line that is no TOML has a decimal comma.
+std::string comma_hint(std::string_view line) {
+  const std::string number = first_with_point(line);
+  return number.empty() ? "" : fmt::format("Write {}: a number has no comma", number);
 }
 
 /// The longest keys of a project have four parts. toml++ limits how deep values lie in one another (256), but not how
@@ -203,7 +216,7 @@ Document::Document(std::string_view text, std::string file) : file_(std::move(fi
                            .where = {},
                            .what = "this is not TOML",
                            .why = std::string(error.description()),
-                           .hint = {}});
+                           .hint = comma_hint(line_of(text, error.source().begin.line))});
   }
 }
 
@@ -233,7 +246,7 @@ void Document::set(const std::string& override_text, Problems& problems) {
   try {
     parsed = toml::parse("value = " + value_text, std::string_view(source));
   } catch (const toml::parse_error& error) {
-    refuse("the value is not TOML", std::string(error.description()));
+    refuse("the value is not TOML", std::string(error.description()), comma_hint("=" + value_text));
     return;
   }
   if (parsed.size() != 1) {
@@ -307,6 +320,11 @@ std::string quoted(const toml::node& node) {
     text = text.substr(0, cut) + "...";
   }
   return text;
+}
+
+const toml::node* entry(const toml::node* list, std::size_t index) {
+  const toml::array* array = list->as_array();
+  return array && index < array->size() ? array->get(index) : list;
 }
 
 }  // namespace talus::project

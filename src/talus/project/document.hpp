@@ -56,6 +56,9 @@ class Document {
   mutable std::optional<SettingPaths> paths_;  // made for the first complaint
 };
 
+/// An entry of a list; the list itself where it has none of this number.
+[[nodiscard]] const toml::node* entry(const toml::node* list, std::size_t index);
+
 /// A value as a complaint quotes it: in one line, cut where it is long.
 [[nodiscard]] std::string quoted(const toml::node& node);
 

@@ -77,7 +77,7 @@ struct Writer {
     if (slot.barrier->line.empty()) return std::nullopt;
     return two_dimensional ? Json(slot.barrier->line.front()[0]) : Json(slot.barrier->line);
   }
-  Written operator()(PlanPolygonSlot slot) const { return (*this)(&slot.seeder->polygon); }
+  Written operator()(PlanPolygonSlot slot) const { return (*this)(slot.polygon); }
   Written operator()(LibrarySlot slot) const { return (*this)(&slot.material->like); }
   Written operator()(DirectionSlot slot) const {
     const auto& [x, y, z] = *slot.direction;

@@ -9,8 +9,7 @@
 
 #include "talus/core/nearest.hpp"
 #include "talus/io/vector_file.hpp"
-#include "talus/terrain/plan_polygon.hpp"
-#include "talus/terrain/point_buckets.hpp"
+#include "talus/project/ground_parts.hpp"
 
 namespace talus::project {
 
@@ -26,58 +25,6 @@ std::string listed(const std::vector<std::string>& items) {
   if (items.size() > most_listed) out += fmt::format(" and {} more", items.size() - most_listed);
   return out;
 }
-
-/// The middles of the terrain's cells or facets, in the user's coordinates, and their areas on plan.
-class Parts {
- public:
-  explicit Parts(const BuiltTerrain& terrain) : terrain_(terrain) {
-    if (const auto* raster = std::get_if<RasterSurface>(&terrain.surface)) {
-      raster_ = raster;
-      const RasterGrid& grid = raster->grid();
-      const Vec2 first(grid.x0 + 0.5 * grid.dx, grid.y0 + 0.5 * grid.dy);
-      grid_ = {first + Vec2(terrain.frame.origin.head(2)), grid.dx, grid.dy, grid.columns - 1, grid.rows - 1};
-    } else {
-      buckets_.emplace(terrain.facet_centres);
-    }
-  }
-
-  [[nodiscard]] std::size_t count() const { return raster_ ? raster_->cell_count() : terrain_.facet_centres.size(); }
-  [[nodiscard]] const char* name() const { return raster_ ? "cells" : "triangles"; }
-  [[nodiscard]] double area(std::size_t part) const {
-    return raster_ ? grid_.dx * grid_.dy : terrain_.facet_areas[part];
-  }
-  /// Holes of a raster are no ground.
-  [[nodiscard]] bool is_ground(std::size_t part) const {
-    return !raster_ || raster_->has_data(part % grid_.columns, part / grid_.columns);
-  }
-  [[nodiscard]] Vec2 middle(std::size_t part) const {
-    if (!raster_) return terrain_.facet_centres[part];
-    return {grid_.x(static_cast<std::uint32_t>(part % grid_.columns)),
-            grid_.y(static_cast<std::uint32_t>(part / grid_.columns))};
-  }
-
-  /// Calls visit(part) for each whose middle is within a polygon.
-  template <class Visit>
-  void visit_within(const PlanPolygon& polygon, Visit&& visit) const {
-    if (raster_) {
-      visit_points_within(polygon, grid_, [&](std::uint32_t row, std::uint32_t from, std::uint32_t to) {
-        for (std::uint32_t column = from; column < to; ++column) {
-          visit(static_cast<std::size_t>(row) * grid_.columns + column);
-        }
-      });
-    } else {
-      buckets_->visit_near(polygon.low(), polygon.high(), [&](std::uint32_t part) {
-        if (polygon.contains(terrain_.facet_centres[part])) visit(std::size_t{part});
-      });
-    }
-  }
-
- private:
-  const BuiltTerrain& terrain_;
-  const RasterSurface* raster_ = nullptr;
-  PlanGrid grid_;
-  std::optional<PointBuckets> buckets_;
-};
 
 class Assignment {
  public:
@@ -242,6 +189,7 @@ class Assignment {
 
   void report_unused() {
     std::vector<std::string> unused;
+    for (const Area& area : project_.areas) used_[*number_of(area.material)] = true;
     for (std::size_t i = 0; i < used_.size(); ++i) {
       if (used_[i] || project_.materials[i].name == project_.ground.default_material) continue;
       unused.push_back('"' + project_.materials[i].name + '"');
@@ -303,7 +251,7 @@ class Assignment {
   const Project& project_;
   const BuiltTerrain& terrain_;
   Problems& warnings_;
-  Parts parts_;
+  GroundParts parts_;
   VectorLayer layer_;
   std::vector<std::uint8_t> of_feature_, of_part_;
   std::vector<bool> used_;                             // materials that some polygon has

@@ -9,6 +9,7 @@
 #include "talus/project/build_seeders.hpp"
 #include "talus/project/build_terrain.hpp"
 #include "talus/project/drawn.hpp"
+#include "talus/project/named_files.hpp"
 
 namespace talus::project {
 
@@ -73,6 +74,18 @@ Laws laws_of(const Project& project) {
   return laws;
 }
 
+TerrainParts parts_as_given(const Project& project, BuiltTerrain& terrain) {
+  TerrainParts parts{terrain.parts, std::move(terrain.part_of_facet)};
+  const auto& section = project.terrain.section;
+  if (section.empty() || section.front()[0] < section.back()[0]) return parts;
+  // It was walked from left to right.
+  if (parts.of_source.empty()) {
+    for (std::uint32_t k = 0; k < parts.count; ++k) parts.of_source.push_back(k);
+  }
+  for (std::uint32_t& part : parts.of_source) part = static_cast<std::uint32_t>(parts.count) - 1 - part;
+  return parts;
+}
+
 class Builder {
  public:
   Builder(const Project& project, Problems& warnings) : project_(project), warnings_(warnings) {}
@@ -83,10 +96,16 @@ class Builder {
   }
 
   Model build() {
-    BuiltTerrain terrain = build_terrain(project_, warnings_);
+    BuiltTerrain terrain =
+        naming_files(project_, "[terrain]", problems_, warnings_,
+                     [&](Problems&, Problems& warnings) { return build_terrain(project_, warnings); });
     std::vector<talus::Material> materials;
     for (const Material& material : project_.materials) materials.push_back(material_of(material));
-    model_.ground = build_ground(project_, std::move(materials), terrain, problems_, warnings_);
+    model_.ground =
+        naming_files(project_, "[ground]", problems_, warnings_, [&](Problems& problems, Problems& warnings) {
+          return build_ground(project_, std::move(materials), terrain, problems, warnings);
+        });
+    model_.parts = parts_as_given(project_, terrain);
     model_.surface = std::move(terrain.surface);
     model_.varying = std::move(terrain.varying);
     model_.frame = terrain.frame;

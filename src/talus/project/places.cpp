@@ -145,7 +145,7 @@ bool ValueReader::into(const Value& value, PlanPolygonSlot slot) {
                   fmt::format("at or near ({:.10g}, {:.10g})", crossing->x(), crossing->y()),
                   "Give its corners in order, once around");
   }
-  slot.seeder->polygon = std::move(*read);
+  *slot.polygon = std::move(*read);
   return true;
 }
 

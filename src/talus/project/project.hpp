@@ -120,6 +120,14 @@ struct Ground {
   std::map<std::string, std::string> values;    // of that attribute: which is which material; empty: its name
 };
 
+/// [[area]]: a part of the ground of another material than [ground] says; 3D only.
+struct Area {
+  std::string name;  // default: "area N"
+  std::string material;
+  std::vector<std::array<double, 2>> polygon;  // on plan
+  int line = 0;                                // in the project file, for later complaints
+};
+
 enum class SeederType { point, line, polygon, raster };
 enum class PlaceInCell { random, centre };
 
@@ -212,6 +220,15 @@ struct Design {
   double cost_energy_exponent = 0.5;
 };
 
+/// Where a project names a file to read.
+struct NamedFile {
+  std::filesystem::path file;  // as written, relative to the project file
+  std::string said_in;         // the project file, or the option that says it
+  int line = 0;                // 0 in an option
+  std::string where, key;      // the row as complaints call it, for example "[terrain]", and its key
+  std::string path;            // of the setting, for programs: `terrain.raster`
+};
+
 struct Project {
   std::filesystem::path file;  // as the user named it
   std::string name;            // default: the file's stem
@@ -220,10 +237,12 @@ struct Project {
   Terrain terrain;
   std::vector<Material> materials;
   Ground ground;
+  std::vector<Area> areas;
   std::vector<Seeder> seeders;
   std::vector<Barrier> barriers;  // collectors too
   std::optional<Design> design;   // nothing: no barriers are designed
   Output output;
+  std::vector<NamedFile> named_files;
 
   [[nodiscard]] bool has_survey() const { return !terrain.points.empty() || !terrain.lines.empty(); }
   [[nodiscard]] bool is_2d() const { return !terrain.section.empty() && !terrain.width_m; }

@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t most_entries = 100'000;  // of one kind; what is wrong with each is told
 
 void note_line(Row row, int line) {
+  if (auto* area = std::get_if<Area*>(&row)) (*area)->line = line;
   if (auto* seeder = std::get_if<Seeder*>(&row)) (*seeder)->line = line;
   if (auto* barrier = std::get_if<Barrier*>(&row)) (*barrier)->source_line = line;
 }
@@ -84,6 +85,7 @@ void complete(Project& project) {
   if (project.ground.default_material.empty() && !project.materials.empty()) {
     project.ground.default_material = project.materials.front().name;
   }
+  for (std::size_t i = 0; i < project.areas.size(); ++i) name_unnamed(project.areas[i], "area", i);
   for (std::size_t i = 0; i < project.seeders.size(); ++i) {
     Seeder& seeder = project.seeders[i];
     name_unnamed(seeder, "seeder", i);
@@ -169,6 +171,7 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
   }
   if (overrides.rocks && project.seeders.size() > 1) refuse_rocks_per_cell(project, *overrides.rocks, problems);
   if (!problems.has_errors()) complete(project);
+  project.named_files = reader.named_files();
   check(project, document, reader.refused(), problems);
   problems = in_order(problems, document.file());
   if (problems.has_errors()) throw BadInput(std::move(problems));

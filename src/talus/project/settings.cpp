@@ -32,8 +32,9 @@ std::function<Slot(Row)> points_slot() {
 std::function<Slot(Row)> direction_slot() {
   return [](Row row) -> Slot { return DirectionSlot{&std::get<Seeder*>(row)->direction}; };
 }
+template <class Struct>
 std::function<Slot(Row)> plan_polygon_slot() {
-  return [](Row row) -> Slot { return PlanPolygonSlot{std::get<Seeder*>(row)}; };
+  return [](Row row) -> Slot { return PlanPolygonSlot{&std::get<Struct*>(row)->polygon}; };
 }
 std::function<Slot(Row)> library_slot() {
   return [](Row row) -> Slot { return LibrarySlot{std::get<Material*>(row)}; };
@@ -434,9 +435,9 @@ Table terrain() {
               {.key = "crs",
                .slot = member(&Terrain::crs),
                .without_it = "that of the files",
-               .meaning = "Coordinate system of a mesh or a survey whose files name none (a raster names its own), for "
-                          "example \"EPSG:31287\"; vector files in others are brought to it; \"local\" says that "
-                          "coordinates are metres of no map.",
+               .meaning = "Coordinate system of a mesh, a raster or a survey whose files name none, for example "
+                          "\"EPSG:31287\"; vector files in others are brought to it; \"local\" says that coordinates "
+                          "are metres of no map.",
                .source = "Talus"},
               {.key = "rotate_deg",
                .slot = member(&Terrain::rotate_deg),
@@ -572,10 +573,9 @@ Table ground() {
           {
               {.key = "default",
                .slot = member(&Ground::default_material),
-               .without_it =
-                   "the only material; required where there are several and none of segments, triangles, raster and "
-                   "polygons",
-               .meaning = "Name of the material wherever nothing else is said.",
+               .without_it = "the only material",
+               .meaning = "Name of the material wherever nothing else is said; required where there are several "
+                          "materials and none of `segments`, `triangles`, `raster` and `polygons`.",
                .source = "Talus"},
               {.key = "segments",
                .slot = member(&Ground::segments),
@@ -637,6 +637,39 @@ Table ground() {
   };
 }
 
+Table area() {
+  return {
+      .key = "area",
+      .repeated = true,
+      .meaning =
+          "3D: a part of the ground that is of another material than `[ground]` says, drawn on plan; any number "
+          "of entries. Where several hold a place, the later one is its ground.",
+      .settings =
+          {
+              {.key = "name",
+               .slot = member(&Area::name),
+               .without_it = "`area N`, N counted from 1",
+               .meaning = "What complaints call it; no other area has it.",
+               .source = "Talus"},
+              {.key = "material",
+               .slot = member(&Area::material),
+               .required = true,
+               .meaning = "Name of the material of its ground.",
+               .source = "Talus"},
+              {.key = "polygon",
+               .slot = plan_polygon_slot<Area>(),
+               .unit = "m",
+               .required = true,
+               .meaning = "Its corners [x, y] on plan, three or more, in the coordinates of the terrain. A cell or "
+                          "triangle of the terrain belongs to it where its middle does.",
+               .source = "Talus"},
+          },
+      .later = {},
+      .add = [](Project& project) { return added(project.areas); },
+      .rows = [](Project& project) { return all(project.areas); },
+  };
+}
+
 Table seeder() {
   constexpr std::string_view one_size = "one of mass_kg, volume_m3 and diameter_m is required";
   return {
@@ -695,7 +728,7 @@ Table seeder() {
                    "start from the cells whose middle is within one. Its path is relative to the project file.",
                .source = "Talus"},
               {.key = "polygon",
-               .slot = plan_polygon_slot(),
+               .slot = plan_polygon_slot<Seeder>(),
                .unit = "m",
                .without_it = "polygons say it",
                .excludes = {"polygons"},
@@ -1265,8 +1298,8 @@ const Setting* Table::find(std::string_view setting) const {
 std::string Table::heading() const { return fmt::format(fmt::runtime(repeated ? "[[{}]]" : "[{}]"), key); }
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> list{head(),   analysis(), sampling(),  terrain(), material(), ground(),
-                                       seeder(), barrier(),  collector(), design(),  output()};
+  static const std::vector<Table> list{head(), analysis(), sampling(), terrain(),   material(), ground(),
+                                       area(), seeder(),   barrier(),  collector(), design(),   output()};
   return list;
 }
 

@@ -51,7 +51,7 @@ struct PlanLineSlot {
   Barrier* barrier;  // x in 2D, [[x, y], ...] in 3D
 };
 struct PlanPolygonSlot {
-  Seeder* seeder;  // [[x, y], ...], three or more
+  std::vector<std::array<double, 2>>* polygon;  // [[x, y], ...], three or more
 };
 struct LibrarySlot {
   Material* material;  // the key of a material of the library, whose values it takes
@@ -79,8 +79,8 @@ using Slot =
                  PlanPolygonSlot, LibrarySlot, DirectionSlot, RockLimitSlot, MapCellSlot>;
 
 /// One row of a table: the struct that its settings are members of.
-using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Seeder*, Barrier*, Design*,
-                         Output*, Distribution*>;
+using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Area*, Seeder*, Barrier*,
+                         Design*, Output*, Distribution*>;
 
 /// The words of an enumeration in the file, in the order of its enumerators.
 std::span<const std::string_view> words(RockModel);

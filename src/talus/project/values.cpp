@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "talus/core/nearest.hpp"
+#include "talus/project/decimal_comma.hpp"
 #include "talus/project/material_library.hpp"
 
 namespace talus::project {
@@ -41,7 +42,12 @@ bool reads_as_number(const toml::node& node) {
   return *end == '\0';
 }
 
-std::string number_hint(const toml::node& node) { return reads_as_number(node) ? "Leave out the quotes" : ""; }
+std::string number_hint(const toml::node& node) {
+  if (reads_as_number(node)) return "Leave out the quotes";
+  const auto* text = node.as_string();
+  const std::string number = text ? with_point(text->get()) : "";
+  return number.empty() ? "" : fmt::format("Write {}, without quotes", number);
+}
 
 std::string reason(const Range& range, double value) {
   const std::string_view why = value > range.least ? range.too_high : range.too_low;
@@ -50,6 +56,14 @@ std::string reason(const Range& range, double value) {
 
 std::string kind_of_number(std::string_view kind, const Range& range) {
   return range.is_everything() ? std::string(kind) : fmt::format("{}, {}", kind, range.text());
+}
+
+constexpr std::size_t most_unknown = 100;  // keys of one table that are told; more would only hide the others
+
+std::vector<std::string_view> keys_of(const Table& table) {
+  std::vector<std::string_view> keys;
+  for (const Setting& setting : table.settings) keys.push_back(setting.key);
+  return keys;
 }
 
 std::string slip_hint(const Setting& setting, double value) {
@@ -78,6 +92,21 @@ std::string name_of_row(const Table& table, const toml::table& row, std::size_t 
                                 : fmt::format("{} {}", table.key, index + 1);
 }
 
+bool is_mistyped(const Table& table, const toml::table& row, std::string_view key) {
+  const std::vector<std::string_view> known = keys_of(table);
+  std::size_t unknown = 0;
+  for (const auto& [other, node] : row) {
+    if (table.find(other.str())) continue;
+    if (++unknown > most_unknown) return false;
+    if (nearest(other.str(), known) == key) return true;
+  }
+  return false;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view several) {
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
 std::string number_text(double value) {
   constexpr double exact = 9007199254740992.0;  // 2^53: whole numbers up to here are doubles
   if (std::abs(value) < exact && value == std::floor(value)) return fmt::format("{:.0f}", value);
@@ -101,7 +130,7 @@ void ValueReader::read_rows(const Table& table, const toml::table& from, Row row
   for (const Setting& setting : table.settings) {
     const toml::node* node = from.get(setting.key);
     if (!node) {
-      if (!setting.required) continue;
+      if (!setting.required || is_mistyped(table, from, setting.key)) continue;
       Problem problem = document_.at(Spot(&from, &from, setting.key));
       problem.where = where;
       problem.what = fmt::format("{}{} is missing", lead, setting.key);
@@ -116,9 +145,7 @@ void ValueReader::read_rows(const Table& table, const toml::table& from, Row row
 
 void ValueReader::refuse_unknown(const Table& table, const toml::table& from, const std::string& where,
                                  const std::string& lead) {
-  std::vector<std::string_view> known;
-  for (const Setting& setting : table.settings) known.push_back(setting.key);
-  constexpr std::size_t most_complaints = 100;  // of one table; more would only hide the others
+  const std::vector<std::string_view> known = keys_of(table);
   std::size_t unknown = 0;
   for (const auto& [key, node] : from) {
     const std::string_view name = key.str();
@@ -142,7 +169,7 @@ void ValueReader::refuse_unknown(const Table& table, const toml::table& from, co
       problems_.add(std::move(problem));
       continue;
     }
-    if (++unknown > most_complaints) continue;
+    if (++unknown > most_unknown) continue;
     if (table.key.empty() && node.is_table()) {
       problem.what = fmt::format("unknown table [{}]", name);
     } else if (table.key.empty() && node.is_array_of_tables()) {
@@ -175,10 +202,10 @@ void ValueReader::refuse_unknown(const Table& table, const toml::table& from, co
     }
     problems_.add(std::move(problem));
   }
-  if (unknown <= most_complaints) return;
+  if (unknown <= most_unknown) return;
   Problem others = document_.at(from);
   others.where = where;
-  others.what = fmt::format("{} more keys are unknown", unknown - most_complaints);
+  others.what = fmt::format("{} more keys are unknown", unknown - most_unknown);
   problems_.add(std::move(others));
 }
 
@@ -305,6 +332,8 @@ bool ValueReader::into(const Value& value, std::filesystem::path* member) {
   std::string text;
   if (!into(value, &text)) return false;
   *member = text;
+  const Problem here = document_.at(value.node);
+  named_files_.push_back({text, here.file, here.line, value.where, value.name, here.path});
   return true;
 }
 

@@ -21,6 +21,13 @@ namespace talus::project {
 /// How a complaint calls a row: `[analysis]`, `material "Type One"`, `seeder 2` (counted from 1).
 [[nodiscard]] std::string name_of_row(const Table& table, const toml::table& row, std::size_t index);
 
+/// Does this row have an unknown key that was probably meant to be `key`? Then that key is mistyped rather than
+/// missing.
+[[nodiscard]] bool is_mistyped(const Table& table, const toml::table& row, std::string_view key);
+
+/// "1 vertex", "2 vertices".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view several);
+
 /// A number as people write it: whole numbers without a point or an exponent.
 [[nodiscard]] std::string number_text(double value);
 
@@ -31,6 +38,7 @@ class ValueReader {
   /// Reads every key of `from` into `row`. `where` names the row in complaints.
   void read(const Table& table, const toml::table& from, Row row, const std::string& where);
 
+  [[nodiscard]] const std::vector<NamedFile>& named_files() const { return named_files_; }
   /// The values that were complained of and did not get into the project: rules across keys leave them alone.
   [[nodiscard]] const std::unordered_set<const toml::node*>& refused() const { return refused_; }
 
@@ -99,6 +107,7 @@ class ValueReader {
   bool dimension_is_known_;
   bool two_dimensional_;
   std::unordered_set<const toml::node*> refused_;
+  std::vector<NamedFile> named_files_;
 };
 
 }  // namespace talus::project

@@ -45,6 +45,13 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await expect(page.getByRole('tabpanel', { name: tab })).toBeVisible();
       expect(await seriousFindings(page), tab).toEqual([]);
     }
+    await page.getByRole('tab', { name: 'Section', exact: true }).click();
+    for (const [row, value] of ['10', '40'].entries()) {
+      await page.getByRole('textbox', { name: `x, row ${row + 1}`, exact: true }).fill(value);
+      await page.getByRole('textbox', { name: `y, row ${row + 1}`, exact: true }).fill(value);
+    }
+    await expect(page.getByRole('img', { name: /^Elevation of the ground/ })).toBeVisible();
+    expect(await seriousFindings(page), 'Section').toEqual([]);
     await page.getByRole('button', { name: /^Type One/ }).click();
     expect(await seriousFindings(page), 'a form').toEqual([]);
     await page.getByRole('tab', { name: 'Runs' }).click();

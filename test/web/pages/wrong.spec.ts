@@ -1,9 +1,17 @@
 // A wrong value is marked at its field, with the engine's own words, in every form.
 
+import type { Page } from '@playwright/test';
 import { backToModel, openExample, openForm } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-const wrong: { form: RegExp; field: string | RegExp; value: string; says: RegExp }[] = [
+interface Wrong {
+  form: RegExp;
+  field: string | RegExp;
+  value: string;
+  says: RegExp;
+}
+
+const inTheTutorial: Wrong[] = [
   { form: /^Project and analysis/, field: 'Gravity m/s²', value: '-1', says: /gravity/ },
   { form: /^Terrain/, field: 'Width m', value: '-5', says: /width/ },
   { form: /^Type One/, field: 'Normal restitution: mean', value: '1.5', says: /rebound cannot gain energy/ },
@@ -12,11 +20,13 @@ const wrong: { form: RegExp; field: string | RegExp; value: string; says: RegExp
   { form: /^Sampling/, field: 'Seed', value: '-1', says: /seed/ },
   { form: /^Output/, field: /^Cell of the maps/, value: '-2', says: /raster_cell/ },
 ];
+const onTheVolcano: Wrong[] = [
+  { form: /^Half way/, field: 'Inclination °', value: '95', says: /inclination_deg/ },
+  { form: /^Barrier design/, field: 'Section m', value: '-10', says: /section_m/ },
+];
 
-test('each is marked, and its undoing heals it', async ({ workbench: page }) => {
-  test.setTimeout(180_000);
-  await openExample(page, 'Tutorial 1, in 3D');
-  for (const { form, field, value, says } of wrong) {
+async function expectMarks(page: Page, all: Wrong[]) {
+  for (const { form, field, value, says } of all) {
     await openForm(page, form);
     const name = { name: field, exact: typeof field === 'string' };
     const input = page.getByRole('textbox', name).or(page.getByRole('combobox', name)).first();
@@ -30,4 +40,46 @@ test('each is marked, and its undoing heals it', async ({ workbench: page }) => 
     await expect(page.getByRole('button', { name: 'Compute', exact: true })).toBeEnabled();
     await backToModel(page);
   }
+}
+
+test('each is marked, and its undoing heals it', async ({ workbench: page }) => {
+  test.setTimeout(180_000);
+  await openExample(page, 'Tutorial 1, in 3D');
+  await expectMarks(page, inTheTutorial);
+});
+
+test('a design, a ground, a barrier and an area of a real terrain', async ({ workbench: page }) => {
+  test.setTimeout(300_000);
+  await openExample(page, 'A barrier, designed');
+  await page.getByRole('button', { name: 'Pause' }).click(); // drawing rocks in motion is slow without a graphics card
+  await expectMarks(page, onTheVolcano);
+
+  // A raster of classes without its classes.
+  await openForm(page, /^Ground/);
+  await page.getByLabel('Where materials are').selectOption('raster');
+  await page.getByLabel('Raster', { exact: true }).selectOption('maungawhau.asc');
+  const classes = page.getByRole('group', { name: /^Classes/ });
+  await expect(classes.getByText(/nothing says which class of the raster/)).toBeVisible();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(classes).toHaveCount(0);
+  await backToModel(page);
+
+  await page.getByRole('button', { name: '+ Add barrier' }).click();
+  const capacity = page.getByRole('textbox', { name: /^Capacity/ });
+  await capacity.fill('-100');
+  await capacity.press('Tab');
+  await expect(capacity).toHaveAttribute('aria-invalid', 'true');
+  await expect(page.locator('.side').getByText(/it could stop nothing/).filter({ visible: true }).first()).toBeVisible();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(capacity).toHaveAttribute('aria-invalid', 'false');
+  await page.getByRole('button', { name: 'Undo' }).click();
+
+  await page.getByRole('button', { name: '+ Add area' }).click();
+  await expect(page.getByText('material is missing', { exact: true })).toBeVisible();
+  await expect(page.getByText('polygon is missing', { exact: true })).toBeVisible();
+  await page.getByRole('combobox', { name: 'Material', exact: true }).selectOption('Bare lava');
+  await expect(page.getByText('material is missing', { exact: true })).toBeHidden();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.getByRole('button', { name: 'Compute', exact: true })).toBeEnabled();
 });

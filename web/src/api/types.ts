@@ -63,6 +63,14 @@ export interface ModelSeeder {
   points: Point3[];
 }
 
+export interface ModelArea {
+  name: string;
+  path: string;
+  /// Of the model's materials.
+  material: number;
+  sides: Point3[][];
+}
+
 export interface ModelBarrier {
   name: string;
   kind: 'barrier' | 'collector';
@@ -84,6 +92,7 @@ export interface Model {
   terrain_report: string;
   seeder_report: string;
   materials: string[];
+  areas: ModelArea[];
   seeders: ModelSeeder[];
   barriers: ModelBarrier[];
   project: Record<string, unknown>;
@@ -99,6 +108,15 @@ export interface PolygonsAnswer {
   triangles: [number, number, number][];
   report: string;
   problems: Problem[];
+}
+
+/// The ground along a line on plan, place by place.
+export interface GroundSection {
+  distance_m: number[];
+  /// Null: no terrain up to the next place.
+  z_m: (number | null)[];
+  x_m: number[];
+  y_m: number[];
 }
 
 export interface Tiles {

@@ -54,6 +54,7 @@ export const topics: Record<string, Topic> = {
   'material.forest_height_m': laws('Forest'),
   'material.ground_drag_per_s': laws('Soft ground'),
   ground: gis('Ground from polygons'),
+  area: gis('Areas drawn on it'),
   seeder: { document: 'project-file.md', heading: '`[[seeder]]`' },
   'seeder.lines': gis('Lines'),
   'seeder.polygons': cells,

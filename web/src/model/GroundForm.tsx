@@ -4,13 +4,13 @@ import { useState } from 'preact/hooks';
 import { edit, rowsOf } from '../state/document';
 import { sayFailure } from '../state/messages';
 import { model } from '../state/model';
-import { assignByClicks, assignByPolygon } from './assignTool';
+import { assignByClicks, paintArea } from './assignTool';
 import { materialColour } from '../view/colours';
 import { Field } from './form/Field';
 import { materialNames } from './form/references';
 import { TableForm } from './form/TableForm';
 import { changeWay, groundWays, wayOf, waysFor, type GroundWay } from './groundWays';
-import { nameOf, tableAt } from './place';
+import { is2d, nameOf, tableAt } from './place';
 import { fieldOf } from './settings';
 import { kindOf } from './terrainKinds';
 
@@ -57,7 +57,38 @@ export function GroundForm() {
       {way.name === 'triangles' && Array.isArray(ground.triangles) && (
         <p class="faint">{ground.triangles.length.toLocaleString('en')} triangles have a material of their own.</p>
       )}
+      {!is2d.value && <Painters />}
     </>
+  );
+}
+
+/// Areas that hold over what is said above, drawn in the view.
+function Painters() {
+  const areas = rowsOf('area').length;
+  const rows = rowsOf('material').map((_, k) => ({ name: nameOf('material', k), colour: materialColour(k) }));
+  return (
+    <div class="pickers">
+      <h3>Areas</h3>
+      <p class="faint">
+        {areas === 0
+          ? 'Choose a material, then click round its ground in the view. An area holds over what is said above.'
+          : `${areas === 1 ? 'One area holds' : `${areas} areas hold`} over what is said above; the later one where several do.`}
+      </p>
+      {rows.map(({ name, colour }, k) => (
+        <div key={k} class="row">
+          <span class="chip" style={{ background: colour }} />
+          <span class="name">{name}</span>
+          <button
+            class="button"
+            disabled={model.value === null}
+            aria-label={`Draw an area of ${name}`}
+            onClick={() => paintArea(k)}
+          >
+            Draw
+          </button>
+        </div>
+      ))}
+    </div>
   );
 }
 
@@ -80,16 +111,6 @@ function Pickers({ way }: { way: GroundWay }) {
           >
             Pick
           </button>
-          {way.name === 'triangles' && (
-            <button
-              class="button"
-              disabled={!isPossible}
-              aria-label={`Draw a polygon of ${nameOf('material', k)}`}
-              onClick={() => assignByPolygon(k)}
-            >
-              Polygon
-            </button>
-          )}
         </div>
       ))}
       {materials.length < 2 && <p class="faint">With one material there is nothing to tell apart: add another one.</p>}

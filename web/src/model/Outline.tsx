@@ -7,9 +7,11 @@ import { NextSteps } from './NextSteps';
 import { summaryOf } from './summaries';
 import { sections, type Section } from './sections';
 import { add, nextSteps } from './things';
-import { nameOf } from './place';
+import { is2d, nameOf } from './place';
 import { materialColour } from '../view/colours';
 import { LibraryChoice } from './LibraryChoice';
+import { materialNames } from './form/references';
+import { cellText } from './numbers';
 
 function Badge({ path }: { path: string }) {
   const list = realProblemsAt(path);
@@ -44,26 +46,36 @@ function Row({
   );
 }
 
+/// Of a material, or of the ground that is made of it.
+function colourOf(key: string, index: number): string | undefined {
+  if (key === 'material') return materialColour(index);
+  const of = key === 'area' ? materialNames().indexOf(cellText(rowsOf(key)[index]?.material)) : -1;
+  return of < 0 ? undefined : materialColour(of);
+}
+
 function SectionRows({ section }: { section: Section }) {
-  if (section.lists.length === 0)
-    return <Row path={[section.name]} title={section.title} detail={summaryOf(section.name)} />;
+  const own = section.tables.length > 0 && (
+    <Row path={[section.name]} title={section.title} detail={summaryOf(section.name)} />
+  );
+  const lists = section.lists.filter(({ key, only3d }) => !only3d || !is2d.value || rowsOf(key).length > 0);
+  if (lists.length === 0) return own;
   const isAwaited = nextSteps(values.value).some(({ key }) => key === section.name);
   return (
     <section class={isAwaited ? 'awaited' : ''} aria-label={section.title}>
-      <h2>{section.title}</h2>
-      {section.lists.map(({ key }) =>
+      {own || <h2>{section.title}</h2>}
+      {lists.map(({ key }) =>
         rowsOf(key).map((_, index) => (
           <Row
             key={`${key}.${index}`}
             path={[key, index]}
             title={nameOf(key, index)}
             detail={summaryOf(key, index)}
-            colour={key === 'material' ? materialColour(index) : undefined}
+            colour={colourOf(key, index)}
           />
         )),
       )}
       <div class="row adds">
-        {section.lists.map(({ key, one }) => (
+        {lists.map(({ key, one }) => (
           <button key={key} class="button plain" onClick={() => add(key)}>
             + Add {one}
           </button>

@@ -1,38 +1,32 @@
-// A material for what is clicked: segments of a section, triangles of a mesh; or the triangles within a polygon on plan.
+// A material for what is clicked: segments of a section, triangles of a mesh; or for an area that is drawn on plan.
 
-import { getArrays } from '../api/client';
-import type { Model, Point3 } from '../api/types';
+import { getArrays, getJson } from '../api/client';
+import type { Model } from '../api/types';
 import { useTool } from '../scene/tool';
 import { edit, valueAt } from '../state/document';
-import { sayFailure } from '../state/messages';
 import { model } from '../state/model';
 import { shading } from '../view/settings';
 import { draw } from './drawing';
-import { segmentsWith, trianglesWith } from './groundWays';
-import { nameOf, tableAt } from './place';
-import { isWithin } from './plan';
+import { materialsWith } from './groundWays';
+import { onPlan } from './geometryTools';
+import { freshName, nameOf, tableAt } from './place';
 import { materialNames } from './form/references';
 
 interface Facets {
-  /// The number of each drawn triangle as the project counts them.
-  sources: Uint32Array;
-  /// Its middle on plan.
-  middles: [number, number][];
+  /// The number of each drawn triangle or segment as the project counts them; of an extruded section, that of its segment.
+  parts: Uint32Array;
+  /// How many the project counts.
   count: number;
 }
 
 async function facetsOf({ id }: Model): Promise<Facets> {
-  const { header, arrays } = await getArrays<{ origin: Point3 }>(`/api/models/${id}/mesh`);
-  const [positions, triangles] = [arrays.positions!, arrays.triangles!];
-  const sources = arrays.sources as Uint32Array;
-  const middle = (k: number, axis: number) =>
-    [0, 1, 2].reduce((sum, corner) => sum + positions[3 * triangles[3 * k + corner]! + axis]! / 3, 0) +
-    header.origin[axis]!;
-  return {
-    sources,
-    middles: Array.from(sources, (_, k) => [middle(k, 0), middle(k, 1)]),
-    count: sources.reduce((most, source) => Math.max(most, source), -1) + 1,
-  };
+  const { header, arrays } = await getArrays<{ parts: number }>(`/api/models/${id}/mesh`);
+  return { parts: arrays.parts as Uint32Array, count: header.parts };
+}
+
+async function segmentsOf({ id }: Model): Promise<Facets> {
+  const { segments } = await getJson<{ segments: number[] }>(`/api/models/${id}/profile`);
+  return { parts: Uint32Array.from(segments), count: segments.length };
 }
 
 const standardMaterial = () => {
@@ -40,10 +34,14 @@ const standardMaterial = () => {
   return Math.max(0, materialNames().indexOf(String(name ?? '')));
 };
 
-function takeTriangles(facets: Facets, drawn: number[], material: number, what: string) {
-  const numbers = drawn.map((k) => facets.sources[k]!);
-  const list = trianglesWith(valueAt(['ground', 'triangles']), facets.count, numbers, material, standardMaterial());
+function takeTriangle(triangle: number, count: number, material: number, what: string) {
+  const list = materialsWith(valueAt(['ground', 'triangles']), count, triangle, material, standardMaterial());
   edit(what, [{ set: ['ground', 'triangles'], value: list }]);
+}
+
+function takeSegment(segment: number, count: number, material: string) {
+  const list = materialsWith(valueAt(['ground', 'segments']), count, segment, material, nameOf('material', standardMaterial()));
+  edit(`make segment ${segment + 1} ${material}`, [{ set: ['ground', 'segments'], value: list }]);
 }
 
 /// Clicks give the material to segments or triangles, until the tool is left.
@@ -51,31 +49,23 @@ export async function assignByClicks(material: number) {
   const now = model.value;
   if (!now) return;
   const name = nameOf('material', material);
-  const facets = now.dimension === 3 ? await facetsOf(now) : null;
+  const hasSegments = Array.isArray(tableAt(['terrain']).section);
+  const facets = now.dimension === 3 ? await facetsOf(now) : await segmentsOf(now);
   shading.value = 'material';
   useTool({
     name,
-    hint: () => `Click ${facets ? 'triangles' : 'segments'} that are ${name}. Escape leaves.`,
+    hint: () => `Click ${hasSegments ? 'segments' : 'triangles'} that are ${name}. Escape leaves.`,
     click({ facet }) {
       if (facet === undefined) return;
-      if (facets) return takeTriangles(facets, [facet], material, `make triangle ${facets.sources[facet]} ${name}`);
-      const { section } = tableAt(['terrain']);
-      const count = Array.isArray(section) ? section.length - 1 : 0;
-      const standard = nameOf('material', standardMaterial());
-      edit(`make segment ${facet + 1} ${name}`, [
-        {
-          set: ['ground', 'segments'],
-          value: segmentsWith(valueAt(['ground', 'segments']), count, facet, name, standard),
-        },
-      ]);
+      const part = facets.parts[facet]!;
+      if (hasSegments) takeSegment(part, facets.count, name);
+      else takeTriangle(part, facets.count, material, `make triangle ${part} ${name}`);
     },
   });
 }
 
-/// The triangles of a mesh whose middle is within a polygon that is drawn.
-export function assignByPolygon(material: number) {
-  const now = model.value;
-  if (!now) return;
+/// An area of the ground, drawn on plan, that is of the material.
+export function paintArea(material: number) {
   const name = nameOf('material', material);
   shading.value = 'material';
   draw({
@@ -84,12 +74,8 @@ export function assignByPolygon(material: number) {
     least: 3,
     hint: `Click round the ground that is ${name}.`,
     done: (ring) => {
-      const take = async () => {
-        const facets = await facetsOf(now);
-        const drawn = facets.middles.flatMap((middle, k) => (isWithin(middle, ring) ? [k] : []));
-        takeTriangles(facets, drawn, material, `make ${drawn.length} triangles ${name}`);
-      };
-      void take().catch(sayFailure);
+      const value = { name: freshName(['area'], 'Area'), material: name, polygon: ring.map(onPlan) };
+      edit(`make an area ${name}`, [{ append: ['area'], value }]);
     },
   });
 }

@@ -3,6 +3,7 @@ import { consequences, removal } from './consequences';
 
 const project = {
   material: [{ name: 'Rock' }, { name: 'Scree' }, { name: 'Soil' }],
+  area: [{ name: 'Rock', material: 'Scree' }, { material: 'Rock' }],
   ground: { default: 'Rock', segments: ['Rock', 'Scree', 'Rock'], triangles: [0, 1, 2, 1] },
   collector: [{ name: 'Road' }],
   design: { lines: ['Road'], protect: 'Road' },
@@ -23,6 +24,7 @@ test('who names a material that is renamed', () =>
     { set: ['ground', 'default'], value: 'Granite' },
     { set: ['ground', 'segments', 0], value: 'Granite' },
     { set: ['ground', 'segments', 2], value: 'Granite' },
+    { set: ['area', 1, 'material'], value: 'Granite' },
   ]));
 
 test('who names a collector that is renamed', () =>

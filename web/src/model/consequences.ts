@@ -29,7 +29,16 @@ const namingKeys: Record<string, Path[]> = {
 };
 
 const valueIn = (values: TomlTable, path: Path) =>
-  path.reduce<TomlValue | undefined>((at, part) => (isTable(at) ? at[String(part)] : undefined), values);
+  path.reduce<TomlValue | undefined>(
+    (at, part) => (isTable(at) ? at[String(part)] : Array.isArray(at) ? at[Number(part)] : undefined),
+    values,
+  );
+
+/// Where entries of a list are called by their names.
+function namingPlaces(values: TomlTable, table: string): Path[] {
+  const areas = table === 'material' && Array.isArray(values.area) ? values.area : [];
+  return [...(namingKeys[table] ?? []), ...areas.map((_, k) => ['area', k, 'material'])];
+}
 
 const placesOf: Record<string, string[]> = {
   point: ['position'],
@@ -58,7 +67,7 @@ export function consequences(values: TomlTable, path: Path, next: TomlValue | un
   if (path.length !== 3 || !isTable(row)) return [];
   if (key === 'name' && typeof next === 'string' && typeof row.name === 'string') {
     const old = row.name;
-    return (namingKeys[String(table)] ?? [])
+    return namingPlaces(values, String(table))
       .flatMap((place) => uses(valueIn(values, place), old, place))
       .map((set) => ({ set, value: next }));
   }

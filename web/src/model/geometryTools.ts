@@ -5,6 +5,7 @@ import { edit, valueAt } from '../state/document';
 import { model } from '../state/model';
 import type { Path } from '../toml/edit';
 import type { TomlValue } from '../toml/format';
+import { shading } from '../view/settings';
 import { draw } from './drawing';
 import { is2d, tableAt, thingOf } from './place';
 import { rounded } from './plan';
@@ -20,7 +21,7 @@ function position(path: Path, [x, y]: Point3): TomlValue[] {
   const plan = is2d.value ? [short(x)] : [short(x), short(y)];
   return tableAt(path.slice(0, 2)).height_above_m !== undefined ? plan : [...plan, 'surface'];
 }
-const onPlan = ([x, y]: Point3): TomlValue[] => [short(x), short(y)];
+export const onPlan = ([x, y]: Point3): TomlValue[] => [short(x), short(y)];
 const inSection = ([x, , z]: Point3): TomlValue[] => [short(x), short(z)];
 
 interface Drawable {
@@ -88,6 +89,20 @@ export function drawable(path: Path): Drawable | null {
           hint: 'Click round the ground from which rocks start.',
           done: (places) => set('draw', places.map(onPlan)),
         }),
+    };
+  if (table === 'area' && key === 'polygon')
+    return {
+      title: 'Draw in the view',
+      start: () => {
+        shading.value = 'material';
+        draw({
+          name: thing,
+          kind: 'polygon',
+          least: 3,
+          hint: 'Click round the ground that is of this material.',
+          done: (places) => set('draw', places.map(onPlan)),
+        });
+      },
     };
   if ((table === 'barrier' || table === 'collector') && key === 'line') {
     if (is2d.value)

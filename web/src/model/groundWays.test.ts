@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { changeWay, groundWays, segmentsWith, trianglesWith, wayOf, waysFor } from './groundWays';
+import { changeWay, groundWays, materialsWith, wayOf, waysFor } from './groundWays';
 
 test('the way that a project has', () => {
   expect(wayOf({}).name).toBe('one');
@@ -16,10 +16,9 @@ test('several materials get a default', () =>
   expect(changeWay(groundWays[2]!, {}, ['A', 'B'])).toEqual([{ set: ['ground', 'default'], value: 'A' }]));
 
 test('segments and triangles of a list that is not there, or too short', () => {
-  expect(segmentsWith(undefined, 3, 1, 'B', 'A')).toEqual(['A', 'B', 'A']);
-  expect(segmentsWith(['B'], 2, 1, 'C', 'A')).toEqual(['B', 'C']);
-  expect(trianglesWith(undefined, 4, [1, 3], 2, 0)).toEqual([0, 2, 0, 2]);
-  expect(trianglesWith([1, 1], 3, [0], 0, 0)).toEqual([0, 1, 0]);
+  expect(materialsWith(undefined, 3, 1, 'B', 'A')).toEqual(['A', 'B', 'A']);
+  expect(materialsWith(['B'], 2, 1, 'C', 'A')).toEqual(['B', 'C']);
+  expect(materialsWith([1, 1], 3, 0, 0, 0)).toEqual([0, 1, 0]);
 });
 
 test('a section has segments, a raster has none', () => {

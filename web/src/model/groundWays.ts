@@ -42,31 +42,16 @@ export function changeWay(way: GroundWay, ground: TomlTable, materials: readonly
   ];
 }
 
-/// The materials of segments with one changed; a list that is too short is filled.
-export function segmentsWith(
+/// The materials of segments, by name, or of triangles, by number, with one changed; a list that is too short is filled.
+export function materialsWith<Name extends TomlValue>(
   given: unknown,
   count: number,
-  segment: number,
-  material: string,
-  standard: string,
+  part: number,
+  material: Name,
+  standard: Name,
 ): TomlValue[] {
   const list = Array.isArray(given) ? (given as TomlValue[]) : [];
   return Array.from({ length: Math.max(count, list.length) }, (_, k) =>
-    k === segment ? material : (list[k] ?? standard),
-  );
-}
-
-/// The same of triangles, which have materials by their number.
-export function trianglesWith(
-  given: unknown,
-  count: number,
-  triangles: readonly number[],
-  material: number,
-  standard: number,
-): TomlValue[] {
-  const list = Array.isArray(given) ? (given as TomlValue[]) : [];
-  const changed = new Set(triangles);
-  return Array.from({ length: Math.max(count, list.length) }, (_, k) =>
-    changed.has(k) ? material : (list[k] ?? standard),
+    k === part ? material : (list[k] ?? standard),
   );
 }

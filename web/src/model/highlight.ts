@@ -4,18 +4,23 @@ import { effect, untracked } from '@preact/signals';
 import { showOverlay, type Overlay } from '../scene/tool';
 import { model } from '../state/model';
 import { chosen } from '../state/view';
+import { materialColour } from '../view/colours';
 
 export function followChosen(): () => void {
   return effect(() => {
     const path = chosen.value?.join('.');
     const seeder = model.value?.seeders.find((one) => one.path === path);
     const barrier = model.value?.barriers.find((one) => one.path === path);
+    const area = model.value?.areas.find((one) => one.path === path);
     const marks: Overlay[] = [];
+    for (const points of area?.sides ?? [])
+      marks.push({ points, kind: 'line', colour: materialColour(area!.material), isBare: true });
     if (seeder) {
-      for (const points of seeder.lines) marks.push({ points, kind: seeder.type === 'polygon' ? 'polygon' : 'line' });
+      const kind = seeder.type === 'polygon' ? 'polygon' : 'line';
+      for (const points of seeder.lines) marks.push({ points, kind, isBare: true });
       if (seeder.lines.length === 0) marks.push({ points: seeder.points.slice(0, 500), kind: 'points' });
     }
-    if (barrier) marks.push({ points: barrier.top, kind: 'line' }, { points: barrier.foot, kind: 'line' });
+    for (const points of barrier ? [barrier.top, barrier.foot] : []) marks.push({ points, kind: 'line', isBare: true });
     untracked(() => showOverlay('chosen', marks));
   });
 }

@@ -5,14 +5,14 @@ export interface Section {
   title: string;
   /// The tables whose forms stand in it; of a list, each entry is an item of the section.
   tables: string[];
-  lists: { key: string; one: string }[];
+  lists: { key: string; one: string; only3d?: boolean }[];
 }
 
 export const sections: Section[] = [
   { name: 'analysis', title: 'Project and analysis', tables: ['', 'analysis'], lists: [] },
   { name: 'terrain', title: 'Terrain', tables: ['terrain'], lists: [] },
   { name: 'material', title: 'Materials', tables: [], lists: [{ key: 'material', one: 'material' }] },
-  { name: 'ground', title: 'Ground', tables: ['ground'], lists: [] },
+  { name: 'ground', title: 'Ground', tables: ['ground'], lists: [{ key: 'area', one: 'area', only3d: true }] },
   { name: 'seeder', title: 'Seeders', tables: [], lists: [{ key: 'seeder', one: 'seeder' }] },
   {
     name: 'barrier',

@@ -58,6 +58,8 @@ export function summaryOf(key: string, index?: number): string {
       return groundText();
     case 'material':
       return material(row);
+    case 'area':
+      return valueText(row.material) || 'no material yet';
     case 'seeder':
       return seeder(row);
     case 'barrier':

@@ -1,4 +1,4 @@
-// Adding, copying and taking out materials, seeders, barriers and collectors.
+// Adding, copying and taking out materials, areas, seeders, barriers and collectors.
 
 import { edit, rowsOf, values } from '../state/document';
 import { chosen } from '../state/view';
@@ -9,6 +9,7 @@ import { freshName, is2d, nameOf, tableAt } from './place';
 
 const words: Record<string, string> = {
   material: 'Material',
+  area: 'Area',
   seeder: 'Seeder',
   barrier: 'Barrier',
   collector: 'Collector',

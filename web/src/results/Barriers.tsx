@@ -38,7 +38,7 @@ function Counts({ run, barriers }: { run: Run; barriers: BarrierAnswer[] }) {
         { key: 'barrier', title: 'Name', isText: true },
         { key: 'kind', title: 'Kind', isText: true },
         { key: 'height_m', title: 'Height', unit: 'm' },
-        { key: 'capacity_kJ', title: 'Capacity', unit: 'kJ', isText: true },
+        { key: 'capacity_kJ', title: 'Capacity', unit: 'kJ' },
         count('rocks_hit', 'Rocks that hit'),
         count('stopped', 'Stopped'),
         count('rebounded', 'Rebounded'),

@@ -6,7 +6,7 @@ import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { sayFailure } from '../state/messages';
 import { theme } from '../state/view';
-import { frame, lookOfPage, type Look } from './chartLook';
+import { frame, lookOfPage, type Look, type Size } from './chartLook';
 import { savePng, saveSvg } from './picture';
 import { saveCsv, type Cell } from './save';
 
@@ -15,7 +15,9 @@ interface Props {
   /// What the plot shows, for who cannot see it.
   description: string;
   file: string;
-  option: (look: Look) => EChartsOption;
+  option: (look: Look, size: Size) => EChartsOption;
+  /// Whether the option depends on the size.
+  followsSize?: boolean;
   /// The numbers that are drawn; the first row names the columns.
   rows: () => Cell[][];
   /// Beside the title.
@@ -23,6 +25,10 @@ interface Props {
   /// What is wrong with it.
   note?: string | null;
   choose?: (event: { seriesName?: string; dataIndex?: number; data?: unknown }) => void;
+  /// Where on the first axis the pointer is; null: it left.
+  hover?: (value: number | null) => void;
+  /// A place of the first series that is pointed at without the pointer.
+  pointed?: number | null;
 }
 
 /// Counts the changes between light and dark.
@@ -41,21 +47,33 @@ function useLook(): number {
   return count;
 }
 
-export function Chart({ title, description, file, option, rows, tools, note, choose }: Props) {
+export function Chart({ title, description, file, option, followsSize, rows, tools, note, choose, hover, pointed = null }: Props) {
   const box = useRef<HTMLDivElement>(null);
   const [chart, setChart] = useState<EChartsType | null>(null);
   const look = useLook();
   const chosen = useRef(choose);
   chosen.current = choose;
+  const hovered = useRef(hover);
+  hovered.current = hover;
+  const isTold = useRef(false);
+  const [size, setSize] = useState<Size>({ width: 0, height: 0 });
 
   useEffect(() => {
     let made: EChartsType | null = null;
     let isGone = false;
-    const watch = new ResizeObserver(() => made?.resize());
+    const watch = new ResizeObserver(() => {
+      made?.resize();
+      if (followsSize && made) setSize({ width: made.getWidth(), height: made.getHeight() });
+    });
     import('./echarts').then(({ init }) => {
       if (isGone || !box.current) return;
       made = init(box.current, null, { renderer: 'svg' });
       made.on('click', (event) => chosen.current?.(event as object));
+      made.on('updateAxisPointer', (event) => {
+        const value = (event as { axesInfo?: { value: number }[] }).axesInfo?.[0]?.value;
+        if (value !== undefined && !isTold.current) hovered.current?.(value);
+      });
+      made.getZr().on('globalout', () => hovered.current?.(null));
       watch.observe(box.current);
       setChart(made);
     }, sayFailure);
@@ -68,8 +86,16 @@ export function Chart({ title, description, file, option, rows, tools, note, cho
 
   useEffect(() => {
     const now = lookOfPage();
-    chart?.setOption({ ...frame(now), ...option(now) }, { notMerge: true });
-  }, [chart, option, look]);
+    chart?.setOption({ ...frame(now), ...option(now, size) }, { notMerge: true });
+  }, [chart, option, look, size]);
+
+  useEffect(() => {
+    isTold.current = true;
+    chart?.dispatchAction(
+      pointed === null ? { type: 'hideTip' } : { type: 'showTip', seriesIndex: 0, dataIndex: pointed },
+    );
+    isTold.current = false;
+  }, [chart, pointed]);
 
   const drawing = () => box.current?.querySelector('svg') ?? null;
   return (

@@ -16,7 +16,7 @@ function Row({ run, map }: { run: Run; map: RunMap }) {
           {map.name}
         </button>
       </th>
-      <td>{map.meaning}</td>
+      <td class="words">{map.meaning}</td>
       <td class="number">{numberText(map.least)}</td>
       <td class="number">{numberText(map.most)}</td>
       <td>{map.unit}</td>

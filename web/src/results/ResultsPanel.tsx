@@ -4,6 +4,9 @@ import { useId } from 'preact/hooks';
 import type { Run } from '../api/types';
 import { hasResults, ownRuns, resume, shown } from '../state/runs';
 import { resultsOpen, resultsShare, resultsTab, sidePanel, type ResultsTab } from '../state/view';
+import { dimension } from '../model/place';
+import { sectionLine } from '../sectionLine/sectionLine';
+import { SectionTab } from '../sectionLine/SectionTab';
 import { Tabs } from '../ui/Tabs';
 import { Barriers } from './Barriers';
 import { Compare } from './Compare';
@@ -21,7 +24,16 @@ const pages: Record<ResultsTab, { title: string; page: (props: { run: Run }) => 
   rock: { title: 'Rock', page: Rock },
   maps: { title: 'Maps', page: Maps },
   compare: { title: 'Compare', page: Compare },
+  section: { title: 'Section', page: SectionTab },
 };
+
+/// A section is of the model: it needs no run.
+function tabsNow(): ResultsTab[] {
+  const all = Object.keys(pages) as ResultsTab[];
+  const hasRuns = shown.value !== null || ownRuns.value.length > 0;
+  const mayHaveSection = dimension.value === 3 && (hasRuns || sectionLine.value !== null);
+  return all.filter((name) => (name === 'section' ? mayHaveSection : hasRuns));
+}
 
 /// Why there is nothing to look at, and what to do about it.
 function NoResults({ run }: { run: Run }) {
@@ -52,9 +64,9 @@ function NoResults({ run }: { run: Run }) {
 export function ResultsPanel() {
   const panel = useId();
   const run = shown.value;
-  if (!run && ownRuns.value.length === 0) return null;
-  const tabs = (Object.keys(pages) as ResultsTab[]).map((name) => ({ name, title: pages[name].title }));
-  const now = pages[resultsTab.value] ? resultsTab.value : 'overview';
+  const tabs = tabsNow().map((name) => ({ name, title: pages[name].title }));
+  if (tabs.length === 0) return null;
+  const now = (tabs.find(({ name }) => name === resultsTab.value) ?? tabs[0]!).name;
   const Page = pages[now].page;
   const isOpen = resultsOpen.value;
   return (
@@ -87,7 +99,9 @@ export function ResultsPanel() {
         </button>
       </div>
       <div id={panel} class="results-body" role="tabpanel" aria-label={pages[now].title}>
-        {!isOpen ? null : !run ? (
+        {!isOpen ? null : now === 'section' ? (
+          <SectionTab />
+        ) : !run ? (
           <div class="empty">
             <p>No run is shown.</p>
             <button class="button" style={{ justifySelf: 'center' }} onClick={() => (sidePanel.value = 'runs')}>

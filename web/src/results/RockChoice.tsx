@@ -17,6 +17,7 @@ export function RockChoice({ run }: { run: Run }) {
           min={0}
           max={last}
           step={1}
+          style={{ width: `calc(${String(last).length + 5}ch + 3em)` }}
           value={rock ?? ''}
           placeholder={`0 to ${last}`}
           onChange={(event) => event.currentTarget.value !== '' && go(event.currentTarget.valueAsNumber)}

@@ -15,6 +15,12 @@ export interface Look {
   font: string;
 }
 
+/// Of a plot, in pixels.
+export interface Size {
+  width: number;
+  height: number;
+}
+
 const pageStyle = () => getComputedStyle(document.documentElement);
 
 export function lookOfPage(): Look {

@@ -3,6 +3,7 @@
 import { layerNames, layers, contours, exaggeration, shading, type Shading } from '../view/settings';
 import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
+import { SectionButton } from '../sectionLine/SectionButton';
 import { DistanceButton } from '../view/DistanceButton';
 import { Popover } from '../view/Popover';
 import { savePicture } from '../view/savePicture';
@@ -64,6 +65,7 @@ export function SceneBar({ open }: { open: OpenScene }) {
         ))}
       </Popover>
       <DistanceButton />
+      <SectionButton />
       <button
         class="button"
         title="Save the picture as PNG"

@@ -17,7 +17,8 @@ export function StatusLine() {
       {contourInterval.value > 0 && <span>contours every {numberText(contourInterval.value)} m</span>}
       {place && (
         <span class="mono">
-          x {place.point[0].toFixed(2)} y {place.point[1].toFixed(2)} z {place.point[2].toFixed(2)} m
+          x {place.point[0].toFixed(2)} y {place.point[1].toFixed(2)} z {place.isCoarse && '≈ '}
+          {place.point[2].toFixed(2)} m
         </span>
       )}
     </div>

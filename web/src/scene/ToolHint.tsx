@@ -1,4 +1,4 @@
-import { tool, useTool } from './tool';
+import { finishTool, tool, useTool } from './tool';
 
 /// What the active tool asks for.
 export function ToolHint() {
@@ -8,7 +8,7 @@ export function ToolHint() {
       <strong>{tool.value.name}</strong>
       <span>{tool.value.hint()}</span>
       {tool.value.finish && (
-        <button class="button" onClick={() => tool.value?.finish?.()}>
+        <button class="button" onClick={finishTool}>
           Finish
         </button>
       )}

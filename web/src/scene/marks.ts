@@ -49,15 +49,17 @@ const dotFragment = /* glsl */ `
 precision highp float;
 uniform vec3 colour;
 uniform float size;
+uniform float rimmed;
 out vec4 result;
 void main() {
   float r = length(gl_PointCoord - 0.5) * size;
   float edge = 0.5 * size;
   if (r > edge) discard;
-  result = vec4(mix(colour, vec3(1.0), smoothstep(edge - 2.5, edge - 1.5, r)), 1.0 - smoothstep(edge - 1.0, edge, r));
+  float rim = rimmed * smoothstep(edge - 2.5, edge - 1.5, r);
+  result = vec4(mix(colour, vec3(1.0), rim), 1.0 - smoothstep(edge - 1.0, edge, r));
 }`;
 
-/// Discs with a white rim.
+/// Discs, with a white rim unless they are small.
 export function dots(points: Vector3[], { colour, size, above }: Look): Object3D {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(points.flatMap((point) => point.toArray())), 3));
@@ -66,7 +68,7 @@ export function dots(points: Vector3[], { colour, size, above }: Look): Object3D
     glslVersion: GLSL3,
     vertexShader: dotVertex,
     fragmentShader: dotFragment,
-    uniforms: { size: { value: size * Math.min(devicePixelRatio, 2) }, colour: { value: [r, g, b] } },
+    uniforms: { size: { value: size * Math.min(devicePixelRatio, 2) }, colour: { value: [r, g, b] }, rimmed: { value: size < 8 ? 0 : 1 } },
     transparent: true,
     depthTest: !above,
     depthWrite: false,

@@ -141,6 +141,12 @@ export class MeshTerrain implements Terrain {
     return { point: ray.at(found.distance, new Vector3()), distance: found.distance, facet: found.triangle };
   }
 
+  places(): Vector3[] {
+    const all = this.object.geometry.getAttribute('position');
+    const step = Math.max(1, Math.floor(all.count / 600));
+    return Array.from({ length: Math.floor(all.count / step) }, (_, k) => new Vector3().fromBufferAttribute(all, k * step));
+  }
+
   dispose() {
     this.object.geometry.dispose();
   }

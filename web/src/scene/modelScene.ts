@@ -26,7 +26,7 @@ import { overlays } from './tool';
 
 /// What the terrain depends on: other changes of the project leave it as it is.
 const terrainKey = ({ bounds, facets, kind, materials, project }: Model) =>
-  JSON.stringify([file.peek(), bounds, facets, kind, materials, project.terrain, project.ground]);
+  JSON.stringify([file.peek(), bounds, facets, kind, materials, project.terrain, project.ground, project.area]);
 
 export class ModelScene {
   readonly stage: Stage;
@@ -37,6 +37,8 @@ export class ModelScene {
   private key = '';
   private shownFile: string | null = null;
   private asking = new AbortController();
+  /// The named view that was chosen last, and what the camera was then told.
+  private viewed: { name: NamedView; eye: Vector3; target: Vector3 } | null = null;
   private readonly seeders = new Group();
   private readonly barriers = new Group();
   private readonly drawings = new Group();
@@ -49,6 +51,7 @@ export class ModelScene {
     this.stage.world.add(this.seeders, this.barriers, this.drawings);
     this.stage.onLost = (lost) => (picture.failure.value = lost ? 'The graphics card let go of the picture. It comes back by itself as soon as it can; otherwise load the page again.' : null);
     this.stage.beforeFrame.push(() => this.prepare());
+    this.stage.onResize = () => this.fitAgain();
     this.ends.push(
       effect(() => {
         if (model.value && model.value.dimension === 3) void this.show(model.value).catch(sayFailure);
@@ -170,7 +173,9 @@ export class ModelScene {
     for (const { points, lines, type } of next.seeders) {
       const look = { colour: markColours.seeder, size: 3 };
       for (const each of lines) this.seeders.add(line(each.map(this.local), look, type === 'polygon'));
-      if (points.length > 0) this.seeders.add(dots(points.map(this.local), { ...look, size: 10 }));
+      // Many would be a carpet that hides the ground.
+      const size = points.length > 100 ? 5 : 10;
+      if (points.length > 0) this.seeders.add(dots(points.map(this.local), { ...look, size }));
     }
     for (const { foot, top, kind } of next.barriers)
       this.barriers.add(band(foot.map(this.local), top.map(this.local), markColours[kind]));
@@ -179,12 +184,12 @@ export class ModelScene {
 
   private draw(lists: typeof overlays.value) {
     clear(this.drawings);
-    for (const { points, kind, colour = markColours.tool } of Object.values(lists).flat()) {
+    for (const { points, kind, isBare, colour = markColours.tool } of Object.values(lists).flat()) {
       const places = points.map(this.local);
       const look = { colour, size: 2.5, above: true };
       if (kind === 'polygon' && places.length === 3) this.drawings.add(patch(places, colour));
       if (kind !== 'points') this.drawings.add(line(places, look, kind === 'polygon'));
-      if (kind !== 'polygon' && places.length > 0) this.drawings.add(dots(places, { ...look, size: 9 }));
+      if (kind !== 'polygon' && !isBare && places.length > 0) this.drawings.add(dots(places, { ...look, size: 9 }));
     }
     this.stage.invalidate();
   }
@@ -207,7 +212,18 @@ export class ModelScene {
   }
 
   view(name: NamedView) {
-    look(this.stage, name, this.box);
+    const { camera, controls } = this.stage;
+    look(this.stage, name, this.box, this.terrain?.places() ?? []);
+    this.viewed = { name, eye: camera.position.clone(), target: controls.target.clone() };
+  }
+
+  /// A view that nobody moved since stays one of all the ground when the picture gets another size.
+  private fitAgain() {
+    const { camera, controls } = this.stage;
+    if (!this.viewed) return;
+    const { name, eye, target } = this.viewed;
+    const moved = eye.distanceTo(camera.position) + target.distanceTo(controls.target);
+    if (moved < 1e-4 * eye.distanceTo(target)) this.view(name);
   }
 
   add(object: Object3D) {

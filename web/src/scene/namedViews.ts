@@ -15,38 +15,70 @@ export const namedViews = {
 export type NamedView = keyof typeof namedViews;
 
 // From where the model is looked at.
-const sides: Record<Exclude<NamedView, 'fit'>, [number, number, number]> = {
-  oblique: [0.62, -0.85, 0.62],
+const sides: Record<Exclude<NamedView, 'fit' | 'oblique'>, [number, number, number]> = {
   plan: [0, -1e-4, 1],
   north: [0, 1, 0.12],
   south: [0, -1, 0.12],
   east: [1, 0, 0.12],
   west: [-1, 0, 0.12],
 };
+const aside = 0.6; // radians from straight up the slope
+const above = 0.62;
 
-/// Moves the camera so that the whole box is in the picture.
-export function look(stage: Stage, name: NamedView, box: Box3) {
+/// Obliquely up the slope, so that its face is seen; ground that falls no way in particular is seen from the
+/// south-east, high enough to look into a bowl.
+function oblique(ground: readonly Vector3[]): Vector3 {
+  const mean = ground.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(Math.max(1, ground.length));
+  // The plane through the places, by least squares: z = x fx + y fy from their mean.
+  let [xx, xy, yy, xz, yz, zz] = [0, 0, 0, 0, 0, 0];
+  for (const point of ground) {
+    const { x, y, z } = point.clone().sub(mean);
+    [xx, xy, yy, xz, yz, zz] = [xx + x * x, xy + x * y, yy + y * y, xz + x * z, yz + y * z, zz + z * z];
+  }
+  const determinant = xx * yy - xy * xy;
+  const [fx, fy] = [(xz * yy - yz * xy) / determinant, (yz * xx - xz * xy) / determinant];
+  // A face with gullies has most of its relief in this plane; a crater or a bowl, seen against it, hides its rocks.
+  const explained = (fx * xz + fy * yz) / zz;
+  if (!(explained > 0.4)) return new Vector3(0.59, -0.81, 1);
+  const direction = Math.atan2(-fy, -fx) - aside;
+  return new Vector3(Math.cos(direction), Math.sin(direction), above);
+}
+
+const corners = ({ min, max }: Box3) =>
+  Array.from({ length: 8 }, (_, k) => new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z));
+
+/// Moves the camera so that the ground fills the picture. `ground`: places all over it; where there are few, its box
+/// stands for it.
+export function look(stage: Stage, name: NamedView, box: Box3, ground: readonly Vector3[]) {
   const { camera, controls } = stage;
-  const stretched = box.clone();
-  stretched.min.z *= stage.world.scale.z;
-  stretched.max.z *= stage.world.scale.z;
-  const centre = stretched.getCenter(new Vector3());
-  const from =
-    name === 'fit' ? camera.position.clone().sub(controls.target).normalize() : new Vector3(...sides[name]).normalize();
+  const stretch = new Vector3(1, 1, stage.world.scale.z);
+  const places = (ground.length < 30 ? corners(box) : ground).map((point) => point.clone().multiply(stretch));
+  const from = (
+    name === 'fit'
+      ? camera.position.clone().sub(controls.target)
+      : name === 'oblique'
+        ? oblique(ground)
+        : new Vector3(...sides[name])
+  ).normalize();
   const right = new Vector3(0, 0, 1).cross(from).normalize();
   if (right.lengthSq() < 0.5) right.set(1, 0, 0);
   const up = from.clone().cross(right);
-  const tanY = Math.tan((camera.fov * Math.PI) / 360) * 0.9;
-  const tanX = tanY * camera.aspect;
+  // Tools stand at the top, the scale at the bottom.
+  const tan = Math.tan((camera.fov * Math.PI) / 360);
+  const tanY = tan * Math.max(0.6, 1 - 84 / stage.size.height);
+  const tanX = 0.94 * tan * camera.aspect;
+  const centre = box.getCenter(new Vector3()).multiply(stretch);
   let distance = 0.1;
-  for (let k = 0; k < 8; ++k) {
-    const corner = new Vector3(
-      k & 1 ? stretched.max.x : stretched.min.x,
-      k & 2 ? stretched.max.y : stretched.min.y,
-      k & 4 ? stretched.max.z : stretched.min.z,
-    ).sub(centre);
-    const toward = corner.dot(from);
-    distance = Math.max(distance, toward + Math.abs(corner.dot(right)) / tanX, toward + Math.abs(corner.dot(up)) / tanY);
+  for (let turn = 0; turn < 4; ++turn) {
+    const seen = places.map((place) => {
+      const of = place.clone().sub(centre);
+      return { toward: of.dot(from), x: of.dot(right), y: of.dot(up) };
+    });
+    distance = Math.max(0.1, ...seen.map(({ toward, x, y }) => toward + Math.max(Math.abs(x) / tanX, Math.abs(y) / tanY)));
+    // What is nearer looks larger: the middle of the picture is not that of the ground.
+    const middle = (values: number[]) => ((Math.min(...values) + Math.max(...values)) / 2) * distance;
+    centre.addScaledVector(right, middle(seen.map(({ toward, x }) => x / Math.max(1e-3 * distance, distance - toward))));
+    centre.addScaledVector(up, middle(seen.map(({ toward, y }) => y / Math.max(1e-3 * distance, distance - toward))));
   }
   controls.target.copy(centre);
   camera.position.copy(centre).addScaledVector(from, distance);

@@ -2,12 +2,13 @@
 
 import { Vector3 } from 'three';
 import { sendJson } from '../api/client';
-import { sayFailure } from '../state/messages';
+import type { Point3 } from '../api/types';
+import { say } from '../state/messages';
 import { model } from '../state/model';
 import type { ModelScene } from './modelScene';
 import { namedViews, type NamedView } from './namedViews';
 import * as picture from './picture';
-import { tool, type Place } from './tool';
+import { finishTool, inTurn, tool, type Place } from './tool';
 
 const drag = 4; // pixels that make a click a drag
 
@@ -15,8 +16,7 @@ export class Pointing {
   private down: { x: number; y: number } | null = null;
   private last: PointerEvent | null = null;
   private waiting = 0;
-  /// The clicks that are still being answered, in their order.
-  private busy: Promise<void> = Promise.resolve();
+  private isRefining = false;
   /// A click that no tool took.
   onClick: (event: PointerEvent) => void = () => {};
   private readonly listening = new AbortController();
@@ -32,7 +32,7 @@ export class Pointing {
     on('pointerup', (event) => {
       const still = this.down && Math.hypot(event.clientX - this.down.x, event.clientY - this.down.y) < drag;
       this.down = null;
-      if (still) this.busy = this.busy.then(() => this.click(event)).catch(sayFailure);
+      if (still) void inTurn(() => this.click(event));
     });
     on('pointermove', (event) => {
       this.last = event;
@@ -44,8 +44,7 @@ export class Pointing {
       tool.value?.move?.(null);
     });
     on('dblclick', (event) => {
-      // After the clicks that it is made of, which may wait for the engine.
-      if (tool.value) return void this.busy.then(() => tool.value?.finish?.());
+      if (tool.value) return finishTool();
       // The view turns around the place that was meant.
       const place = this.placeAt(event.clientX, event.clientY);
       if (place) this.centre(scene.local(place.point));
@@ -56,7 +55,31 @@ export class Pointing {
   placeAt(x: number, y: number): Place | null {
     const hit = this.scene.terrain?.pick(this.scene.stage.ray(x, y));
     if (!hit) return null;
-    return { point: this.scene.frame.project(hit.point), ...(hit.facet !== undefined && { facet: hit.facet }) };
+    const { facet, isCoarse } = hit;
+    return { point: this.scene.frame.project(hit.point), ...(facet !== undefined && { facet }), ...(isCoarse && { isCoarse }) };
+  }
+
+  /// The engine's height; null where it has no ground.
+  private async elevation([x, y]: Point3): Promise<number | null> {
+    const answer = await sendJson<{ z: (number | null)[] }>('POST', `/api/models/${model.peek()?.id}/elevations`, { points: [[x, y]] });
+    return answer.z[0] ?? null;
+  }
+
+  /// Asks for the height of the place under the pointer, where it is about right only; one question at a time.
+  private async refine() {
+    if (this.isRefining) return;
+    this.isRefining = true;
+    try {
+      for (let place = picture.pointer.peek(); place?.isCoarse; place = picture.pointer.peek()) {
+        const [x, y] = place.point;
+        const z = await this.elevation(place.point);
+        if (picture.pointer.peek() === place) picture.pointer.value = z === null ? null : { point: [x, y, z] };
+      }
+    } catch {
+      // It stays about right, and says so.
+    } finally {
+      this.isRefining = false;
+    }
   }
 
   private move() {
@@ -65,18 +88,18 @@ export class Pointing {
     const place = this.placeAt(this.last.clientX, this.last.clientY);
     picture.pointer.value = place;
     tool.value?.move?.(place);
+    void this.refine();
   }
 
   private async click(event: PointerEvent) {
     if (!tool.value) return this.onClick(event);
     const place = this.placeAt(event.clientX, event.clientY);
-    if (!place) return;
+    if (!place) return say('note', 'There is no ground where you clicked.');
     const [used, { shiftKey: shift, ctrlKey: ctrl }] = [tool.value, event];
     // A raster may be drawn coarser than it is: the height is the engine's.
     if (model.value?.kind === 'raster') {
-      const [x, y] = place.point;
-      const answer = await sendJson<{ z: (number | null)[] }>('POST', `/api/models/${model.value.id}/elevations`, { points: [[x, y]] });
-      if (typeof answer.z[0] === 'number') place.point = [x, y, answer.z[0]];
+      const z = await this.elevation(place.point);
+      if (z !== null) place.point[2] = z;
     }
     if (tool.value === used) used.click(place, { shift, ctrl });
   }
@@ -102,7 +125,7 @@ export class Pointing {
     if (named) this.scene.view(named);
     else if (event.key === '+' || event.key === '=') this.zoom(0.8);
     else if (event.key === '-') this.zoom(1.25);
-    else if (event.key === 'Enter' && tool.value) tool.value.finish?.();
+    else if (event.key === 'Enter' && tool.value) finishTool();
     else return;
     event.preventDefault();
   }

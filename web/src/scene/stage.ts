@@ -15,6 +15,7 @@ export class Stage {
   /// Before each frame; true asks for another one after it.
   readonly beforeFrame: (() => boolean | void)[] = [];
   onLost: (lost: boolean) => void = () => {};
+  onResize: () => void = () => {};
   private frame = 0;
   private readonly watcher: ResizeObserver;
 
@@ -64,6 +65,7 @@ export class Stage {
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    this.onResize();
     this.draw();
   }
 

@@ -8,6 +8,8 @@ export interface Hit {
   distance: number;
   /// The triangle of a mesh.
   facet?: number;
+  /// The terrain is drawn coarser here than it is.
+  isCoarse?: boolean;
 }
 
 export interface Terrain {
@@ -16,5 +18,7 @@ export interface Terrain {
   look(camera: Camera & { fov: number }, pixels: number, exaggeration: number): void;
   /// The first place that a ray meets, in the scene's coordinates without exaggeration.
   pick(ray: Ray): Hit | null;
+  /// Some hundreds of places of the ground, spread over all of it.
+  places(): Vector3[];
   dispose(): void;
 }

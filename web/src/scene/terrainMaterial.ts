@@ -10,23 +10,26 @@ const vertex = /* glsl */ `
 in vec2 node;
 in float height;
 in vec2 gradient;
-#endif
+out vec2 cell;    // where in the tile, in cells
+#else
 in float ground;
+flat out int kind;
+#endif
 out vec3 place;   // in the scene's coordinates, without exaggeration
 out vec3 across;  // normal of the smooth surface
-flat out int kind;
 uniform float exaggeration;
 void main() {
 #ifdef TILE
+  cell = node;
   vec3 at = vec3(node, height);
   across = vec3(-gradient, 1.0);
 #else
   vec3 at = position;
   across = normal;
+  kind = int(ground + 0.5);
 #endif
   vec4 world = modelMatrix * vec4(at, 1.0);
   place = vec3(world.xy, world.z / exaggeration);
-  kind = int(ground + 0.5);
   gl_Position = projectionMatrix * viewMatrix * world;
 }`;
 
@@ -34,7 +37,12 @@ const fragment = /* glsl */ `
 precision highp float;
 in vec3 place;
 in vec3 across;
+#ifdef TILE
+in vec2 cell;
+uniform sampler2D cellKinds;
+#else
 flat in int kind;
+#endif
 out vec4 colour;
 uniform float exaggeration;
 uniform int shading;       // 0 hillshade, 1 elevation, 2 slope, 3 material
@@ -69,7 +77,13 @@ void main() {
   vec3 base = plain;
   if (shading == 1) base = texture(ramp, vec2((place.z - range.x) / max(range.y - range.x, 1e-6), 0.5)).rgb;
   if (shading == 2) base = texture(ramp, vec2(steepness / 70.0, 0.5)).rgb;
-  if (shading == 3) base = texelFetch(kinds, ivec2(kind % kindCount, 0), 0).rgb;
+  if (shading == 3) {
+#ifdef TILE
+    ivec2 at = clamp(ivec2(cell), ivec2(0), textureSize(cellKinds, 0) - 1);
+    int kind = int(255.0 * texelFetch(cellKinds, at, 0).r + 0.5);
+#endif
+    base = texelFetch(kinds, ivec2(kind % kindCount, 0), 0).rgb;
+  }
 
   // One sun at 315 degrees and 45 up, two weaker ones at 250 and 20, the sky, and a little from behind the viewer of the
   // first picture, so that steep faces that turn away from the sun keep their colour.
@@ -119,6 +133,7 @@ function uniforms() {
     ramp: { value: texture(rampBytes(elevationRamp.light), LinearFilter) },
     kinds: { value: texture(listBytes([materialColour(0)]), NearestFilter) },
     kindCount: { value: 1 },
+    cellKinds: { value: null as DataTexture | null }, // of the tile that is drawn
     plain: { value: unit(groundColour.light) },
     ink: { value: unit(dark) },
     interval: { value: 0 },

@@ -1,8 +1,20 @@
 // A square piece of a raster terrain, at one level of detail.
 
-import { Box3, BufferAttribute, BufferGeometry, Mesh, Sphere, Vector3, type Ray } from 'three';
-import type { Arrays } from '../api/arrays';
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  Mesh,
+  NearestFilter,
+  RedFormat,
+  Sphere,
+  Vector3,
+  type Ray,
+} from 'three';
+import type { Arrays, NumberArray } from '../api/arrays';
 import type { Point3 } from '../api/types';
+import { cut, cutCells, trianglesOf } from './cellCut';
 import type { Frame } from './frame';
 import { meet, walk, type PlanGrid } from './gridWalk';
 import type { TerrainMaterial } from './terrainMaterial';
@@ -15,7 +27,6 @@ export interface TileHeader {
 }
 
 const sharedNodes = new Map<string, BufferAttribute>();
-const sharedIndex = new Map<string, BufferAttribute>();
 
 /// The places of a tile's nodes in cells, with a rim around them that hangs down, so that tiles of different levels show
 /// no cracks between them.
@@ -36,30 +47,17 @@ function nodesOf(columns: number, rows: number): BufferAttribute {
   return nodes;
 }
 
-/// Both triangles of each cell; those with a corner in a hole are left out.
-function indexOf(columns: number, rows: number, heights: Float32Array, holes: boolean): BufferAttribute {
-  const key = `${columns} ${rows}`;
-  const known = sharedIndex.get(key);
-  if (known && !holes) return known;
-  const [across, along] = [columns + 2, rows + 2];
-  const array = new Uint32Array(6 * (across - 1) * (along - 1));
-  let k = 0;
-  const add = (a: number, b: number, c: number) => {
-    if (holes && Number.isNaN(heights[a]! + heights[b]! + heights[c]!)) return;
-    array[k++] = a;
-    array[k++] = b;
-    array[k++] = c;
-  };
-  for (let j = 0; j + 1 < along; ++j)
-    for (let i = 0; i + 1 < across; ++i) {
-      const a = j * across + i;
-      add(a, a + 1, a + across + 1);
-      add(a, a + across + 1, a + across);
-    }
-  const index = new BufferAttribute(array.subarray(0, k), 1);
-  if (!holes) sharedIndex.set(key, index);
-  return index;
+/// The material of each cell, for the shader: up to 256 of them, after which colours repeat anyway.
+function kindsOf(columns: number, rows: number, materials: NumberArray | undefined): DataTexture {
+  const made = new DataTexture(Uint8Array.from(materials ?? new Uint8Array(columns * rows)), columns, rows, RedFormat);
+  made.magFilter = made.minFilter = NearestFilter;
+  made.unpackAlignment = 1;
+  made.needsUpdate = true;
+  return made;
 }
+
+const meetCorners = (ray: Ray, corners: Float64Array, [a, b, c]: readonly [number, number, number]) =>
+  meet(ray, corners, 3 * a, 3 * b, 3 * c);
 
 export class Tile {
   readonly mesh: Mesh;
@@ -69,6 +67,8 @@ export class Tile {
   private readonly heights: Float32Array;
   private readonly grid: PlanGrid;
   private readonly z: number;
+  /// The ground of each cell, as a picture.
+  private readonly kinds: DataTexture;
 
   constructor(
     { header, arrays }: Arrays<TileHeader>,
@@ -85,8 +85,7 @@ export class Tile {
     const [across, along] = [columns + 2, rows + 2];
     const height = new Float32Array(across * along);
     const gradient = new Float32Array(2 * height.length);
-    const ground = new Uint8Array(height.length);
-    let [low, high, holes, rough] = [Infinity, -Infinity, false, 0];
+    let [low, high, rough] = [Infinity, -Infinity, 0];
     const at = (i: number, j: number) => this.heights[j * columns + i]!;
     // The slope between neighbours on both sides, or on the one that there is.
     const rise = (before: number, here: number, after: number, step: number) => {
@@ -99,13 +98,7 @@ export class Tile {
         const here = at(i, j);
         const k = (j + 1) * across + i + 1;
         height[k] = here;
-        // Materials are of cells: a node has that of the cell north-east of it, if there is one.
-        const cellOf = Math.min(j, rows - 2) * (columns - 1) + Math.min(i, columns - 2);
-        ground[k] = (arrays.materials?.[cellOf] ?? 0) as number;
-        if (Number.isNaN(here)) {
-          holes = true;
-          continue;
-        }
+        if (Number.isNaN(here)) continue;
         low = Math.min(low, here);
         high = Math.max(high, here);
         const gx = rise(i > 0 ? at(i - 1, j) : NaN, here, i + 1 < columns ? at(i + 1, j) : NaN, cell[0]);
@@ -119,7 +112,6 @@ export class Tile {
       height[to] = height[from]! - drop;
       gradient[2 * to] = gradient[2 * from]!;
       gradient[2 * to + 1] = gradient[2 * from + 1]!;
-      ground[to] = ground[from]!;
     };
     for (let i = 1; i <= columns; ++i) {
       copy(i, across + i);
@@ -141,8 +133,7 @@ export class Tile {
     geometry.setAttribute('node', nodesOf(columns, rows));
     geometry.setAttribute('height', new BufferAttribute(height, 1));
     geometry.setAttribute('gradient', new BufferAttribute(gradient, 2));
-    geometry.setAttribute('ground', new BufferAttribute(ground, 1));
-    geometry.setIndex(indexOf(columns, rows, height, holes));
+    geometry.setIndex(new BufferAttribute(cutCells(height, across, along), 1));
     if (!(low <= high)) [low, high] = [0, 0];
     this.box = new Box3(
       new Vector3(x, y, z + low),
@@ -153,7 +144,12 @@ export class Tile {
     this.mesh.frustumCulled = false;
     this.mesh.position.set(x, y, z);
     this.mesh.scale.set(cell[0], cell[1], 1);
-    this.bytes = 13 * height.length + (holes ? 24 * height.length : 0);
+    this.kinds = kindsOf(columns - 1, rows - 1, arrays.materials);
+    this.mesh.onBeforeRender = () => {
+      material.uniforms.cellKinds.value = this.kinds;
+      material.uniformsNeedUpdate = true;
+    };
+    this.bytes = 16 * height.length + 4 * geometry.index!.count + (columns - 1) * (rows - 1);
   }
 
   pick(ray: Ray): number | null {
@@ -161,21 +157,37 @@ export class Tile {
     const { x, y, dx, dy, columns } = this.grid;
     const corners = new Float64Array(12);
     return walk(ray, this.grid, (i, j) => {
+      const way = cut(this.heights, columns + 1, i, j);
+      if (way === 'hole') return null;
       for (let k = 0; k < 4; ++k) {
         const [c, r] = [i + (k % 2), j + (k >> 1)];
         corners[3 * k] = x + c * dx;
         corners[3 * k + 1] = y + r * dy;
         corners[3 * k + 2] = this.z + this.heights[r * (columns + 1) + c]!;
       }
-      return meet(ray, corners, 0, 3, 9) ?? meet(ray, corners, 0, 9, 6);
+      const [first, second] = trianglesOf[way];
+      const [a, b] = [meetCorners(ray, corners, first), meetCorners(ray, corners, second)];
+      return a === null || b === null ? (a ?? b) : Math.min(a, b);
     });
   }
 
+  /// Nodes with data, at most so many along each side.
+  places(most: number): Vector3[] {
+    const { x, y, dx, dy, columns, rows } = this.grid;
+    const list: Vector3[] = [];
+    for (let j = 0; j <= rows; j += Math.max(1, Math.ceil(rows / most)))
+      for (let i = 0; i <= columns; i += Math.max(1, Math.ceil(columns / most))) {
+        const height = this.heights[j * (columns + 1) + i]!;
+        if (!Number.isNaN(height)) list.push(new Vector3(x + i * dx, y + j * dy, this.z + height));
+      }
+    return list;
+  }
+
   dispose() {
-    // The shared buffers stay for other tiles.
+    // What is shared stays for other tiles.
     const { geometry } = this.mesh;
     geometry.deleteAttribute('node');
-    if (sharedIndex.get(`${this.grid.columns + 1} ${this.grid.rows + 1}`) === geometry.index) geometry.setIndex(null);
     geometry.dispose();
+    this.kinds.dispose();
   }
 }

@@ -183,9 +183,17 @@ export class TiledTerrain implements Terrain {
   }
 
   pick(ray: Ray): Hit | null {
-    let distance = Infinity;
-    for (const { tile } of this.drawn) distance = Math.min(distance, tile?.pick(ray) ?? Infinity);
-    return distance < Infinity ? { point: ray.at(distance, new Vector3()), distance } : null;
+    let [distance, isCoarse] = [Infinity, false];
+    for (const { tile, level } of this.drawn) {
+      const found = tile?.pick(ray) ?? Infinity;
+      if (found < distance) [distance, isCoarse] = [found, this.levels[level]!.stride > 1];
+    }
+    return distance < Infinity ? { point: ray.at(distance, new Vector3()), distance, isCoarse } : null;
+  }
+
+  places(): Vector3[] {
+    const most = Math.ceil(Math.sqrt(600 / this.roots.length));
+    return this.roots.flatMap(({ tile }) => tile?.places(most) ?? []);
   }
 
   dispose() {

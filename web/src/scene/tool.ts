@@ -3,12 +3,15 @@
 
 import { signal } from '@preact/signals';
 import type { Point3 } from '../api/types';
+import { sayFailure } from '../state/messages';
 
 /// A place on the terrain, in the project's coordinates. In 2D, y is 0.
 export interface Place {
   point: Point3;
   /// The triangle of a mesh or the segment of a section that was hit.
   facet?: number;
+  /// The terrain is drawn coarser here than it is: the height is about right.
+  isCoarse?: boolean;
 }
 
 export interface Tool {
@@ -33,6 +36,8 @@ export interface Overlay {
   kind: 'line' | 'points' | 'polygon';
   colour?: string;
   label?: string;
+  /// A line without marks of its points.
+  isBare?: boolean;
 }
 export const overlays = signal<Record<string, Overlay[]>>({});
 
@@ -41,6 +46,21 @@ export function showOverlay(owner: string, list: Overlay[]) {
   const { [owner]: _, ...others } = overlays.peek();
   overlays.value = list.length > 0 ? { ...others, [owner]: list } : others;
 }
+
+/// A click may wait for the engine. What is asked of the tool after it waits with it.
+let turn: Promise<void> = Promise.resolve();
+export function inTurn(task: () => void | Promise<void>): Promise<void> {
+  return (turn = turn.then(task).catch(sayFailure));
+}
+
+function ask(what: 'finish' | 'back') {
+  const asked = tool.value;
+  void inTurn(() => {
+    if (tool.value === asked) asked?.[what]?.();
+  });
+}
+export const finishTool = () => ask('finish');
+export const takeBack = () => ask('back');
 
 export function useTool(next: Tool | null) {
   tool.value?.cancel?.();

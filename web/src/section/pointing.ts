@@ -1,7 +1,7 @@
 // The pointer and the keys over the section: where it is, the view, clicks for the tool or for what stands there.
 
 import type { Place } from '../scene/tool';
-import { tool } from '../scene/tool';
+import { finishTool, tool } from '../scene/tool';
 import { model } from '../state/model';
 import { chosen } from '../state/view';
 import { moved, pixelOf, placeOf, zoomed } from './frame';
@@ -92,7 +92,7 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent)
     pointer.value = null;
     tool.value?.move?.(null);
   });
-  on('dblclick', () => tool.value?.finish?.());
+  on('dblclick', finishTool);
   on('wheel', (event) => {
     event.preventDefault();
     const box = canvas.getBoundingClientRect();
@@ -114,7 +114,7 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent)
     else if (event.key === '+' || event.key === '=') frame.value = zoomed(now, 1.25, now.width / 2, now.height / 2);
     else if (event.key === '-') frame.value = zoomed(now, 0.8, now.width / 2, now.height / 2);
     else if (event.key === '0') fit();
-    else if (event.key === 'Enter' && tool.value) tool.value.finish?.();
+    else if (event.key === 'Enter' && tool.value) finishTool();
     else return;
     event.preventDefault();
   });

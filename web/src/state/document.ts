@@ -17,6 +17,8 @@ const mostCharacters = 50_000_000; // of all steps together
 
 /// The file's name, relative to the folder; null: nothing is open.
 export const file = signal<string | null>(null);
+/// Its name without folders and ending: what a project without a name is called.
+export const fileStem = () => (file.value ?? '').replace(/^.*\/|\.toml$/g, '');
 export const text = signal('');
 /// The hash of the file as it was read or written last; null: it was never saved.
 export const savedHash = signal<string | null>(null);

@@ -21,7 +21,7 @@ effect(() => {
 export type SidePanel = 'model' | 'runs' | 'text';
 export const sidePanel = kept<SidePanel>('side panel', 'model');
 
-export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'maps' | 'compare';
+export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'maps' | 'compare' | 'section';
 export const resultsTab = kept<ResultsTab>('results tab', 'overview');
 export const resultsOpen = kept('results open', true);
 /// Of the window's height.

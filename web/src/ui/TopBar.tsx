@@ -1,4 +1,4 @@
-import { close, file, isChanged, redo, redoes, undo, undoes, values } from '../state/document';
+import { close, file, fileStem, isChanged, redo, redoes, undo, undoes, values } from '../state/document';
 import { save, savingAs } from '../state/saving';
 import { isBuilding } from '../state/model';
 import { isConnected, running, stop } from '../state/runs';
@@ -27,7 +27,7 @@ function Progress() {
 }
 
 export function TopBar() {
-  const name = typeof values.value.name === 'string' ? values.value.name : (file.value ?? '');
+  const name = typeof values.value.name === 'string' ? values.value.name : fileStem();
   return (
     <header class="bar">
       <button class="button plain icon" title="Start page" aria-label="Start page" onClick={close}>

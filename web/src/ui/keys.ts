@@ -3,7 +3,7 @@
 import { file, redo, undo } from '../state/document';
 import { save } from '../state/saving';
 import { compute } from '../state/runs';
-import { tool, useTool } from '../scene/tool';
+import { finishTool, takeBack, tool, useTool } from '../scene/tool';
 
 const isWriting = (target: EventTarget | null) =>
   target instanceof HTMLElement &&
@@ -36,8 +36,8 @@ function onKey(event: KeyboardEvent) {
   if (ctrl && key === 'y') return act(redo);
   if (!tool.value || isWriting(event.target)) return;
   if (event.key === 'Escape') return act(() => useTool(null));
-  if (event.key === 'Enter' && event.target === document.body) return act(() => tool.value?.finish?.());
-  if (event.key === 'Backspace') return act(() => tool.value?.back?.());
+  if (event.key === 'Enter' && event.target === document.body) return act(finishTool);
+  if (event.key === 'Backspace') return act(takeBack);
 }
 
 export function listenToKeys(): () => void {

@@ -1,13 +1,13 @@
 // A view as it is seen, as a file.
 
-import { file } from '../state/document';
+import { fileStem } from '../state/document';
 
 export function savePicture(canvas: HTMLCanvasElement | null) {
   canvas?.toBlob((blob) => {
     if (!blob) return;
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
-    link.download = `${(file.value ?? 'view').replace(/^.*\/|\.toml$/g, '')}.png`;
+    link.download = `${fileStem() || 'view'}.png`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
   });

@@ -108,10 +108,10 @@ function designRanking(parent, run) {
     : `No kit of those given catches ${wanted} of ${of}.`);
   table(parent, {
     caption: 'Kits to choose from, the best first',
-    head: [['Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Interval', 'Too high', 'Too strong', 'Past the line', 'Cost index']],
+    head: [['Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Interval', 'Too high', 'Too strong', 'Past the line', 'Catches enough', 'Cost index']],
     rows: shown.map((kit) => [kit.line, number(kit.height_m), number(kit.energy_J / 1000), isNumber(kit.class) ? String(kit.class) : '–', shareText(kit.caught_share),
       kit.caught_share ? `${number(100 * kit.caught_share.low, 3)} to ${number(100 * kit.caught_share.high, 3)} %` : '–',
-      number(kit.above), number(kit.through), number(kit.beside), kit.suffices ? number(kit.cost, 4) : 'too little']),
+      number(kit.above), number(kit.through), number(kit.beside), kit.suffices ? 'yes' : 'no', number(kit.cost, 4)]),
     numeric: (column) => column > 0,
     rowClass: (i) => i === 0 && best ? 'differs' : '',
   });

@@ -231,7 +231,7 @@ function sectionFigure(parent) {
     width: drawing.wide,
     rows: shownRows,
     draw(svg, width) {
-      const frame = equalFrame(width, 72, u1 - u0, z1 - z0, 600);
+      const frame = equalFrame(width, 84, u1 - u0, z1 - z0, 600);
       const {side, room, height, scale} = frame;
       const middleU = (u0 + u1) / 2, middleZ = (z0 + z1) / 2;
       const toX = d3.scaleLinear().domain([middleU - room / scale / 2, middleU + room / scale / 2]).range([side.left, side.right]);
@@ -337,41 +337,74 @@ function contourLines(relief, levels) {
   });
 }
 
-function planFigure(parent) {
-  const spatial = runs.filter((run) => !run.isSection);
-  if (!spatial.length) return;
-  const reliefRun = spatial.find((run) => run.terrain.relief);
-  const relief = reliefRun && reliefRun.terrain.relief;
+// The relief's heights within a rectangle, and of all of it where none of its points lies there.
+function heightsWithin(relief, {x: [x0, x1], y: [y0, y1]}) {
+  const inside = relief.z_m.filter((z, k) => {
+    const x = relief.x0 + (k % relief.columns) * relief.cell_m, y = relief.y0 + Math.floor(k / relief.columns) * relief.cell_m;
+    return isNumber(z) && x >= x0 && x <= x1 && y >= y0 && y <= y1;
+  });
+  return inside.length ? inside : relief.z_m.filter(isNumber);
+}
+
+function contoursWithin(relief, view) {
+  const [low, high] = d3.extent(heightsWithin(relief, view));
+  const levels = high > low ? d3.ticks(low, high, 25) : [];
+  const interval = levels.length > 1 ? levels[1] - levels[0] : 0;
+  return {interval, lines: interval ? contourLines(relief, levels) : []};
+}
+
+// What the plan can show: the rocks with the barriers, and the whole terrain.
+function planViews(spatial, relief) {
   const xs = [], ys = [];
   for (const run of spatial) {
     run.rocks.forEach((rock) => rock.rows.forEach((row) => { xs.push(row.x); ys.push(row.y); }));
     run.endpoints.forEach((e) => { xs.push(e.x); ys.push(e.y); });
     barriersOf(run).forEach((barrier) => barrierLine(barrier).forEach(([x, y]) => { xs.push(x); ys.push(y); }));
+  }
+  const view = (margin) => ({x: extentOf(xs, margin), y: extentOf(ys, margin)});
+  const rocks = xs.length ? view(0.15) : null;
+  for (const run of spatial) {
     if (Array.isArray(run.terrain.bounds)) run.terrain.bounds.forEach(([x, y]) => { xs.push(x); ys.push(y); });
   }
   if (relief) {
     xs.push(relief.x0, relief.x0 + (relief.columns - 1) * relief.cell_m);
     ys.push(relief.y0, relief.y0 + (relief.rows - 1) * relief.cell_m);
   }
-  if (!xs.length) return;
-  const [x0, x1] = extentOf(xs, 0.01), [y0, y1] = extentOf(ys, 0.01);
-  let contours = [], interval = 0;
-  if (relief) {
-    const [low, high] = d3.extent(relief.z_m.filter(isNumber));
-    const levels = high > low ? d3.ticks(low, high, 25) : [];
-    interval = levels.length > 1 ? levels[1] - levels[0] : 0;
-    if (interval) contours = contourLines(relief, levels);
-  }
+  return xs.length ? {rocks, terrain: view(0.01)} : null;
+}
+
+function planFrame(width, {x: [x0, x1], y: [y0, y1]}) { return equalFrame(width, 96, x1 - x0, y1 - y0, 660); }
+
+// Whether rocks fill so little of the terrain that they are better shown by themselves, so much larger.
+function fillsLittle({rocks, terrain}) {
+  const scale = (view) => planFrame(drawing.wide, view).scale;
+  return rocks !== null && scale(rocks) > 1.6 * scale(terrain);
+}
+
+function planFigure(parent) {
+  const spatial = runs.filter((run) => !run.isSection);
+  if (!spatial.length) return;
+  const reliefRun = spatial.find((run) => run.terrain.relief);
+  const relief = reliefRun && reliefRun.terrain.relief;
+  const views = planViews(spatial, relief);
+  if (!views) return;
+  const canZoom = fillsLittle(views);
+  let shown = canZoom ? 'rocks' : 'terrain';
+  const contoursOf = {};
+  const contours = () => contoursOf[shown] || (contoursOf[shown] = relief ? contoursWithin(relief, views[shown]) : {interval: 0, lines: []});
+  const captionText = () => shownText() + (relief ? `Contours every ${number(contours().interval)} m; relief lit from the upper left.` : 'The summary holds no relief to draw.') +
+    (spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and lies on y = 0.` : '');
   const picture = relief ? hillshade(relief) : null;
   const made = figure(parent, {
     title: 'Plan with the paths of the rocks',
     label: 'Plan of the terrain with contours, the paths of the rocks and where they ended',
-    caption: shownText() + (relief ? `Contours every ${number(interval)} m; relief lit from the upper left.` : 'The summary holds no relief to draw.') +
-      (spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and lies on y = 0.` : ''),
+    caption: captionText(),
     width: drawing.wide,
     rows: shownRows,
     draw(svg, width) {
-      const frame = equalFrame(width, 96, x1 - x0, y1 - y0, 660);
+      const {x: [x0, x1], y: [y0, y1]} = views[shown];
+      const {interval, lines: contourSets} = contours();
+      const frame = planFrame(width, views[shown]);
       const {side, room, height, scale} = frame;
       const middle = (x0 + x1) / 2, middleY = (y0 + y1) / 2;
       const toX = d3.scaleLinear().domain([middle - room / scale / 2, middle + room / scale / 2]).range([side.left, side.right]);
@@ -386,10 +419,11 @@ function planFigure(parent) {
           .attr('width', relief.columns * relief.cell_m * scale).attr('height', relief.rows * relief.cell_m * scale);
         const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
         const named = [];  // where contours have their heights written, so that none is written over another
-        for (const {level, lines} of contours) {
+        const isShown = ([x, y]) => x > x0 && x < x1 && y > y0 && y < y1;
+        for (const {level, lines} of contourSets) {
           const main = Math.round(level / interval) % 5 === 0;
           tip(inside.append('path').attr('class', main ? 'contour main' : 'contour').attr('d', lines.map(line).join('')), () => `z = ${number(level)} m`);
-          const longest = lines.reduce((a, b) => b.length > a.length ? b : a, []);
+          const longest = lines.map((each) => each.filter(isShown)).reduce((a, b) => b.length > a.length ? b : a, []);
           if (!main || longest.length < 8) continue;
           const place = longest[Math.floor(longest.length * 0.12)];
           const at = [toX(place[0]), toY(place[1])];
@@ -421,4 +455,13 @@ function planFigure(parent) {
     },
   });
   choice.listeners.push(made.redraw);
+  if (!canZoom) return;
+  const other = () => shown === 'rocks' ? 'Show the whole terrain' : 'Show the rocks';
+  const zoom = element(made.head.insert('span', '.save').attr('class', 'zoom'), 'button', other(), {type: 'button'});
+  zoom.on('click', () => {
+    shown = shown === 'rocks' ? 'terrain' : 'rocks';
+    zoom.text(other());
+    made.caption.text(captionText());
+    made.redraw();
+  });
 }

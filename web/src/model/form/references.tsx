@@ -12,10 +12,10 @@ const names = (key: string) => rowsOf(key).map((_, index) => nameOf(key, index))
 export const materialNames = () => names('material');
 
 /// Texts that are the name of something.
-export const materialFields = new Set(['ground.default', 'design.protect']);
+export const materialFields = new Set(['ground.default', 'area.material', 'design.protect']);
 
 export function NameChoice({ field, path }: FieldProps) {
-  const words = path[0] === 'ground' ? materialNames() : names('collector');
+  const words = path[0] === 'design' ? names('collector') : materialNames();
   const titles = Object.fromEntries(words.map((word) => [word, word]));
   return (
     <Choice

@@ -1,0 +1,162 @@
+#include "talus/project/check_terrain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "talus/project/check_survey.hpp"
+#include "talus/project/named_files.hpp"
+#include "talus/project/settings.hpp"
+#include "talus/project/values.hpp"
+#include "talus/terrain/mend.hpp"
+#include "talus/terrain/plan_polygon.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr std::size_t most_complaints = 10;  // of one list; more would only hide the others
+
+/// Then the user is told of the key, and that there is no terrain only follows.
+bool is_mistyped(const toml::table& row) {
+  const auto terrain = std::ranges::find_if(tables(), [](const Table& table) { return table.key == "terrain"; });
+  constexpr std::string_view keys[] = {"section", "mesh",  "triangles", "vertices", "raster",
+                                       "points",  "lines", "polylines", "polygons"};
+  return std::ranges::any_of(keys, [&](std::string_view key) { return project::is_mistyped(*terrain, row, key); });
+}
+
+}  // namespace
+
+void TerrainRules::refuse(const Spot& at, std::string what, std::string why, std::string hint) const {
+  complain(at, std::move(what), std::move(why), std::move(hint), Severity::error);
+}
+
+void TerrainRules::check() const {
+  const bool has_section = row.contains("section"), has_mesh = row.contains("mesh");
+  const bool has_triangles = row.contains("triangles"), has_vertices = row.contains("vertices");
+  const bool has_raster = row.contains("raster");
+  const bool is_surveyed =
+      row.contains("points") || row.contains("lines") || row.contains("polylines") || row.contains("polygons");
+  if (!has_section && !has_mesh && !has_triangles && !has_vertices && !has_raster && !is_surveyed &&
+      !is_mistyped(row)) {
+    refuse(&row, "there is no terrain",
+           "expected one of section, mesh, triangles, raster, points, lines, polylines and polygons");
+  }
+  if (has_triangles != has_vertices && !has_section && !has_mesh && !has_raster && !is_surveyed) {
+    const std::string_view missing = has_triangles ? "vertices" : "triangles";
+    refuse({&row, &row, missing}, fmt::format("{} is missing", missing), "an inline mesh needs vertices and triangles");
+  }
+  if (!has_section) {
+    for (const std::string_view key : {"width_m", "section_std_dev_m"}) {
+      if (const Node node = good(key)) {
+        refuse(node, fmt::format("{} is given without a section", key), "it would have no effect");
+      }
+    }
+  }
+  if (const Node section = good("section")) about_section(section);
+  if (const Node deviations = good("section_std_dev_m"); deviations && good("section")) {
+    const std::size_t found = project.terrain.section_std_dev_m.size(), wanted = project.terrain.section.size();
+    if (found != wanted) {
+      refuse(deviations, fmt::format("section_std_dev_m has {}", counted(found, "entry", "entries")),
+             fmt::format("expected one for each of the {} vertices of the section", wanted));
+    }
+  }
+  if (is_flat) {
+    for (const std::string_view key : {"rotate_deg", "rotate_about"}) {
+      const Node node = good(key);
+      if (!node || (key == "rotate_deg" && project.terrain.rotate_deg == 0)) continue;
+      if (key == "rotate_about" && project.terrain.rotate_deg == 0) continue;
+      refuse(node, fmt::format("{} is given in 2D", key), "a section cannot be turned", "Give width_m for 3D");
+    }
+  }
+  if (const Node turn = good("rotate_deg"); turn && has_raster && project.terrain.rotate_deg != 0) {
+    refuse(turn, "rotate_deg is given with a raster",
+           "a raster stands where its coordinate system says, in rows from west to east", "Leave it out");
+  }
+  if (const Node about = good("rotate_about"); about && !row.contains("rotate_deg")) {
+    complain(about, "rotate_about has no effect", "it needs rotate_deg", "", Severity::warning);
+  }
+  if (const Node mesh = good("mesh")) about_mesh_file(mesh);
+  if (const Node raster = good("raster")) {
+    if (const std::string why = why_missing(project, project.terrain.raster); !why.empty()) {
+      refuse(raster, fmt::format("raster is {}", quoted(*raster)), why, "Its path is relative to the project file");
+    }
+  }
+  if (good("vertices") && good("triangles")) about_inline_mesh();
+  SurveyRules{project, row, good, complain}.check();
+}
+
+void TerrainRules::about_section(Node section) const {
+  const auto& vertices = project.terrain.section;
+  if (vertices.size() < 2) {
+    refuse(section, fmt::format("section has {}", counted(vertices.size(), "vertex", "vertices")),
+           "a slope has two or more");
+  }
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Node node = entry(section, i);
+    if (std::max(std::abs(vertices[i][0]), std::abs(vertices[i][1])) > largest_coordinate_m) {
+      refuse(node, fmt::format("section[{}] is {}", i, quoted(*node)),
+             fmt::format("coordinates lie within {:g} m", largest_coordinate_m));
+    } else if (i > 0 && vertices[i] == vertices[i - 1]) {
+      refuse(node, fmt::format("section[{}] is {}", i, quoted(*node)), "it repeats the vertex before it",
+             "Leave it out");
+    } else {
+      continue;
+    }
+    if (++wrong == most_complaints) break;
+  }
+  if (wrong > 0) return;
+  std::vector<Vec2> line;
+  for (const auto& [x, z] : vertices) line.emplace_back(x, z);
+  if (const auto at = line_crossing(line)) {
+    refuse(section, "section crosses or touches itself",
+           fmt::format("at or near x = {:.10g}, z = {:.10g}", at->x(), at->y()),
+           "Give its vertices in order along the slope");
+  }
+}
+
+void TerrainRules::about_mesh_file(Node mesh) const {
+  std::string ending = project.terrain.mesh.extension().string();
+  for (char& letter : ending) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  if (ending != ".obj" && ending != ".stl" && ending != ".ply") {
+    refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)), "expected a file that ends in .obj, .stl or .ply");
+    return;
+  }
+  // A project that is only a text has no folder in which its mesh could lie.
+  std::error_code error;
+  const std::filesystem::path path = project.file.parent_path() / project.terrain.mesh;
+  if (std::filesystem::exists(project.file, error) && !std::filesystem::is_regular_file(path, error)) {
+    const bool is_folder = std::filesystem::is_directory(path, error);
+    const bool is_there = std::filesystem::exists(path, error);
+    refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)),
+           is_folder  ? fmt::format("{} is a folder", path.string())
+           : is_there ? fmt::format("{} is not an ordinary file", path.string())
+                      : fmt::format("there is no file {}", path.string()),
+           "Its path is relative to the project file");
+  }
+}
+
+void TerrainRules::about_inline_mesh() const {
+  const Node node = row.get("triangles");
+  const auto count = static_cast<std::int64_t>(project.terrain.vertices.size());
+  if (project.terrain.triangles.empty()) refuse(node, "triangles is empty", "a terrain has at least one");
+  for (std::size_t i = 0; i < project.terrain.triangles.size(); ++i) {
+    const auto& [a, b, c] = project.terrain.triangles[i];
+    const Node triangle = entry(node, i);
+    if (std::max({a, b, c}) >= count) {
+      refuse(triangle, fmt::format("triangles[{}] is {}", i, quoted(*triangle)),
+             count == 0 ? "there are no vertices"
+                        : fmt::format("there are {} vertices; expected 0 to {}", count, count - 1),
+             std::max({a, b, c}) == count ? "Vertices are counted from 0" : "");
+    } else if (a == b || b == c || c == a) {
+      refuse(triangle, fmt::format("triangles[{}] is {}", i, quoted(*triangle)),
+             "a triangle has three different vertices");
+    }
+  }
+}
+
+}  // namespace talus::project

@@ -1,0 +1,63 @@
+#include "talus/project/named_files.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace talus::project {
+
+namespace {
+
+bool is_same(const Project& project, const NamedFile& named, const std::string& file) {
+  return named.file.string() == file || (project.file.parent_path() / named.file).string() == file;
+}
+
+const NamedFile* only_one(const Project& project, std::string_view where, const std::string& file) {
+  const NamedFile* found = nullptr;
+  for (const NamedFile& each : project.named_files) {
+    if (each.where != where || !is_same(project, each, file)) continue;
+    if (found != nullptr) return nullptr;
+    found = &each;
+  }
+  return found;
+}
+
+/// The line where this row names a file that the text of a problem names, too.
+int line_of_mentioned(const Project& project, std::string_view where, const Problem& problem) {
+  for (const NamedFile& each : project.named_files) {
+    if (each.where != where || each.said_in != project.file.string()) continue;
+    const std::string name = fmt::format("\"{}\"", each.file.string());
+    if (problem.what.find(name) != std::string::npos || problem.why.find(name) != std::string::npos) return each.line;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string why_missing(const Project& project, const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::path path = project.file.parent_path() / file;
+  if (!std::filesystem::exists(project.file, error) || std::filesystem::exists(path, error)) return "";
+  return path.string().starts_with("/vsi") ? "" : fmt::format("there is no file {}", path.string());
+}
+
+Problems said_of_project(const Problems& problems, const Project& project, std::string_view where) {
+  Problems said;
+  for (Problem problem : problems.list()) {
+    if (const NamedFile* named = only_one(project, where, problem.file)) {
+      const std::string line = problem.line > 0 ? fmt::format(":{}", problem.line) : "";
+      const std::string within = problem.where.empty() ? "" : problem.where + ": ";
+      problem.what = fmt::format("{} {}{}: {}{}", named->key, problem.file, line, within, problem.what);
+      problem.file = named->said_in;
+      problem.line = named->line;
+      problem.where = named->where;
+      problem.path = named->path;
+    } else if (problem.file == project.file.string() && problem.line == 0 && problem.where == where) {
+      problem.line = line_of_mentioned(project, where, problem);
+    }
+    said.add(std::move(problem));
+  }
+  return said;
+}
+
+}  // namespace talus::project

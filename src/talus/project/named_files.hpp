@@ -1,0 +1,42 @@
+#pragma once
+// What is wrong with a file that a project names, said where the project names it.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "talus/core/problems.hpp"
+#include "talus/project/project.hpp"
+
+namespace talus::project {
+
+/// Why a file to read cannot be opened; empty where it is there, or may be: what GDAL opens may be a folder, or lie in
+/// a file system of its own, and a project that is only a text has no folder.
+[[nodiscard]] std::string why_missing(const Project& project, const std::filesystem::path& file);
+
+/// Problems of files become problems of the row `where` ("[terrain]", `seeder "Cliff"`) that names them, with the file
+/// after the key. Those of files that it does not name, or names more than once, stay as they are. What is said of the
+/// row without a line gets that of the file that it mentions.
+[[nodiscard]] Problems said_of_project(const Problems& problems, const Project& project, std::string_view where);
+
+/// Does `work(problems, warnings)`, and adds what it complained of to the two lists, said so; what it throws is said so
+/// and goes on.
+template <class Work>
+auto naming_files(const Project& project, std::string_view where, Problems& problems, Problems& warnings,
+                  const Work& work) {
+  Problems own_problems, own_warnings;
+  const auto pass_on = [&] {
+    problems.append(said_of_project(own_problems, project, where));
+    warnings.append(said_of_project(own_warnings, project, where));
+  };
+  try {
+    auto result = work(own_problems, own_warnings);
+    pass_on();
+    return result;
+  } catch (const BadInput& bad) {
+    pass_on();
+    throw BadInput(said_of_project(bad.problems(), project, where));
+  }
+}
+
+}  // namespace talus::project

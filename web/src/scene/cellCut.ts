@@ -1,0 +1,41 @@
+// How the cells of a raster are cut into triangles: by the engine's rule (docs/terrain.md), from the same
+// single-precision heights, so that the finest tiles are the surface on which rocks fall.
+
+/// South-west to north-east, or north-west to south-east; a cell with a node without data is a hole.
+export type Cut = 'north-east' | 'south-east' | 'hole';
+
+type Corners = readonly [number, number, number];
+/// Both triangles of a cell whose corners are 0 in the south-west, 1 south-east, 2 north-west, 3 north-east.
+export const trianglesOf: Record<Exclude<Cut, 'hole'>, readonly [Corners, Corners]> = {
+  'north-east': [
+    [0, 1, 3],
+    [0, 3, 2],
+  ],
+  'south-east': [
+    [0, 1, 2],
+    [1, 3, 2],
+  ],
+};
+
+/// Of the cell north-east of a node; `across` nodes are in a row.
+export function cut(heights: Float32Array, across: number, column: number, row: number): Cut {
+  const south = row * across + column;
+  const [sw, se] = [heights[south]!, heights[south + 1]!];
+  const [nw, ne] = [heights[south + across]!, heights[south + across + 1]!];
+  if (Number.isNaN(sw + se + nw + ne)) return 'hole';
+  return Math.abs(sw - ne) <= Math.abs(se - nw) ? 'north-east' : 'south-east';
+}
+
+/// The triangles of all cells between so many nodes, as indices of nodes.
+export function cutCells(heights: Float32Array, across: number, along: number): Uint32Array {
+  const index = new Uint32Array(6 * (across - 1) * (along - 1));
+  let k = 0;
+  for (let j = 0; j + 1 < along; ++j)
+    for (let i = 0; i + 1 < across; ++i) {
+      const way = cut(heights, across, i, j);
+      if (way === 'hole') continue;
+      for (const corners of trianglesOf[way])
+        for (const corner of corners) index[k++] = (j + (corner >> 1)) * across + i + (corner % 2);
+    }
+  return index.subarray(0, k);
+}

@@ -1,0 +1,16 @@
+import { useTool } from '../scene/tool';
+import { drawSection, isDrawing } from './sectionLine';
+
+export function SectionButton() {
+  const isOn = isDrawing();
+  return (
+    <button
+      class="button"
+      aria-pressed={isOn}
+      title="Draw a line, and see the ground along it"
+      onClick={() => (isOn ? useTool(null) : drawSection())}
+    >
+      Section
+    </button>
+  );
+}

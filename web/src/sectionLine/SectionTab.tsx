@@ -1,0 +1,137 @@
+// The ground along a line that was drawn over the terrain, or typed.
+
+import { useCallback, useState } from 'preact/hooks';
+import type { GroundSection, Point2 } from '../api/types';
+import { cellsOf } from '../model/rows';
+import { EditTable } from '../model/form/EditTable';
+import { Chart } from '../results/Chart';
+import type { Look, Size } from '../results/chartLook';
+import { copyRows, fileName } from '../results/save';
+import { fileStem } from '../state/document';
+import { say } from '../state/messages';
+import { numberText } from '../ui/format';
+import { equalAxes } from '../view/settings';
+import { gapsOf, nearest } from './groundSection';
+import { drawSection, groundSection, marked, refusal, removeSection, sectionLine, takeLine } from './sectionLine';
+import { placeText, sectionPlot, sectionRows } from './sectionPlot';
+import './sectionLine.css';
+
+/// Where the line has no ground below it.
+function Gaps({ of }: { of: GroundSection }) {
+  const gaps = gapsOf(of);
+  if (gaps.length === 0) return null;
+  if (of.z_m.every((z) => z === null))
+    return <p class="problem warning">There is no terrain anywhere along this line.</p>;
+  const shown = gaps.slice(0, 4).map(([from, to]) => `${numberText(from)} m to ${to === null ? 'the end' : `${numberText(to)} m`}`);
+  const more = gaps.length > shown.length ? ` and in ${gaps.length - shown.length} more places` : '';
+  return (
+    <p class="problem warning">
+      No terrain from {shown.join(', from ')}
+      {more}.
+    </p>
+  );
+}
+
+function Plot({ of }: { of: GroundSection }) {
+  const isEqual = equalAxes.value;
+  const option = useCallback((look: Look, size: Size) => sectionPlot(of, isEqual, look, size), [of, isEqual]);
+  const k = marked.value;
+  const [slid, setSlid] = useState<number | null>(null);
+  const slide = (place: number | null) => {
+    setSlid(place);
+    marked.value = place;
+  };
+  return (
+    <div class="section-plot">
+      <Chart
+        title="Ground along the line"
+        description="Elevation of the ground against the distance along the line. The CSV button saves its numbers, the slider below goes along it."
+        file={fileName(fileStem(), 'section')}
+        option={option}
+        rows={() => sectionRows(of)}
+        followsSize
+        pointed={slid}
+        hover={(distance) => (marked.value = distance === null ? null : nearest(of.distance_m, distance))}
+        tools={
+          <>
+            <label class="choice" title="One metre up is as long as one metre along">
+              <input type="checkbox" checked={isEqual} onChange={(event) => (equalAxes.value = event.currentTarget.checked)} />
+              Equal axes
+            </label>
+            <span class="chart-buttons">
+              <button class="button plain" onClick={() => copyRows(sectionRows(of))}>
+                Copy
+              </button>
+            </span>
+          </>
+        }
+      />
+      <div class="section-place">
+        <label class="choice">
+          Place
+          <input
+            type="range"
+            min="0"
+            max={of.distance_m.length - 1}
+            step="1"
+            value={k ?? 0}
+            aria-valuetext={placeText(of, k ?? 0)}
+            onInput={(event) => slide(Number(event.currentTarget.value))}
+            onBlur={() => slide(null)}
+          />
+        </label>
+        <output class="mono">{k === null ? `${of.distance_m.length.toLocaleString('en')} places` : placeText(of, k)}</output>
+      </div>
+      <Gaps of={of} />
+    </div>
+  );
+}
+
+function Missing({ places }: { places: number }) {
+  if (refusal.value !== null) return <p class="problem">{refusal.value}</p>;
+  if (places >= 2) return <div class="empty">Asking for the ground…</div>;
+  return (
+    <div class="empty">
+      <p>
+        {places === 0
+          ? 'Click a line on the terrain, or type its places here: then the ground along it is shown.'
+          : 'A line has two places or more.'}
+      </p>
+      <button class="button" style={{ justifySelf: 'center' }} onClick={drawSection}>
+        Draw a line
+      </button>
+    </div>
+  );
+}
+
+export function SectionTab() {
+  const line = sectionLine.value ?? [];
+  const section = groundSection.value;
+  const take = (rows: unknown[][]) => {
+    if (rows.flat().every((value) => typeof value === 'number' && Number.isFinite(value))) takeLine(rows as Point2[]);
+    else say('error', 'Places of the line are numbers, x and y in metres.');
+  };
+  return (
+    <div class="section-tab">
+      {section ? <Plot of={section} /> : <Missing places={line.length} />}
+      <section class="section-line" aria-label="Line of the section">
+        <h3>Line, x and y [m]</h3>
+        <EditTable label="Line of the section" columns={['x', 'y']} cells={cellsOf(line, 2)} least={2} take={take}>
+          {line.length > 0 && (
+            <>
+              <button class="button" onClick={drawSection}>
+                Draw anew
+              </button>
+              <button class="button" onClick={() => takeLine(line.toReversed())}>
+                Turn round
+              </button>
+            </>
+          )}
+          <button class="button" onClick={removeSection}>
+            {line.length > 0 ? 'Remove' : 'Close'}
+          </button>
+        </EditTable>
+      </section>
+    </div>
+  );
+}

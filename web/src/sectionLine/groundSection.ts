@@ -1,0 +1,51 @@
+// What is read out of a section of the ground, as the server gives it.
+
+import type { GroundSection, Point3 } from '../api/types';
+
+/// The lines in space that it is made of, between holes and the terrain's rim.
+export function piecesOf({ x_m, y_m, z_m }: GroundSection): Point3[][] {
+  const pieces: Point3[][] = [[]];
+  z_m.forEach((z, k) => {
+    if (z !== null) pieces.at(-1)!.push([x_m[k]!, y_m[k]!, z]);
+    else if (pieces.at(-1)!.length > 0) pieces.push([]);
+  });
+  return pieces.filter((piece) => piece.length > 1);
+}
+
+/// From where to where along the line there is no ground [m]; null: to its end.
+export function gapsOf({ distance_m, z_m }: GroundSection): [number, number | null][] {
+  const gaps: [number, number | null][] = [];
+  let from: number | null = null;
+  z_m.forEach((z, k) => {
+    if (z === null) from ??= distance_m[k]!;
+    else if (from !== null) {
+      gaps.push([from, distance_m[k]!]);
+      from = null;
+    }
+  });
+  if (from !== null) gaps.push([from, null]);
+  return gaps;
+}
+
+/// Which of ascending numbers comes nearest to one.
+export function nearest(ascending: readonly number[], value: number): number {
+  let [low, high] = [0, ascending.length - 1];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (ascending[middle]! <= value) low = middle;
+    else high = middle;
+  }
+  return value - ascending[low]! <= ascending[high]! - value ? low : high;
+}
+
+type Range = [number, number];
+/// Ranges that hold both given ones in a picture of so many pixels, a metre being as long on either axis: the line
+/// begins at the left, its heights are in the middle.
+export function equalRanges([left, right]: Range, [low, high]: Range, width: number, height: number): [Range, Range] {
+  const metresPerPixel = Math.max((right - left) / width, (1.08 * (high - low)) / height, 1e-6);
+  const [middle, half] = [(low + high) / 2, (metresPerPixel * height) / 2];
+  return [
+    [left, left + metresPerPixel * width],
+    [middle - half, middle + half],
+  ];
+}
