@@ -143,9 +143,9 @@ int dispatch(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const ExitCode code = error.get_exit_code() == 0 ? done : bad_input;
-    if (answers_for_all(words)) app.exit(error);
-    return code;
+    // (One that failed without a word might be the first to end, and its launcher would end the one that speaks.)
+    if (!answers_for_all(words)) return done;
+    return app.exit(error) == 0 ? done : bad_input;
   }
   if (*run_command) return run(run_options);
   if (*serve_command) return serve(serve_options);
