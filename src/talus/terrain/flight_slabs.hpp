@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "talus/core/pair.hpp"
 #include "talus/flight/parabola.hpp"
 
 namespace talus {
@@ -36,11 +37,7 @@ struct Box {
 
 namespace slabs_detail {
 
-// Four doubles side by side, as two pairs: pairs are what every 64-bit processor has registers for, and what the
-// compiler turns into one instruction each.
-using Pair = double __attribute__((vector_size(16)));
-using PairMask = decltype(Pair{} < Pair{});
-
+// Four doubles side by side.
 struct Four {
   Pair a, b;
   friend Four operator+(Four x, Four y) { return {x.a + y.a, x.b + y.b}; }
@@ -55,7 +52,7 @@ struct FourMask {
   [[nodiscard]] bool operator[](int k) const { return (k < 2 ? a[k] : b[k - 2]) != 0; }
 };
 
-[[nodiscard]] inline Four four(double x) { return {Pair{x, x}, Pair{x, x}}; }
+[[nodiscard]] inline Four four(double x) { return {pair(x), pair(x)}; }
 [[nodiscard]] inline Four four(const std::array<float, 4>& x) { return {Pair{x[0], x[1]}, Pair{x[2], x[3]}}; }
 [[nodiscard]] inline Four least(Four x, Four y) { return {x.a < y.a ? x.a : y.a, x.b < y.b ? x.b : y.b}; }
 [[nodiscard]] inline Four most(Four x, Four y) { return {x.a > y.a ? x.a : y.a, x.b > y.b ? x.b : y.b}; }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "talus/core/pair.hpp"
 #include "talus/flight/parabola.hpp"
 
 namespace talus {
@@ -16,95 +17,93 @@ class GridWalk {
  public:
   /// The part of the flight in [0, t_max] over `columns` x `rows` cells of dx x dy whose south-west corner is (x0, y0).
   GridWalk(const Parabola& path, double t_max, double x0, double y0, double dx, double dy, std::int64_t columns,
-           std::int64_t rows)
-      : x_(axis(path.p.x() - x0, path.v.x(), dx, columns)), y_(axis(path.p.y() - y0, path.v.y(), dy, rows)) {
-    enter_ = std::max({0.0, x_.enter, y_.enter});
-    end_ = std::min({t_max, x_.leave, y_.leave});
+           std::int64_t rows) {
+    const double from_x = begin(0, path.p.x() - x0, path.v.x(), dx, columns);
+    const double from_y = begin(1, path.p.y() - y0, path.v.y(), dy, rows);
+    enter_ = std::max({0.0, from_x, from_y});
+    end_ = std::min({t_max, next_[0], next_[1]});
     if (!(enter_ <= end_)) {
       is_over_ = true;
       return;
     }
-    start(x_);
-    start(y_);
-    find_leave();
+    for (int axis : {0, 1}) {
+      cell_[axis] = std::clamp(std::floor(origin_[axis] + enter_ * speed_[axis]), 0.0, cells_[axis] - 1);
+    }
+    look_ahead();
   }
 
   /// Whether there is no cell left.
   [[nodiscard]] bool is_over() const { return is_over_; }
-  [[nodiscard]] std::int64_t column() const { return x_.cell; }
-  [[nodiscard]] std::int64_t row() const { return y_.cell; }
+  [[nodiscard]] std::int64_t column() const { return static_cast<std::int64_t>(cell_[0]); }
+  [[nodiscard]] std::int64_t row() const { return static_cast<std::int64_t>(cell_[1]); }
   /// When the flight is over this cell [s].
   [[nodiscard]] double enter() const { return enter_; }
   [[nodiscard]] double leave() const { return leave_; }
-  /// Where it is in the cell at a time: 0 at its west and south sides, 1 at its east and north sides.
-  [[nodiscard]] double u(double t) const { return x_.origin + t * x_.speed - static_cast<double>(x_.cell); }
-  [[nodiscard]] double v(double t) const { return y_.origin + t * y_.speed - static_cast<double>(y_.cell); }
+  /// Where it is at a time, in cells from the south-west corner of the grid, and of a cell.
+  [[nodiscard]] Pair place(double t) const { return origin_ + pair(t) * speed_; }
+  [[nodiscard]] Pair in_cell(Pair place) const { return place - cell_; }
+  /// In this cell: 0 at its west and south sides, 1 at its east and north sides.
+  [[nodiscard]] double u(double t) const { return in_cell(place(t))[0]; }
+  [[nodiscard]] double v(double t) const { return in_cell(place(t))[1]; }
   /// How fast these grow [cells/s].
-  [[nodiscard]] double u_speed() const { return x_.speed; }
-  [[nodiscard]] double v_speed() const { return y_.speed; }
+  [[nodiscard]] double u_speed() const { return speed_[0]; }
+  [[nodiscard]] double v_speed() const { return speed_[1]; }
   /// Whether the flight's time, or the grid, ends in this cell.
   [[nodiscard]] bool is_last() const { return leave_ >= end_; }
   /// Through which side it leaves: the east or west one, or the north or south one.
-  [[nodiscard]] bool leaves_along_x() const { return x_.next <= y_.next; }
-  [[nodiscard]] bool goes_east() const { return x_.step > 0; }
-  [[nodiscard]] bool goes_north() const { return y_.step > 0; }
+  [[nodiscard]] bool leaves_along_x() const { return next_[0] <= next_[1]; }
+  /// All bits for the axis along which it leaves, none for the other one.
+  [[nodiscard]] PairMask leaving_axis() const {
+    const PairMask along_x = next_ <= swapped(next_);
+    return PairMask{along_x[0], along_x[0]} ^ PairMask { 0, -1 };
+  }
+  [[nodiscard]] bool goes_east() const { return step_[0] > 0; }
+  [[nodiscard]] bool goes_north() const { return step_[1] > 0; }
 
   // Which border comes first changes from cell to cell like the toss of a coin: both axes are worked out each time, so
   // that there is nothing to guess.
   void advance() {
-    const bool along_x = leaves_along_x();
-    x_.cell += along_x ? x_.step : 0;
-    y_.cell += along_x ? 0 : y_.step;
+    cell_ += chosen(leaving_axis(), step_);
     // (Beyond the grid only by rounding: `end` is there.)
-    is_over_ = is_last() || static_cast<std::uint64_t>(x_.cell) >= static_cast<std::uint64_t>(x_.cells) ||
-               static_cast<std::uint64_t>(y_.cell) >= static_cast<std::uint64_t>(y_.cells);
-    if (is_over_) return;
-    find_next(x_);
-    find_next(y_);
+    const PairMask beyond = (cell_ < pair(0)) | (cell_ >= cells_);
+    is_over_ = is_last() | ((beyond[0] | beyond[1]) != 0);
     enter_ = leave_;
-    find_leave();
+    look_ahead();
   }
 
  private:
-  // In units of cells.
-  struct Axis {
-    double origin, speed;
-    double inverse = 0;   // of the speed; 0 where it stands still, which it does for
-    double standing = 0;  // for ever then, and otherwise not at all
-    double enter, leave;  // when it is over the grid along this axis
-    std::int64_t cells, cell = 0, step = 0;
-    double border = 0;  // 1 where the border ahead is the upper one
-    double next = 0;    // when it crosses that
-  };
-
-  static Axis axis(double distance, double speed, double size, std::int64_t cells) {
+  /// Sets what is the same in all cells; gives when it comes over the grid along this axis, and in `next_` when it
+  /// leaves it.
+  double begin(int axis, double distance, double speed, double size, std::int64_t cells) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    Axis a{.origin = distance / size, .speed = speed / size, .enter = -infinite, .leave = infinite, .cells = cells};
-    const auto width = static_cast<double>(cells);
-    if (a.speed == 0) {
-      a.standing = infinite;
-      if (a.origin < 0 || a.origin > width) a.enter = infinite;
-    } else {
-      a.inverse = 1 / a.speed;
-      const double t1 = -a.origin * a.inverse, t2 = (width - a.origin) * a.inverse;
-      a.enter = std::min(t1, t2);
-      a.leave = std::max(t1, t2);
-      a.step = a.speed > 0 ? 1 : -1;
-      a.border = a.speed > 0 ? 1 : 0;
+    origin_[axis] = distance / size;
+    speed_[axis] = speed / size;
+    cells_[axis] = static_cast<double>(cells);
+    next_[axis] = infinite;
+    if (speed_[axis] == 0) {
+      standing_[axis] = infinite;
+      return origin_[axis] < 0 || origin_[axis] > cells_[axis] ? infinite : -infinite;
     }
-    return a;
+    inverse_[axis] = 1 / speed_[axis];
+    const double t1 = -origin_[axis] * inverse_[axis], t2 = (cells_[axis] - origin_[axis]) * inverse_[axis];
+    next_[axis] = std::max(t1, t2);
+    step_[axis] = speed_[axis] > 0 ? 1 : -1;
+    border_[axis] = speed_[axis] > 0 ? 1 : 0;
+    return std::min(t1, t2);
   }
-  void start(Axis& a) const {
-    const auto at = static_cast<std::int64_t>(std::floor(a.origin + enter_ * a.speed));
-    a.cell = std::clamp<std::int64_t>(at, 0, a.cells - 1);
-    find_next(a);
+  void look_ahead() {
+    next_ = (cell_ + border_ - origin_) * inverse_ + standing_;
+    leave_ = std::max(enter_, std::min(std::min(next_[0], next_[1]), end_));
   }
-  static void find_next(Axis& a) {
-    a.next = (static_cast<double>(a.cell) + a.border - a.origin) * a.inverse + a.standing;
-  }
-  void find_leave() { leave_ = std::max(enter_, std::min({x_.next, y_.next, end_})); }
 
-  Axis x_, y_;
+  // Along x and along y, in units of cells, which are counted in numbers with a fraction: all that is done with them
+  // is.
+  Pair origin_{}, speed_{};
+  Pair inverse_{};   // of the speed; 0 where it stands still, which it does for
+  Pair standing_{};  // for ever then, and otherwise not at all
+  Pair cells_{}, cell_{}, step_{};
+  Pair border_{};  // 1 where the border ahead is the upper one
+  Pair next_{};    // when it crosses that
   double enter_ = 0, leave_ = 0, end_ = 0;
   bool is_over_ = false;
 };

@@ -11,6 +11,20 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// Where a flight is highest.
+struct Top {
+  double t, z;
+  /// The greatest z of a part of it, given by its ends.
+  [[nodiscard]] double between(double t0, double z0, double t1, double z1) const {
+    return t > t0 && t < t1 ? z : std::max(z0, z1);
+  }
+};
+Top top_of(const Parabola& path) {
+  if (!(path.a.z() < 0)) return {-infinite, 0};
+  const double t = -path.v.z() / path.a.z();
+  return {t, path.z(t)};
+}
+
 }  // namespace
 
 RasterSurface::RasterSurface(RasterGrid grid) : grid_(std::move(grid)) {
@@ -111,15 +125,18 @@ Outline RasterSurface::outline(FacetId facet) const {
 
 std::optional<Contact> RasterSurface::first_contact(const Parabola& path, double radius, double t_max,
                                                     const LeftPlanes& left) const {
-  return radius == 0 ? first_contact_of_point(path, t_max, left) : first_contact_of_sphere(path, radius, t_max, left);
+  return radius == 0 ? first_contact_of_point(path, t_max, left).contact
+                     : first_contact_of_sphere(path, radius, t_max, left);
 }
 
 // Over a facet the height of a flight is a concave function of time: a point that is above it where it comes over it
 // and where it goes is above it in between. So heights over the crossed borders and diagonals tell which facets are to
 // be asked, and hardly any is.
-std::optional<Contact> RasterSurface::first_contact_of_point(const Parabola& path, double t_max,
-                                                             const LeftPlanes& left) const {
+auto RasterSurface::first_contact_of_point(const Parabola& path, double t_max, const LeftPlanes& left) const
+    -> BoundedContact {
   ContactCandidate best{t_max};
+  double highest = 0;
+  const Top top = top_of(path);
   double height_entering = 0;  // the first cell is always asked
   // From the diagonal, in cells: further than a facet's slack reaches (outline_slack), whatever the cell's size.
   const double beside = 1e-4 + 2e-5 / std::min(grid_.dx, grid_.dy);
@@ -127,9 +144,11 @@ std::optional<Contact> RasterSurface::first_contact_of_point(const Parabola& pat
   double z0 = at.is_over() ? 0 : path.z(at.enter());
   for (; !at.is_over() && at.enter() <= best.t; at.advance()) {
     const double t0 = at.enter(), t1 = at.leave(), z1 = path.z(t1);
+    const auto [low, high] = range(at.column(), at.row());
+    highest = std::max(highest, top.between(t0, z0, t1, z1) - low);
     // Most flights are above most cells altogether.
     const double lowest = std::min(std::exchange(z0, z1), z1);
-    if (lowest > range(at.column(), at.row()).second + box_pad) {
+    if (lowest > high + box_pad) {
       height_entering = infinite;
       continue;
     }
@@ -189,7 +208,7 @@ std::optional<Contact> RasterSurface::first_contact_of_point(const Parabola& pat
     }
     height_entering = height_leaving;
   }
-  return best.contact();
+  return {best.contact(), highest};
 }
 
 // ---- where a flight ends that meets nothing ----
@@ -290,14 +309,13 @@ std::optional<double> RasterSurface::ground_over(const Vec3& place) const {
 
 double RasterSurface::greatest_height(const Parabola& path, double t_end, double known) const {
   const double half_a = 0.5 * path.a.z();
-  const double t_top = half_a < 0 ? -path.v.z() / (2 * half_a) : -infinite, z_top = half_a < 0 ? path.z(t_top) : 0;
+  const Top top = top_of(path);
   GridWalk at = walk(path, t_end);
   double z0 = at.is_over() ? 0 : path.z(at.enter());
   for (; !at.is_over(); at.advance()) {
     const double t0 = at.enter(), t1 = at.leave(), z1 = path.z(t1);
     // The flight's highest point over this cell, over the cell's lowest node.
-    const double highest = t_top > t0 && t_top < t1 ? z_top : std::max(z0, z1);
-    z0 = z1;
+    const double highest = top.between(t0, std::exchange(z0, z1), t1, z1);
     if (!(highest - range(at.column(), at.row()).first > known)) continue;
     const Cell here = cell(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
     if (!here.has_data()) continue;

@@ -40,6 +40,12 @@ class RasterSurface {
   // The rest as in TriangleMesh.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const LeftPlanes& left = {}) const;
+  /// That of a point, and on the way to it a bound of the heights of its flight over the ground [m].
+  struct BoundedContact {
+    std::optional<Contact> contact;
+    double highest;
+  };
+  [[nodiscard]] BoundedContact first_contact_of_point(const Parabola& path, double t_max, const LeftPlanes& left) const;
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
                                                             const LeftPlanes& on) const;
   [[nodiscard]] Exit exit(const Parabola& path) const;
@@ -107,8 +113,6 @@ class RasterSurface {
   class SphereSearch;
   [[nodiscard]] bool is_sharp_edge(FacetId facet, std::size_t side) const;
   [[nodiscard]] bool is_sharp_vertex(const Vec3& vertex) const;
-  [[nodiscard]] std::optional<Contact> first_contact_of_point(const Parabola& path, double t_max,
-                                                              const LeftPlanes& left) const;
   [[nodiscard]] std::optional<Contact> first_contact_of_sphere(const Parabola& path, double radius, double t_max,
                                                                const LeftPlanes& left) const;
   template <class Visit>

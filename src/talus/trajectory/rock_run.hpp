@@ -100,10 +100,12 @@ class RockRun {
     double t;  // [s]
     std::optional<Contact> contact;
     std::optional<Exit> exit;
+    double highest = std::numeric_limits<double>::infinity();  // it is nowhere further above the ground [m]
   };
 
   Phase fly(const Flying& phase);
   [[nodiscard]] FlightEnd end_of_flight(const Parabola& path, double t_max, const LeftPlanes& left) const;
+  [[nodiscard]] FlightEnd first_contact(const Parabola& path, double t_max, const LeftPlanes& left) const;
   std::optional<Phase> fly_along(const Parabola& path, const LinearDrag& drag, const FlightEnd& end);
   Phase fly_where_forests_are(const Flying& phase);
   std::optional<Phase> fly_to_the_trees(const LeftPlanes& left);
@@ -310,17 +312,32 @@ auto RockRun<Surface>::fly(const Flying& phase) -> Phase {
   return next ? *next : Phase(Ended{EndReason::maximum_time});
 }
 
+/// With a contact, or as long as asked. What looks for the contact of a point on a raster comes by a bound of the
+/// heights.
+template <class Surface>
+auto RockRun<Surface>::first_contact(const Parabola& path, double t_max, const LeftPlanes& left) const -> FlightEnd {
+  if constexpr (std::is_same_v<Surface, RasterSurface>) {
+    if (reach_ == 0) {
+      const auto bounded = surface_.first_contact_of_point(path, t_max, left);
+      if (bounded.contact) return {bounded.contact->t, bounded.contact, {}, bounded.highest};
+      return {t_max, {}, {}};
+    }
+  }
+  const auto contact = surface_.first_contact(path, reach_, t_max, left);
+  return {contact ? contact->t : t_max, contact, {}};
+}
+
 template <class Surface>
 auto RockRun<Surface>::end_of_flight(const Parabola& path, double t_max, const LeftPlanes& left) const -> FlightEnd {
-  auto contact = surface_.first_contact(path, reach_, t_max, left);
-  if (contact) return {contact->t, contact, std::nullopt};
+  FlightEnd end = first_contact(path, t_max, left);
+  if (end.contact) return end;
   const Exit edge = surface_.exit(path);
   // Falling through where it took off means that the plane which it left goes on there after all.
   if (edge.beneath && edge.t <= t_max && left.count > 0) {
-    contact = surface_.first_contact(path, reach_, t_max);
-    if (contact) return {contact->t, contact, std::nullopt};
+    end = first_contact(path, t_max, {});
+    if (end.contact) return end;
   }
-  return edge.t < t_max ? FlightEnd{edge.t, std::nullopt, edge} : FlightEnd{t_max, std::nullopt, std::nullopt};
+  return edge.t < t_max ? FlightEnd{edge.t, {}, edge} : end;
 }
 
 /// Flies to the end, or to what a barrier makes of it before; nothing where the rock is still flying then.
@@ -353,7 +370,9 @@ auto RockRun<Surface>::fly_along(const Parabola& path, const LinearDrag& drag, c
   }
 
   retime();
-  outcome_.max_bounce = surface_.greatest_height(path, end.t, outcome_.max_bounce);
+  if (end.highest > outcome_.max_bounce) {
+    outcome_.max_bounce = surface_.greatest_height(path, end.t, outcome_.max_bounce);
+  }
   log_.flight(path, end.t, motion_, drag);
   advance(path, drag, end.t);
   if (end.contact) return strike(*end.contact);

@@ -59,7 +59,7 @@ auto RockRun<Surface>::fly_to_the_trees(const LeftPlanes& left) -> std::optional
   for (double t = 0; t < end.t;) {
     const double next = std::min(end.t, t + forest_step_time(path.velocity(t)));
     if (forest_drag_at(path.at(next)) > 0) {
-      end = {forest_border_between(path, t, next, 0), std::nullopt, std::nullopt};
+      end = {forest_border_between(path, t, next, 0), {}, {}};
       break;
     }
     t = next;
@@ -83,16 +83,16 @@ auto RockRun<Surface>::fly_among_trees(double rate, const LeftPlanes& left) -> s
                               : drag.piece(motion_.position, motion_.velocity, length);
   if (forest_drag_at(path.at(length)) != rate) length = forest_border_between(path, 0, length, rate);
 
-  FlightEnd end{length, std::nullopt, std::nullopt};
+  FlightEnd end{length, {}, {}};
   if (left.count > 0) {
     // Whether it falls through the plane that it left shows only further on.
     const FlightEnd whole = end_of_flight(path, laws_.max_time, left);
     if (whole.t <= length) end = whole;
-  } else if (const auto contact = surface_.first_contact(path, reach_, length)) {
-    end = {contact->t, contact, std::nullopt};
+  } else if (const FlightEnd met = first_contact(path, length, {}); met.contact) {
+    end = met;
   } else if (!surface_.ground_below(path.at(length))) {
     const Exit exit = surface_.exit(path);
-    if (exit.t <= length) end = {exit.t, std::nullopt, exit};
+    if (exit.t <= length) end = {exit.t, {}, exit};
   }
   return fly_along(path, drag, end);
 }
