@@ -137,6 +137,8 @@ template <class Sharp>
 void meet_sphere(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
                  FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best) {
   const SphereOverFacet over(path, radius, corner);
+  // What it rolls on carries it: at its face, and so at its sides and corners, there is nothing ahead.
+  if (kind == SpherePath::leg && std::abs(over.h0) <= 1e-7 && left.contain(over.n, same_plane)) return;
   if (over.an <= 0) {
     // The height over the plane is a concave function of time: above it at both ends of the window, the sphere is above
     // it in between, and so above the sides and corners.
