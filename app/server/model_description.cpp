@@ -8,7 +8,6 @@
 #include "talus/campaign/simulate.hpp"
 #include "talus/io/survey_crs.hpp"
 #include "talus/project/echo.hpp"
-#include "talus/project/ground_areas.hpp"
 #include "talus/project/settings.hpp"
 
 namespace talus::server {
@@ -95,7 +94,7 @@ class Describer {
       }
       list.push_back({{"name", area.name},
                       {"path", fmt::format("area.{}", k)},
-                      {"material", project::number_of_material(project_, area.material)},
+                      {"material", *project_.number_of_material(area.material)},
                       {"sides", std::move(sides)}});
     }
     return list;

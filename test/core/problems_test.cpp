@@ -69,6 +69,22 @@ TEST(ProblemList, AWarningAloneIsNoError) {
   EXPECT_TRUE(problems.has_errors());
 }
 
+TEST(ProblemList, IsPutInTheOrderOfAFile) {
+  Problems problems;
+  const auto add = [&](const char* file, int line, const char* what) {
+    problems.add({.file = file, .line = line, .what = what});
+  };
+  add("--set x=1", 0, "an option");
+  add("a.toml", 9, "late");
+  add("b.csv", 1, "another file");
+  add("a.toml", 4, "early");
+  add("a.toml", 9, "late, too");
+  std::string said;
+  const Problems sorted = problems.in_order_of("a.toml");
+  for (const Problem& problem : sorted.list()) said += problem.what + "; ";
+  EXPECT_EQ(said, "early; late; late, too; an option; another file; ");
+}
+
 TEST(BadInputException, CarriesEveryProblem) {
   Problems problems;
   problems.add(saying("one"));

@@ -225,7 +225,7 @@ TEST_F(RasterProject, AGroundOfTooManyMaterialsIsRefused) {
             "slope.toml: [ground]: raster is given with 257 materials (a ground from a file has at most 255)");
 }
 
-TEST_F(RasterProject, WhatIsWrongWithAFileAndWithTheSeedersIsToldTogether) {
+TEST_F(RasterProject, WhatIsWrongWithAFileAndWithTheSeedersIsToldTogetherByLine) {
   make("dem.tif", slope());
   make("ground.tif", halves());
   RasterSpec classes = halves();
@@ -235,10 +235,10 @@ TEST_F(RasterProject, WhatIsWrongWithAFileAndWithTheSeedersIsToldTogether) {
   std::string text = terrain_raster + rest + from_classes;
   text.replace(text.find("400010"), 6, "400210");
   EXPECT_EQ(refusal(text),
-            "slope.toml:17: [ground]: raster ground.tif: has 1.5 as a class (a class is a whole number of at most 32 "
-            "bits). Round them: gdal_translate -ot Int32 ground.tif ground_classes.tif\n"
             "slope.toml:8: seeder \"Crest\": (400210, 300050) is off the terrain (on plan the terrain lies within x = "
-            "400002.5 to 400197.5, y = 300002.5 to 300097.5)");
+            "400002.5 to 400197.5, y = 300002.5 to 300097.5)\n"
+            "slope.toml:17: [ground]: raster ground.tif: has 1.5 as a class (a class is a whole number of at most 32 "
+            "bits). Round them: gdal_translate -ot Int32 ground.tif ground_classes.tif");
 }
 
 TEST_F(RasterProject, FilesThatAreNotThereAreRefusedInTheirLines) {

@@ -32,6 +32,15 @@ std::string Problems::text() const {
   return out;
 }
 
+Problems Problems::in_order_of(const std::string& file) const {
+  Problems sorted = *this;
+  std::ranges::stable_sort(sorted.list_, [&](const Problem& a, const Problem& b) {
+    const bool a_elsewhere = a.file != file, b_elsewhere = b.file != file;
+    return a_elsewhere != b_elsewhere ? b_elsewhere : !a_elsewhere && a.line < b.line;
+  });
+  return sorted;
+}
+
 static Problems only(Problem problem) {
   Problems problems;
   problems.add(std::move(problem));

@@ -30,6 +30,8 @@ class Problems {
   [[nodiscard]] const std::vector<Problem>& list() const { return list_; }
   [[nodiscard]] bool has_errors() const;
   [[nodiscard]] std::string text() const;  // one line each
+  /// Those of this file first, by line, then the others as they came.
+  [[nodiscard]] Problems in_order_of(const std::string& file) const;
 
  private:
   std::vector<Problem> list_;

@@ -49,10 +49,10 @@ class Classifier {
   Classifier(const Project& project, const BuiltTerrain& terrain, Problems& warnings)
       : project_(project),
         raster_(project.file.parent_path() / project.ground.raster, terrain.crs_wkt, warnings),
-        default_(static_cast<std::uint8_t>(number_of_material(project, project.ground.default_material))),
+        default_(static_cast<std::uint8_t>(*project.number_of_material(project.ground.default_material))),
         of_part_(terrain.facet_centres.empty() ? terrain.parts : terrain.facet_centres.size(), default_) {
     for (const auto& [number, material] : project.ground.classes) {
-      material_of_class_[number] = static_cast<std::uint8_t>(number_of_material(project, material));
+      material_of_class_[number] = static_cast<std::uint8_t>(*project.number_of_material(material));
     }
     for_each_part(terrain, [&](std::size_t number, const Vec2& middle) {
       numbers_.push_back(number);
@@ -140,7 +140,7 @@ std::vector<MaterialId> listed(const Project& project, const BuiltTerrain& terra
   const Ground& ground = project.ground;
   std::vector<MaterialId> of_part;
   of_part.reserve(terrain.parts);
-  for (const std::string& name : ground.segments) of_part.push_back(MaterialId{number_of_material(project, name)});
+  for (const std::string& name : ground.segments) of_part.push_back(MaterialId{*project.number_of_material(name)});
   // The section was walked from left to right; its materials come with it.
   if (!ground.segments.empty() && project.terrain.section.front()[0] > project.terrain.section.back()[0]) {
     std::reverse(of_part.begin(), of_part.end());
@@ -168,7 +168,7 @@ talus::Ground build_ground(const Project& project, std::vector<talus::Material> 
   const Ground& ground = project.ground;
   const bool is_gis = !ground.raster.empty() || !ground.polygons.empty();
   const bool is_listed = !ground.segments.empty() || !ground.triangles.empty();
-  const MaterialId standard{number_of_material(project, ground.default_material)};
+  const MaterialId standard{*project.number_of_material(ground.default_material)};
   if (!is_gis && project.areas.empty()) {
     if (!is_listed) return talus::Ground(std::move(materials), standard);
     return talus::Ground(std::move(materials), listed(project, terrain, problems));

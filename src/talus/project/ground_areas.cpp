@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "talus/project/ground_parts.hpp"
 
 namespace talus::project {
@@ -36,12 +34,6 @@ Problem without_effect(const Project& project, const Area& area, const BuiltTerr
 
 }  // namespace
 
-std::uint32_t number_of_material(const Project& project, std::string_view name) {
-  const auto found = std::find_if(project.materials.begin(), project.materials.end(),
-                                  [&](const Material& material) { return material.name == name; });
-  return static_cast<std::uint32_t>(found - project.materials.begin());
-}
-
 void paint_areas(const Project& project, const BuiltTerrain& terrain, std::vector<std::uint8_t>& of_part,
                  Problems& warnings) {
   const GroundParts parts(terrain);
@@ -49,7 +41,7 @@ void paint_areas(const Project& project, const BuiltTerrain& terrain, std::vecto
     std::vector<Vec3> ring;
     for (const auto& [x, y] : area.polygon) ring.emplace_back(x, y, 0);
     const PlanPolygon polygon({&ring, 1});
-    const auto material = static_cast<std::uint8_t>(number_of_material(project, area.material));
+    const auto material = static_cast<std::uint8_t>(*project.number_of_material(area.material));
     bool has_effect = false;
     parts.visit_within(polygon, [&](std::size_t part) {
       of_part[part] = material;

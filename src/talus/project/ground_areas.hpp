@@ -10,9 +10,6 @@
 
 namespace talus::project {
 
-/// The number of the project's material of this name, which it has.
-[[nodiscard]] std::uint32_t number_of_material(const Project& project, std::string_view name);
-
 /// Gives each cell or facet whose middle an area holds the material of that area, of several that of the last.
 /// `of_part` are the numbers of the materials, as the terrain's surface numbers the sources of its cells or facets. An
 /// area that holds no middle is warned of. Expects fewer than 256 materials.

@@ -65,13 +65,6 @@ class Assignment {
     warnings_.add(std::move(problem));
   }
   [[nodiscard]] std::string file() const { return fmt::format("polygons \"{}\"", project_.ground.polygons.string()); }
-  [[nodiscard]] std::optional<std::uint8_t> number_of(const std::string& material) const {
-    for (std::size_t i = 0; i < project_.materials.size(); ++i) {
-      if (project_.materials[i].name == material) return static_cast<std::uint8_t>(i);
-    }
-    return std::nullopt;
-  }
-
   /// The material of each feature. Throws where one has none.
   void find_materials() {
     const Ground& ground = project_.ground;
@@ -87,15 +80,15 @@ class Assignment {
         without.push_back(std::to_string(feature.id));
         continue;
       }
-      std::optional<std::uint8_t> number;
+      std::optional<std::uint32_t> number;
       if (ground.values.empty()) {
-        number = number_of(*value);
+        number = project_.number_of_material(*value);
       } else if (const auto known = ground.values.find(*value); known != ground.values.end()) {
         met[*value] = true;
-        number = number_of(known->second);
+        number = project_.number_of_material(known->second);
       }
       if (number) {
-        of_feature_.back() = *number;
+        of_feature_.back() = static_cast<std::uint8_t>(*number);
         used[*number] = true;
       } else {
         ++unknown[*value];
@@ -189,7 +182,7 @@ class Assignment {
 
   void report_unused() {
     std::vector<std::string> unused;
-    for (const Area& area : project_.areas) used_[*number_of(area.material)] = true;
+    for (const Area& area : project_.areas) used_[*project_.number_of_material(area.material)] = true;
     for (std::size_t i = 0; i < used_.size(); ++i) {
       if (used_[i] || project_.materials[i].name == project_.ground.default_material) continue;
       unused.push_back('"' + project_.materials[i].name + '"');
@@ -240,7 +233,7 @@ class Assignment {
 
   void report_gaps() {
     const Sum total = sum([&](std::size_t part) { return of_part_[part] == nothing; });
-    const std::uint8_t otherwise = *number_of(project_.ground.default_material);
+    const auto otherwise = static_cast<std::uint8_t>(*project_.number_of_material(project_.ground.default_material));
     std::replace(of_part_.begin(), of_part_.end(), nothing, otherwise);
     if (total.parts == 0) return;
     warn(fmt::format("{} {} of the terrain are in no polygon", total.parts, parts_.name()),

@@ -118,7 +118,7 @@ class Builder {
     model_.energy_datum = project_.analysis.energy_datum_m.value_or(lowest + model_.frame.origin.z());
     add_seeders(project_, model_, problems_, warnings_);
     for (const Barrier& barrier : project_.barriers) add_barrier(barrier);
-    if (problems_.has_errors()) throw BadInput(problems_);
+    if (problems_.has_errors()) throw BadInput(problems_.in_order_of(project_.file.string()));
     return std::move(model_);
   }
 

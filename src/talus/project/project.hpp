@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "talus/core/vec.hpp"
@@ -247,6 +248,13 @@ struct Project {
   [[nodiscard]] bool has_survey() const { return !terrain.points.empty() || !terrain.lines.empty(); }
   [[nodiscard]] bool is_2d() const { return !terrain.section.empty() && !terrain.width_m; }
   [[nodiscard]] std::uint64_t rocks() const;
+  /// The number of the material of this name, if there is one.
+  [[nodiscard]] std::optional<std::uint32_t> number_of_material(std::string_view material) const {
+    for (std::uint32_t number = 0; number < materials.size(); ++number) {
+      if (materials[number].name == material) return number;
+    }
+    return std::nullopt;
+  }
 };
 
 }  // namespace talus::project

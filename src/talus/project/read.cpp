@@ -139,18 +139,6 @@ void share_rocks(std::vector<Seeder>& seeders, std::int64_t total) {
   for (std::size_t i = 0; left > 0; i = (i + 1) % order.size(), --left) ++seeders[order[i]].rocks;
 }
 
-/// In the order of the file, then of the command line.
-Problems in_order(const Problems& problems, const std::string& file) {
-  std::vector<Problem> list = problems.list();
-  std::stable_sort(list.begin(), list.end(), [&](const Problem& a, const Problem& b) {
-    const bool a_elsewhere = a.file != file, b_elsewhere = b.file != file;
-    return a_elsewhere != b_elsewhere ? b_elsewhere : a.line < b.line;
-  });
-  Problems sorted;
-  for (Problem& problem : list) sorted.add(std::move(problem));
-  return sorted;
-}
-
 }  // namespace
 
 Reading read_project_text(std::string_view text, const std::filesystem::path& file, const Overrides& overrides) {
@@ -173,7 +161,7 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
   if (!problems.has_errors()) complete(project);
   project.named_files = reader.named_files();
   check(project, document, reader.refused(), problems);
-  problems = in_order(problems, document.file());
+  problems = problems.in_order_of(document.file());
   if (problems.has_errors()) throw BadInput(std::move(problems));
 
   if (overrides.rocks) {
