@@ -2,8 +2,6 @@
 // Two doubles side by side: what every 64-bit processor has registers for, and what the compiler turns into one
 // instruction each.
 
-#include <cstdint>
-
 namespace talus {
 
 using Pair = double __attribute__((vector_size(16)));

@@ -39,12 +39,9 @@ class GridWalk {
   /// When the flight is over this cell [s].
   [[nodiscard]] double enter() const { return enter_; }
   [[nodiscard]] double leave() const { return leave_; }
-  /// Where it is at a time, in cells from the south-west corner of the grid, and of a cell.
-  [[nodiscard]] Pair place(double t) const { return origin_ + pair(t) * speed_; }
-  [[nodiscard]] Pair in_cell(Pair place) const { return place - cell_; }
-  /// In this cell: 0 at its west and south sides, 1 at its east and north sides.
-  [[nodiscard]] double u(double t) const { return in_cell(place(t))[0]; }
-  [[nodiscard]] double v(double t) const { return in_cell(place(t))[1]; }
+  /// Where it is in the cell at a time: 0 at its west and south sides, 1 at its east and north sides.
+  [[nodiscard]] double u(double t) const { return origin_[0] + t * speed_[0] - cell_[0]; }
+  [[nodiscard]] double v(double t) const { return origin_[1] + t * speed_[1] - cell_[1]; }
   /// How fast these grow [cells/s].
   [[nodiscard]] double u_speed() const { return speed_[0]; }
   [[nodiscard]] double v_speed() const { return speed_[1]; }
@@ -52,11 +49,6 @@ class GridWalk {
   [[nodiscard]] bool is_last() const { return leave_ >= end_; }
   /// Through which side it leaves: the east or west one, or the north or south one.
   [[nodiscard]] bool leaves_along_x() const { return next_[0] <= next_[1]; }
-  /// All bits for the axis along which it leaves, none for the other one.
-  [[nodiscard]] PairMask leaving_axis() const {
-    const PairMask along_x = next_ <= swapped(next_);
-    return PairMask{along_x[0], along_x[0]} ^ PairMask { 0, -1 };
-  }
   [[nodiscard]] bool goes_east() const { return step_[0] > 0; }
   [[nodiscard]] bool goes_north() const { return step_[1] > 0; }
 
@@ -90,6 +82,11 @@ class GridWalk {
     step_[axis] = speed_[axis] > 0 ? 1 : -1;
     border_[axis] = speed_[axis] > 0 ? 1 : 0;
     return std::min(t1, t2);
+  }
+  /// All bits for the axis along which it leaves, none for the other one.
+  [[nodiscard]] PairMask leaving_axis() const {
+    const PairMask along_x = next_ <= swapped(next_);
+    return PairMask{along_x[0], along_x[0]} ^ PairMask { 0, -1 };
   }
   void look_ahead() {
     next_ = (cell_ + border_ - origin_) * inverse_ + standing_;
