@@ -57,6 +57,32 @@ TEST(LogBins, SmallValuesAreZeroAndLargeOnesStayInTheLastBin) {
   EXPECT_NEAR(bins.quantile(3, 0.5, 1) / 0x1p80, 1, 0.008);
 }
 
+// Values that lie near each other, far from each other, few and many: the same bits as one by one.
+TEST(LogBins, SeveralAtATimeAreTheSameAsOneByOne) {
+  Dice dice(18);
+  for (int trial = 0; trial < 300; ++trial) {
+    LogBins together, single;
+    for (int run = 0; run < 3; ++run) {
+      const double low = dice.magnitude(1e-5, 1e6), high = low * dice.magnitude(1, dice.chance(0.3) ? 1e6 : 4);
+      std::vector<float> values(dice.below(dice.chance(0.5) ? 12 : 1000));
+      const auto which = static_cast<std::uint32_t>(dice.below(4));
+      for (float& value : values) {
+        value = static_cast<float>(dice.magnitude(low, high));
+        single.add(which, value);
+      }
+      together.add(which, values);
+    }
+    ASSERT_EQ(together, single);
+  }
+  LogBins together, single;
+  for (const std::size_t count : {65535U, 65535U, 3U, 20000U, 65535U}) {  // more than an entry can count
+    const std::vector<float> values(count, 7.5F);
+    together.add(1, values);
+    for (const float value : values) single.add(1, value);
+    ASSERT_EQ(together, single);
+  }
+}
+
 // More values in a bin than one entry can count, added one by one and by merging: the same bits.
 TEST(LogBins, CountsFarInOneBin) {
   LogBins one_by_one, merged, part;

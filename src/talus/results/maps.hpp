@@ -38,7 +38,7 @@ struct MapVisit {
 /// All rocks in one cell.
 class MapTally {
  public:
-  void add(const MapVisit& visit);
+  void add(std::span<const MapVisit* const> visits);
   void merge(const MapTally& other);
   void save(ByteWriter& out) const;
   void merge_saved(ByteReader& in);

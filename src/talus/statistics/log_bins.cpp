@@ -33,28 +33,52 @@ std::uint32_t LogBins::key(std::uint32_t which, float value) {
   return which << which_shift | bin;
 }
 
-void LogBins::add_key(std::uint32_t key, std::uint32_t count) {
-  auto place = std::lower_bound(entries_.begin(), entries_.end(), key << count_bits);
+std::size_t LogBins::add_key(std::uint32_t key, std::uint32_t count, std::size_t from) {
+  const auto first = entries_.begin() + static_cast<std::ptrdiff_t>(from);
+  const auto place = std::lower_bound(first, entries_.end(), key << count_bits);
+  const auto index = static_cast<std::size_t>(place - entries_.begin());
   std::uint32_t added = key << count_bits | count;
   if (place != entries_.end() && *place >> count_bits == key) {
     const std::uint32_t together = count_of(*place) + count;
     if (together <= full) {
       *place += count;
-      return;
+      return index;
     }
     *place += full - count_of(*place);
     added = key << count_bits | (together - full);
   }
   if (entries_.size() == entries_.capacity()) {
-    const auto index = place - entries_.begin();
     entries_.reserve(entries_.size() + std::max<std::size_t>(4, entries_.size() / 4));
-    place = entries_.begin() + index;
   }
-  entries_.insert(place, added);
+  entries_.insert(entries_.begin() + static_cast<std::ptrdiff_t>(index), added);
+  return index;
+}
+
+void LogBins::add(std::uint32_t which, std::span<const float> values) {
+  TALUS_PROMISE(values.size() <= full, "an entry can count them");
+  constexpr std::size_t few = 8;          // these are added one by one
+  std::array<std::uint32_t, 512> counts;  // of the bins from the least of the values on
+  std::uint32_t least_key = ~0U, most_key = 0;
+  for (const float value : values) {
+    const std::uint32_t each = key(which, value);
+    least_key = std::min(least_key, each);
+    most_key = std::max(most_key, each);
+  }
+  if (values.size() < few || most_key - least_key >= counts.size()) {
+    for (const float value : values) add(which, value);
+    return;
+  }
+  const std::size_t bins = most_key - least_key + 1;
+  std::fill_n(counts.begin(), bins, 0);
+  for (const float value : values) ++counts[key(which, value) - least_key];
+  std::size_t place = 0;
+  for (std::uint32_t k = 0; k < bins; ++k) {
+    if (counts[k] > 0) place = add_key(least_key + k, counts[k], place);
+  }
 }
 
 void LogBins::merge(const LogBins& other) {
-  for (const std::uint32_t entry : other.entries_) add_key(entry >> count_bits, count_of(entry));
+  for (const std::uint32_t entry : other.entries_) add_key(entry >> count_bits, count_of(entry), 0);
 }
 
 std::array<std::uint64_t, 4> LogBins::merge_saved(ByteReader& in) {
