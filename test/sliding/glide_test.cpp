@@ -115,7 +115,7 @@ TEST(GlideLanes, GiveTheBitsOfEachAlone) {
   constexpr std::size_t count = 3000;
   std::deque<Glide> starts;
   while (ended.size() < count) {
-    while (glides.size() < count && lanes.count() < GlideLanes::width && (lanes.count() == 0 || dice.chance(0.9))) {
+    while (glides.size() < count && !lanes.is_full() && (lanes.is_empty() || dice.chance(0.9))) {
       glides.push_back(random_glide(dice));
       starts.push_back(glides.back());
       traces.emplace_back();
@@ -124,7 +124,7 @@ TEST(GlideLanes, GiveTheBitsOfEachAlone) {
     }
     lanes.run([&](std::size_t name) { ended.push_back(name); });
   }
-  EXPECT_EQ(lanes.count(), 0U);
+  EXPECT_TRUE(lanes.is_empty());
   std::sort(ended.begin(), ended.end());
   std::size_t steps = 0;
   for (std::size_t k = 0; k < count; ++k) {

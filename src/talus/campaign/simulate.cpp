@@ -111,9 +111,9 @@ class Party {
   void follow(const SimulationOrder& order) {
     next_ = seen_ = order.rocks.first;
     while (seen_ < order.rocks.last) {
-      if (lanes_.count() < GlideLanes::width && may_go_on_ > 0) {
+      if (!lanes_.is_full() && may_go_on_ > 0) {
         go_on(order, ready_[--may_go_on_]);
-      } else if (lanes_.count() < GlideLanes::width && next_ < order.rocks.last && next_ - seen_ < walkers_.size()) {
+      } else if (!lanes_.is_full() && next_ < order.rocks.last && next_ - seen_ < walkers_.size()) {
         const std::size_t place = next_ % walkers_.size();
         Walker<Surface>& walker = walkers_[place];
         walker.log.keep_rows(order.keep_rows(next_));
@@ -129,13 +129,8 @@ class Party {
 
  private:
   void go_on(const SimulationOrder& order, std::size_t place) {
-    // A glide of a few steps is not worth a lane.
-    constexpr int alone = 3;
     RockRun<Surface>& run = walkers_[place].run();
-    while (run.go_on() == RockRun<Surface>::Pause::glides) {
-      bool glides = true;
-      for (int k = 0; k < alone && glides; ++k) glides = run.step_alone();
-      if (!glides) continue;
+    if (run.go_on() == RockRun<Surface>::Pause::glides) {
       lanes_.add(run.glide(), run.glide_trace(), place);
       return;
     }

@@ -54,8 +54,7 @@ inline constexpr Ratio far_tail{6.65790464350110377720e0,  5.4637849111641143699
 /// add up to 1 but for rounding; only the smaller is read. A tail of 0 gives an infinite x.
 [[nodiscard]] inline double normal_quantile(double lower, double upper) {
   using namespace normal_quantile_detail;
-  const bool is_left = lower < upper;
-  const double smaller = is_left ? lower : upper;
+  const double smaller = lower < upper ? lower : upper;
   const double from_middle = 0.5 - smaller;
   double x = 0;
   if (from_middle <= 0.425) {
@@ -66,7 +65,7 @@ inline constexpr Ratio far_tail{6.65790464350110377720e0,  5.4637849111641143699
   } else {
     x = HUGE_VAL;
   }
-  return is_left ? -x : x;
+  return std::copysign(x, lower - upper);  // and not a choice, which would be guessed wrong every other time
 }
 
 }  // namespace talus

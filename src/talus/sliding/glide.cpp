@@ -1,8 +1,5 @@
 #include "talus/sliding/glide.hpp"
 
-#include <bit>
-#include <cstdint>
-
 #include "talus/core/check.hpp"
 
 // Compiled twice, for processors with AVX2 and for all others; the same operations, so the same bits. (Not where a
@@ -17,24 +14,19 @@
 namespace talus {
 
 GlideLanes::GlideLanes(const GlideLaws& laws) : laws_(laws) {
-  for (std::size_t lane = 0; lane < width; ++lane) clear(lane);
-}
-
-// Numbers that are harmless in every operation.
-void GlideLanes::clear(std::size_t lane) {
-  glides_[lane] = nullptr;
-  traces_[lane] = nullptr;
-  for (Lanes* each : {&x_, &y_, &vy_, &speed_, &time_, &gain_, &braking_, &squared_way_}) (*each)[lane] = 0;
-  vx_[lane] = 1;
-  for (std::size_t k = 0; k < 3; ++k) distance_[k][lane] = down_[k][lane] = aside_[k][lane] = 0;
+  // Numbers that are harmless in every operation, and of which none stays.
+  for (Lanes* each : {&x_, &y_, &vy_, &speed_, &time_, &gain_, &braking_, &squared_way_}) each->fill(0);
+  vx_.fill(1);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (Lanes* each : {&distance_[k], &down_[k], &aside_[k]}) each->fill(0);
+  }
 }
 
 void GlideLanes::add(Glide& glide, std::vector<GlideStep>* trace, std::size_t name) {
-  TALUS_PROMISE(count_ < width, "there is a free lane");
-  std::size_t lane = 0;
-  while (glides_[lane] != nullptr) ++lane;
-  ++count_;
-  traced_ += trace != nullptr ? 1 : 0;
+  TALUS_PROMISE(!is_full(), "there is a free lane");
+  const auto lane = static_cast<std::size_t>(std::countr_one(occupied_));
+  occupied_ |= LaneSet{1} << lane;
+  if (trace != nullptr) traced_ |= LaneSet{1} << lane;
   glides_[lane] = &glide;
   traces_[lane] = trace;
   names_[lane] = name;
@@ -62,9 +54,8 @@ std::size_t GlideLanes::take(std::size_t lane) {
   glide.vy = vy_[lane];
   glide.speed = speed_[lane];
   glide.time = time_[lane];
-  --count_;
-  traced_ -= traces_[lane] != nullptr ? 1 : 0;
-  clear(lane);
+  occupied_ &= ~(LaneSet{1} << lane);
+  traced_ &= occupied_;
   return names_[lane];
 }
 
@@ -80,8 +71,11 @@ inline double chosen(std::uint64_t mask, double taken, double left) {
 
 }  // namespace
 
-// One loop without branches, which the compiler turns into operations on several lanes at a time.
-TALUS_WIDE_LANES void GlideLanes::step_all() {
+// One loop without branches, which the compiler turns into operations on several lanes at a time. Gives the lanes whose
+// step was taken.
+TALUS_WIDE_LANES auto GlideLanes::step_all() -> LaneSet {
+  constexpr std::array<LaneSet, width> bits{1, 2, 4, 8, 16, 32, 64, 128};
+  LaneSet staying = 0;
   const double dt = laws_.timestep, stopped = laws_.stopped_velocity, most = laws_.max_time;
   for (std::size_t k = 0; k < width; ++k) {
     const double wx = vx_[k] + gain_[k], vy = vy_[k], size = std::sqrt(wx * wx + vy * vy);
@@ -101,27 +95,26 @@ TALUS_WIDE_LANES void GlideLanes::step_all() {
     vy_[k] = chosen(mask, next_vy, vy_[k]);
     speed_[k] = chosen(mask, speed, speed_[k]);
     time_[k] = chosen(mask, time, time_[k]);
-    stays_[k] = chosen(mask, 1, 0);
+    staying |= mask & bits[k];
+  }
+  return staying;
+}
+
+void GlideLanes::note_step(LaneSet lanes) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+    traces_[lane]->push_back({x_[lane], y_[lane], vx_[lane], vy_[lane]});
   }
 }
 
-void GlideLanes::note_step() {
-  for (std::size_t lane = 0; lane < width; ++lane) {
-    if (traces_[lane] != nullptr && stays_[lane] > 0) {
-      traces_[lane]->push_back({x_[lane], y_[lane], vx_[lane], vy_[lane]});
-    }
-  }
-}
-
-void GlideLanes::run_until_one_ends() {
-  TALUS_PROMISE(count_ > 0, "there is a glide to run");
-  double staying = 0;
+auto GlideLanes::run_until_one_ends() -> LaneSet {
+  TALUS_PROMISE(!is_empty(), "there is a glide to run");
+  LaneSet staying;
   do {
-    step_all();
-    if (traced_ > 0) note_step();
-    staying = 0;
-    for (const double stays : stays_) staying += stays;
-  } while (staying == static_cast<double>(count_));
+    staying = step_all();
+    note_step(staying & traced_);
+  } while (staying == occupied_);
+  return occupied_ & ~staying;
 }
 
 }  // namespace talus

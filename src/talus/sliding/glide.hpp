@@ -3,8 +3,10 @@
 // facet's own two coordinates. Most of a long slide goes through here, one rock's alone or several rocks' in lanes.
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -72,35 +74,35 @@ class GlideLanes {
 
   explicit GlideLanes(const GlideLaws& laws);
 
-  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] bool is_empty() const { return occupied_ == 0; }
+  [[nodiscard]] bool is_full() const { return occupied_ == all_lanes; }
   /// Expects a free lane. The glide is written to when it has ended; `trace`, if there is one, gets its steps. `name`
   /// is the caller's.
   void add(Glide& glide, std::vector<GlideStep>* trace, std::size_t name);
   /// Until one glide has ended at the least. Calls ended(name) for each that has. Expects one.
   template <class Ended>
   void run(Ended&& ended) {
-    run_until_one_ends();
-    for (std::size_t lane = 0; lane < width; ++lane) {
-      if (glides_[lane] != nullptr && stays_[lane] == 0) ended(take(lane));
+    for (LaneSet lanes = run_until_one_ends(); lanes != 0; lanes &= lanes - 1) {
+      ended(take(static_cast<std::size_t>(std::countr_zero(lanes))));
     }
   }
 
  private:
   using Lanes = std::array<double, width>;
+  using LaneSet = std::uint64_t;  // a bit each
+  static constexpr LaneSet all_lanes = (LaneSet{1} << width) - 1;
 
-  void run_until_one_ends();
-  void step_all();
-  void note_step();
+  LaneSet run_until_one_ends();
+  LaneSet step_all();
+  void note_step(LaneSet lanes);
   std::size_t take(std::size_t lane);
-  void clear(std::size_t lane);
 
   GlideLaws laws_;
-  std::size_t count_ = 0, traced_ = 0;
-  std::array<Glide*, width> glides_{};  // null: the lane is free, and its glide never stays
+  LaneSet occupied_ = 0, traced_ = 0;  // what a free lane has is what its last glide ended with: it does not stay
+  std::array<Glide*, width> glides_{};
   std::array<std::vector<GlideStep>*, width> traces_{};
   std::array<std::size_t, width> names_{};
-  alignas(64) Lanes stays_{};  // 1, or 0: the last step was not taken
-  Lanes x_, y_, vx_, vy_, speed_, time_, gain_, braking_, squared_way_;
+  alignas(64) Lanes x_, y_, vx_, vy_, speed_, time_, gain_, braking_, squared_way_;
   std::array<Lanes, 3> distance_, down_, aside_;
 };
 

@@ -29,6 +29,8 @@ class GridWalk {
     for (int axis : {0, 1}) {
       cell_[axis] = std::clamp(std::floor(origin_[axis] + enter_ * speed_[axis]), 0.0, cells_[axis] - 1);
     }
+    node_step_ = PairMask{static_cast<std::int64_t>(step_[0]), static_cast<std::int64_t>(step_[1]) * (columns + 1)};
+    node_ = row() * (columns + 1) + column();
     look_ahead();
   }
 
@@ -36,6 +38,8 @@ class GridWalk {
   [[nodiscard]] bool is_over() const { return is_over_; }
   [[nodiscard]] std::int64_t column() const { return static_cast<std::int64_t>(cell_[0]); }
   [[nodiscard]] std::int64_t row() const { return static_cast<std::int64_t>(cell_[1]); }
+  /// The number of the cell's south-west node, where nodes are counted row by row.
+  [[nodiscard]] std::size_t node() const { return static_cast<std::size_t>(node_); }
   /// When the flight is over this cell [s].
   [[nodiscard]] double enter() const { return enter_; }
   [[nodiscard]] double leave() const { return leave_; }
@@ -53,12 +57,14 @@ class GridWalk {
   [[nodiscard]] bool goes_north() const { return step_[1] > 0; }
 
   // Which border comes first changes from cell to cell like the toss of a coin: both axes are worked out each time, so
-  // that there is nothing to guess.
+  // that there is nothing to guess. (It cannot step off the grid: the border that ends the grid has the same time here
+  // as in `end_`, to the bit.)
   void advance() {
-    cell_ += chosen(leaving_axis(), step_);
-    // (Beyond the grid only by rounding: `end` is there.)
-    const PairMask beyond = (cell_ < pair(0)) | (cell_ >= cells_);
-    is_over_ = is_last() | ((beyond[0] | beyond[1]) != 0);
+    const PairMask axis = leaving_axis();
+    cell_ += chosen(axis, step_);
+    const PairMask nodes = axis & node_step_;
+    node_ += nodes[0] | nodes[1];
+    is_over_ = is_last();
     enter_ = leave_;
     look_ahead();
   }
@@ -101,6 +107,8 @@ class GridWalk {
   Pair cells_{}, cell_{}, step_{};
   Pair border_{};  // 1 where the border ahead is the upper one
   Pair next_{};    // when it crosses that
+  PairMask node_step_{};
+  std::int64_t node_ = 0;
   double enter_ = 0, leave_ = 0, end_ = 0;
   bool is_over_ = false;
 };

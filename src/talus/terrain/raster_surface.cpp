@@ -48,17 +48,42 @@ RasterSurface::RasterSurface(RasterGrid grid) : grid_(std::move(grid)) {
 
 bool RasterSurface::has_data(std::size_t column, std::size_t row) const { return cell(column, row).has_data(); }
 
+namespace {
+
+// Which way a cell is cut is like the toss of a coin, and guessing it wrong costs more than all the rest of a facet: it
+// is looked up here. Rows are 2 (cut from south-west to north-east) + half; nodes are counted 0 south-west, 1 south-
+// east, 2 north-west, 3 north-east.
+constexpr std::array<std::array<std::uint8_t, 3>, 4> nodes_of{{{0, 1, 2}, {1, 3, 2}, {0, 1, 3}, {0, 3, 2}}};
+
+/// Which sides of a facet lie to its south or north, to its east or west, and on the diagonal.
+struct Sides {
+  std::uint8_t along, aside, diagonal;
+};
+constexpr std::array<Sides, 4> sides_of{{{0, 2, 1}, {1, 0, 2}, {0, 1, 2}, {1, 2, 0}}};
+
+}  // namespace
+
+Triangle RasterSurface::triangle(std::int64_t column, std::int64_t row, std::size_t kind) const {
+  const double west = grid_.x0 + static_cast<double>(column) * grid_.dx;
+  const double south = grid_.y0 + static_cast<double>(row) * grid_.dy;
+  const double x[] = {west, west + grid_.dx}, y[] = {south, south + grid_.dy};
+  const float* const z = grid_.z.data() + static_cast<std::size_t>(row) * (columns_ + 1) + column;
+  Triangle triangle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t node = nodes_of[kind][k];
+    triangle[k] = {x[node % 2], y[node / 2], z[(node / 2) * (columns_ + 1) + node % 2]};
+  }
+  return triangle;
+}
+
 std::array<Triangle, 2> RasterSurface::triangles(std::int64_t column, std::int64_t row, const Cell& cell) const {
-  const double west = grid_.x0 + static_cast<double>(column) * grid_.dx, east = west + grid_.dx;
-  const double south = grid_.y0 + static_cast<double>(row) * grid_.dy, north = south + grid_.dy;
-  const Vec3 sw(west, south, cell.sw), se(east, south, cell.se), nw(west, north, cell.nw), ne(east, north, cell.ne);
-  if (cell.cut_north_east()) return {Triangle{sw, se, ne}, Triangle{sw, ne, nw}};
-  return {Triangle{sw, se, nw}, Triangle{se, ne, nw}};
+  return {triangle(column, row, kind_of(cell, 0)), triangle(column, row, kind_of(cell, 1))};
 }
 
 Triangle RasterSurface::triangle(FacetId facet) const {
   const auto [column, row] = place(facet);
-  return triangles(column, row, cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row)))[facet.index % 2];
+  return triangle(column, row,
+                  kind_of(cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row)), facet.index % 2));
 }
 
 RasterSurface::Cells RasterSurface::cells_within(double x_low, double x_high, double y_low, double y_high) const {
@@ -78,31 +103,22 @@ RasterSurface::Cells RasterSurface::cells_within(double x_low, double x_high, do
 std::array<std::optional<FacetId>, 3> RasterSurface::neighbours(FacetId facet) const {
   const auto [column, row] = place(facet);
   const std::uint32_t half = facet.index % 2;
-  const FacetId other{facet.index ^ 1U};
-  // The facet of a neighbouring cell at its south (0), east (1), north (2) or west (3) side.
-  const auto beyond = [&, column = column, row = row](std::int64_t dx, std::int64_t dy,
-                                                      int side) -> std::optional<FacetId> {
-    const std::int64_t i = column + dx, j = row + dy;
-    if (i < 0 || j < 0 || i >= static_cast<std::int64_t>(columns_) || j >= static_cast<std::int64_t>(rows_)) {
-      return std::nullopt;
-    }
-    const Cell there = cell(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-    if (!there.has_data()) return std::nullopt;
-    const bool north_east = there.cut_north_east();
-    const std::uint32_t its_half = side == 0 ? 0 : side == 2 ? 1 : (side == 1) == north_east ? 0 : 1;
-    return FacetId{facet_of(i, j, its_half)};
+  const std::size_t kind = kind_of(cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row)), half);
+  const bool goes_east = (kind == 2) | (kind == 1);
+  const auto is_there = [&](std::int64_t i, std::int64_t j) {
+    return i >= 0 && j >= 0 && i < static_cast<std::int64_t>(columns_) && j < static_cast<std::int64_t>(rows_) &&
+           (!has_holes_ || has_data(static_cast<std::size_t>(i), static_cast<std::size_t>(j)));
   };
-  const bool north_east = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row)).cut_north_east();
-  const auto south = [&] { return beyond(0, -1, 2); };
-  const auto east = [&] { return beyond(1, 0, 3); };
-  const auto north = [&] { return beyond(0, 1, 0); };
-  const auto west = [&] { return beyond(-1, 0, 1); };
-  if (north_east) {
-    if (half == 0) return {south(), east(), other};
-    return {other, north(), west()};
+  std::array<std::optional<FacetId>, 3> beyond;
+  beyond[sides_of[kind].diagonal] = FacetId{facet.index ^ 1U};
+  if (const std::int64_t next = row + 2 * std::int64_t{half} - 1; is_there(column, next)) {
+    beyond[sides_of[kind].along] = FacetId{facet_of(column, next, 1 - half)};
   }
-  if (half == 0) return {south(), other, west()};
-  return {east(), north(), other};
+  if (const std::int64_t next = column + 2 * std::int64_t{goes_east} - 1; is_there(next, row)) {
+    const bool north_east = cell(static_cast<std::size_t>(next), static_cast<std::size_t>(row)).cut_north_east();
+    beyond[sides_of[kind].aside] = FacetId{facet_of(next, row, goes_east == north_east ? 1 : 0)};
+  }
+  return beyond;
 }
 
 Outline RasterSurface::outline(FacetId facet) const {
@@ -125,90 +141,103 @@ Outline RasterSurface::outline(FacetId facet) const {
 
 std::optional<Contact> RasterSurface::first_contact(const Parabola& path, double radius, double t_max,
                                                     const LeftPlanes& left) const {
-  return radius == 0 ? first_contact_of_point(path, t_max, left).contact
-                     : first_contact_of_sphere(path, radius, t_max, left);
+  if (radius > 0) return first_contact_of_sphere(path, radius, t_max, left);
+  return flight_of_point(path, t_max, left).contact;
 }
 
 // Over a facet the height of a flight is a concave function of time: a point that is above it where it comes over it
 // and where it goes is above it in between. So heights over the crossed borders and diagonals tell which facets are to
 // be asked, and hardly any is.
-auto RasterSurface::first_contact_of_point(const Parabola& path, double t_max, const LeftPlanes& left) const
-    -> BoundedContact {
+auto RasterSurface::flight_of_point(const Parabola& path, double t_max, const LeftPlanes& left, double known) const
+    -> PointFlight {
   ContactCandidate best{t_max};
-  double highest = 0;
-  const Top top = top_of(path);
-  double height_entering = 0;  // the first cell is always asked
-  // From the diagonal, in cells: further than a facet's slack reaches (outline_slack), whatever the cell's size.
-  const double beside = 1e-4 + 2e-5 / std::min(grid_.dx, grid_.dy);
   GridWalk at = walk(path, t_max);
-  double z0 = at.is_over() ? 0 : path.z(at.enter());
+  if (at.is_over()) return {best.contact(), known};
+  const Top top = top_of(path);
+  const float* const nodes = grid_.z.data();
+  const auto stride = static_cast<std::ptrdiff_t>(columns_) + 1;
+  // Of the border through which it leaves a cell: the first of its nodes, from the cell's own one.
+  const std::ptrdiff_t side_along_x = at.goes_east() ? 1 : 0, side_along_y = at.goes_north() ? stride : 0;
+  double z0 = path.z(at.enter());
+  double height_entering = 0;  // the first cell is always asked
   for (; !at.is_over() && at.enter() <= best.t; at.advance()) {
     const double t0 = at.enter(), t1 = at.leave(), z1 = path.z(t1);
-    const auto [low, high] = range(at.column(), at.row());
-    highest = std::max(highest, top.between(t0, z0, t1, z1) - low);
+    const auto [low, high] = range_at(at.node());
+    const bool may_be_higher = top.between(t0, z0, t1, z1) - low > known;
     // Most flights are above most cells altogether.
     const double lowest = std::min(std::exchange(z0, z1), z1);
     if (lowest > high + box_pad) {
       height_entering = infinite;
-      continue;
-    }
-    const Cell here = cell(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
-    const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
-
-    double ground;
-    if (at.leaves_along_x()) {
-      ground = at.goes_east() ? here.se + v1 * (here.ne - here.se) : here.sw + v1 * (here.nw - here.sw);
     } else {
-      ground = at.goes_north() ? here.nw + u1 * (here.ne - here.nw) : here.sw + u1 * (here.se - here.sw);
-    }
-    const double height_leaving = at.is_last() ? 0 : z1 - ground;
+      const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
+      const float* const south_west = nodes + at.node();
 
-    const bool north_east = here.cut_north_east();
-    const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
-    double height_at_diagonal = infinite;
-    if (side0 * side1 < 0) {
-      const double part = side0 / (side0 - side1);
-      const double u = u0 + part * (u1 - u0);
-      const double diagonal = north_east ? here.sw + u * (here.ne - here.sw) : here.nw + u * (here.se - here.nw);
-      height_at_diagonal = path.z(t0 + part * (t1 - t0)) - diagonal;
-    }
+      const bool along_x = at.leaves_along_x();
+      const float* const border = south_west + (along_x ? side_along_x : side_along_y);
+      const double border_from = border[0], border_to = border[along_x ? stride : 1];
+      const double ground = border_from + (along_x ? v1 : u1) * (border_to - border_from);
+      const double height_leaving = at.is_last() ? 0 : z1 - ground;
 
-    // (Written so that a height which is not a number, beside a hole, is asked.)
-    const bool is_clear = height_entering > box_pad && height_leaving > box_pad && height_at_diagonal > box_pad;
-    if (!is_clear && here.has_data()) {
-      // How far within each facet the path is on plan: rises across the diagonal to 1 at the far corner.
-      const double toward = north_east ? 1 : -1;  // in the first facet
-      const auto may_touch = [&](std::uint32_t half) {
-        const double inside = half == 0 ? toward : -toward;
-        if (std::max(inside * side0, inside * side1) < -beside) return false;
-        const bool is_sw = north_east || half == 0;  // the corner by which the facet's plane is given
-        const double along_u = (half == 0) ? here.se - here.sw : here.ne - here.nw;
-        const double along_v = (half == 0) == north_east ? here.ne - here.se : here.nw - here.sw;
-        const double far = is_sw ? 0 : 1, corner = is_sw ? here.sw : here.ne;
-        const auto height = [&](double t, double u, double v) {
-          return path.z(t) - (corner + (u - far) * along_u + (v - far) * along_v);
-        };
-        // Above it in the end, it is above it all the while if it rises from it at first, or is above it then.
-        if (!(height(t1, u1, v1) > box_pad)) return true;
-        const double rise = path.v.z() + t0 * path.a.z() - along_u * at.u_speed() - along_v * at.v_speed();
-        return !(rise > 0 || height(t0, u0, v0) > box_pad);
-      };
-      const auto both = triangles(at.column(), at.row(), here);
-      const std::uint32_t entered = toward * side0 > 0 ? 0 : 1;
-      for (const std::uint32_t half : {entered, 1 - entered}) {
-        if (half != entered && best.found()) {
-          // It comes over this facet later than it met the other one.
-          const double inside = entered == 0 ? toward : -toward;
-          if (inside * (side0 + (best.t - t0) / (t1 - t0) * (side1 - side0)) > beside) break;
-        }
-        if (!may_touch(half)) continue;
-        const std::uint32_t facet = facet_of(at.column(), at.row(), half);
-        meet_point(path, both[half], {facet, facet}, left, best);
+      const double sw = south_west[0], se = south_west[1], nw = south_west[stride], ne = south_west[stride + 1];
+      const bool north_east = std::abs(sw - ne) <= std::abs(se - nw);
+      const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
+      double height_at_diagonal = infinite;
+      if (side0 * side1 < 0) {
+        const double part = side0 / (side0 - side1);
+        const double u = u0 + part * (u1 - u0);
+        const double from = north_east ? sw : nw, to = north_east ? ne : se;
+        height_at_diagonal = path.z(t0 + part * (t1 - t0)) - (from + u * (to - from));
       }
+
+      // (Written so that a height which is not a number, beside a hole, is asked.)
+      const bool is_clear = height_entering > box_pad && height_leaving > box_pad && height_at_diagonal > box_pad;
+      if (!is_clear) meet_in_cell(path, at, left, best);
+      height_entering = height_leaving;
     }
-    height_entering = height_leaving;
+    if (may_be_higher) known = greatest_height_in_cell(path, at, std::min(t1, best.t), known);
   }
-  return {best.contact(), highest};
+  return {best.contact(), known};
+}
+
+/// Asks the facets of a cell that a flight may touch while it is over it.
+void RasterSurface::meet_in_cell(const Parabola& path, const GridWalk& at, const LeftPlanes& left,
+                                 ContactCandidate& best) const {
+  const Cell here = cell_at(at.node());
+  if (!here.has_data()) return;
+  // From the diagonal, in cells: further than a facet's slack reaches (outline_slack), whatever the cell's size.
+  const double beside = 1e-4 + 2e-5 / std::min(grid_.dx, grid_.dy);
+  const double t0 = at.enter(), t1 = at.leave();
+  const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
+  const bool north_east = here.cut_north_east();
+  // How far within the first facet it is on plan: rises across the diagonal to 1 at the far corner.
+  const double toward = north_east ? 1 : -1;
+  const double side0 = toward * (north_east ? u0 - v0 : u0 + v0 - 1);
+  const double side1 = toward * (north_east ? u1 - v1 : u1 + v1 - 1);
+  const auto may_touch = [&](std::uint32_t half) {
+    if ((half == 0 ? std::max(side0, side1) : std::max(-side0, -side1)) < -beside) return false;
+    const bool is_sw = north_east || half == 0;  // the corner by which the facet's plane is given
+    const double along_u = (half == 0) ? here.se - here.sw : here.ne - here.nw;
+    const double along_v = (half == 0) == north_east ? here.ne - here.se : here.nw - here.sw;
+    const double far = is_sw ? 0 : 1, corner = is_sw ? here.sw : here.ne;
+    const auto height = [&](double t, double u, double v) {
+      return path.z(t) - (corner + (u - far) * along_u + (v - far) * along_v);
+    };
+    // Above it in the end, it is above it all the while if it rises from it at first, or is above it then.
+    if (!(height(t1, u1, v1) > box_pad)) return true;
+    const double rise = path.v.z() + t0 * path.a.z() - along_u * at.u_speed() - along_v * at.v_speed();
+    return !(rise > 0 || height(t0, u0, v0) > box_pad);
+  };
+  const std::uint32_t entered = side0 > 0 ? 0 : 1;
+  for (const std::uint32_t half : {entered, 1 - entered}) {
+    if (half != entered && best.found()) {
+      // It comes over this facet later than it met the other one.
+      const double side = side0 + (best.t - t0) / (t1 - t0) * (side1 - side0);
+      if ((entered == 0 ? side : -side) > beside) break;
+    }
+    if (!may_touch(half)) continue;
+    const std::uint32_t facet = facet_of(at.column(), at.row(), half);
+    meet_point(path, triangle(at.column(), at.row(), kind_of(here, half)), {facet, facet}, left, best);
+  }
 }
 
 // ---- where a flight ends that meets nothing ----
@@ -252,27 +281,17 @@ Exit RasterSurface::exit(const Parabola& path) const {
 std::optional<double> RasterSurface::height_in_cell(double x, double y, std::int64_t column, std::int64_t row) const {
   const Cell here = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
   if (!here.has_data()) return std::nullopt;
-  const double u = std::clamp((x - grid_.x0) / grid_.dx - static_cast<double>(column), 0.0, 1.0);
-  const double v = std::clamp((y - grid_.y0) / grid_.dy - static_cast<double>(row), 0.0, 1.0);
-  if (here.cut_north_east()) {
-    return u >= v ? here.sw + u * (here.se - here.sw) + v * (here.ne - here.se)
-                  : here.sw + v * (here.nw - here.sw) + u * (here.ne - here.nw);
-  }
-  return u + v <= 1 ? here.sw + u * (here.se - here.sw) + v * (here.nw - here.sw)
-                    : here.ne + (1 - u) * (here.nw - here.ne) + (1 - v) * (here.se - here.ne);
+  return here.ground((x - grid_.x0) / grid_.dx - static_cast<double>(column),
+                     (y - grid_.y0) / grid_.dy - static_cast<double>(row));
 }
 
 std::optional<double> RasterSurface::elevation(double x, double y, double below) const {
-  // A place within a cell, and not at its borders, has one height.
+  // A place within the grid has the height of any cell that it lies in, where none is a hole.
   const double u = (x - grid_.x0) / grid_.dx, v = (y - grid_.y0) / grid_.dy;
-  if (u > 0 && v > 0 && u < static_cast<double>(columns_) && v < static_cast<double>(rows_)) {
-    const auto column = static_cast<std::int64_t>(u), row = static_cast<std::int64_t>(v);
-    const double in_u = u - static_cast<double>(column), in_v = v - static_cast<double>(row);
-    const double aside = std::min(in_u, 1 - in_u) * grid_.dx, along = std::min(in_v, 1 - in_v) * grid_.dy;
-    if (std::min(aside, along) > box_pad) {
-      const auto z = height_in_cell(x, y, column, row);
-      return z && *z <= below ? z : std::nullopt;
-    }
+  if (!has_holes_ && u > 0 && v > 0 && u < static_cast<double>(columns_) && v < static_cast<double>(rows_)) {
+    const auto column = static_cast<std::size_t>(u), row = static_cast<std::size_t>(v);
+    const double z = cell(column, row).ground(u - static_cast<double>(column), v - static_cast<double>(row));
+    return z <= below ? std::optional(z) : std::nullopt;
   }
   const Cells cells = cells_within(x, x, y, y);
   std::optional<double> highest;
@@ -308,7 +327,6 @@ std::optional<double> RasterSurface::ground_over(const Vec3& place) const {
 }
 
 double RasterSurface::greatest_height(const Parabola& path, double t_end, double known) const {
-  const double half_a = 0.5 * path.a.z();
   const Top top = top_of(path);
   GridWalk at = walk(path, t_end);
   double z0 = at.is_over() ? 0 : path.z(at.enter());
@@ -316,30 +334,37 @@ double RasterSurface::greatest_height(const Parabola& path, double t_end, double
     const double t0 = at.enter(), t1 = at.leave(), z1 = path.z(t1);
     // The flight's highest point over this cell, over the cell's lowest node.
     const double highest = top.between(t0, std::exchange(z0, z1), t1, z1);
-    if (!(highest - range(at.column(), at.row()).first > known)) continue;
-    const Cell here = cell(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
-    if (!here.has_data()) continue;
-
-    const bool north_east = here.cut_north_east();
-    const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
-    const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
-    const double cut = side0 * side1 < 0 ? t0 + side0 / (side0 - side1) * (t1 - t0) : t1;
-    const auto ground = [&](double t) {
-      return *height_in_cell(path.p.x() + t * path.v.x(), path.p.y() + t * path.v.y(), at.column(), at.row());
-    };
-    // On each side of the diagonal the ground is a plane, and the height over it greatest where it neither grows nor
-    // shrinks.
-    const auto look = [&](double from, double to) {
-      if (!(to > from)) return;
-      const double ground_from = ground(from), slope = (ground(to) - ground_from) / (to - from);
-      const double t = std::clamp(half_a < 0 ? (slope - path.v.z()) / (2 * half_a) : to, from, to);
-      for (const double each : {from, t, to}) {
-        known = std::max(known, path.z(each) - (ground_from + slope * (each - from)));
-      }
-    };
-    look(t0, cut);
-    look(cut, t1);
+    if (highest - range_at(at.node()).first > known) known = greatest_height_in_cell(path, at, t1, known);
   }
+  return known;
+}
+
+/// Over the cell where a flight is, until `t_end`.
+double RasterSurface::greatest_height_in_cell(const Parabola& path, const GridWalk& at, double t_end,
+                                              double known) const {
+  const Cell here = cell_at(at.node());
+  if (!here.has_data()) return known;
+  const double half_a = 0.5 * path.a.z();
+  const bool north_east = here.cut_north_east();
+  const double t0 = at.enter(), t1 = t_end;
+  const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
+  const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
+  const double cut = side0 * side1 < 0 ? t0 + side0 / (side0 - side1) * (t1 - t0) : t1;
+  const auto ground = [&](double t) {
+    return *height_in_cell(path.p.x() + t * path.v.x(), path.p.y() + t * path.v.y(), at.column(), at.row());
+  };
+  // On each side of the diagonal the ground is a plane, and the height over it greatest where it neither grows nor
+  // shrinks.
+  const auto look = [&](double from, double to) {
+    if (!(to > from)) return;
+    const double ground_from = ground(from), slope = (ground(to) - ground_from) / (to - from);
+    const double t = std::clamp(half_a < 0 ? (slope - path.v.z()) / (2 * half_a) : to, from, to);
+    for (const double each : {from, t, to}) {
+      known = std::max(known, path.z(each) - (ground_from + slope * (each - from)));
+    }
+  };
+  look(t0, cut);
+  look(cut, t1);
   return known;
 }
 

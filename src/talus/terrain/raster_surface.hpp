@@ -40,12 +40,13 @@ class RasterSurface {
   // The rest as in TriangleMesh.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const LeftPlanes& left = {}) const;
-  /// That of a point, and on the way to it a bound of the heights of its flight over the ground [m].
-  struct BoundedContact {
+  /// That of a point, and how high above the ground it is until then at the most, if that is more than `known` [m].
+  struct PointFlight {
     std::optional<Contact> contact;
-    double highest;
+    double greatest_height;
   };
-  [[nodiscard]] BoundedContact first_contact_of_point(const Parabola& path, double t_max, const LeftPlanes& left) const;
+  [[nodiscard]] PointFlight flight_of_point(const Parabola& path, double t_max, const LeftPlanes& left,
+                                            double known = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
                                                             const LeftPlanes& on) const;
   [[nodiscard]] Exit exit(const Parabola& path) const;
@@ -70,20 +71,32 @@ class RasterSurface {
     [[nodiscard]] bool has_data() const { return !std::isnan(sw + se + nw + ne); }
     /// Whether it is cut from south-west to north-east.
     [[nodiscard]] bool cut_north_east() const { return std::abs(sw - ne) <= std::abs(se - nw); }
+    /// The height of the ground at a place in it: 0 at its west and south sides, 1 at its east and north sides.
+    [[nodiscard]] double ground(double u, double v) const {
+      u = std::clamp(u, 0.0, 1.0);
+      v = std::clamp(v, 0.0, 1.0);
+      if (cut_north_east()) {
+        return u >= v ? sw + u * (se - sw) + v * (ne - se) : sw + v * (nw - sw) + u * (ne - nw);
+      }
+      return u + v <= 1 ? sw + u * (se - sw) + v * (nw - sw) : ne + (1 - u) * (nw - ne) + (1 - v) * (se - ne);
+    }
   };
   struct Cells {  // columns and rows from (first) to (last), both included; empty where first > last
     std::int64_t first_column, last_column, first_row, last_row;
   };
 
-  [[nodiscard]] Cell cell(std::size_t column, std::size_t row) const {
-    const float* south = grid_.z.data() + row * (columns_ + 1) + column;
+  [[nodiscard]] Cell cell(std::size_t column, std::size_t row) const { return cell_at(node(column, row)); }
+  /// The number of a cell's south-west node, and the cell that has it.
+  [[nodiscard]] std::size_t node(std::size_t column, std::size_t row) const { return row * (columns_ + 1) + column; }
+  [[nodiscard]] Cell cell_at(std::size_t node) const {
+    const float* south = grid_.z.data() + node;
     const float* north = south + columns_ + 1;
     return {south[0], south[1], north[0], north[1]};
   }
   /// The least and the greatest elevation of a cell's nodes; where one has no data, not a number or those of the
   /// others.
-  [[nodiscard]] std::pair<double, double> range(std::int64_t column, std::int64_t row) const {
-    const float* south = grid_.z.data() + static_cast<std::size_t>(row) * (columns_ + 1) + column;
+  [[nodiscard]] std::pair<double, double> range_at(std::size_t node) const {
+    const float* south = grid_.z.data() + node;
     const float* north = south + columns_ + 1;
     return {std::min(std::min(south[0], south[1]), std::min(north[0], north[1])),
             std::max(std::max(south[0], south[1]), std::max(north[0], north[1]))};
@@ -108,6 +121,11 @@ class RasterSurface {
     return static_cast<std::uint32_t>(
         2 * (static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)) + half);
   }
+  /// Which of four kinds a facet is, by the cut of its cell and its half of it.
+  [[nodiscard]] static std::size_t kind_of(const Cell& cell, std::uint32_t half) {
+    return 2 * static_cast<std::size_t>(cell.cut_north_east()) + half;
+  }
+  [[nodiscard]] Triangle triangle(std::int64_t column, std::int64_t row, std::size_t kind) const;
   [[nodiscard]] std::array<Triangle, 2> triangles(std::int64_t column, std::int64_t row, const Cell& cell) const;
   [[nodiscard]] std::array<std::optional<FacetId>, 3> neighbours(FacetId facet) const;
   class SphereSearch;
@@ -117,6 +135,9 @@ class RasterSurface {
                                                                const LeftPlanes& left) const;
   template <class Visit>
   void visit_cells(const Cells& cells, Visit&& visit) const;
+  void meet_in_cell(const Parabola& path, const GridWalk& at, const LeftPlanes& left, ContactCandidate& best) const;
+  [[nodiscard]] double greatest_height_in_cell(const Parabola& path, const GridWalk& at, double t_end,
+                                               double known) const;
   [[nodiscard]] std::optional<double> height_in_cell(double x, double y, std::int64_t column, std::int64_t row) const;
 
   RasterGrid grid_;

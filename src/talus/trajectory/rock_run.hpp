@@ -9,7 +9,6 @@
 #include <limits>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "talus/flight/touch.hpp"
 #include "talus/impact/crsp.hpp"
@@ -23,6 +22,7 @@
 #include "talus/sliding/stepped.hpp"
 #include "talus/sliding/supports.hpp"
 #include "talus/terrain/contact.hpp"
+#include "talus/trajectory/kept_outlines.hpp"
 #include "talus/trajectory/rock_path.hpp"
 
 namespace talus {
@@ -73,9 +73,9 @@ class RockRun {
   [[nodiscard]] const RockOutcome& outcome() const { return outcome_; }
 
  private:
-  struct Flying {
-    LeftPlanes left;  // what it has just slid off
-  };
+  enum class Phase { flies, on_ground, ended };
+  /// What comes after a phase, or that the rock goes on in the one that it is in.
+  using Next = std::optional<Phase>;
   /// In contact with the ground, the lumped mass sliding, the rigid sphere rolling or slipping.
   struct OnGround {
     Vec3 normal;               // out of the ground, or of the edge or vertex that carries a sphere
@@ -90,32 +90,36 @@ class RockRun {
     FacetId other_facet;
     std::optional<Valley> valley;
   };
-  struct Ended {
-    EndReason reason;
-  };
-  using Phase = std::variant<Flying, OnGround, Ended>;
-
   /// How a flight ends: on the ground, at the edge of the model, or - where it has neither - only in time.
   struct FlightEnd {
     double t;  // [s]
     std::optional<Contact> contact;
     std::optional<Exit> exit;
-    double highest = std::numeric_limits<double>::infinity();  // it is nowhere further above the ground [m]
+    // Above the ground until then, or of an earlier flight, where what looked for the contact came by it [m].
+    std::optional<double> greatest_height = {};
   };
 
-  Phase fly(const Flying& phase);
+  Phase fly();
   [[nodiscard]] FlightEnd end_of_flight(const Parabola& path, double t_max, const LeftPlanes& left) const;
   [[nodiscard]] FlightEnd first_contact(const Parabola& path, double t_max, const LeftPlanes& left) const;
-  std::optional<Phase> fly_along(const Parabola& path, const LinearDrag& drag, const FlightEnd& end);
-  Phase fly_where_forests_are(const Flying& phase);
-  std::optional<Phase> fly_to_the_trees(const LeftPlanes& left);
-  std::optional<Phase> fly_among_trees(double rate, const LeftPlanes& left);
+  Next fly_along(const Parabola& path, const LinearDrag& drag, const FlightEnd& end);
+  Phase fly_where_forests_are();
+  Next fly_to_the_trees();
+  Next fly_among_trees(double rate);
   [[nodiscard]] double forest_drag_at(const Vec3& place) const;
   [[nodiscard]] double forest_step_time(const Vec3& velocity) const;
   [[nodiscard]] double forest_border_between(const Parabola& path, double from, double to, double rate) const;
   Phase strike(const Contact& contact);
   void begin(Phase phase);
-  std::optional<Phase> move_along(OnGround& phase);
+  [[nodiscard]] Phase end(EndReason reason) {
+    outcome_.reason = reason;
+    return Phase::ended;
+  }
+  [[nodiscard]] Phase fly_off(const LeftPlanes& left = {}) {
+    left_ = left;
+    return Phase::flies;
+  }
+  Next move_along(OnGround& phase);
   bool prepare_glide(const OnGround& phase);
   void end_glide();
   Phase enter_ground(const Contact& contact, const GroundDraw& draw, const Material& material, double rt);
@@ -138,7 +142,7 @@ class RockRun {
   [[nodiscard]] Footing footing(const OnGround& phase) const;
   [[nodiscard]] Vec3 valley_spin(const OnGround& phase) const;
   void go_along_valley(const OnGround& phase);
-  Phase leave_facet(const OnGround& phase, const OutlineEdge& edge);
+  Phase leave_facet(OnGround& phase, const OutlineEdge& edge);
   /// Notes where the rock is; asked once a phase and once a leg.
   void note_progress() {
     constexpr double nowhere = 1e-3;  // [m]
@@ -161,25 +165,18 @@ class RockRun {
     last_normal_ = normal;
     last_facet_ = facet;
   }
-  std::optional<OutlineEdge> side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg, double& t);
-  [[nodiscard]] const Outline& outline_of(FacetId facet);
-  std::optional<OutlineEdge> edge_ahead(OnGround& phase, const Parabola& leg, double& t);
+  bool crosses_side(const OnGround& phase, FacetId facet, const Parabola& leg, double& t, OutlineEdge& edge);
+  [[nodiscard]] const Outline& outline_of(FacetId facet) { return outlines_.of(surface_, facet); }
+
+  bool comes_to_edge(OnGround& phase, const Parabola& leg, double& t, OutlineEdge& edge);
   [[nodiscard]] bool is_level(const Vec3& n, const Vec3& velocity) const;
-  /// Of the facet beyond an edge, asked for again and again while the rock is there.
-  [[nodiscard]] const Vec3& normal_beyond(FacetId facet) {
-    if (beyond_ != facet) {
-      beyond_ = facet;
-      normal_beyond_ = surface_.normal(facet);
-    }
-    return normal_beyond_;
-  }
   /// Whether a support of this normal is the facet itself and not one of its edges or vertices.
   [[nodiscard]] bool carries(FacetId facet, const Vec3& normal) const {
     return surface_.normal(facet).dot(normal) > 1 - 1e-9;
   }
   [[nodiscard]] MaterialId material_at(FacetId facet) const { return ground_.material_of(surface_.source(facet)); }
   void advance_along(const Leg& leg, double t);
-  Phase leave_valley(const OnGround& phase);
+  Phase leave_valley(OnGround& phase);
   Phase take_off(const LeftPlanes& left);
   void stand_on(const OnGround& phase);
   void draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material, double rt);
@@ -218,7 +215,9 @@ class RockRun {
   const bool has_forest_;
 
   RockOutcome outcome_;
-  Phase phase_;
+  Phase phase_ = Phase::flies;
+  LeftPlanes left_;         // where it flies: what it has just slid off
+  OnGround on_ground_;      // where it is
   std::int64_t steps_ = 0;  // phases so far
   // Of the stretch along the ground that lasts as long as the phase.
   struct Stretch {
@@ -240,14 +239,7 @@ class RockRun {
   FacetId last_facet_;
   Vec3 wedge_ = Vec3::Zero();  // where it has been for the last contacts
   int contacts_in_wedge_ = 0;
-  struct KeptOutline {
-    std::optional<FacetId> facet;
-    Outline outline;
-  };
-  std::array<KeptOutline, 2> outlines_;  // of the facets it was on last: in a valley there are two
-  std::size_t oldest_outline_ = 0;
-  std::optional<FacetId> beyond_;
-  Vec3 normal_beyond_;
+  KeptOutlines outlines_;
 };
 
 template <class Surface>
@@ -262,14 +254,14 @@ RockOutcome RockRun<Surface>::follow() {
 /// What a phase is checked for before anything happens in it.
 template <class Surface>
 void RockRun<Surface>::begin(Phase phase) {
-  phase_ = std::move(phase);
+  phase_ = phase;
   stretch_ = {};
-  if (std::holds_alternative<Ended>(phase_)) return;
+  if (phase_ == Phase::ended) return;
   if (steps_++ == laws_.max_steps) {
-    phase_ = Ended{EndReason::maximum_steps};
+    phase_ = end(EndReason::maximum_steps);
   } else if (note_progress(); is_wedged()) {
     motion_.velocity.setZero();
-    phase_ = Ended{EndReason::at_rest};
+    phase_ = end(EndReason::at_rest);
   }
 }
 
@@ -277,49 +269,45 @@ template <class Surface>
 auto RockRun<Surface>::go_on() -> Pause {
   if (std::exchange(is_gliding_, false)) {
     end_glide();
-    auto& phase = std::get<OnGround>(phase_);
-    if (auto next = move_along(phase)) begin(std::move(*next));
+    if (const Next next = move_along(on_ground_)) begin(*next);
   } else {
     outcome_.start = motion_;
     outcome_.max_kinetic_energy = kinetic_energy();
     log_.row(PathState::projectile, motion_);
-    begin(Flying{});
+    begin(Phase::flies);
   }
-  while (!std::holds_alternative<Ended>(phase_)) {
-    if (const auto* flying = std::get_if<Flying>(&phase_)) {
-      begin(fly(*flying));
+  while (phase_ != Phase::ended) {
+    if (phase_ == Phase::flies) {
+      begin(fly());
       continue;
     }
-    auto& phase = std::get<OnGround>(phase_);
-    if (prepare_glide(phase)) {
+    if (prepare_glide(on_ground_)) {
       is_gliding_ = true;
       return Pause::glides;
     }
-    if (auto next = move_along(phase)) begin(std::move(*next));
+    if (const Next next = move_along(on_ground_)) begin(*next);
   }
   outcome_.max_kinetic_energy = std::max(outcome_.max_kinetic_energy, kinetic_energy());
-  outcome_.reason = std::get<Ended>(phase_).reason;
   outcome_.end = motion_;
   log_.row(PathState::ended, motion_);
   return Pause::ended;
 }
 
 template <class Surface>
-auto RockRun<Surface>::fly(const Flying& phase) -> Phase {
-  if (has_forest_) return fly_where_forests_are(phase);
+auto RockRun<Surface>::fly() -> Phase {
+  if (has_forest_) return fly_where_forests_are();
   const Parabola path{motion_.position, motion_.velocity, laws_.gravity};
-  const auto next = fly_along(path, {}, end_of_flight(path, laws_.max_time - motion_.time, phase.left));
-  return next ? *next : Phase(Ended{EndReason::maximum_time});
+  const Next next = fly_along(path, {}, end_of_flight(path, laws_.max_time - motion_.time, left_));
+  return next ? *next : end(EndReason::maximum_time);
 }
 
-/// With a contact, or as long as asked. What looks for the contact of a point on a raster comes by a bound of the
-/// heights.
+/// With a contact, or as long as asked.
 template <class Surface>
 auto RockRun<Surface>::first_contact(const Parabola& path, double t_max, const LeftPlanes& left) const -> FlightEnd {
   if constexpr (std::is_same_v<Surface, RasterSurface>) {
     if (reach_ == 0) {
-      const auto bounded = surface_.first_contact_of_point(path, t_max, left);
-      if (bounded.contact) return {bounded.contact->t, bounded.contact, {}, bounded.highest};
+      const auto flight = surface_.flight_of_point(path, t_max, left, outcome_.max_bounce);
+      if (flight.contact) return {flight.contact->t, flight.contact, {}, flight.greatest_height};
       return {t_max, {}, {}};
     }
   }
@@ -342,14 +330,13 @@ auto RockRun<Surface>::end_of_flight(const Parabola& path, double t_max, const L
 
 /// Flies to the end, or to what a barrier makes of it before; nothing where the rock is still flying then.
 template <class Surface>
-auto RockRun<Surface>::fly_along(const Parabola& path, const LinearDrag& drag, const FlightEnd& end)
-    -> std::optional<Phase> {
+auto RockRun<Surface>::fly_along(const Parabola& path, const LinearDrag& drag, const FlightEnd& flight_end) -> Next {
   const double start = motion_.time;
   // Barriers know the parabola's own clock.
   const auto retime = [&] {
     if (drag.rate > 0) crossed_.retime(start, [&](double t) { return drag.time(t); });
   };
-  while (const auto crossing = next_crossing(path, end.t)) {
+  while (const auto crossing = next_crossing(path, flight_end.t)) {
     const Motion before = motion_;
     advance(path, drag, crossing->t);
     if (crossing->above) {
@@ -364,19 +351,18 @@ auto RockRun<Surface>::fly_along(const Parabola& path, const LinearDrag& drag, c
     retime();
     log_.flight(path, crossing->t, before, drag);
     outcome_.max_bounce = surface_.greatest_height(path, crossing->t, outcome_.max_bounce);
-    if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
+    if (then == AtBarrier::held) return end(EndReason::stopped_by_barrier);
     log_.row(PathState::projectile, motion_);
-    return Flying{};
+    return fly_off();
   }
 
   retime();
-  if (end.highest > outcome_.max_bounce) {
-    outcome_.max_bounce = surface_.greatest_height(path, end.t, outcome_.max_bounce);
-  }
-  log_.flight(path, end.t, motion_, drag);
-  advance(path, drag, end.t);
-  if (end.contact) return strike(*end.contact);
-  if (end.exit) return Ended{reason_of(*end.exit)};
+  outcome_.max_bounce = flight_end.greatest_height ? *flight_end.greatest_height
+                                                   : surface_.greatest_height(path, flight_end.t, outcome_.max_bounce);
+  log_.flight(path, flight_end.t, motion_, drag);
+  advance(path, drag, flight_end.t);
+  if (flight_end.contact) return strike(*flight_end.contact);
+  if (flight_end.exit) return end(reason_of(*flight_end.exit));
   return std::nullopt;
 }
 
@@ -443,7 +429,7 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
   if (leaves || !carried) {
     remember_strike(contact.normal, contact.facet);
     log_.row(PathState::projectile, motion_);
-    return Flying{};
+    return fly_off();
   }
   return enter_ground(contact, draw, material, rt);
 }

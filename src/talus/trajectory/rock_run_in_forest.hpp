@@ -39,23 +39,22 @@ double RockRun<Surface>::forest_border_between(const Parabola& path, double from
 }
 
 template <class Surface>
-auto RockRun<Surface>::fly_where_forests_are(const Flying& phase) -> Phase {
-  LeftPlanes left = phase.left;
+auto RockRun<Surface>::fly_where_forests_are() -> Phase {
   while (true) {
     const double rate = forest_drag_at(motion_.position);
-    const auto next = rate > 0 ? fly_among_trees(rate, left) : fly_to_the_trees(left);
+    const Next next = rate > 0 ? fly_among_trees(rate) : fly_to_the_trees();
     if (next) return *next;
-    if (motion_.time >= laws_.max_time) return Ended{EndReason::maximum_time};
+    if (motion_.time >= laws_.max_time) return end(EndReason::maximum_time);
     outcome_.max_kinetic_energy = std::max(outcome_.max_kinetic_energy, kinetic_energy());
-    left = {};
+    left_ = {};
   }
 }
 
 /// A flight outside forests, up to where one begins.
 template <class Surface>
-auto RockRun<Surface>::fly_to_the_trees(const LeftPlanes& left) -> std::optional<Phase> {
+auto RockRun<Surface>::fly_to_the_trees() -> Next {
   const Parabola path{motion_.position, motion_.velocity, laws_.gravity};
-  FlightEnd end = end_of_flight(path, laws_.max_time - motion_.time, left);
+  FlightEnd end = end_of_flight(path, laws_.max_time - motion_.time, left_);
   for (double t = 0; t < end.t;) {
     const double next = std::min(end.t, t + forest_step_time(path.velocity(t)));
     if (forest_drag_at(path.at(next)) > 0) {
@@ -69,7 +68,7 @@ auto RockRun<Surface>::fly_to_the_trees(const LeftPlanes& left) -> std::optional
 
 /// A piece of a flight in a forest.
 template <class Surface>
-auto RockRun<Surface>::fly_among_trees(double rate, const LeftPlanes& left) -> std::optional<Phase> {
+auto RockRun<Surface>::fly_among_trees(double rate) -> Next {
   LinearDrag drag{rate, laws_.gravity};
   double length = std::min(drag.longest_piece(), forest_step_time(motion_.velocity));
   // Pebbles in a dense forest sink slowly, in pieces that would be very short: they go on as they do.
@@ -84,9 +83,9 @@ auto RockRun<Surface>::fly_among_trees(double rate, const LeftPlanes& left) -> s
   if (forest_drag_at(path.at(length)) != rate) length = forest_border_between(path, 0, length, rate);
 
   FlightEnd end{length, {}, {}};
-  if (left.count > 0) {
+  if (left_.count > 0) {
     // Whether it falls through the plane that it left shows only further on.
-    const FlightEnd whole = end_of_flight(path, laws_.max_time, left);
+    const FlightEnd whole = end_of_flight(path, laws_.max_time, left_);
     if (whole.t <= length) end = whole;
   } else if (const FlightEnd met = first_contact(path, length, {}); met.contact) {
     end = met;

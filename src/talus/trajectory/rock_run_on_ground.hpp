@@ -9,10 +9,13 @@ namespace talus {
 template <class Surface>
 auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& draw, const Material& material, double rt)
     -> Phase {
-  OnGround phase;
+  OnGround& phase = on_ground_;
   phase.normal = contact.normal;
   phase.facet = contact.facet;
   phase.on_facet = contact.feature == Feature::facet;
+  phase.other_normal.reset();
+  phase.is_guided = false;
+  phase.valley.reset();
   draw_friction(phase, draw, material, rt);
   constexpr double here = 1e-5;  // [m]: contacts so near each other are one contact with both facets
   const bool struck_here = (motion_.position - last_strike_).squaredNorm() < here * here;
@@ -46,7 +49,7 @@ auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& dr
     const Vec3 e = phase.normal.cross(*phase.other_normal).normalized();
     motion_.velocity = motion_.velocity.dot(e) * e;
   }
-  return phase;
+  return Phase::on_ground;
 }
 
 /// What a valley leaves of the rock's motion.
@@ -128,8 +131,10 @@ Leg RockRun<Surface>::next_leg(const OnGround& phase, const Footing& footing) co
 template <class Surface>
 Leg RockRun<Surface>::undragged_leg(const OnGround& phase, const Footing& footing, double timestep) const {
   if (laws_.model == RockModel::lumped_mass) {
-    const auto law = laws_.sliding == SlidingMethod::stepped ? stepped_leg : closed_form_leg;
-    return law(motion_.position, motion_.velocity, motion_.spin, footing, phase.mu, timestep);
+    const auto& [position, velocity, spin, time] = motion_;
+    return laws_.sliding == SlidingMethod::stepped
+               ? stepped_leg(position, velocity, spin, footing, phase.mu, timestep)
+               : closed_form_leg(position, velocity, spin, footing, phase.mu, timestep);
   }
   if (!phase.valley) {
     return rolling_leg(motion_.position, motion_.velocity, motion_.spin, phase.normal, footing, rock_, phase.friction,
@@ -220,23 +225,12 @@ void RockRun<Surface>::stand_on(const OnGround& phase) {
   motion_.position += shift;
 }
 
-/// The outline of a facet, kept as long as the rock stays on it. Good until two others were asked for.
+/// Whether a leg crosses a side of a facet outwards before `t`; the first one becomes `edge`, its time `t`.
 template <class Surface>
-const Outline& RockRun<Surface>::outline_of(FacetId facet) {
-  for (const KeptOutline& kept : outlines_) {
-    if (kept.facet == facet) return kept.outline;
-  }
-  KeptOutline& place = outlines_[std::exchange(oldest_outline_, 1 - oldest_outline_)];
-  place = {facet, surface_.outline(facet)};
-  return place.outline;
-}
-
-/// The first side of a facet that a leg crosses outwards before `t`, which becomes the time.
-template <class Surface>
-std::optional<OutlineEdge> RockRun<Surface>::side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg,
-                                                          double& t) {
+bool RockRun<Surface>::crosses_side(const OnGround& phase, FacetId facet, const Parabola& leg, double& t,
+                                    OutlineEdge& edge) {
   const Outline& outline = outline_of(facet);
-  std::optional<int> crossed_side;
+  const OutlineEdge* first = nullptr;
   for (int k = 0; k < outline.edge_count; ++k) {
     const OutlineEdge& side = outline.edges[static_cast<std::size_t>(k)];
     // The bottom of a valley is a side of both its facets; along it there is no crossing it.
@@ -249,38 +243,38 @@ std::optional<OutlineEdge> RockRun<Surface>::side_crossed(const OnGround& phase,
     const auto crossed = falling_root(distance, speed, acceleration, 1e300);
     if (crossed && *crossed < t) {
       t = *crossed;
-      crossed_side = k;
+      first = &side;
     }
   }
-  return crossed_side ? std::optional(outline.edges[static_cast<std::size_t>(*crossed_side)]) : std::nullopt;
+  if (first != nullptr) edge = *first;
+  return first != nullptr;
 }
 
-/// The edge at which a leg comes to the end of its plane, if that is before `t`, which becomes the time; on the way the
+/// Whether a leg comes to the end of its plane before `t`; there `edge` is, and that time becomes `t`. On the way the
 /// phase is moved from facet to facet of one plane and one material, as if there were no edges between them.
 template <class Surface>
-std::optional<OutlineEdge> RockRun<Surface>::edge_ahead(OnGround& phase, const Parabola& leg, double& t) {
+bool RockRun<Surface>::comes_to_edge(OnGround& phase, const Parabola& leg, double& t, OutlineEdge& edge) {
   if (phase.valley) {
-    auto side = side_crossed(phase, phase.facet, leg, t);
-    if (carries(phase.other_facet, *phase.other_normal)) {
-      if (auto other = side_crossed(phase, phase.other_facet, leg, t)) side = other;
-    }
-    return side;
+    const bool first = crosses_side(phase, phase.facet, leg, t, edge);
+    const bool second =
+        carries(phase.other_facet, *phase.other_normal) && crosses_side(phase, phase.other_facet, leg, t, edge);
+    return first || second;
   }
   constexpr int most_facets_a_leg = 1000;  // no leg has more; what turns in circles at a vertex is cut off
   for (int facets = 0; facets < most_facets_a_leg; ++facets) {
     double t_edge = t;
-    const auto edge = side_crossed(phase, phase.facet, leg, t_edge);
-    if (!edge) return std::nullopt;
-    const bool goes_on = edge->beyond && phase.normal.dot(normal_beyond(*edge->beyond)) > 1 - same_plane &&
-                         material_at(phase.facet) == material_at(*edge->beyond);
+    if (!crosses_side(phase, phase.facet, leg, t_edge, edge)) return false;
+    const Outline* const beyond = edge.beyond ? &outline_of(*edge.beyond) : nullptr;
+    const bool goes_on = beyond != nullptr && phase.normal.dot(beyond->normal) > 1 - same_plane &&
+                         material_at(phase.facet) == material_at(*edge.beyond);
     if (!goes_on) {
       t = t_edge;
-      return edge;
+      return true;
     }
-    phase.facet = *edge->beyond;
-    phase.normal = normal_beyond(phase.facet);
+    phase.facet = *edge.beyond;
+    phase.normal = beyond->normal;
   }
-  return std::nullopt;
+  return false;
 }
 
 /// Whether a rock that moves along the ground at `velocity` goes on over a facet as if it were the one it is on.
@@ -292,19 +286,22 @@ bool RockRun<Surface>::is_level(const Vec3& n, const Vec3& velocity) const {
 
 /// One leg; gives what comes after it, or nothing where the rock goes on as before.
 template <class Surface>
-auto RockRun<Surface>::move_along(OnGround& phase) -> std::optional<Phase> {
+auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
   const Footing footing = this->footing(phase);
   note_progress();
   if (rests(phase, footing) || is_wedged()) {
     motion_.velocity.setZero();
-    return Ended{EndReason::at_rest};
+    return end(EndReason::at_rest);
   }
-  if (motion_.time >= laws_.max_time) return Ended{EndReason::maximum_time};
+  if (motion_.time >= laws_.max_time) return end(EndReason::maximum_time);
   const bool still = motion_.velocity.squaredNorm() == 0;
   if (still && std::exchange(stretch_.has_turned, true) == false) log_.turn(motion_);
   Leg leg = next_leg(phase, footing);
   double t = std::min(leg.duration, laws_.max_time - motion_.time);
-  const LeftPlanes on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
+  LeftPlanes on;
+  if (reach_ > 0) {
+    on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
+  }
   if (phase.other_normal && !phase.valley) {
     if (phase.is_guided) {
       leg = guided(leg, phase.normal.cross(*phase.other_normal).normalized());
@@ -317,13 +314,14 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> std::optional<Phase> {
   }
 
   // What cuts the leg short: the facet's outline, other ground ahead of a sphere, a barrier; in this order at ties.
-  std::optional<OutlineEdge> edge = phase.on_facet ? edge_ahead(phase, leg.path, t) : std::nullopt;
+  OutlineEdge edge;
+  bool is_at_edge = phase.on_facet && comes_to_edge(phase, leg.path, t, edge);
   std::optional<Contact> ahead;
   if (reach_ > 0) {
     ahead = surface_.first_contact_on_leg(leg.path, reach_, t, on);
     if (ahead) {
       t = ahead->t;
-      edge.reset();
+      is_at_edge = false;
     }
   }
   bool met = false;
@@ -336,7 +334,7 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> std::optional<Phase> {
     }
     const AtBarrier then = meet_barrier(*crossing, motion_.time);
     if (then != AtBarrier::untouched) log_.leg(leg.path, crossing->t, before);
-    if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
+    if (then == AtBarrier::held) return end(EndReason::stopped_by_barrier);
     met = then == AtBarrier::goes_on;
     if (met) break;
     motion_ = before;
@@ -355,7 +353,7 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> std::optional<Phase> {
     if (!phase.valley) remember_strike(phase.normal, phase.facet);
     return strike(*ahead);
   }
-  if (edge) return leave_facet(phase, *edge);
+  if (is_at_edge) return leave_facet(phase, edge);
   // Over an edge or a vertex the ground curves away from a sphere: after a timestep it is in the air again, if
   // barely. (Not after a leg: where slip ends at once and rolling begins, that would be for ever.)
   stretch_.past_edge += t;
@@ -365,43 +363,42 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> std::optional<Phase> {
 
 /// The rock has come to the end of its facet.
 template <class Surface>
-auto RockRun<Surface>::leave_facet(const OnGround& phase, const OutlineEdge& edge) -> Phase {
+auto RockRun<Surface>::leave_facet(OnGround& phase, const OutlineEdge& edge) -> Phase {
   if (!edge.beyond) {
     // At the rim the model ends under the rock's centre; whether its skin would still brush the rim is no matter.
     const Exit exit = surface_.exit({motion_.position, motion_.velocity, laws_.gravity});
     if (exit.t <= 1e-9 && !exit.beneath) {
       arrive(PathState::impact);
       log_.row(PathState::projectile, motion_);
-      return Ended{reason_of(exit)};
+      return end(reason_of(exit));
     }
   }
   if (phase.valley) return leave_valley(phase);
   if (edge.beyond) {
-    const Vec3 n = normal_beyond(*edge.beyond);
+    const Vec3 n = outline_of(*edge.beyond).normal;
     const double speed = motion_.velocity.norm();
     if (is_level(n, motion_.velocity)) {
-      OnGround next = phase;
-      next.facet = *edge.beyond;
-      next.normal = n;
+      const Vec3 normal_before = std::exchange(phase.normal, n);
+      const FacetId facet_before = std::exchange(phase.facet, *edge.beyond);
       if (n.dot(edge.inward) > 0) {
         // The bottom of a valley, reached along it or over a crease too flat to be struck.
-        next.valley = caught_between(laws_.gravity, phase.normal, n, motion_.velocity, laws_.normal_velocity_cutoff);
-        if (next.valley) {
-          next.other_normal = phase.normal;
-          next.other_facet = phase.facet;
-          go_along_valley(next);
-          return next;
+        phase.valley = caught_between(laws_.gravity, normal_before, n, motion_.velocity, laws_.normal_velocity_cutoff);
+        if (phase.valley) {
+          phase.other_normal = normal_before;
+          phase.other_facet = facet_before;
+          go_along_valley(phase);
+          return Phase::on_ground;
         }
       }
-      if (reach_ > 0) next.other_normal = phase.normal;
-      const Material& there = ground_[material_at(next.facet)];
-      if (material_at(phase.facet) != material_at(next.facet)) {
-        const GroundDraw draw = draw_at(next.facet);
-        draw_friction(next, draw, there, draw.restitution(there)[1]);
+      if (reach_ > 0) phase.other_normal = normal_before;
+      const Material& there = ground_[material_at(phase.facet)];
+      if (material_at(facet_before) != material_at(phase.facet)) {
+        const GroundDraw draw = draw_at(phase.facet);
+        draw_friction(phase, draw, there, draw.restitution(there)[1]);
       }
       const Vec3 along = tangential(motion_.velocity, n);
       motion_.velocity = along * (speed / std::max(along.norm(), 1e-300));
-      return next;
+      return Phase::on_ground;
     }
     if (motion_.velocity.dot(n) < 0) {
       // A lumped mass slides into ground that rises against it; a sphere touches such ground before it gets here,
@@ -418,12 +415,12 @@ template <class Surface>
 auto RockRun<Surface>::take_off(const LeftPlanes& left) -> Phase {
   arrive(PathState::impact);
   log_.row(PathState::projectile, motion_);
-  return Flying{left};
+  return fly_off(left);
 }
 
 /// At the end of a valley's facets the same planes may go on, both or one of them.
 template <class Surface>
-auto RockRun<Surface>::leave_valley(const OnGround& phase) -> Phase {
+auto RockRun<Surface>::leave_valley(OnGround& phase) -> Phase {
   constexpr double step = 1e-6;  // how far to look ahead [m]
   const Vec3 ahead = motion_.position + step * motion_.velocity.normalized();
   std::optional<FacetId> first, second;
@@ -445,21 +442,18 @@ auto RockRun<Surface>::leave_valley(const OnGround& phase) -> Phase {
     if (n.dot(*phase.other_normal) > 1 - same_plane) choose(second, second_depth);
   });
   if (first && second) {
-    OnGround next = phase;
-    next.facet = *first;
-    next.other_facet = *second;
-    next.on_facet = carries(next.facet, next.normal);
-    return next;
+    phase.facet = *first;
+    phase.other_facet = *second;
+    phase.on_facet = carries(phase.facet, phase.normal);
+    return Phase::on_ground;
   }
   if (first || second) {
-    OnGround next = phase;
-    next.facet = first ? *first : *second;
-    next.normal = first ? phase.normal : *phase.other_normal;
+    phase.facet = first ? *first : *second;
     // The other facet ends here. The sphere touches its end for a moment yet, and must not strike it again at once.
-    next.other_normal = first ? *phase.other_normal : phase.normal;
-    next.valley.reset();
-    next.on_facet = carries(next.facet, next.normal);
-    return next;
+    if (!first) std::swap(phase.normal, *phase.other_normal);
+    phase.valley.reset();
+    phase.on_facet = carries(phase.facet, phase.normal);
+    return Phase::on_ground;
   }
   return take_off(LeftPlanes(phase.normal, *phase.other_normal));
 }

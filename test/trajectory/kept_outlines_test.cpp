@@ -1,0 +1,44 @@
+#include "talus/trajectory/kept_outlines.hpp"
+
+#include <gtest/gtest.h>
+
+namespace talus {
+namespace {
+
+/// A surface that counts how often it is asked; the outline's point tells which facet it was.
+struct CountingSurface {
+  mutable int asked = 0;
+  [[nodiscard]] Outline outline(FacetId facet) const {
+    ++asked;
+    Outline outline;
+    outline.point = Vec3(facet.index, 0, 0);
+    return outline;
+  }
+};
+
+TEST(KeptOutlines, AskTheSurfaceOnceForTheLastFour) {
+  const CountingSurface surface;
+  KeptOutlines kept;
+  for (int round = 0; round < 3; ++round) {
+    for (const std::uint32_t facet : {7U, 0U, 9U, 4U}) {
+      EXPECT_EQ(kept.of(surface, FacetId{facet}).point.x(), facet);
+    }
+  }
+  EXPECT_EQ(surface.asked, 4);
+  EXPECT_EQ(kept.of(surface, FacetId{5}).point.x(), 5);  // in the place of the oldest
+  EXPECT_EQ(kept.of(surface, FacetId{0}).point.x(), 0);
+  EXPECT_EQ(surface.asked, 5);
+  EXPECT_EQ(kept.of(surface, FacetId{7}).point.x(), 7);
+  EXPECT_EQ(surface.asked, 6);
+}
+
+TEST(KeptOutlines, LastUntilFourOthersWereAsked) {
+  const CountingSurface surface;
+  KeptOutlines kept;
+  const Outline& first = kept.of(surface, FacetId{1});
+  for (const std::uint32_t facet : {2U, 3U, 4U}) static_cast<void>(kept.of(surface, FacetId{facet}));
+  EXPECT_EQ(first.point.x(), 1);
+}
+
+}  // namespace
+}  // namespace talus
