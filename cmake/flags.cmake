@@ -7,7 +7,12 @@ target_compile_options(talus_flags INTERFACE
   # No fused multiply-add: the bits of a result must not depend on what the compiler found to fuse.
   -ffp-contract=off
   # sqrt and friends need not set errno; this changes no result and lets them be one instruction.
-  -fno-math-errno)
+  -fno-math-errno
+  # A vector's coordinates are written one by one; to read two of them at once waits until both have arrived in memory.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+# For the same reason, and so that sums have one order on every processor. It changes how vectors are laid out, so all
+# or none must be compiled with it.
+target_compile_definitions(talus_flags INTERFACE EIGEN_DONT_VECTORIZE)
 if(TALUS_WERROR)
   target_compile_options(talus_flags INTERFACE -Werror)
 endif()
