@@ -196,7 +196,7 @@ TEST(RasterSurface, HeightsOutlinesAndExitsAreTheMeshs) {
       const double t_end = dice.between(0.1, 2);
       ASSERT_NEAR(ground.raster.greatest_height(path, t_end, 0), ground.mesh.greatest_height(path, t_end, 0), 1e-9);
       const double known = dice.chance(0.5) ? 0 : dice.between(0, 5);
-      const auto [contact, greatest] = ground.raster.flight_of_point(path, 100, {}, known);
+      const auto [contact, greatest] = ground.raster.flight(path, 0, 100, {}, known);
       if (contact) {
         ASSERT_EQ(greatest, ground.raster.greatest_height(path, contact->t, known));
         continue;

@@ -15,21 +15,33 @@ double crsp_friction_function(double slip_speed, double rt) {
   return rt + (1 - rt) / (q * q + 1.2);
 }
 
-Rebound crsp_rebound(const Vec3& velocity, const Vec3& spin, const Vec3& n, const Rock& rock, Restitution restitution) {
-  const double r = rock.radius;
-  const double vn = velocity.dot(n), wn = spin.dot(n);
-  const Vec3 vt = velocity - vn * n, wt = spin - wn * n;
+CrspImpact crsp_impact(const Vec3& velocity, const Vec3& spin, const Vec3& n, double radius) {
+  CrspImpact impact;
+  impact.n = n;
+  impact.vn = velocity.dot(n);
+  impact.wn = spin.dot(n);
+  const Vec3 vt = velocity - impact.vn * n, wt = spin - impact.wn * n;
   const double vt_length = vt.norm(), wt_length = wt.norm();
 
   // The frame. Spin that moves the rock's skin less than a billionth of its speed is rounding, not spin.
-  const bool spins = wt_length * r > 1e-9 * vt_length;
-  if (!spins && vt_length == 0) return {-restitution.normal * vn * n, wn * n};
-  const Vec3 t1 = spins ? Vec3(wt.cross(n) / wt_length) : Vec3(vt / vt_length);
-  const Vec3 t2 = n.cross(t1);
-  const double v1 = vt.dot(t1), v2 = spins ? vt.dot(t2) : 0;
-  const double w2 = spins ? wt_length : 0;  // and w1 = 0 in this frame
+  const bool spins = wt_length * radius > 1e-9 * vt_length;
+  if (!spins && vt_length == 0) {
+    impact.t1 = impact.t2 = Vec3::Zero();
+    return impact;
+  }
+  impact.t1 = spins ? Vec3(wt.cross(n) / wt_length) : Vec3(vt / vt_length);
+  impact.t2 = n.cross(impact.t1);
+  impact.v1 = vt.dot(impact.t1);
+  impact.v2 = spins ? vt.dot(impact.t2) : 0;
+  impact.w2 = spins ? wt_length : 0;  // and w1 = 0 in this frame
+  const double slip_1 = impact.v1 - impact.w2 * radius;
+  impact.slip = std::sqrt(slip_1 * slip_1 + impact.v2 * impact.v2);
+  return impact;
+}
 
-  const double slip_1 = v1 - w2 * r, slip = std::sqrt(slip_1 * slip_1 + v2 * v2);
+Rebound crsp_rebound(const CrspImpact& impact, const Rock& rock, Restitution restitution) {
+  const auto& [n, t1, t2, vn, wn, v1, v2, w2, slip] = impact;
+  const double r = rock.radius;
   const double kept = r * r * crsp_friction_function(slip, restitution.tangential) *
                       crsp_scaling_factor(vn, restitution) / (rock.inertia + rock.mass * r * r);
   const double direction = v1 != 0 ? v1 : w2;

@@ -30,8 +30,22 @@ inline constexpr double crsp_f2 = 76.2;   // [m/s], 250 ft/s
 /// CRSP's friction function for the slip speed at the contact point.
 [[nodiscard]] double crsp_friction_function(double slip_speed, double rt);
 
+/// How a rock comes to an impact, in the law's frame: what does not depend on the ground's restitution.
+struct CrspImpact {
+  Vec3 n, t1, t2;
+  double vn = 0, wn = 0;  // [m/s], [rad/s]
+  double v1 = 0, v2 = 0, w2 = 0;
+  double slip = 0;  // speed of the contact point along the ground [m/s]
+};
+
 /// `n` is the surface's unit normal out of the ground.
-[[nodiscard]] Rebound crsp_rebound(const Vec3& velocity, const Vec3& spin, const Vec3& n, const Rock& rock,
-                                   Restitution restitution);
+[[nodiscard]] CrspImpact crsp_impact(const Vec3& velocity, const Vec3& spin, const Vec3& n, double radius);
+
+[[nodiscard]] Rebound crsp_rebound(const CrspImpact& impact, const Rock& rock, Restitution restitution);
+
+[[nodiscard]] inline Rebound crsp_rebound(const Vec3& velocity, const Vec3& spin, const Vec3& n, const Rock& rock,
+                                          Restitution restitution) {
+  return crsp_rebound(crsp_impact(velocity, spin, n, rock.radius), rock, restitution);
+}
 
 }  // namespace talus

@@ -74,7 +74,11 @@ inline double chosen(std::uint64_t mask, double taken, double left) {
 // One loop without branches, which the compiler turns into operations on several lanes at a time. Gives the lanes whose
 // step was taken.
 TALUS_WIDE_LANES auto GlideLanes::step_all() -> LaneSet {
-  constexpr std::array<LaneSet, width> bits{1, 2, 4, 8, 16, 32, 64, 128};
+  constexpr std::array<LaneSet, width> bits = [] {
+    std::array<LaneSet, width> each{};
+    for (std::size_t lane = 0; lane < width; ++lane) each[lane] = LaneSet{1} << lane;
+    return each;
+  }();
   LaneSet staying = 0;
   const double dt = laws_.timestep, stopped = laws_.stopped_velocity, most = laws_.max_time;
   for (std::size_t k = 0; k < width; ++k) {

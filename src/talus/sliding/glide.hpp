@@ -70,7 +70,7 @@ struct GlideStep {
 /// go on. The same operations in the same order as try_step(), so the same bits.
 class GlideLanes {
  public:
-  static constexpr std::size_t width = 8;
+  static constexpr std::size_t width = 16;
 
   explicit GlideLanes(const GlideLaws& laws);
 

@@ -36,6 +36,8 @@ class RasterSurface::SphereSearch {
 
   /// Of the parts so far.
   [[nodiscard]] const ContactCandidate& best() const { return best_; }
+  /// The centre is nowhere further above the ground [m].
+  [[nodiscard]] double greatest_height() const { return greatest_height_; }
 
   /// Where the first part begins.
   void start_at(double t) {
@@ -198,6 +200,11 @@ class RasterSurface::SphereSearch {
     return std::min(height(start_, slope_, u, v), height(end_, slope_, u, v)) - std::max(0.0, sag(slope_)) -
            slanting_reach_;
   }
+  // How high over the plane slope_ its centre is at the most.
+  [[nodiscard]] double height_over_slope() const {
+    const auto u = static_cast<double>(near_.first_column), v = static_cast<double>(near_.first_row);
+    return std::max(height(start_, slope_, u, v), height(end_, slope_, u, v)) + std::abs(sag(slope_)) + box_pad;
+  }
   // Whether the sphere is out of reach of all nodes near. The plane from which their heights are measured leans as the
   // ground does.
   [[nodiscard]] bool is_clear() {
@@ -212,13 +219,17 @@ class RasterSurface::SphereSearch {
     slanting_reach_ = (radius_ + box_pad) * std::sqrt(squared_slant(slope_));
     room_ = room_over_slope();
     highest_ = -infinite;
+    double lowest = infinite;
     double rise = 0;
     for (std::int64_t row = 0; row <= along; ++row, south += grid_.columns, rise += slope_.along_v) {
       double there = rise;
       for (std::int64_t column = 0; column <= across; ++column, there += slope_.along_u) {
-        highest_ = std::max(highest_, south[column] - there);
+        const double over_slope = south[column] - there;
+        highest_ = std::max(highest_, over_slope);
+        lowest = std::min(lowest, over_slope);
       }
     }
+    greatest_height_ = std::max(greatest_height_, height_over_slope() - lowest);
     return highest_ < room_;
   }
   // Whether it is out of reach of a cell's nodes. (Not so where one of them, or of those around, has no data.)
@@ -243,7 +254,7 @@ class RasterSurface::SphereSearch {
     return facet;
   }
   [[nodiscard]] Triangle triangle(const Facet& facet) const {
-    return surface_.triangles(facet.column, facet.row, facet.cell)[facet.half];
+    return surface_.triangle(facet.column, facet.row, kind_of(facet.cell, facet.half));
   }
   [[nodiscard]] FacetName name_of(const Facet& facet) const {
     const std::uint32_t number = surface_.facet_of(facet.column, facet.row, facet.half);
@@ -438,6 +449,7 @@ class RasterSurface::SphereSearch {
   const LeftPlanes& left_;
   const double u_scale_, v_scale_;  // cells a metre
   ContactCandidate best_;
+  double greatest_height_ = 0;
   // Of the part that is looked at:
   double start_time_ = 0, end_time_ = 0;
   Place start_{}, end_{}, bend_{};
@@ -476,8 +488,8 @@ bool RasterSurface::is_sharp_vertex(const Vec3& vertex) const {
   return sharp;
 }
 
-std::optional<Contact> RasterSurface::first_contact_of_sphere(const Parabola& path, double radius, double t_max,
-                                                              const LeftPlanes& left) const {
+auto RasterSurface::flight_of_sphere(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
+                                     double known) const -> Flight {
   // The centre may be beside the terrain.
   const auto across = static_cast<std::int64_t>(std::ceil((radius + box_pad) / grid_.dx));
   const auto along = static_cast<std::int64_t>(std::ceil((radius + box_pad) / grid_.dy));
@@ -485,7 +497,7 @@ std::optional<Contact> RasterSurface::first_contact_of_sphere(const Parabola& pa
               grid_.y0 - static_cast<double>(along) * grid_.dy, grid_.dx, grid_.dy,
               static_cast<std::int64_t>(columns_) + 2 * across, static_cast<std::int64_t>(rows_) + 2 * along);
   SphereSearch search(*this, path, SpherePath::flight, radius, t_max, left);
-  if (at.is_over()) return std::nullopt;
+  if (at.is_over()) return {std::nullopt, known};
   search.start_at(at.enter());
   constexpr int at_once = 4;  // cells, where it is well clear
   for (; !at.is_over() && at.enter() <= search.best().t; at.advance()) {
@@ -499,7 +511,9 @@ std::optional<Contact> RasterSurface::first_contact_of_sphere(const Parabola& pa
     }
     search.look_until(at.leave());
   }
-  return search.best().contact();
+  const auto contact = search.best().contact();
+  if (contact && search.greatest_height() > known) known = greatest_height(path, contact->t, known);
+  return {contact, known};
 }
 
 std::optional<Contact> RasterSurface::first_contact_on_leg(const Parabola& leg, double radius, double t_max,

@@ -141,15 +141,14 @@ Outline RasterSurface::outline(FacetId facet) const {
 
 std::optional<Contact> RasterSurface::first_contact(const Parabola& path, double radius, double t_max,
                                                     const LeftPlanes& left) const {
-  if (radius > 0) return first_contact_of_sphere(path, radius, t_max, left);
-  return flight_of_point(path, t_max, left).contact;
+  return flight(path, radius, t_max, left, infinite).contact;
 }
 
 // Over a facet the height of a flight is a concave function of time: a point that is above it where it comes over it
 // and where it goes is above it in between. So heights over the crossed borders and diagonals tell which facets are to
 // be asked, and hardly any is.
 auto RasterSurface::flight_of_point(const Parabola& path, double t_max, const LeftPlanes& left, double known) const
-    -> PointFlight {
+    -> Flight {
   ContactCandidate best{t_max};
   GridWalk at = walk(path, t_max);
   if (at.is_over()) return {best.contact(), known};

@@ -40,13 +40,16 @@ class RasterSurface {
   // The rest as in TriangleMesh.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const LeftPlanes& left = {}) const;
-  /// That of a point, and how high above the ground it is until then at the most, if that is more than `known` [m].
-  struct PointFlight {
+  /// The first contact, and where there is one, how high above the ground the centre is until then at the most, if that
+  /// is more than `known` [m].
+  struct Flight {
     std::optional<Contact> contact;
     double greatest_height;
   };
-  [[nodiscard]] PointFlight flight_of_point(const Parabola& path, double t_max, const LeftPlanes& left,
-                                            double known = std::numeric_limits<double>::infinity()) const;
+  [[nodiscard]] Flight flight(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
+                              double known) const {
+    return radius > 0 ? flight_of_sphere(path, radius, t_max, left, known) : flight_of_point(path, t_max, left, known);
+  }
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
                                                             const LeftPlanes& on) const;
   [[nodiscard]] Exit exit(const Parabola& path) const;
@@ -131,8 +134,9 @@ class RasterSurface {
   class SphereSearch;
   [[nodiscard]] bool is_sharp_edge(FacetId facet, std::size_t side) const;
   [[nodiscard]] bool is_sharp_vertex(const Vec3& vertex) const;
-  [[nodiscard]] std::optional<Contact> first_contact_of_sphere(const Parabola& path, double radius, double t_max,
-                                                               const LeftPlanes& left) const;
+  [[nodiscard]] Flight flight_of_point(const Parabola& path, double t_max, const LeftPlanes& left, double known) const;
+  [[nodiscard]] Flight flight_of_sphere(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
+                                        double known) const;
   template <class Visit>
   void visit_cells(const Cells& cells, Visit&& visit) const;
   void meet_in_cell(const Parabola& path, const GridWalk& at, const LeftPlanes& left, ContactCandidate& best) const;

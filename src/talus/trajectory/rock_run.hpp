@@ -305,11 +305,9 @@ auto RockRun<Surface>::fly() -> Phase {
 template <class Surface>
 auto RockRun<Surface>::first_contact(const Parabola& path, double t_max, const LeftPlanes& left) const -> FlightEnd {
   if constexpr (std::is_same_v<Surface, RasterSurface>) {
-    if (reach_ == 0) {
-      const auto flight = surface_.flight_of_point(path, t_max, left, outcome_.max_bounce);
-      if (flight.contact) return {flight.contact->t, flight.contact, {}, flight.greatest_height};
-      return {t_max, {}, {}};
-    }
+    const auto [contact, greatest_height] = surface_.flight(path, reach_, t_max, left, outcome_.max_bounce);
+    if (contact) return {contact->t, contact, {}, greatest_height};
+    return {t_max, {}, {}};
   }
   const auto contact = surface_.first_contact(path, reach_, t_max, left);
   return {contact ? contact->t : t_max, contact, {}};
@@ -392,7 +390,6 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
   const Material& material = ground_[material_at(contact.facet)];
   const std::uint32_t number = contacts_;
   const GroundDraw draw = draw_at(contact.facet);
-  const auto [rn_drawn, rt] = draw.restitution(material);
 
   Vec3 n = contact.normal;
   if (material.is_rough()) {
@@ -407,6 +404,10 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
     }
   }
 
+  const bool is_crsp = laws_.model == RockModel::lumped_mass && laws_.rotation;
+  CrspImpact impact;  // before the draws, which take as long as it does and do not wait for it
+  if (is_crsp) impact = crsp_impact(motion_.velocity, motion_.spin, n, rock_.radius);
+  const auto [rn_drawn, rt] = draw.restitution(material);
   const double vn = motion_.velocity.dot(n);
   const Restitution restitution{laws_.restitution_scaling.scaled(rn_drawn, vn, rock_.mass), rt};
   Rebound rebound;
@@ -416,8 +417,8 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
       damped.tangential = crsp_damped_tangential_restitution(motion_.velocity, motion_.spin, n, rock_, restitution);
     }
     rebound = rigid_sphere_rebound(motion_.velocity, motion_.spin, n, rock_, damped, draw.dynamic_friction(material));
-  } else if (laws_.rotation) {
-    rebound = crsp_rebound(motion_.velocity, motion_.spin, n, rock_, restitution);
+  } else if (is_crsp) {
+    rebound = crsp_rebound(impact, rock_, restitution);
   } else {
     rebound = plain_rebound(motion_.velocity, motion_.spin, n, restitution);
   }
