@@ -167,7 +167,6 @@ class RockRun {
   }
   bool crosses_side(const OnGround& phase, FacetId facet, const Parabola& leg, double& t, OutlineEdge& edge);
   [[nodiscard]] const Outline& outline_of(FacetId facet) { return outlines_.of(surface_, facet); }
-
   bool comes_to_edge(OnGround& phase, const Parabola& leg, double& t, OutlineEdge& edge);
   [[nodiscard]] bool is_level(const Vec3& n, const Vec3& velocity) const;
   /// Whether a support of this normal is the facet itself and not one of its edges or vertices.
