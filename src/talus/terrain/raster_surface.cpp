@@ -153,49 +153,47 @@ auto RasterSurface::flight_of_point(const Parabola& path, double t_max, const Le
   GridWalk at = walk(path, t_max);
   if (at.is_over()) return {best.contact(), known};
   const Top top = top_of(path);
-  const float* const nodes = grid_.z.data();
-  const auto stride = static_cast<std::ptrdiff_t>(columns_) + 1;
-  // Of the border through which it leaves a cell: the first of its nodes, from the cell's own one.
-  const std::ptrdiff_t side_along_x = at.goes_east() ? 1 : 0, side_along_y = at.goes_north() ? stride : 0;
   double z0 = path.z(at.enter());
   double height_entering = 0;  // the first cell is always asked
   for (; !at.is_over() && at.enter() <= best.t; at.advance()) {
-    const double t0 = at.enter(), t1 = at.leave(), z1 = path.z(t1);
+    const double t1 = at.leave(), z1 = path.z(t1);
     const auto [low, high] = range_at(at.node());
-    const bool may_be_higher = top.between(t0, z0, t1, z1) - low > known;
+    const bool may_be_higher = top.between(at.enter(), z0, t1, z1) - low > known;
     // Most flights are above most cells altogether.
     const double lowest = std::min(std::exchange(z0, z1), z1);
     if (lowest > high + box_pad) {
       height_entering = infinite;
     } else {
-      const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
-      const float* const south_west = nodes + at.node();
-
-      const bool along_x = at.leaves_along_x();
-      const float* const border = south_west + (along_x ? side_along_x : side_along_y);
-      const double border_from = border[0], border_to = border[along_x ? stride : 1];
-      const double ground = border_from + (along_x ? v1 : u1) * (border_to - border_from);
-      const double height_leaving = at.is_last() ? 0 : z1 - ground;
-
-      const double sw = south_west[0], se = south_west[1], nw = south_west[stride], ne = south_west[stride + 1];
-      const bool north_east = std::abs(sw - ne) <= std::abs(se - nw);
-      const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
-      double height_at_diagonal = infinite;
-      if (side0 * side1 < 0) {
-        const double part = side0 / (side0 - side1);
-        const double u = u0 + part * (u1 - u0);
-        const double from = north_east ? sw : nw, to = north_east ? ne : se;
-        height_at_diagonal = path.z(t0 + part * (t1 - t0)) - (from + u * (to - from));
-      }
-
+      const auto [leaving, over_diagonal] = heights_over_lines(path, at);
       // (Written so that a height which is not a number, beside a hole, is asked.)
-      const bool is_clear = height_entering > box_pad && height_leaving > box_pad && height_at_diagonal > box_pad;
+      const bool is_clear = height_entering > box_pad && leaving > box_pad && over_diagonal > box_pad;
       if (!is_clear) meet_in_cell(path, at, left, best);
-      height_entering = height_leaving;
+      height_entering = leaving;
     }
     if (may_be_higher) known = greatest_height_in_cell(path, at, std::min(t1, best.t), known);
   }
   return {best.contact(), known};
+}
+
+auto RasterSurface::heights_over_lines(const Parabola& path, const GridWalk& at) const -> HeightsOverLines {
+  const double t0 = at.enter(), t1 = at.leave();
+  const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
+  const Cell here = cell_at(at.node());
+
+  // The border's nodes are looked up: through which one it goes is like the toss of a coin.
+  const std::size_t stride = columns_ + 1, east = at.goes_east() ? 1 : 0, north = at.goes_north() ? stride : 0;
+  const bool along_x = at.leaves_along_x();
+  const float* const border = grid_.z.data() + at.node() + (along_x ? east : north);
+  const double border_from = border[0], border_to = border[along_x ? stride : 1];
+  const double ground = border_from + (along_x ? v1 : u1) * (border_to - border_from);
+  const double leaving = at.is_last() ? 0 : path.z(t1) - ground;
+
+  const bool north_east = here.cut_north_east();
+  const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
+  if (!(side0 * side1 < 0)) return {leaving, infinite};
+  const double part = side0 / (side0 - side1), u = u0 + part * (u1 - u0);
+  const double from = north_east ? here.sw : here.nw, to = north_east ? here.ne : here.se;
+  return {leaving, path.z(t0 + part * (t1 - t0)) - (from + u * (to - from))};
 }
 
 /// Asks the facets of a cell that a flight may touch while it is over it.

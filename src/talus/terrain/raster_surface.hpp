@@ -139,6 +139,12 @@ class RasterSurface {
                                         double known) const;
   template <class Visit>
   void visit_cells(const Cells& cells, Visit&& visit) const;
+  /// How high a flight is over the border through which it leaves a cell, 0 where it goes no further, and over the
+  /// cell's diagonal, where it crosses it.
+  struct HeightsOverLines {
+    double leaving, over_diagonal;
+  };
+  [[nodiscard]] HeightsOverLines heights_over_lines(const Parabola& path, const GridWalk& at) const;
   void meet_in_cell(const Parabola& path, const GridWalk& at, const LeftPlanes& left, ContactCandidate& best) const;
   [[nodiscard]] double greatest_height_in_cell(const Parabola& path, const GridWalk& at, double t_end,
                                                double known) const;
