@@ -151,10 +151,12 @@ TEST(RasterSurface, ASphereBouncesDownSmoothGroundAsOnTheMesh) {
       const double radius = dice.magnitude(0.05, 1.5);
       Parabola path = random_flight(dice, raster.bounds(), radius);
       for (int bounce = 0; bounce < 20; ++bounce) {
-        const auto contact = raster.first_contact(path, radius, 100);
+        const double known = dice.chance(0.5) ? 0 : dice.between(0, 5);
+        const auto [contact, greatest] = raster.flight(path, radius, 100, {}, known);
         expect_same(contact, mesh.first_contact(path, radius, 100));
         if (HasFatalFailure()) return;
         if (!contact) break;
+        ASSERT_EQ(greatest, raster.greatest_height(path, contact->t, known));
         ++met[static_cast<std::size_t>(contact->feature)];
         const Vec3& n = contact->normal;
         const Vec3 place = path.at(contact->t), arriving = path.velocity(contact->t);
@@ -195,7 +197,11 @@ TEST(RasterSurface, HeightsOutlinesAndExitsAreTheMeshs) {
       ASSERT_NEAR(here.value(), ground.mesh.elevation(path.p.x(), path.p.y()).value(), 1e-9);
       const double t_end = dice.between(0.1, 2);
       ASSERT_NEAR(ground.raster.greatest_height(path, t_end, 0), ground.mesh.greatest_height(path, t_end, 0), 1e-9);
-      const double known = dice.chance(0.5) ? 0 : dice.between(0, 5);
+      const double known = dice.chance(0.5) ? 0 : dice.between(0, 5), radius = dice.magnitude(0.05, 1.5);
+      const Parabola of_sphere = random_flight(dice, ground.box, radius);
+      if (const auto sphere = ground.raster.flight(of_sphere, radius, 100, {}, known); sphere.contact) {
+        ASSERT_EQ(sphere.greatest_height, ground.raster.greatest_height(of_sphere, sphere.contact->t, known));
+      }
       const auto [contact, greatest] = ground.raster.flight(path, 0, 100, {}, known);
       if (contact) {
         ASSERT_EQ(greatest, ground.raster.greatest_height(path, contact->t, known));

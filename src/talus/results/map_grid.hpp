@@ -76,9 +76,7 @@ struct Monotone {
   /// When it comes to `border`, which lies ahead; a time before or after the monotone part where rounding, or the end
   /// of the part, has it so.
   [[nodiscard]] double time_at(double border) const {
-    const double way = border - p;
-    if (a == 0) return way / v;
-    const double squared = v * v + 2 * a * way;
+    const double way = border - p, squared = v * v + 2 * a * way;
     if (squared < 0) return std::numeric_limits<double>::infinity();  // it turns before
     const double speed = toward * std::sqrt(squared);                 // at the border
     return toward * v > 0 ? 2 * way / (v + speed) : (speed - v) / a;  // the root that does not cancel

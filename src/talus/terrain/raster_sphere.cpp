@@ -81,10 +81,6 @@ class RasterSurface::SphereSearch {
   struct Place {
     double u, v, z;
   };
-  // A plane over the cells, in units of cells on plan: z where (u, v) is (0, 0) of some cell, or (1, 1).
-  struct Plane {
-    double z, along_u, along_v, corner = 0;
-  };
   // A facet, and the heights of the centre over its plane at the ends of the part; between them it is lower than the
   // straight line by no more than the sag, if that is above zero, and higher if it is not.
   struct Facet {
@@ -244,10 +240,7 @@ class RasterSurface::SphereSearch {
   // ---- facets ----
 
   [[nodiscard]] Facet facet(std::int64_t column, std::int64_t row, const Cell& here, std::uint32_t half) const {
-    const bool north_east = here.cut_north_east();
-    const bool is_by_sw = half == 0 || north_east;  // the corner by which its plane is given
-    const Plane plane{is_by_sw ? here.sw : here.ne, half == 0 ? here.se - here.sw : here.ne - here.nw,
-                      (half == 0) == north_east ? here.ne - here.se : here.nw - here.sw, is_by_sw ? 0.0 : 1.0};
+    const Plane plane = here.plane(half);
     Facet facet{column, row, here, half, plane, squared_slant(plane), 0, 0, sag(plane)};
     facet.start_height = height(start_, facet);
     facet.end_height = height(end_, facet);

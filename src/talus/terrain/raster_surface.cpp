@@ -25,6 +25,17 @@ Top top_of(const Parabola& path) {
   return {t, path.z(t)};
 }
 
+// Which way a cell is cut is like the toss of a coin, and guessing it wrong costs more than all the rest of a facet: it
+// is looked up here. Rows are 2 (cut from south-west to north-east) + half; nodes are counted 0 south-west, 1 south-
+// east, 2 north-west, 3 north-east.
+constexpr std::array<std::array<std::uint8_t, 3>, 4> nodes_of{{{0, 1, 2}, {1, 3, 2}, {0, 1, 3}, {0, 3, 2}}};
+
+/// Which sides of a facet lie to its south or north, to its east or west, and on the diagonal.
+struct Sides {
+  std::uint8_t along, aside, diagonal;
+};
+constexpr std::array<Sides, 4> sides_of{{{0, 2, 1}, {1, 0, 2}, {0, 1, 2}, {1, 2, 0}}};
+
 }  // namespace
 
 RasterSurface::RasterSurface(RasterGrid grid) : grid_(std::move(grid)) {
@@ -47,21 +58,6 @@ RasterSurface::RasterSurface(RasterGrid grid) : grid_(std::move(grid)) {
 }
 
 bool RasterSurface::has_data(std::size_t column, std::size_t row) const { return cell(column, row).has_data(); }
-
-namespace {
-
-// Which way a cell is cut is like the toss of a coin, and guessing it wrong costs more than all the rest of a facet: it
-// is looked up here. Rows are 2 (cut from south-west to north-east) + half; nodes are counted 0 south-west, 1 south-
-// east, 2 north-west, 3 north-east.
-constexpr std::array<std::array<std::uint8_t, 3>, 4> nodes_of{{{0, 1, 2}, {1, 3, 2}, {0, 1, 3}, {0, 3, 2}}};
-
-/// Which sides of a facet lie to its south or north, to its east or west, and on the diagonal.
-struct Sides {
-  std::uint8_t along, aside, diagonal;
-};
-constexpr std::array<Sides, 4> sides_of{{{0, 2, 1}, {1, 0, 2}, {0, 1, 2}, {1, 2, 0}}};
-
-}  // namespace
 
 Triangle RasterSurface::triangle(std::int64_t column, std::int64_t row, std::size_t kind) const {
   const double west = grid_.x0 + static_cast<double>(column) * grid_.dx;
@@ -189,7 +185,7 @@ auto RasterSurface::heights_over_lines(const Parabola& path, const GridWalk& at)
   const double leaving = at.is_last() ? 0 : path.z(t1) - ground;
 
   const bool north_east = here.cut_north_east();
-  const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
+  const double side0 = here.side_of_diagonal(u0, v0), side1 = here.side_of_diagonal(u1, v1);
   if (!(side0 * side1 < 0)) return {leaving, infinite};
   const double part = side0 / (side0 - side1), u = u0 + part * (u1 - u0);
   const double from = north_east ? here.sw : here.nw, to = north_east ? here.ne : here.se;
@@ -205,19 +201,15 @@ void RasterSurface::meet_in_cell(const Parabola& path, const GridWalk& at, const
   const double beside = 1e-4 + 2e-5 / std::min(grid_.dx, grid_.dy);
   const double t0 = at.enter(), t1 = at.leave();
   const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
-  const bool north_east = here.cut_north_east();
   // How far within the first facet it is on plan: rises across the diagonal to 1 at the far corner.
-  const double toward = north_east ? 1 : -1;
-  const double side0 = toward * (north_east ? u0 - v0 : u0 + v0 - 1);
-  const double side1 = toward * (north_east ? u1 - v1 : u1 + v1 - 1);
+  const double toward = here.cut_north_east() ? 1 : -1;
+  const double side0 = toward * here.side_of_diagonal(u0, v0), side1 = toward * here.side_of_diagonal(u1, v1);
   const auto may_touch = [&](std::uint32_t half) {
     if ((half == 0 ? std::max(side0, side1) : std::max(-side0, -side1)) < -beside) return false;
-    const bool is_sw = north_east || half == 0;  // the corner by which the facet's plane is given
-    const double along_u = (half == 0) ? here.se - here.sw : here.ne - here.nw;
-    const double along_v = (half == 0) == north_east ? here.ne - here.se : here.nw - here.sw;
-    const double far = is_sw ? 0 : 1, corner = is_sw ? here.sw : here.ne;
-    const auto height = [&](double t, double u, double v) {
-      return path.z(t) - (corner + (u - far) * along_u + (v - far) * along_v);
+    const auto [z, along_u, along_v, corner] = here.plane(half);
+    const auto height = [&, z = z, along_u = along_u, along_v = along_v, corner = corner](double t, double u,
+                                                                                          double v) {
+      return path.z(t) - (z + (u - corner) * along_u + (v - corner) * along_v);
     };
     // Above it in the end, it is above it all the while if it rises from it at first, or is above it then.
     if (!(height(t1, u1, v1) > box_pad)) return true;
@@ -342,10 +334,9 @@ double RasterSurface::greatest_height_in_cell(const Parabola& path, const GridWa
   const Cell here = cell_at(at.node());
   if (!here.has_data()) return known;
   const double half_a = 0.5 * path.a.z();
-  const bool north_east = here.cut_north_east();
   const double t0 = at.enter(), t1 = t_end;
   const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
-  const double side0 = north_east ? u0 - v0 : u0 + v0 - 1, side1 = north_east ? u1 - v1 : u1 + v1 - 1;
+  const double side0 = here.side_of_diagonal(u0, v0), side1 = here.side_of_diagonal(u1, v1);
   const double cut = side0 * side1 < 0 ? t0 + side0 / (side0 - side1) * (t1 - t0) : t1;
   const auto ground = [&](double t) {
     return *height_in_cell(path.p.x() + t * path.v.x(), path.p.y() + t * path.v.y(), at.column(), at.row());

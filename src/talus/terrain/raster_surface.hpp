@@ -68,12 +68,24 @@ class RasterSurface {
   [[nodiscard]] Triangle triangle(FacetId facet) const;
 
  private:
+  // A plane over the cells, in units of cells on plan: z where (u, v) is (corner, corner) in some cell.
+  struct Plane {
+    double z, along_u, along_v, corner = 0;
+  };
   // The elevations of a cell's nodes.
   struct Cell {
     double sw, se, nw, ne;
     [[nodiscard]] bool has_data() const { return !std::isnan(sw + se + nw + ne); }
     /// Whether it is cut from south-west to north-east.
     [[nodiscard]] bool cut_north_east() const { return std::abs(sw - ne) <= std::abs(se - nw); }
+    /// On which side of its diagonal a place in it is: more than 0 to the south-east or to the north-east of it.
+    [[nodiscard]] double side_of_diagonal(double u, double v) const { return cut_north_east() ? u - v : u + v - 1; }
+    /// That of a facet.
+    [[nodiscard]] Plane plane(std::uint32_t half) const {
+      const bool north_east = cut_north_east(), is_by_sw = half == 0 || north_east;
+      return {is_by_sw ? sw : ne, half == 0 ? se - sw : ne - nw, (half == 0) == north_east ? ne - se : nw - sw,
+              is_by_sw ? 0.0 : 1.0};
+    }
     /// The height of the ground at a place in it: 0 at its west and south sides, 1 at its east and north sides.
     [[nodiscard]] double ground(double u, double v) const {
       u = std::clamp(u, 0.0, 1.0);

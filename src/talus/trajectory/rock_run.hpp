@@ -73,6 +73,7 @@ class RockRun {
   [[nodiscard]] const RockOutcome& outcome() const { return outcome_; }
 
  private:
+  /// What the rock is doing; `left_` or `on_ground_` belongs to it.
   enum class Phase { flies, on_ground, ended };
   /// What comes after a phase, or that the rock goes on in the one that it is in.
   using Next = std::optional<Phase>;
@@ -95,14 +96,15 @@ class RockRun {
     double t;  // [s]
     std::optional<Contact> contact;
     std::optional<Exit> exit;
-    // Above the ground until then, or of an earlier flight, where what looked for the contact came by it [m].
+    // How high above the ground the rock has been when it ends, in this flight or before [m]; known only where the
+    // search for the contact came by it.
     std::optional<double> greatest_height = {};
   };
 
   Phase fly();
   [[nodiscard]] FlightEnd end_of_flight(const Parabola& path, double t_max, const LeftPlanes& left) const;
   [[nodiscard]] FlightEnd first_contact(const Parabola& path, double t_max, const LeftPlanes& left) const;
-  Next fly_along(const Parabola& path, const LinearDrag& drag, const FlightEnd& end);
+  Next fly_along(const Parabola& path, const LinearDrag& drag, const FlightEnd& flight_end);
   Phase fly_where_forests_are();
   Next fly_to_the_trees();
   Next fly_among_trees(double rate);
@@ -165,9 +167,9 @@ class RockRun {
     last_normal_ = normal;
     last_facet_ = facet;
   }
-  bool crosses_side(const OnGround& phase, FacetId facet, const Parabola& leg, double& t, OutlineEdge& edge);
+  std::optional<OutlineEdge> side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg, double& t);
   [[nodiscard]] const Outline& outline_of(FacetId facet) { return outlines_.of(surface_, facet); }
-  bool comes_to_edge(OnGround& phase, const Parabola& leg, double& t, OutlineEdge& edge);
+  std::optional<OutlineEdge> edge_ahead(OnGround& phase, const Parabola& leg, double& t);
   [[nodiscard]] bool is_level(const Vec3& n, const Vec3& velocity) const;
   /// Whether a support of this normal is the facet itself and not one of its edges or vertices.
   [[nodiscard]] bool carries(FacetId facet, const Vec3& normal) const {

@@ -20,21 +20,17 @@ bool RockRun<Surface>::prepare_glide(const OnGround& phase) {
   aside_ = phase.normal.cross(down_);
   const Vec3& start = motion_.position;
 
-  glide_.x = glide_.y = 0;
+  glide_ = {};
   glide_.vx = motion_.velocity.dot(down_);
   glide_.vy = motion_.velocity.dot(aside_);
   glide_.speed = std::sqrt(glide_.vx * glide_.vx + glide_.vy * glide_.vy);
   glide_.time = motion_.time;
   glide_.gain = laws_.timestep * pull;
   glide_.braking = laws_.timestep * phase.mu * footing.pressure;
-  if (!barriers_.empty()) {
-    const double way = free_way(barriers_, start, reach_);  // barriers are the caller's, too
-    glide_.squared_way = way * way;
-  }
+  const double way = free_way(barriers_, start, reach_);  // barriers are the caller's, too
+  glide_.squared_way = way * way;
   const Outline& outline = outline_of(phase.facet);
-  for (std::size_t k = 0; k < glide_.sides.size(); ++k) {
-    glide_.sides[k] = {};
-    if (k >= static_cast<std::size_t>(outline.edge_count)) continue;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(outline.edge_count); ++k) {
     const OutlineEdge& edge = outline.edges[k];
     glide_.sides[k] = {edge.inward.dot(start - edge.point), edge.inward.dot(down_), edge.inward.dot(aside_)};
   }

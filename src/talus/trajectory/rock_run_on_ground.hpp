@@ -131,10 +131,8 @@ Leg RockRun<Surface>::next_leg(const OnGround& phase, const Footing& footing) co
 template <class Surface>
 Leg RockRun<Surface>::undragged_leg(const OnGround& phase, const Footing& footing, double timestep) const {
   if (laws_.model == RockModel::lumped_mass) {
-    const auto& [position, velocity, spin, time] = motion_;
-    return laws_.sliding == SlidingMethod::stepped
-               ? stepped_leg(position, velocity, spin, footing, phase.mu, timestep)
-               : closed_form_leg(position, velocity, spin, footing, phase.mu, timestep);
+    const auto law = laws_.sliding == SlidingMethod::stepped ? stepped_leg : closed_form_leg;
+    return law(motion_.position, motion_.velocity, motion_.spin, footing, phase.mu, timestep);
   }
   if (!phase.valley) {
     return rolling_leg(motion_.position, motion_.velocity, motion_.spin, phase.normal, footing, rock_, phase.friction,
@@ -225,12 +223,12 @@ void RockRun<Surface>::stand_on(const OnGround& phase) {
   motion_.position += shift;
 }
 
-/// Whether a leg crosses a side of a facet outwards before `t`; the first one becomes `edge`, its time `t`.
+/// The first side of a facet that a leg crosses outwards before `t`, which becomes the time.
 template <class Surface>
-bool RockRun<Surface>::crosses_side(const OnGround& phase, FacetId facet, const Parabola& leg, double& t,
-                                    OutlineEdge& edge) {
+std::optional<OutlineEdge> RockRun<Surface>::side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg,
+                                                          double& t) {
   const Outline& outline = outline_of(facet);
-  const OutlineEdge* first = nullptr;
+  std::optional<int> crossed_side;
   for (int k = 0; k < outline.edge_count; ++k) {
     const OutlineEdge& side = outline.edges[static_cast<std::size_t>(k)];
     // The bottom of a valley is a side of both its facets; along it there is no crossing it.
@@ -243,38 +241,38 @@ bool RockRun<Surface>::crosses_side(const OnGround& phase, FacetId facet, const 
     const auto crossed = falling_root(distance, speed, acceleration, 1e300);
     if (crossed && *crossed < t) {
       t = *crossed;
-      first = &side;
+      crossed_side = k;
     }
   }
-  if (first != nullptr) edge = *first;
-  return first != nullptr;
+  return crossed_side ? std::optional(outline.edges[static_cast<std::size_t>(*crossed_side)]) : std::nullopt;
 }
 
-/// Whether a leg comes to the end of its plane before `t`; there `edge` is, and that time becomes `t`. On the way the
+/// The edge at which a leg comes to the end of its plane, if that is before `t`, which becomes the time; on the way the
 /// phase is moved from facet to facet of one plane and one material, as if there were no edges between them.
 template <class Surface>
-bool RockRun<Surface>::comes_to_edge(OnGround& phase, const Parabola& leg, double& t, OutlineEdge& edge) {
+std::optional<OutlineEdge> RockRun<Surface>::edge_ahead(OnGround& phase, const Parabola& leg, double& t) {
   if (phase.valley) {
-    const bool first = crosses_side(phase, phase.facet, leg, t, edge);
-    const bool second =
-        carries(phase.other_facet, *phase.other_normal) && crosses_side(phase, phase.other_facet, leg, t, edge);
-    return first || second;
+    auto side = side_crossed(phase, phase.facet, leg, t);
+    if (carries(phase.other_facet, *phase.other_normal)) {
+      if (auto other = side_crossed(phase, phase.other_facet, leg, t)) side = other;
+    }
+    return side;
   }
   constexpr int most_facets_a_leg = 1000;  // no leg has more; what turns in circles at a vertex is cut off
   for (int facets = 0; facets < most_facets_a_leg; ++facets) {
     double t_edge = t;
-    if (!crosses_side(phase, phase.facet, leg, t_edge, edge)) return false;
-    const Outline* const beyond = edge.beyond ? &outline_of(*edge.beyond) : nullptr;
-    const bool goes_on = beyond != nullptr && phase.normal.dot(beyond->normal) > 1 - same_plane &&
-                         material_at(phase.facet) == material_at(*edge.beyond);
+    const auto edge = side_crossed(phase, phase.facet, leg, t_edge);
+    if (!edge) return std::nullopt;
+    const bool goes_on = edge->beyond && phase.normal.dot(outline_of(*edge->beyond).normal) > 1 - same_plane &&
+                         material_at(phase.facet) == material_at(*edge->beyond);
     if (!goes_on) {
       t = t_edge;
-      return true;
+      return edge;
     }
-    phase.facet = *edge.beyond;
-    phase.normal = beyond->normal;
+    phase.facet = *edge->beyond;
+    phase.normal = outline_of(phase.facet).normal;
   }
-  return false;
+  return std::nullopt;
 }
 
 /// Whether a rock that moves along the ground at `velocity` goes on over a facet as if it were the one it is on.
@@ -298,10 +296,7 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
   if (still && std::exchange(stretch_.has_turned, true) == false) log_.turn(motion_);
   Leg leg = next_leg(phase, footing);
   double t = std::min(leg.duration, laws_.max_time - motion_.time);
-  LeftPlanes on;
-  if (reach_ > 0) {
-    on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
-  }
+  const LeftPlanes on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
   if (phase.other_normal && !phase.valley) {
     if (phase.is_guided) {
       leg = guided(leg, phase.normal.cross(*phase.other_normal).normalized());
@@ -314,14 +309,13 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
   }
 
   // What cuts the leg short: the facet's outline, other ground ahead of a sphere, a barrier; in this order at ties.
-  OutlineEdge edge;
-  bool is_at_edge = phase.on_facet && comes_to_edge(phase, leg.path, t, edge);
+  std::optional<OutlineEdge> edge = phase.on_facet ? edge_ahead(phase, leg.path, t) : std::nullopt;
   std::optional<Contact> ahead;
   if (reach_ > 0) {
     ahead = surface_.first_contact_on_leg(leg.path, reach_, t, on);
     if (ahead) {
       t = ahead->t;
-      is_at_edge = false;
+      edge.reset();
     }
   }
   bool met = false;
@@ -353,7 +347,7 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
     if (!phase.valley) remember_strike(phase.normal, phase.facet);
     return strike(*ahead);
   }
-  if (is_at_edge) return leave_facet(phase, edge);
+  if (edge) return leave_facet(phase, *edge);
   // Over an edge or a vertex the ground curves away from a sphere: after a timestep it is in the air again, if
   // barely. (Not after a leg: where slip ends at once and rolling begins, that would be for ever.)
   stretch_.past_edge += t;
