@@ -76,7 +76,9 @@ struct Monotone {
   /// When it comes to `border`, which lies ahead; a time before or after the monotone part where rounding, or the end
   /// of the part, has it so.
   [[nodiscard]] double time_at(double border) const {
-    const double way = border - p, squared = v * v + 2 * a * way;
+    const double way = border - p;
+    if (a == 0) return way / v;
+    const double squared = v * v + 2 * a * way;
     if (squared < 0) return std::numeric_limits<double>::infinity();  // it turns before
     const double speed = toward * std::sqrt(squared);                 // at the border
     return toward * v > 0 ? 2 * way / (v + speed) : (speed - v) / a;  // the root that does not cancel
@@ -95,7 +97,8 @@ void walk(const MapGrid& grid, const PathPiece& piece, Visit&& visit) {
   std::array<double, 4> part{0, piece.duration, piece.duration, piece.duration};
   std::size_t parts = 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double turn = -path.v[axis] / path.a[axis];  // not a number, or infinite, where there is no acceleration
+    if (path.a[axis] == 0) continue;
+    const double turn = -path.v[axis] / path.a[axis];
     if (turn > 0 && turn < piece.duration) part[parts++] = turn;
   }
   if (parts == 3 && part[2] < part[1]) std::swap(part[1], part[2]);

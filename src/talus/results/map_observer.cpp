@@ -53,6 +53,34 @@ void raise(float& greatest, double value) {
   greatest = std::max(greatest, static_cast<float>(std::min(value, FixedSum::largest_term)));
 }
 
+double squared_speed(const GlideStep& step) { return step.vx * step.vx + step.vy * step.vy; }
+
+/// A glide's steps, seen from above.
+class GlideOnPlan {
+ public:
+  explicit GlideOnPlan(const PathPiece& glide)
+      : start_(glide.path.p), down_(glide.steps.down), aside_(glide.steps.aside) {}
+
+  [[nodiscard]] bool ends_in(const MapGrid::Borders& cell, const GlideStep& step) const {
+    return cell.hold(start_.x() + along(0, step.x, step.y), start_.y() + along(1, step.x, step.y));
+  }
+  /// Whether it surely goes no further along x and y than its ends are, and is nowhere faster than there. The heading
+  /// of what slides on a plane turns towards the pull, and by less than half a turn: what grows at both ends, grows
+  /// all the way. And with the heading the pull along it grows, so that speed is a convex function of time.
+  [[nodiscard]] bool stays_between_ends(std::span<const GlideStep> steps) const {
+    const GlideStep &first = steps.front(), &last = steps.back();
+    const auto keeps_direction = [&](int axis) {
+      return along(axis, first.vx, first.vy) * along(axis, last.vx, last.vy) >= 0;
+    };
+    return keeps_direction(0) && keeps_direction(1);
+  }
+
+ private:
+  [[nodiscard]] double along(int axis, double x, double y) const { return x * down_[axis] + y * aside_[axis]; }
+
+  const Vec3 &start_, &down_, &aside_;
+};
+
 float& greatest_of(MapVisit& visit, MapQuantity quantity) { return visit.greatest[static_cast<std::size_t>(quantity)]; }
 
 }  // namespace
@@ -107,28 +135,29 @@ class MapObserver::Part : public ObserverPart {
   /// Most steps of a glide, each a few centimetres long, stay in the cell: of them only the fastest counts.
   void glide(const RockLog& log, const PathPiece& piece, const Rock& rock) {
     const double rotational = 0.5 * rock.inertia * piece.spin.squaredNorm();
-    const auto& [first, count, timestep, down, aside] = piece.steps;
-    const Vec3& start = piece.path.p;
+    const auto steps = std::span(log.glide_steps).subspan(piece.steps.first, piece.steps.count);
+    const GlideOnPlan plan(piece);
     MapGrid::Borders cell = grid_.borders(cell_);
     double fastest = -1;  // squared [m2/s2], of the steps in this cell that are not in the maps yet
     const auto note_fastest = [&] {
       if (fastest >= 0) raise_motion(cells_.visit(cell_, visits), fastest, rock, rotational);
       fastest = -1;
     };
-    bool is_within = cell.hold(start.x(), start.y());
-    for (std::size_t k = 0; k < count; ++k) {
-      const GlideStep& step = log.glide_steps[first + k];
-      const double x = start.x() + step.x * down.x() + step.y * aside.x();
-      const double y = start.y() + step.x * down.y() + step.y * aside.y();
-      const bool stays = cell.hold(x, y);
-      if (is_within && stays) {
-        fastest = std::max(fastest, step.vx * step.vx + step.vy * step.vy);
-        continue;
+    bool is_within = cell.hold(piece.path.p.x(), piece.path.p.y());
+    if (is_within && plan.stays_between_ends(steps) && plan.ends_in(cell, steps.back())) {
+      fastest = std::max(squared_speed(steps.front()), squared_speed(steps.back()));
+    } else {
+      for (std::size_t k = 0; k < steps.size(); ++k) {
+        const bool ends_within = plan.ends_in(cell, steps[k]);
+        if (is_within && ends_within) {
+          fastest = std::max(fastest, squared_speed(steps[k]));
+          continue;
+        }
+        note_fastest();
+        walk_over(log.step_of(piece, k), rock, rotational);
+        cell = grid_.borders(cell_);
+        is_within = plan.ends_in(cell, steps[k]);
       }
-      note_fastest();
-      walk_over(log.step_of(piece, k), rock, rotational);
-      cell = grid_.borders(cell_);
-      is_within = cell.hold(x, y);
     }
     note_fastest();
     height_here_ = 0;
