@@ -1,4 +1,4 @@
-#include "talus/barriers/barrier.hpp"
+#include "talus/barriers/crossing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -97,7 +97,9 @@ TEST(Crossing, IsNotHiddenByBounds) {
       columns << panel.along, panel.up, -path.v;
       const Vec3 solution = columns.inverse() * (path.p - panel.foot);
       const double t = solution[2];
-      const bool is_on_it = solution[0] >= 0 && solution[0] <= panel.length && solution[1] >= 0 && t >= 0 && t <= t_max;
+      const bool is_between_sides =
+          solution[0] >= panel.start_at(solution[1]) && solution[0] <= panel.end_at(solution[1]);
+      const bool is_on_it = is_between_sides && solution[1] >= 0 && t >= 0 && t <= t_max;
       if (is_on_it) expected = std::min(expected.value_or(t), t);
     }
     const auto crossing = first_crossing(barriers, path, 0, 0, t_max, {});
@@ -162,7 +164,7 @@ TEST(Crossing, TheNearestOfSeveralAndTiesByOrder) {
   ASSERT_TRUE(crossing);
   EXPECT_EQ(crossing->barrier, BarrierId{1});
   RecentCrossings met;
-  met.note(BarrierId{1}, 2.0);
+  met.note_passage(*crossing, 2.0, 2.0);
   const auto next = first_crossing(barriers, {{0, 0, 2}, {5, 0, 0}, {0, 0, 0}}, 0, 0, 10, met);
   ASSERT_TRUE(next);
   EXPECT_EQ(next->barrier, BarrierId{2});

@@ -1,13 +1,12 @@
 #pragma once
 // Barriers and collectors: a line on plan, draped over the ground, that stands up from it.
 //
-// A barrier's face is a row of flat panels, one between each two bends of its foot. A rock meets a panel when its
-// centre comes within its radius of the panel's plane (the lumped mass: when it reaches the plane) and the point of
-// contact lies on the panel. Height is measured from the foot along the face.
+// A barrier's face is a row of flat panels, one between each two bends of its foot; how a rock comes to it is in
+// crossing.hpp. Height is measured from the foot along the face.
 // Source: verification manual, section 4; physics of the break-through: a rock with more energy than the capacity goes
 // on with the excess, its velocity and spin in proportion.
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -16,7 +15,6 @@
 
 #include "talus/barriers/plan_index.hpp"
 #include "talus/core/id.hpp"
-#include "talus/flight/parabola.hpp"
 #include "talus/impact/restitution.hpp"
 #include "talus/motion/motion.hpp"
 
@@ -30,6 +28,15 @@ struct Panel {
   Vec3 normal;                          // unit, across the face
   double height = 0;                    // [m]
   double station = 0, plan_length = 0;  // where its foot begins along the line, and how long it is, on plan [m]
+  // At a bend of the line, leaning panels meet where their planes do: by how much of the foot's direction their sides
+  // go on with each metre up the face.
+  double start_lean = 0, end_lean = 0;
+  bool has_next = false;  // another panel begins where it ends
+
+  /// Where its sides are at a height up the face [m], measured along the foot; as at the top from there on, as at the
+  /// foot below it.
+  [[nodiscard]] double start_at(double level) const { return start_lean * std::clamp(level, 0.0, height); }
+  [[nodiscard]] double end_at(double level) const { return length + end_lean * std::clamp(level, 0.0, height); }
 };
 
 class Barrier {
@@ -70,56 +77,6 @@ struct BarrierHit {
   BarrierOutcome outcome = BarrierOutcome::passed;
   double station = 0;  // where along the line, on plan [m]
 };
-
-/// A rock crosses the plane of a barrier on a part of its path.
-struct Crossing {
-  double t = 0;
-  BarrierId barrier;
-  double height = 0;     // of the contact point along the face; above the panel's height: it passes above
-  double clearance = 0;  // above the panel's top, along the face [m]; only where it passes above
-  Vec3 normal;           // across the face, against the rock
-  Vec3 up;               // along the face
-  bool above = false;
-  double station = 0;  // where along the line, on plan [m]
-};
-
-/// Crossings this close in time [s] are one: what one part of a path ends with, the next one does not begin with.
-inline constexpr double same_crossing = 1e-8;
-
-/// Barriers that a rock has just met, so that it does not meet them again at once where one part of its path ends and
-/// the next one begins. Times are the rock's.
-class RecentCrossings {
- public:
-  void note(BarrierId barrier, double time) { noted_[next_++ % noted_.size()] = {barrier, time}; }
-  [[nodiscard]] bool contain(BarrierId barrier, double time) const {
-    for (const auto& [noted_barrier, noted_time] : noted_) {
-      if (noted_barrier == barrier && std::abs(time - noted_time) < same_crossing) return true;
-    }
-    return false;
-  }
-  /// Where times since `start` were noted on another clock, gives them the rock's: `time(t)` is how long it is from
-  /// `start` until t on that clock.
-  template <class Time>
-  void retime(double start, Time&& time) {
-    for (Noted& noted : noted_) {
-      if (noted.time >= start) noted.time = start + time(noted.time - start);
-    }
-  }
-
- private:
-  struct Noted {
-    BarrierId barrier;
-    double time = -1e300;
-  };
-  std::array<Noted, 8> noted_;
-  std::size_t next_ = 0;
-};
-
-/// The first crossing up to t_max of a path that begins at the rock's time `start`, but for those that are recent; the
-/// barriers' order decides ties.
-[[nodiscard]] std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const Parabola& path,
-                                                     double radius, double start, double t_max,
-                                                     const RecentCrossings& recent);
 
 /// What the barrier does to the rock, and how the rock leaves: as it came, if it passes; nothing, if it stays.
 struct BarrierResponse {

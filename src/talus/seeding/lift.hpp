@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "talus/core/id.hpp"
-#include "talus/core/vec.hpp"
+#include "talus/flight/parabola.hpp"
 
 namespace talus {
 
@@ -23,6 +23,15 @@ template <class Surface>
     });
     if (rise == 0) break;
     centre.z() += rise;
+  }
+  const double raised = centre.z() - place.z();
+  if (!(raised > 0)) return std::nullopt;
+  if (radius > 0) {
+    // Beside an edge or a corner that was too far. From there it is let down again until it touches.
+    const auto touched = surface.first_contact({centre, {0, 0, -1}, Vec3::Zero()}, radius, raised);
+    constexpr double by_rounding = 1e-9;  // [m]
+    const double down = touched ? touched->t : raised;
+    if (down > by_rounding) centre.z() -= down;
   }
   return centre.z() > place.z() ? std::optional(centre.z()) : std::nullopt;
 }

@@ -21,7 +21,8 @@ struct Footing {
 
 /// Whether friction of coefficient `mu` keeps a rock there that does not move.
 [[nodiscard]] inline bool holds(const Footing& footing, double mu) {
-  return footing.pressure > 0 && footing.pull.norm() <= mu * footing.pressure;
+  constexpr double by_rounding = 1e-12;  // which alone would never let it rest where nothing pulls
+  return footing.pressure > 0 && footing.pull.norm() <= (mu + by_rounding) * footing.pressure;
 }
 
 /// Whether a rock with this heading stays on a straight line: the pull has no part across it but rounding.

@@ -6,12 +6,14 @@ namespace {
 
 // Slip slower than this [m/s] is rounding.
 constexpr double no_slip = 1e-9;
+// And so is a velocity: it has no heading that could be trusted, which may lead out of the ground or into it.
+constexpr double standstill = 1e-9;
 
 Leg rolling_without_slip(const Vec3& position, const Vec3& velocity, const Vec3& spin, const Vec3& n, const Vec3& a,
                          const Footing& footing, double radius, double timestep) {
   const double speed = velocity.norm();
   Leg leg{{position, velocity, a}, timestep, velocity + timestep * a, spin};
-  if (speed > 0) {
+  if (speed > standstill) {
     const Vec3 heading = velocity / speed;
     const double rate = a.dot(heading);
     if (rate < 0 && -speed / rate <= timestep) {
@@ -29,7 +31,9 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
                 const Rock& rock, ContactFriction friction, double timestep) {
   const double pressure = footing.pressure, r = rock.radius;
   const double speed = velocity.norm(), pull = footing.pull.norm();
-  const Vec3 heading = speed > 0 ? Vec3(velocity / speed) : pull > 0 ? Vec3(footing.pull / pull) : Vec3(Vec3::Zero());
+  const Vec3 heading = speed > standstill ? Vec3(velocity / speed)
+                       : pull > 0         ? Vec3(footing.pull / pull)
+                                          : Vec3(Vec3::Zero());
   const Vec3 slip = slip_velocity(velocity, spin, n, r);
   Vec3 slip_heading;
   if (slip.norm() <= no_slip) {

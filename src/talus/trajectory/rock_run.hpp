@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "talus/barriers/crossing.hpp"
 #include "talus/flight/touch.hpp"
 #include "talus/impact/crsp.hpp"
 #include "talus/impact/plain.hpp"
@@ -127,14 +128,23 @@ class RockRun {
   Phase enter_ground(const Contact& contact, const GroundDraw& draw, const Material& material, double rt);
   /// How a rock goes on from a barrier.
   enum class AtBarrier { untouched, held, goes_on };
-  [[nodiscard]] std::optional<Crossing> next_crossing(const Parabola& path, double t_max) const {
+  [[nodiscard]] std::optional<Crossing> next_crossing(const Parabola& path, double t_max) {
     if (barriers_.empty()) return std::nullopt;
+    crossed_.forget_before(motion_.time);
     return first_crossing(barriers_, path, reach_, motion_.time, t_max, crossed_);
   }
-  AtBarrier meet_barrier(const Crossing& crossing, double noted_time);
+  /// `pull` is what draws the rock along its way [m/s2]; `phase` is given where it moves along the ground.
+  AtBarrier meet_barrier(const Crossing& crossing, double noted_time, const Vec3& pull,
+                         const OnGround* phase = nullptr);
+  [[nodiscard]] std::optional<Vec3> thrown_back(const Crossing& crossing, const Vec3& velocity, const Vec3& pull,
+                                                const OnGround* phase) const;
+  void note_passage(const Crossing& crossing, double time) {
+    constexpr double none = 1e-3;  // [m/s]
+    crossed_.note_passage(crossing, time, time + 4 * reach_ / std::max(motion_.velocity.norm(), none));
+  }
   /// `there` is the rock where it passes.
   void pass_above(const Crossing& crossing, const Motion& there) {
-    crossed_.note(crossing.barrier, motion_.time + crossing.t);
+    note_passage(crossing, motion_.time + crossing.t);
     log_.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.height, crossing.station});
   }
 
@@ -143,20 +153,36 @@ class RockRun {
   [[nodiscard]] bool rests(const OnGround& phase, const Footing& footing) const;
   [[nodiscard]] Footing footing(const OnGround& phase) const;
   [[nodiscard]] Vec3 valley_spin(const OnGround& phase) const;
+  /// What the ground leaves of a velocity, while it carries the rock.
+  [[nodiscard]] Vec3 kept_on_ground(const OnGround& phase, const Vec3& velocity) const {
+    return phase.valley ? Vec3(velocity.dot(phase.valley->direction) * phase.valley->direction)
+                        : tangential(velocity, phase.normal);
+  }
   void go_along_valley(const OnGround& phase);
+  struct Rim {
+    double t;
+    Exit exit;
+  };
+  [[nodiscard]] std::optional<Rim> rim_ahead(const Parabola& leg, double t) const;
+  [[nodiscard]] std::optional<Exit> exit_here(const Vec3& position, const Vec3& velocity) const;
+  Phase leave_over_rim(const Exit& exit);
   Phase leave_facet(OnGround& phase, const OutlineEdge& edge);
-  /// Notes where the rock is; asked once a phase and once a leg.
-  void note_progress() {
+  [[nodiscard]] bool is_where_it_was() const {
     constexpr double nowhere = 1e-3;  // [m]
-    if ((motion_.position - wedge_).squaredNorm() > nowhere * nowhere) {
+    return (motion_.position - wedge_).squaredNorm() <= nowhere * nowhere;
+  }
+  /// Notes where the rock is; asked once a phase, for one contact more, and once a leg, for as many as it lasts
+  /// hundredths of a second: a small timestep is no contact.
+  void note_progress(double contacts = 1) {
+    if (!is_where_it_was()) {
       wedge_ = motion_.position;
       contacts_in_wedge_ = 0;
     }
-    ++contacts_in_wedge_;
+    contacts_in_wedge_ += contacts;
   }
   /// Contact upon contact in the same place. (Forty: a bouncing rock has moved on by then, restitution of 0.9 leaves it
   /// a hundredth of its speed; and the usual limit of steps has forty 250 times.)
-  [[nodiscard]] bool gets_nowhere() const { return contacts_in_wedge_ > 40; }
+  [[nodiscard]] bool gets_nowhere() const { return contacts_in_wedge_ > 40 && is_where_it_was(); }
   /// The rock is caught between what it touches and as good as stopped: every contact has taken of its energy, and five
   /// times forty of them have let it go nowhere.
   [[nodiscard]] bool is_wedged() const {
@@ -239,7 +265,7 @@ class RockRun {
   Vec3 last_normal_ = Vec3::Zero();
   FacetId last_facet_;
   Vec3 wedge_ = Vec3::Zero();  // where it has been for the last contacts
-  int contacts_in_wedge_ = 0;
+  double contacts_in_wedge_ = 0;
   KeptOutlines outlines_;
 };
 
@@ -317,7 +343,13 @@ auto RockRun<Surface>::first_contact(const Parabola& path, double t_max, const L
 template <class Surface>
 auto RockRun<Surface>::end_of_flight(const Parabola& path, double t_max, const LeftPlanes& left) const -> FlightEnd {
   FlightEnd end = first_contact(path, t_max, left);
-  if (end.contact) return end;
+  if (end.contact) {
+    // A sphere may touch the rim once more when its centre has left already.
+    const Vec3 there = path.at(end.t);
+    if (reach_ == 0 || surface_.elevation(there.x(), there.y())) return end;
+    const Exit before = surface_.exit(path);
+    return before.t < end.t && !before.beneath ? FlightEnd{before.t, {}, before} : end;
+  }
   const Exit edge = surface_.exit(path);
   // Falling through where it took off means that the plane which it left goes on there after all.
   if (edge.beneath && edge.t <= t_max && left.count > 0) {
@@ -342,7 +374,7 @@ auto RockRun<Surface>::fly_along(const Parabola& path, const LinearDrag& drag, c
       pass_above(*crossing, std::exchange(motion_, before));
       continue;
     }
-    const AtBarrier then = meet_barrier(*crossing, start + crossing->t);
+    const AtBarrier then = meet_barrier(*crossing, start + crossing->t, laws_.gravity);
     if (then == AtBarrier::untouched) {
       motion_ = before;
       continue;
@@ -366,14 +398,24 @@ auto RockRun<Surface>::fly_along(const Parabola& path, const LinearDrag& drag, c
 }
 
 template <class Surface>
-auto RockRun<Surface>::meet_barrier(const Crossing& crossing, double noted_time) -> AtBarrier {
+auto RockRun<Surface>::meet_barrier(const Crossing& crossing, double noted_time, const Vec3& pull,
+                                    const OnGround* phase) -> AtBarrier {
   const Barrier& barrier = barriers_[crossing.barrier.index];
-  const BarrierResponse response = respond(barrier, motion_, crossing.normal, rock_);
+  BarrierResponse response = respond(barrier, motion_, crossing.normal, rock_);
+  if (response.outcome == BarrierOutcome::rebounded) {
+    const auto velocity = thrown_back(crossing, response.leaving->velocity, pull, phase);
+    response = velocity ? BarrierResponse{BarrierOutcome::rebounded, Rebound{*velocity, response.leaving->spin}}
+                        : BarrierResponse{BarrierOutcome::stopped, std::nullopt};
+  }
   const double speed = motion_.velocity.norm();
-  const double across = std::clamp(-motion_.velocity.dot(crossing.normal) / speed, -1.0, 1.0);
+  const double across = speed > 0 ? std::clamp(-motion_.velocity.dot(crossing.normal) / speed, -1.0, 1.0) : 1;
   const double angle = std::copysign(std::acos(across), -motion_.velocity.dot(crossing.up));
-  crossed_.note(crossing.barrier, noted_time);
   log_.hits.push_back({crossing.barrier, motion_, crossing.height, angle, response.outcome, crossing.station});
+  if (response.outcome == BarrierOutcome::rebounded) {
+    crossed_.note_rebound(crossing, noted_time);
+  } else {
+    note_passage(crossing, noted_time);
+  }
   if (barrier.is_collector) return AtBarrier::untouched;
 
   arrive(PathState::barrier);
@@ -381,6 +423,27 @@ auto RockRun<Surface>::meet_barrier(const Crossing& crossing, double noted_time)
   motion_.velocity = response.leaving->velocity;
   motion_.spin = response.leaving->spin;
   return AtBarrier::goes_on;
+}
+
+/// How a rock leaves a barrier that throws it back, `velocity` being what the barrier alone would make of it; nothing
+/// where it stays: where it is pressed against the barrier, and is as slow as what stops or would turn back within a
+/// step, to come again and again.
+template <class Surface>
+std::optional<Vec3> RockRun<Surface>::thrown_back(const Crossing& crossing, const Vec3& velocity, const Vec3& pull,
+                                                  const OnGround* phase) const {
+  const Vec3& n = crossing.normal;
+  Vec3 kept = phase ? kept_on_ground(*phase, velocity) : velocity;
+  if (phase && kept.dot(n) < 0) {
+    // What the ground leaves of the rebound leads into the barrier: the rock can go along both only.
+    const Vec3 along = phase->normal.cross(n);
+    const bool has_way = !phase->valley && along.squaredNorm() > 0;
+    kept = has_way ? Vec3(kept.dot(along) / along.squaredNorm() * along) : Vec3(Vec3::Zero());
+  }
+  constexpr double none = 1e-9;  // [m/s2]
+  const double pressing = -pull.dot(n);
+  const bool turns_in_a_step = kept.dot(n) < laws_.timestep * pressing;
+  if (pressing > none && (turns_in_a_step || kept.norm() < laws_.stopped_velocity)) return std::nullopt;
+  return kept;
 }
 
 /// The rock meets the ground: the impact law, and whether the rock stays on the ground after it.
@@ -395,14 +458,13 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
   Vec3 n = contact.normal;
   if (material.is_rough()) {
     const Vec3 vt = tangential(motion_.velocity, n);
-    const Vec3 across = vt.squaredNorm() > 0 ? vt : tangential(laws_.gravity, n);
-    const double length = across.norm();
-    if (length > 0) {
-      auto [ahead, aside] = draw.roughness(material, number);
-      if (laws_.in_section) aside = 0;
-      const Vec3 tilted = tilted_normal(n, across / length, ahead, aside);
-      if (motion_.velocity.dot(tilted) < 0) n = tilted;  // otherwise the bump is turned away from the rock
-    }
+    const Vec3 down = tangential(laws_.gravity, n);
+    // Straight down on level ground it comes from anywhere.
+    const Vec3 across = vt.squaredNorm() > 0 ? vt : down.squaredNorm() > 0 ? down : tangential(Vec3::UnitX(), n);
+    auto [ahead, aside] = draw.roughness(material, number);
+    if (laws_.in_section) aside = 0;
+    const Vec3 tilted = tilted_normal(n, across.normalized(), ahead, aside);
+    if (motion_.velocity.dot(tilted) < 0) n = tilted;  // otherwise the bump is turned away from the rock
   }
 
   const bool is_crsp = laws_.model == RockModel::lumped_mass && laws_.rotation;

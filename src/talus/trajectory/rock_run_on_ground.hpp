@@ -155,7 +155,12 @@ template <class Surface>
 bool RockRun<Surface>::rests(const OnGround& phase, const Footing& footing) const {
   const double speed = motion_.velocity.norm();
   const bool to_the_end = laws_.model == RockModel::lumped_mass && laws_.sliding == SlidingMethod::closed_form;
-  if (speed >= laws_.stopped_velocity) return false;
+  if (speed > laws_.stopped_velocity) return false;
+  if (laws_.model == RockModel::rigid_sphere && phase.friction.dynamic > 0) {
+    // Friction drives a sphere that stands and spins.
+    const Vec3 slip = slip_velocity(motion_.velocity, motion_.spin, phase.normal, rock_.radius);
+    if (slip.norm() > laws_.stopped_velocity) return false;
+  }
   const auto held = [&](Footing f) {
     // What drag would keep slower than where a rock may stop, does not move.
     const double crawl = phase.drag * laws_.stopped_velocity, pull = f.pull.norm();
@@ -286,7 +291,7 @@ bool RockRun<Surface>::is_level(const Vec3& n, const Vec3& velocity) const {
 template <class Surface>
 auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
   const Footing footing = this->footing(phase);
-  note_progress();
+  note_progress(std::min(1.0, laws_.timestep / 0.01));
   if (rests(phase, footing) || is_wedged()) {
     motion_.velocity.setZero();
     return end(EndReason::at_rest);
@@ -318,6 +323,12 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
       edge.reset();
     }
   }
+  const auto rim = rim_ahead(leg.path, t);
+  if (rim) {
+    t = rim->t;
+    edge.reset();
+    ahead.reset();
+  }
   bool met = false;
   while (const auto crossing = next_crossing(leg.path, t)) {
     const Motion before = motion_;
@@ -326,7 +337,7 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
       pass_above(*crossing, std::exchange(motion_, before));
       continue;
     }
-    const AtBarrier then = meet_barrier(*crossing, motion_.time);
+    const AtBarrier then = meet_barrier(*crossing, motion_.time, footing.pull, &phase);
     if (then != AtBarrier::untouched) log_.leg(leg.path, crossing->t, before);
     if (then == AtBarrier::held) return end(EndReason::stopped_by_barrier);
     met = then == AtBarrier::goes_on;
@@ -334,14 +345,14 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
     motion_ = before;
   }
   if (met) {
-    motion_.velocity = phase.valley ? Vec3(motion_.velocity.dot(phase.valley->direction) * phase.valley->direction)
-                                    : tangential(motion_.velocity, phase.normal);
+    motion_.velocity = kept_on_ground(phase, motion_.velocity);
     log_.row(contact_state(phase.normal), motion_);
     return std::nullopt;
   }
 
   log_.leg(leg.path, t, motion_);
   advance_along(leg, t);
+  if (rim) return leave_over_rim(rim->exit);
   stand_on(phase);
   if (ahead) {
     if (!phase.valley) remember_strike(phase.normal, phase.facet);
@@ -355,17 +366,45 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
   return std::nullopt;
 }
 
+/// Where a sphere leaves the model that goes along a leg until `t`, its centre being beside the terrain before its
+/// facet ends.
+template <class Surface>
+auto RockRun<Surface>::rim_ahead(const Parabola& leg, double t) const -> std::optional<Rim> {
+  const auto is_beside = [&](double at) {
+    const Vec3 centre = leg.at(at);
+    return !surface_.elevation(centre.x(), centre.y());
+  };
+  if (reach_ == 0 || !is_beside(t)) return std::nullopt;
+  constexpr double precisely = 1e-10;  // [m]
+  double inside = 0;
+  while ((leg.at(t) - leg.at(inside)).norm() > precisely) {
+    const double middle = 0.5 * (inside + t);
+    (is_beside(middle) ? t : inside) = middle;
+  }
+  const auto exit = exit_here(leg.at(t), leg.velocity(t));
+  return exit ? std::optional(Rim{t, *exit}) : std::nullopt;
+}
+
+/// How a rock leaves the model that goes on in free flight, if it does at once.
+template <class Surface>
+std::optional<Exit> RockRun<Surface>::exit_here(const Vec3& position, const Vec3& velocity) const {
+  const Exit exit = surface_.exit({position, velocity, laws_.gravity});
+  return exit.t <= 1e-9 && !exit.beneath ? std::optional(exit) : std::nullopt;
+}
+
+template <class Surface>
+auto RockRun<Surface>::leave_over_rim(const Exit& exit) -> Phase {
+  arrive(PathState::impact);
+  log_.row(PathState::projectile, motion_);
+  return end(reason_of(exit));
+}
+
 /// The rock has come to the end of its facet.
 template <class Surface>
 auto RockRun<Surface>::leave_facet(OnGround& phase, const OutlineEdge& edge) -> Phase {
   if (!edge.beyond) {
     // At the rim the model ends under the rock's centre; whether its skin would still brush the rim is no matter.
-    const Exit exit = surface_.exit({motion_.position, motion_.velocity, laws_.gravity});
-    if (exit.t <= 1e-9 && !exit.beneath) {
-      arrive(PathState::impact);
-      log_.row(PathState::projectile, motion_);
-      return end(reason_of(exit));
-    }
+    if (const auto exit = exit_here(motion_.position, motion_.velocity)) return leave_over_rim(*exit);
   }
   if (phase.valley) return leave_valley(phase);
   if (edge.beyond) {

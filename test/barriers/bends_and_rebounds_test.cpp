@@ -1,0 +1,139 @@
+// Barriers that are hard to keep: those that throw back what gravity presses against them, and those with bends.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "support/scenes.hpp"
+#include "talus/barriers/crossing.hpp"
+#include "talus/terrain/profile.hpp"
+
+namespace talus {
+namespace {
+
+using namespace testing_tools;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+const Rock rock = sphere_of_diameter(1.0, 2700);
+
+Barrier standing(const std::vector<Vec3>& foot, double height, double inclination) {
+  Barrier barrier;
+  barrier.capacity = infinite;
+  barrier.stand(panels_over(foot, height, inclination));
+  return barrier;
+}
+
+/// Falls by 3 in 5, more than the friction of `slippery` holds.
+Profile steep_ground() { return Profile(std::vector<Vec2>{{-100, 60}, {100, -60}}); }
+Profile level_ground() { return Profile(std::vector<Vec2>{{-100, 0}, {100, 0}}); }
+
+Soil slippery() {
+  Soil soil;
+  soil.phi = 0.3;
+  return soil;
+}
+
+Laws laws_of(RockModel model, SlidingMethod sliding) {
+  Laws laws;
+  laws.model = model;
+  laws.sliding = sliding;
+  return laws;
+}
+
+TEST(BarrierThatThrowsBack, LetsNothingThroughThatGravityPressesAgainstIt) {
+  for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
+    for (const SlidingMethod sliding : {SlidingMethod::stepped, SlidingMethod::closed_form}) {
+      for (const double rn : {0.0, 0.1, 0.3, 0.9}) {
+        for (const double inclination : {-0.5, -0.2, 0.0, 0.2, 0.5}) {
+          std::vector<Barrier> barriers{standing({{10, -5, -6}, {10, 5, -6}}, 30, inclination)};
+          barriers[0].restitution = Restitution{rn, 0.6};
+          const Followed path = follow(steep_ground(), ground_of(slippery()), laws_of(model, sliding),
+                                       {{{-3, 0, 5}, {2, 0, 0}}, rock}, barriers);
+          SCOPED_TRACE(::testing::Message() << "rn " << rn << ", inclination " << inclination << ", model "
+                                            << static_cast<int>(model) << ", sliding " << static_cast<int>(sliding));
+          EXPECT_EQ(path.outcome.reason, EndReason::stopped_by_barrier);
+          ASSERT_FALSE(path.log.hits.empty());
+          EXPECT_EQ(path.log.hits.back().outcome, BarrierOutcome::stopped);
+          const Vec3 from_foot = path.outcome.end.position - Vec3(10, 0, -6);
+          EXPECT_LT(from_foot.x() - std::tan(inclination) * from_foot.z(), 1e-9);
+          for (const BarrierHit& hit : path.log.hits) EXPECT_TRUE(std::isfinite(hit.angle));
+        }
+      }
+    }
+  }
+}
+
+TEST(BarrierThatThrowsBack, LetsGoWhatGravityDrawsAway) {
+  // The rock comes up the slope and slides down again.
+  std::vector<Barrier> barriers{standing({{-10, -5, 6}, {-10, 5, 6}}, 30, 0)};
+  barriers[0].restitution = Restitution{0, 0.6};
+  const Followed path =
+      follow(steep_ground(), ground_of(slippery()), laws_of(RockModel::lumped_mass, SlidingMethod::stepped),
+             {{{-8, 0, 4.8}, {-12, 0, 7.2}}, rock}, barriers);
+  ASSERT_EQ(path.log.hits.size(), 1U);
+  EXPECT_EQ(path.log.hits[0].outcome, BarrierOutcome::rebounded);
+  EXPECT_EQ(path.outcome.reason, EndReason::left_model);
+  EXPECT_GT(path.outcome.end.position.x(), 99);
+}
+
+TEST(Collectors, OfAnyNumberOnOneLineCountEachOnce) {
+  std::vector<Barrier> barriers(20, standing({{5, -5, 0}, {5, 5, 0}}, 100, 0));
+  for (Barrier& each : barriers) each.is_collector = true;
+  for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
+    for (const double z : {0.0, 3.0}) {
+      const double reach = model == RockModel::rigid_sphere ? rock.radius : 0;
+      const Followed path = follow(level_ground(), ground_of(slippery()), laws_of(model, SlidingMethod::stepped),
+                                   {{{0, 0, z + reach}, {12, 0, 0}}, rock}, barriers);
+      ASSERT_EQ(path.log.hits.size(), barriers.size());
+      for (std::size_t k = 0; k < barriers.size(); ++k) {
+        EXPECT_EQ(path.log.hits[k].barrier, BarrierId{static_cast<std::uint32_t>(k)});
+      }
+    }
+  }
+}
+
+struct Bend {
+  double inclination, turn;  // of x at the ends of the line, 40 m from its middle: more than 0, it is hollow
+  bool is_sphere;
+};
+
+class AtABend : public ::testing::TestWithParam<Bend> {};
+
+TEST_P(AtABend, NothingGetsThroughAndNothingIsCountedTwice) {
+  const Bend& bend = GetParam();
+  const RockModel model = bend.is_sphere ? RockModel::rigid_sphere : RockModel::lumped_mass;
+  for (const bool is_collector : {false, true}) {
+    for (double y = -2; y <= 2; y += 0.03) {
+      // The rock flies along y = 0; the line is moved aside.
+      std::vector<Barrier> barriers{
+          standing({{10 - bend.turn, y - 40, 0}, {10, y, 0}, {10 - bend.turn, y + 40, 0}}, 8, bend.inclination)};
+      barriers[0].is_collector = is_collector;
+      const Followed path = follow(level_ground(), ground_of(slippery()), laws_of(model, SlidingMethod::stepped),
+                                   {{{0, 0, 4}, {25, 0, 0}}, rock}, barriers);
+      ASSERT_EQ(path.log.hits.size(), 1U) << y << (is_collector ? ", collector" : "");
+      EXPECT_NEAR(path.log.hits[0].station, std::hypot(bend.turn, 40) - y, 5) << y;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Barriers, AtABend,
+                         ::testing::Values(Bend{0, -30, true}, Bend{0, 30, true}, Bend{0.35, -30, true},
+                                           Bend{-0.35, -30, true}, Bend{0.35, 30, true}, Bend{-0.35, 30, true},
+                                           Bend{0, -30, false}, Bend{0, 30, false}, Bend{0.35, -30, false},
+                                           Bend{-0.35, -30, false}, Bend{0.35, 30, false}, Bend{-0.35, 30, false}));
+
+TEST(Crossing, OfASphereWithTheSideOfTwoPanels) {
+  // Two panels meet at right angles, their edge towards the sphere.
+  const std::vector<Barrier> barriers{standing({{13, -3, 0}, {10, 0, 0}, {13, 3, 0}}, 4, 0)};
+  const auto crossing = first_crossing(barriers, {{0, 0.1, 2}, {5, 0, 0}, {0, 0, 0}}, 0.5, 0, 10, {});
+  ASSERT_TRUE(crossing);
+  EXPECT_NEAR(crossing->t, (10 - std::sqrt(0.25 - 0.01)) / 5, 1e-12);
+  EXPECT_NEAR(crossing->height, 2, 1e-12);
+  EXPECT_NEAR(crossing->station, std::hypot(3, 3), 1e-12);
+  EXPECT_LT((crossing->normal - Vec3(-std::sqrt(0.24), 0.1, 0) / 0.5).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace talus
