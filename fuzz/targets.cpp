@@ -9,6 +9,7 @@
 
 #include "talus/core/bytes.hpp"
 #include "talus/core/problems.hpp"
+#include "talus/io/ascii_grid_check.hpp"
 #include "talus/io/checksum.hpp"
 #include "talus/io/las_file.hpp"
 #include "talus/io/mesh_formats.hpp"
@@ -115,6 +116,15 @@ Verdict read_mesh(std::string_view input, const fs::path&) {
                                  : read_ply(input, problems);
     problems.throw_if_any();
     if (mesh.triangles.size() <= most_parts) (void)mend(std::move(mesh), {.source = "mesh"});
+  });
+}
+
+Verdict read_grid(std::string_view input, const fs::path& folder) {
+  const GridNumbers numbers = take_choice(input) % 2 == 1 ? GridNumbers::whole : GridNumbers::real;
+  return verdict_of([&] {
+    const fs::path file = written(folder / "dem.asc", input);
+    (void)is_ascii_grid(file);
+    check_ascii_grid(file, numbers);
   });
 }
 

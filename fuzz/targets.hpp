@@ -24,6 +24,9 @@ Verdict read_mesh(std::string_view input, const std::filesystem::path& folder);
 /// The first byte chooses text or LAS, the others are the file. From few points a surface is made.
 Verdict read_points(std::string_view input, const std::filesystem::path& folder);
 
+/// The first byte chooses whole or real numbers, the others are a grid of text, held against its header.
+Verdict read_grid(std::string_view input, const std::filesystem::path& folder);
+
 /// The first byte chooses which file of a run's folder the others are: summary.json or one of the tables; they are
 /// read for the report and, of paths, for drawing.
 Verdict read_results(std::string_view input, const std::filesystem::path& folder);
@@ -37,9 +40,10 @@ struct Target {
   Read read;
 };
 
-inline constexpr std::array<Target, 5> targets{{{"project", &read_project},
+inline constexpr std::array<Target, 6> targets{{{"project", &read_project},
                                                 {"mesh", &read_mesh},
                                                 {"points", &read_points},
+                                                {"grid", &read_grid},
                                                 {"results", &read_results},
                                                 {"state", &read_state}}};
 

@@ -2,12 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <system_error>
 
 #include "commands.hpp"
 #include "talus/core/problems.hpp"
 
 namespace talus::cli {
+
+namespace {
+
+int output_error = 0;  // what fmt said of standard output, which keeps only that something went wrong
+
+int internal(const std::exception& error) {
+  fmt::print(stderr, "talus: internal error: {}\n", error.what());
+  return internal_error;
+}
+
+}  // namespace
 
 int answer(const std::function<int()>& work) {
   try {
@@ -15,10 +29,24 @@ int answer(const std::function<int()>& work) {
   } catch (const BadInput& bad) {
     fmt::print(stderr, "{}\n", bad.problems().text());
     return bad_input;
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) == 0) return internal(error);
+    output_error = error.code().value();
+    return bad_input;  // output_taken() says more
   } catch (const std::exception& error) {
-    fmt::print(stderr, "talus: internal error: {}\n", error.what());
-    return internal_error;
+    return internal(error);
   }
+}
+
+int output_taken(int code) {
+  if (std::fflush(stdout) != 0) output_error = errno;
+  if (std::ferror(stdout) == 0) return code;
+  const Problem problem{.where = "standard output",
+                        .what = "not all could be written to it",
+                        .why = output_error != 0 ? std::strerror(output_error) : "",
+                        .hint = "Free some space, or send it elsewhere"};
+  fmt::print(stderr, "{}\n", problem.text());
+  return code == done || code == check_failed ? bad_input : code;
 }
 
 }  // namespace talus::cli

@@ -75,6 +75,13 @@ std::string complaint_about(const CLI::App& app, const CLI::Error& error, const 
   return fmt::format("{}\n`{}` says more.\n", what, help);
 }
 
+void refuse_lacking_values(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (!word.starts_with("--") || word.find('=') + 1 != word.size()) continue;
+    throw CLI::ArgumentMismatch(fmt::format("{} has no value behind it", word));
+  }
+}
+
 bool answers_for_all(const std::vector<std::string>& words) {
   const auto launch = find_launch();
   return !launch || launch->rank == 0 || std::ranges::find(words, "--alone") != words.end();

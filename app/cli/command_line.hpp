@@ -13,6 +13,9 @@ namespace talus::cli {
 [[nodiscard]] std::string complaint_about(const CLI::App& app, const CLI::Error& error,
                                           const std::vector<std::string>& words);
 
+/// Throws CLI::ParseError of `--option=` with nothing behind it, for which CLI11 would take the next word.
+void refuse_lacking_values(const std::vector<std::string>& words);
+
 /// Of processes that a launcher started with the same words only the first answers for all, unless each runs alone.
 [[nodiscard]] bool answers_for_all(const std::vector<std::string>& words);
 

@@ -1,7 +1,16 @@
 // The command line: parses, dispatches, and turns failures into exit codes.
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
 
 #include "answer.hpp"
 #include "command_line.hpp"
@@ -10,9 +19,24 @@
 namespace talus::cli {
 namespace {
 
-/// CLI11 takes -1 for the largest number there is.
-const CLI::Validator not_negative(
-    [](const std::string& text) { return std::string(text.starts_with('-') ? "expected 0 or more" : ""); }, "");
+/// CLI11 takes -1, and what needs more than 64 bits, for the largest number there is.
+const CLI::Validator natural(
+    [](const std::string& text) -> std::string {
+      if (text.starts_with('-')) return "expected 0 or more";
+      errno = 0;
+      std::strtoull(text.c_str(), nullptr, 0);
+      if (errno != ERANGE) return "";
+      return fmt::format("{} is too large; expected at most {}", text, std::numeric_limits<std::uint64_t>::max());
+    },
+    "");
+
+/// An empty text is what an unset variable of a script becomes; it is no reason to do what is done without the option.
+CLI::Validator not_empty(std::string complaint) {
+  return {[complaint = std::move(complaint)](const std::string& text) { return text.empty() ? complaint : ""; }, ""};
+}
+const CLI::Validator names_file = not_empty("\"\" is the name of no file"),
+                     names_folder = not_empty("\"\" is the name of no folder"),
+                     names_shard = not_empty("\"\" is no shard; expected i/n with i from 1 to n, for example 2/7");
 
 void add_project_options(CLI::App& command, ProjectOptions& options) {
   command.add_option("project", options.file, "The project file (TOML)")->required()->type_name("PROJECT.toml");
@@ -22,7 +46,7 @@ void add_project_options(CLI::App& command, ProjectOptions& options) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--rocks", options.rocks, "Throw this many rocks in all")->type_name("N");
-  command.add_option("--seed", options.seed, "Start the random numbers elsewhere")->type_name("S")->check(not_negative);
+  command.add_option("--seed", options.seed, "Start the random numbers elsewhere")->type_name("S")->check(natural);
 }
 
 int dispatch(int argc, char** argv) {
@@ -41,6 +65,7 @@ int dispatch(int argc, char** argv) {
   run_command
       ->add_option("-o,--output", run_options.folder,
                    "Folder for the results (default: the project's name, beside its file)")
+      ->check(names_folder)
       ->type_name("DIR");
   run_command
       ->add_option("--threads", run_options.threads,
@@ -51,6 +76,7 @@ int dispatch(int argc, char** argv) {
   run_command
       ->add_option("--shard", run_options.shard,
                    "Throw the rocks of one of n parts of the campaign, i from 1; `talus merge` puts the parts together")
+      ->check(names_shard)
       ->type_name("i/n");
   run_command->add_flag("--resume", run_options.resume, "Go on from the last checkpoint in the folder");
   run_command
@@ -68,6 +94,7 @@ int dispatch(int argc, char** argv) {
   serve_command
       ->add_option("project", serve_options.project,
                    "The project to open first, or the folder to work in (default: this folder)")
+      ->check(names_file)
       ->type_name("PROJECT.toml");
   serve_command->add_option("--port", serve_options.port, "Port on this machine (0: any that is free)")
       ->check(CLI::Range(0, 65535))
@@ -80,10 +107,12 @@ int dispatch(int argc, char** argv) {
   merge_command
       ->add_option("folders", merge_options.folders, "Folders of shards, in any order, or one that has them all")
       ->required()
+      ->check(names_folder)
       ->type_name("DIR");
   merge_command
       ->add_option("-o,--output", merge_options.folder,
                    "Folder for the results (default: DIR if it is one; of several, the project's name)")
+      ->check(names_folder)
       ->type_name("DIR");
   merge_command->add_flag("--partial", merge_options.partial, "Make do with what there is, marked as interrupted");
   merge_command->add_option("--threads", merge_options.threads, "Threads to write maps with (default: all cores)")
@@ -100,7 +129,7 @@ int dispatch(int argc, char** argv) {
   CLI::App* replay_command = app.add_subcommand("replay", "Repeat one rock of a project, event by event");
   add_project_options(*replay_command, replay_options.project);
   replay_command->add_option("--rock", replay_options.rock, "The rock's number, as in endpoints.csv (from 0)")
-      ->check(not_negative)
+      ->check(natural)
       ->required()
       ->type_name("N");
   replay_command->add_flag("--csv", replay_options.csv, "Print the rows of paths.csv instead of a table");
@@ -111,10 +140,12 @@ int dispatch(int argc, char** argv) {
   report_command->add_option("folders", report_options.folders, "One run's folder, or two")
       ->required()
       ->expected(1, 2)
+      ->check(names_folder)
       ->type_name("DIR [DIR2]");
   report_command
       ->add_option("-o,--output", report_options.file,
                    "The page to write (default: report.html, or compare.html for two, in the first folder)")
+      ->check(names_file)
       ->type_name("FILE");
 
   VerifyOptions verify_options;
@@ -123,10 +154,14 @@ int dispatch(int argc, char** argv) {
   verify_command->add_option("cases", verify_options.cases, "Names of cases, or beginnings of names (default: all)")
       ->type_name("CASE");
   verify_command->add_option("--json", verify_options.json, "Write the comparison for machines, too")
+      ->check(names_file)
       ->type_name("FILE");
   verify_command->add_option("--page", verify_options.page, "Write the comparison as a Markdown page, too")
+      ->check(names_file)
       ->type_name("FILE");
-  verify_command->add_option("--cases", verify_options.folder, "The folder that holds the cases")->type_name("DIR");
+  verify_command->add_option("--cases", verify_options.folder, "The folder that holds the cases")
+      ->check(names_folder)
+      ->type_name("DIR");
 
   CLI::App* materials_command =
       app.add_subcommand("materials", "List the usual grounds that a project can name, with their sources");
@@ -135,17 +170,25 @@ int dispatch(int argc, char** argv) {
 
   NewOptions new_options;
   CLI::App* new_command = app.add_subcommand("new", "Write a project file to start from");
-  new_command->add_option("file", new_options.file, "The file to write")->required()->type_name("PROJECT.toml");
+  new_command->add_option("file", new_options.file, "The file to write")
+      ->required()
+      ->check(names_file)
+      ->type_name("PROJECT.toml");
   new_command->add_flag("--force", new_options.force, "Overwrite a file that is there");
 
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   app.failure_message([&](const CLI::App*, const CLI::Error& error) { return complaint_about(app, error, words); });
   try {
+    refuse_lacking_values(words);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // (One that failed without a word might be the first to end, and its launcher would end the one that speaks.)
     if (!answers_for_all(words)) return done;
-    return app.exit(error) == 0 ? done : bad_input;
+    std::ostringstream out, complaint;
+    const int code = app.exit(error, out, complaint);
+    fmt::print(stderr, "{}", complaint.str());
+    fmt::print("{}", out.str());
+    return code == 0 ? done : bad_input;
   }
   if (*run_command) return run(run_options);
   if (*serve_command) return serve(serve_options);
@@ -163,5 +206,6 @@ int dispatch(int argc, char** argv) {
 }  // namespace talus::cli
 
 int main(int argc, char** argv) {
-  return talus::cli::answer([&] { return talus::cli::dispatch(argc, argv); });
+  using namespace talus::cli;
+  return output_taken(answer([&] { return dispatch(argc, argv); }));
 }

@@ -22,7 +22,7 @@ int start_project(const NewOptions& options) {
                            .why = "talus new does not overwrite",
                            .hint = "Choose another name, or say --force"});
   }
-  OutputFile file(options.file);
+  OutputFile file(place_of_file(options.file));
   file.write(project::starter());
   file.commit();
   fmt::print("{0} is a small project to change as you like; `talus run {0}` throws its rocks\n", options.file.string());

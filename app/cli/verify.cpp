@@ -13,7 +13,7 @@ namespace talus::cli {
 namespace {
 
 void write(const std::filesystem::path& file, const std::string& text) {
-  OutputFile output(file);
+  OutputFile output(place_of_file(file));
   output.write(text);
   output.commit();
 }
@@ -22,6 +22,9 @@ void write(const std::filesystem::path& file, const std::string& text) {
 
 int verify(const VerifyOptions& options) {
   using namespace verification;
+  for (const auto& file : {options.json, options.page}) {
+    if (!file.empty()) (void)place_of_file(file);  // before the minutes that the cases take
+  }
   const Files files = options.folder.empty() ? embedded_cases() : cases_in(options.folder);
   std::vector<Case> cases;
   for (const std::string& name : chosen_cases(files, options.cases)) cases.push_back(read_case(files, name));

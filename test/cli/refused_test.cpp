@@ -44,6 +44,79 @@ TEST(RefusedByTheProgram, NumbersBelowNothing) {
             "2 --rock: expected 0 or more\n`talus replay --help` says more.\n");
 }
 
+TEST(RefusedByTheProgram, NumbersBeyond64Bits) {
+  const Workplace place;
+  const std::string file = place.write("slope.toml", good), most = "expected at most 18446744073709551615\n";
+  EXPECT_EQ(said(place, "check " + file + " --seed 99999999999999999999"),
+            "2 --seed: 99999999999999999999 is too large; " + most + "`talus check --help` says more.\n");
+  EXPECT_EQ(said(place, "replay " + file + " --rock 18446744073709551616"),
+            "2 --rock: 18446744073709551616 is too large; " + most + "`talus replay --help` says more.\n");
+  EXPECT_EQ(talus_says("check " + file + " --seed 18446744073709551615").exit_code, 0);
+}
+
+TEST(RefusedByTheProgram, EmptyTextsAreNotTakenForAbsent) {
+  const Workplace place;
+  const std::string file = place.write("slope.toml", good), run_help = "`talus run --help` says more.\n";
+  EXPECT_EQ(said(place, "run " + file + " --shard ''"),
+            "2 --shard: \"\" is no shard; expected i/n with i from 1 to n, for example 2/7\n" + run_help);
+  EXPECT_EQ(said(place, "run " + file + " -o ''"), "2 --output: \"\" is the name of no folder\n" + run_help);
+  EXPECT_EQ(said(place, "merge a -o ''"),
+            "2 --output: \"\" is the name of no folder\n`talus merge --help` says more.\n");
+  EXPECT_EQ(said(place, "report a -o ''"),
+            "2 --output: \"\" is the name of no file\n`talus report --help` says more.\n");
+  EXPECT_EQ(said(place, "verify --json ''"),
+            "2 --json: \"\" is the name of no file\n`talus verify --help` says more.\n");
+  EXPECT_EQ(said(place, "run " + file + " --output= --quiet"),
+            "2 --output= has no value behind it\n`talus --help` says more.\n");
+  EXPECT_EQ(said(place, "new ''"), "2 file: \"\" is the name of no file\n`talus new --help` says more.\n");
+}
+
+TEST(RefusedByTheProgram, PlacesThatNoFileCanTake) {
+  const Workplace place;
+  ASSERT_EQ(::mkfifo((place / "pipe").c_str(), 0600), 0);
+  std::filesystem::create_directories(place / "folder");
+  std::filesystem::create_symlink("/dev/null", place / "link");
+  const std::string hint = "). Name an ordinary file, or one that is not there yet\n";
+  EXPECT_EQ(said(place, "new --force " + (place / "pipe").string(), "timeout 20 "),
+            "2 pipe: cannot write this file (it is a pipe" + hint);
+  EXPECT_EQ(said(place, "verify --json " + (place / "folder").string()),
+            "2 folder: cannot write this file (it is a folder" + hint);
+  EXPECT_EQ(said(place, "verify --page " + (place / "link").string()),
+            "2 link: cannot write this file (it is a device" + hint);
+  EXPECT_TRUE(std::filesystem::is_fifo(place / "pipe"));
+  EXPECT_TRUE(std::filesystem::is_symlink(place / "link"));
+}
+
+TEST(TheProgram, WritesThroughLinks) {
+  const Workplace place;
+  place.write("real.toml", "old");
+  std::filesystem::create_symlink("real.toml", place / "link.toml");
+  const Said answer = talus_says("new --force " + (place / "link.toml").string());
+  EXPECT_EQ(answer.exit_code, 0) << answer.text;
+  EXPECT_TRUE(std::filesystem::is_symlink(place / "link.toml"));
+  EXPECT_NE(place.read("real.toml"), "old");
+}
+
+TEST(TheProgram, SaysThatStandardOutputIsFull) {
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "there is no device that is full";
+  const Workplace place;
+  const std::string file = place.write("slope.toml", good);
+  for (const std::string command : {"schema", "materials", "--version", "--help"}) {
+    SCOPED_TRACE(command);
+    EXPECT_EQ(
+        said(place, command + " 2>&1 > /dev/full )", "( "),
+        "2 standard output: not all could be written to it (No space left on device). Free some space, or send it "
+        "elsewhere\n");
+  }
+  for (const std::string command : {"check ", "replay --rock 0 --csv ", "replay --rock 0 "}) {
+    SCOPED_TRACE(command);
+    EXPECT_EQ(
+        said(place, command + file + " 2>&1 > /dev/full )", "( "),
+        "2 standard output: not all could be written to it (No space left on device). Free some space, or send it "
+        "elsewhere\n");
+  }
+}
+
 TEST(RefusedByTheProgram, ACommandThatThereIsNot) {
   const Workplace place;
   const std::string known = "(known are run, serve, merge, check, replay, report, verify, materials, schema, new)",

@@ -213,6 +213,42 @@ heights_m = [1, 500]
   EXPECT_EQ(rows, "Catches enough Cost index; yes number; no number");
 }
 
+TEST(RunDesign, OfALineThatLeavesTheTerrainCountsFromItsFirstPoint) {
+  const Workplace work;
+  const std::string project = with_collectors(work, "3d", R"(
+[[collector]]
+name = "Whole"
+line = [[8, 0], [8, 35]]
+height_m = 500
+[[collector]]
+name = "Cut"
+line = [[8, -20], [8, 35]]
+height_m = 500
+[design]
+section_m = 5
+standard = "none"
+)");
+  const Said said = talus_says("run -q " + project + " --rocks 200 -o " + (work / "out").string());
+  ASSERT_EQ(said.exit_code, 0) << said.text;
+  EXPECT_NE(said.text.find("collector \"Cut\": 20 of 55 m of its line are off the terrain"), std::string::npos)
+      << said.text;
+  const auto cells = cells_of(work.read("out/design.csv"));
+  for (const std::string section : {"all", "1", "2", "3", "4", "5", "6", "7"}) {
+    const std::string whole = "Whole/" + section, cut = "Cut/" + section;
+    EXPECT_EQ(cells.at(cut + "/rocks"), cells.at(whole + "/rocks")) << section;
+    EXPECT_NEAR(std::stod(cells.at(cut + "/from_m")), std::stod(cells.at(whole + "/from_m")) + 20, 1e-9) << section;
+    EXPECT_NEAR(std::stod(cells.at(cut + "/to_m")), std::stod(cells.at(whole + "/to_m")) + 20, 1e-9) << section;
+  }
+  EXPECT_FALSE(cells.contains("Cut/8/rocks"));
+  EXPECT_NE(cells.at("Cut/all/rocks"), "0");
+  const auto summary = nlohmann::json::parse(work.read("out/summary.json"));
+  const auto& barriers = summary["barriers"];
+  for (const auto& barrier : barriers) EXPECT_EQ(barrier.contains("stations_m"), barrier["name"] == "Cut");
+  EXPECT_EQ(barriers.back()["name"], "Cut");
+  EXPECT_EQ(barriers.back()["stations_m"].size(), barriers.back()["line_xyz"].size());
+  EXPECT_EQ(barriers.back()["stations_m"][0], 20);
+}
+
 TEST(RunDesign, WorksInSection) {
   const Workplace work;
   const std::string project = with_collectors(work, "2d", R"(

@@ -40,6 +40,15 @@ TEST(TalusRun, WritesEveryFileOfTheContract) {
   }
 }
 
+TEST(TalusRun, LeavesNoReportOfAnEarlierRun) {
+  const Workplace place;
+  const std::string run = "run " + tutorial("2d") + " -q --rocks 5 -o " + (place / "out").string();
+  ASSERT_EQ(talus_says(run).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(place / "out/report.html"));
+  ASSERT_EQ(talus_says(run + " --set output.report=false").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(place / "out/report.html"));
+}
+
 TEST(TalusRun, WritesTheRowsThatTheContractAllowsAndNoOthers) {
   const Workplace place;
   ASSERT_EQ(talus_says("run " + tutorial("3d") + " -q --rocks 300 -o " + (place / "out").string()).exit_code, 0);

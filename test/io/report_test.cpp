@@ -225,7 +225,7 @@ TEST(ReportRefuses, PlacesWhereNothingCanBeWritten) {
   std::filesystem::create_directories(folder.path / "taken.html" / "inside");
   EXPECT_EQ(complaint({folder.path}, folder.path / "taken.html"),
             (folder.path / "taken.html").string() +
-                ": cannot finish this file (Is a directory). Choose another output folder with -o");
+                ": cannot write this file (it is a folder). Name an ordinary file, or one that is not there yet");
   EXPECT_FALSE(std::filesystem::exists(folder.path / "taken.html.part"));
 }
 

@@ -33,6 +33,8 @@ TEST(RunFacts, SayWhatTheSummarySays) {
   EXPECT_EQ(fence.kind, "barrier");
   ASSERT_EQ(fence.foot_m.size(), 3U);
   EXPECT_EQ(fence.foot_m[1], (std::array<double, 3>{10, 20, 5.5}));
+  EXPECT_EQ(fence.stations_m.size(), 3U);
+  EXPECT_EQ(fence.stations_m[0], 0);
   EXPECT_EQ(fence.height_m, 3);
   EXPECT_EQ(fence.inclination_deg, -10);
   EXPECT_EQ(fence.capacity_kJ, 500);
@@ -48,6 +50,12 @@ TEST(RunFacts, SayWhatTheSummarySays) {
   EXPECT_EQ(fence.velocity_m_s.greatest, 17);
   EXPECT_EQ(facts.barriers[1].capacity_kJ, std::nullopt);
   EXPECT_EQ(facts.barriers[1].velocity_m_s.greatest, std::nullopt);
+}
+
+TEST(RunFacts, StationsAreThoseOfTheLineAsItWasGiven) {
+  Json summary = sample_run::summary_3d();
+  summary["barriers"][0]["stations_m"] = {7, 30, 60};
+  EXPECT_EQ(facts_of(summary).barriers[0].stations_m, (std::vector<double>{7, 30, 60}));
 }
 
 TEST(RunFacts, AWallWithoutLimitHasNoCapacity) {

@@ -72,16 +72,17 @@ TEST(CheckDesign, RefusesLinesThatAreNotThere) {
 }
 
 TEST(CheckDesign, RefusesNumbersThatMakeNoSense) {
-  EXPECT_EQ(said_of("[design]\nsection_m = 0\ncatch_share = 95\nconfidence = 95\nheights_m = [2, -3]\n"
-                    "risk_factor = 0.9\npercentiles = [101]\n"),
-            "slope.toml:21: [design]: section_m is 0 (a line is cut into pieces of it; expected more than 0)\n"
-            "slope.toml:22: [design]: catch_share is 95 (there are no more than all rocks; expected more than 0, up to "
-            "1). Did you mean 0.95?\n"
-            "slope.toml:23: [design]: confidence is 95 (it is a probability; expected more than 0, less than 1). Did "
-            "you mean 0.95?\n"
-            "slope.toml:24: [design]: heights_m[1] is -3 (it could not be hit; expected more than 0)\n"
-            "slope.toml:25: [design]: risk_factor is 0.9 (a factor of safety takes nothing away; expected 1 or more)\n"
-            "slope.toml:26: [design]: percentiles[0] is 101 (expected 0 to 100)");
+  EXPECT_EQ(
+      said_of("[design]\nsection_m = 0\ncatch_share = 95\nconfidence = 95\nheights_m = [2, -3]\n"
+              "risk_factor = 0.9\npercentiles = [101]\n"),
+      "slope.toml:21: [design]: section_m is 0 (a line is cut into pieces of it; expected more than 0, up to 1e9)\n"
+      "slope.toml:22: [design]: catch_share is 95 (there are no more than all rocks; expected more than 0, up to "
+      "1). Did you mean 0.95?\n"
+      "slope.toml:23: [design]: confidence is 95 (it is a probability; expected more than 0, less than 1). Did "
+      "you mean 0.95?\n"
+      "slope.toml:24: [design]: heights_m[1] is -3 (it could not be hit; expected more than 0, up to 10000)\n"
+      "slope.toml:25: [design]: risk_factor is 0.9 (a factor of safety takes nothing away; expected 1 to 1e6)\n"
+      "slope.toml:26: [design]: percentiles[0] is 101 (expected 0 to 100)");
   EXPECT_EQ(said_of("[design]\nheights_m = []\nenergies_kJ = []\n"),
             "slope.toml:21: [design]: heights_m is empty (there would be no kit to choose from). Leave it out\n"
             "slope.toml:22: [design]: energies_kJ is empty (there would be no kit to choose from). Leave it out");
@@ -155,6 +156,16 @@ energies_kJ = [8500, 100]
   EXPECT_THAT(plan.heights, ElementsAre(2, 5));
   EXPECT_THAT(plan.energies, ElementsAre(100e3, 8500e3));
   EXPECT_EQ(plan.standard, "UNI 11211-4");
+}
+
+TEST(DesignPlan, ALineBeginsWhereItFirstStands) {
+  const DesignPlan plan =
+      plan_of(std::string(ground_3d) +
+              "[[collector]]\nname = \"Edge\"\nline = [[50, -35], [50, 20]]\nheight_m = 5\n[design]\n");
+  ASSERT_EQ(plan.lines.size(), 1u);
+  EXPECT_NEAR(plan.lines[0].start, 35, 1e-9);
+  EXPECT_NEAR(plan.lines[0].length, 20, 1e-9);
+  EXPECT_EQ(plan.lines[0].sections, 2u);
 }
 
 TEST(DesignPlan, OfTheStandardHasItsFactors) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "talus/campaign/simulate.hpp"
 #include "talus/project/read.hpp"
 #include "talus/results/summary.hpp"
@@ -76,6 +78,79 @@ TEST(BuildModel, HintsThatTurningTheTerrainTurnsNothingElse) {
 TEST(BuildModel, RefusesABarrierOffTheTerrain) {
   EXPECT_EQ(complaint_of(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[20, 0], [20, 10]]\nheight_m = 2\n"),
             "slope.toml:11: barrier \"Fence\": its line does not touch the terrain (a barrier stands on the ground)");
+}
+
+const std::string varied_2d = replaced(
+    flat_2d, "section = ", "section_std_dev_m = [[0.5, 0], [0, 0], [1, 0]]\nsection = ");  // certain from 1.5 to 17
+
+TEST(BuildModel, RefusesASeederThatMayBeOffAVariedSection) {
+  EXPECT_EQ(complaint_of(replaced(varied_2d, "[1, 5]", "[1.5, 5]")), "no complaint");
+  EXPECT_EQ(
+      complaint_of(varied_2d),
+      "slope.toml:7: seeder \"seeder 1\": x = 1 may be off the terrain (where section_std_dev_m moves its ends by "
+      "3 standard deviations, the section goes from x = 1.5 to 17). Move it inwards, or give the end vertices "
+      "less in x");
+  const std::string line =
+      replaced(varied_2d, "type = \"point\"\nposition = [1, 5]", "type = \"line\"\npoints = [[2, 5], [18, 5]]");
+  EXPECT_NE(complaint_of(line).find("x = 18 may be off the terrain"), std::string::npos) << complaint_of(line);
+}
+
+TEST(BuildModel, RefusesABarrierThatMayBeOffAVariedSection) {
+  const std::string good = replaced(varied_2d, "[1, 5]", "[2, 5]");
+  EXPECT_EQ(complaint_of(good + "[[barrier]]\nline = 17\nheight_m = 2\n"), "no complaint");
+  EXPECT_EQ(complaint_of(good + "[[barrier]]\nline = 17.5\nheight_m = 2\n"),
+            "slope.toml:11: barrier \"barrier 1\": x = 17.5 may be off the terrain (where section_std_dev_m moves its "
+            "ends by 3 standard deviations, the section goes from x = 1.5 to 17). Move it inwards, or give the end "
+            "vertices less in x");
+}
+
+TEST(BuildModel, LetsASectionVaryWhereItGoesBackByItself) {
+  const std::string overhang =
+      replaced(replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 0], [10, 0], [9.5, -2], [20, -10]]"),
+               "section = ", "section_std_dev_m = [[0, 0], [0.1, 0], [0.1, 0], [0, 0]]\nsection = ");
+  EXPECT_EQ(complaint_of(overhang), "no complaint");
+}
+
+TEST(BuildModel, TellsHowMuchOfABarrierIsOffTheTerrain) {
+  Problems warnings;
+  const std::string text = square_3d + "[[collector]]\nname = \"Edge\"\nline = [[-5, 5], [10, 5]]\nheight_m = 2\n";
+  const Model model = build_model(read_project_text(text, "slope.toml").project, warnings);
+  EXPECT_EQ(warnings.text(),
+            "slope.toml:11: warning: collector \"Edge\": 5 of 15 m of its line are off the terrain (at the line's ends "
+            "it does not stand there, and over a gap between it goes straight on). Compare its line with the terrain's "
+            "edge and holes");
+  // Where it stands is counted from the line's first point.
+  const std::vector<Panel>& panels = model.barriers[0].panels();
+  EXPECT_NEAR(panels.front().station, 5, 1e-9);
+  EXPECT_NEAR(panels.back().station + panels.back().plan_length, 15, 1e-9);
+}
+
+TEST(BuildModel, CountsAlongALineAcrossAGapOfTheTerrain) {
+  Problems warnings;
+  const std::string two_squares =
+      replaced(replaced(square_3d, "[0,10,0]]", "[0,10,0],[20,0,0],[30,0,0],[30,10,0],[20,10,0]]"), "[0,2,3]]",
+               "[0,2,3],[4,5,6],[4,6,7]]");
+  const std::string text = two_squares + "[[barrier]]\nline = [[1, 5], [15, 9], [29, 5]]\nheight_m = 2\n";
+  const Model model = build_model(read_project_text(text, "slope.toml").project, warnings);
+  const double half = std::hypot(14, 4);  // of which 5 of 14 are in the gap
+  EXPECT_NE(warnings.text().find("barrier \"barrier 1\": 10.4002 of 29.1204 m of its line are off the terrain"),
+            std::string::npos)
+      << warnings.text();
+  const std::vector<Panel>& panels = model.barriers[0].panels();
+  EXPECT_EQ(panels.front().station, 0);
+  EXPECT_NEAR(panels.back().station + panels.back().plan_length, 2 * half, 1e-9);
+  double way = 0;
+  for (const Panel& panel : panels) {
+    EXPECT_NEAR(panel.station, way, 1e-9);
+    way += panel.plan_length;
+  }
+}
+
+TEST(BuildModel, SaysNothingOfABarrierThatIsOnTheTerrainAltogether) {
+  Problems warnings;
+  const std::string text = square_3d + "[[barrier]]\nline = [[0, 0], [10, 10], [10, 0]]\nheight_m = 2\n";
+  static_cast<void>(build_model(read_project_text(text, "slope.toml").project, warnings));
+  EXPECT_EQ(warnings.text(), "");
 }
 
 TEST(BuildModel, LeavesAMaterialListOfTheWrongLengthToTheReader) {

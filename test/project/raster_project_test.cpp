@@ -157,7 +157,22 @@ TEST_F(RasterProject, CellsWithoutClassAreCountedAndGetTheDefault) {
   EXPECT_EQ(
       warnings(),
       "slope.toml:17: warning: [ground]: 85 of 741 cells of the terrain have no class (raster \"ground.tif\" has no "
-      "data there, or ends before). They are given the default material, \"Rock\"");
+      "data there, or ends before). They are given the default material, \"Rock\"\n"
+      "slope.toml:17: warning: [ground]: classes has 1, which no part of the terrain has (in raster \"ground.tif\" at "
+      "the "
+      "middles of the terrain's cells)");
+}
+
+TEST_F(RasterProject, ClassesThatAreNowhereAreWarnedOf) {
+  make("dem.tif", slope());
+  make("ground.tif", halves());
+  const std::string more =
+      "[ground]\ndefault = \"Rock\"\nraster = \"ground.tif\"\n"
+      "classes = { 1 = \"Rock\", 2 = \"Scree\", 7 = \"Scree\", -3 = \"Rock\" }\n";
+  static_cast<void>(model(terrain_raster + rest + more));
+  EXPECT_EQ(warnings(),
+            "slope.toml:17: warning: [ground]: classes has -3, 7, which no part of the terrain has (in raster "
+            "\"ground.tif\" at the middles of the terrain's cells)");
 }
 
 TEST_F(RasterProject, HolesOfTheTerrainNeedNoClass) {

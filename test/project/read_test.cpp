@@ -314,6 +314,23 @@ TEST(ReadProject, OverridesTurnAPlainNumberIntoADistribution) {
   EXPECT_EQ(project.seeders[0].horizontal_velocity_m_s.kind, DistributionKind::normal);
 }
 
+TEST(ReadProject, OverridesTakeWhatIsNoTomlForAText) {
+  for (const std::string text : {"Slope", "../p1/x.tif", "/abs/x.tif", "5m.tif", "EPSG:31287", "tiles/x 1.tif", "-x",
+                                 "2024-13-45", "1.5 m", "C:\\tiles\\x.tif", "say \"x\"", "~/x.tif", "a,b", "truely",
+                                 "../../../../../../../../../x.tif", "x # no comment", "Gr\u00fcn.tif"}) {
+    EXPECT_EQ(read_with(smallest, {"seeder.0.source=" + text}).seeders[0].source, text);
+  }
+  EXPECT_EQ(read_with(smallest, {"seeder.0.source= ../x.tif "}).seeders[0].source, "../x.tif");
+  EXPECT_EQ(read_with(smallest, {"seeder.0.source=\"5\""}).seeders[0].source, "5");
+}
+
+TEST(ReadProject, WholeNumbersThatNoDoubleEqualsAreRounded) {
+  const std::string text = std::string(smallest) + "[[barrier]]\nline = 5\nheight_m = 3\ncapacity_kJ = ";
+  EXPECT_EQ(read(text + "9999999999999999\n").barriers[0].capacity_kJ, 1e16);
+  EXPECT_EQ(read(text + "9007199254740993\n").barriers[0].capacity_kJ, 9007199254740992.0);
+  EXPECT_EQ(read(text + "9223372036854775807\n").barriers[0].capacity_kJ, 9223372036854775808.0);
+}
+
 TEST(ReadProject, TakesSeedsBeyondWhatTomlHolds) {
   constexpr std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
   EXPECT_EQ(read(smallest, {.settings = {}, .rocks = {}, .seed = largest}).sampling.seed, largest);

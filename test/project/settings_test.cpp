@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -458,6 +459,35 @@ TEST(Settings, DefaultsLieInTheirRanges) {
   }
 }
 
+/// Does it hold numbers that the project file gives?
+struct IsNumber {
+  template <class Member>
+  bool operator()(const Member&) const {
+    return false;
+  }
+  bool operator()(double*) const { return true; }
+  bool operator()(std::optional<double>*) const { return true; }
+  bool operator()(std::int64_t*) const { return true; }
+  bool operator()(std::optional<std::int64_t>*) const { return true; }
+  bool operator()(std::uint64_t*) const { return true; }
+  bool operator()(Distribution*) const { return true; }
+  bool operator()(std::optional<Distribution>*) const { return true; }
+  bool operator()(std::array<double, 3>*) const { return true; }
+  bool operator()(std::vector<double>*) const { return true; }
+  bool operator()(std::vector<std::int64_t>*) const { return true; }
+  bool operator()(std::vector<std::array<double, 2>>*) const { return true; }
+  bool operator()(std::vector<std::array<double, 3>>*) const { return true; }
+  bool operator()(std::vector<std::array<std::int64_t, 3>>*) const { return true; }
+  bool operator()(std::vector<std::vector<std::array<double, 3>>>*) const { return true; }
+  bool operator()(PositionSlot) const { return true; }
+  bool operator()(PointsSlot) const { return true; }
+  bool operator()(PlanLineSlot) const { return true; }
+  bool operator()(PlanPolygonSlot) const { return true; }
+  bool operator()(DirectionSlot) const { return true; }
+  bool operator()(RockLimitSlot) const { return true; }
+  bool operator()(MapCellSlot) const { return true; }
+};
+
 TEST(Settings, RangesReadAsPeopleSayThem) {
   EXPECT_EQ((Range{}).text(), "any number");
   EXPECT_EQ((Range{.least = 0}).text(), "0 or more");
@@ -466,14 +496,44 @@ TEST(Settings, RangesReadAsPeopleSayThem) {
   EXPECT_EQ((Range{.least = 0, .most = 90, .most_excluded = true}).text(), "0 to less than 90");
   EXPECT_EQ((Range{.least = -90, .most = 90, .least_excluded = true, .most_excluded = true}).text(),
             "more than -90, less than 90");
+  EXPECT_EQ((Range{.least = 1e-9, .most = 1e12}).text(), "1e-9 to 1e12");
+  EXPECT_EQ((Range{.least = -1e9, .most = 123456789}).text(), "-1e9 to 123456789");
+  EXPECT_EQ((Range{.least = 0.01, .most = 10000}).text(), "0.01 to 10000");
+}
+
+// What no engineer meets is refused, so that nothing that follows from it overflows.
+TEST(Settings, AllNumbersHaveLimits) {
+  const std::set<std::string> without_need{"sampling.seed",       "ground.triangles",     "terrain.triangles",
+                                           "terrain.section",  // whole, or looked at as places
+                                           "terrain.vertices",    "terrain.polylines",    "barrier.line",
+                                           "collector.line",      "area.polygon",         "seeder.polygon",
+                                           "distribution.mean",   "distribution.std_dev", "distribution.rel_min",
+                                           "distribution.rel_max"};
+  std::set<std::string> without;
+  const auto look = [&](const Table& table) {
+    Project blank;
+    Distribution distribution;
+    for (const Setting& setting : table.settings) {
+      const Slot slot = setting.slot(table.add ? table.add(blank) : Row(&distribution));
+      const bool is_number = std::visit(IsNumber{}, slot);
+      if (is_number && !std::isfinite(setting.range.most)) {
+        without.insert(std::string(table.key) + "." + std::string(setting.key));
+      }
+    }
+  };
+  for (const Table& table : tables()) look(table);
+  look(distribution_table());
+  EXPECT_EQ(without, without_need);
 }
 
 TEST(Settings, BoundsOfDrawsAreTheRanges) {
   EXPECT_EQ(bounds("material", "normal_restitution").least, 0);
   EXPECT_EQ(bounds("material", "normal_restitution").most, 1);
   EXPECT_EQ(bounds("material", "dynamic_friction").least, 0);
-  EXPECT_EQ(bounds("material", "dynamic_friction").most, Bounds{}.most);
-  EXPECT_EQ(bounds("seeder", "horizontal_velocity_m_s").least, Bounds{}.least);
+  EXPECT_EQ(bounds("material", "dynamic_friction").most, 1e6);
+  EXPECT_EQ(bounds("seeder", "horizontal_velocity_m_s").least, -1e4);
+  EXPECT_EQ(bounds(Range{}).least, Bounds{}.least);
+  EXPECT_EQ(bounds(Range{}).most, Bounds{}.most);
 }
 
 TEST(Echo, ComesBackAsTheSameProject) {

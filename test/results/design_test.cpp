@@ -89,6 +89,15 @@ TEST(DesignLine, IsCutIntoSections) {
   EXPECT_EQ((DesignLine{"Place in 2D", 0}.section_at(1)), 0u);
 }
 
+TEST(DesignLine, BeginsWhereItFirstStands) {
+  const DesignLine line{"Upper", 0, 25, 10, 3, 100};
+  EXPECT_EQ(line.section_at(90), 0u);
+  EXPECT_EQ(line.section_at(109.9), 0u);
+  EXPECT_EQ(line.section_at(110), 1u);
+  EXPECT_EQ(line.section_begin(0), 100);
+  EXPECT_EQ(line.section_begin(3), 125);
+}
+
 TEST(Design, TakesTheFirstCrossingOfEachRockAtWhateverHeight) {
   const DesignResult result = result_of(
       plan_without_factors(),

@@ -148,7 +148,7 @@ mass_kg = 1000
 TEST_F(ModelOf, NamesTheSettingOfEachProblem) {
   EXPECT_EQ(problems_of(with(section_text, "mass_kg = 1000", "mass_kg = { mean = -1 }")),
             (std::vector<std::string>{"seeder.0.mass_kg.mean: slope.toml:14: seeder \"Edge\": mass_kg mean is -1 (a "
-                                      "rock has mass; expected more than 0)"}));
+                                      "rock has mass; expected 1e-9 to 1e12)"}));
   EXPECT_EQ(paths_of(with(section_text, "[30, 5]", "[30, \"five\"]")), std::vector<std::string>{"terrain.section.2.1"});
   EXPECT_EQ(paths_of(with(section_text, "name = \"Soil\"", "nam = \"Soil\"")),
             std::vector<std::string>{"material.1.nam"});

@@ -95,6 +95,12 @@ TEST(Case, RefusesWhatItDoesNotKnow) {
               HasSubstr("units is -1 (expected a number, not negative)"));
 }
 
+TEST(Case, WholeNumbersThatNoDoubleEqualsAreRounded) {
+  const std::string huge = replaced("units = 1", "units = 9007199254740993");
+  const Case c = read_case(files_with(huge), "a");
+  EXPECT_EQ(std::get<PathTable>(c.tables[0].kind).tolerance.units, 9007199254740992.0);
+}
+
 TEST(Case, AsksForAReasonAndATitle) {
   EXPECT_THAT(complaint(replaced("why = \"A misprint.\"", "")), HasSubstr("exception: why is missing"));
   EXPECT_THAT(complaint(replaced("why = \"Because.\"", "")), HasSubstr("table: why is missing"));

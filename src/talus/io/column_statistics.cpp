@@ -83,7 +83,7 @@ void for_rocks(const std::filesystem::path& folder, const RunFacts& facts, const
 double number_of_hit(const CsvReader& row, const BarrierFacts& barrier, std::string_view column) {
   constexpr std::size_t x = of_hits("x_m"), vx = of_hits("vx_m_s");
   if (column == velocity) return Vec3(row.number(vx), row.number(vx + 1), row.number(vx + 2)).norm();
-  if (column == station) return station_of(barrier.foot_m, row.number(x), row.number(x + 1));
+  if (column == station) return station_of(barrier.foot_m, barrier.stations_m, row.number(x), row.number(x + 1));
   return row.number(column_of(barrier_columns, column));
 }
 

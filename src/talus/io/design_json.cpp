@@ -60,6 +60,7 @@ Json plan_json(const DesignPlan& plan) {
   for (const DesignLine& line : plan.lines) {
     lines.push_back({{"name", line.name},
                      {"barrier", line.barrier},
+                     {"from_m", line.start},
                      {"length_m", line.length},
                      {"section_m", line.section_length},
                      {"sections", line.sections}});
@@ -85,6 +86,7 @@ DesignPlan plan_from(const Json& json, std::size_t barriers) {
     DesignLine& line = plan.lines.emplace_back();
     given.at("name").get_to(line.name);
     given.at("barrier").get_to(line.barrier);
+    given.at("from_m").get_to(line.start);
     given.at("length_m").get_to(line.length);
     given.at("section_m").get_to(line.section_length);
     given.at("sections").get_to(line.sections);

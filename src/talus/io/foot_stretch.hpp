@@ -9,34 +9,43 @@
 
 namespace talus::io {
 
-/// The part of a line in space between two distances along it, on plan [m]; two points at the least, unless the line
-/// has fewer.
-[[nodiscard]] inline std::vector<std::array<double, 3>> stretch_of(const std::vector<std::array<double, 3>>& line,
-                                                                   double from, double to) {
+using FootLine = std::vector<std::array<double, 3>>;
+
+/// How far each point of a line is from its first one, along it on plan [m].
+[[nodiscard]] inline std::vector<double> stations_along(const FootLine& line) {
+  std::vector<double> stations;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    stations.push_back(k == 0 ? 0
+                              : stations.back() + std::hypot(line[k][0] - line[k - 1][0], line[k][1] - line[k - 1][1]));
+  }
+  return stations;
+}
+
+/// The part of a line in space between two stations [m], those of its points being given; two points at the least,
+/// unless the line has fewer.
+[[nodiscard]] inline FootLine stretch_of(const FootLine& line, const std::vector<double>& stations, double from,
+                                         double to) {
   if (line.size() < 2) return line;
   const auto between = [](const std::array<double, 3>& a, const std::array<double, 3>& b, double part) {
     std::array<double, 3> p;
     for (std::size_t k = 0; k < p.size(); ++k) p[k] = a[k] + part * (b[k] - a[k]);
     return p;
   };
-  std::vector<std::array<double, 3>> stretch;
-  double station = 0;
+  FootLine stretch;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     const auto& a = line[k];
     const auto& b = line[k + 1];
-    const double length = std::hypot(b[0] - a[0], b[1] - a[1]), end = station + length;
-    if (length > 0 && end > from && station < to) {
-      if (stretch.empty()) stretch.push_back(between(a, b, std::max(0.0, (from - station) / length)));
-      stretch.push_back(end <= to ? b : between(a, b, (to - station) / length));
-    }
-    station = end;
+    const double station = stations[k], end = stations[k + 1], length = end - station;
+    if (!(length > 0 && end > from && station < to)) continue;
+    if (stretch.empty()) stretch.push_back(between(a, b, std::max(0.0, (from - station) / length)));
+    stretch.push_back(end <= to ? b : between(a, b, (to - station) / length));
   }
-  return stretch.empty() ? std::vector{line[line.size() - 2], line.back()} : stretch;
+  return stretch.empty() ? FootLine{line[line.size() - 2], line.back()} : stretch;
 }
 
-/// How far along the line its point lies that is nearest to a place, on plan [m].
-[[nodiscard]] inline double station_of(const std::vector<std::array<double, 3>>& line, double x, double y) {
-  double station = 0, nearest = std::numeric_limits<double>::infinity(), begin = 0;
+/// The station of that point of the line that is nearest to a place [m], those of its points being given.
+[[nodiscard]] inline double station_of(const FootLine& line, const std::vector<double>& stations, double x, double y) {
+  double station = stations.empty() ? 0 : stations.front(), nearest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     const double dx = line[k + 1][0] - line[k][0], dy = line[k + 1][1] - line[k][1];
     const double length = std::hypot(dx, dy);
@@ -46,9 +55,8 @@ namespace talus::io {
     const double distance = std::hypot(px - along * dx / length, py - along * dy / length);
     if (distance < nearest) {
       nearest = distance;
-      station = begin + along;
+      station = stations[k] + along / length * (stations[k + 1] - stations[k]);
     }
-    begin += length;
   }
   return station;
 }

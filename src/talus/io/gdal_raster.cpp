@@ -9,6 +9,7 @@
 #include <cmath>
 #include <system_error>
 
+#include "talus/io/ascii_grid_check.hpp"
 #include "talus/io/ordinary_file.hpp"
 
 namespace talus {
@@ -17,6 +18,12 @@ namespace {
 
 Problem problem(const std::filesystem::path& file, std::string what, std::string why, std::string hint) {
   return {.file = file.string(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
+}
+
+GridNumbers numbers_of(GDALDataset* dataset) {
+  const bool is_whole =
+      dataset && dataset->GetRasterCount() > 0 && dataset->GetRasterBand(1)->GetRasterDataType() == GDT_Int32;
+  return is_whole ? GridNumbers::whole : GridNumbers::real;
 }
 
 }  // namespace
@@ -91,6 +98,7 @@ GDALDatasetUniquePtr open_raster(const GdalMessages& messages, RasterProblems& p
   if (const auto why = nothing_for_gdal(problems.file())) problems.stop("cannot be read", *why, "Name a file");
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+  if (is_ascii_grid(problems.file())) check_ascii_grid(problems.file(), numbers_of(dataset.get()));
   if (!dataset) problems.stop("is no raster that GDAL can read", messages.failure());
   if (dataset->GetRasterCount() > 0) return dataset;
   char** parts = dataset->GetMetadata("SUBDATASETS");

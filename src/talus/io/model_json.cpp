@@ -77,6 +77,25 @@ Json foot_json(const Model& model, const Barrier& barrier) {
   return foot;
 }
 
+/// How far along the line as it was given each point of the foot is, on plan: nothing where it is as far along the
+/// foot.
+Json stations_json(const Barrier& barrier) {
+  constexpr double by_rounding = 1e-6;  // [m]
+  Json stations = Json::array();
+  bool is_as_far = true;
+  double along_foot = 0;
+  const auto add = [&](double station) {
+    stations.push_back(station);
+    is_as_far = is_as_far && std::abs(station - along_foot) <= by_rounding;
+  };
+  for (const Panel& panel : barrier.panels()) {
+    add(panel.station);
+    along_foot += panel.length * std::hypot(panel.along.x(), panel.along.y());
+  }
+  if (!barrier.panels().empty()) add(barrier.panels().back().station + barrier.panels().back().plan_length);
+  return is_as_far ? Json() : stations;
+}
+
 /// Which rocks come from which source: of each the first rock and the number of each unbroken row of them.
 Json sources_json(const Model& model) {
   std::vector<Json> rocks(model.sources.size(), Json::array());
@@ -101,9 +120,12 @@ Json sources_json(const Model& model) {
 
 /// What is known of a barrier beforehand; its tally is added later.
 Json barrier_json(const Model& model, const Barrier& barrier) {
-  return {{"name", barrier.name},
-          {"kind", barrier.is_collector ? "collector" : "barrier"},
-          {"line_xyz", foot_json(model, barrier)}};
+  Json json{{"name", barrier.name},
+            {"kind", barrier.is_collector ? "collector" : "barrier"},
+            {"line_xyz", foot_json(model, barrier)}};
+  if (std::holds_alternative<Profile>(model.surface)) return json;
+  if (Json stations = stations_json(barrier); !stations.is_null()) json["stations_m"] = std::move(stations);
+  return json;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/ordinary_file.hpp"
 
 namespace talus {
 
@@ -103,6 +104,25 @@ void OutputFile::commit() {
     refuse(path_, "finish this file", error);
   }
   synchronise_folder_of(path_);
+}
+
+std::filesystem::path place_of_file(const std::filesystem::path& path) {
+  if (const auto why = not_an_ordinary_file(path)) {
+    throw BadInput(Problem{.file = path.string(),
+                           .what = "cannot write this file",
+                           .why = *why,
+                           .hint = "Name an ordinary file, or one that is not there yet"});
+  }
+  constexpr int most_links = 40;  // as the system follows
+  std::filesystem::path place = path;
+  std::error_code error;
+  for (int links = 0; std::filesystem::is_symlink(place, error); ++links) {
+    if (links == most_links) refuse(path, "write this file", ELOOP);
+    const std::filesystem::path named = std::filesystem::read_symlink(place, error);
+    if (error) refuse(path, "write this file", error.value());
+    place = place.parent_path() / named;
+  }
+  return place;
 }
 
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {

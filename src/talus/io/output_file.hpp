@@ -46,6 +46,10 @@ class OutputFile : public TextSink {
   bool keeps_part_ = false;
 };
 
+/// Where a single file that the user names is written, to be asked before the work: the file itself, or the one that a
+/// link names, which is then not replaced. Throws BadInput where a folder, a device or the like has that name.
+[[nodiscard]] std::filesystem::path place_of_file(const std::filesystem::path& path);
+
 /// Gives a file another name, in the place of one that may have it; throws BadInput where that fails.
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
 

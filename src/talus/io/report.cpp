@@ -195,7 +195,7 @@ void write_report(std::span<const std::filesystem::path> run_folders, const std:
   }
   if (problems.has_errors()) throw BadInput(std::move(problems));
   const std::string page = report_page(runs);
-  OutputFile file(html);
+  OutputFile file(place_of_file(html));
   file.write(page);
   file.commit();
 }

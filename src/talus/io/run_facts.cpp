@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
+#include <unordered_map>
 
 #include <nlohmann/json.hpp>
 
@@ -81,17 +83,40 @@ DesignValues design_values(const Values& values, const std::string& statistics) 
           .greatest = values.number_if_any(statistics + "/maximum")};
 }
 
-/// The barrier of this name as the project has it.
-std::string in_project(const Values& values, const BarrierFacts& barrier) {
-  const std::string list = "/project/" + barrier.kind;
-  for (std::size_t k = 0; k < values.list(list).size(); ++k) {
-    std::string place = fmt::format("{}/{}", list, k);
-    if (values.text(place + "/name") == barrier.name) return place;
+/// Where the project has the barriers of each name.
+class BarriersOfProject {
+ public:
+  explicit BarriersOfProject(const Values& values) : values_(values) {}
+
+  std::string place(const BarrierFacts& barrier) {
+    const std::string list = "/project/" + barrier.kind;
+    const auto [kind, is_new] = numbers_.try_emplace(barrier.kind);
+    if (is_new) {
+      for (std::size_t k = 0; k < values_.list(list).size(); ++k) {
+        kind->second.emplace(values_.text(fmt::format("{}/{}/name", list, k)), k);
+      }
+    }
+    const auto found = kind->second.find(barrier.name);
+    if (found == kind->second.end()) return list + "/" + barrier.name;  // is refused as missing
+    return fmt::format("{}/{}", list, found->second);
   }
-  return list + "/" + barrier.name;  // is refused as missing
+
+ private:
+  const Values& values_;
+  std::map<std::string, std::unordered_map<std::string, std::size_t>> numbers_;  // by kind and name
+};
+
+/// As the summary says; where it does not, as far as along the foot.
+std::vector<double> stations(const Values& values, const std::string& place,
+                             const std::vector<std::array<double, 3>>& foot) {
+  const std::string list = place + "/stations_m";
+  if (!values.has(list) || values.list(list).size() != foot.size()) return stations_along(foot);
+  std::vector<double> stations;
+  for (std::size_t k = 0; k < foot.size(); ++k) stations.push_back(values.number(fmt::format("{}/{}", list, k)));
+  return stations;
 }
 
-BarrierFacts barrier_facts(const Values& values, const std::string& place) {
+BarrierFacts barrier_facts(const Values& values, BarriersOfProject& project, const std::string& place) {
   BarrierFacts facts;
   facts.name = values.text(place + "/name");
   facts.kind = values.text(place + "/kind");
@@ -99,7 +124,8 @@ BarrierFacts barrier_facts(const Values& values, const std::string& place) {
     const std::string point = fmt::format("{}/line_xyz/{}", place, k);
     facts.foot_m.push_back({values.number(point + "/0"), values.number(point + "/1"), values.number(point + "/2")});
   }
-  const std::string given = in_project(values, facts);
+  facts.stations_m = stations(values, place, facts.foot_m);
+  const std::string given = project.place(facts);
   facts.height_m = values.number(given + "/height_m");
   facts.inclination_deg = values.number(given + "/inclination_deg");
   if (facts.kind == "barrier" && values.at(given + "/capacity_kJ") != "inf") {
@@ -164,7 +190,8 @@ void read_design(const Values& values, RunFacts& facts) {
       section.number = s + 1;
       section.from_m = values.number(place + "/from_m");
       section.to_m = values.number(place + "/to_m");
-      if (barrier != facts.barriers.end()) section.foot_m = stretch_of(barrier->foot_m, section.from_m, section.to_m);
+      if (barrier != facts.barriers.end())
+        section.foot_m = stretch_of(barrier->foot_m, barrier->stations_m, section.from_m, section.to_m);
       section.rocks = values.count(place + "/rocks");
       if (values.has(place + "/share/value")) section.share = values.number(place + "/share/value");
       for (const auto& [figure, where] : figures) {
@@ -195,8 +222,9 @@ RunFacts read_run_facts(const std::filesystem::path& folder) {
   facts.in_geopackage = values.choice("/project/output/geopackage", facts.planned_rocks);
   facts.wants_geopackage = !facts.is_section && facts.in_geopackage.count() > 0;
   facts.wants_vtk = values.flag("/project/output/vtk");
+  BarriersOfProject project(values);
   for (std::size_t k = 0; k < values.list("/barriers").size(); ++k) {
-    facts.barriers.push_back(barrier_facts(values, fmt::format("/barriers/{}", k)));
+    facts.barriers.push_back(barrier_facts(values, project, fmt::format("/barriers/{}", k)));
   }
   facts.sources = source_stretches(values);
   if (values.has("/design")) read_design(values, facts);

@@ -20,6 +20,7 @@ struct DesignValues {
 struct BarrierFacts {
   std::string name, kind;  // "barrier" or "collector"
   std::vector<std::array<double, 3>> foot_m;
+  std::vector<double> stations_m;  // of each point of the foot, along the line as it was given, on plan
   double height_m = 0, inclination_deg = 0;
   std::optional<double> capacity_kJ;  // nothing: of a collector, or without limit
   std::uint64_t hits = 0, rocks_hit = 0, passed_above = 0;

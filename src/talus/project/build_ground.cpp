@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "talus/io/class_raster.hpp"
 #include "talus/project/ground_areas.hpp"
@@ -53,6 +54,7 @@ class Classifier {
         of_part_(terrain.facet_centres.empty() ? terrain.parts : terrain.facet_centres.size(), default_) {
     for (const auto& [number, material] : project.ground.classes) {
       material_of_class_[number] = static_cast<std::uint8_t>(*project.number_of_material(material));
+      unmet_.insert(number);
     }
     for_each_part(terrain, [&](std::size_t number, const Vec2& middle) {
       numbers_.push_back(number);
@@ -96,10 +98,29 @@ class Classifier {
       warning.severity = Severity::warning;
       warnings.add(std::move(warning));
     }
+    if (!problems.has_errors()) warn_of_unmet(parts, warnings);
     return std::move(of_part_);
   }
 
  private:
+  /// A class of the project that is nowhere: perhaps another number was meant.
+  void warn_of_unmet(const char* parts, Problems& warnings) const {
+    if (unmet_.empty()) return;
+    constexpr std::size_t most_listed = 10;
+    std::string list;
+    std::size_t listed = 0;
+    for (const std::int32_t number : unmet_) {
+      if (listed == most_listed) break;
+      list += fmt::format("{}{}", listed++ == 0 ? "" : ", ", number);
+    }
+    if (unmet_.size() > listed) list += fmt::format(" and {} more", unmet_.size() - listed);
+    Problem warning = about_ground(
+        project_, fmt::format("classes has {}, which no part of the terrain has", list),
+        fmt::format("in raster \"{}\" at the middles of the terrain's {}", project_.ground.raster.string(), parts));
+    warning.severity = Severity::warning;
+    warnings.add(std::move(warning));
+  }
+
   void classify() {
     const auto classes = raster_.at(middles_);
     for (std::size_t i = 0; i < classes.size(); ++i) {
@@ -107,6 +128,7 @@ class Classifier {
         ++without_;
       } else if (const auto known = material_of_class_.find(*classes[i]); known != material_of_class_.end()) {
         of_part_[numbers_[i]] = known->second;
+        unmet_.erase(known->first);
       } else {
         ++unknown_[*classes[i]];
       }
@@ -122,6 +144,7 @@ class Classifier {
   std::vector<std::uint8_t> of_part_;
   std::map<std::int32_t, std::uint8_t> material_of_class_;
   std::map<std::int32_t, std::uint64_t> unknown_;  // classes without a material, and how many parts they have
+  std::set<std::int32_t> unmet_;                   // classes with a material that no part has
   std::uint64_t asked_ = 0, without_ = 0;
   std::vector<std::size_t> numbers_;
   std::vector<Vec2> middles_;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "talus/io/vector_file.hpp"
+#include "talus/project/build_terrain.hpp"
 #include "talus/project/choose_cells.hpp"
 #include "talus/project/drawn.hpp"
 #include "talus/project/named_files.hpp"
@@ -197,7 +198,7 @@ class SeederBuilder {
   }
 
   bool check_on_terrain(const Seeder& s, const Vec3& at, const std::string& which = "") {
-    if (is_on_terrain(at.head(2))) return true;
+    if (is_on_terrain(at.head(2))) return check_on_moved_slope(s, at.x());
     if (++off_terrain_ > most_complaints) return false;
     const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, model_.surface);
     const Vec3 low = model_.frame.global_from_local(box.low), high = model_.frame.global_from_local(box.high);
@@ -214,6 +215,17 @@ class SeederBuilder {
                     : fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
                                   low.x(), high.x(), low.y(), high.y()),
         project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders" : "");
+  }
+
+  /// Of a section whose vertices vary there is ground for every rock.
+  bool check_on_moved_slope(const Seeder& s, double x) {
+    if (!model_.varying) return true;
+    const CertainStretch certain = certain_stretch(project_.terrain);
+    const double origin = model_.frame.origin.x();
+    if (x >= certain.from - origin && x <= certain.to - origin) return true;
+    if (++off_terrain_ > most_complaints) return false;
+    return complain(s, fmt::format("x = {:.10g} may be off the terrain", x + origin), why_uncertain(certain),
+                    "Move it inwards, or give the end vertices less in x");
   }
 
   const Project& project_;

@@ -19,9 +19,21 @@ struct BuiltTerrain {
   std::string crs_wkt;                       // of the user's coordinates; empty: not known
   std::string report;                        // what mending a mesh found and did; what a raster is
   std::vector<std::uint32_t> part_of_facet;  // for each facet as the surface's source numbers it
-  std::vector<Vec2> facet_centres;           // the same facets on plan, the user's; where a ground from GIS or an area needs them
-  std::vector<double> facet_areas;           // and their areas on plan [m2]; where a ground from polygons needs them
+  std::vector<Vec2>
+      facet_centres;  // the same facets on plan, the user's; where a ground from GIS or an area needs them
+  std::vector<double> facet_areas;  // and their areas on plan [m2]; where a ground from polygons needs them
 };
+
+/// How many standard deviations a vertex of a varied section is moved at most, in x and in z.
+inline constexpr double most_deviations_of_vertex = 3;
+
+/// What of a section there is ground over for every rock, however its vertices are moved; x in the user's coordinates.
+struct CertainStretch {
+  double from, to;
+};
+[[nodiscard]] CertainStretch certain_stretch(const Terrain& terrain);
+/// Why a place beyond it is none to stand on, for a complaint.
+[[nodiscard]] std::string why_uncertain(const CertainStretch& stretch);
 
 [[nodiscard]] BuiltTerrain build_terrain(const Project& project, Problems& warnings);
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "talus/project/build_terrain.hpp"
 #include "talus/project/check_survey.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/settings.hpp"
@@ -58,11 +59,7 @@ void TerrainRules::check() const {
   }
   if (const Node section = good("section")) about_section(section);
   if (const Node deviations = good("section_std_dev_m"); deviations && good("section")) {
-    const std::size_t found = project.terrain.section_std_dev_m.size(), wanted = project.terrain.section.size();
-    if (found != wanted) {
-      refuse(deviations, fmt::format("section_std_dev_m has {}", counted(found, "entry", "entries")),
-             fmt::format("expected one for each of the {} vertices of the section", wanted));
-    }
+    about_deviations(deviations);
   }
   if (is_flat) {
     for (const std::string_view key : {"rotate_deg", "rotate_about"}) {
@@ -116,6 +113,33 @@ void TerrainRules::about_section(Node section) const {
     refuse(section, "section crosses or touches itself",
            fmt::format("at or near x = {:.10g}, z = {:.10g}", at->x(), at->y()),
            "Give its vertices in order along the slope");
+  }
+}
+
+void TerrainRules::about_deviations(Node deviations) const {
+  const auto& vertices = project.terrain.section;
+  const auto& std_devs = project.terrain.section_std_dev_m;
+  if (std_devs.size() != vertices.size()) {
+    refuse(deviations, fmt::format("section_std_dev_m has {}", counted(std_devs.size(), "entry", "entries")),
+           fmt::format("expected one for each of the {} vertices of the section", vertices.size()));
+    return;
+  }
+  const bool is_leftward = !vertices.empty() && vertices.front()[0] > vertices.back()[0];
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i + 1 < vertices.size() && wrong < most_complaints; ++i) {
+    const std::size_t left = is_leftward ? i + 1 : i, right = is_leftward ? i : i + 1;
+    if (vertices[left][0] >= vertices[right][0]) continue;  // the section itself goes back there
+    const double left_end = vertices[left][0] + most_deviations_of_vertex * std_devs[left][0];
+    const double right_end = vertices[right][0] - most_deviations_of_vertex * std_devs[right][0];
+    if (left_end < right_end || (std_devs[left][0] == 0 && std_devs[right][0] == 0)) continue;
+    refuse(
+        entry(deviations, i + 1),
+        fmt::format("section_std_dev_m lets section[{}] and section[{}] change places", i, i + 1),
+        fmt::format("vertices move by up to {:g} standard deviations: to x = {:.10g} from the left and to x = {:.10g} "
+                    "from the right, and a slope that goes back is none",
+                    most_deviations_of_vertex, left_end, right_end),
+        "Give them less in x, or leave one of the vertices out");
+    ++wrong;
   }
 }
 

@@ -24,6 +24,7 @@ struct TerrainRules {
   using Node = const toml::node*;
   void refuse(const Spot& at, std::string what, std::string why, std::string hint = "") const;
   void about_section(Node section) const;
+  void about_deviations(Node deviations) const;
   void about_mesh_file(Node mesh) const;
   void about_inline_mesh() const;
 };

@@ -21,7 +21,8 @@ DesignLine line_along(const talus::Barrier& barrier, std::uint32_t number, doubl
   DesignLine line{.name = barrier.name, .barrier = number};
   if (in_section || barrier.panels().empty()) return line;
   const Panel& last = barrier.panels().back();
-  line.length = last.station + last.plan_length;
+  line.start = barrier.panels().front().station;
+  line.length = last.station + last.plan_length - line.start;
   line.section_length = section_m;
   // The last one has half a section to one and a half: a sliver would have no rocks to speak of.
   const double sections = std::round(line.length / section_m);

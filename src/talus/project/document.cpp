@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <optional>
@@ -159,15 +161,46 @@ std::string entries_of(const toml::array& list) {
   return names.empty() ? numbers : fmt::format("{}, or {}", numbers, names);
 }
 
-bool is_bare_word(std::string_view text) {
-  if (text.empty() || text == "true" || text == "false" || text == "inf" || text == "nan") return false;
+/// Is this text a list, a table, a text in quotes or a number, well written or not? What is wrong with such a one is to
+/// be told, and it is not what somebody would call a file or a place.
+bool is_meant_as_toml(std::string_view text) {
+  if (text.empty() || std::string_view("[{\"'").find(text[0]) != std::string_view::npos) return true;
+  if (std::ranges::any_of(text, [](unsigned char letter) { return letter < ' ' || letter == 127; })) return true;
+  if (std::isalpha(static_cast<unsigned char>(text[0])) != 0) return false;
+  const std::string whole(text);
+  char* end = nullptr;
+  std::strtod(whole.c_str(), &end);
+  return *end == '\0' || !with_point(whole).empty();
+}
+
+std::string in_quotes(std::string_view text) {
+  std::string out = "\"";
   for (const char letter : text) {
-    const bool fits = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_' ||
-                      letter == ' ' || letter == '/' || letter == '.' || letter == '-';
-    const bool digit = letter >= '0' && letter <= '9';
-    if (!fits && !(digit && &letter != text.data())) return false;
+    if (letter == '"' || letter == '\\') out += '\\';
+    out += letter;
   }
-  return (text[0] >= 'a' && text[0] <= 'z') || (text[0] >= 'A' && text[0] <= 'Z');
+  return out + '"';
+}
+
+std::string_view without_spaces_around(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+/// The value of an override, as `value` in a table. What is no TOML is taken for a text without its quotes, such as
+/// ../dem.tif; whether one is wanted there, the reader of values says. Throws what toml++ finds wrong.
+toml::table table_of(std::string_view value_text, const std::string& source) {
+  const auto parse = [&](std::string_view value) {
+    return toml::parse(fmt::format("value = {}", value), std::string_view(source));
+  };
+  try {
+    return parse(value_text);
+  } catch (const toml::parse_error&) {
+    const std::string_view text = without_spaces_around(value_text);
+    if (is_meant_as_toml(text)) throw;
+    return parse(in_quotes(text));
+  }
 }
 
 }  // namespace
@@ -236,15 +269,15 @@ void Document::set(const std::string& override_text, Problems& problems) {
            "the longest of a project have four, as material.Rock.normal_restitution.mean");
     return;
   }
-  std::string value_text = override_text.substr(equals + 1);
-  if (is_bare_word(value_text)) value_text = '"' + value_text + '"';
+  const std::string value_text = override_text.substr(equals + 1);
   toml::table parsed;
-  if (line_of_endless_key(value_text)) {
+  // (Without an equals sign there is no key in it, but perhaps a path with many points.)
+  if (value_text.find('=') != std::string::npos && line_of_endless_key(value_text)) {
     refuse("the value is not TOML", fmt::format("a key in it has more than {} parts", most_parts_of_a_key));
     return;
   }
   try {
-    parsed = toml::parse("value = " + value_text, std::string_view(source));
+    parsed = table_of(value_text, source);
   } catch (const toml::parse_error& error) {
     refuse("the value is not TOML", std::string(error.description()), comma_hint("=" + value_text));
     return;
@@ -309,6 +342,12 @@ Problem Document::at(const Spot& spot, Severity severity) const {
 
 Problem Document::nowhere(std::string_view key) const {
   return {.file = file_, .where = {}, .what = {}, .why = {}, .hint = {}, .path = SettingPaths::below("", key)};
+}
+
+std::optional<double> number_in(const toml::node& node) {
+  if (const auto* real = node.as_floating_point()) return real->get();
+  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+  return std::nullopt;
 }
 
 std::string quoted(const toml::node& node) {

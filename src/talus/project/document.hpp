@@ -37,8 +37,9 @@ class Document {
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
 
-  /// Works `table.key=value` in, the value being TOML (a bare word is taken for a string). Entries of lists are called
-  /// by their number, counted from 0, or by their name: `seeder.0.rocks=10`, `material.Type One.roughness_deg=3`.
+  /// Works `table.key=value` in, the value being TOML (what is none and not meant to be is taken for a string). Entries
+  /// of lists are called by their number, counted from 0, or by their name: `seeder.0.rocks=10`, `material.Type
+  /// One.roughness_deg=3`.
   void set(const std::string& override_text, Problems& problems);
 
   [[nodiscard]] const toml::table& root() const { return root_; }
@@ -58,6 +59,10 @@ class Document {
 
 /// An entry of a list; the list itself where it has none of this number.
 [[nodiscard]] const toml::node* entry(const toml::node* list, std::size_t index);
+
+/// The number that a node is; nothing where it is none. (toml++ itself gives nothing for a whole number beyond 2^53
+/// that no double equals; here it is the nearest double.)
+[[nodiscard]] std::optional<double> number_in(const toml::node& node);
 
 /// A value as a complaint quotes it: in one line, cut where it is long.
 [[nodiscard]] std::string quoted(const toml::node& node);

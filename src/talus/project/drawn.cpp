@@ -4,33 +4,32 @@
 #include <array>
 
 #include "talus/core/check.hpp"
+#include "talus/project/settings.hpp"
 
 namespace talus::project {
 
 namespace {
 
-constexpr Bounds share{0, 1};
-constexpr Bounds not_negative{0, 1e300};
-constexpr Bounds positive{1e-300, 1e300};
+constexpr std::array of_material{"normal_restitution", "tangential_restitution", "friction_angle_deg",
+                                 "roughness_deg",      "dynamic_friction",       "rolling_friction"};
+constexpr std::array of_seeder{"mass_kg",
+                               "volume_m3",
+                               "diameter_m",
+                               "density_kg_m3",
+                               "speed_m_s",
+                               "horizontal_velocity_m_s",
+                               "vertical_velocity_m_s",
+                               "rotational_velocity_deg_s"};
 
-struct Bounded {
-  std::string_view key;
-  Bounds bounds;
-};
-constexpr std::array bounded{Bounded{"normal_restitution", share},
-                             Bounded{"tangential_restitution", share},
-                             Bounded{"friction_angle_deg", {0, 89.9}},
-                             Bounded{"roughness_deg", {}},
-                             Bounded{"dynamic_friction", not_negative},
-                             Bounded{"rolling_friction", not_negative},
-                             Bounded{"mass_kg", positive},
-                             Bounded{"volume_m3", positive},
-                             Bounded{"diameter_m", positive},
-                             Bounded{"density_kg_m3", positive},
-                             Bounded{"speed_m_s", not_negative},
-                             Bounded{"horizontal_velocity_m_s", {}},
-                             Bounded{"vertical_velocity_m_s", {}},
-                             Bounded{"rotational_velocity_deg_s", {}}};
+/// What no draw of a setting leaves: its range, where that is one of the values themselves.
+Bounds bounds_of(std::string_view table, std::string_view key) {
+  // That of roughness is a range of standard deviations: the tilt goes both ways.
+  if (key == "roughness_deg") return {};
+  Bounds range = bounds(table, key);
+  constexpr double nearly_upright = 89.9;  // [deg]; the tangent of 90 is none
+  if (key == "friction_angle_deg") range.most = nearly_upright;
+  return range;
+}
 
 }  // namespace
 
@@ -38,8 +37,10 @@ std::optional<Drawn> drawn(std::string_view key, const Distribution& given) {
   // A plain number of degrees is the standard deviation of the tilt; a distribution is that of the tilt itself.
   if (key == "roughness_deg" && given.kind == DistributionKind::none && given.mean != 0)
     return Drawn{{0, DistributionKind::normal, given.mean, {}, {}}, {-90, 90}};
-  const auto found = std::find_if(bounded.begin(), bounded.end(), [&](const Bounded& each) { return each.key == key; });
-  return found == bounded.end() ? std::nullopt : std::optional(Drawn{given, found->bounds});
+  const auto is_in = [key](const auto& keys) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
+  if (is_in(of_material)) return Drawn{given, bounds_of("material", key)};
+  if (is_in(of_seeder)) return Drawn{given, bounds_of("seeder", key)};
+  return std::nullopt;
 }
 
 Sampler sampler_of(std::string_view key, const Distribution& given, double scale) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "talus/ground/forest.hpp"
@@ -86,6 +87,23 @@ TerrainParts parts_as_given(const Project& project, BuiltTerrain& terrain) {
   return parts;
 }
 
+/// Where a line on plan lies on the ground.
+struct Foot {
+  std::vector<Vec3> points;
+  std::vector<double> stations;     // of each point, along the line as it was given, on plan [m]
+  double given = 0, on_ground = 0;  // how long the line is, and how much of it there is ground under, on plan [m]
+};
+
+/// Panels over a foot, which know their place along the line as it was given, whatever of it is off the terrain.
+std::vector<Panel> panels_along(const Foot& foot, double height, double inclination) {
+  std::vector<Panel> panels = panels_over(foot.points, height, inclination);
+  for (std::size_t k = 0; k < panels.size() && k + 1 < foot.stations.size(); ++k) {
+    panels[k].station = foot.stations[k];
+    panels[k].plan_length = foot.stations[k + 1] - foot.stations[k];
+  }
+  return panels;
+}
+
 class Builder {
  public:
   Builder(const Project& project, Problems& warnings) : project_(project), warnings_(warnings) {}
@@ -136,20 +154,51 @@ class Builder {
     if (b.normal_restitution && b.tangential_restitution) {
       barrier.restitution = Restitution{*b.normal_restitution, *b.tangential_restitution};
     }
-    barrier.stand(panels_over(foot_of(b), b.height_m, b.inclination_deg * radians));
+    const Foot foot = foot_of(b);
+    barrier.stand(panels_along(foot, b.height_m, b.inclination_deg * radians));
     if (barrier.panels().empty()) {
-      complain(b.source_line, fmt::format("{} \"{}\"", b.is_collector ? "collector" : "barrier", b.name),
-               "its line does not touch the terrain", "a barrier stands on the ground", "");
+      complain(b.source_line, called(b), "its line does not touch the terrain", "a barrier stands on the ground", "");
+    } else {
+      warn_of_gaps(b, foot);
+      check_on_moved_slope(b);
     }
     model_.barriers.push_back(std::move(barrier));
   }
 
+  static std::string called(const Barrier& b) {
+    return fmt::format("{} \"{}\"", b.is_collector ? "collector" : "barrier", b.name);
+  }
+
+  void warn_of_gaps(const Barrier& b, const Foot& foot) {
+    constexpr double by_rounding = 1e-3;  // [m]
+    const double off = foot.given - foot.on_ground;
+    if (off <= by_rounding) return;
+    warnings_.add({Severity::warning, project_.file.string(), b.source_line, called(b),
+                   fmt::format("{:.6g} of {:.6g} m of its line are off the terrain", off, foot.given),
+                   "at the line's ends it does not stand there, and over a gap between it goes straight on",
+                   "Compare its line with the terrain's edge and holes"});
+  }
+
+  /// Of a section whose vertices vary there is ground at it for every rock.
+  void check_on_moved_slope(const Barrier& b) {
+    if (!model_.varying) return;
+    const CertainStretch certain = certain_stretch(project_.terrain);
+    const double x = b.line.front()[0];
+    if (x >= certain.from && x <= certain.to) return;
+    complain(b.source_line, called(b), fmt::format("x = {:.10g} may be off the terrain", x), why_uncertain(certain),
+             "Move it inwards, or give the end vertices less in x");
+  }
+
+  [[nodiscard]] bool is_ground(const Vec2& at) const {
+    return visit([&](const auto& surface) { return surface.elevation(at.x(), at.y()).has_value(); });
+  }
+
   // The barrier's line laid on the ground. In 2D it runs along y, across the section.
-  std::vector<Vec3> foot_of(const Barrier& b) const {
-    std::vector<Vec3> foot;
+  Foot foot_of(const Barrier& b) const {
+    Foot foot;
     if (const auto* profile = std::get_if<Profile>(&model_.surface)) {
       const double x = b.line.front()[0] - model_.frame.origin.x();
-      if (const auto z = profile->elevation(x)) foot = {Vec3(x, -1, *z), Vec3(x, 1, *z)};
+      if (const auto z = profile->elevation(x)) foot.points = {Vec3(x, -1, *z), Vec3(x, 1, *z)};
       return foot;
     }
     const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
@@ -158,11 +207,21 @@ class Builder {
       return std::get<TriangleMesh>(model_.surface).draped(from, to);
     };
     for (std::size_t k = 0; k + 1 < b.line.size(); ++k) {
-      for (const Vec3& p :
-           drape(Vec2(b.line[k][0], b.line[k][1]) - origin, Vec2(b.line[k + 1][0], b.line[k + 1][1]) - origin)) {
-        const bool repeats = !foot.empty() && (p - foot.back()).squaredNorm() < 1e-12;
-        if (!repeats) foot.push_back(p);
+      const Vec2 from = Vec2(b.line[k][0], b.line[k][1]) - origin;
+      const Vec2 to = Vec2(b.line[k + 1][0], b.line[k + 1][1]) - origin;
+      const std::vector<Vec3> draped = drape(from, to);
+      for (std::size_t i = 0; i < draped.size(); ++i) {
+        const Vec3& p = draped[i];
+        // Wherever the ground bends there is a point, so that between two of them is ground or none.
+        if (i > 0) {
+          const Vec2 piece = (p - draped[i - 1]).head<2>();
+          if (is_ground(draped[i - 1].head<2>() + 0.5 * piece)) foot.on_ground += piece.norm();
+        }
+        if (!foot.points.empty() && (p - foot.points.back()).squaredNorm() < 1e-12) continue;
+        foot.points.push_back(p);
+        foot.stations.push_back(foot.given + (p.head<2>() - from).norm());
       }
+      foot.given += (to - from).norm();
     }
     return foot;
   }

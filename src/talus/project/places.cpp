@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "talus/project/values.hpp"
+#include "talus/terrain/mend.hpp"
 #include "talus/terrain/plan_polygon.hpp"
 
 namespace talus::project {
@@ -91,7 +94,8 @@ bool ValueReader::into(const Value& value, DirectionSlot slot) {
     good = into(part, &read[is_pair && i == 1 ? 2 : i]) && good;
   }
   if (!good) return false;
-  if (read == std::array<double, 3>{}) return refuse_kind(value, "a direction with a length");
+  constexpr double shortest = 1e-9;  // of much less the square is none
+  if (std::hypot(read[0], read[1], read[2]) < shortest) return refuse_kind(value, "a direction with a length");
   if (two_dimensional_ && read[1] != 0) return refuse_kind(value, "y to be 0, the analysis being 2D");
   if (read[2] != 0 && !value.row.contains("speed_m_s")) {
     return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)),
@@ -100,6 +104,13 @@ bool ValueReader::into(const Value& value, DirectionSlot slot) {
   }
   *slot.direction = read;
   return true;
+}
+
+bool ValueReader::plan_coordinate(const Value& value, double* member) {
+  if (!into(value, member)) return false;
+  if (std::abs(*member) <= largest_coordinate_m) return true;
+  return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)),
+                fmt::format("coordinates lie within {:g} m", largest_coordinate_m));
 }
 
 std::optional<std::vector<std::array<double, 2>>> ValueReader::plan_points(const Value& value) {
@@ -115,7 +126,7 @@ std::optional<std::vector<std::array<double, 2>>> ValueReader::plan_points(const
     bool good = true;
     for (std::size_t k = 0; k < 2; ++k) {
       const Value part{value.setting, (*pair)[k], value.row, value.where, fmt::format("{}[{}]", entry.name, k)};
-      good = into(part, &read[i][k]) && good;
+      good = plan_coordinate(part, &read[i][k]) && good;
     }
     if (!good) return std::nullopt;
     if (i > 0 && read[i] == read[i - 1]) {
@@ -156,7 +167,7 @@ bool ValueReader::into(const Value& value, PlanLineSlot slot) {
     if (list && list->size() != 1) return refuse_kind(value, "x, the analysis being 2D");
     const toml::node& node = list ? (*list)[0] : value.node;
     double x = 0;
-    if (!into(Value{value.setting, node, value.row, value.where, value.name}, &x)) return false;
+    if (!plan_coordinate(Value{value.setting, node, value.row, value.where, value.name}, &x)) return false;
     slot.barrier->line = {{x, 0}};
     return true;
   }

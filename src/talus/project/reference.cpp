@@ -125,8 +125,8 @@ plan, z up.
 A section without `width_m` is analysed in 2D: positions then are [x, z]. Everything else is 3D, and positions are
 [x, y, z].
 
-On the command line, `--set table.key=value` overrides a key; the value is TOML, and a bare word is a text. Entries of
-lists are called by their number, counted from 0, or by their name:
+On the command line, `--set table.key=value` overrides a key; the value is TOML, and what is none, as `../dem.tif` or
+`EPSG:31287`, is a text. Entries of lists are called by their number, counted from 0, or by their name:
 `--set analysis.gravity_m_s2=9.81 --set seeder.0.rocks=10 --set "material.Type One.normal_restitution.mean=0.4"`.
 A name with a dot in it stands in double quotes. `--rocks N` is the number of rocks in all: several seeders share them
 in proportion to what the file gives each. `--seed S` is short for `--set sampling.seed=S`.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <system_error>
+
 #include "talus/core/check.hpp"
 #include "talus/io/derived_files.hpp"
 #include "talus/io/design_tables.hpp"
@@ -176,6 +178,9 @@ Problems write_results(const std::filesystem::path& folder, const io::RunDescrip
   io::remove_design_tables(folder);
   if (design) io::write_design_tables(folder, *description.design, *design);
   io::write_derived_files(folder);
+  // That of an earlier run would tell of other tables.
+  std::error_code ignored;
+  std::filesystem::remove(folder / "report.html", ignored);
   if (description.wants_report) {
     const std::filesystem::path folders[] = {folder};
     io::write_report(folders, folder / "report.html");

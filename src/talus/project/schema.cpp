@@ -77,7 +77,7 @@ struct Typed {
   Json operator()(const std::map<std::string, std::string>*) const {
     return {{"type", "object"}, {"additionalProperties", text()}, {"minProperties", 1}};
   }
-  Json operator()(PlanPolygonSlot) const { return list_of(tuple_of({{"type", "number"}}, 2, 2), 3); }
+  Json operator()(PlanPolygonSlot) const { return list_of(tuple_of(number(), 2, 2), 3); }
   Json operator()(LibrarySlot) const {
     Json keys = Json::array();
     for (const LibraryMaterial& entry : material_library()) keys.push_back(entry.key);
@@ -87,16 +87,14 @@ struct Typed {
   requires std::is_enum_v<Enumeration> Json operator()(const Enumeration*) const {
     return {{"enum", Json(words(Enumeration{}))}};
   }
-  Json position() const {
-    return tuple_of({{"anyOf", Json::array({Json{{"type", "number"}}, Json{{"const", "surface"}}})}}, 1, 3);
-  }
+  Json position() const { return tuple_of({{"anyOf", Json::array({number(), Json{{"const", "surface"}}})}}, 1, 3); }
   Json operator()(PositionSlot) const { return position(); }
   Json operator()(PointsSlot) const { return list_of(position(), 2); }
   Json operator()(PlanLineSlot) const {
-    const Json plain{{"type", "number"}};
+    const Json plain = number();
     return {{"anyOf", Json::array({plain, tuple_of(plain, 1, 1), list_of(tuple_of(plain, 2, 2), 2)})}};
   }
-  Json operator()(DirectionSlot) const { return tuple_of({{"type", "number"}}, 2, 3); }
+  Json operator()(DirectionSlot) const { return tuple_of(number(), 2, 3); }
   Json operator()(RockLimitSlot) const { return {{"anyOf", Json::array({Json{{"enum", {"all", "none"}}}, whole()})}}; }
   Json operator()(MapCellSlot) const { return {{"anyOf", Json::array({Json{{"const", "terrain"}}, number()})}}; }
 };

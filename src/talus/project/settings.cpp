@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "talus/core/check.hpp"
+#include "talus/terrain/mend.hpp"
 
 namespace talus::project {
 namespace {
@@ -17,6 +18,25 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The most rocks of one seeder, and of all: far beyond any campaign, far below where 64-bit sums overflow.
 constexpr double most_rocks = 1e12;
+
+// Numbers beyond what any engineer meets, and so far inside what a double holds that no product of them overflows: the
+// energies, times and ways that follow from them stay numbers.
+constexpr double least_mass_kg = 1e-9, most_mass_kg = 1e12;
+constexpr double least_volume_m3 = 1e-12, most_volume_m3 = 1e9;
+constexpr double least_diameter_m = 1e-4, most_diameter_m = 1e5;
+constexpr double most_speed_m_s = 1e4;
+constexpr double most_rotation_deg_s = 1e6;
+constexpr double least_gravity_m_s2 = 1e-6, most_gravity_m_s2 = 1e3;
+constexpr double most_time_s = 1e6;
+constexpr double most_height_m = 1e4;  // of what stands on the ground
+constexpr double most_energy_kJ = 1e20;
+constexpr double most_drag_kg_s = 1e12;
+constexpr double most_factor = 1e6;  // of what has no unit, and of drags of the ground
+constexpr double most_exponent = 100;
+
+constexpr std::string_view within_places = "places are given in metres";
+constexpr std::string_view too_fast = "no rock falls so fast";
+constexpr std::string_view too_heavy = "no rock is so heavy";
 
 template <class Struct, class Member>
 std::function<Slot(Row)> member(Member Struct::*pointer) {
@@ -50,10 +70,20 @@ std::function<Slot(Row)> map_cell_slot() {
 }
 
 constexpr Range at_least(double least, std::string_view why = {}) { return {.least = least, .too_low = why}; }
-constexpr Range more_than(double least, std::string_view why = {}) {
-  return {.least = least, .least_excluded = true, .too_low = why};
-}
 constexpr Range between(double least, double most) { return {.least = least, .most = most}; }
+/// From nothing, or from more than nothing, up to what no engineer meets.
+constexpr Range up_to(double most, std::string_view too_low = {}, std::string_view too_high = {}) {
+  return {.least = 0, .most = most, .too_low = too_low, .too_high = too_high};
+}
+constexpr Range above_0_up_to(double most, std::string_view too_low = {}, std::string_view too_high = {}) {
+  return {.least = 0, .most = most, .least_excluded = true, .too_low = too_low, .too_high = too_high};
+}
+constexpr Range within(double size, std::string_view why = {}) {
+  return {.least = -size, .most = size, .too_low = why, .too_high = why};
+}
+/// Coordinates, as those of terrains. (Those of lines and polygons on plan are looked at where they are read,
+/// places.cpp: where such a list is missing, a range of numbers says nothing.)
+constexpr Range place = within(largest_coordinate_m, within_places);
 
 constexpr Range restitution{.least = 0,
                             .most = 1,
@@ -161,7 +191,9 @@ Table analysis() {
               {.key = "gravity_m_s2",
                .slot = member(&Analysis::gravity_m_s2),
                .unit = "m/s2",
-               .range = more_than(0, "gravity is given as a magnitude, it points down by itself"),
+               .range = {.least = least_gravity_m_s2,
+                         .most = most_gravity_m_s2,
+                         .too_low = "gravity is given as a magnitude, it points down by itself"},
                .meaning = "Acceleration of gravity.",
                .source = "standard gravity, as in the tables of RocFall2 and RocFall3; the manual's hand calculations "
                          "use 9.81",
@@ -174,36 +206,41 @@ Table analysis() {
               {.key = "max_timestep_s",
                .slot = member(&Analysis::max_timestep_s),
                .unit = "s",
-               .range = more_than(0),
+               .range = {.least = 1e-4,
+                         .most = most_time_s,
+                         .too_low = "one slide would take billions of shorter steps, which nothing can interrupt"},
                .meaning = "Time step of stepped sliding and of rolling.",
                .source = "RocFall3"},
               {.key = "normal_velocity_cutoff_m_s",
                .slot = member(&Analysis::normal_velocity_cutoff_m_s),
                .unit = "m/s",
-               .range = at_least(0),
+               .range = up_to(most_speed_m_s),
                .meaning = "A rock that leaves an impact with a smaller normal velocity stays on the ground and slides "
                           "or rolls.",
                .source = "RocFall2 and RocFall3"},
               {.key = "stopped_velocity_m_s",
                .slot = member(&Analysis::stopped_velocity_m_s),
                .unit = "m/s",
-               .range = at_least(0),
+               .range = up_to(most_speed_m_s),
                .meaning = "A slower rock is at rest where friction can hold it.",
                .source = "RocFall2 and RocFall3"},
               {.key = "max_steps",
                .slot = member(&Analysis::max_steps),
                .range = between(1, 1e9),
-               .meaning = "A rock with more contacts and sliding steps than this is ended and counted as such.",
+               .meaning =
+                   "A rock with more flights, impacts and stretches along the ground than this, counted together, is "
+                   "ended and counted as such.",
                .source = "Talus"},
               {.key = "max_time_s",
                .slot = member(&Analysis::max_time_s),
                .unit = "s",
-               .range = more_than(0),
+               .range = above_0_up_to(most_time_s),
                .meaning = "A rock that moves longer than this is ended and counted as such.",
                .source = "Talus"},
               {.key = "energy_datum_m",
                .slot = member(&Analysis::energy_datum_m),
                .unit = "m",
+               .range = place,
                .without_it = "the lowest point of the terrain",
                .meaning = "Height at which potential energy is zero.",
                .source = "the manual: 0 in sections 2, 3 and 7, the lowest vertex in sections 1 and 6"},
@@ -219,7 +256,7 @@ Table analysis() {
               {.key = "rn_velocity_scale_m_s",
                .slot = member(&Analysis::rn_velocity_scale_m_s),
                .unit = "m/s",
-               .range = more_than(0),
+               .range = above_0_up_to(most_speed_m_s),
                .meaning = "Normal velocity at which scaling by velocity halves the normal restitution.",
                .source = "30 ft/s, Pfeiffer and Bowen 1989 (CRSP)"},
               {.key = "scale_rn_by_mass",
@@ -229,7 +266,7 @@ Table analysis() {
               {.key = "rn_mass_scale_kg",
                .slot = member(&Analysis::rn_mass_scale_kg),
                .unit = "kg",
-               .range = more_than(0),
+               .range = above_0_up_to(most_mass_kg),
                .meaning = "Mass at which scaling by mass halves the normal restitution.",
                .source = "RocFall"},
               {.key = "tangential_crsp_damping",
@@ -293,16 +330,17 @@ Table terrain() {
               {.key = "section_std_dev_m",
                .slot = member(&Terrain::section_std_dev_m),
                .unit = "m",
-               .range = at_least(0),
+               .range = up_to(largest_coordinate_m),
                .without_it = "the vertices are certain",
                .excludes = {"width_m"},
                .meaning = "2D: standard deviations [of x, of z] of the vertices, one pair for each vertex; every rock "
-                          "falls down its own slope.",
+                          "falls down its own slope. "
+                          "Vertices move by up to 3 of them, and keep their order in x.",
                .source = "RocFall2"},
               {.key = "width_m",
                .slot = member(&Terrain::width_m),
                .unit = "m",
-               .range = more_than(0),
+               .range = above_0_up_to(largest_coordinate_m),
                .without_it = "the analysis is 2D",
                .excludes = {"section_std_dev_m"},
                .meaning = "Extrudes the section along y, from y = 0 to this width, to a 3D terrain.",
@@ -391,14 +429,14 @@ Table terrain() {
               {.key = "max_edge_m",
                .slot = member(&Terrain::max_edge_m),
                .unit = "m",
-               .range = more_than(0),
+               .range = above_0_up_to(largest_coordinate_m),
                .without_it = "no limit",
                .meaning = "Triangles of a survey with a longer side at the rim are left out, from the rim inwards.",
                .source = "after Duckham et al. 2008"},
               {.key = "remove_spikes_m",
                .slot = member(&Terrain::remove_spikes_m),
                .unit = "m",
-               .range = more_than(0),
+               .range = above_0_up_to(largest_coordinate_m),
                .without_it = "all points stay",
                .meaning = "Points of a survey further than this above or below the plane of their neighbours are left "
                           "out.",
@@ -427,7 +465,7 @@ Table terrain() {
               {.key = "merge_tolerance_m",
                .slot = member(&Terrain::merge_tolerance_m),
                .unit = "m",
-               .range = at_least(0),
+               .range = up_to(largest_coordinate_m),
                .meaning =
                    "Vertices of `polylines` or `polygons` as near as this become one, which makes one surface of "
                    "them.",
@@ -449,6 +487,7 @@ Table terrain() {
               {.key = "rotate_about",
                .slot = member(&Terrain::rotate_about),
                .unit = "m",
+               .range = place,
                .meaning = "A point [x, y, z] on the vertical axis of that turn.",
                .source = "the manual, section 5"},
           },
@@ -509,23 +548,23 @@ Table material() {
               {.key = "roughness_spacing_m",
                .slot = member(&Material::roughness_spacing_m),
                .unit = "m",
-               .range = at_least(0),
+               .range = up_to(most_diameter_m),
                .meaning = "Rigid sphere: distance of the bumps of a rough ground.",
                .source = "RocFall: slope roughness"},
               {.key = "roughness_amplitude_m",
                .slot = member(&Material::roughness_amplitude_m),
                .unit = "m",
-               .range = at_least(0),
+               .range = up_to(most_diameter_m),
                .meaning = "Rigid sphere: height of the bumps of a rough ground.",
                .source = "RocFall: slope roughness"},
               {.key = "dynamic_friction",
                .slot = member(&Material::dynamic_friction),
-               .range = at_least(0, "friction cannot push"),
+               .range = up_to(most_factor, "friction cannot push"),
                .meaning = "Rigid sphere: mu, the coefficient of friction while the contact slips.",
                .source = "the manual, section 7; the default is a choice of Talus"},
               {.key = "rolling_friction",
                .slot = member(&Material::rolling_friction),
-               .range = at_least(0, "friction cannot push"),
+               .range = up_to(most_factor, "friction cannot push"),
                .meaning = "Rigid sphere: mu_r, the moment against rolling over weight and radius.",
                .source = "RocFall; the default is a choice of Talus"},
               {.key = "forest",
@@ -537,7 +576,7 @@ Table material() {
               {.key = "forest_drag_kg_s",
                .slot = member(&Material::forest_drag_kg_s),
                .unit = "kg/s",
-               .range = more_than(0, "trees cannot push"),
+               .range = above_0_up_to(most_drag_kg_s, "trees cannot push"),
                .without_it = "that of `forest`",
                .excludes = {"forest"},
                .meaning = "b, the force on a rock among the trees over its velocity.",
@@ -545,7 +584,7 @@ Table material() {
               {.key = "forest_height_m",
                .slot = member(&Material::forest_height_m),
                .unit = "m",
-               .range = more_than(0, "a forest stands on the ground"),
+               .range = above_0_up_to(most_height_m, "a forest stands on the ground"),
                .without_it = "required beside forest or forest_drag_kg_s",
                .meaning = "Effective height of the forest: it brakes rocks whose centre is less than this above the "
                           "ground.",
@@ -553,7 +592,7 @@ Table material() {
               {.key = "ground_drag_per_s",
                .slot = member(&Material::ground_drag_per_s),
                .unit = "1/s",
-               .range = at_least(0, "ground cannot push"),
+               .range = up_to(most_factor, "ground cannot push"),
                .meaning = "Viscoplastic drag of soft ground: beside friction, a rock that slides or rolls on it is "
                           "braked by this times its velocity.",
                .source = "RAMMS::ROCKFALL (Bartelt et al. 2016): 0.3 on bedrock to 0.9 on a moor, see docs/laws.md"},
@@ -699,6 +738,7 @@ Table seeder() {
               {.key = "position",
                .slot = position_slot(),
                .unit = "m",
+               .range = place,
                .without_it = "required for a point",
                .excludes = {"points"},
                .meaning = "[x, z] in 2D, [x, y, z] in 3D; z may be `\"surface\"`, or left out with `height_above_m` "
@@ -707,6 +747,7 @@ Table seeder() {
               {.key = "points",
                .slot = points_slot(),
                .unit = "m",
+               .range = place,
                .without_it = "required for a line",
                .excludes = {"position", "lines"},
                .meaning = "Two or more positions, each as for a point.",
@@ -778,7 +819,9 @@ Table seeder() {
               {.key = "cell_m",
                .slot = member(&Seeder::cell_m),
                .unit = "m",
-               .range = at_least(0.01, "nothing is known of the ground on that scale"),
+               .range = {.least = 0.01,
+                         .most = largest_coordinate_m,
+                         .too_low = "nothing is known of the ground on that scale"},
                .without_it =
                    "required for a polygon or raster seeder where the terrain is no raster, which has its own",
                .meaning = "Side of a cell from which rocks start; the cells' borders are at multiples of it.",
@@ -790,7 +833,7 @@ Table seeder() {
               {.key = "height_above_m",
                .slot = member(&Seeder::height_above_m),
                .unit = "m",
-               .range = at_least(0, "a rock starts on the ground or above it"),
+               .range = up_to(largest_coordinate_m, "a rock starts on the ground or above it", within_places),
                .without_it = "z says it",
                .meaning = "Height above the terrain, instead of z.",
                .source = "Talus"},
@@ -810,7 +853,8 @@ Table seeder() {
               {.key = "mass_kg",
                .slot = member(&Seeder::mass_kg),
                .unit = "kg",
-               .range = more_than(0, "a rock has mass"),
+               .range =
+                   {.least = least_mass_kg, .most = most_mass_kg, .too_low = "a rock has mass", .too_high = too_heavy},
                .without_it = one_size,
                .excludes = {"volume_m3", "diameter_m"},
                .meaning = "Mass of a rock.",
@@ -819,7 +863,10 @@ Table seeder() {
               {.key = "volume_m3",
                .slot = member(&Seeder::volume_m3),
                .unit = "m3",
-               .range = more_than(0, "a rock has a volume"),
+               .range = {.least = least_volume_m3,
+                         .most = most_volume_m3,
+                         .too_low = "a rock has a volume",
+                         .too_high = "no rock is so large"},
                .without_it = one_size,
                .excludes = {"mass_kg", "diameter_m"},
                .meaning = "Volume of a rock; its mass follows from the density.",
@@ -827,7 +874,10 @@ Table seeder() {
               {.key = "diameter_m",
                .slot = member(&Seeder::diameter_m),
                .unit = "m",
-               .range = more_than(0, "a rock has a size"),
+               .range = {.least = least_diameter_m,
+                         .most = most_diameter_m,
+                         .too_low = "a rock has a size",
+                         .too_high = "no rock is so large"},
                .without_it = one_size,
                .excludes = {"mass_kg", "volume_m3"},
                .meaning = "Diameter of the sphere with the rock's volume; its mass follows from the density.",
@@ -845,19 +895,21 @@ Table seeder() {
               {.key = "horizontal_velocity_m_s",
                .slot = member(&Seeder::horizontal_velocity_m_s),
                .unit = "m/s",
+               .range = within(most_speed_m_s, too_fast),
                .excludes = {"speed_m_s"},
                .meaning = "Horizontal velocity at the start, along `direction`.",
                .source = "the manual, table 1-1"},
               {.key = "vertical_velocity_m_s",
                .slot = member(&Seeder::vertical_velocity_m_s),
                .unit = "m/s",
+               .range = within(most_speed_m_s, too_fast),
                .excludes = {"speed_m_s"},
                .meaning = "Vertical velocity at the start, positive up.",
                .source = "the manual, table 1-1"},
               {.key = "speed_m_s",
                .slot = member(&Seeder::speed_m_s),
                .unit = "m/s",
-               .range = at_least(0, "the direction says where to"),
+               .range = up_to(most_speed_m_s, "the direction says where to", too_fast),
                .without_it = "horizontal_velocity_m_s and vertical_velocity_m_s hold",
                .excludes = {"horizontal_velocity_m_s", "vertical_velocity_m_s"},
                .meaning = "Velocity at the start along a full, not only horizontal, `direction`.",
@@ -865,10 +917,12 @@ Table seeder() {
               {.key = "rotational_velocity_deg_s",
                .slot = member(&Seeder::rotational_velocity_deg_s),
                .unit = "deg/s",
+               .range = within(most_rotation_deg_s, "no rock spins so fast"),
                .meaning = "Spin at the start, positive where the rock rolls forwards along `direction`.",
                .source = "the manual, table 1-1"},
               {.key = "direction",
                .slot = direction_slot(),
+               .range = within(largest_coordinate_m),
                .meaning = "[x, z] in 2D, [x, y, z] in 3D, of any length: of the horizontal velocity (then z is 0), or "
                           "of `speed_m_s`.",
                .source = "Talus"},
@@ -896,7 +950,7 @@ std::vector<Setting> line_settings(std::string_view unnamed) {
       {.key = "height_m",
        .slot = member(&Barrier::height_m),
        .unit = "m",
-       .range = more_than(0, "it could not be hit"),
+       .range = above_0_up_to(most_height_m, "it could not be hit", "nothing is built so high"),
        .required = true,
        .meaning = "Height along it, from the ground at its foot.",
        .source = "the manual, section 4"},
@@ -928,9 +982,11 @@ Table barrier() {
                             .slot = member(&Barrier::capacity_kJ),
                             .unit = "kJ",
                             .range = {.least = 0,
+                                      .most = most_energy_kJ,
                                       .least_excluded = true,
                                       .infinite_allowed = true,
-                                      .too_low = "it could stop nothing, and a [[collector]] is what only counts"},
+                                      .too_low = "it could stop nothing, and a [[collector]] is what only counts",
+                                      .too_high = "what stops every rock has the capacity inf"},
                             .meaning = "Kinetic energy that it takes; a rock with more breaks through with the excess.",
                             .source = "the manual, section 4, has barriers of infinite capacity"});
   table.settings.push_back({.key = "normal_restitution",
@@ -962,7 +1018,9 @@ Table collector() {
   };
 }
 
-Range factor_of_safety() { return at_least(1, "a factor of safety takes nothing away"); }
+Range factor_of_safety() {
+  return {.least = 1, .most = most_factor, .too_low = "a factor of safety takes nothing away"};
+}
 
 Table design() {
   return {
@@ -988,9 +1046,9 @@ Table design() {
               {.key = "section_m",
                .slot = member(&Design::section_m),
                .unit = "m",
-               .range = more_than(0, "a line is cut into pieces of it"),
-               .meaning = "3D: length of the sections of a line, on plan, from its first point on; the last one has "
-                          "half as much to one and a half times as much.",
+               .range = above_0_up_to(largest_coordinate_m, "a line is cut into pieces of it"),
+               .meaning = "3D: length of the sections of a line, on plan, from where it first stands on the terrain "
+                          "on; the last one has half as much to one and a half times as much.",
                .source = "Talus"},
               {.key = "percentiles",
                .slot = member(&Design::percentiles),
@@ -1066,7 +1124,10 @@ Table design() {
               {.key = "block_mass_kg",
                .slot = member(&Design::block_mass_kg),
                .unit = "kg",
-               .range = more_than(0, "a block weighs something"),
+               .range = {.least = least_mass_kg,
+                         .most = most_mass_kg,
+                         .too_low = "a block weighs something",
+                         .too_high = too_heavy},
                .without_it = "each rock has its own mass",
                .meaning = "Mass of the design block: energies of the check are then its own, at the velocities of the "
                           "rocks.",
@@ -1075,7 +1136,7 @@ Table design() {
               {.key = "upper_clearance_m",
                .slot = member(&Design::upper_clearance_m),
                .unit = "m",
-               .range = at_least(0),
+               .range = up_to(most_height_m),
                .meaning = "f, the least that a kit is higher than the design height; at least half the block, too.",
                .source = "UNI 11211-4"},
               {.key = "catch_share",
@@ -1091,23 +1152,23 @@ Table design() {
               {.key = "heights_m",
                .slot = member(&Design::heights_m),
                .unit = "m",
-               .range = more_than(0, "it could not be hit"),
+               .range = above_0_up_to(most_height_m, "it could not be hit", "nothing is built so high"),
                .meaning = "Nominal heights of the kits to choose from.",
                .source = "Talus"},
               {.key = "energies_kJ",
                .slot = member(&Design::energies_kJ),
                .unit = "kJ",
-               .range = more_than(0, "it could stop nothing"),
+               .range = above_0_up_to(most_energy_kJ, "it could stop nothing"),
                .meaning = "Maximum energy levels of the kits to choose from.",
                .source = "EAD 340059-00-0106, classes 0 to 7"},
               {.key = "cost_height_exponent",
                .slot = member(&Design::cost_height_exponent),
-               .range = at_least(0, "a higher kit is not cheaper"),
+               .range = up_to(most_exponent, "a higher kit is not cheaper"),
                .meaning = "a of the cost index: length x height^a x energy^b, in m and kJ.",
                .source = "Talus; an input"},
               {.key = "cost_energy_exponent",
                .slot = member(&Design::cost_energy_exponent),
-               .range = at_least(0, "a stronger kit is not cheaper"),
+               .range = up_to(most_exponent, "a stronger kit is not cheaper"),
                .meaning = "b of the cost index.",
                .source = "Talus; an input"},
           },
@@ -1141,7 +1202,9 @@ Table output() {
               {.key = "raster_cell_m",
                .slot = map_cell_slot(),
                .unit = "m",
-               .range = at_least(0.01, "nothing is known of the ground on that scale"),
+               .range = {.least = 0.01,
+                         .most = largest_coordinate_m,
+                         .too_low = "nothing is known of the ground on that scale"},
                .meaning =
                    "Side of a map's cell, whose borders are at multiples of it; with `\"terrain\"` the cells are "
                    "those of the terrain's raster.",
@@ -1221,6 +1284,15 @@ Table distribution() {
 template <std::size_t count>
 using Words = std::array<std::string_view, count>;
 
+/// 1e12 and 1e-9 for a power of ten whose zeros nobody counts; others as they are.
+std::string limit_text(double limit) {
+  const double size = std::abs(limit);
+  if (size == 0 || !std::isfinite(size) || (size > 1e-3 && size < 1e6)) return fmt::format("{}", limit);
+  const double power = std::round(std::log10(size));
+  if (size != std::pow(10, power)) return fmt::format("{}", limit);
+  return fmt::format("{}1e{}", limit < 0 ? "-" : "", power);
+}
+
 }  // namespace
 
 bool Range::contains(double value) const {
@@ -1233,10 +1305,11 @@ bool Range::is_everything() const { return least == -infinity && most == infinit
 
 std::string Range::text() const {
   if (is_everything()) return "any number";
-  if (most == infinity) return least_excluded ? fmt::format("more than {}", least) : fmt::format("{} or more", least);
-  if (!least_excluded && !most_excluded) return fmt::format("{} to {}", least, most);
-  if (!least_excluded) return fmt::format("{} to less than {}", least, most);
-  return fmt::format("more than {}, {} {}", least, most_excluded ? "less than" : "up to", most);
+  const std::string from = limit_text(least), to = limit_text(most);
+  if (most == infinity) return least_excluded ? fmt::format("more than {}", from) : fmt::format("{} or more", from);
+  if (!least_excluded && !most_excluded) return fmt::format("{} to {}", from, to);
+  if (!least_excluded) return fmt::format("{} to less than {}", from, to);
+  return fmt::format("more than {}, {} {}", from, most_excluded ? "less than" : "up to", to);
 }
 
 std::span<const std::string_view> words(RockModel) {

@@ -266,10 +266,9 @@ bool ValueReader::into(const Value& value, bool* member) {
 
 bool ValueReader::into(const Value& value, double* member) {
   const Range& range = value.setting.range;
-  if (!value.node.is_number()) {
-    return refuse_kind(value, kind_of_number("a number", range), number_hint(value.node));
-  }
-  const double number = *value.node.value<double>();
+  const std::optional<double> given = number_in(value.node);
+  if (!given) return refuse_kind(value, kind_of_number("a number", range), number_hint(value.node));
+  const double number = *given;
   if (!std::isfinite(number) && !range.contains(number)) return refuse_kind(value, "a finite number");
   if (!range.contains(number)) {
     return refuse(value, fmt::format("{} is {}", value.name, number_text(number)), reason(range, number),

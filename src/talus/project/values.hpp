@@ -93,6 +93,7 @@ class ValueReader {
   std::optional<Position> position(const Value& value);
   /// Points [x, y]; complains of the first that is none, or that repeats the one before it.
   std::optional<std::vector<std::array<double, 2>>> plan_points(const Value& value);
+  bool plan_coordinate(const Value& value, double* member);
   void doubt(const Value& value, double number);
 
   /// Adds a problem about the value and gives false, so that a reader can return it.

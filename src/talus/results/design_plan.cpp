@@ -6,12 +6,13 @@
 namespace talus {
 
 std::uint32_t DesignLine::section_at(double station) const {
-  if (sections == 1 || !(station > 0)) return 0;
-  return static_cast<std::uint32_t>(std::min(station / section_length, static_cast<double>(sections - 1)));
+  const double along = station - start;
+  if (sections == 1 || !(along > 0)) return 0;
+  return static_cast<std::uint32_t>(std::min(along / section_length, static_cast<double>(sections - 1)));
 }
 
 double DesignLine::section_begin(std::uint32_t section) const {
-  return section >= sections ? length : section * section_length;
+  return start + (section >= sections ? length : section * section_length);
 }
 
 double CostIndex::of(double length, double height, double maximum_energy) const {

@@ -10,13 +10,15 @@
 
 namespace talus {
 
-/// A line on plan that rocks cross, cut into sections from its first point on.
+/// A line on plan that rocks cross, cut into sections from its first point on, or from the first that is on the
+/// terrain.
 struct DesignLine {
   std::string name;
   std::uint32_t barrier = 0;   // or collector: its number
-  double length = 0;           // on plan [m]; 0 in 2D, where it is a place
+  double length = 0;           // from its start on, on plan [m]; 0 in 2D, where it is a place
   double section_length = 0;   // of all sections but the last one, which takes the rest [m]
   std::uint32_t sections = 1;  // at least one
+  double start = 0;            // where it begins, from the first point as it was given, on plan [m]
 
   [[nodiscard]] std::uint32_t section_at(double station) const;
   /// Where a section begins; that after the last one: where the line ends.

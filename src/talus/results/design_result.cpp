@@ -34,7 +34,7 @@ class Evaluation {
         if (s > 0) whole.merge(sections[s]);
         of_line.sections.push_back(figures(sections[s], line.section_begin(s), line.section_begin(s + 1)));
       }
-      of_line.whole = figures(whole, 0, line.length);
+      of_line.whole = figures(whole, line.start, line.start + line.length);
       add_choices(k, result.ranking);
     }
     // What is equal in all this keeps the order of lines and heights.

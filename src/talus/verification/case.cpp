@@ -274,9 +274,11 @@ class CaseReader {
                             .value_or(Statistic::mean);
       if (const toml::node* between = fields.find("between")) {
         const toml::array* ends = between->as_array();
-        const bool is_pair = ends && ends->size() == 2 && (*ends)[0].is_number() && (*ends)[1].is_number();
-        if (is_pair) {
-          value.published = Interval{(*ends)[0].value_or(0.0), (*ends)[1].value_or(0.0)};
+        const bool is_pair = ends && ends->size() == 2;
+        const auto low = is_pair ? project::number_in((*ends)[0]) : std::nullopt;
+        const auto high = is_pair ? project::number_in((*ends)[1]) : std::nullopt;
+        if (low && high) {
+          value.published = Interval{*low, *high};
         } else {
           fields.complain(*between, fmt::format("between is {}", project::quoted(*between)), "expected [low, high]");
         }

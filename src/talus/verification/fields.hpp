@@ -130,8 +130,8 @@ class Fields {
     return {};
   }
   std::optional<double> number_of(const toml::node& node, std::string_view key) {
-    const auto value = node.value<double>();
-    if (node.is_number() && value && *value >= 0) return value;
+    const auto value = project::number_in(node);
+    if (value && *value >= 0) return value;
     complain(node, fmt::format("{} is {}", key, project::quoted(node)), "expected a number, not negative");
     return std::nullopt;
   }

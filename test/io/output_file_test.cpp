@@ -1,0 +1,63 @@
+#include "talus/io/output_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "sample_run.hpp"
+#include "talus/core/problems.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PlaceOfFile : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string refusal(const std::string& name) const {
+    try {
+      static_cast<void>(place_of_file(folder_.path / name));
+    } catch (const BadInput& bad) {
+      return std::string(bad.what()).substr(folder_.path.string().size() + 1);
+    }
+    return "has a place";
+  }
+  [[nodiscard]] std::string place(const std::string& name) const {
+    return place_of_file(folder_.path / name).lexically_normal().lexically_relative(folder_.path).string();
+  }
+
+  io::sample_run::Folder folder_{"output"};
+};
+
+TEST_F(PlaceOfFile, IsThatOfAnOrdinaryFileOrOfNone) {
+  folder_.write("file", "");
+  EXPECT_EQ(place("file"), "file");
+  EXPECT_EQ(place("new"), "new");
+}
+
+TEST_F(PlaceOfFile, IsWhereLinksLead) {
+  fs::create_directories(folder_.path / "a/b");
+  folder_.write("file", "");
+  fs::create_symlink("../../file", folder_.path / "a/b/link");
+  fs::create_symlink("a/b/link", folder_.path / "link");
+  fs::create_symlink(folder_.path / "not there yet", folder_.path / "dangling");
+  EXPECT_EQ(place("link"), "file");
+  EXPECT_EQ(place("dangling"), "not there yet");
+  fs::create_symlink("round", folder_.path / "round");
+  EXPECT_EQ(refusal("round"),
+            "round: cannot write this file (Too many levels of symbolic links). Choose another output folder with -o");
+}
+
+TEST_F(PlaceOfFile, IsNoneOfWhatIsNoFile) {
+  ASSERT_EQ(::mkfifo((folder_.path / "pipe").c_str(), 0600), 0);
+  fs::create_symlink("pipe", folder_.path / "link");
+  fs::create_directories(folder_.path / "folder");
+  fs::create_symlink("/dev/null", folder_.path / "null");
+  const std::string hint = "). Name an ordinary file, or one that is not there yet";
+  EXPECT_EQ(refusal("pipe"), "pipe: cannot write this file (it is a pipe" + hint);
+  EXPECT_EQ(refusal("link"), "link: cannot write this file (it is a pipe" + hint);
+  EXPECT_EQ(refusal("folder"), "folder: cannot write this file (it is a folder" + hint);
+  EXPECT_EQ(refusal("null"), "null: cannot write this file (it is a device" + hint);
+}
+
+}  // namespace
+}  // namespace talus
