@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <new>
 #include <system_error>
 
 #include "commands.hpp"
@@ -33,6 +34,9 @@ int answer(const std::function<int()>& work) {
     if (std::ferror(stdout) == 0) return internal(error);
     output_error = error.code().value();
     return bad_input;  // output_taken() says more
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "talus: not enough memory for what was asked\n");
+    return bad_input;
   } catch (const std::exception& error) {
     return internal(error);
   }

@@ -83,6 +83,39 @@ TEST(LogBins, SeveralAtATimeAreTheSameAsOneByOne) {
   }
 }
 
+// Of all quantities, among few entries and among many, and where an entry cannot count them any more.
+TEST(LogBins, BatchesAreTheSameAsOneByOne) {
+  Dice dice(19);
+  LogBins::Batch batch;
+  for (int trial = 0; trial < 300; ++trial) {
+    LogBins together, single;
+    for (int run = 0; run < 6; ++run) {
+      const double low = dice.magnitude(1e-5, 1e6), high = low * dice.magnitude(1, dice.chance(0.3) ? 1e6 : 4);
+      for (std::size_t k = dice.below(dice.chance(0.5) ? 12 : 500); k > 0; --k) {
+        const auto which = static_cast<std::uint32_t>(dice.below(4));
+        const auto value = static_cast<float>(dice.magnitude(low, high));
+        single.add(which, value);
+        batch.put(which, value);
+      }
+      together.add(batch);
+      ASSERT_EQ(together, single);
+    }
+  }
+  LogBins together, single;
+  for (const int count : {65'000, 535, 1, 3, 60'000, 10'000, 65'000}) {
+    for (int k = 0; k < count; ++k) {
+      batch.put(2, 7.5F);
+      single.add(2, 7.5F);
+    }
+    batch.put(0, 1);
+    single.add(0, 1);
+    batch.put(3, 0);
+    single.add(3, 0);
+    together.add(batch);
+    ASSERT_EQ(together, single) << count;
+  }
+}
+
 // More values in a bin than one entry can count, added one by one and by merging: the same bits.
 TEST(LogBins, CountsFarInOneBin) {
   LogBins one_by_one, merged, part;

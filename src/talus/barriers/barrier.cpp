@@ -8,10 +8,6 @@
 
 namespace talus {
 
-namespace {
-constexpr double by_rounding = 1e-6;  // by which ranges are widened [m]
-}
-
 const char* name(BarrierOutcome outcome) {
   switch (outcome) {
     case BarrierOutcome::stopped:
@@ -91,6 +87,7 @@ void Barrier::stand(std::vector<Panel> panels) {
 }
 
 double free_way(std::span<const Barrier> barriers, const Vec3& p, double radius) {
+  constexpr double by_rounding = 1e-6;  // [m]
   double nearest = std::numeric_limits<double>::infinity();
   for (const Barrier& barrier : barriers) nearest = barrier.on_plan().distance(p.head<2>(), nearest);
   return std::max(0.0, nearest - radius - by_rounding);

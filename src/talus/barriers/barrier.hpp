@@ -27,7 +27,7 @@ struct Panel {
   Vec3 up;                              // unit, up the face
   Vec3 normal;                          // unit, across the face
   double height = 0;                    // [m]
-  double station = 0, plan_length = 0;  // where its foot begins along the line, and how long it is, on plan [m]
+  double station = 0, plan_length = 0;  // where its foot begins along the line as given, and its share of it [m]
   // At a bend of the line, leaning panels meet where their planes do: by how much of the foot's direction their sides
   // go on with each metre up the face.
   double start_lean = 0, end_lean = 0;

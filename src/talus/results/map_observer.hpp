@@ -61,7 +61,8 @@ class MapObserver : public SummingObserver {
   std::optional<Maps> total_;  // of split maps, once it was asked for
   // Committed blocks, until there are enough of them to share the work of adding them between threads.
   std::vector<Block> waiting_;
-  std::size_t waiting_visits_ = 0;
+  static constexpr std::size_t least_enough = 1U << 20;  // 32 MB
+  std::size_t waiting_visits_ = 0, enough_visits_ = least_enough;
 };
 
 }  // namespace talus

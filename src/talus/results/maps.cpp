@@ -12,23 +12,34 @@
 
 namespace talus {
 
-void MapTally::add(std::span<const MapVisit* const> visits) {
-  constexpr std::size_t most = 256;  // at a time
-  for (; visits.size() > most; visits = visits.subspan(most)) add(visits.first(most));
+void MapTally::add(std::span<const MapVisit* const> visits, LogBins::Batch& batch) {
   passages_ += visits.size();
-  std::array<std::array<float, most>, map_quantity_count> values;
-  for (std::size_t n = 0; n < visits.size(); ++n) {
-    deposits_ += visits[n]->is_deposit ? 1 : 0;
-    impacts_ += visits[n]->impacts;
-    for (std::size_t k = 0; k < map_quantity_count; ++k) values[k][n] = visits[n]->greatest[k];
-  }
-  for (std::size_t k = 0; k < map_quantity_count; ++k) {
-    const auto all = std::span<const float>(values[k]).first(visits.size());
-    for (const float value : all) {
-      greatest_[k] = std::max(greatest_[k], value);
-      sums_[k].add(static_cast<double>(value));
+  for (const MapVisit* visit : visits) {
+    deposits_ += visit->is_deposit ? 1 : 0;
+    impacts_ += visit->impacts;
+    for (std::size_t k = 0; k < map_quantity_count; ++k) {
+      greatest_[k] = std::max(greatest_[k], visit->greatest[k]);
+      sums_[k].add(static_cast<double>(visit->greatest[k]));
     }
-    bins_.add(static_cast<std::uint32_t>(k), all);
+  }
+  constexpr std::size_t few = 32;
+  if (visits.size() > few) {
+    add_many(visits);
+    return;
+  }
+  for (const MapVisit* visit : visits) {
+    for (std::uint32_t k = 0; k < map_quantity_count; ++k) batch.put(k, visit->greatest[k]);
+  }
+  bins_.add(batch);
+}
+
+void MapTally::add_many(std::span<const MapVisit* const> visits) {
+  constexpr std::size_t most = 256;  // at a time
+  for (; visits.size() > most; visits = visits.subspan(most)) add_many(visits.first(most));
+  std::array<float, most> values;
+  for (std::uint32_t k = 0; k < map_quantity_count; ++k) {
+    for (std::size_t n = 0; n < visits.size(); ++n) values[n] = visits[n]->greatest[k];
+    bins_.add(k, std::span<const float>(values).first(visits.size()));
   }
 }
 
@@ -107,10 +118,11 @@ void Maps::Tile::add_waiting() {
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<const MapVisit*> sorted(waiting_.size());
   for (const MapVisit* visit : waiting_) sorted[ends[place_in_tile(visit->cell)]++] = visit;
+  LogBins::Batch batch;
   for (auto first = sorted.begin(); first != sorted.end();) {
     const MapCell cell = (*first)->cell;
     const auto last = std::find_if(first, sorted.end(), [&](const MapVisit* visit) { return visit->cell != cell; });
-    tally(cell).add(std::span(first, last));
+    tally(cell).add(std::span(first, last), batch);
     first = last;
   }
   waiting_.clear();

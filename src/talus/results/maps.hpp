@@ -38,7 +38,8 @@ struct MapVisit {
 /// All rocks in one cell.
 class MapTally {
  public:
-  void add(std::span<const MapVisit* const> visits);
+  /// `batch` is empty, and is again afterwards.
+  void add(std::span<const MapVisit* const> visits, LogBins::Batch& batch);
   void merge(const MapTally& other);
   void save(ByteWriter& out) const;
   void merge_saved(ByteReader& in);
@@ -61,6 +62,8 @@ class MapTally {
   friend bool operator==(const MapTally&, const MapTally&) = default;
 
  private:
+  void add_many(std::span<const MapVisit* const> visits);
+
   std::uint64_t passages_ = 0, deposits_ = 0, impacts_ = 0;
   std::array<float, map_quantity_count> greatest_{};
   std::array<FixedSum, map_quantity_count> sums_;

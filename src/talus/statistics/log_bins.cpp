@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/sort/pdqsort/pdqsort.hpp>
 
 #include "talus/core/check.hpp"
 #include "talus/statistics/quantile.hpp"
@@ -47,9 +48,7 @@ std::size_t LogBins::add_key(std::uint32_t key, std::uint32_t count, std::size_t
     *place += full - count_of(*place);
     added = key << count_bits | (together - full);
   }
-  if (entries_.size() == entries_.capacity()) {
-    entries_.reserve(entries_.size() + std::max<std::size_t>(4, entries_.size() / 4));
-  }
+  make_room(1);
   entries_.insert(entries_.begin() + static_cast<std::ptrdiff_t>(index), added);
   return index;
 }
@@ -75,6 +74,63 @@ void LogBins::add(std::uint32_t which, std::span<const float> values) {
   for (std::uint32_t k = 0; k < bins; ++k) {
     if (counts[k] > 0) place = add_key(least_key + k, counts[k], place);
   }
+}
+
+void LogBins::make_room(std::size_t more) {
+  const std::size_t needed = entries_.size() + more;
+  if (needed > entries_.capacity()) entries_.reserve(needed + std::max<std::size_t>(4, needed / 4));
+}
+
+/// Makes of the batch's keys, sorted, those that differ and how often each is there.
+auto LogBins::count_keys(Batch& batch) const -> Additions {
+  std::vector<std::uint32_t>& keys = batch.keys_;
+  batch.counts_.clear();
+  Additions additions;
+  auto entry = entries_.begin();
+  std::size_t different = 0;
+  for (std::size_t k = 0; k < keys.size();) {
+    const std::uint32_t key = keys[k];
+    std::uint32_t count = 0;
+    for (; k < keys.size() && keys[k] == key; ++k) ++count;
+    while (entry != entries_.end() && *entry >> count_bits < key) ++entry;
+    if (entry == entries_.end() || *entry >> count_bits != key) {
+      ++additions.without_entry;
+    } else if (count_of(*entry) + count > full) {
+      additions.overflow = true;
+    }
+    keys[different++] = key;
+    batch.counts_.push_back(count);
+  }
+  keys.resize(different);
+  return additions;
+}
+
+void LogBins::add(Batch& batch) {
+  std::vector<std::uint32_t>& keys = batch.keys_;
+  TALUS_PROMISE(keys.size() <= full, "an entry can count them");
+  boost::sort::pdqsort_branchless(keys.begin(), keys.end());
+  const auto [without_entry, overflow] = count_keys(batch);
+  constexpr std::size_t sparse = 16;  // entries a key, from which on each finds its own place sooner
+  if (overflow || sparse * keys.size() < entries_.size()) {
+    for (std::size_t k = 0; k < keys.size(); ++k) add_key(keys[k], batch.counts_[k], 0);
+  } else {
+    // From the last one on, so that each entry is moved once.
+    std::size_t from = entries_.size(), to = from + without_entry;
+    make_room(without_entry);
+    entries_.resize(to);
+    const auto move_one = [&] { entries_[--to] = entries_[--from]; };
+    for (std::size_t k = keys.size(); k-- > 0;) {
+      const std::uint32_t key = keys[k];
+      while (from > 0 && entries_[from - 1] >> count_bits > key) move_one();
+      while (from > 1 && entries_[from - 2] >> count_bits == key) move_one();  // the full ones of this key
+      if (from > 0 && entries_[from - 1] >> count_bits == key) {
+        entries_[--to] = entries_[--from] + batch.counts_[k];
+      } else {
+        entries_[--to] = key << count_bits | batch.counts_[k];
+      }
+    }
+  }
+  keys.clear();
 }
 
 void LogBins::merge(const LogBins& other) {

@@ -23,6 +23,18 @@ class LogBins {
   void add(std::uint32_t which, float value) { add_key(key(which, value), 1, 0); }
   /// Several at a time, which is faster: up to 65535.
   void add(std::uint32_t which, std::span<const float> values);
+  /// A few values of all quantities, to be put among the entries in one go, which is faster yet where entries are many
+  /// and far away in memory.
+  class Batch {
+   public:
+    void put(std::uint32_t which, float value) { keys_.push_back(key(which, value)); }
+
+   private:
+    friend class LogBins;
+    std::vector<std::uint32_t> keys_, counts_;
+  };
+  /// Empties the batch, of up to 65535 values.
+  void add(Batch& batch);
   void merge(const LogBins& other);
 
   void save(ByteWriter& out) const { out.list(entries_); }
@@ -41,6 +53,12 @@ class LogBins {
   [[nodiscard]] static std::uint32_t key(std::uint32_t which, float value);
   /// Looks among the entries from `from` on, and gives the place of the key's first entry.
   std::size_t add_key(std::uint32_t key, std::uint32_t count, std::size_t from);
+  void make_room(std::size_t more);
+  struct Additions {
+    std::size_t without_entry = 0;
+    bool overflow = false;  // of the count in an entry
+  };
+  [[nodiscard]] Additions count_keys(Batch& batch) const;
 
   // Ascending; the upper 16 bits are the key, the lower ones a count of 1 to 65535. Of entries with one key all but the
   // first are full, so that there is one representation of the same counts.

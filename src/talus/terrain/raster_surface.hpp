@@ -4,7 +4,7 @@
 //
 // Every cell is cut along the diagonal whose ends differ less in height, the one from south-west to north-east where
 // they agree: the surface then follows ridges and valleys that cross the grid at an angle, and mirroring or turning the
-// grid by quarter turns changes nothing. A cell with a node without data is a hole.
+// grid by quarter turns changes nothing else. A cell with a node without data is a hole.
 
 #include <algorithm>
 #include <array>
