@@ -138,13 +138,14 @@ class RockRun {
                          const OnGround* phase = nullptr);
   [[nodiscard]] std::optional<Vec3> thrown_back(const Crossing& crossing, const Vec3& velocity, const Vec3& pull,
                                                 const OnGround* phase) const;
-  void note_passage(const Crossing& crossing, double time) {
+  /// Where it goes on at `velocity`.
+  void note_passage(const Crossing& crossing, double time, const Vec3& velocity) {
     constexpr double none = 1e-3;  // [m/s]
-    crossed_.note_passage(crossing, time, time + 4 * reach_ / std::max(motion_.velocity.norm(), none));
+    crossed_.note_passage(crossing, time, time + 4 * reach_ / std::max(velocity.norm(), none));
   }
   /// `there` is the rock where it passes.
   void pass_above(const Crossing& crossing, const Motion& there) {
-    note_passage(crossing, motion_.time + crossing.t);
+    note_passage(crossing, motion_.time + crossing.t, there.velocity);
     log_.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.height, crossing.station});
   }
 
@@ -413,8 +414,8 @@ auto RockRun<Surface>::meet_barrier(const Crossing& crossing, double noted_time,
   log_.hits.push_back({crossing.barrier, motion_, crossing.height, angle, response.outcome, crossing.station});
   if (response.outcome == BarrierOutcome::rebounded) {
     crossed_.note_rebound(crossing, noted_time);
-  } else {
-    note_passage(crossing, noted_time);
+  } else if (response.leaving) {
+    note_passage(crossing, noted_time, response.leaving->velocity);
   }
   if (barrier.is_collector) return AtBarrier::untouched;
 

@@ -375,10 +375,8 @@ auto RockRun<Surface>::rim_ahead(const Parabola& leg, double t) const -> std::op
     return !surface_.elevation(centre.x(), centre.y());
   };
   if (reach_ == 0 || !is_beside(t)) return std::nullopt;
-  constexpr double precisely = 1e-10;  // [m]
   double inside = 0;
-  while ((leg.at(t) - leg.at(inside)).norm() > precisely) {
-    const double middle = 0.5 * (inside + t);
+  for (double middle = 0.5 * t; middle > inside && middle < t; middle = 0.5 * (inside + t)) {
     (is_beside(middle) ? t : inside) = middle;
   }
   const auto exit = exit_here(leg.at(t), leg.velocity(t));
