@@ -417,7 +417,8 @@ TEST(Forest, EveryPathIsSound) {
             << who << " piece " << k;
         ASSERT_NEAR(piece.time(piece.duration), is_last ? next.time : pieces[k + 1].start_time, 1e-9) << who;
       }
-      // Each barrier is met once where it is met.
+      // Each barrier is met once where it is met; but what it throws back may come again in the same moment, of a step
+      // that ends downhill, and stays there then.
       for (std::size_t k = 1; k < log.hits.size(); ++k) {
         const bool again = log.hits[k].barrier == log.hits[k - 1].barrier;
         const bool leans = std::abs(log.hits[k].motion.velocity.x()) < 1e-3 ||  // on the barrier, which runs along y
