@@ -27,6 +27,32 @@ test('a run is cancelled and kept, another is compared with the first', async ({
   await expect(page.getByRole('img', { name: /^Histogram of runout on plan/ })).toBeVisible();
 });
 
+// The answer comes while the number of rocks is being typed, and draws the form again.
+test('what is typed stays in its field when the model comes late', async ({ workbench: page }) => {
+  await openExample(page, 'Tutorial 1, a section');
+  let answer = () => {};
+  const isTyping = new Promise<void>((resolve) => (answer = resolve));
+  await page.route(/\/api\/model$/, async (route) => {
+    await isTyping;
+    await route.continue();
+  });
+  await openForm(page, /^Type One/);
+  await page.getByLabel('Normal restitution: mean').fill('0.45');
+  const asked = page.waitForRequest(/\/api\/model$/);
+  await page.getByLabel('Normal restitution: mean').press('Tab');
+  await asked;
+  await page.getByRole('button', { name: 'Options of the run' }).click();
+  const rocks = page.getByLabel('Number of rocks in all');
+  await rocks.pressSequentially('12');
+  const answered = page.waitForResponse(/\/api\/model$/);
+  answer();
+  await answered;
+  await expect(page.getByText('checking…')).toHaveCount(0);
+  await page.keyboard.type('34');
+  await expect(rocks).toHaveValue('1234');
+  await expect(page.getByLabel('Name of the run')).toHaveValue('');
+});
+
 test('twenty steps are undone and done again', async ({ workbench: page }) => {
   test.setTimeout(180_000);
   await openExample(page, 'Tutorial 1, a section');

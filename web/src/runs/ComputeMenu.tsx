@@ -5,6 +5,7 @@ import { valueAt } from '../state/document';
 import { model, problems } from '../state/model';
 import { compute } from '../state/runs';
 import { sidePanel } from '../state/view';
+import { focusOnceMade } from '../ui/focus';
 import './runs.css';
 
 const wholeNumber = (text: string) => (text.trim() === '' ? undefined : Number(text));
@@ -28,7 +29,7 @@ function Options({ close }: { close: () => void }) {
     <form class="compute-menu" aria-label="Options of the run" onSubmit={submit}>
       <label>
         Name of the run
-        <input name="name" maxLength={200} placeholder="as the project" ref={(field) => field?.focus()} />
+        <input name="name" maxLength={200} placeholder="as the project" ref={focusOnceMade} />
       </label>
       <label>
         Number of rocks in all

@@ -1,6 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { Run } from '../api/types';
 import { rename } from '../state/runs';
+import { focusOnceMade } from '../ui/focus';
 
 /// The name of a run; a click makes it a field.
 export function RunName({ run }: { run: Run }) {
@@ -21,7 +22,7 @@ export function RunName({ run }: { run: Run }) {
       aria-label="Name of the run"
       defaultValue={run.name}
       maxLength={200}
-      ref={(field) => field?.focus()}
+      ref={focusOnceMade}
       onFocus={(event) => event.currentTarget.select()}
       onBlur={(event) => end(event.currentTarget.value.trim())}
       onKeyDown={(event) => {
