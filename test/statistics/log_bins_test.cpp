@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -57,62 +58,31 @@ TEST(LogBins, SmallValuesAreZeroAndLargeOnesStayInTheLastBin) {
   EXPECT_NEAR(bins.quantile(3, 0.5, 1) / 0x1p80, 1, 0.008);
 }
 
-// Values that lie near each other, far from each other, few and many: the same bits as one by one.
-TEST(LogBins, SeveralAtATimeAreTheSameAsOneByOne) {
+// Near each other and far from each other, few and many, settled now and then: what is asked gives the same.
+TEST(LogBins, WhenTheyAreSettledMakesNoDifference) {
   Dice dice(18);
   for (int trial = 0; trial < 300; ++trial) {
-    LogBins together, single;
-    for (int run = 0; run < 3; ++run) {
-      const double low = dice.magnitude(1e-5, 1e6), high = low * dice.magnitude(1, dice.chance(0.3) ? 1e6 : 4);
-      std::vector<float> values(dice.below(dice.chance(0.5) ? 12 : 1000));
-      const auto which = static_cast<std::uint32_t>(dice.below(4));
-      for (float& value : values) {
-        value = static_cast<float>(dice.magnitude(low, high));
-        single.add(which, value);
-      }
-      together.add(which, values);
-    }
-    ASSERT_EQ(together, single);
-  }
-  LogBins together, single;
-  for (const std::size_t count : {65535U, 65535U, 3U, 20000U, 65535U}) {  // more than an entry can count
-    const std::vector<float> values(count, 7.5F);
-    together.add(1, values);
-    for (const float value : values) single.add(1, value);
-    ASSERT_EQ(together, single);
-  }
-}
-
-// Of all quantities, among few entries and among many, and where an entry cannot count them any more.
-TEST(LogBins, BatchesAreTheSameAsOneByOne) {
-  Dice dice(19);
-  LogBins::Batch batch;
-  for (int trial = 0; trial < 300; ++trial) {
-    LogBins together, single;
-    for (int run = 0; run < 6; ++run) {
-      const double low = dice.magnitude(1e-5, 1e6), high = low * dice.magnitude(1, dice.chance(0.3) ? 1e6 : 4);
-      for (std::size_t k = dice.below(dice.chance(0.5) ? 12 : 500); k > 0; --k) {
+    LogBins now_and_then, never;
+    std::array<std::vector<float>, 4> values;
+    for (int run = 0; run < 4; ++run) {
+      const double low = dice.magnitude(1e-3, 1e6), high = low * dice.magnitude(1, dice.chance(0.3) ? 1e6 : 4);
+      for (std::size_t k = dice.below(dice.chance(0.5) ? 12 : 1000); k > 0; --k) {
         const auto which = static_cast<std::uint32_t>(dice.below(4));
         const auto value = static_cast<float>(dice.magnitude(low, high));
-        single.add(which, value);
-        batch.put(which, value);
+        values[which].push_back(value);
+        now_and_then.add(which, value);
+        never.add(which, value);
       }
-      together.add(batch);
-      ASSERT_EQ(together, single);
+      now_and_then.settle();
+      ASSERT_EQ(now_and_then, never);
     }
-  }
-  LogBins together, single;
-  for (const int count : {65'000, 535, 1, 3, 60'000, 10'000, 65'000}) {
-    for (int k = 0; k < count; ++k) {
-      batch.put(2, 7.5F);
-      single.add(2, 7.5F);
+    for (std::uint32_t which = 0; which < 4; ++which) {
+      if (values[which].empty()) continue;
+      const double exact = exact_quantile(values[which], 0.9);
+      ASSERT_NEAR(now_and_then.quantile(which, 0.9, values[which].size()), exact, 0.0079 * exact);
+      ASSERT_EQ(never.quantile(which, 0.9, values[which].size()),
+                now_and_then.quantile(which, 0.9, values[which].size()));
     }
-    batch.put(0, 1);
-    single.add(0, 1);
-    batch.put(3, 0);
-    single.add(3, 0);
-    together.add(batch);
-    ASSERT_EQ(together, single) << count;
   }
 }
 
@@ -128,7 +98,8 @@ TEST(LogBins, CountsFarInOneBin) {
   EXPECT_NEAR(merged.quantile(1, 0.5, 200'001), 5, 0.04);
   EXPECT_NEAR(merged.quantile(1, 0.999994, 200'001), 5, 0.04);
   EXPECT_NEAR(merged.quantile(1, 1, 200'001), 80, 0.7);
-  EXPECT_LE(one_by_one.bytes(), 32U);
+  one_by_one.settle();
+  EXPECT_LE(one_by_one.bytes(), 4 * 128U);  // what waits until it is settled, and no more
 }
 
 TEST(LogBins, MergeToTheSameCountsWhateverTheSplit) {

@@ -220,7 +220,7 @@ void MapObserver::commit(ObserverPart& part) {
   total_.reset();
   waiting_visits_ += seen.visits.size();
   waiting_.push_back({std::move(seen.visits), std::move(seen.stretches)});
-  if (waiting_visits_ >= enough_visits_) add_waiting();
+  if (waiting_visits_ >= enough_visits) add_waiting();
 }
 
 void MapObserver::add_waiting() {
@@ -238,15 +238,15 @@ void MapObserver::add_waiting() {
   }
   waiting_.clear();
   waiting_visits_ = 0;
-  // What is known of a cell is far away in memory: so that it is fetched for several visits, as many wait as take a
-  // fifth of what the maps do.
-  std::size_t cells = 0;
-  for (const Maps& maps : maps_) cells += maps.touched_cells();
-  enough_visits_ = std::max(least_enough, 4 * cells);
+}
+
+void MapObserver::settle() {
+  add_waiting();
+  for (Maps& maps : maps_) maps.settle();
 }
 
 void MapObserver::save(ByteWriter& out) {
-  add_waiting();
+  settle();
   out.flag(is_split_);
   out.count(maps_.size());
   for (const Maps& maps : maps_) maps.save(out);
@@ -259,17 +259,18 @@ void MapObserver::merge_saved(ByteReader& in) {
 }
 
 const Maps& MapObserver::maps() {
-  add_waiting();
+  settle();
   if (!is_split_) return maps_.front();
   if (!total_) {
     total_.emplace(maps_.front().grid());
     for (const Maps& maps : maps_) total_->merge(maps);
+    total_->settle();
   }
   return *total_;
 }
 
 std::span<const Maps> MapObserver::by_source() {
-  add_waiting();
+  settle();
   return is_split_ ? std::span<const Maps>(maps_) : std::span<const Maps>();
 }
 

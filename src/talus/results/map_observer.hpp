@@ -53,6 +53,7 @@ class MapObserver : public SummingObserver {
   class Part;
 
   void add_waiting();
+  void settle();
 
   RockModel model_;
   GroundHeight ground_;
@@ -61,8 +62,8 @@ class MapObserver : public SummingObserver {
   std::optional<Maps> total_;  // of split maps, once it was asked for
   // Committed blocks, until there are enough of them to share the work of adding them between threads.
   std::vector<Block> waiting_;
-  static constexpr std::size_t least_enough = 1U << 20;  // 32 MB
-  std::size_t waiting_visits_ = 0, enough_visits_ = least_enough;
+  static constexpr std::size_t enough_visits = 1U << 20;  // 32 MB
+  std::size_t waiting_visits_ = 0;
 };
 
 }  // namespace talus

@@ -12,7 +12,7 @@
 
 namespace talus {
 
-void MapTally::add(std::span<const MapVisit* const> visits, LogBins::Batch& batch) {
+void MapTally::add(std::span<const MapVisit* const> visits) {
   passages_ += visits.size();
   for (const MapVisit* visit : visits) {
     deposits_ += visit->is_deposit ? 1 : 0;
@@ -22,24 +22,8 @@ void MapTally::add(std::span<const MapVisit* const> visits, LogBins::Batch& batc
       sums_[k].add(static_cast<double>(visit->greatest[k]));
     }
   }
-  constexpr std::size_t few = 32;
-  if (visits.size() > few) {
-    add_many(visits);
-    return;
-  }
   for (const MapVisit* visit : visits) {
-    for (std::uint32_t k = 0; k < map_quantity_count; ++k) batch.put(k, visit->greatest[k]);
-  }
-  bins_.add(batch);
-}
-
-void MapTally::add_many(std::span<const MapVisit* const> visits) {
-  constexpr std::size_t most = 256;  // at a time
-  for (; visits.size() > most; visits = visits.subspan(most)) add_many(visits.first(most));
-  std::array<float, most> values;
-  for (std::uint32_t k = 0; k < map_quantity_count; ++k) {
-    for (std::size_t n = 0; n < visits.size(); ++n) values[n] = visits[n]->greatest[k];
-    bins_.add(k, std::span<const float>(values).first(visits.size()));
+    for (std::uint32_t k = 0; k < map_quantity_count; ++k) bins_.add(k, visit->greatest[k]);
   }
 }
 
@@ -118,11 +102,10 @@ void Maps::Tile::add_waiting() {
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<const MapVisit*> sorted(waiting_.size());
   for (const MapVisit* visit : waiting_) sorted[ends[place_in_tile(visit->cell)]++] = visit;
-  LogBins::Batch batch;
   for (auto first = sorted.begin(); first != sorted.end();) {
     const MapCell cell = (*first)->cell;
     const auto last = std::find_if(first, sorted.end(), [&](const MapVisit* visit) { return visit->cell != cell; });
-    tally(cell).add(std::span(first, last), batch);
+    tally(cell).add(std::span(first, last));
     first = last;
   }
   waiting_.clear();
@@ -151,6 +134,14 @@ void Maps::add(std::uint64_t rocks, std::span<const std::span<const MapVisit>> v
   // Isolated: a thread that waits for the last tile must not begin a block of rocks meanwhile.
   tbb::this_task_arena::isolate(
       [&] { tbb::parallel_for_each(touched.begin(), touched.end(), [](Tile* each) { each->add_waiting(); }); });
+}
+
+void Maps::settle() {
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for_each(tiles_.begin(), tiles_.end(), [](auto& each) {
+      for (MapTally& tally : each.second->tallies_) tally.settle();
+    });
+  });
 }
 
 void Maps::merge(const Maps& other) {

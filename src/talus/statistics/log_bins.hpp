@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "talus/core/bytes.hpp"
@@ -20,24 +19,12 @@ namespace talus {
 /// many, and all together a quarter more for growing.
 class LogBins {
  public:
-  void add(std::uint32_t which, float value) { add_key(key(which, value), 1, 0); }
-  /// Several at a time, which is faster: up to 65535.
-  void add(std::uint32_t which, std::span<const float> values);
-  /// A few values of all quantities, to be put among the entries in one go, which is faster yet where entries are many
-  /// and far away in memory.
-  class Batch {
-   public:
-    void put(std::uint32_t which, float value) { keys_.push_back(key(which, value)); }
-
-   private:
-    friend class LogBins;
-    std::vector<std::uint32_t> keys_, counts_;
-  };
-  /// Empties the batch, of up to 65535 values.
-  void add(Batch& batch);
+  void add(std::uint32_t which, float value) { append(key(which, value) << count_bits | 1); }
   void merge(const LogBins& other);
+  /// Counts what was added lately among the rest. What is asked does so for itself, each time, where this was not done.
+  void settle();
 
-  void save(ByteWriter& out) const { out.list(entries_); }
+  void save(ByteWriter& out) const;
   /// Adds saved bins, and gives how many values of each quantity they hold. Throws BadBytes on what are none.
   std::array<std::uint64_t, 4> merge_saved(ByteReader& in);
 
@@ -46,23 +33,27 @@ class LogBins {
   [[nodiscard]] double quantile(std::uint32_t which, double p, std::uint64_t count) const;
 
   [[nodiscard]] std::size_t bytes() const { return entries_.capacity() * sizeof(std::uint32_t); }
-  friend bool operator==(const LogBins& a, const LogBins& b) { return a.entries_ == b.entries_; }
+  friend bool operator==(const LogBins& a, const LogBins& b);
 
  private:
+  static constexpr std::uint32_t count_bits = 16;
+
   /// Quantity and bin: 2 and 14 bits.
   [[nodiscard]] static std::uint32_t key(std::uint32_t which, float value);
-  /// Looks among the entries from `from` on, and gives the place of the key's first entry.
-  std::size_t add_key(std::uint32_t key, std::uint32_t count, std::size_t from);
-  void make_room(std::size_t more);
-  struct Additions {
-    std::size_t without_entry = 0;
-    bool overflow = false;  // of the count in an entry
-  };
-  [[nodiscard]] Additions count_keys(Batch& batch) const;
+  [[nodiscard]] LogBins settled() const;
+  [[nodiscard]] bool is_settled() const { return settled_ == entries_.size(); }
+  void append(std::uint32_t entry) {
+    if (entries_.size() == entries_.capacity()) make_room();
+    entries_.push_back(entry);
+  }
+  void make_room();
 
-  // Ascending; the upper 16 bits are the key, the lower ones a count of 1 to 65535. Of entries with one key all but the
-  // first are full, so that there is one representation of the same counts.
+  // The upper 16 bits of an entry are the key, the lower ones a count of 1 to 65535. The first entries are settled:
+  // ascending, and of those with one key all but the first are full, so that there is one representation of the same
+  // counts. After them come the latest in the order in which they were added, so that to add a value touches one place
+  // in memory; they are settled when there are half as many as before.
   std::vector<std::uint32_t> entries_;
+  std::uint32_t settled_ = 0;
 };
 
 }  // namespace talus
