@@ -160,6 +160,43 @@ TEST(Valley, ARockIsCaughtAndMovesAlongIt) {
   }
 }
 
+// A gutter whose sides fall at `side` across and whose bottom falls at `dip`: the sides press with cos(dip) / cos(side)
+// of the weight, at cos(side) of the radius from the axis about which the sphere rolls.
+TEST(Valley, ASphereSlipsWhereFrictionCannotRollIt) {
+  struct Case {
+    double dip, side, mu, acceleration;  // over that of gravity
+  };
+  const auto slips = [](double dip, double side, double mu) {
+    return Case{dip, side, mu, std::sin(dip) - mu * std::cos(dip) / std::cos(side)};
+  };
+  const auto rolls = [](double dip, double side) {
+    const double spun = 0.4 / (std::cos(side) * std::cos(side));
+    return Case{dip, side, 3, std::sin(dip) / (1 + spun)};
+  };
+  for (const auto& [dip, side, mu, acceleration] : {slips(0.35, 0.8, 0), slips(0.6, 0.8, 0.05), slips(0.6, 1.0, 0.1),
+                                                    slips(0.9, 0.5, 0.2), rolls(0.35, 0.8), rolls(0.6, 0.5)}) {
+    // Turned so that its bottom falls along x.
+    const auto place = [dip = dip, side = side](std::uint32_t i, std::uint32_t j) {
+      const double along = 60.0 * i, across = 10.0 * j - 10, up = std::tan(side) * std::abs(across);
+      return Vec3(along * std::cos(dip) + up * std::sin(dip), across, up * std::cos(dip) - along * std::sin(dip));
+    };
+    const TriangleMesh mesh = net(1, 2, place, [](std::uint32_t, std::uint32_t) { return true; }).mesh();
+    Soil soil;
+    soil.mu = mu;
+    soil.rolling = soil.rn = 0;
+    soil.rt = 1;
+    Laws laws = laws_of(RockModel::rigid_sphere);
+    laws.max_time = 3;
+    const Vec3 down(std::cos(dip), 0, -std::sin(dip)), up(std::sin(dip), 0, std::cos(dip));
+    const Followed path = follow(mesh, ground_of(soil), laws,
+                                 on_slope(2 * down + (rock.radius / std::cos(side) + 1e-4) * up, Vec3::Zero()));
+    ASSERT_EQ(path.outcome.reason, EndReason::maximum_time) << dip << ' ' << side << ' ' << mu;
+    const double speed = path.outcome.end.velocity.dot(down);
+    EXPECT_NEAR(speed / (3 * acceleration * standard_gravity), 1, 2e-3) << dip << ' ' << side << ' ' << mu;
+    EXPECT_NEAR(path.outcome.end.position.dot(down), 2 + 1.5 * speed, 2e-2 * speed);
+  }
+}
+
 TEST(Valley, InAPitItComesToRest) {
   const Profile pit(std::vector<Vec2>{{-10, 8}, {0, 0}, {10, 8}});
   Soil soil;

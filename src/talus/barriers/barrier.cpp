@@ -50,9 +50,12 @@ void join(Panel& before, Panel& after) {
 
 std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination) {
   std::vector<Panel> panels;
+  constexpr double step = 1e-9;  // on plan [m]: here the foot goes up or down a vertical face, where no panel stands
+  Vec3 foot_of_last = Vec3::Zero();  // where the last panel's foot ends
   double station = 0;
   for (std::size_t k = 0; k + 1 < foot.size(); ++k) {
     const Vec3 d = foot[k + 1] - foot[k];
+    if (d.head<2>().norm() < step) continue;
     const Vec3 plan = Vec3(d.x(), d.y(), 0).normalized();
     const Vec3 right(plan.y(), -plan.x(), 0);
     Panel panel;
@@ -65,7 +68,8 @@ std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double
     panel.station = station;
     panel.plan_length = std::hypot(d.x(), d.y());
     station += panel.plan_length;
-    if (!panels.empty()) join(panels.back(), panel);
+    if (!panels.empty() && (foot_of_last - foot[k]).norm() < step) join(panels.back(), panel);
+    foot_of_last = foot[k + 1];
     panels.push_back(panel);
   }
   return panels;

@@ -32,10 +32,11 @@ namespace talus {
   return 0.1 / rate;
 }
 
-/// The footing for a leg of `timestep` with drag of this `rate` [1/s].
+/// The footing for a leg of `timestep` with drag of this `rate` [1/s]. `share`: how much of a force on the centre
+/// accelerates it, 1 for what slides, rolling_share for what rolls.
 [[nodiscard]] inline Footing dragged(const Footing& footing, const Vec3& velocity, double rate, double timestep,
-                                     bool rolls) {
-  const double braking = (rolls ? 5.0 / 7.0 : 1.0) * rate * timestep;
+                                     double share) {
+  const double braking = share * rate * timestep;
   const double phi = -std::expm1(-braking) / braking;
   return {phi * (footing.pull - rate * velocity), phi * footing.pressure};
 }

@@ -37,7 +37,7 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
   const Vec3 slip = slip_velocity(velocity, spin, n, r);
   Vec3 slip_heading;
   if (slip.norm() <= no_slip) {
-    const Vec3 a = 5.0 / 7.0 * (footing.pull - friction.rolling * pressure * heading);
+    const Vec3 a = rolling_share(rock) * (footing.pull - friction.rolling * pressure * heading);
     const Vec3 needed = a - footing.pull;
     if (needed.norm() <= friction.dynamic * pressure) {
       return rolling_without_slip(position, velocity, spin, n, a, footing, r, timestep);

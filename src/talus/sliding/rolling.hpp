@@ -3,7 +3,8 @@
 //
 // Per unit of mass, with n the normal, N the pressure, g_t the pull, I = 2/5 m r^2, u = v + r n x w the slip velocity:
 //  - rolling (u = 0): a = 5/7 (g_t - mu_r N v/|v|), held by the friction -2/7 g_t - 5/7 mu_r N v/|v|; the contact slips
-//    where that exceeds mu N. Straight down a plane this is a = 5/7 g (sin a - mu_r cos a).
+//    where that exceeds mu N. Straight down a plane this is a = 5/7 g (sin a - mu_r cos a). Along a valley, where the
+//    distance of the contacts from the axis is less than the radius, m r^2 / (m r^2 + I) stands for 5/7.
 //  - slipping: a = g_t - mu N u/|u|, I dw/dt = m mu N r (n x u/|u|) - m mu_r N r w_t/|w_t|, until u = 0.
 // mu_r is the coefficient of rolling friction: a moment mu_r N r against the spin (physics of a ball on an inclined
 // plane, any text on mechanics; rolling resistance as RocFall's "rolling friction").
@@ -18,6 +19,12 @@ struct ContactFriction {
   double dynamic = 0;  // mu
   double rolling = 0;  // mu_r
 };
+
+/// How much of a force on its centre accelerates a sphere that rolls: the rest goes into its spin.
+[[nodiscard]] inline double rolling_share(const Rock& rock) {
+  const double spun = rock.mass * rock.radius * rock.radius;
+  return spun / (spun + rock.inertia);
+}
 
 /// The velocity of the sphere's lowest point along the ground.
 [[nodiscard]] inline Vec3 slip_velocity(const Vec3& velocity, const Vec3& spin, const Vec3& n, double radius) {

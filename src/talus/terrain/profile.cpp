@@ -4,6 +4,7 @@
 
 #include "talus/core/check.hpp"
 #include "talus/flight/touch.hpp"
+#include "talus/terrain/height_in_sight.hpp"
 
 namespace talus {
 
@@ -155,29 +156,44 @@ Exit Profile::exit(const Parabola& path) const {
   return {t, x_end == end && path.z(t) < z_end - 1e-6};
 }
 
-double Profile::greatest_height(const Parabola& path, double t_end, double known) const {
+std::optional<OverPlane> Profile::over_segment(const Segment& segment, const Parabola& path, double t_end) {
+  if (segment.along.x() <= 0) return std::nullopt;
   const double inverse_vx = slabs_detail::reciprocal(path.v.x());
+  const double t1 = (segment.a.x() - path.p.x()) * inverse_vx;
+  const double t2 = t1 + segment.length * segment.along.x() * inverse_vx;
+  const TimeWindow window{std::max(0.0, std::min(t1, t2)), std::min(t_end, std::max(t1, t2))};
+  if (window.is_empty()) return std::nullopt;
+  const double slope = segment.along.z() / segment.along.x();
+  return OverPlane{window, path.p.z() - segment.a.z() - slope * (path.p.x() - segment.a.x()),
+                   path.v.z() - slope * path.v.x()};
+}
+
+double Profile::greatest_height(const Parabola& path, double t_end, double known) const {
   const auto look = [&](std::uint32_t k) {
-    const Segment& segment = segments_[k];
-    if (segment.along.x() <= 0) return;
-    const double t1 = (segment.a.x() - path.p.x()) * inverse_vx;
-    const double t2 = t1 + segment.length * segment.along.x() * inverse_vx;
-    const double enter = std::max(0.0, std::min(t1, t2)), leave = std::min(t_end, std::max(t1, t2));
-    if (enter > leave) return;
-    const double slope = segment.along.z() / segment.along.x();
-    const double h0 = path.p.z() - segment.a.z() - slope * (path.p.x() - segment.a.x());
-    const double h1 = path.v.z() - slope * path.v.x(), half_a = 0.5 * path.a.z();
-    const double t = std::clamp(half_a < 0 ? -h1 / (2 * half_a) : enter, enter, leave);
-    double height = h0 + t * (h1 + half_a * t);
-    if (height <= known) return;
+    const auto over = over_segment(segments_[k], path, t_end);
+    if (!over) return;
+    HeightInSight height(*over, 0.5 * path.a.z());
+    if (height.greatest() <= known) return;
     if (!is_height_field_) {
-      const Vec3 q = path.at(t);
-      if (const auto ground = elevation(q.x(), 0, q.z() + contact_slack)) height = q.z() - *ground;
+      for (const Segment& segment : segments_) {
+        const auto other = over_segment(segment, path, t_end);
+        if (other && &segment != &segments_[k]) height.hide(*other);
+      }
     }
-    known = std::max(known, height);
+    known = std::max(known, height.greatest());
   };
-  double t = t_end;
-  visit_near(path, widest_slack, t, look);
+  if (is_height_field_) {
+    double t = t_end;
+    visit_near(path, widest_slack, t, look);
+  } else if (bvh_.order().empty()) {
+    for (std::uint32_t k = 0; k < segments_.size(); ++k) look(k);
+  } else {
+    bvh_.visit_under(
+        path, t_end, [&] { return known; },
+        [&](std::uint32_t first, std::uint32_t last) {
+          for (std::uint32_t place = first; place < last; ++place) look(bvh_.order()[place]);
+        });
+  }
   return known;
 }
 

@@ -11,6 +11,8 @@
 
 namespace talus {
 
+struct OverPlane;
+
 class Profile {
  public:
   Profile() = default;
@@ -57,6 +59,9 @@ class Profile {
   [[nodiscard]] std::uint32_t index_of(const Segment& s) const {
     return static_cast<std::uint32_t>(&s - segments_.data());
   }
+  /// A flight over a segment that faces up, if it comes over it in [0, t_end].
+  [[nodiscard]] static std::optional<OverPlane> over_segment(const Segment& segment, const Parabola& path,
+                                                             double t_end);
   template <class Visit>
   void visit_column(double x, Visit&& visit) const;
   template <class Visit>

@@ -3,18 +3,21 @@
 #include <algorithm>
 
 #include "talus/core/check.hpp"
+#include "talus/terrain/height_in_sight.hpp"
 
 namespace talus {
 
 namespace {
 
-// When a point that goes from `from` at `velocity` on plan is over a triangle, in [0, t_end]: three lines cut its way.
-TimeWindow time_over(const Triangle& corner, const Vec2& from, const Vec2& velocity, double t_end) {
+// When a point that goes from `from` at `velocity` on plan is over a triangle, or not further from it than the slack,
+// in [0, t_end]: three lines cut its way.
+TimeWindow time_over(const Triangle& corner, const Vec2& from, const Vec2& velocity, double t_end, double slack = 0) {
   TimeWindow over{0, t_end};
   const double turn = area_normal(corner).z() > 0 ? 1 : -1;
   for (std::size_t c = 0; c < 3 && !over.is_empty(); ++c) {
     const Vec3 along = turn * (corner[next_corner[c]] - corner[c]);
-    const double inside = along.x() * (from.y() - corner[c].y()) - along.y() * (from.x() - corner[c].x());
+    const double inside = along.x() * (from.y() - corner[c].y()) - along.y() * (from.x() - corner[c].x()) +
+                          slack * (std::abs(along.x()) + std::abs(along.y()));
     const double rate = along.x() * velocity.y() - along.y() * velocity.x();
     if (rate > 0) {
       over.enter = std::max(over.enter, -inside / rate);
@@ -25,6 +28,13 @@ TimeWindow time_over(const Triangle& corner, const Vec2& from, const Vec2& veloc
     }
   }
   return over;
+}
+
+// A flight over a triangle that faces up, in [0, t_end].
+OverPlane over_facet(const Triangle& corner, const Vec3& area_normal, const Parabola& path, double t_end,
+                     double slack = 0) {
+  return {time_over(corner, path.p.head<2>(), path.v.head<2>(), t_end, slack),
+          area_normal.dot(path.p - corner[0]) / area_normal.z(), area_normal.dot(path.v) / area_normal.z()};
 }
 
 }  // namespace
@@ -51,7 +61,6 @@ TriangleMesh::TriangleMesh(std::span<const Vec3> vertices, std::span<const Corne
       facet.corner[c] = vertices[triangles[source][c]];
       const std::uint32_t beyond = neighbours[source][c];
       facet.neighbour[c] = beyond == no_neighbour ? no_neighbour : place[beyond];
-      if (beyond == no_neighbour) rim_.push_back({facet.corner[c], vertices[triangles[source][next_corner[c]]]});
     }
     if (normal({static_cast<std::uint32_t>(k)}).z() <= 0) is_height_field_ = false;
   }
@@ -97,9 +106,7 @@ void TriangleMesh::find_sharp_features(std::span<const Corners> triangles) {
   }
 }
 
-std::size_t TriangleMesh::bytes() const {
-  return facets_.size() * sizeof(Facet) + rim_.size() * sizeof(rim_[0]) + bvh_.bytes();
-}
+std::size_t TriangleMesh::bytes() const { return facets_.size() * sizeof(Facet) + bvh_.bytes(); }
 
 Vec3 TriangleMesh::normal(FacetId facet) const {
   const auto& corner = facets_[facet.index].corner;
@@ -173,30 +180,60 @@ std::optional<Contact> TriangleMesh::first_contact_on_leg(const Parabola& leg, d
   return best.contact();
 }
 
+template <class Visit>
+void TriangleMesh::visit_under(const Parabola& path, double t_end, double slack, Visit&& visit) const {
+  constexpr double any = -1e300;
+  bvh_.visit_under(
+      path, t_end, [] { return any; },
+      [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t k = first; k < last; ++k) {
+          const Vec3 n = area_normal(facets_[k].corner);
+          if (n.z() <= 0) continue;
+          const OverPlane over = over_facet(facets_[k].corner, n, path, t_end, slack);
+          if (!over.window.is_empty()) visit(over, k);
+        }
+      });
+}
+
 Exit TriangleMesh::exit(const Parabola& path) const {
-  // The last crossing of the surface's rim from inside to outside, above the rim: after it nothing was met.
+  const double floor = bounds_.low.z(), half_g = 0.5 * path.a.z();
+  const double t_floor = falling_root(path.p.z() - floor, path.v.z(), path.a.z(), 1e300).value_or(0);
+  const double t_end = falling_root(path.p.z() - floor + 1, path.v.z(), path.a.z(), 1e300).value_or(0);
+  // Since it meets nothing, it has left where it is above ground for the last time: at a rim, or at a brow with nothing
+  // beyond. If that is within a facet, it fell through.
+  constexpr double beneath = 1e-6;  // [m]
   double last = -1;
-  for (const auto& [a, b] : rim_) {
-    const Vec3 along = b - a;
-    const double outward_speed = along.y() * path.v.x() - along.x() * path.v.y();
-    if (outward_speed <= 0) continue;
-    const double distance = along.y() * (a.x() - path.p.x()) - along.x() * (a.y() - path.p.y());
-    const double t = std::max(0.0, distance / outward_speed);
-    if (distance < -contact_slack * (std::abs(along.x()) + std::abs(along.y())) || t <= last) continue;
-    const double plan_length2 = along.x() * along.x() + along.y() * along.y();
-    const double s =
-        ((path.p.x() + t * path.v.x() - a.x()) * along.x() + (path.p.y() + t * path.v.y() - a.y()) * along.y()) /
-        plan_length2;
-    if (s < -1e-9 || s > 1 + 1e-9) continue;
-    if (path.z(t) >= a.z() + s * along.z() - 1e-6) last = t;
-  }
-  if (last >= 0) return {last, false};
-  // A sphere may touch the rim while its centre is beyond it: it has left already.
-  if (!elevation(path.p.x(), path.p.y())) return {0, false};
-  // It never crossed the rim: it fell through.
-  const double floor = bounds_.low.z();
-  const auto t = falling_root(path.p.z() - floor, path.v.z(), path.a.z(), 1e300);
-  return {t.value_or(0), true};
+  bool falls_through = false;
+  visit_under(path, t_end, contact_slack, [&](const OverPlane& over, std::uint32_t k) {
+    if (HeightInSight(over, half_g).greatest() < -beneath) return;  // the facet is above the path
+    double end = over.window.leave;
+    const bool crosses = over.h0 + end * (over.h1 + half_g * end) < -beneath;
+    if (crosses) {
+      end = falling_root(over.h0 + beneath, over.h1, path.a.z(), 1e300).value_or(end);
+    } else {
+      // The slack tells over what it is, and not when it is there no more.
+      const double without = time_over(facets_[k].corner, path.p.head<2>(), path.v.head<2>(), t_end).leave;
+      if (without >= 0) end = std::min(end, without);
+    }
+    if (end < last) return;
+    last = end;
+    falls_through = crosses;
+  });
+  if (last < 0) return ground_over(path.p) ? Exit{t_floor, true} : Exit{0, false};
+  return falls_through ? Exit{t_floor, true} : Exit{last, false};
+}
+
+double TriangleMesh::greatest_in_sight(const Parabola& path, const TimeWindow& window, std::uint32_t facet) const {
+  const Parabola part{path.at(window.enter), path.velocity(window.enter), path.a};
+  const double t_end = window.leave - window.enter;
+  const Triangle& corner = facets_[facet].corner;
+  OverPlane over = over_facet(corner, area_normal(corner), part, t_end);
+  over.window = {0, t_end};
+  HeightInSight height(over, 0.5 * path.a.z());
+  visit_under(part, t_end, 0, [&](const OverPlane& other, std::uint32_t k) {
+    if (k != facet) height.hide(other);
+  });
+  return height.greatest();
 }
 
 double TriangleMesh::greatest_height(const Parabola& path, double t_end, double known) const {
@@ -205,21 +242,13 @@ double TriangleMesh::greatest_height(const Parabola& path, double t_end, double 
       path, t_end, [&] { return known; },
       [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t k = first; k < last; ++k) {
-          const auto& corner = facets_[k].corner;
-          const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+          const Vec3 n = area_normal(facets_[k].corner);
           if (n.z() <= 0) continue;
-          const TimeWindow above = time_over(corner, path.p.head<2>(), path.v.head<2>(), t_end);
-          if (above.is_empty()) continue;
-          // Height above the facet's plane: h0 + h1 t + half_g t^2, greatest where its derivative is zero.
-          const double h0 = n.dot(path.p - corner[0]) / n.z(), h1 = n.dot(path.v) / n.z();
-          const double t = std::clamp(half_g < 0 ? -h1 / (2 * half_g) : above.enter, above.enter, above.leave);
-          double height = h0 + t * (h1 + half_g * t);
-          if (height <= known) continue;
-          if (!is_height_field_) {
-            const Vec3 q = path.at(t);
-            if (const auto ground = elevation(q.x(), q.y(), q.z() + contact_slack)) height = q.z() - *ground;
-          }
-          known = std::max(known, height);
+          const OverPlane over = over_facet(facets_[k].corner, n, path, t_end);
+          if (over.window.is_empty()) continue;
+          HeightInSight height(over, half_g);
+          if (height.greatest() <= known) continue;
+          known = is_height_field_ ? height.greatest() : std::max(known, greatest_in_sight(path, over.window, k));
         }
       });
   return known;
@@ -290,13 +319,24 @@ std::vector<Vec3> TriangleMesh::draped(const Vec2& from, const Vec2& to) const {
     }
   });
   std::sort(bends.begin(), bends.end());
+  // Between two bends lies one facet: its heights at both, since at a vertical or overhanging face the ground steps.
+  constexpr double same = 1e-6;  // [m]
   std::vector<Vec3> line;
-  double previous = -1;
-  for (const double s : bends) {
-    if (s - previous < 1e-9) continue;
-    previous = s;
-    const Vec2 at = from + s * d;
-    if (const auto z = elevation(at.x(), at.y())) line.emplace_back(at.x(), at.y(), *z);
+  const auto put = [&](const Vec3& p) {
+    if (line.empty() || (p - line.back()).norm() > same) line.push_back(p);
+  };
+  for (std::size_t i = 0; i + 1 < bends.size(); ++i) {
+    const double begin = bends[i], end = bends[i + 1];
+    if (end - begin < 1e-9) continue;
+    const Vec2 middle = from + 0.5 * (begin + end) * d;
+    const auto ground = ground_below({middle.x(), middle.y(), bounds_.high.z() + 1});
+    if (!ground) continue;
+    const auto& corner = facets_[ground->facet.index].corner;
+    const Vec3 n = area_normal(corner);
+    for (const double s : {begin, end}) {
+      const Vec2 at = from + s * d;
+      put({at.x(), at.y(), corner[0].z() - n.head<2>().dot(at - corner[0].head<2>()) / n.z()});
+    }
   }
   return line;
 }

@@ -13,6 +13,8 @@
 
 namespace talus {
 
+struct OverPlane;
+
 class TriangleMesh {
  public:
   using Corners = std::array<std::uint32_t, 3>;
@@ -55,7 +57,8 @@ class TriangleMesh {
   /// How high the ground stands over a place that is in it: the facet above it, if that faces up. A place in the open,
   /// be it under an overhang, has none.
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
-  /// The surface along a straight line on plan, a point wherever it bends; pieces where there is no ground are missing.
+  /// The highest surface along a straight line on plan, a point wherever it bends and two where it steps; pieces where
+  /// there is no ground are missing.
   [[nodiscard]] std::vector<Vec3> draped(const Vec2& from, const Vec2& to) const;
 
   [[nodiscard]] Vec3 normal(FacetId facet) const;
@@ -87,12 +90,17 @@ class TriangleMesh {
   std::optional<Contact> search_flight(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
                                        EachFacet&& each_facet) const;
   void find_sharp_features(std::span<const Corners> triangles);
+  /// Calls visit(flight over its plane, facet) for each facet that faces up and lies, on plan, under the path in [0,
+  /// t_end].
+  template <class Visit>
+  void visit_under(const Parabola& path, double t_end, double slack, Visit&& visit) const;
+  /// Of a flight over one facet, while no other ground lies between.
+  [[nodiscard]] double greatest_in_sight(const Parabola& path, const TimeWindow& window, std::uint32_t facet) const;
   /// Calls visit(z, n_z, facet) for each facet over or under a place on plan that is not vertical, between two heights.
   template <class Visit>
   void visit_column(double x, double y, double z_low, double z_high, Visit&& visit) const;
 
   std::vector<Facet> facets_;
-  std::vector<std::array<Vec3, 2>> rim_;  // edges with one triangle; the surface is to the left of each
   Bvh bvh_;
   Box bounds_;
   bool is_height_field_ = true;

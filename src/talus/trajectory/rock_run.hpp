@@ -153,7 +153,12 @@ class RockRun {
   [[nodiscard]] Leg undragged_leg(const OnGround& phase, const Footing& footing, double timestep) const;
   [[nodiscard]] bool rests(const OnGround& phase, const Footing& footing) const;
   [[nodiscard]] Footing footing(const OnGround& phase) const;
-  [[nodiscard]] Vec3 valley_spin(const OnGround& phase) const;
+  struct RollingPlane {
+    Vec3 normal;
+    Rock rock;
+    ContactFriction friction;
+  };
+  [[nodiscard]] RollingPlane rolling_plane(const OnGround& phase) const;
   /// What the ground leaves of a velocity, while it carries the rock.
   [[nodiscard]] Vec3 kept_on_ground(const OnGround& phase, const Vec3& velocity) const {
     return phase.valley ? Vec3(velocity.dot(phase.valley->direction) * phase.valley->direction)
@@ -347,7 +352,7 @@ auto RockRun<Surface>::end_of_flight(const Parabola& path, double t_max, const L
   if (end.contact) {
     // A sphere may touch the rim once more when its centre has left already.
     const Vec3 there = path.at(end.t);
-    if (reach_ == 0 || surface_.elevation(there.x(), there.y())) return end;
+    if (reach_ == 0 || surface_.elevation(there.x(), there.y(), there.z())) return end;
     const Exit before = surface_.exit(path);
     return before.t < end.t && !before.beneath ? FlightEnd{before.t, {}, before} : end;
   }

@@ -52,20 +52,16 @@ auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& dr
   return Phase::on_ground;
 }
 
-/// What a valley leaves of the rock's motion.
+/// What a valley leaves of the rock's motion: the part along it, and of a sphere's spin the part about the axis across
+/// it. Slip between them is left to friction.
 template <class Surface>
 void RockRun<Surface>::go_along_valley(const OnGround& phase) {
   const Vec3& e = phase.valley->direction;
-  double speed = motion_.velocity.dot(e);
+  motion_.velocity = motion_.velocity.dot(e) * e;
   if (laws_.model == RockModel::rigid_sphere) {
-    // Caught between two facets, the sphere's motion becomes rolling along both: the part of its motion that this
-    // leaves, measured by energy, which therefore cannot rise.
-    const Vec3 axis = valley_spin(phase);
-    speed = (rock_.mass * speed + rock_.inertia * motion_.spin.dot(axis)) /
-            (rock_.mass + rock_.inertia * axis.squaredNorm());
-    motion_.spin = speed * axis;
+    const Vec3 axis = rolling_plane(phase).normal.cross(e);
+    motion_.spin = motion_.spin.dot(axis) * axis;
   }
-  motion_.velocity = speed * e;
 }
 
 template <class Surface>
@@ -105,12 +101,16 @@ Footing RockRun<Surface>::footing(const OnGround& phase) const {
   return phase.valley ? phase.valley->footing : Footing::on_plane(laws_.gravity, phase.normal);
 }
 
-/// The spin of a sphere that rolls along a valley at 1 m/s, touching both sides without slip.
+/// The plane on which a sphere rolls or slips. Along a valley it does on both sides at once: as on a plane across the
+/// middle of the normals, with the distance of the contacts from the axis as its radius.
 template <class Surface>
-Vec3 RockRun<Surface>::valley_spin(const OnGround& phase) const {
+auto RockRun<Surface>::rolling_plane(const OnGround& phase) const -> RollingPlane {
+  if (!phase.valley) return {phase.normal, rock_, phase.friction};
   const Vec3 middle = (phase.normal + *phase.other_normal).normalized();
-  const double effective_radius = rock_.radius * middle.dot(phase.normal);
-  return middle.cross(phase.valley->direction) / effective_radius;
+  const double share = middle.dot(phase.normal);
+  Rock rock = rock_;
+  rock.radius *= share;
+  return {middle, rock, {phase.friction.dynamic, phase.friction.rolling / share}};
 }
 
 template <class Surface>
@@ -118,13 +118,15 @@ Leg RockRun<Surface>::next_leg(const OnGround& phase, const Footing& footing) co
   if (phase.drag == 0) return undragged_leg(phase, footing, laws_.timestep);
   const bool is_sphere = laws_.model == RockModel::rigid_sphere;
   const bool rolls = is_sphere && contact_state(phase.normal) == PathState::rolling;
-  const double friction = footing.pressure * (rolls       ? phase.friction.rolling
-                                              : is_sphere ? phase.friction.dynamic
+  const RollingPlane plane = rolling_plane(phase);
+  const double friction = footing.pressure * (rolls       ? plane.friction.rolling
+                                              : is_sphere ? plane.friction.dynamic
                                                           : phase.mu);
   const double speed = motion_.velocity.norm();
   const Vec3 net = footing.pull - friction / std::max(speed, 1e-300) * motion_.velocity;
   const double timestep = dragged_timestep(phase.drag, laws_.timestep, net, motion_.velocity);
-  return cut_short(undragged_leg(phase, dragged(footing, motion_.velocity, phase.drag, timestep, rolls), timestep),
+  const double share = rolls ? rolling_share(plane.rock) : 1;
+  return cut_short(undragged_leg(phase, dragged(footing, motion_.velocity, phase.drag, timestep, share), timestep),
                    timestep);
 }
 
@@ -134,20 +136,8 @@ Leg RockRun<Surface>::undragged_leg(const OnGround& phase, const Footing& footin
     const auto law = laws_.sliding == SlidingMethod::stepped ? stepped_leg : closed_form_leg;
     return law(motion_.position, motion_.velocity, motion_.spin, footing, phase.mu, timestep);
   }
-  if (!phase.valley) {
-    return rolling_leg(motion_.position, motion_.velocity, motion_.spin, phase.normal, footing, rock_, phase.friction,
-                       timestep);
-  }
-  // Along a valley the sphere rolls on both sides at once: heavier to start, by the inertia of its spin, and braked by
-  // the rolling resistance of both contacts.
-  const Vec3 axis = valley_spin(phase);
-  const double share = rock_.mass / (rock_.mass + rock_.inertia * axis.squaredNorm());
-  const double resistance = rock_.radius * axis.norm() * std::min(phase.friction.rolling, phase.friction.dynamic);
-  Leg leg = closed_form_leg(motion_.position, motion_.velocity, motion_.spin,
-                            {share * footing.pull, share * footing.pressure}, resistance, timestep);
-  leg = cut_short(leg, timestep);
-  leg.end_spin = leg.end_velocity.dot(phase.valley->direction) * axis;
-  return leg;
+  const auto [n, rock, friction] = rolling_plane(phase);
+  return rolling_leg(motion_.position, motion_.velocity, motion_.spin, n, footing, rock, friction, timestep);
 }
 
 /// Whether the rock has come to its end here.
@@ -165,7 +155,7 @@ bool RockRun<Surface>::rests(const OnGround& phase, const Footing& footing) cons
     // What drag would keep slower than where a rock may stop, does not move.
     const double crawl = phase.drag * laws_.stopped_velocity, pull = f.pull.norm();
     if (crawl > 0) f.pull *= std::max(0.0, 1 - crawl / std::max(pull, 1e-300));
-    return laws_.model == RockModel::rigid_sphere ? holds(f, phase.friction) : holds(f, phase.mu);
+    return laws_.model == RockModel::rigid_sphere ? holds(f, rolling_plane(phase).friction) : holds(f, phase.mu);
   };
   if (held(footing)) return !to_the_end || speed < 1e-9;  // the closed form slides until it stands
   // In a corner of several facets it may be held where one of them alone would not.
@@ -372,14 +362,16 @@ template <class Surface>
 auto RockRun<Surface>::rim_ahead(const Parabola& leg, double t) const -> std::optional<Rim> {
   const auto is_beside = [&](double at) {
     const Vec3 centre = leg.at(at);
-    return !surface_.elevation(centre.x(), centre.y());
+    return !surface_.elevation(centre.x(), centre.y(), centre.z());
   };
   if (reach_ == 0 || !is_beside(t)) return std::nullopt;
   double inside = 0;
   for (double middle = 0.5 * t; middle > inside && middle < t; middle = 0.5 * (inside + t)) {
     (is_beside(middle) ? t : inside) = middle;
   }
-  const auto exit = exit_here(leg.at(t), leg.velocity(t));
+  // Seen from the last place that has ground below it: of what is beside the terrain, the surface cannot tell whether it
+  // is in the open or under ground.
+  const auto exit = exit_here(leg.at(inside), leg.velocity(inside));
   return exit ? std::optional(Rim{t, *exit}) : std::nullopt;
 }
 

@@ -1,0 +1,77 @@
+#pragma once
+// The height of a flight over one plane of ground that other ground may hide from it, as an overhang hides what lies
+// under it.
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "talus/flight/parabola.hpp"
+#include "talus/flight/touch.hpp"
+
+namespace talus {
+
+/// A flight over a plane: its height is h0 + h1 t + half_a t^2 [m] while it is over the ground that is there.
+struct OverPlane {
+  TimeWindow window;
+  double h0, h1;
+};
+
+/// All planes are under one flight, whose vertical acceleration is 2 half_a [m/s2], not above 0: so one of two is
+/// nearer to it where a linear function of time says so.
+class HeightInSight {
+ public:
+  HeightInSight(const OverPlane& ground, double half_a) : ground_(ground), half_a_(half_a), seen_{ground.window} {}
+
+  /// Other ground hides this while it is below the flight and nearer to it.
+  void hide(const OverPlane& other) {
+    TimeWindow nearer{std::max(ground_.window.enter, other.window.enter),
+                      std::min(ground_.window.leave, other.window.leave)};
+    const double d0 = ground_.h0 - other.h0 - contact_slack, d1 = ground_.h1 - other.h1;
+    if (d1 > 0) {
+      nearer.enter = std::max(nearer.enter, -d0 / d1);
+    } else if (d1 < 0) {
+      nearer.leave = std::min(nearer.leave, -d0 / d1);
+    } else if (d0 <= 0) {
+      return;
+    }
+    // At an instant only, where one ends and the other begins, neither hides the other.
+    if (nearer.leave - nearer.enter <= instant) return;
+    const double middle = 0.5 * (nearer.enter + nearer.leave);
+    if (other.h0 + middle * (other.h1 + half_a_ * middle) >= -contact_slack) take_away(nearer);
+  }
+
+  /// -infinity where it is hidden all the time.
+  [[nodiscard]] double greatest() const {
+    double greatest = -std::numeric_limits<double>::infinity();
+    for (const TimeWindow& seen : seen_) {
+      const double t = std::clamp(half_a_ < 0 ? -ground_.h1 / (2 * half_a_) : seen.enter, seen.enter, seen.leave);
+      for (const double at : {t, seen.leave}) {
+        greatest = std::max(greatest, ground_.h0 + at * (ground_.h1 + half_a_ * at));
+      }
+    }
+    return greatest;
+  }
+
+ private:
+  // Shorter times [s] are rounding, between one facet and the next.
+  static constexpr double instant = 1e-9;
+
+  void take_away(const TimeWindow& hidden) {
+    std::vector<TimeWindow> left;
+    for (const TimeWindow& seen : seen_) {
+      const TimeWindow before{seen.enter, std::min(seen.leave, hidden.enter)};
+      const TimeWindow after{std::max(seen.enter, hidden.leave), seen.leave};
+      for (const TimeWindow& part : {before, after}) {
+        if (part.leave - part.enter > instant) left.push_back(part);
+      }
+    }
+    seen_ = std::move(left);
+  }
+
+  OverPlane ground_;
+  double half_a_;
+  std::vector<TimeWindow> seen_;
+};
+
+}  // namespace talus
