@@ -180,6 +180,7 @@ Json description_of(const ShelvedModel& shelved) {
   Json materials = Json::array();
   for (const Material& material : model.ground.materials()) materials.push_back(material.name);
   return {{"id", shelved.id},
+          {"files", shelved.files},
           {"dimension", shelved.project.is_2d() ? 2 : 3},
           {"kind", std::visit([](const auto& surface) { return kind_of(surface); }, model.surface)},
           {"rocks", model.rocks()},

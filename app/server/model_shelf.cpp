@@ -59,15 +59,20 @@ ModelShelf::Held ModelShelf::build(const fs::path& file, std::string_view text) 
   project::Reading reading = project::read_project_text(text, file);
   // Models can be large: a second one waits, and then may be the first.
   const std::lock_guard one_at_a_time(building_);
-  std::string what = fmt::format("{}\n{}\n", file.string(), text);
-  for (const fs::path& named : files_of(reading.project))
-    what += state_of(file.parent_path() / named).value_or(fmt::format("unknown {}\n", ++built_));
+  std::string what = fmt::format("{}\n{}\n", file.string(), text), files;
+  for (const fs::path& named : files_of(reading.project)) {
+    const fs::path read = file.parent_path() / named;
+    const std::optional<std::string> state = state_of(read);
+    what += state.value_or(fmt::format("unknown {}\n", ++built_));
+    files += state.value_or(read.string() + '\n');
+  }
   std::string id = io::text_of(io::checksum_of(what));
 
   Held held = kept(id);
   if (!held) {
     auto built = std::make_shared<ShelvedModel>();
     built->id = std::move(id);
+    built->files = io::text_of(io::checksum_of(files));
     built->model = project::build_model(reading.project, reading.warnings);
     built->project = std::move(reading.project);
     built->warnings = std::move(reading.warnings);

@@ -17,6 +17,7 @@ namespace talus::server {
 
 struct ShelvedModel {
   std::string id;
+  std::string files;  // a hash of which were read, and of their sizes and times
   project::Project project;
   Model model;
   Problems warnings;

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <utility>
 
-#include "folder_lock.hpp"
+#include "talus/io/folder_lock.hpp"
 #include "talus/io/json_text.hpp"
 #include "talus/io/ordinary_file.hpp"
 #include "talus/io/output_file.hpp"
@@ -86,7 +86,8 @@ void read_into(Run& run, const fs::path& file) {
   run.name = value_of<std::string>(json, "name", file);
   run.project = value_of<std::string>(json, "project", file);
   const std::string state = value_of<std::string>(json, "state", file);
-  const auto known = std::find_if(states.begin(), states.end(), [&](const auto& entry) { return entry.second == state; });
+  const auto known =
+      std::find_if(states.begin(), states.end(), [&](const auto& entry) { return entry.second == state; });
   if (known == states.end()) refuse(file, "state", fmt::format("\"{}\" is no state of a run", state), "");
   run.state = known->first;
   run.dimension = value_of<int>(json, "dimension", file) == 2 ? 2 : 3;
@@ -140,22 +141,16 @@ Json told(const Run& run, const fs::path& base) {
             {"begun", run.begun},
             {"problems", run.problems},
             {"folder", run.folder.lexically_relative(base).generic_string()}};
-  if (is_running && rate.value_or(0) > 0)
-    json["seconds_left"] = static_cast<double>(run.rocks - run.done) / *rate;
+  if (is_running && rate.value_or(0) > 0) json["seconds_left"] = static_cast<double>(run.rocks - run.done) / *rate;
   return json;
 }
 
 void keep(const Run& run) {
-  Json json{{"name", run.name},
-            {"file", fs::path(run.file).filename().string()},
-            {"project", run.project},
-            {"state", name(run.state)},
-            {"dimension", run.dimension},
-            {"rocks", run.rocks},
-            {"done", run.done},
-            {"seconds", run.seconds},
-            {"begun", run.begun},
-            {"problems", run.problems}};
+  Json json{{"name", run.name},           {"file", fs::path(run.file).filename().string()},
+            {"project", run.project},     {"state", name(run.state)},
+            {"dimension", run.dimension}, {"rocks", run.rocks},
+            {"done", run.done},           {"seconds", run.seconds},
+            {"begun", run.begun},         {"problems", run.problems}};
   if (run.asked_rocks) json["asked_rocks"] = *run.asked_rocks;
   if (run.asked_seed) json["asked_seed"] = *run.asked_seed;
   OutputFile file(run.folder / run_file_name);
@@ -175,8 +170,8 @@ Run find_run(const fs::path& folder, const fs::path& base) {
   std::error_code ignored;
   const auto written = fs::last_write_time(file, ignored);
   if (!ignored)
-    run.begun = iso(std::chrono::time_point_cast<std::chrono::system_clock::duration>(
-        std::chrono::file_clock::to_sys(written)));
+    run.begun = iso(
+        std::chrono::time_point_cast<std::chrono::system_clock::duration>(std::chrono::file_clock::to_sys(written)));
   try {
     read_into(run, file);
   } catch (const BadInput& bad) {

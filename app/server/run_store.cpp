@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "folder_lock.hpp"
+#include "talus/io/folder_lock.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/run_state.hpp"
 #include "talus/project/document.hpp"
@@ -61,7 +61,7 @@ Refusal not_now(const Run& run, const char* what, const char* why, const char* h
   return Refusal(409, run.id, what, why, hint);
 }
 
-const char* why_elsewhere = "another server that works in this folder has it";
+const char* why_elsewhere = "another program works in its folder";
 
 }  // namespace
 
@@ -346,6 +346,7 @@ void RunStore::throw_rocks(const Job& job, LowPriorityArena& arena) {
 
   project::RunOptions options;
   options.campaign.stop = &entry.stop;
+  options.lock = &*folder_lock;
   options.resume = goes_on;
   options.checkpoint_every = checkpoint_every;
   std::optional<std::uint64_t> done_before;

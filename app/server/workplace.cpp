@@ -1,11 +1,14 @@
 #include "workplace.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 
 #include "http/answer.hpp"
 #include "talus/core/utf8.hpp"
+#include "talus/io/checksum.hpp"
+#include "talus/io/output_file.hpp"
 
 namespace talus::server {
 
@@ -16,9 +19,17 @@ bool lies_below(const std::filesystem::path& folder, const std::filesystem::path
   return end == folder.end();
 }
 
+/// Of its path and of its number on the disk, which a folder that is made anew, or on another machine, does not share.
+std::string identity_of(const std::filesystem::path& folder) {
+  struct stat status {};
+  stat(folder.c_str(), &status);
+  return io::text_of(io::checksum_of(fmt::format("{} {}", folder.string(), status.st_ino)));
+}
+
 }  // namespace
 
-Workplace::Workplace(std::filesystem::path folder) : folder_(std::filesystem::canonical(folder)) {}
+Workplace::Workplace(std::filesystem::path folder)
+    : folder_(std::filesystem::canonical(folder)), identity_(identity_of(folder_)) {}
 
 std::filesystem::path Workplace::at(std::string_view name) const {
   const auto refuse = [&](const char* why) {
@@ -53,6 +64,15 @@ std::filesystem::path Workplace::project(std::string_view name) const {
   if (path.extension() != ".toml")
     throw Refusal(400, std::string(name), "is no project file", "its name does not end in .toml");
   return path;
+}
+
+std::filesystem::path Workplace::written(const std::filesystem::path& file) const {
+  const std::filesystem::path place = place_of_file(file);
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::weakly_canonical(place, error);
+  if (error || !lies_below(folder_, real))
+    throw Refusal(403, file.lexically_relative(folder_).string(), "cannot be written", "it leads out of the folder");
+  return place;
 }
 
 }  // namespace talus::server

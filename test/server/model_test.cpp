@@ -366,7 +366,9 @@ TEST_F(ModelOf, ShowsAreasOnTheGround) {
 TEST_F(ModelOf, IsTheSameForTheSameText) {
   const std::string id = model_of(section_text)["id"];
   EXPECT_EQ(model_of(section_text)["id"], id);
-  EXPECT_NE(model_of(section_text + "# changed\n")["id"], id);
+  const Json other = model_of(section_text + "# changed\n");
+  EXPECT_NE(other["id"], id);
+  EXPECT_EQ(other["files"], model_of(section_text)["files"]);
 }
 
 TEST_F(ModelOf, IsGoneAfterAFewOthers) {
@@ -396,6 +398,7 @@ TEST_F(ModelOf, IsBuiltAnewWhenItsFilesChange) {
   mesh(6.5);
   const Json after = model_of(text);
   EXPECT_NE(before["id"], after["id"]);
+  EXPECT_NE(before["files"], after["files"]);
   EXPECT_EQ(before["bounds"]["max"][2], 5.0);
   EXPECT_EQ(after["bounds"]["max"][2], 6.5);
 }

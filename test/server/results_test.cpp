@@ -2,8 +2,10 @@
 
 #include "server/served_runs.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -152,6 +154,29 @@ TEST_F(Results, OfEveryRockAreThoseOfItsTables) {
     }
     EXPECT_EQ(seen, 3U) << "a barrier that no rock hits shows nothing";
   }
+}
+
+TEST_F(Results, KnowWhichOfManyBarriersARockHit) {
+  std::string text = section();
+  for (int k = 1; k < 70; ++k)
+    text += fmt::format("\n[[collector]]\nname = \"C{}\"\nline = {}\nheight_m = 9\n", k, 10 + 0.1 * k);
+  id_ = begin(text);
+  ASSERT_EQ(wait_for(id_, "done")["state"], "done");
+  folder_ = folder_of(id_);
+  const ArraysOf arrays(of("/endpoints"));
+  const auto rocks = arrays.get<std::uint32_t>("rocks", "u32"), barriers = arrays.get<std::uint32_t>("barriers", "u32");
+  constexpr std::size_t words = 3;
+  ASSERT_EQ(barriers.size(), words * rocks.size());
+  const auto names = arrays.header["barriers"].get<Texts>();
+  std::vector<std::uint32_t> expected(barriers.size());
+  for (const Texts& hit : hits()) {
+    const auto number = static_cast<std::size_t>(std::ranges::find(names, hit[0]) - names.begin());
+    expected[words * std::stoull(hit[1]) + number / 32] |= 1U << number % 32;
+  }
+  EXPECT_EQ(barriers, expected);
+  std::uint32_t seen = 0;
+  for (std::size_t k = words - 1; k < barriers.size(); k += words) seen |= barriers[k];
+  EXPECT_NE(seen, 0U) << "no rock hits one beyond the 64th";
 }
 
 TEST_F(Results, OfTheEndsAreWhereTheyEnd) {

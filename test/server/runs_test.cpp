@@ -8,7 +8,7 @@
 
 #include "cli/child.hpp"
 #include "cli/run_files.hpp"
-#include "folder_lock.hpp"
+#include "talus/io/folder_lock.hpp"
 
 namespace talus {
 namespace {
@@ -303,7 +303,7 @@ TEST_F(Runs, OfAnotherServerAreLeftAlone) {
   file["state"] = "running";
   write("runs/slope/" + id + "/run.json", file.dump());
   {
-    const auto lock = server::FolderLock::take(folder);
+    const auto lock = FolderLock::take(folder);
     ASSERT_TRUE(lock);
     start();
     EXPECT_EQ(run(id)["state"], "running");

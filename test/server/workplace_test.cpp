@@ -129,7 +129,7 @@ TEST_F(Place, KeepsADraftBesideTheProject) {
   EXPECT_EQ(put("/api/draft", {{"file", "a.toml"}, {"text", "drafted"}}).status, 200);
   Json project = get("/api/project?file=a.toml").json();
   EXPECT_EQ(project["text"], "saved");
-  EXPECT_EQ(project["draft"], "drafted");
+  EXPECT_EQ(project["draft"]["text"], "drafted");
   EXPECT_EQ(get("/api/files").json()["files"].size(), 1U);
   EXPECT_EQ(put("/api/project", {{"file", "a.toml"}, {"text", "drafted"}, {"saved", project["saved"]}}).status, 200);
   project = get("/api/project?file=a.toml").json();
@@ -138,6 +138,83 @@ TEST_F(Place, KeepsADraftBesideTheProject) {
   EXPECT_EQ(put("/api/draft", {{"file", "a.toml"}, {"text", "again"}}).status, 200);
   EXPECT_EQ(put("/api/draft", {{"file", "a.toml"}, {"text", nullptr}}).status, 200);
   EXPECT_TRUE(get("/api/project?file=a.toml").json()["draft"].is_null());
+  EXPECT_EQ(put("/api/draft", {{"file", "a.toml"}, {"text", "drafted"}}).status, 200);
+  EXPECT_FALSE(fs::exists(path(".a.toml.draft"))) << "a draft that says what the file says is none";
+}
+
+TEST_F(Place, KnowsOfWhichFileADraftIs) {
+  write("a.toml", "one");
+  const Json one = get("/api/project?file=a.toml").json()["saved"];
+  const auto draft = [&] { return get("/api/project?file=a.toml").json()["draft"]; };
+  put("/api/draft", {{"file", "a.toml"}, {"text", "\xef\xbb\xbfname = \"ü\"\r\n\n"}, {"saved", one}});
+  write("a.toml", "two");
+  EXPECT_EQ(draft(), Json({{"text", "\xef\xbb\xbfname = \"ü\"\r\n\n"}, {"saved", one}}));
+  EXPECT_EQ(read(".a.toml.draft"), "# A draft of the file with the checksum " + one.get<std::string>() +
+                                       "\n\xef\xbb\xbfname = \"ü\"\r\n\n");
+  EXPECT_EQ(put("/api/project", {{"file", "a.toml"}, {"text", "three"}, {"saved", draft()["saved"]}}).status, 409);
+  EXPECT_EQ(read("a.toml"), "two");
+  put("/api/draft", {{"file", "a.toml"}, {"text", "new"}, {"saved", nullptr}});
+  EXPECT_EQ(draft(), Json({{"text", "new"}, {"saved", nullptr}}));
+}
+
+TEST_F(Place, IsToldFromOtherFolders) {
+  const auto identity = [&] { return get("/api/about").json()["workplace"].get<std::string>(); };
+  const std::string here = identity();
+  EXPECT_EQ(here, identity());
+  const auto put_from = [&](const char* what, const std::string& workplace) {
+    return put(what, {{"file", "a.toml"}, {"text", "mine"}, {"saved", nullptr}, {"workplace", workplace}});
+  };
+  for (const char* what : {"/api/draft", "/api/project"}) {
+    const Reply refused = put_from(what, "another");
+    EXPECT_EQ(refused.status, 410);
+    EXPECT_EQ(refused.problem(), "a.toml: belongs to another folder (the server works in " +
+                                     fs::canonical(path("")).string() +
+                                     " by now). Serve the folder of the project on this port again, and this page "
+                                     "goes on");
+    EXPECT_TRUE(fs::is_empty(path("")));
+  }
+  EXPECT_EQ(put_from("/api/draft", here).status, 200);
+  EXPECT_EQ(put_from("/api/project", here).status, 200);
+
+  stop();
+  fs::rename(path(""), base_ / "moved");  // its number on the disk stays taken
+  fs::create_directory(path(""));
+  start();
+  EXPECT_NE(identity(), here);
+}
+
+TEST_F(Place, SaysWhatHindersItInWordsOfThePage) {
+  fs::create_directories(path("a.toml.part"));
+  const Reply refused = put("/api/project", {{"file", "a.toml"}, {"text", "one"}, {"saved", nullptr}});
+  EXPECT_EQ(refused.status, 422);
+  const Json problem = refused.json()["problems"][0];
+  EXPECT_EQ(problem["hint"], "Choose another folder");
+  EXPECT_EQ(problem["text"].get<std::string>().find("-o"), std::string::npos);
+}
+
+TEST_F(Place, WritesThroughALinkAndKeepsTheMode) {
+  write("sub/real.toml", "one");
+  constexpr auto mode = static_cast<fs::perms>(0664);
+  fs::permissions(path("sub/real.toml"), mode);
+  fs::create_symlink("sub/real.toml", path("a.toml"));
+  const Json saved = get("/api/project?file=a.toml").json()["saved"];
+  EXPECT_EQ(put("/api/project", {{"file", "a.toml"}, {"text", "two"}, {"saved", saved}}).status, 200);
+  EXPECT_TRUE(fs::is_symlink(path("a.toml")));
+  EXPECT_EQ(read("sub/real.toml"), "two");
+  EXPECT_EQ(fs::status(path("sub/real.toml")).permissions(), mode);
+}
+
+TEST_F(Place, WritesNothingThroughALinkThatLeadsOut) {
+  fs::create_symlink(base_ / "outside" / "new.toml", path("a.toml"));  // nothing is there yet
+  fs::create_symlink("../outside/new.toml", path("b.toml"));
+  fs::create_symlink("a.toml", path("c.toml"));
+  for (const std::string name : {"a.toml", "b.toml", "c.toml"}) {
+    const Reply refused = put("/api/project", {{"file", name}, {"text", "mine"}, {"saved", nullptr}});
+    EXPECT_EQ(refused.status, 403);
+    EXPECT_EQ(refused.problem(), name + ": cannot be written (it leads out of the folder)");
+    EXPECT_TRUE(fs::is_symlink(path(name)));
+  }
+  EXPECT_FALSE(fs::exists(base_ / "outside" / "new.toml"));
 }
 
 TEST_F(Place, CopiesExamplesAndLeavesWhatIsThere) {

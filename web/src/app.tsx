@@ -1,30 +1,29 @@
 // The whole page: the start page, or the workbench of the project that is open.
 
 import { useEffect } from 'preact/hooks';
-import { signal } from '@preact/signals';
 import { api } from './api/client';
-import type { About } from './api/types';
-import { file, open } from './state/document';
+import { about } from './state/about';
+import { file } from './state/document';
 import { sayFailure } from './state/messages';
+import { lastOpen, open } from './state/opening';
 import { follow } from './state/runs';
 import { StartPage } from './start/StartPage';
 import { Messages } from './ui/Messages';
 import { Workbench } from './Workbench';
 import { listenToKeys } from './ui/keys';
-
-export const about = signal<About | null>(null);
+import { listenToTyping } from './ui/typing';
 
 async function begin() {
   about.value = await api.about();
-  const name = sessionStorage.getItem('file') ?? about.value.project;
+  const name = lastOpen();
   if (name !== null) await open(name);
 }
 
 export function App() {
   useEffect(() => {
     void begin().catch(sayFailure);
-    follow();
-    return listenToKeys();
+    const ends = [follow(), listenToKeys(), listenToTyping()];
+    return () => ends.forEach((end) => end());
   }, []);
   return (
     <>

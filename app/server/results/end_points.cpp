@@ -47,8 +47,8 @@ void read_ends(const fs::path& file, const io::RunFacts& facts, const std::funct
 
 void read_hits(const fs::path& file, EndPoints& ends) {
   constexpr auto at = [](std::string_view name) { return place_of(io::barrier_columns, name); };
-  constexpr std::uint32_t most = 32;
-  ends.barriers.resize(ends.rocks.size());
+  const std::size_t words = std::max<std::size_t>(1, (ends.barrier_names.size() + 31) / 32);
+  ends.barriers.resize(words * ends.rocks.size());
   if (ends.barrier_names.empty()) return;
   Names names(ends.barrier_names);
   io::CsvReader row(file, io::barrier_columns);
@@ -58,8 +58,9 @@ void read_hits(const fs::path& file, EndPoints& ends) {
     while (next != ends.rocks.end() && *next < rock) ++next;
     if (next == ends.rocks.end()) return;
     const std::uint32_t barrier = names.number(row.text(at("barrier")));
-    if (*next == rock && barrier < most)
-      ends.barriers[static_cast<std::size_t>(next - ends.rocks.begin())] |= 1u << barrier;
+    if (*next != rock) continue;
+    const auto of_rock = static_cast<std::size_t>(next - ends.rocks.begin());
+    ends.barriers[words * of_rock + barrier / 32] |= 1U << barrier % 32;
   }
 }
 

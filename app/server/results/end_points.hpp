@@ -24,7 +24,7 @@ struct EndPoints {
   std::vector<float> masses;            // [kg]
   std::vector<float> max_energies;      // kinetic [kJ]
   std::vector<float> max_heights;       // above the ground [m]
-  std::vector<std::uint32_t> barriers;  // bit k: it hit the k-th
+  std::vector<std::uint32_t> barriers;  // bit k: it hit the k-th; so many words a rock as barriers need
 
   Names source_names, seeder_names;
   std::vector<std::string> barrier_names;

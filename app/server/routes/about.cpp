@@ -10,6 +10,7 @@ void add_about_routes(Router& router, const Workplace& workplace, const std::str
   router.get("/api/about", [&router, &workplace, project](const Call&) {
     return json_answer({{"version", TALUS_VERSION},
                         {"folder", workplace.folder().string()},
+                        {"workplace", workplace.identity()},
                         {"project", project.empty() ? Json() : Json(project)},
                         {"limits",
                          {{"upload_bytes", router.limits().upload_bytes}, {"project_bytes", project::most_bytes}}}});

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "talus/io/folder_lock.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/run_state.hpp"
 #include "talus/io/table_files.hpp"
@@ -254,6 +255,7 @@ MergeResult merge_runs(const MergeOptions& options) {
   for (const Part& part : parts) course.seconds += part.state.seconds;
   course.threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
   make_output_folder(output);
+  const FolderLock lock = lock_output_folder(output);
   join_tables(parts, output);
   Problems warnings = write_results(output, description, sums, course);
   return {output, description, sums.summary(), std::move(warnings), missing, parts.size()};

@@ -93,6 +93,8 @@ RunResult run_in_memory(const Model& model, const CampaignOptions& options) {
 RunResult run_into(const std::filesystem::path& folder, const Project& project, const Model& model,
                    const Problems& warnings, const RunOptions& options) {
   make_output_folder(folder);
+  std::optional<FolderLock> lock;
+  if (options.lock == nullptr) lock.emplace(lock_output_folder(folder));
   const io::RunDescription description = describe_run(project, model, warnings, options.shard);
   const Start start = find_start(folder, description, options);
   const io::RunStateHeader& begun = start.state;

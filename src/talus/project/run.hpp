@@ -11,6 +11,7 @@
 #include "talus/campaign/ranks.hpp"
 #include "talus/campaign/shard.hpp"
 #include "talus/core/problems.hpp"
+#include "talus/io/folder_lock.hpp"
 #include "talus/project/project.hpp"
 #include "talus/project/run_results.hpp"
 #include "talus/results/summary.hpp"
@@ -26,6 +27,7 @@ struct RunOptions {
   double checkpoint_every = 20;                 // [s]; 0: never
   std::function<void(const std::string&)> say;  // what the user should know before rocks are thrown
   Ranks* ranks = nullptr;                       // that throw rocks, too, this being rank 0; null: this process alone
+  const FolderLock* lock = nullptr;             // of the folder, who calls having it; null: it is locked for the run
 };
 
 struct RunResult {
@@ -41,7 +43,8 @@ struct RunResult {
 /// as the project asks; of a shard tables, summary.json and run.state, for merging (merge.hpp). While it runs,
 /// run.state is written now and then, and stays if the run does not come to its end: one that resumes goes on from
 /// there and gives the same bytes. A run that is stopped writes what it has. Throws BadInput where the folder cannot be
-/// written to, and then says from where it can be resumed; files are there whole or not at all.
+/// written to, and then says from where it can be resumed, and where another program writes results there; files are
+/// there whole or not at all.
 RunResult run_into(const std::filesystem::path& folder, const Project& project, const Model& model,
                    const Problems& warnings, const RunOptions& options);
 

@@ -1,7 +1,9 @@
-// Nothing that was typed is lost: not by a reload, not by a server that dies.
+// Nothing that was typed is lost, and nothing is overwritten: not by a reload, not by a server that dies, not by
+// another tab, folder or program.
 
-import { openExample, openForm } from '../support/steps';
-import { expect, test } from '../support/workbench';
+import type { Page } from '@playwright/test';
+import { backToModel, fillField, openExample, openForm, openProject, toStartPage } from '../support/steps';
+import { expect, Server, test } from '../support/workbench';
 
 const roughness = 'Roughness: mean';
 
@@ -50,4 +52,131 @@ test('a server that is killed and started again finds the page, the draft and th
   expect(server.read('tutorial-1/tutorial-1-2d.toml')).toContain('1.75');
   await page.getByRole('tab', { name: 'Runs' }).click();
   await expect(page.locator('li.run')).toContainText('Done');
+});
+
+const one = 'name = "One"\n';
+const rename = async (page: Page, name: string) => {
+  await openForm(page, /^Project and analysis/);
+  await fillField(page, 'Name', name);
+};
+const title = (page: Page, name: string) =>
+  expect(page.getByRole('heading', { level: 1, name, exact: true })).toBeVisible();
+const drafted = (page: Page) =>
+  page.waitForResponse((response) => response.url().endsWith('/api/draft') && response.ok());
+
+test('a draft does not overwrite a file that was changed since', async ({ workbench: page, server }) => {
+  server.write('a.toml', one);
+  await page.reload();
+  await openProject(page, 'a.toml');
+  const kept = drafted(page);
+  await rename(page, 'Mine');
+  await kept;
+  server.write('a.toml', 'name = "Theirs"\n');
+  await page.reload();
+  await title(page, 'Mine');
+  await expect(page.getByText(/The file has been changed since by another program/)).toBeVisible();
+  await page.getByRole('button', { name: 'Go on with it' }).click();
+  await page.keyboard.press('Control+s');
+  const dialog = page.getByRole('dialog', { name: 'Not saved' });
+  await expect(dialog).toContainText('was changed by another program meanwhile');
+  expect(server.read('a.toml')).toBe('name = "Theirs"\n');
+  await dialog.getByRole('button', { name: 'Overwrite it' }).click();
+  await expect(page.getByText('Saved a.toml')).toBeVisible();
+  expect(server.read('a.toml')).toBe('name = "Mine"\n');
+});
+
+test('saving over and over saves the last, and finds no conflict with itself', async ({ workbench: page, server }) => {
+  server.write('a.toml', one);
+  await page.reload();
+  await openProject(page, 'a.toml');
+  await openForm(page, /^Project and analysis/);
+  await page.route(/\/api\/project$/, async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    await route.continue();
+  });
+  for (const name of ['Two', 'Three', 'Four']) {
+    await page.getByLabel('Name', { exact: true }).fill(name);
+    await page.keyboard.press('Control+s');
+    await page.keyboard.press('Control+s');
+  }
+  await expect(page.getByRole('button', { name: 'Save', exact: true })).toBeDisabled();
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+  expect(server.read('a.toml')).toBe('name = "Four"\n');
+});
+
+test('what was typed last outlives a visit to the start page, and a reload', async ({ workbench: page, server }) => {
+  server.write('a.toml', one);
+  await page.reload();
+  await openProject(page, 'a.toml');
+  await openForm(page, /^Project and analysis/);
+  await page.getByLabel('Name', { exact: true }).fill('Two');
+  await toStartPage(page);
+  await expect(page.getByRole('button', { name: 'a.toml' })).toContainText('with a draft that is not saved');
+  await openProject(page, 'a.toml');
+  await title(page, 'Two');
+  await openForm(page, /^Project and analysis/);
+  await page.getByLabel('Name', { exact: true }).fill('Three');
+  await page.reload();
+  await title(page, 'Three');
+});
+
+test('a new project does not take the place of one that was never saved', async ({ workbench: page }) => {
+  const begin = () => page.getByRole('button', { name: 'Empty, 3D' }).click();
+  await begin();
+  await backToModel(page);
+  await rename(page, 'First');
+  await toStartPage(page);
+  await begin();
+  await title(page, 'New slope');
+  await toStartPage(page);
+  await expect(page.getByRole('button', { name: 'new-slope-2.toml' })).toBeVisible();
+  await openProject(page, 'new-slope.toml');
+  await title(page, 'First');
+});
+
+test('a draft stays in its folder, when another is served on the same port', async ({ workbench: page, server }) => {
+  server.write('a.toml', one);
+  await page.reload();
+  await openProject(page, 'a.toml');
+  await server.end('SIGKILL');
+  await rename(page, 'Mine');
+  await expect.poll(() => page.evaluate(() => Object.values(localStorage).join())).toContain('Mine');
+
+  const other = new Server(server.port);
+  other.write('a.toml', one);
+  // The page that is still open writes nothing there.
+  await other.start();
+  await page.context().newPage().then((entering) => entering.goto(other.address));
+  await page.keyboard.press('Control+s');
+  await expect(page.getByText(/a\.toml: belongs to another folder/)).toBeVisible();
+  expect(other.read('a.toml')).toBe(one);
+  // One that is opened there finds nothing of it.
+  await page.reload();
+  await openProject(page, 'a.toml');
+  await title(page, 'One');
+  await other.remove();
+
+  await server.start();
+  await page.goto(server.address);
+  await title(page, 'Mine');
+});
+
+test('a tab that goes back to the file leaves the draft of another tab', async ({ workbench: page, server }) => {
+  server.write('a.toml', one);
+  await page.reload();
+  await openProject(page, 'a.toml');
+  const kept = drafted(page);
+  await rename(page, 'Mine');
+  await kept;
+  const second = await page.context().newPage();
+  await second.goto(`http://127.0.0.1:${server.port}/`);
+  await openProject(second, 'a.toml');
+  await title(second, 'Mine');
+  const [again] = await Promise.all([
+    page.waitForRequest((request) => request.url().endsWith('/api/draft')),
+    second.getByRole('button', { name: 'Back to the file' }).click(),
+  ]);
+  expect((await again.response())!.ok()).toBe(true);
+  await title(second, 'One');
+  expect(server.read('.a.toml.draft')).toContain('name = "Mine"');
 });

@@ -27,3 +27,26 @@ export async function computeWith(page: Page, name: string, rocks: number) {
 }
 
 export const runCard = (page: Page, name: string) => page.locator('li.run').filter({ hasText: name });
+
+export const toStartPage = (page: Page) => page.getByRole('button', { name: 'Start page' }).click();
+
+/// Opens a project of the start page.
+export async function openProject(page: Page, file: string) {
+  await page.getByRole('region', { name: 'Projects of this folder' }).getByRole('button', { name: file }).click();
+  await expect(page.getByRole('navigation', { name: 'Model' })).toBeVisible();
+}
+
+/// Types into a field and leaves it.
+export async function fillField(page: Page, label: string, value: string) {
+  const field = page.getByLabel(label, { exact: true });
+  await field.fill(value);
+  await field.press('Tab');
+}
+
+/// What the project says, as the tab Text shows it.
+export async function projectText(page: Page): Promise<string> {
+  await page.getByRole('tab', { name: 'Text' }).click();
+  const text = await page.getByLabel('Project file').inputValue();
+  await page.getByRole('tab', { name: 'Model' }).click();
+  return text;
+}

@@ -2,7 +2,7 @@
 
 import { test as base, expect, type Page } from '@playwright/test';
 import { spawn, type ChildProcess } from 'node:child_process';
-import { cpSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
@@ -12,8 +12,9 @@ export const sources = process.env.TALUS_SOURCE_DIR ?? join(import.meta.dirname,
 export class Server {
   readonly folder = mkdtempSync(join(tmpdir(), 'talus-web-'));
   private child: ChildProcess | undefined;
-  port = 0;
   address = '';
+
+  constructor(public port = 0) {}
 
   /// Starts it; again on the port that it had, so that a page that is open goes on.
   async start(...more: string[]): Promise<string> {
@@ -48,8 +49,16 @@ export class Server {
     await ended;
   }
 
+  async remove() {
+    await this.end();
+    rmSync(this.folder, { recursive: true, force: true });
+  }
+
   read(name: string): string {
     return readFileSync(join(this.folder, name), 'utf8');
+  }
+  write(name: string, text: string) {
+    writeFileSync(join(this.folder, name), text);
   }
   copyExample(name: string) {
     cpSync(join(sources, 'examples', name), join(this.folder, name), { recursive: true });
@@ -61,8 +70,7 @@ export const test = base.extend<{ server: Server; workbench: Page }>({
     const server = new Server();
     await server.start();
     await use(server);
-    await server.end();
-    rmSync(server.folder, { recursive: true, force: true });
+    await server.remove();
   },
   /// The start page. What the page says against itself in the console fails the test.
   workbench: async ({ page, server }, use) => {

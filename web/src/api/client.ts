@@ -2,8 +2,11 @@
 
 import { readArrays, type Arrays } from './arrays';
 import type { TomlTable } from '../toml/format';
+import { jsonText } from '../toml/json';
+import { patiently } from './patience';
 import type {
   About,
+  Draft,
   Example,
   FolderFile,
   LibraryMaterial,
@@ -36,11 +39,13 @@ export class Unreachable extends Error {
 async function ask(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(path, {
-      method,
-      ...(body !== undefined && { headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body) }),
-      ...(signal && { signal }),
-    });
+    response = await patiently(
+      fetch(path, {
+        method,
+        ...(body !== undefined && { headers: { 'Content-Type': 'application/json' }, body: jsonText(body) }),
+        ...(signal && { signal }),
+      }),
+    );
   } catch (error) {
     if (error instanceof DOMException && error.name === 'AbortError') throw error;
     throw new Unreachable();
@@ -84,11 +89,9 @@ export const api = {
   upload: async (file: string, content: Blob, replace = false) => {
     let response: Response;
     try {
-      response = await fetch(`/api/files/${name(file)}${replace ? '?replace=1' : ''}`, {
-        method: 'PUT',
-        headers: { 'Content-Type': 'application/octet-stream' },
-        body: content,
-      });
+      const address = `/api/files/${name(file)}${replace ? '?replace=1' : ''}`;
+      const headers = { 'Content-Type': 'application/octet-stream' };
+      response = await patiently(fetch(address, { method: 'PUT', headers, body: content }));
     } catch {
       throw new Unreachable();
     }
@@ -97,9 +100,11 @@ export const api = {
     throw new Refused(response.status, answer?.problems ?? []);
   },
   project: (file: string) => getJson<ProjectText>(`/api/project?file=${encodeURIComponent(file)}`),
-  saveProject: (file: string, text: string, saved: string | null) =>
-    sendJson<{ saved: string }>('PUT', '/api/project', { file, text, saved }),
-  keepDraft: (file: string, text: string | null) => sendJson('PUT', '/api/draft', { file, text }),
+  /// `saved`: of the file that it is to replace. Refused where the server works in another folder by now.
+  saveProject: (file: string, { text, saved }: Draft, workplace: string) =>
+    sendJson<{ saved: string }>('PUT', '/api/project', { file, text, saved, workplace }),
+  keepDraft: (file: string, draft: Draft | null, workplace: string) =>
+    sendJson('PUT', '/api/draft', { file, ...(draft ?? { text: null }), workplace }),
   model: (file: string, text: string, signal?: AbortSignal) =>
     sendJson<ModelAnswer>('POST', '/api/model', { file, text }, signal),
   runs: async () => (await getJson<{ runs: Run[] }>('/api/runs')).runs,

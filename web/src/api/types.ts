@@ -3,6 +3,8 @@
 export interface About {
   version: string;
   folder: string;
+  /// The folder's identity.
+  workplace: string;
   project: string | null;
   limits: { upload_bytes: number; project_bytes: number };
 }
@@ -42,11 +44,14 @@ export interface FolderFile {
   kind: FileKind;
 }
 
-export interface ProjectText {
-  file: string;
+export interface Draft {
   text: string;
+  /// The hash of the file that it began from; null: there was none.
   saved: string | null;
-  draft: string | null;
+}
+export interface ProjectText extends Draft {
+  file: string;
+  draft: Draft | null;
 }
 
 export type Point2 = [number, number];
@@ -83,6 +88,8 @@ export interface ModelBarrier {
 
 export interface Model {
   id: string;
+  /// Another one when a file that was read has changed.
+  files: string;
   dimension: 2 | 3;
   kind: 'section' | 'mesh' | 'raster';
   rocks: number;

@@ -4,6 +4,7 @@ import { useState } from 'preact/hooks';
 import { edit, rowsOf } from '../state/document';
 import { sayFailure } from '../state/messages';
 import { model } from '../state/model';
+import { counted } from '../ui/format';
 import { assignByClicks, paintArea } from './assignTool';
 import { materialColour } from '../view/colours';
 import { Field } from './form/Field';
@@ -55,7 +56,9 @@ export function GroundForm() {
         ))}
       <TableForm table="ground" path={['ground']} only={way.keys.filter((key) => key !== 'triangles')} />
       {way.name === 'triangles' && Array.isArray(ground.triangles) && (
-        <p class="faint">{ground.triangles.length.toLocaleString('en')} triangles have a material of their own.</p>
+        <p class="faint">
+          {counted(ground.triangles.length, 'triangle has', 'triangles have')} a material of their own.
+        </p>
       )}
       {!is2d.value && <Painters />}
     </>

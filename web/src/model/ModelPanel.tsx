@@ -1,12 +1,11 @@
 // The model as forms: an outline of the project, and the form of what is chosen in it.
 
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
-import { isChanged, isDraft, rowsOf, savedHash } from '../state/document';
-import { sayFailure } from '../state/messages';
-import { readAgain } from '../state/saving';
+import { rowsOf } from '../state/document';
 import { chosen, helpOpen } from '../state/view';
 import type { Path } from '../toml/edit';
 import { DocumentDialog } from '../help/Document';
+import { DraftNotice } from './DraftNotice';
 import { TableForm } from './form/TableForm';
 import { Words } from './form/Words';
 import { loadSettings, tableOf } from './settings';
@@ -19,6 +18,7 @@ import { followChosen } from './highlight';
 import { TerrainForm } from './TerrainForm';
 import { takeFiles, listenToDrops } from './terrainFile';
 import { ProblemList } from './ProblemList';
+import { UnfinishedList } from './UnfinishedList';
 import { nameOf } from './place';
 import { copy, remove } from './things';
 import './model.css';
@@ -38,35 +38,10 @@ export function ModelPanel() {
   return (
     <div class="model">
       <DraftNotice />
+      <UnfinishedList />
       <ProblemList folded={isThere} />
       {isThere ? <FormPage key={path.join('.')} path={path} /> : <Outline />}
       <DocumentDialog />
-    </div>
-  );
-}
-
-/// What was not saved in an earlier session, and was taken up.
-function DraftNotice() {
-  if (!isDraft.value || !isChanged.value) return null;
-  return (
-    <div class="problem warning" role="status">
-      This is a draft that was not saved.
-      <div class="row">
-        <button class="button" onClick={() => (isDraft.value = false)}>
-          Go on with it
-        </button>
-        {savedHash.value !== null && (
-          <button
-            class="button"
-            onClick={() => {
-              isDraft.value = false;
-              void readAgain().catch(sayFailure);
-            }}
-          >
-            Back to the file
-          </button>
-        )}
-      </div>
     </div>
   );
 }

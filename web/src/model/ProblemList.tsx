@@ -3,6 +3,7 @@
 import type { Problem } from '../api/types';
 import { syntaxError } from '../state/document';
 import { chosen, sidePanel } from '../state/view';
+import { counted } from '../ui/format';
 import { sectionOf } from './sections';
 import { realProblems, sentenceOf, toneOf } from './awaited';
 
@@ -48,10 +49,10 @@ export function ProblemList({ folded }: { folded: boolean }) {
   if (list.length === 0 && !syntaxError.value) return null;
   const errors = list.filter(({ severity }) => severity === 'error').length;
   const warnings = list.length - errors;
-  const counted = (count: number, word: string) => (count > 0 ? [`${count} ${word}${count > 1 ? 's' : ''}`] : []);
+  const counts = [errors > 0 && counted(errors, 'problem'), warnings > 0 && counted(warnings, 'warning')];
   return (
     <details class="problems" open={!folded && (errors > 0 || list.length <= 2)}>
-      <summary>{[...counted(errors, 'problem'), ...counted(warnings, 'warning')].join(', ')}</summary>
+      <summary>{counts.filter(Boolean).join(', ')}</summary>
       {list.slice(0, 50).map((problem) => (
         <button
           key={problem.text}

@@ -1,6 +1,7 @@
 // The project file as it is written, for who likes to.
 
 import { replaceText, syntaxError, text } from '../state/document';
+import { asTyped, withTyped } from '../toml/lineEnds';
 
 export function TextPanel() {
   return (
@@ -16,8 +17,8 @@ export function TextPanel() {
         spellcheck={false}
         wrap="off"
         style={{ flex: 1, resize: 'none', fontSize: 12 }}
-        value={text.value}
-        onInput={(event) => replaceText(event.currentTarget.value, 'edit the text', 'text')}
+        value={asTyped(text.value)}
+        onInput={(event) => replaceText(withTyped(text.value, event.currentTarget.value), 'edit the text', 'text')}
       />
     </div>
   );

@@ -3,13 +3,13 @@
 import { getArrays, getJson } from '../api/client';
 import type { Model } from '../api/types';
 import { useTool } from '../scene/tool';
-import { edit, valueAt } from '../state/document';
+import { edit, opening, valueAt } from '../state/document';
 import { model } from '../state/model';
 import { shading } from '../view/settings';
 import { draw } from './drawing';
 import { materialsWith } from './groundWays';
 import { onPlan } from './geometryTools';
-import { freshName, nameOf, tableAt } from './place';
+import { asNow, freshName, nameOf, tableAt } from './place';
 import { materialNames } from './form/references';
 
 interface Facets {
@@ -49,11 +49,14 @@ export async function assignByClicks(material: number) {
   const now = model.value;
   if (!now) return;
   const name = nameOf('material', material);
+  const [asked, isPossible] = [opening.value, asNow('material')];
   const hasSegments = Array.isArray(tableAt(['terrain']).section);
   const facets = now.dimension === 3 ? await facetsOf(now) : await segmentsOf(now);
+  if (opening.value !== asked || !isPossible()) return;
   shading.value = 'material';
   useTool({
     name,
+    isPossible,
     hint: () => `Click ${hasSegments ? 'segments' : 'triangles'} that are ${name}. Escape leaves.`,
     click({ facet }) {
       if (facet === undefined) return;
@@ -73,6 +76,7 @@ export function paintArea(material: number) {
     kind: 'polygon',
     least: 3,
     hint: `Click round the ground that is ${name}.`,
+    isPossible: asNow('material'),
     done: (ring) => {
       const value = { name: freshName(['area'], 'Area'), material: name, polygon: ring.map(onPlan) };
       edit(`make an area ${name}`, [{ append: ['area'], value }]);

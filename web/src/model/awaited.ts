@@ -5,8 +5,13 @@ import type { Problem } from '../api/types';
 import { values } from '../state/document';
 import { problems, problemsAt } from '../state/model';
 import type { Path } from '../toml/edit';
+import { columnsAt } from './columns';
 import { pathText } from './place';
+import { sentence } from './problemText';
+import { fieldOf } from './settings';
 import { nextSteps } from './things';
+import { waitingAt } from './unfinished';
+import { placeInTable } from './waitingRows';
 
 /// Whether a problem says no more than that something is still to come.
 const isAwaited = (problem: Problem, keys: string[]) =>
@@ -28,9 +33,20 @@ export const realProblems = computed<Problem[]>(() => {
 export const realProblemsAt = (path: string) =>
   realProblems.value.filter((problem) => problem.path === path || problem.path.startsWith(`${path}.`));
 
+/// The setting in which a problem is: of a table, or of an entry of a list.
+function settingOf(path: string): Path {
+  const parts = path.split('.');
+  return parts.slice(0, /^\d+$/.test(parts[1] ?? '') ? 3 : 2);
+}
+
 /// A sentence without the place, which its field shows.
-export const sentenceOf = ({ what, why, hint }: Problem) =>
-  `${what}${why ? ` (${why})` : ''}${hint ? `. ${hint}` : ''}`;
+export function sentenceOf(problem: Problem): string {
+  const setting = settingOf(problem.path);
+  const kind = fieldOf(String(setting[0]), String(setting.at(-1)))?.type.kind;
+  const rows = kind === 'lists of rows' ? problem.path.split('.').slice(0, 3) : setting;
+  const waiting = waitingAt(pathText(rows));
+  return sentence(problem, { kind, columns: columnsAt(setting), rowAt: (row) => placeInTable(waiting, row) });
+}
 
 /// How loudly it is said: what is only missing is still to come.
 export const toneOf = ({ what, severity }: Problem) => (/ (is|are) missing$/.test(what) ? 'warning' : severity);

@@ -1,44 +1,9 @@
-// What else changes when a value does, in the same step: who names a thing that is renamed, keys that mean nothing
-// beside a new kind.
+// What else changes when a value does, in the same step: keys that mean nothing beside a new kind, numbers of what
+// moves.
 
 import type { Edit, Path } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
-
-export const isTable = (value: unknown): value is TomlTable =>
-  typeof value === 'object' && value !== null && !Array.isArray(value);
-
-/// Every place below a path where a name stands.
-function uses(value: TomlValue | undefined, name: string, path: Path): Path[] {
-  if (value === name) return [path];
-  if (Array.isArray(value)) return value.flatMap((part, k) => uses(part, name, [...path, k]));
-  return isTable(value) ? Object.entries(value).flatMap(([key, part]) => uses(part, name, [...path, key])) : [];
-}
-
-const namingKeys: Record<string, Path[]> = {
-  material: [
-    ['ground', 'default'],
-    ['ground', 'segments'],
-    ['ground', 'classes'],
-    ['ground', 'values'],
-  ],
-  barrier: [['design', 'lines']],
-  collector: [
-    ['design', 'lines'],
-    ['design', 'protect'],
-  ],
-};
-
-const valueIn = (values: TomlTable, path: Path) =>
-  path.reduce<TomlValue | undefined>(
-    (at, part) => (isTable(at) ? at[String(part)] : Array.isArray(at) ? at[Number(part)] : undefined),
-    values,
-  );
-
-/// Where entries of a list are called by their names.
-function namingPlaces(values: TomlTable, table: string): Path[] {
-  const areas = table === 'material' && Array.isArray(values.area) ? values.area : [];
-  return [...(namingKeys[table] ?? []), ...areas.map((_, k) => ['area', k, 'material'])];
-}
+import { isTable, valueIn } from './tables';
 
 const placesOf: Record<string, string[]> = {
   point: ['position'],
@@ -65,12 +30,6 @@ export function consequences(values: TomlTable, path: Path, next: TomlValue | un
   const rows = values[String(table)];
   const row = Array.isArray(rows) && typeof index === 'number' ? rows[index] : undefined;
   if (path.length !== 3 || !isTable(row)) return [];
-  if (key === 'name' && typeof next === 'string' && typeof row.name === 'string') {
-    const old = row.name;
-    return namingPlaces(values, String(table))
-      .flatMap((place) => uses(valueIn(values, place), old, place))
-      .map((set) => ({ set, value: next }));
-  }
   if (table === 'seeder' && key === 'type') {
     const kept = placesOf[String(next ?? 'point')] ?? [];
     const others = new Set(
@@ -83,14 +42,17 @@ export function consequences(values: TomlTable, path: Path, next: TomlValue | un
   return [];
 }
 
-/// The edits that take an entry out of a list: triangles that had a material with a larger number have it by its new one.
+const noMaterial = -1;
+
+/// The edits that take an entry out of a list. Triangles call materials by their numbers: those of a later material
+/// have it by its new number, those of the one that goes have none, which the engine complains of.
 export function removal(values: TomlTable, path: Path): Edit[] {
   const [table, index] = path;
   const edits: Edit[] = [{ remove: path }];
   const triangles = valueIn(values, ['ground', 'triangles']);
   if (table === 'material' && typeof index === 'number' && Array.isArray(triangles)) {
     const moved = triangles.map((number) =>
-      typeof number === 'number' && number > index ? number - 1 : number === index ? 0 : number,
+      typeof number !== 'number' || number < index ? number : number === index ? noMaterial : number - 1,
     );
     edits.push({ set: ['ground', 'triangles'], value: moved });
   }

@@ -5,7 +5,7 @@ import { showOverlay, tool, useTool, type Overlay, type Place } from '../scene/t
 import type { Point3 } from '../api/types';
 import { model } from '../state/model';
 
-interface Drawing {
+export interface Drawing {
   name: string;
   /// What one click does.
   hint: string;
@@ -13,6 +13,7 @@ interface Drawing {
   /// As many places make it; with more they are drawn until Enter or a double click.
   least: number;
   most?: number;
+  isPossible?: () => boolean;
   done: (places: Point3[]) => void;
 }
 
@@ -25,7 +26,7 @@ function isSame(a: Point3 | undefined, b: Point3, elapsed: number): boolean {
   return Math.hypot(...a.map((value, k) => value - b[k]!)) <= (elapsed < doubleClick ? 0.01 * extent : 0);
 }
 
-export function draw({ name, hint, kind, least, most = Infinity, done }: Drawing) {
+export function draw({ name, hint, kind, least, most = Infinity, isPossible, done }: Drawing) {
   // A signal, since the hint follows it.
   const places = signal<Point3[]>([]);
   let pointer: Point3 | null = null;
@@ -51,6 +52,7 @@ export function draw({ name, hint, kind, least, most = Infinity, done }: Drawing
   };
   useTool({
     name,
+    isPossible,
     hint: () => {
       if (most === 1) return hint;
       return `${hint} ${places.value.length >= least ? 'Enter or a double click finishes, ' : ''}Backspace takes a point back, Escape leaves.`;

@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { FileKind, FolderFile } from '../api/types';
 import { sayFailure } from '../state/messages';
+import { lookAgain } from '../state/model';
 
 export const files = signal<FolderFile[]>([]);
 
@@ -53,5 +54,6 @@ export async function uploadBeside(project: string, content: File): Promise<stri
     await api.upload(name, content, true);
   }
   await loadFiles();
+  void lookAgain();
   return content.name;
 }

@@ -6,8 +6,8 @@ import { model } from '../state/model';
 import type { Path } from '../toml/edit';
 import type { TomlValue } from '../toml/format';
 import { shading } from '../view/settings';
-import { draw } from './drawing';
-import { is2d, tableAt, thingOf } from './place';
+import { draw, type Drawing } from './drawing';
+import { asNow, is2d, tableAt, thingOf } from './place';
 import { rounded } from './plan';
 
 const extent = () => {
@@ -33,6 +33,7 @@ interface Drawable {
 export function drawable(path: Path): Drawable | null {
   const [table, key] = [path[0], path.at(-1)];
   const thing = thingOf(path);
+  const drawIt = (drawing: Omit<Drawing, 'isPossible'>) => draw({ ...drawing, isPossible: asNow(String(table)) });
   const set = (what: string, value: TomlValue) => edit(`${what} ${thing}`, [{ set: path, value }]);
   if (table === 'terrain' && key === 'section' && is2d.value) {
     const old = valueAt(path);
@@ -40,7 +41,7 @@ export function drawable(path: Path): Drawable | null {
     return {
       title: hasRows ? 'Draw it anew' : 'Draw the section',
       start: () =>
-        draw({
+        drawIt({
           name: 'Section',
           kind: 'line',
           least: 2,
@@ -53,7 +54,7 @@ export function drawable(path: Path): Drawable | null {
     return {
       title: 'Pick in the view',
       start: () =>
-        draw({
+        drawIt({
           name: thing,
           kind: 'points',
           least: 1,
@@ -66,7 +67,7 @@ export function drawable(path: Path): Drawable | null {
     return {
       title: 'Draw in the view',
       start: () =>
-        draw({
+        drawIt({
           name: thing,
           kind: 'line',
           least: 2,
@@ -82,7 +83,7 @@ export function drawable(path: Path): Drawable | null {
     return {
       title: 'Draw in the view',
       start: () =>
-        draw({
+        drawIt({
           name: thing,
           kind: 'polygon',
           least: 3,
@@ -95,7 +96,7 @@ export function drawable(path: Path): Drawable | null {
       title: 'Draw in the view',
       start: () => {
         shading.value = 'material';
-        draw({
+        drawIt({
           name: thing,
           kind: 'polygon',
           least: 3,
@@ -109,7 +110,7 @@ export function drawable(path: Path): Drawable | null {
       return {
         title: 'Pick in the view',
         start: () =>
-          draw({
+          drawIt({
             name: thing,
             kind: 'points',
             least: 1,
@@ -121,7 +122,7 @@ export function drawable(path: Path): Drawable | null {
     return {
       title: 'Draw in the view',
       start: () =>
-        draw({
+        drawIt({
           name: thing,
           kind: 'line',
           least: 2,

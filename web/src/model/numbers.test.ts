@@ -11,10 +11,19 @@ describe('numbers as they are typed', () => {
     ['+2', 2],
     ['\u22123', -3],
     ['inf', Infinity],
+    ['9007199254740993', 9007199254740993n],
+    ['-9223372036854775808', -(2n ** 63n)],
+    ['1e-300', 1e-300],
+    ['0e5', 0],
   ])('%s', (text, value) => expect(numberOf(text)).toBe(value));
   test.each(['', '-', '0,8', '1e', 'abc', '1 2', '0x10', 'Infinity', 'NaN'])('"%s" is none', (text) =>
     expect(numberOf(text)).toBeUndefined(),
   );
+  const lost = ['1e999', '-1e999', '1e-999', '9223372036854775808', '99999999999999999999'];
+  test.each(lost)('%s cannot be kept', (text) => {
+    expect(numberOf(text)).toBeUndefined();
+    expect(typedValue(text)).toBe(text);
+  });
   test('what is no number goes to the engine as it is', () => {
     expect(typedValue('0,8')).toBe('0,8');
     expect(typedValue('  ')).toBeUndefined();
@@ -39,6 +48,8 @@ describe('rows from a spreadsheet', () => {
     expect(pastedRows('  1   2\t3'.replace('\t', ' '))).toEqual([['1', '2', '3']]);
   });
   test('a heading, empty lines and quotes', () => expect(pastedRows('X\tY\n\n"1"\t"2"\n')).toEqual([['1', '2']]));
+  test('a row of numbers that cannot be kept is no heading', () =>
+    expect(pastedRows('1e999;1e999')).toEqual([['1e999', '1e999']]));
   test('a comma at the end of every line', () =>
     expect(pastedRows('1,2,\n3,4,')).toEqual([
       ['1', '2'],

@@ -1,13 +1,29 @@
 // Numbers as people type them, and rows of them as spreadsheets give them.
 
 import type { TomlValue } from '../toml/format';
+import { jsonText } from '../toml/json';
 
-/// A number as the project file writes it, or undefined where the text is none.
-export function numberOf(text: string): number | undefined {
-  const bare = text.trim().replace(/^\u2212/, '-');
+const mostWhole = 2n ** 63n; // TOML has whole numbers of 64 bits
+
+function wholeOf(digits: string): number | bigint | undefined {
+  if (Number.isSafeInteger(Number(digits))) return Number(digits);
+  const exact = BigInt(digits.replace(/^\+/, ''));
+  return exact >= -mostWhole && exact < mostWhole ? exact : undefined;
+}
+
+const plain = (text: string) => text.trim().replace(/^\u2212/, '-');
+export const isNumeral = (text: string) => /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain(text));
+
+/// A number as the project file writes it; undefined where the text is none, or one that the file cannot have: it would
+/// become infinite, nothing, or another whole number.
+export function numberOf(text: string): number | bigint | undefined {
+  const bare = plain(text);
   if (/^[+-]?inf$/.test(bare)) return bare.startsWith('-') ? -Infinity : Infinity;
-  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(bare)) return undefined;
-  return Number(bare);
+  if (/^[+-]?\d+$/.test(bare)) return wholeOf(bare);
+  if (!isNumeral(bare)) return undefined;
+  const number = Number(bare);
+  const isLost = number === 0 && /[1-9]/.test(bare.replace(/e.*/i, ''));
+  return isLost || !Number.isFinite(number) ? undefined : number;
 }
 
 /// What a typed text says: a number, or the text itself, which the engine then refuses in its own words. Nothing:
@@ -21,7 +37,7 @@ export function cellText(value: unknown): string {
   if (value === undefined || value === null) return '';
   if (value === Infinity) return 'inf';
   if (value === -Infinity) return '-inf';
-  return typeof value === 'object' ? JSON.stringify(value) : String(value);
+  return typeof value === 'object' ? jsonText(value) : String(value);
 }
 
 /// The cells of a text that was copied from a spreadsheet or a file: columns apart by tabs, semicolons, commas or blanks.
@@ -30,17 +46,13 @@ export function cellText(value: unknown): string {
 export function pastedRows(text: string): string[][] {
   const lines = text.split(/\r\n|\r|\n/).filter((line) => line.trim() !== '');
   const separator = [/\t/, /;/, /,/].find((candidate) => lines.some((line) => candidate.test(line)));
-  const plain = (cell: string) =>
-    cell
-      .trim()
-      .replace(/^"(.*)"$/, '$1')
-      .replace(/^\u2212/, '-');
-  const cells = lines.map((line) => (separator ? line.split(separator) : line.trim().split(/\s+/)).map(plain));
+  const unquoted = (cell: string) => plain(cell.trim().replace(/^"(.*)"$/, '$1'));
+  const cells = lines.map((line) => (separator ? line.split(separator) : line.trim().split(/\s+/)).map(unquoted));
   const mayHaveCommas = separator !== undefined && separator.source !== ',';
   const points = cells.map((row) =>
     row.map((cell) => (mayHaveCommas && /^[+-]?\d+,\d+(e[+-]?\d+)?$/i.test(cell) ? cell.replace(',', '.') : cell)),
   );
-  const rows = points.filter((row) => row.some((cell) => numberOf(cell) !== undefined));
+  const rows = points.filter((row) => row.some((cell) => isNumeral(cell) || numberOf(cell) !== undefined));
   // An empty last column, as a comma at the end of each line leaves it.
   return rows.every((row) => row.length > 1 && row.at(-1) === '') ? rows.map((row) => row.slice(0, -1)) : rows;
 }

@@ -5,10 +5,12 @@ import { edit, rowsOf, valueAt, values } from '../state/document';
 import { model } from '../state/model';
 import type { Edit, Path } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
-import { consequences, isTable } from './consequences';
+import { consequences } from './consequences';
+import { renaming, type FormerName } from './renames';
 import { sections } from './sections';
+import { isTable } from './tables';
 
-export { isTable } from './consequences';
+export { isTable } from './tables';
 
 /// A table of the project; empty where it is not there.
 export function tableAt(path: Path): TomlTable {
@@ -40,11 +42,23 @@ export function thingOf(path: Path): string {
 /// The paths that the engine's problems name.
 export const pathText = (path: Path) => path.join('.');
 
+let formerNames: FormerName[] = [];
+
 /// Sets a value, or removes its key where there is none.
 export function put(path: Path, value: TomlValue | undefined, title: string, merge = pathText(path)) {
   const what = value === undefined ? `clear ${title}` : `change ${title}`;
   const own: Edit = value === undefined ? { remove: path } : { set: path, value };
-  edit(`${what} of ${thingOf(path)}`, [own, ...consequences(values.value, path, value)], merge);
+  const isName = path.length === 3 && path[2] === 'name';
+  const called = isName ? renaming(values.value, path, value, formerNames) : { edits: [], known: formerNames };
+  const more = [...consequences(values.value, path, value), ...called.edits];
+  if (edit(`${what} of ${thingOf(path)}`, [own, ...more], merge)) formerNames = called.known;
+}
+
+/// Tells whether the entries of a list are still those of now, by their names: another may have a number by then.
+export function asNow(key: string): () => boolean {
+  const names = () => JSON.stringify(rowsOf(key).map((_, index) => nameOf(key, index)));
+  const then = names();
+  return () => names() === then;
 }
 
 /// A name that no entry of these lists has: "Material 3".

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { cellsOf, overlaid, rowEdits, rowsValue } from './rows';
+import { cellsOf, overlaid, rowEdits, rowValue } from './rows';
 
 test('cells of rows that are too short are empty', () =>
   expect(
@@ -15,12 +15,11 @@ test('cells of rows that are too short are empty', () =>
     ['3', '4', ''],
   ]));
 
-test('rows are taken when they are complete', () => {
-  expect(rowsValue([['1', '2', 'surface']], 3)).toEqual([[1, 2, 'surface']]);
-  expect(rowsValue([['1', '2', '']], 2)).toEqual([[1, 2]]);
-  expect(rowsValue([['1', '2', '']], 3)).toBeUndefined();
-  expect(rowsValue([['1', '', '3']], 2)).toBeUndefined();
-  expect(rowsValue([], 2)).toEqual([]);
+test('a row is taken when it is complete', () => {
+  expect(rowValue(['1', '2', 'surface'], 3)).toEqual([1, 2, 'surface']);
+  expect(rowValue(['1', '2', ''], 2)).toEqual([1, 2]);
+  expect(rowValue(['1', '2', ''], 3)).toBeUndefined();
+  expect(rowValue(['1', '', '3'], 2)).toBeUndefined();
 });
 
 test('a block is laid over cells, and adds rows', () =>

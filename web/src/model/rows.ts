@@ -1,5 +1,6 @@
 // Rows of numbers between the project and an edit table.
 
+import { isSame } from '../toml/differences';
 import type { Edit, Path } from '../toml/edit';
 import type { TomlValue } from '../toml/format';
 import { cellText, typedValue } from './numbers';
@@ -21,15 +22,9 @@ export function rowValue(cells: readonly string[], least: number): TomlValue[] |
   return values.some((value) => value === undefined) ? undefined : (values as TomlValue[]);
 }
 
-/// All rows, or undefined while one is incomplete.
-export function rowsValue(cells: readonly (readonly string[])[], least: number): TomlValue[][] | undefined {
-  const rows = cells.map((row) => rowValue(row, least));
-  return rows.some((row) => row === undefined) ? undefined : (rows as TomlValue[][]);
-}
-
 /// Cells with a block laid over them from a cell on; rows that are missing are added, what is too wide is left out.
 export function overlaid(
-  cells: readonly string[][],
+  cells: readonly (readonly string[])[],
   block: readonly string[][],
   row: number,
   column: number,
@@ -45,8 +40,6 @@ export function overlaid(
   return result;
 }
 
-const same = (a: TomlValue | undefined, b: TomlValue | undefined) => JSON.stringify(a) === JSON.stringify(b);
-
 /// The fewest edits that make rows of others, so that the layout of the rest stays.
 export function rowEdits(path: Path, before: unknown, after: TomlValue[][]): Edit[] {
   const old = Array.isArray(before) ? (before as TomlValue[]) : undefined;
@@ -54,16 +47,16 @@ export function rowEdits(path: Path, before: unknown, after: TomlValue[][]): Edi
   if (after.length >= old.length) {
     const edits = after.flatMap<Edit>((row, r) => {
       const known = old[r];
-      if (same(known, row)) return [];
+      if (isSame(known, row)) return [];
       if (!Array.isArray(known) || known.length !== row.length) return [{ set: [...path, r], value: row }];
-      return row.flatMap((value, c) => (same(known[c], value) ? [] : [{ set: [...path, r, c], value }]));
+      return row.flatMap((value, c) => (isSame(known[c], value) ? [] : [{ set: [...path, r, c], value }]));
     });
     // Most of the rows are new: written as a whole they have a line each.
     return edits.length <= 8 ? edits : [{ set: path, value: after }];
   }
-  const first = after.findIndex((row, k) => !same(old[k], row));
+  const first = after.findIndex((row, k) => !isSame(old[k], row));
   const gone = first < 0 ? after.length : first;
   const isOneGone =
-    old.length === after.length + 1 && after.slice(gone).every((row, k) => same(old[gone + 1 + k], row));
+    old.length === after.length + 1 && after.slice(gone).every((row, k) => isSame(old[gone + 1 + k], row));
   return isOneGone ? [{ remove: [...path, gone] }] : [{ set: path, value: after }];
 }

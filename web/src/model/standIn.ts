@@ -4,7 +4,7 @@
 import type { Model, Problem } from '../api/types';
 import { edited, valuesOf, type Edit, type Path } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
-import { isTable } from './consequences';
+import { isTable } from './tables';
 
 const name = 'stands in for a seeder';
 

@@ -3,12 +3,11 @@
 import { rowsOf, valueAt, values } from '../state/document';
 import { model } from '../state/model';
 import type { TomlTable, TomlValue } from '../toml/format';
+import { counted } from '../ui/format';
 import { isTable, tableAt } from './place';
 import { valueText, wordText } from './words';
 
 const number = (value: TomlValue | undefined) => (isTable(value) ? valueText(value.mean) : valueText(value));
-const counted = (count: number, one: string, many = `${one}s`) =>
-  `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
 
 function terrain(): string {
   const { section, width_m, ...given } = tableAt(['terrain']);
@@ -26,7 +25,7 @@ function seeder(row: TomlTable): string {
   const built = model.value?.seeders.find(({ name }) => name === row.name);
   const rocks =
     row.rocks_per_cell !== undefined
-      ? `${number(row.rocks_per_cell)} rocks a cell`
+      ? `${number(row.rocks_per_cell)} ${row.rocks_per_cell === 1 ? 'rock' : 'rocks'} a cell`
       : counted(built?.rocks ?? Number(row.rocks ?? 1), 'rock');
   return `${type}, ${rocks}`;
 }

@@ -67,6 +67,7 @@ const companions: Record<string, string[]> = {
     'remove_spikes_m',
     'crs',
   ],
+  raster: ['crs'],
   mesh: ['crs'],
   polylines: ['merge_tolerance_m', 'crs'],
   polygons: ['merge_tolerance_m', 'polygons_layer', 'crs'],

@@ -33,8 +33,8 @@ function first(key: string): TomlTable {
 export function add(key: string, more: TomlTable = {}, what = `add a ${key}`) {
   const value = { name: freshName(family(key), words[key] ?? key), ...first(key), ...more };
   const index = rowsOf(key).length;
-  edit(what, [{ append: [key], value }, ...(key === 'material' && index === 1 ? defaultGround() : [])]);
-  chosen.value = [key, index];
+  const ground = key === 'material' && index === 1 ? defaultGround() : [];
+  if (edit(what, [{ append: [key], value }, ...ground])) chosen.value = [key, index];
 }
 
 /// With a second material the ground needs to know which one it is made of where nothing else is said.
@@ -51,8 +51,8 @@ export function copy(key: string, index: number) {
 }
 
 export function remove(key: string, index: number) {
-  edit(`delete ${nameOf(key, index)}`, removal(values.value, [key, index]));
-  if (chosen.value?.[0] === key) chosen.value = null;
+  const isDone = edit(`delete ${nameOf(key, index)}`, removal(values.value, [key, index]));
+  if (isDone && chosen.value?.[0] === key) chosen.value = null;
 }
 
 export interface Step {

@@ -1,6 +1,8 @@
 // Which rocks are looked at, in a small panel of each view's bar.
 
+import { useState } from 'preact/hooks';
 import { everyRock, filter, isFiltering, type RockFilter } from '../state/filter';
+import { counted } from '../ui/format';
 import { Popover } from '../view/Popover';
 import { shownPaths } from './drawnPaths';
 
@@ -17,19 +19,40 @@ function toggled(key: ListKey, all: string[], name: string): RockFilter {
   return { ...now, [key]: isEvery ? null : next };
 }
 
+const mostAtOnce = 12; // more have a field that finds some of them
+const mostRows = 500;
+
 function Names({ of, names }: { of: ListKey; names: string[] }) {
+  const [wanted, want] = useState('');
   const all = [...new Set(names)];
   if (all.length === 0 || (all.length === 1 && of !== 'barriers')) return null;
-  const isChosen = (name: string) => filter.value[of]?.includes(name) ?? of !== 'barriers';
+  const chosen = filter.value[of] && new Set(filter.value[of]);
+  const isChosen = (name: string) => chosen?.has(name) ?? of !== 'barriers';
+  const found = all.filter((name) => name.toLowerCase().includes(wanted.trim().toLowerCase()));
   return (
     <fieldset>
       <legend>{titles[of]}</legend>
-      {all.slice(0, 30).map((name) => (
-        <label key={name}>
-          <input type="checkbox" checked={isChosen(name)} onChange={() => (filter.value = toggled(of, all, name))} />
-          {name}
-        </label>
-      ))}
+      {all.length > mostAtOnce && (
+        <input
+          type="search"
+          aria-label={`Find in ${titles[of]}`}
+          placeholder={`Find among ${all.length.toLocaleString('en')}`}
+          value={wanted}
+          onInput={(event) => want(event.currentTarget.value)}
+        />
+      )}
+      <div class="names">
+        {found.slice(0, mostRows).map((name) => (
+          <label key={name} title={name}>
+            <input type="checkbox" checked={isChosen(name)} onChange={() => (filter.value = toggled(of, all, name))} />
+            <span>{name}</span>
+          </label>
+        ))}
+      </div>
+      {found.length > mostRows && (
+        <span class="faint">The first {mostRows} of {counted(found.length, 'name')}: find others above.</span>
+      )}
+      {found.length === 0 && <span class="faint">No such name.</span>}
     </fieldset>
   );
 }

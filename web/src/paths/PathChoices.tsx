@@ -2,6 +2,7 @@
 
 import { layers, pathColour, type PathColour } from '../view/settings';
 import { Popover } from '../view/Popover';
+import { counted } from '../ui/format';
 import { pathColours } from './colouring';
 import { shownPaths } from './drawnPaths';
 
@@ -26,7 +27,7 @@ export function PathChoices() {
       </fieldset>
       {paths.rocks.length < total && (
         <span class="faint">
-          {paths.rocks.length.toLocaleString('en')} of {total.toLocaleString('en')} paths are drawn, spread evenly.
+          {paths.rocks.length.toLocaleString('en')} of {counted(total, 'path')} are drawn, spread evenly.
         </span>
       )}
     </Popover>

@@ -41,7 +41,7 @@ export interface DrawnPaths {
   masses: Float32Array; // kg
   maxEnergies: Float32Array; // kJ
   maxHeights: Float32Array; // m
-  barriers: Uint32Array; // bit k: it hit barrier k
+  barriers: Uint32Array; // so many words each as barriers need: bit k, it hit barrier k
 }
 
 const mostRocks = 10_000;

@@ -24,3 +24,13 @@ test('a barrier is one that was hit', () => {
   expect(passes({ barriers: ['Net', 'Wall'] })).toEqual([0, 1, 1]);
 });
 test('ends of the energies pass', () => expect(passes({ minEnergy_kJ: 10, maxEnergy_kJ: 20 })).toEqual([1, 1, 0]));
+test('beyond the 32nd barrier, too', () => {
+  const names = Array.from({ length: 70 }, (_, k) => `Net ${k + 1}`);
+  const barriers = new Uint32Array(9);
+  barriers[2] = 1 << 5; // the first rock hits number 70
+  barriers[3] = 1 << 31; // the second number 32
+  const crowd = { ...rocks, header: { ...rocks.header, barriers: names }, barriers };
+  const hits = (...chosen: string[]) => [...passing(crowd, { ...everyRock, barriers: chosen })];
+  expect(hits('Net 70')).toEqual([1, 0, 0]);
+  expect(hits('Net 32', 'Net 6')).toEqual([0, 1, 0]);
+});

@@ -7,6 +7,16 @@ type Rocks = Pick<DrawnPaths, 'reasons' | 'seeders' | 'sources' | 'barriers' | '
   header: Pick<DrawnPaths['header'], 'reasons' | 'seeders' | 'sources' | 'barriers'>;
 };
 
+/// A bit for each name, set for those that are chosen.
+function bitsOf(names: readonly string[], chosen: readonly string[]): Uint32Array {
+  const wanted = new Set(chosen);
+  const words = new Uint32Array(Math.max(1, Math.ceil(names.length / 32)));
+  names.forEach((name, k) => {
+    if (wanted.has(name)) words[k >> 5]! |= 1 << (k & 31);
+  });
+  return words;
+}
+
 /// 1 for a rock that passes, 0 for one that does not.
 export function passing(rocks: Rocks, now: RockFilter): Uint8Array {
   const { header, reasons, seeders, sources, barriers, maxEnergies } = rocks;
@@ -16,7 +26,8 @@ export function passing(rocks: Rocks, now: RockFilter): Uint8Array {
     allowed(header.seeders, now.seeders),
     allowed(header.sources, now.sources),
   ];
-  const hits = header.barriers.reduce((bits, name, k) => (now.barriers?.includes(name) && k < 32 ? bits | (1 << k) : bits), 0);
+  const hits = bitsOf(header.barriers, now.barriers ?? []);
+  const isHit = (k: number) => hits.some((bits, word) => (barriers[k * hits.length + word]! & bits) !== 0);
   const passes = new Uint8Array(reasons.length);
   for (let k = 0; k < passes.length; ++k) {
     const energy = maxEnergies[k]!;
@@ -24,7 +35,7 @@ export function passing(rocks: Rocks, now: RockFilter): Uint8Array {
       reason[reasons[k]!] &&
         seeder[seeders[k]!] &&
         source[sources[k]!] &&
-        (now.barriers === null || (barriers[k]! & hits) !== 0) &&
+        (now.barriers === null || isHit(k)) &&
         (now.minEnergy_kJ === null || energy >= now.minEnergy_kJ) &&
         (now.maxEnergy_kJ === null || energy <= now.maxEnergy_kJ),
     );

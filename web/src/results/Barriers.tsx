@@ -4,6 +4,7 @@ import { useMemo, useState } from 'preact/hooks';
 import { results, type BarrierAnswer } from '../api/results';
 import type { Run } from '../api/types';
 import { filter } from '../state/filter';
+import { counted } from '../ui/format';
 import { ColumnChoice } from './ColumnChoice';
 import { titleOf } from './columns';
 import { DataTable } from './DataTable';
@@ -77,7 +78,7 @@ function Hits({ run, barrier, number }: { run: Run; barrier: BarrierAnswer; numb
       <div class="tab-tools">
         <ColumnChoice columns={hitColumns} now={column} choose={choose} />
         <FilterNote />
-        {found && <span class="faint">{found.statistics.count.toLocaleString('en')} hits</span>}
+        {found && <span class="faint">{counted(found.statistics.count, 'hit')}</span>}
       </div>
       {!found ? (
         <Waiting of={answer} />

@@ -4,6 +4,7 @@ import { useMemo, useState } from 'preact/hooks';
 import { results } from '../api/results';
 import type { Run } from '../api/types';
 import { filter } from '../state/filter';
+import { counted } from '../ui/format';
 import { ColumnChoice, endpointColumns } from './ColumnChoice';
 import { titleOf } from './columns';
 import { DistributionFigures } from './DistributionFigures';
@@ -32,7 +33,7 @@ export function Distributions({ run }: { run: Run }) {
       <div class="tab-tools">
         <ColumnChoice columns={endpointColumns} now={column} choose={choose} />
         <FilterNote />
-        {found && <span class="faint">{found.statistics.count.toLocaleString('en')} rocks</span>}
+        {found && <span class="faint">{counted(found.statistics.count, 'rock')}</span>}
       </div>
       {!found ? (
         <Waiting of={answer} />

@@ -3,7 +3,7 @@
 import { results } from '../api/results';
 import type { Run } from '../api/types';
 import { everyRock } from '../state/filter';
-import { clockText, numberText } from '../ui/format';
+import { clockText, counted, numberText } from '../ui/format';
 import { titleOf, unitOf } from './columns';
 import { EndReasons } from './EndReasons';
 import { useRemote } from './remote';
@@ -46,11 +46,13 @@ export function Overview({ run }: { run: Run }) {
           <dd>{summary.seed}</dd>
           <dt>Time taken</dt>
           <dd>
-            {seconds < 60 ? `${numberText(seconds, 3)} s` : clockText(seconds)} on {summary.timings.threads} threads
+            {seconds < 60 ? `${numberText(seconds, 3)} s` : clockText(seconds)} on{' '}
+            {counted(Number(summary.timings.threads), 'thread')}
           </dd>
         </dl>
         {Number(summary.rocks.lifted) > 0 && (
-          <p class="problem warning">{summary.rocks.lifted} rocks would have started underground and were lifted.</p>
+          <p class="problem warning">{counted(Number(summary.rocks.lifted), 'rock')} would have started underground, and
+            {summary.rocks.lifted === '1' ? ' was' : ' were'} lifted.</p>
         )}
       </div>
       <StatisticsTable caption="Statistics over all rocks" file={fileName(run.name, 'statistics')} columns={columns} />

@@ -51,12 +51,15 @@ function NoResults({ run }: { run: Run }) {
     );
   return (
     <div class="answer-missing">
-      <p>This run failed. What is written below must be mended; then compute again.</p>
+      <p>This run failed. What is written below must be mended; then it can go on, or be computed again.</p>
       {run.problems.map((problem) => (
         <span key={problem.text} class={`problem ${problem.severity}`}>
           {problem.text}
         </span>
       ))}
+      <button class="button" onClick={() => void resume(run.id)}>
+        Resume
+      </button>
     </div>
   );
 }

@@ -1,12 +1,22 @@
+import { useState } from 'preact/hooks';
 import type { Run } from '../api/types';
 import { chosenRock } from '../state/view';
 
 /// Which rock is looked at: rocks are numbered from 0.
 export function RockChoice({ run }: { run: Run }) {
+  const [refused, refuse] = useState<string | null>(null);
   const rock = chosenRock.value;
   const last = run.rocks - 1;
   const go = (to: number) => {
-    if (Number.isInteger(to) && to >= 0 && to <= last) chosenRock.value = to;
+    refuse(null);
+    chosenRock.value = to;
+  };
+  /// What is no rock gives way to the one that is shown.
+  const take = (field: HTMLInputElement) => {
+    const to = field.valueAsNumber;
+    if (Number.isInteger(to) && to >= 0 && to <= last) return go(to);
+    if (field.value !== '') refuse(field.value);
+    field.value = String(rock ?? '');
   };
   return (
     <div class="tab-tools">
@@ -20,7 +30,7 @@ export function RockChoice({ run }: { run: Run }) {
           style={{ width: `calc(${String(last).length + 5}ch + 3em)` }}
           value={rock ?? ''}
           placeholder={`0 to ${last}`}
-          onChange={(event) => event.currentTarget.value !== '' && go(event.currentTarget.valueAsNumber)}
+          onChange={(event) => take(event.currentTarget)}
         />
       </label>
       <button class="button" disabled={rock === null || rock <= 0} onClick={() => go(rock! - 1)}>
@@ -33,6 +43,11 @@ export function RockChoice({ run }: { run: Run }) {
         <button class="button plain" onClick={() => (chosenRock.value = null)}>
           None
         </button>
+      )}
+      {refused !== null && (
+        <span class="problem" role="status">
+          There is no rock {refused}: they are numbered from 0 to {last}.
+        </span>
       )}
     </div>
   );

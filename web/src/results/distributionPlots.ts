@@ -5,6 +5,7 @@ import type { ColumnStatistics } from '../api/results';
 import { numberText } from '../ui/format';
 import { axis, type Look } from './chartLook';
 import { readingOf, withUnit } from './columns';
+import { endsAround, type Ends } from './oneValue';
 import type { Cell } from './save';
 
 /// The same of one or several things, such as two runs.
@@ -31,14 +32,22 @@ const several = (layers: readonly Layer[], look: Look): EChartsOption =>
 const legendEntries = (layers: readonly Layer[], look: Look) =>
   layers.map((layer) => ({ name: layer.name, itemStyle: { color: layer.colour(look) } }));
 
+/// The axis of a quantity.
+const quantityAxis = (look: Look, title: string, ends: Ends | null) => ({ ...axis(look, title), ...ends });
+
+const leastWidth = 0.5; // of a bar, pixels
+const oneWidth = 6;
+
 export function histogram(layers: readonly Layer[], title: string, thing: string, look: Look): EChartsOption {
   const { unit, per } = readingOf(layers[0]?.statistics.unit ?? '');
   const common = several(layers, look);
+  const ends = endsAround(layers.flatMap(({ statistics }) => statistics.histogram.edges.map((edge) => edge / per)));
+  const narrowest = ends ? oneWidth : leastWidth;
   return {
     ...common,
     ...(layers.length > 1 && { legend: { ...(common.legend as object), data: legendEntries(layers, look) } }),
     tooltip: { ...tooltipOf(look), trigger: 'item' },
-    xAxis: axis(look, withUnit(title, unit)),
+    xAxis: quantityAxis(look, withUnit(title, unit), ends),
     yAxis: { ...axis(look, thing), min: 0, minInterval: 1 },
     series: layers.map((layer) => {
       const { edges, counts } = layer.statistics.histogram;
@@ -54,9 +63,10 @@ export function histogram(layers: readonly Layer[], title: string, thing: string
           const [left, top] = api.coord([value(0), value(2)]) as [number, number];
           const [right, base] = api.coord([value(1), 0]) as [number, number];
           const gap = right - left > 4 ? 1 : 0;
+          const width = Math.max(right - left - gap, narrowest);
           return {
             type: 'rect',
-            shape: { x: left, y: top, width: Math.max(right - left - gap, 0.5), height: base - top },
+            shape: { x: ends ? left - width / 2 : left, y: top, width, height: base - top },
             style: { fill: colour, fillOpacity: layers.length > 1 ? 0.45 : 0.85, stroke: colour, lineWidth: gap },
           };
         },
@@ -81,8 +91,21 @@ export function histogramRows(layers: readonly Layer[], column: string): Cell[][
   ];
 }
 
+/// Points of steps, in percent: up from nothing at the least value.
+export function cumulativeCurve(points: readonly (readonly [number, number])[], ends: Ends | null): [number, number][] {
+  const steps = points.map(([value, share]): [number, number] => [value, share * 100]);
+  const first = points[0];
+  if (!first) return [];
+  const whole: [number, number][] = [[first[0], 0], ...steps];
+  return ends ? [[ends.min, 0], ...whole, [ends.max, 100]] : whole;
+}
+
 export function cumulative(layers: readonly Layer[], title: string, thing: string, look: Look): EChartsOption {
   const { unit, per } = readingOf(layers[0]?.statistics.unit ?? '');
+  const curves = layers.map(({ statistics }) =>
+    statistics.cumulative.map(([value, share]) => [value / per, share] as const),
+  );
+  const ends = endsAround(curves.flatMap((points) => points.map(([value]) => value)));
   return {
     ...several(layers, look),
     tooltip: {
@@ -90,16 +113,16 @@ export function cumulative(layers: readonly Layer[], title: string, thing: strin
       trigger: 'axis',
       valueFormatter: (share: unknown) => `${numberText(Number(share))} % at most`,
     },
-    xAxis: { ...axis(look, withUnit(title, unit)), axisPointer: { label: { precision: 3 } } },
+    xAxis: { ...quantityAxis(look, withUnit(title, unit), ends), axisPointer: { label: { precision: 3 } } },
     yAxis: { ...axis(look, `Share of ${thing.toLowerCase()} [%]`), min: 0, max: 100 },
-    series: layers.map((layer) => ({
+    series: layers.map((layer, k) => ({
       type: 'line',
       name: layer.name,
       step: 'end',
       showSymbol: false,
       lineStyle: { color: layer.colour(look), width: 2 },
       itemStyle: { color: layer.colour(look) },
-      data: layer.statistics.cumulative.map(([value, share]) => [value / per, share * 100]),
+      data: cumulativeCurve(curves[k]!, ends),
     })),
   } as EChartsOption;
 }
@@ -115,9 +138,10 @@ export function cumulativeRows(layers: readonly Layer[], column: string): Cell[]
 export function boxes(layers: readonly Layer[], title: string, look: Look): EChartsOption {
   const { unit, per } = readingOf(layers[0]?.statistics.unit ?? '');
   const withBox = layers.filter(({ statistics }) => statistics.box);
+  const ends = endsAround(withBox.flatMap(({ statistics: { box } }) => [box.least / per, box.most / per]));
   return {
     tooltip: { ...tooltipOf(look), trigger: 'item' },
-    xAxis: axis(look, withUnit(title, unit)),
+    xAxis: quantityAxis(look, withUnit(title, unit), ends),
     yAxis: {
       type: 'category',
       inverse: true,

@@ -1,6 +1,7 @@
 // Plots and tables as files, or to the clipboard.
 
 import { say, sayFailure } from '../state/messages';
+import { counted } from '../ui/format';
 
 export type Cell = string | number;
 
@@ -29,7 +30,7 @@ export function saveCsv(name: string, rows: readonly (readonly Cell[])[]) {
 export function copyRows(rows: readonly (readonly Cell[])[]) {
   const text = rows.map((row) => row.map((value) => String(value).replace(/[\t\r\n]+/g, ' ')).join('\t')).join('\n');
   navigator.clipboard.writeText(text).then(
-    () => say('note', `${rows.length - 1} rows copied: paste them into a spreadsheet`),
+    () => say('note', `${counted(rows.length - 1, 'row')} copied, to be pasted into a spreadsheet`),
     sayFailure,
   );
 }

@@ -2,6 +2,7 @@
 
 import { results } from '../api/results';
 import type { Run } from '../api/types';
+import { jsonText } from '../toml/json';
 import { useRemote } from '../results/remote';
 import { Waiting } from '../results/Waiting';
 
@@ -16,7 +17,7 @@ const longest = 80;
 function valueText(value: unknown): string {
   if (value === undefined || value === null) return '–';
   if (typeof value === 'string') return value;
-  const text = JSON.stringify(value, (_key, part: unknown) => (typeof part === 'bigint' ? Number(part) : part));
+  const text = typeof value === 'bigint' ? String(value) : jsonText(value);
   return text.length > longest ? `${text.slice(0, longest)}…` : text;
 }
 

@@ -2,7 +2,7 @@ import { useId, useState } from 'preact/hooks';
 import type { Run } from '../api/types';
 import { comparedId, hasResults, remove, resume, shown, shownId, stop } from '../state/runs';
 import { Dialog } from '../ui/Dialog';
-import { clockText, momentText, numberText } from '../ui/format';
+import { clockText, counted, momentText, numberText } from '../ui/format';
 import { RunDifferences } from './Differences';
 import { RunDetails } from './RunDetails';
 import { RunName } from './RunName';
@@ -12,7 +12,7 @@ import { useChanges } from './runText';
 function Facts({ run }: { run: Run }) {
   const facts = [
     momentText(run.begun),
-    `${run.rocks.toLocaleString('en')} rocks`,
+    counted(run.rocks, 'rock'),
     run.seconds > 0 && (run.seconds < 60 ? `${numberText(run.seconds, 2)} s` : clockText(run.seconds)),
     run.rate !== null && run.rate > 0 && `${Math.round(run.rate).toLocaleString('en')} rocks/s`,
   ];
@@ -51,8 +51,6 @@ function DeleteDialog({ run, close }: { run: Run; close: () => void }) {
     </Dialog>
   );
 }
-
-const counted = (n: number, word: string) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
 /// One run of the list. `isNear`: among the newest, whose texts are compared with the project at once.
 export function RunCard({ run, isNear }: { run: Run; isNear: boolean }) {
@@ -99,7 +97,7 @@ export function RunCard({ run, isNear }: { run: Run; isNear: boolean }) {
             Stop
           </button>
         )}
-        {(run.state === 'stopped' || run.state === 'interrupted') && (
+        {['stopped', 'interrupted', 'failed'].includes(run.state) && (
           <button class="button" title="Goes on with the rocks that are left" onClick={() => void resume(run.id)}>
             Resume
           </button>

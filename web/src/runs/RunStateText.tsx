@@ -1,4 +1,5 @@
 import type { Run, RunState } from '../api/types';
+import { counted } from '../ui/format';
 
 const looks: Record<RunState, { sign: string; words: string }> = {
   waiting: { sign: '…', words: 'Waiting for its turn' },
@@ -13,7 +14,7 @@ const looks: Record<RunState, { sign: string; words: string }> = {
 export function RunStateText({ run }: { run: Run }) {
   const { sign, words } = looks[run.state];
   const isPart = run.state !== 'done' && run.state !== 'waiting' && run.done > 0;
-  const of = `${run.done.toLocaleString('en')} of ${run.rocks.toLocaleString('en')} rocks`;
+  const of = `${run.done.toLocaleString('en')} of ${counted(run.rocks, 'rock')}`;
   return (
     <span class={`run-state ${run.state}`}>
       <span class="sign" aria-hidden="true">

@@ -25,8 +25,8 @@ import { TiledTerrain } from './tiledTerrain';
 import { overlays } from './tool';
 
 /// What the terrain depends on: other changes of the project leave it as it is.
-const terrainKey = ({ bounds, facets, kind, materials, project }: Model) =>
-  JSON.stringify([file.peek(), bounds, facets, kind, materials, project.terrain, project.ground, project.area]);
+const terrainKey = ({ files, bounds, facets, kind, materials, project }: Model) =>
+  JSON.stringify([file.peek(), files, bounds, facets, kind, materials, project.terrain, project.ground, project.area]);
 
 export class ModelScene {
   readonly stage: Stage;
@@ -77,7 +77,9 @@ export class ModelScene {
       this.key = key;
       await this.load(next);
     }
-    if (key === this.key) this.mark(next);
+    if (key !== this.key) return;
+    this.terrain?.askOf?.(next.id);
+    this.mark(next);
   }
 
   private async load(next: Model) {

@@ -20,5 +20,7 @@ export interface Terrain {
   pick(ray: Ray): Hit | null;
   /// Some hundreds of places of the ground, spread over all of it.
   places(): Vector3[];
+  /// What is fetched from now on is of this model, whose terrain is the same.
+  askOf?(model: string): void;
   dispose(): void;
 }

@@ -36,7 +36,7 @@ export class TiledTerrain implements Terrain {
   private turn = 0;
 
   private constructor(
-    private readonly model: string,
+    private model: string,
     private readonly tiles: Tiles,
     private readonly frame: Frame,
     private readonly zRange: [number, number],
@@ -63,6 +63,10 @@ export class TiledTerrain implements Terrain {
     const terrain = new TiledTerrain(model, tiles, frame, z, material, signal, changed);
     await Promise.all(terrain.roots.map((root) => terrain.load(root)));
     return terrain;
+  }
+
+  askOf(model: string) {
+    this.model = model;
   }
 
   private node(level: number, column: number, row: number): Node {

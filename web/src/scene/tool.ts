@@ -1,8 +1,9 @@
 // What the pointer does in the scene or on the section when it does not move the view: draw a line, place a seeder,
 // measure. Who wants to draw makes a tool active; the views tell it where the pointer is on the ground.
 
-import { signal } from '@preact/signals';
+import { effect, signal, untracked } from '@preact/signals';
 import type { Point3 } from '../api/types';
+import { opening } from '../state/document';
 import { sayFailure } from '../state/messages';
 
 /// A place on the terrain, in the project's coordinates. In 2D, y is 0.
@@ -26,6 +27,8 @@ export interface Tool {
   cancel?(): void;
   /// Backspace: the last point goes.
   back?(): void;
+  /// Whether what the tool is for is still there; it is left when not.
+  isPossible?(): boolean;
 }
 
 export const tool = signal<Tool | null>(null);
@@ -66,3 +69,12 @@ export function useTool(next: Tool | null) {
   tool.value?.cancel?.();
   tool.value = next;
 }
+
+const leaveTool = () => untracked(() => useTool(null));
+effect(() => {
+  if (tool.value?.isPossible?.() === false) leaveTool();
+});
+effect(() => {
+  void opening.value;
+  leaveTool();
+});

@@ -9,10 +9,19 @@ import type { Look, Size } from '../results/chartLook';
 import { copyRows, fileName } from '../results/save';
 import { fileStem } from '../state/document';
 import { say } from '../state/messages';
-import { numberText } from '../ui/format';
+import { counted, numberText } from '../ui/format';
 import { equalAxes } from '../view/settings';
 import { gapsOf, nearest } from './groundSection';
-import { drawSection, groundSection, marked, refusal, removeSection, sectionLine, takeLine } from './sectionLine';
+import {
+  drawSection,
+  groundSection,
+  marked,
+  refusal,
+  removeSection,
+  sectionLine,
+  takeLine,
+  waitingPlaces,
+} from './sectionLine';
 import { placeText, sectionPlot, sectionRows } from './sectionPlot';
 import './sectionLine.css';
 
@@ -23,7 +32,7 @@ function Gaps({ of }: { of: GroundSection }) {
   if (of.z_m.every((z) => z === null))
     return <p class="problem warning">There is no terrain anywhere along this line.</p>;
   const shown = gaps.slice(0, 4).map(([from, to]) => `${numberText(from)} m to ${to === null ? 'the end' : `${numberText(to)} m`}`);
-  const more = gaps.length > shown.length ? ` and in ${gaps.length - shown.length} more places` : '';
+  const more = gaps.length > shown.length ? ` and in ${counted(gaps.length - shown.length, 'more place')}` : '';
   return (
     <p class="problem warning">
       No terrain from {shown.join(', from ')}
@@ -80,7 +89,7 @@ function Plot({ of }: { of: GroundSection }) {
             onBlur={() => slide(null)}
           />
         </label>
-        <output class="mono">{k === null ? `${of.distance_m.length.toLocaleString('en')} places` : placeText(of, k)}</output>
+        <output class="mono">{k === null ? counted(of.distance_m.length, 'place') : placeText(of, k)}</output>
       </div>
       <Gaps of={of} />
     </div>
@@ -116,7 +125,15 @@ export function SectionTab() {
       {section ? <Plot of={section} /> : <Missing places={line.length} />}
       <section class="section-line" aria-label="Line of the section">
         <h3>Line, x and y [m]</h3>
-        <EditTable label="Line of the section" columns={['x', 'y']} cells={cellsOf(line, 2)} least={2} take={take}>
+        <EditTable
+          label="Line of the section"
+          columns={['x', 'y']}
+          cells={cellsOf(line, 2)}
+          least={2}
+          take={take}
+          waiting={waitingPlaces.value}
+          wait={(places) => (waitingPlaces.value = places)}
+        >
           {line.length > 0 && (
             <>
               <button class="button" onClick={drawSection}>

@@ -6,6 +6,7 @@ import { Refused, sendJson } from '../api/client';
 import type { GroundSection, Point2, Point3 } from '../api/types';
 import { draw } from '../model/drawing';
 import { rounded } from '../model/plan';
+import type { Waiting } from '../model/waitingRows';
 import { showOverlay, tool, useTool, type Overlay } from '../scene/tool';
 import { file } from '../state/document';
 import { build, model } from '../state/model';
@@ -14,6 +15,8 @@ import { piecesOf } from './groundSection';
 
 /// Null: nobody asks for a section. With fewer than two places there is none yet.
 export const sectionLine = signal<Point2[] | null>(null);
+/// Places that are typed but not complete.
+export const waitingPlaces = signal<readonly Waiting[]>([]);
 /// Of the last line; while another is asked for, that of before.
 export const groundSection = signal<GroundSection | null>(null);
 export const refusal = signal<string | null>(null);
@@ -46,11 +49,13 @@ export function takeLine(line: Point2[]) {
 
 export function removeSection() {
   if (isDrawing()) useTool(null);
+  waitingPlaces.value = [];
   sectionLine.value = null;
 }
 
 effect(() => {
   void file.value;
+  waitingPlaces.value = [];
   sectionLine.value = null;
 });
 

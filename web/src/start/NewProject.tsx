@@ -3,22 +3,26 @@
 import { useRef, useState } from 'preact/hooks';
 import { uploadBeside } from '../model/files';
 import { terrainOfFile } from '../model/terrainFile';
-import { start } from '../state/document';
+import { api } from '../api/client';
+import { localDrafts } from '../state/drafts';
 import { say, sayFailure } from '../state/messages';
+import { start } from '../state/opening';
 import { chosen, sidePanel } from '../state/view';
+import { allWritten } from '../state/writes';
 import { files } from '../model/files';
 import { fileNameOf, firstText, type Beginning } from './newProject';
 
+/// Names that projects have, also those that were never saved.
+async function takenNames(): Promise<string[]> {
+  await allWritten();
+  const { files, drafts } = await api.folder();
+  return [...files.map(({ name }) => name), ...drafts, ...localDrafts()];
+}
+
 /// Opens a new project; without a name it is called after its terrain.
-export function begin(name: string, beginning: Beginning) {
+export async function begin(name: string, beginning: Beginning) {
   const called = name.trim() || (beginning.kind === 'file' ? beginning.name.replace(/\.[^.]+$/, '') : 'New slope');
-  start(
-    fileNameOf(
-      called,
-      files.value.map(({ name: file }) => file),
-    ),
-    firstText(called, beginning),
-  );
+  start(fileNameOf(called, await takenNames()), firstText(called, beginning));
   sidePanel.value = 'model';
   chosen.value = beginning.kind === 'file' ? null : ['terrain'];
 }
@@ -31,7 +35,7 @@ export async function beginWith(list: readonly File[], name = '') {
     const kept = await uploadBeside('', one);
     if (kept !== null && found && !terrain) terrain = { kind: 'file', name: kept, key: found.key };
   }
-  if (terrain) begin(name, terrain);
+  if (terrain) await begin(name, terrain);
   else if (list.length > 0)
     say(
       'note',
@@ -42,6 +46,7 @@ export async function beginWith(list: readonly File[], name = '') {
 export function NewProject() {
   const [name, setName] = useState('');
   const input = useRef<HTMLInputElement>(null);
+  const beginNow = (beginning: Beginning) => void begin(name, beginning).catch(sayFailure);
   const there = files.value.filter(({ name: file }) => terrainOfFile(file) !== null);
   return (
     <section aria-labelledby="new-project">
@@ -51,11 +56,11 @@ export function NewProject() {
         <input value={name} placeholder="New slope" onInput={(event) => setName(event.currentTarget.value)} />
       </label>
       <div class="cards">
-        <button class="card" onClick={() => begin(name, { kind: 'section' })}>
+        <button class="card" onClick={() => beginNow({ kind: 'section' })}>
           <span class="name">Section, 2D</span>
           <span class="faint">Draw or paste a slope in section; it can be extruded later</span>
         </button>
-        <button class="card" onClick={() => begin(name, { kind: 'space' })}>
+        <button class="card" onClick={() => beginNow({ kind: 'space' })}>
           <span class="name">Empty, 3D</span>
           <span class="faint">Build the slope of closed polylines, or choose a terrain later</span>
         </button>
@@ -80,7 +85,7 @@ export function NewProject() {
             onChange={(event) => {
               const file = event.currentTarget.value;
               const found = terrainOfFile(file);
-              if (found) begin(name, { kind: 'file', name: file, key: found.key });
+              if (found) beginNow({ kind: 'file', name: file, key: found.key });
             }}
           >
             <option value="">choose …</option>

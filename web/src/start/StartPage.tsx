@@ -2,14 +2,16 @@
 
 import { useEffect } from 'preact/hooks';
 import { signal } from '@preact/signals';
-import { about } from '../app';
 import { api } from '../api/client';
 import type { Example } from '../api/types';
 import { files } from '../model/files';
 import { listenToDrops } from '../model/terrainFile';
-import { open } from '../state/document';
+import { about } from '../state/about';
+import { localDrafts } from '../state/drafts';
 import { sayFailure } from '../state/messages';
+import { open } from '../state/opening';
 import { compute, ownRuns } from '../state/runs';
+import { allWritten } from '../state/writes';
 import { beginWith, NewProject } from './NewProject';
 import { VerificationPage } from './VerificationPage';
 import './start.css';
@@ -21,6 +23,7 @@ const verifying = signal(false);
 const given = signal<string | null>(null);
 
 async function load() {
+  await allWritten(); // the draft of the project that was left
   const [list, folder] = await Promise.all([api.examples(), api.folder()]);
   examples.value = list;
   files.value = folder.files;
@@ -90,7 +93,8 @@ export function StartPage() {
 
 function Projects() {
   const projects = files.value.filter(({ kind }) => kind === 'project');
-  const unsaved = drafts.value.filter((draft) => !projects.some(({ name }) => name === draft));
+  const drafted = [...new Set([...drafts.value, ...localDrafts()])];
+  const unsaved = drafted.filter((draft) => !projects.some(({ name }) => name === draft));
   if (projects.length + unsaved.length === 0) return null;
   const openFile = (name: string) => void open(name).catch(sayFailure);
   return (
@@ -108,7 +112,7 @@ function Projects() {
             <span class="name">{name}</span>
             <span class="faint">
               {new Date(modified).toLocaleString('en-GB', { dateStyle: 'medium', timeStyle: 'short' })}
-              {drafts.value.includes(name) && ', with a draft that is not saved'}
+              {drafted.includes(name) && ', with a draft that is not saved'}
             </span>
           </button>
         ))}

@@ -2,10 +2,9 @@
 // from it, and a change is a change of the text.
 
 import { batch, computed, effect, signal } from '@preact/signals';
-import { api, Refused } from '../api/client';
 import { edited, valuesOf, type Edit, type Path } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
-import { chosen, chosenRock } from './view';
+import { say } from './messages';
 
 interface Step {
   text: string;
@@ -17,10 +16,12 @@ const mostCharacters = 50_000_000; // of all steps together
 
 /// The file's name, relative to the folder; null: nothing is open.
 export const file = signal<string | null>(null);
+/// Another number for each project that is opened, and for none: what began in one does not go on in the next.
+export const opening = signal(0);
 /// Its name without folders and ending: what a project without a name is called.
 export const fileStem = () => (file.value ?? '').replace(/^.*\/|\.toml$/g, '');
 export const text = signal('');
-/// The hash of the file as it was read or written last; null: it was never saved.
+/// The hash of the file that the text began from, or was written to last; null: it was never saved.
 export const savedHash = signal<string | null>(null);
 const savedText = signal('');
 const past = signal<Step[]>([]);
@@ -30,18 +31,19 @@ export const isChanged = computed(() => text.value !== savedText.value || savedH
 export const undoes = computed(() => past.value.at(-1)?.what ?? null);
 export const redoes = computed(() => future.value.at(-1)?.what ?? null);
 /// A draft of an earlier session that was taken up, until the user has seen it.
-export const isDraft = signal(false);
+export const takenUp = signal<'of the file' | 'of an earlier file' | null>(null);
 
 /// What the text says; while it is no TOML (in the text editor), what it said last.
-let lastValues: TomlTable = {};
+let last: { opening: number; values: TomlTable } = { opening: 0, values: {} };
 export const syntaxError = signal<{ line: number; message: string } | null>(null);
 export const values = computed<TomlTable>(() => {
+  if (last.opening !== opening.value) last = { opening: opening.value, values: {} };
   try {
-    lastValues = valuesOf(text.value);
+    last.values = valuesOf(text.value);
   } catch {
     // Said by `syntaxError`, and by the server, with the line.
   }
-  return lastValues;
+  return last.values;
 });
 effect(() => {
   try {
@@ -74,8 +76,8 @@ function remember(step: Step) {
   past.value = steps;
 }
 
-/// Takes a whole new text as one step. Steps of the same kind (`merge`, such as the keystrokes in one field) that follow
-/// each other are undone together.
+/// Takes a whole new text as one step. Steps of the same kind (`merge`, such as the keystrokes in one field) that
+/// follow each other are undone together, until one ends there.
 export function replaceText(next: string, what: string, merge = '') {
   if (next === text.value) return;
   batch(() => {
@@ -86,10 +88,24 @@ export function replaceText(next: string, what: string, merge = '') {
   lastMerge = merge;
 }
 let lastMerge = '';
+/// What stands now can be come back to: a field was left, the project was saved or computed.
+export function endStep() {
+  lastMerge = '';
+}
 
-/// Changes the text by edits, as one step.
-export function edit(what: string, edits: readonly Edit[], merge = '') {
-  replaceText(edited(text.value, edits), what, merge);
+/// Changes the text by edits, as one step. False, and said, where the text does not allow it.
+export function edit(what: string, edits: readonly Edit[], merge = ''): boolean {
+  try {
+    replaceText(edited(text.value, edits), what, merge);
+    return true;
+  } catch (error) {
+    const wrong = syntaxError.value;
+    const why = wrong
+      ? `the text is no TOML (line ${wrong.line}: ${wrong.message}). Mend it under Text first`
+      : (error as Error).message;
+    say('error', `Could not ${what}: ${why}`);
+    return false;
+  }
 }
 
 export function undo() {
@@ -100,7 +116,7 @@ export function undo() {
     past.value = past.value.slice(0, -1);
     text.value = step.text;
   });
-  lastMerge = '';
+  endStep();
 }
 
 export function redo() {
@@ -111,49 +127,28 @@ export function redo() {
     future.value = future.value.slice(0, -1);
     text.value = step.text;
   });
-  lastMerge = '';
+  endStep();
 }
 
-function begin(name: string, now: string, saved: string, hash: string | null) {
+/// Takes up a project: its text as it is now and as it is in the file, and the file's hash.
+export function begin(name: string, now: string, saved: string, hash: string | null) {
   batch(() => {
+    ++opening.value;
     file.value = name;
     past.value = [];
     future.value = [];
     savedText.value = saved;
     savedHash.value = hash;
+    takenUp.value = null;
     text.value = now;
   });
-  lastMerge = '';
-  sessionStorage.setItem('file', name);
+  endStep();
 }
 
-/// Opens a project of the folder; a draft that was left is taken up, and the saved text is one undo away.
-export async function open(name: string) {
-  const local = localDraft(name);
-  const project = await api.project(name).catch((error: unknown) => {
-    // Never saved, and the server did not hear of it before it went.
-    if (error instanceof Refused && error.status === 404 && local !== null)
-      return { text: '', saved: null, draft: local };
-    throw error;
-  });
-  begin(name, project.text, project.text, project.saved);
-  const draft = local !== null && local !== project.text ? local : project.draft;
-  isDraft.value = draft !== null;
-  if (draft !== null) replaceText(draft, 'take up the draft');
-}
-
-/// Begins a project that has no file yet.
-export function start(name: string, first: string) {
-  begin(name, first, '', null);
-  isDraft.value = false;
-}
-
-export function close() {
-  sessionStorage.removeItem('file');
+export function leave() {
   batch(() => {
+    ++opening.value;
     file.value = null;
-    chosen.value = null;
-    chosenRock.value = null;
   });
 }
 
@@ -163,37 +158,7 @@ export function settle(name: string, saved: string, hash: string | null) {
     file.value = name;
     savedHash.value = hash;
     savedText.value = saved;
-    isDraft.value = false;
+    takenUp.value = null;
   });
-  sessionStorage.setItem('file', name);
+  endStep();
 }
-
-// Drafts: what is not saved is kept by the server within a second, and in the browser, should the server be gone.
-let keeping: ReturnType<typeof setTimeout> | undefined;
-effect(() => {
-  const [name, now, changed] = [file.value, text.value, isChanged.value];
-  clearTimeout(keeping);
-  if (name === null) return;
-  keeping = setTimeout(() => void keepDraft(name, changed ? now : null), 400);
-});
-
-const localKey = (name: string) => `draft of ${name}`;
-async function keepDraft(name: string, draft: string | null) {
-  try {
-    await api.keepDraft(name, draft);
-    localStorage.removeItem(localKey(name));
-  } catch {
-    if (draft !== null) localStorage.setItem(localKey(name), draft);
-  }
-}
-/// A draft that could not reach the server.
-export function localDraft(name: string): string | null {
-  return localStorage.getItem(localKey(name));
-}
-// A tab that closes within that time still sends what it has.
-addEventListener('pagehide', () => {
-  if (file.value === null || !isChanged.value) return;
-  const body = JSON.stringify({ file: file.value, text: text.value });
-  localStorage.setItem(localKey(file.value), text.value);
-  void fetch('/api/draft', { method: 'PUT', keepalive: true, headers: { 'Content-Type': 'application/json' }, body });
-});

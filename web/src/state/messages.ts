@@ -12,6 +12,7 @@ export const messages = signal<Message[]>([]);
 let next = 0;
 
 export function say(kind: Message['kind'], text: string) {
+  if (messages.value.some((message) => message.kind === kind && message.text === text)) return;
   const id = next++;
   messages.value = [...messages.value, { id, kind, text }];
   // An error stays until it is dismissed.

@@ -18,22 +18,30 @@ export const isCurrent = signal(false);
 let asking: AbortController | undefined;
 let timer: ReturnType<typeof setTimeout> | undefined;
 let modelFile: string | null = null;
+let lastTook = 0; // ms
 
-export async function build() {
+/// Of the text as it stands, and of the files that it names.
+export const build = () => ask(() => true);
+/// The same where a file may have changed; a model that is as it was stays.
+export const lookAgain = () => ask(({ id }) => id !== model.value?.id);
+
+async function ask(isWanted: (next: Model) => boolean) {
   clearTimeout(timer);
   asking?.abort();
   if (file.value === null) return;
   const own = new AbortController();
   asking = own;
   isBuilding.value = true;
+  const begun = performance.now();
   const name = file.value;
   try {
     const answer = await api.model(name, text.value, own.signal);
     const shown = answer.model ?? (await buildWithStandIns(name, text.value, answer.problems, own.signal));
     if (own.signal.aborted) return;
+    lastTook = performance.now() - begun;
     batch(() => {
       problems.value = answer.problems;
-      if (shown || modelFile !== name) model.value = shown;
+      if (modelFile !== name || (shown && isWanted(shown))) model.value = shown;
       modelFile = name;
       isCurrent.value = answer.model !== null;
     });
@@ -73,6 +81,12 @@ effect(() => {
     return;
   }
   timer = setTimeout(() => void build(), modelFile === name ? 300 : 0);
+});
+
+/// Files can change while nobody looks at the page. Built again is only what is built in no time.
+const quick = 2000; // ms
+addEventListener('focus', () => {
+  if (!isBuilding.value && lastTook < quick) void lookAgain();
 });
 
 /// What is wrong with the value at a path, or in it: "material.0.normal_restitution".

@@ -2,9 +2,12 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { api } from '../api/client';
+import { leftOut } from '../model/leftOut';
 import type { Run } from '../api/types';
 import { file, text } from './document';
-import { sayFailure } from './messages';
+import { say, sayFailure } from './messages';
+import { lookAgain } from './model';
+import { hearNews } from './news';
 
 export const runs = signal<Run[]>([]);
 /// The run that is looked at, and one that is laid over it.
@@ -58,6 +61,8 @@ export async function compute(more: { name?: string; rocks?: number; seed?: numb
     startedHere.add(run.id);
     takeAnswer(run);
     shownId.value = run.id;
+    void lookAgain();
+    if (leftOut()) say('note', `Computed${leftOut()}`);
   } catch (error) {
     sayFailure(error);
   }
@@ -74,23 +79,21 @@ function forget(id: string) {
   if (comparedId.value === id) comparedId.value = null;
 }
 
-/// Follows the server's events; when it is gone, goes on trying.
-export function follow() {
-  const events = new EventSource('/api/events');
-  events.onopen = () => {
-    isConnected.value = true;
-    // What happened while nobody listened.
-    void api.runs().then((list) => {
-      runs.value = list;
-      areKnown.value = true;
-    }, sayFailure);
-  };
-  events.onerror = () => {
-    isConnected.value = false;
-    if (events.readyState === EventSource.CLOSED) setTimeout(follow, 2000);
-  };
-  events.addEventListener('run', (event) => take(JSON.parse((event as MessageEvent<string>).data) as Run));
-  events.addEventListener('removed', (event) =>
-    forget((JSON.parse((event as MessageEvent<string>).data) as { id: string }).id),
-  );
+/// The runs as they are now, whatever was heard of them before.
+const catchUp = () =>
+  api.runs().then((list) => {
+    runs.value = list;
+    areKnown.value = true;
+  }, sayFailure);
+
+/// Follows what the server tells; when it is gone, goes on trying.
+export function follow(): () => void {
+  void catchUp();
+  return hearNews(['run', 'removed'], (news) => {
+    if (news.kind !== 'event') {
+      isConnected.value = news.kind === 'connected';
+      if (isConnected.value) void catchUp();
+    } else if (news.event === 'run') take(JSON.parse(news.data) as Run);
+    else forget((JSON.parse(news.data) as { id: string }).id);
+  });
 }

@@ -14,7 +14,8 @@ const isTable = (value: TomlValue | undefined): value is TomlTable =>
 const isTableList = (value: TomlValue | undefined): value is TomlTable[] =>
   Array.isArray(value) && value.length > 0 && value.every(isTable);
 
-function isSame(a: TomlValue | undefined, b: TomlValue | undefined): boolean {
+/// Whether two values are the same, whatever the types of their numbers.
+export function isSame(a: TomlValue | undefined, b: TomlValue | undefined): boolean {
   if (a === b || (Number.isNaN(a) && Number.isNaN(b))) return true;
   if (Array.isArray(a) && Array.isArray(b)) return a.length === b.length && a.every((part, k) => isSame(part, b[k]));
   if (isTable(a) && isTable(b)) {

@@ -198,3 +198,11 @@ test('what is removed twice is removed', () => {
   ]);
   expect(once).toBe('a = 1\n[b]\n');
 });
+
+test('the mark with which some editors begin a file stays', () => {
+  const marked = '\ufeffname = "A"\r\n';
+  expect(valuesOf(marked)).toEqual({ name: 'A' });
+  expect(edited(marked, [{ set: ['name'], value: 'B' }, { append: ['seeder'], value: { rocks: 5 } }])).toBe(
+    '\ufeffname = "B"\r\n\r\n[[seeder]]\r\nrocks = 5\r\n',
+  );
+});

@@ -1,9 +1,10 @@
 // Changes a TOML text where it must change and nowhere else: comments, order and layout of the rest stay as they were
 // written.
 
-import { parseTOML, getStaticTOMLValue, type AST } from 'toml-eslint-parser';
+import { parseTOML, type AST } from 'toml-eslint-parser';
 import { commentStart, insertAfter, insertListed, lineEnd, lineStart, removeListed, splice } from './lines';
 import { inlineText, keyText, pairText, tableText, type TomlTable, type TomlValue } from './format';
+import { withoutMark } from './values';
 
 export type Path = readonly (string | number)[];
 
@@ -15,12 +16,11 @@ export type Edit =
   /// Adds a table `[[path]]` after the last of its kind.
   | { append: Path; value: TomlTable };
 
-/// The values of a text. Throws where it is no TOML (ParseError, with `lineNumber`).
-export function valuesOf(text: string): TomlTable {
-  return getStaticTOMLValue(parseTOML(text, { tomlVersion: '1.0' })) as TomlTable;
-}
+export { valuesOf } from './values';
 
 export function edited(text: string, edits: readonly Edit[]): string {
+  const own = withoutMark(text);
+  if (own !== text) return text[0] + edited(own, edits);
   // Line ends of Windows stay where all are of Windows.
   if (/\r\n/.test(text) && !/(^|[^\r])\n/.test(text))
     return edited(text.replaceAll('\r\n', '\n'), edits).replaceAll('\n', '\r\n');

@@ -1,8 +1,16 @@
+import { isOverdue } from '../api/patience';
 import { dismiss, messages } from '../state/messages';
 
 export function Messages() {
   return (
     <div class="messages" role="status" aria-live="polite">
+      {isOverdue.value && (
+        <div class="note">
+          <span>
+            Still waiting for the server. Should it last, see whether talus serve is still running; nothing is lost.
+          </span>
+        </div>
+      )}
       {messages.value.map(({ id, kind, text }) => (
         <div key={id} class={kind}>
           <span>{text}</span>

@@ -48,9 +48,12 @@ function Conflict({ why }: { why: string }) {
 function SaveAs() {
   const [name, setName] = useState((file.value ?? 'project.toml').replace(/\.toml$/, ' copy.toml'));
   const [isThere, setIsThere] = useState(false);
+  // Said here: messages of the page lie below a dialog.
+  const [failure, setFailure] = useState<string | null>(null);
   const close = () => (savingAs.value = false);
   const full = /\.toml$/i.test(name.trim()) ? name.trim() : `${name.trim()}.toml`;
   const act = async (replace: boolean) => {
+    setFailure(null);
     if (await saveAs(full, replace)) close();
     else setIsThere(true);
   };
@@ -59,7 +62,7 @@ function SaveAs() {
       <form
         onSubmit={(event) => {
           event.preventDefault();
-          void act(isThere).catch(sayFailure);
+          act(isThere).catch((error: unknown) => setFailure(error instanceof Error ? error.message : String(error)));
         }}
       >
         <label for="save-as-name">Name of the file in the folder</label>
@@ -71,9 +74,15 @@ function SaveAs() {
           onInput={(event) => {
             setName(event.currentTarget.value);
             setIsThere(false);
+            setFailure(null);
           }}
         />
         {isThere && <span class="problem">There is a file {full} already.</span>}
+        {failure !== null && (
+          <span class="problem" role="alert">
+            {failure}
+          </span>
+        )}
         <div class="choices">
           <button class={`button ${isThere ? 'danger' : 'first'}`} disabled={name.trim() === ''}>
             {isThere ? 'Replace it' : 'Save'}

@@ -1,10 +1,12 @@
-import { close, file, fileStem, isChanged, redo, redoes, undo, undoes, values } from '../state/document';
+import { file, fileStem, isChanged, redo, redoes, undo, undoes, values } from '../state/document';
+import { close } from '../state/opening';
 import { save, savingAs } from '../state/saving';
 import { isBuilding } from '../state/model';
 import { isConnected, running, stop } from '../state/runs';
 import { theme, type Theme } from '../state/view';
 import { ComputeMenu } from '../runs/ComputeMenu';
-import { clockText } from './format';
+import { clockText, counted } from './format';
+import { taken } from './typing';
 
 const themes: Theme[] = ['system', 'light', 'dark'];
 
@@ -15,7 +17,7 @@ function Progress() {
     <div class="progress">
       <progress max={run.rocks} value={run.done} aria-label="Rocks done" />
       <span class="mono">
-        {run.done.toLocaleString()} of {run.rocks.toLocaleString()} rocks
+        {run.done.toLocaleString('en')} of {counted(run.rocks, 'rock')}
         {run.rate !== null && run.rate > 0 && `, ${Math.round(run.rate).toLocaleString()}/s`}
         {run.seconds_left !== null && `, ${clockText(run.seconds_left)} left`}
       </span>
@@ -30,7 +32,7 @@ export function TopBar() {
   const name = typeof values.value.name === 'string' ? values.value.name : fileStem();
   return (
     <header class="bar">
-      <button class="button plain icon" title="Start page" aria-label="Start page" onClick={close}>
+      <button class="button plain icon" title="Start page" aria-label="Start page" onClick={() => taken(close)}>
         <img class="logo" src="/icon.svg" alt="" />
       </button>
       <div class="title">

@@ -36,3 +36,7 @@ export function momentText(iso: string): string {
     minute: '2-digit',
   });
 }
+
+/// "1 rock", "1,234 rocks".
+export const counted = (count: number, one: string, several = `${one}s`) =>
+  `${count.toLocaleString('en')} ${count === 1 ? one : several}`;

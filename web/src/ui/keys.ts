@@ -4,22 +4,13 @@ import { file, redo, undo } from '../state/document';
 import { save } from '../state/saving';
 import { compute } from '../state/runs';
 import { finishTool, takeBack, tool, useTool } from '../scene/tool';
-
-const isWriting = (target: EventTarget | null) =>
-  target instanceof HTMLElement &&
-  (target.isContentEditable || ['INPUT', 'TEXTAREA', 'SELECT'].includes(target.tagName));
+import { isWriting, taken } from './typing';
 
 /// A field with something typed in it has an undo of its own; one that shows what the project says has none.
 const undoesItself = (target: EventTarget | null) =>
   isWriting(target) &&
   !(target instanceof HTMLSelectElement) &&
   !(target instanceof HTMLInputElement && (target.type !== 'text' || target.dataset.clean !== undefined));
-
-/// What is being typed counts: a field takes it when it changes.
-function taken(what: () => unknown) {
-  if (isWriting(document.activeElement)) document.activeElement?.dispatchEvent(new Event('change', { bubbles: true }));
-  void what();
-}
 
 function onKey(event: KeyboardEvent) {
   if (file.value === null) return;

@@ -4,6 +4,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { api } from '../../api/client';
 import type { Path } from '../../toml/edit';
 import type { TomlTable } from '../../toml/format';
+import { jsonText } from '../../toml/json';
 import { numberText } from '../../ui/format';
 
 interface Props {
@@ -19,7 +20,7 @@ const height = 64;
 export function Curve({ distribution, path, unit, title }: Props) {
   const [density, setDensity] = useState<[number, number][]>([]);
   const key = String(path.at(-1));
-  const asked = JSON.stringify(distribution);
+  const asked = jsonText(distribution);
   useEffect(() => {
     // Texts where numbers belong are complained of elsewhere.
     if (

@@ -1,11 +1,23 @@
 // A table of numbers that is typed in, or pasted from a spreadsheet.
 
 import type { ComponentChildren } from 'preact';
-import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { isSame } from '../../toml/differences';
 import type { TomlValue } from '../../toml/format';
 import { Dialog } from '../../ui/Dialog';
-import { pastedRows, withoutNames } from '../numbers';
-import { overlaid, rowsValue } from '../rows';
+import { counted } from '../../ui/format';
+import { cellText, pastedRows, withoutNames } from '../numbers';
+import { overlaid, rowValue } from '../rows';
+import {
+  asGiven,
+  isBlank,
+  placesInProject,
+  sentencesOf,
+  settled,
+  withWaiting,
+  type Row,
+  type Waiting,
+} from '../waitingRows';
 import { TypedInput } from './TypedInput';
 
 interface Props {
@@ -16,32 +28,40 @@ interface Props {
   /// How many cells of a row may not be empty.
   least: number;
   take: (rows: TomlValue[][], what: string) => void;
+  /// Rows that are not complete, and where they are kept.
+  waiting: readonly Waiting[];
+  wait: (rows: readonly Waiting[]) => void;
+  /// Whether something is said against a cell of the project, and where that stands.
+  isWrong?: (row: number, column: number) => boolean;
+  describedBy?: string;
   /// Further buttons below the table.
   children?: ComponentChildren;
 }
 
 const page = 100;
-const isBlank = (row: readonly string[]) => row.every((cell) => cell.trim() === '');
-const withoutBlanks = (rows: string[][]) => rows.slice(0, rows.findLastIndex((row) => !isBlank(row)) + 1);
+const withoutBlanks = (rows: Row[]) => rows.slice(0, rows.findLastIndex(({ cells }) => !isBlank(cells)) + 1);
 
-export function EditTable({ label, columns, cells, least, take, children }: Props) {
-  // Rows that are not complete yet, over the rows that the project had when they were begun.
-  const [draft, setDraft] = useState<{ cells: string[][]; over: string } | null>(null);
+export function EditTable(props: Props) {
+  const { label, columns, cells, least, take, waiting, wait, isWrong, describedBy, children } = props;
   const [first, setFirst] = useState(0);
   const [pasting, setPasting] = useState(false);
   const focus = useRef<[number, number] | null>(null);
   const table = useRef<HTMLTableElement>(null);
-  const over = JSON.stringify(cells);
-  const shown = draft && draft.over === over ? draft.cells : cells;
-  const blank = Array<string>(columns.length).fill('');
+  const shown = withWaiting(cells, waiting);
+  const blank: Row = { cells: Array<string>(columns.length).fill(''), given: null };
   // The last row is always empty, for the next one to be typed.
-  const rendered = isBlank(shown.at(-1) ?? ['.']) ? shown : [...shown, blank];
+  const rendered = isBlank(shown.at(-1)?.cells ?? ['.']) ? shown : [...shown, blank];
 
-  const change = (next: string[][], what: string) => {
-    const rows = rowsValue(withoutBlanks(next), least);
-    setDraft(rows ? null : { cells: next, over });
-    if (rows) take(rows, what);
+  const change = (next: Row[], what: string) => {
+    const now = settled(withoutBlanks(next), least);
+    if (!isSame(now.rows, cells.map(asGiven))) take(now.rows, what);
+    wait(now.waiting);
   };
+  // How much a row needs can change, too.
+  const isComplete = waiting.some((row) => rowValue(row.cells, least) !== undefined);
+  useEffect(() => {
+    if (isComplete) change(shown, 'complete rows of');
+  }, [isComplete]);
   const go = (row: number, column: number) => {
     focus.current = [row, column];
     if (row < first || row >= first + page) setFirst(Math.floor(row / page) * page);
@@ -59,6 +79,12 @@ export function EditTable({ label, columns, cells, least, take, children }: Prop
   };
   useLayoutEffect(find);
 
+  const changeCell = (r: number, c: number, text: string) => {
+    const { cells: before, given } = rendered[r]!;
+    change(rendered.with(r, { cells: before.with(c, text), given }), 'change');
+  };
+  const places = placesInProject(rendered);
+  const isWrongCell = (r: number, c: number) => places[r] !== null && (isWrong?.(places[r]!, c) ?? false);
   const insert = (at: number) => {
     if (at < shown.length) change(shown.toSpliced(at, 0, blank), 'insert a row in');
     go(at, 0);
@@ -66,15 +92,21 @@ export function EditTable({ label, columns, cells, least, take, children }: Prop
   const paste = (text: string, row: number, column: number) => {
     const block = pastedRows(text);
     if (block.length === 0) return false;
-    const next = overlaid(
-      rendered,
-      column === 0 ? withoutNames(block, columns.length) : block,
+    lay(rendered, column === 0 ? withoutNames(block, columns.length) : block, row, column);
+    return true;
+  };
+  const lay = (over: Row[], block: string[][], row: number, column: number) => {
+    const laid = overlaid(
+      over.map((one) => one.cells),
+      block,
       row,
       column,
       columns.length,
     );
-    change(next, 'paste rows into');
-    return true;
+    change(
+      laid.map((next, k) => ({ cells: next, given: over[k]?.given ?? null })),
+      'paste rows into',
+    );
   };
   const onKey = (event: KeyboardEvent, row: number, column: number) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -88,7 +120,6 @@ export function EditTable({ label, columns, cells, least, take, children }: Prop
     event.preventDefault();
   };
 
-  const waiting = withoutBlanks(shown).findIndex((row) => rowsValue([row], least) === undefined);
   return (
     <div class="edit-table">
       <div class="scroll">
@@ -120,10 +151,10 @@ export function EditTable({ label, columns, cells, least, take, children }: Prop
                     <td key={column} data-cell={`${r},${c}`}>
                       <TypedInput
                         label={`${column}, row ${r + 1}`}
-                        value={row[c] === '' ? undefined : row[c]}
-                        take={(value) =>
-                          change(rendered.with(r, row.with(c, value === undefined ? '' : String(value))), 'change')
-                        }
+                        value={row.cells[c] === '' ? undefined : row.cells[c]}
+                        invalid={isWrongCell(r, c)}
+                        describedBy={isWrongCell(r, c) ? describedBy : undefined}
+                        take={(value) => changeCell(r, c, value === undefined ? '' : cellText(value))}
                         onKeyDown={(event) => onKey(event, r, c)}
                         onPaste={(event) => {
                           const text = event.clipboardData?.getData('text') ?? '';
@@ -171,9 +202,11 @@ export function EditTable({ label, columns, cells, least, take, children }: Prop
           </button>
         </p>
       )}
-      {draft && waiting >= 0 && shown === draft.cells && (
-        <p class="faint">Row {waiting + 1} is taken when it is complete.</p>
-      )}
+      {sentencesOf(waiting).map((sentence) => (
+        <p key={sentence} class="problem warning">
+          {sentence}
+        </p>
+      ))}
       <div class="row">
         <button class="button" onClick={() => insert(shown.length)}>
           Insert row
@@ -189,11 +222,8 @@ export function EditTable({ label, columns, cells, least, take, children }: Prop
           hasRows={shown.length > 0}
           close={() => setPasting(false)}
           take={(text, replace) => {
-            const block = withoutNames(pastedRows(text), columns.length);
-            change(
-              overlaid(replace ? [] : shown, block, replace ? 0 : shown.length, 0, columns.length),
-              'paste rows into',
-            );
+            const over = replace ? [] : shown;
+            lay(over, withoutNames(pastedRows(text), columns.length), over.length, 0);
             setPasting(false);
           }}
         />
@@ -228,7 +258,7 @@ function PasteDialog({ columns, hasRows, close, take }: PasteProps) {
         onInput={(event) => setText(event.currentTarget.value)}
       />
       <p role="status">
-        {rows.length} {rows.length === 1 ? 'row' : 'rows'}
+        {counted(rows.length, 'row')}
         {wrong >= 0 && (
           <span class="problem">
             Row {wrong + 1} has {rows[wrong]!.length} columns; {columns.length} are taken, from the left.

@@ -4,7 +4,9 @@ import { useEffect, useState } from 'preact/hooks';
 import { api } from '../../api/client';
 import type { PolygonsAnswer } from '../../api/types';
 import type { TomlValue } from '../../toml/format';
+import { jsonText } from '../../toml/json';
 import { valueAt } from '../../state/document';
+import { counted } from '../../ui/format';
 import { tableAt } from '../place';
 
 const size = 200;
@@ -12,7 +14,7 @@ const size = 200;
 export function PolygonPreview({ polylines }: { polylines: TomlValue[] }) {
   const [answer, setAnswer] = useState<PolygonsAnswer | null>(null);
   const tolerance = valueAt(['terrain', 'merge_tolerance_m']);
-  const asked = JSON.stringify({ polylines, tolerance_m: typeof tolerance === 'number' ? tolerance : 0.001 });
+  const asked = jsonText({ polylines, tolerance_m: typeof tolerance === 'number' ? tolerance : 0.001 });
   useEffect(() => {
     const own = new AbortController();
     const timer = setTimeout(() => {
@@ -42,14 +44,15 @@ export function PolygonPreview({ polylines }: { polylines: TomlValue[] }) {
       <svg
         viewBox={`0 0 ${size} ${Math.max(height, 20)}`}
         role="img"
-        aria-label={`Plan of ${triangles.length} triangles`}
+        aria-label={`Plan of ${counted(triangles.length, 'triangle')}`}
       >
         {triangles.slice(0, 2000).map((corners, k) => (
           <polygon key={k} points={corners.map(at).join(' ')} />
         ))}
       </svg>
       <figcaption>
-        {triangles.length} triangles of {vertices.length} vertices, on plan{turned ? ' before turning' : ''}. {report}
+        {counted(triangles.length, 'triangle')} of {counted(vertices.length, 'vertex', 'vertices')}, on plan
+        {turned ? ' before turning' : ''}. {report}
       </figcaption>
     </figure>
   );

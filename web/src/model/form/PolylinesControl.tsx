@@ -5,20 +5,24 @@ import { edit, valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
 import type { Path } from '../../toml/edit';
 import type { TomlValue } from '../../toml/format';
+import { isSame } from '../../toml/differences';
+import { counted } from '../../ui/format';
 import { pathText } from '../place';
 import { cellsOf, rowEdits } from '../rows';
+import { waitingAt } from '../unfinished';
 import { EditTable } from './EditTable';
 import type { FieldProps } from './Field';
+import { tableProps } from './geometry';
 import { PolygonPreview } from './PolygonPreview';
 
 const isClosed = (rows: TomlValue[]): boolean =>
-  rows.length > 1 && JSON.stringify(rows[0]) === JSON.stringify(rows.at(-1));
+  rows.length > 1 && isSame(rows[0], rows.at(-1));
 
 export function PolylinesControl({ path }: FieldProps) {
   const [adding, setAdding] = useState(false);
   const value = valueAt(path);
   const lists = Array.isArray(value) ? value : [];
-  const hasNew = adding || lists.length === 0;
+  const hasNew = adding || lists.length === 0 || waitingAt(pathText([...path, lists.length])).length > 0;
   return (
     <div class="polylines">
       {Array.from({ length: lists.length + (hasNew ? 1 : 0) }, (_, k) => (
@@ -57,13 +61,20 @@ function Polyline({ path, lists, k, added }: { path: Path; lists: TomlValue[]; k
   const state =
     given === undefined
       ? 'new: type or paste its vertices, the last as the first'
-      : `${rows.length} vertices, ${isClosed(rows) ? 'closed' : 'open'}`;
+      : `${counted(rows.length, 'vertex', 'vertices')}, ${isClosed(rows) ? 'closed' : 'open'}`;
   return (
     <details class="polyline" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>
         Polyline {k + 1} <span class="faint">{state}</span>
       </summary>
-      <EditTable label={`Polyline ${k + 1}`} columns={['x', 'y', 'z']} cells={cellsOf(rows, 3)} least={3} take={take}>
+      <EditTable
+        label={`Polyline ${k + 1}`}
+        columns={['x', 'y', 'z']}
+        cells={cellsOf(rows, 3)}
+        least={3}
+        take={take}
+        {...tableProps(own, path)}
+      >
         {rows.length > 2 && !isClosed(rows) && (
           <button
             class="button"

@@ -1,27 +1,20 @@
 // Controls of settings that are points: one, rows of them, lists of rows.
 
-import { useState } from 'preact/hooks';
 import { edit, valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
+import type { Path } from '../../toml/edit';
 import type { TomlValue } from '../../toml/format';
+import { columnsAt } from '../columns';
+import { cellText } from '../numbers';
 import { is2d, pathText, put, tableAt, thingOf } from '../place';
 import { absentText } from '../words';
-import { cellsOf, rowEdits, rowsValue } from '../rows';
+import { cellsOf, rowEdits, rowValue } from '../rows';
+import { wait, waitingAt } from '../unfinished';
+import { isBlank, isSameRow, type Waiting } from '../waitingRows';
 import { DrawButton } from './DrawButton';
 import { EditTable } from './EditTable';
 import { idOf, type FieldProps } from './Field';
 import { TypedInput } from './TypedInput';
-
-/// What the columns of a setting's rows are.
-function columnsOf({ field, path }: FieldProps): string[] {
-  if (path[0] === 'terrain') {
-    if (field.key === 'section' || field.key === 'section_std_dev_m') return ['x', 'z'];
-    if (field.key === 'triangles') return ['first', 'second', 'third'];
-    return ['x', 'y', 'z'];
-  }
-  if (field.key === 'polygon') return ['x', 'y'];
-  return is2d.value ? ['x', 'z'] : ['x', 'y', 'z'];
-}
 
 /// How many numbers a position has at the least: its height may be left out where `height_above_m` says it.
 function leastOf({ field, path }: FieldProps, columns: number): number {
@@ -30,26 +23,41 @@ function leastOf({ field, path }: FieldProps, columns: number): number {
   return mayBeLeftOut ? columns - 1 : columns;
 }
 
+/// The cells of a setting that the engine says something against.
+function wrongCells(path: Path): (row: number, column: number) => boolean {
+  const own = pathText(path);
+  const wrong = new Set(problemsAt(own).flatMap(({ severity, path: at }) => (severity === 'error' ? [at] : [])));
+  return (row, column) => wrong.has(`${own}.${row}`) || wrong.has(`${own}.${row}.${column}`);
+}
+
+/// What a table of a setting's rows needs to know, besides the rows; `field` is where problems are told.
+export function tableProps(path: Path, field: Path = path) {
+  const own = pathText(path);
+  return {
+    waiting: waitingAt(own),
+    wait: (rows: readonly Waiting[]) => wait(own, rows),
+    isWrong: wrongCells(path),
+    describedBy: problemsAt(own).length > 0 ? `${idOf(field)}-problems` : undefined,
+  };
+}
+
 export function TupleControl({ field, path }: FieldProps) {
-  const columns = columnsOf({ field, path });
+  const columns = columnsAt(path);
   const value = valueAt(path);
-  const [draft, setDraft] = useState<{ cells: string[]; over: string } | null>(null);
-  const over = JSON.stringify(value);
-  const given = cellsOf(value === undefined ? [] : [value], columns.length)[0];
+  const given = cellsOf(value === undefined ? [] : [value], columns.length)[0] ?? null;
   const blank = Array<string>(columns.length).fill('');
-  const cells = draft && draft.over === over ? draft.cells : (given ?? blank);
+  const draft = waitingAt(pathText(path)).find(({ over }) => isSameRow(over, given));
+  const cells = draft?.cells ?? given ?? blank;
   const defaults = Array.isArray(field.default) ? field.default : [];
   const words = 'words' in field.type ? field.type.words : [];
-  const invalid = value !== undefined && problemsAt(pathText(path)).some(({ severity }) => severity === 'error');
+  const own = pathText(path);
+  const wrong = problemsAt(own).flatMap(({ severity, path: at }) => (severity === 'error' ? [at] : []));
+  const isWrong = (column: number) => wrong.some((at) => at === own || at === `${own}.${column}`);
   const take = (column: number, next: TomlValue | undefined) => {
-    const changed = cells.with(column, next === undefined ? '' : String(next));
-    if (changed.every((cell) => cell === '')) {
-      setDraft(null);
-      return put(path, undefined, field.title);
-    }
-    const rows = rowsValue([changed], leastOf({ field, path }, columns.length));
-    setDraft(rows ? null : { cells: changed, over });
-    if (rows) put(path, rows[0], field.title);
+    const changed = cells.with(column, cellText(next));
+    const row = isBlank(changed) ? undefined : rowValue(changed, leastOf({ field, path }, columns.length));
+    if (row || isBlank(changed)) put(path, row, field.title);
+    wait(own, row || isBlank(changed) ? [] : [{ at: 0, cells: changed, over: given }]);
   };
   return (
     <>
@@ -60,7 +68,7 @@ export function TupleControl({ field, path }: FieldProps) {
             <TypedInput
               id={k === 0 ? idOf(path) : undefined}
               label={`${field.title}, ${column}`}
-              invalid={invalid}
+              invalid={value !== undefined && isWrong(k)}
               value={cells[k] === '' ? undefined : cells[k]}
               placeholder={defaults.length > 0 ? String(defaults[columns.length === 2 && k === 1 ? 2 : k] ?? '') : ''}
               words={column === 'z' && words.length > 0 ? `${idOf(path)}-words` : undefined}
@@ -79,15 +87,18 @@ export function TupleControl({ field, path }: FieldProps) {
           ))}
         </datalist>
       )}
-      {draft && draft.over === over && (
-        <p class="faint">Taken when {columns.filter((_, k) => cells[k] === '').join(' and ')} is given, too.</p>
+      {draft && (
+        <p class="problem warning">
+          Taken when {columns.filter((_, k) => cells[k] === '').join(' and ')} is given, too
+          {given && '; the project keeps it as before'}.
+        </p>
       )}
     </>
   );
 }
 
 export function RowsControl({ field, path }: FieldProps) {
-  const columns = columnsOf({ field, path });
+  const columns = columnsAt(path);
   const value = valueAt(path);
   const take = (rows: TomlValue[][], what: string) => {
     if (rows.length === 0 && field.key !== 'section') return put(path, undefined, field.title);
@@ -106,6 +117,7 @@ export function RowsControl({ field, path }: FieldProps) {
         cells={cellsOf(value, columns.length)}
         least={leastOf({ field, path }, columns.length)}
         take={take}
+        {...tableProps(path)}
       >
         <DrawButton path={path} />
       </EditTable>
@@ -147,6 +159,7 @@ export function LineControl({ field, path }: FieldProps) {
       cells={cellsOf(Array.isArray(value) ? value : [], 2)}
       least={2}
       take={take}
+      {...tableProps(path)}
     >
       <DrawButton path={path} />
     </EditTable>

@@ -1,12 +1,13 @@
 #pragma once
-// Whose a run's folder is while rocks are thrown there: servers that work in the same folder see each other's runs.
+// Whose a folder is while results are written there, as programs that would write there see each other.
 
 #include <filesystem>
 #include <optional>
 
-namespace talus::server {
+namespace talus {
 
-/// Held until it goes, or the program does.
+/// Held until it goes, or the program does, however that ends. Where the file system has no such locks (folders on NFS)
+/// it keeps nobody out.
 class FolderLock {
  public:
   /// Nothing where another has it.
@@ -22,4 +23,7 @@ class FolderLock {
   int file_;
 };
 
-}  // namespace talus::server
+/// Throws BadInput where another has it.
+[[nodiscard]] FolderLock lock_output_folder(const std::filesystem::path& folder);
+
+}  // namespace talus

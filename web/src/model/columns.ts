@@ -1,0 +1,16 @@
+// What the numbers of a setting's rows are called.
+
+import type { Path } from '../toml/edit';
+import { is2d } from './place';
+
+/// Of the rows of a setting, or of its one row.
+export function columnsAt(path: Path): string[] {
+  const [table, key] = [path[0], path.at(-1)];
+  if (table === 'terrain') {
+    if (key === 'section' || key === 'section_std_dev_m') return ['x', 'z'];
+    if (key === 'triangles') return ['first', 'second', 'third'];
+    return ['x', 'y', 'z'];
+  }
+  if (key === 'polygon' || table === 'barrier' || table === 'collector') return ['x', 'y'];
+  return is2d.value ? ['x', 'z'] : ['x', 'y', 'z'];
+}

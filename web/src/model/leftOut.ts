@@ -1,0 +1,28 @@
+// Where something is typed that is not complete, in words.
+
+import { thingOf } from './place';
+import { fieldOf } from './settings';
+import { hasTyped, unfinished } from './unfinished';
+import { isBlank, rowsText, type Waiting } from './waitingRows';
+
+const pathOf = (path: string) => path.split('.').map((part) => (/^\d+$/.test(part) ? Number(part) : part));
+
+/// "Section of terrain, row 20".
+export function placeOf(path: string, rows: readonly Waiting[]): string {
+  const parts = pathOf(path);
+  const isInList = typeof parts[1] === 'number';
+  const field = fieldOf(String(parts[0]), String(parts[isInList ? 2 : 1]));
+  const polyline = !isInList && typeof parts[2] === 'number' ? `, polyline ${parts[2] + 1}` : '';
+  const where = `${field?.title ?? parts.at(-1)} of ${thingOf(parts)}${polyline}`;
+  return field?.type.kind === 'tuple' ? where : `${where}, ${rowsText(rows.filter(({ cells }) => !isBlank(cells)))}`;
+}
+
+/// All settings with such rows.
+export const unfinishedSettings = () => Object.entries(unfinished.value).filter(([, rows]) => hasTyped(rows));
+
+/// What a run or a file is without: ", without what is not complete: Section of terrain, row 20"; nothing: all is in.
+export function leftOut(): string {
+  const places = unfinishedSettings().map(([path, rows]) => placeOf(path, rows));
+  if (places.length === 0) return '';
+  return `, without what is not complete: ${places.join('; ')}`;
+}

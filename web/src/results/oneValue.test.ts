@@ -1,0 +1,29 @@
+import { describe, expect, test } from 'vitest';
+import { cumulativeCurve } from './distributionPlots';
+import { endsAround } from './oneValue';
+
+describe('an axis round one value', () => {
+  test('has round ends', () => {
+    expect(endsAround([6.499999999999999, 6.500000000000002])).toEqual({ min: 5.5, max: 7.5, interval: 0.5 });
+    expect(endsAround([652375.5])).toEqual({ min: 652374, max: 652378, interval: 1 });
+    expect(endsAround([-0.003])).toEqual({ min: -0.0034, max: -0.0026, interval: 0.0002 });
+    expect(endsAround([0, 0])).toEqual({ min: -1, max: 1, interval: 0.5 });
+  });
+  test('is not needed where values differ, or where there are none', () => {
+    expect(endsAround([6.5, 6.5001])).toBeNull();
+    expect(endsAround([652375.5, 652375.6])).toBeNull();
+    expect(endsAround([])).toBeNull();
+  });
+});
+
+describe('the cumulative curve', () => {
+  test('rises from nothing at the least value', () =>
+    expect(cumulativeCurve([[1, 0.25], [3, 1]], null)).toEqual([[1, 0], [1, 25], [3, 100]])); // prettier-ignore
+  test('of one value goes from end to end', () =>
+    expect(cumulativeCurve([[6.5, 1]], { min: 6, max: 7, interval: 0.5 })).toEqual([
+      [6, 0],
+      [6.5, 0],
+      [6.5, 100],
+      [7, 100],
+    ]));
+});
