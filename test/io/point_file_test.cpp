@@ -77,6 +77,15 @@ TEST_F(PointFileTest, CommentsAndEmptyLinesArePassedOver) {
   EXPECT_EQ(read("# by hand, of Monday\n\n1.5,2,3\n\n// a rest\n4,5,-6.25\n# x,y,z\n7e3,8,9\n\n"), three);
 }
 
+TEST_F(PointFileTest, AFirstLineMayCountThePoints) {
+  EXPECT_EQ(read("3\n1.5 2 3\n4 5 -6.25\n7e3 8 9\n"), three);
+  EXPECT_EQ(read("\xEF\xBB\xBF 3\r\n1.5 2 3 -812 90 91 92\r\n4 5 -6.25 1 2 3 4\r\n7e3 8 9 1 2 3 4\r\n"), three);
+  EXPECT_EQ(
+      refusal("4\n1.5 2 3\n4 5 -6.25\n7e3 8 9\n"),
+      "p.csv: has 3 points (its first line says 4). Copy it again from where it comes from, or take that line out");
+  EXPECT_THAT(refusal("1.5 2 3\n3\n4 5 6\n"), HasSubstr("p.csv:2: has 1 of 3 columns"));
+}
+
 TEST_F(PointFileTest, FurtherColumnsAreLeftAlone) {
   EXPECT_EQ(read("1.5 2 3 255 0 0\n4 5 -6.25 0 255 0\n7e3 8 9 0 0 255\n"), three);
 }
@@ -131,7 +140,7 @@ TEST_F(PointFileTest, RefusesWhatHoldsNoPoints) {
   EXPECT_EQ(refusal("1,2\n3,4\n"),
             "p.csv:1: has 2 of 3 columns (a point has a height)\n"
             "p.csv:2: has 2 of 3 columns (a point has a height)");
-  EXPECT_EQ(refusal("1\n"), "p.csv:1: has 1 of 3 columns (a point has x, y and z)");
+  EXPECT_EQ(refusal("1\n"), "p.csv: has no points (its first line is a count, and none follows)");
   EXPECT_EQ(refusal(std::string(200'000, '7')), "p.csv: is no text file of points (line 1 has more than 100000 bytes)");
   EXPECT_THROW(static_cast<void>(read_point_file("/nowhere/p.csv")), BadInput);
   EXPECT_THROW(static_cast<void>(read_point_file("/")), BadInput);

@@ -312,6 +312,20 @@ TEST_F(SurveyFilesTest, ReadsClosedLinesAndPolygons) {
             "faces.gpkg: feature 2 is not closed (its ends are 0.0005 m apart). Repeat its first vertex at its end");
 }
 
+// On plan they are lines that go there and back, which is no polygon.
+TEST_F(SurveyFilesTest, PolygonsMayStandUpright) {
+  add_layer(path("faces.gpkg"), "faces", "EPSG:31287", "a",
+            {{"POLYGON Z ((0 0 1, 10 10 1, 10 10 9, 0 0 9, 0 0 1), (2 2 3, 4 4 3, 4 4 5, 2 2 3))", ""}});
+  const PolygonFile file = read_polygon_file(path("faces.gpkg"), "", {}, 0.001, warnings_);
+  ASSERT_EQ(file.polygons.size(), 1U);
+  ASSERT_EQ(file.polygons[0].rings.size(), 2U);
+  EXPECT_EQ(file.polygons[0].rings[1], (std::vector<Vec3>{{2, 2, 3}, {4, 4, 3}, {4, 4, 5}}));
+  std::filesystem::remove(path("faces.gpkg"));
+  add_layer(path("faces.gpkg"), "faces", "EPSG:31287", "a", {{"POLYGON Z ((0 0 1, 9 9 1, 9 9 9, 0 0 4))", ""}});
+  EXPECT_EQ(refusal_of([&] { static_cast<void>(read_polygon_file(path("faces.gpkg"), "", {}, 0.001, warnings_)); }),
+            "faces.gpkg: feature 1 is not closed (its ends are 3 apart). Repeat its first vertex at its end");
+}
+
 }  // namespace
 }  // namespace talus
 

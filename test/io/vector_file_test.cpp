@@ -194,18 +194,11 @@ TEST_F(VectorFileTest, PolygonsThatCrossThemselvesAreRefusedWithTheirPlace) {
   EXPECT_THAT(refusal(polygons), HasSubstr("ground.gpkg: feature 2 is no valid polygon (hole lies outside shell at"));
 }
 
-TEST_F(VectorFileTest, OtherKindsAreRefusedOrLeftOut) {
+TEST_F(VectorFileTest, OtherKindsAreRefused) {
   make({{"POINT (1 2)", "a"}, {"LINESTRING (0 0, 1 1)", "b"}, {"POLYGON ((0 0, 1 0, 1 1, 0 0))", "c"}});
   EXPECT_EQ(refusal(polygons),
             "ground.gpkg: feature 1 is a point (polygons are expected)\n"
             "ground.gpkg: feature 2 is a line (polygons are expected)");
-  VectorRequest request{.kinds = {ShapeKind::line, ShapeKind::polygon}, .others_are_left_out = true};
-  EXPECT_EQ(read(request).features.size(), 2U);
-  EXPECT_EQ(warnings(),
-            "ground.gpkg: warning: 1 shapes are left out (only lines or polygons are read; feature 1 is a point)");
-  make({{"POINT (1 2)", "a"}});
-  EXPECT_EQ(refusal(request),
-            "ground.gpkg: layer \"ground\" is empty (none of its 1 features is of a kind that is read)");
   make(std::vector<WrittenFeature>(9, {"POINT (1 2)", "a"}));
   EXPECT_THAT(refusal(polygons), HasSubstr("feature 5 is a point (polygons are expected)\n"
                                            "ground.gpkg: 4 more shapes are like this"));

@@ -242,6 +242,34 @@ TEST_F(SurveyProject, VerticesWithinTheToleranceAreMerged) {
               HasSubstr("5 vertices, 2 components (0 closed), 7 boundary edges"));
 }
 
+// A plane of three polygons, a corner of two of them on the third's side: rocks slide past it to the rim.
+TEST_F(SurveyProject, RocksSlidePastACornerOnASide) {
+  const std::string slope = R"([terrain]
+polylines = [[[0, 0, 100], [10, 0, 90], [10, 10, 90], [0, 10, 100], [0, 0, 100]],
+             [[10, 0, 90], [20, 0, 80], [20, 5, 80], [10, 5, 90], [10, 0, 90]],
+             [[10, 5, 90], [20, 5, 80], [20, 10, 80], [10, 10, 90], [10, 5, 90]]]
+)";
+  const std::string rocks = R"([[material]]
+name = "Rock"
+friction_angle_deg = 5
+[[seeder]]
+position = [5, 4, "surface"]
+mass_kg = 100
+horizontal_velocity_m_s = 3
+)";
+  const auto end_x = [&](const Model& slide) {
+    Simulator one(slide);
+    static_cast<void>(one.simulate(0, true));
+    return slide.frame.global_from_local(one.log().rows.back().motion.position).x();
+  };
+  const Model joined = model(slope + rocks);
+  EXPECT_THAT(joined.terrain_report, HasSubstr("joined: 1 corner that lies on the side of another facet"));
+  EXPECT_NEAR(end_x(joined), 20, 1e-6);
+  const Model cracked = model(slope + "merge_tolerance_m = 0\n" + rocks);
+  EXPECT_THAT(cracked.terrain_report, HasSubstr("warning: 3 boundary edges lie within 0.01 m of another facet"));
+  EXPECT_NEAR(end_x(cracked), 10, 1e-6);
+}
+
 TEST_F(SurveyProject, RefusesPolylinesThatCrossThemselves) {
   EXPECT_EQ(refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 4, 0], [0, 0, 0]]]\n" + rest),
             "slope.toml: terrain: polylines[0] crosses itself at (2.857, 2.857, 0.000) (it cannot be cut into "

@@ -149,6 +149,34 @@ TEST(RankedValues, AreTheOrderStatisticsAndQuantilesOfTheirSketch) {
   }
 }
 
+TEST(QuantileEstimate, LiesWithinItsInterval) {
+  for (std::uint64_t n = 1; n <= 40; ++n) {
+    QuantileSketch sketch(n);
+    for (std::uint64_t k = 1; k <= n; ++k) sketch.add(static_cast<double>(k * k));
+    const RankedValues ranked(sketch);
+    for (const double p : {0.0, 0.001, 0.01, 0.05, 0.3, 0.5, 0.77, 0.95, 0.99, 0.999, 1.0}) {
+      for (const double confidence : {0.1, 0.5, 0.9, 0.95, 0.99}) {
+        const Estimate estimate = ranked.estimate(p, confidence);
+        EXPECT_GE(estimate.value, estimate.low.value_or(0)) << n << ' ' << p << ' ' << confidence;
+        EXPECT_LE(estimate.value, estimate.high.value_or(1e9)) << n << ' ' << p << ' ' << confidence;
+        if (estimate.value == ranked.quantile(p) || confidence < 0.9) continue;
+        const double edge = p > 0.5 ? static_cast<double>(n * n) : 1;
+        EXPECT_EQ(estimate.value, edge) << n << ' ' << p << ' ' << confidence << ": only beyond all values";
+      }
+    }
+  }
+}
+
+// Both of two values lie below the 99th percentile with a probability of 98 %, of three with 97 %.
+TEST(QuantileEstimate, BeyondAllValuesIsTheGreatest) {
+  QuantileSketch two(2), three(3);
+  for (const double x : {1.0, 3.0}) two.add(x);
+  for (const double x : {1.0, 2.0, 3.0}) three.add(x);
+  EXPECT_EQ(RankedValues(two).estimate(0.99, 0.95), (Estimate{3, 3, {}}));
+  EXPECT_EQ(RankedValues(two).estimate(0.01, 0.95), (Estimate{1, {}, 1}));
+  EXPECT_DOUBLE_EQ(RankedValues(three).estimate(0.99, 0.95).value, 2.98);
+}
+
 TEST(RankedValues, OfOneValueHaveNoInterval) {
   QuantileSketch sketch(1);
   sketch.add(3);

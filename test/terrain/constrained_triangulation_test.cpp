@@ -52,6 +52,11 @@ bool is_chain(const Triangulation& t, GridPoint a, GridPoint b, double slack) {
   return true;
 }
 
+bool is_fixed(const Scene& scene, Vertex a, Vertex b) {
+  const auto side = scene.triangulation.side(a, b);
+  return side && scene.triangulation.is_fixed(*side);
+}
+
 TEST(ConstrainedTriangulation, ASegmentAcrossAGridIsASide) {
   std::vector<GridPoint> points;
   for (std::int32_t i = 0; i <= 10; ++i) {
@@ -167,6 +172,52 @@ TEST(ConstrainedTriangulation, RandomSegmentsAreChainsOfSidesAndTheRestIsDelauna
     }
     if (HasFailure()) FAIL() << "run " << i;
   }
+}
+
+// Crossings bend a line by less than a micrometre; what is drawn upon it again, there, back and in part, follows it.
+TEST(ConstrainedTriangulation, LinesDrawnAgainCrossNowhereElse) {
+  Dice dice(24);
+  for (int i = 0; i < 20; ++i) {
+    auto points = scattered(dice, 240, grid_end);
+    for (std::size_t k = 0; k < 60; ++k) {  // halfway along each line, but for rounding
+      const GridPoint a = points[2 * k], b = points[2 * k + 1];
+      points.push_back({a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2});
+    }
+    Scene scene(points, std::vector<double>(points.size()));
+    for (Vertex k = 0; k < 60; ++k) scene.lines.add(2 * k, 2 * k + 1);
+    const std::size_t once = scene.lines.report().crossings.count;
+    EXPECT_GT(once, 100U);
+    for (Vertex k = 60; k-- > 0;) scene.lines.add(2 * k + 1, 2 * k);
+    EXPECT_EQ(scene.lines.report().upon_another, 2 * (60 + once));
+    for (Vertex k = 0; k < 60; ++k) scene.lines.add(240 + k, 2 * k);
+    EXPECT_EQ(scene.lines.report().crossings.count, once);
+    EXPECT_EQ(scene.triangulation.vertex_count(), points.size() + once);
+    expect_sound(scene.triangulation);
+    if (HasFailure()) FAIL() << "run " << i;
+  }
+}
+
+TEST(ConstrainedTriangulation, AVertexWithinRoundingIsOnTheWay) {
+  for (const std::int32_t beside : {0, 2, 5}) {
+    SCOPED_TRACE(beside);
+    Scene scene({{0, 0}, {10 * step, 5 * step}, {4 * step, 2 * step + beside}, {9 * step, 0}, {0, 9 * step}},
+                std::vector<double>(5));
+    scene.lines.add(0, 1);
+    EXPECT_EQ(is_fixed(scene, 0, 2) && is_fixed(scene, 2, 1), beside < 5);
+    EXPECT_EQ(is_fixed(scene, 0, 1), beside == 5);
+    EXPECT_EQ(scene.triangulation.vertex_count(), 5U);
+    expect_sound(scene.triangulation);
+  }
+}
+
+TEST(ConstrainedTriangulation, ALineThatEndsAtAnotherButForRoundingBendsIt) {
+  // The end lies a step beyond.
+  Scene scene({{0, 0}, {10 * step, 5 * step}, {4 * step, 2 * step + 1}, {7 * step, 0}}, {0, 5, 2, 0});
+  scene.lines.add(0, 1);
+  scene.lines.add(3, 2);
+  EXPECT_EQ(scene.triangulation.vertex_count(), 4U);
+  EXPECT_TRUE(is_fixed(scene, 0, 2) && is_fixed(scene, 2, 1) && is_fixed(scene, 3, 2));
+  expect_sound(scene.triangulation);
 }
 
 // A chain that is not there is not found.

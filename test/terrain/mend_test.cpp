@@ -433,6 +433,8 @@ TEST(Mend, TheReportTellsWhatToLookAt) {
       "2.000, 0.333)\n"
       "warning: 1 edge has more than two facets (which of them go on from each other is not known), at (0.000, 0.000, "
       "0.000)\n"
+      "warning: 1 boundary edge lies below another facet and above none (what slides or rolls to it leaves the model "
+      "there), at (-1.500, 1.146, -0.854)\n"
       "warning: 1 component has one side only, like a Moebius strip (each facet was turned up by itself), at (0.667, "
       "2.000, 0.000)\n"
       "warning: 1 component does not show which side is out of the ground (no area in plan, or no volume; the winding "
@@ -441,6 +443,22 @@ TEST(Mend, TheReportTellsWhatToLookAt) {
             "12 facets, 8 vertices, 1 component (1 closed), 0 boundary edges; 8 vertical and 2 overhanging\n"
             "vertical: 8 facets, for example at (0.667, 0.000, 0.333), (0.333, 0.000, 0.667), (0.333, 1.000, 0.333)\n"
             "overhanging: 2 facets, at (0.333, 0.667, 0.000), (0.667, 0.333, 0.000)");
+}
+
+// Two facets on a side of a third, one of them beside it by 2 mm.
+TEST(Mend, TheReportTellsOfCornersOnSidesAndOfCracks) {
+  const RawMesh mesh{{{0, 0, 0}, {2, 0, 0}, {2, 4, 0}, {2, 2, 0}, {5, 1, 0}, {2.002, 2.1, 0}, {2.002, 4, 0}, {5, 3, 0}},
+                     {{0, 1, 2}, {1, 4, 3}, {5, 7, 6}}};
+  const MendedMesh mended = mend(mesh, {.source = "", .weld_tolerance_m = 0.001});
+  expect_sound(mended);
+  EXPECT_TRUE(mended.report.has_warnings());
+  EXPECT_THAT(mended.original, ElementsAre(0U, 0U, 1U, 2U));
+  EXPECT_EQ(
+      mended.report.text(),
+      "4 facets, 8 vertices, 2 components (0 closed), 8 boundary edges; every facet faces up\n"
+      "joined: 1 corner that lies on the side of another facet, which was cut there, at (2.000, 2.000, 0.000)\n"
+      "warning: 2 boundary edges lie within 0.01 m of another facet (a crack: what slides or rolls to it may leave "
+      "the model there), at (2.000, 3.000, 0.000), (2.002, 3.050, 0.000)");
 }
 
 TEST(Mend, Refusals) {

@@ -355,6 +355,23 @@ TEST(SurveySurface, VerticesOfLinesAreNoSpikes) {
   EXPECT_EQ(*height_at(surface.mesh, 5.5, 5), 9);
 }
 
+// Numbers with which rounded crossings once crossed again at every step of the grid.
+TEST(SurveySurface, ALineDrawnThereAndBackIsOne) {
+  Survey survey;
+  survey.lines = {{{5.0750109687, 12.99599449, 1998.14},
+                   {11.0414635658, 32.346285991, 1996.48},
+                   {5.0460620595, 49.411757437, 2002.89},
+                   {9.9677895233, 17.927765066, 1995.35}},
+                  {{0.0034581437, 1.945509201, 2000.25}, {16.297195223, 41.886842052, 1994.04}}};
+  const SurveySurface once = surface_of(survey);
+  survey.lines[1].push_back(survey.lines[1].front());
+  const SurveySurface twice = surface_of(survey);
+  EXPECT_EQ(once.report.lines_laid.crossings.count, 3U);
+  EXPECT_EQ(twice.report.lines_laid.crossings.count, 3U);
+  EXPECT_EQ(twice.report.lines_laid.upon_another, 3U);
+  EXPECT_EQ(twice.mesh.vertices, once.mesh.vertices);
+}
+
 // ---- contours ----
 
 TEST(SurveySurface, LevelTrianglesBetweenContoursAreToldOf) {

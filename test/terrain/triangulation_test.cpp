@@ -78,6 +78,18 @@ TEST(ExactPlan, CornersOfTheGridAreNotTooFarApart) {
   EXPECT_TRUE(in_circle({0, 1}, {grid_end, 0}, {grid_end, grid_end}, {grid_end - 1, 1}));
 }
 
+TEST(ExactPlan, OnTheWayIsWithinTwoStepsAndTheBox) {
+  EXPECT_TRUE(is_on_way({0, 0}, {100, 50}, {40, 20}));
+  EXPECT_TRUE(is_on_way({100, 50}, {0, 0}, {40, 23}));  // three steps above, a little more than one beside
+  EXPECT_FALSE(is_on_way({0, 0}, {100, 50}, {40, 24}));
+  EXPECT_FALSE(is_on_way({0, 0}, {100, 50}, {102, 51}));
+  EXPECT_FALSE(is_on_way({0, 0}, {100, 0}, {40, 1}));
+  constexpr std::int32_t far = 1 << ExactGrid::bits;
+  EXPECT_TRUE(is_on_way({0, 0}, {far, far}, {far / 2 + 1, far / 2 - 1}));
+  EXPECT_FALSE(is_on_way({0, 0}, {far, far}, {0, far}));
+  EXPECT_FALSE(is_on_way({far, 0}, {0, far}, {far, far}));
+}
+
 TEST(ExactPlan, CrossingIsTheNearestGridPointWithinBothBoxes) {
   EXPECT_EQ(crossing({0, 0}, {10, 10}, {0, 10}, {10, 0}), (GridPoint{5, 5}));
   EXPECT_EQ(crossing({0, 0}, {3, 1}, {2, 0}, {2, 2}), (GridPoint{2, 1}));

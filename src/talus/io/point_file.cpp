@@ -110,6 +110,7 @@ class PointReader {
       if (!is_known_) {
         choose_separator(text);
         split(text);
+        if (number_ == 1 && !is_comment && take_total()) continue;
         if (is_comment ? names_all() : names_any()) {
           name_columns();
           continue;
@@ -123,7 +124,13 @@ class PointReader {
       take_point();
     }
     problems_.throw_if_any();
-    if (points_.empty()) stop("has no points", "no line has three numbers");
+    if (points_.empty()) {
+      stop("has no points", total_ ? "its first line is a count, and none follows" : "no line has three numbers");
+    }
+    if (total_ && *total_ != points_.size()) {
+      stop(fmt::format("has {} points", points_.size()), fmt::format("its first line says {}", *total_),
+           "Copy it again from where it comes from, or take that line out");
+    }
     if (may_count_ && points_.size() > 2) {
       stop("seems to count its points in the first column",
            "it has no line that names the columns, and the first number grows by 1 from line to line",
@@ -190,6 +197,16 @@ class PointReader {
       words_.push_back(trimmed(text.substr(at, end - at)));
       at = end + 1;
     }
+  }
+
+  // A lone whole number, as .pts files begin with: how many points follow.
+  bool take_total() {
+    if (words_.size() != 1) return false;
+    std::size_t total = 0;
+    const auto [end, error] = std::from_chars(words_[0].data(), words_[0].data() + words_[0].size(), total);
+    if (error != std::errc{} || end != words_[0].data() + words_[0].size()) return false;
+    total_ = total;
+    return true;
   }
 
   [[nodiscard]] bool comma_is_point() const { return separator_ == ';' || separator_ == '\t'; }
@@ -301,7 +318,8 @@ class PointReader {
   std::vector<Vec3> points_;
   std::size_t number_ = 0;  // of the line, from 1
   char separator_ = ' ';
-  bool is_known_ = false;  // what separates the columns, and which are which
+  std::optional<std::size_t> total_;  // of points, as the first line says
+  bool is_known_ = false;             // what separates the columns, and which are which
   bool has_names_ = false;
   bool may_count_ = false;  // whether the first column may be a number of the point
   double counted_ = 0;

@@ -39,8 +39,6 @@ Problem problem(const std::filesystem::path& file, std::string what, std::string
   return {.file = file.string(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
 }
 
-bool is_dxf(const std::filesystem::path& file) { return lower(file.extension().string()) == ".dxf"; }
-
 // The coordinate system in which everything comes together.
 class CommonCrs {
  public:
@@ -114,6 +112,7 @@ class Heights {
       return refuse(name + " has no heights", "its geometry is of x and y only",
                     "Name the attribute that holds them: elevation_attribute = \"...\"");
     }
+    double low = std::numeric_limits<double>::infinity(), high = -low;
     for (VectorShape& part : feature.parts) {
       for (auto& list : part.lists) {
         for (Vec3& p : list) {
@@ -122,17 +121,24 @@ class Heights {
             return refuse(fmt::format("{} has the height {:.10g}", name, p.z()),
                           fmt::format("heights lie between {:g} and {:g} m", least_elevation_m, greatest_elevation_m));
           }
-          all_zero_ = all_zero_ && p.z() == 0;
+          low = std::min(low, p.z());
+          high = std::max(high, p.z());
         }
       }
+    }
+    if (low == 0 && high == 0) {
+      if (++at_zero_ == 1) first_at_zero_ = name;
+    } else {
+      low_ = std::min(low_, low);
+      high_ = std::max(high_, high);
     }
     return true;
   }
 
-  // A layer of which the geometry has a z that nobody filled in.
-  void finish(bool others_have_heights, Problems& warnings) const {
+  // Whether nobody filled in the z, of all features or of some.
+  void finish(bool others_have_heights, const std::string& layer_key, Problems& warnings) const {
     problems_.throw_if_any();
-    if (!all_zero_) return;
+    if (low_ <= high_) return warn_of_some(layer_key, warnings);
     Problem flat = problem(file_, "has no height but 0", "every vertex has it",
                            "If an attribute holds them, name it: elevation_attribute = \"...\"");
     if (!others_have_heights) throw BadInput(flat);
@@ -141,6 +147,17 @@ class Heights {
   }
 
  private:
+  void warn_of_some(const std::string& layer_key, Problems& warnings) const {
+    if (at_zero_ == 0 || (low_ <= 0 && high_ >= 0)) return;
+    Problem some =
+        problem(file_, fmt::format("{} {} at the height 0", at_zero_, at_zero_ == 1 ? "feature lies" : "features lie"),
+                fmt::format("the others lie from {:.10g} to {:.10g} m; {} is the first", low_, high_, first_at_zero_),
+                fmt::format("A frame or plan beside the ground is left out by naming the ground's layer: {} = \"...\"",
+                            layer_key));
+    some.severity = Severity::warning;
+    warnings.add(some);
+  }
+
   bool refuse(std::string what, std::string why, std::string hint = "") {
     problems_.add(0, std::move(what), std::move(why), std::move(hint));
     return false;
@@ -149,7 +166,9 @@ class Heights {
   const std::filesystem::path& file_;
   std::string attribute_;
   FirstProblems problems_;
-  bool all_zero_ = true;
+  std::size_t at_zero_ = 0;  // features
+  std::string first_at_zero_;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;  // of the others
 };
 
 // "elev_ft", "Z (feet)": as with the columns of text files, a unit in a name is believed where it is a word.
@@ -172,12 +191,11 @@ VectorLayer read_with_heights(const std::filesystem::path& path, VectorRequest r
   Heights heights(path, attribute);
   request.attributes = heights.attributes();
   request.heights_are_used = attribute.empty();
-  request.others_are_left_out = is_dxf(path);
   request.terrain_crs_wkt = crs.wanted();
   VectorLayer layer = read_vector_file(path, request, warnings);
   crs.brought(layer, path);
   for (VectorFeature& feature : layer.features) heights.give(feature);
-  heights.finish(others_have_heights, warnings);
+  heights.finish(others_have_heights, request.layer_key, warnings);
   return layer;
 }
 
@@ -364,6 +382,7 @@ PolygonFile read_polygon_file(const std::filesystem::path& path, const std::stri
   request.layer = layer_name;
   request.layer_key = "polygons_layer";
   request.kinds = {ShapeKind::line, ShapeKind::polygon};
+  request.polygons_are_in_space = true;
   VectorLayer layer = read_with_heights(path, request, "", false, crs, warnings);
   PolygonFile file;
   FirstProblems problems(path.string(), "features");

@@ -10,9 +10,11 @@
 #include <string_view>
 #include <system_error>
 
-#include "talus/core/nearest.hpp"
+#include "talus/io/dxf_entities.hpp"
+#include "talus/io/dxf_file.hpp"
 #include "talus/io/gdal_raster.hpp"
 #include "talus/io/mesh_problems.hpp"
+#include "talus/io/names_in_words.hpp"
 #include "talus/io/ordinary_file.hpp"
 #include "talus/io/raster_crs.hpp"
 #include "talus/io/vector_shapes.hpp"
@@ -22,22 +24,6 @@ namespace talus {
 namespace {
 
 constexpr std::int64_t most_features = 50'000'000;  // far beyond any survey; a damaged file may declare more
-constexpr std::size_t most_listed = 20;             // names of layers or attributes
-
-std::string list_of(const std::vector<std::string>& names) {
-  std::string out;
-  for (std::size_t i = 0; i < names.size() && i < most_listed; ++i) {
-    out += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", names[i]);
-  }
-  if (names.size() > most_listed) out += fmt::format(" and {} more", names.size() - most_listed);
-  return out;
-}
-
-std::string meant(const std::string& name, const std::vector<std::string>& names) {
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  const auto near = nearest(name, known);
-  return near ? fmt::format("Did you mean \"{}\"?", *near) : "";
-}
 
 bool is_csv(const std::filesystem::path& file) { return file.extension() == ".csv" || file.extension() == ".CSV"; }
 
@@ -63,8 +49,10 @@ GDALDatasetUniquePtr open_vectors(const GdalMessages& messages, RasterProblems& 
   return dataset;
 }
 
+bool is_dxf(GDALDataset& dataset) { return std::string_view(dataset.GetDriverName()) == "DXF"; }
+
 OGRLayer& layer_of(GDALDataset& dataset, const VectorRequest& request, RasterProblems& problems) {
-  const std::string& wanted = request.layer;
+  const std::string wanted = is_dxf(dataset) ? "" : request.layer;
   std::vector<std::string> names, with_geometry;
   OGRLayer* found = nullptr;
   for (OGRLayer* layer : dataset.GetLayers()) {
@@ -75,17 +63,17 @@ OGRLayer& layer_of(GDALDataset& dataset, const VectorRequest& request, RasterPro
   }
   if (with_geometry.empty()) {
     problems.stop("has no points, lines or polygons",
-                  names.empty() ? "it has no layer" : fmt::format("it has only tables: {}", list_of(names)),
+                  names.empty() ? "it has no layer" : fmt::format("it has only tables: {}", listed(names)),
                   is_csv(problems.file()) ? "A CSV needs columns x and y, or one called WKT" : "");
   }
   if (!found) {
     const bool is_table = std::find(names.begin(), names.end(), wanted) != names.end();
     problems.stop(
         is_table ? fmt::format("layer \"{}\" has no geometry", wanted) : fmt::format("has no layer \"{}\"", wanted),
-        fmt::format("it has {}", list_of(with_geometry)), meant(wanted, with_geometry));
+        fmt::format("it has {}", listed(with_geometry)), meant(wanted, with_geometry));
   }
   if (wanted.empty() && with_geometry.size() > 1) {
-    problems.stop(fmt::format("has {} layers", with_geometry.size()), list_of(with_geometry),
+    problems.stop(fmt::format("has {} layers", with_geometry.size()), listed(with_geometry),
                   fmt::format("Say which: {} = \"{}\"", request.layer_key, with_geometry.front()));
   }
   return *found;
@@ -100,7 +88,7 @@ std::vector<int> columns_of(OGRLayer& layer, const std::vector<std::string>& att
     columns.push_back(definition.GetFieldIndex(attribute.c_str()));
     if (columns.back() >= 0) continue;
     problems.refuse(fmt::format("layer \"{}\" has no attribute \"{}\"", layer.GetName(), attribute),
-                    names.empty() ? "it has none" : fmt::format("it has {}", list_of(names)), meant(attribute, names));
+                    names.empty() ? "it has none" : fmt::format("it has {}", listed(names)), meant(attribute, names));
   }
   return columns;
 }
@@ -113,19 +101,25 @@ void judge_size(OGRLayer& layer, RasterProblems& problems) {
                   "Cut it to the slope: " + ogr2ogr("-spat WEST SOUTH EAST NORTH", problems.file(), "_slope.gpkg"));
 }
 
-void read_features(OGRLayer& layer, const std::vector<int>& columns, VectorShapes& shapes, VectorLayer& read,
-                   GdalMessages& messages, RasterProblems& problems) {
+/// `entities` is null where the file is no DXF.
+void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities* entities, VectorShapes& shapes,
+                   VectorLayer& read, GdalMessages& messages, RasterProblems& problems) {
   messages.clear();
   std::uint64_t seen = 0, without_geometry = 0, not_utf8 = 0;
   layer.ResetReading();
   for (;; ++seen) {
     const OGRFeatureUniquePtr from(layer.GetNextFeature());
+    if (messages.has_failure() && entities && (from || is_whole_dxf(problems.file()))) {
+      entities->note_unreadable(messages.failure());
+      messages.clear();
+    }
     if (messages.has_failure()) {
       problems.stop("cannot be read to its end",
                     fmt::format("after {} features of layer \"{}\"; {}", seen, read.name, messages.failure()),
                     "Copy it again from where it comes from");
     }
     if (!from) break;
+    if (entities && !entities->takes(*from)) continue;
     const OGRGeometry* geometry = from->GetGeometryRef();
     if (!geometry || geometry->IsEmpty()) {
       ++without_geometry;
@@ -148,10 +142,14 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, VectorShape
     read.features.push_back(std::move(feature));
   }
   shapes.complain();
+  if (entities) entities->complain();
   problems.throw_if_any();
+  if (entities) seen = entities->taken();
   if (read.features.empty()) {
     problems.stop(fmt::format("layer \"{}\" is empty", read.name),
-                  seen == 0                  ? std::string("it has no features")
+                  entities && entities->left_out() > 0 && seen == 0
+                      ? std::string("all of it is in a layout or on hidden layers")
+                  : seen == 0                ? std::string("it has no features")
                   : without_geometry == seen ? fmt::format("none of its {} features has a geometry", seen)
                                              : fmt::format("none of its {} features is of a kind that is read", seen));
   }
@@ -169,7 +167,9 @@ VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequ
   const GDALDatasetUniquePtr dataset = open_vectors(messages, problems);
   OGRLayer& layer = layer_of(*dataset, request, problems);
   VectorLayer read;
-  read.name = layer.GetName();
+  std::optional<DxfEntities> entities;
+  if (is_dxf(*dataset)) entities.emplace(layer, request, problems);
+  read.name = entities && !entities->layer().empty() ? entities->layer() : layer.GetName();
   const std::vector<int> columns = columns_of(layer, request.attributes, problems);
   judge_size(layer, problems);
   const OGRSpatialReference* crs = layer.GetSpatialRef();
@@ -179,9 +179,9 @@ VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequ
     read.crs_wkt = wkt_of(*crs);
     read.crs_name = name_of(*crs);
   }
-  VectorShapes shapes(request, crs, problems);
+  VectorShapes shapes(request, crs, entities.has_value(), problems);
   problems.throw_if_any();
-  read_features(layer, columns, shapes, read, messages, problems);
+  read_features(layer, columns, entities ? &*entities : nullptr, shapes, read, messages, problems);
   warnings.append(problems.warnings());
   return read;
 }

@@ -31,12 +31,12 @@ struct VectorFeature {
 
 /// What to read.
 struct VectorRequest {
-  std::string layer;                    // empty: the only one with geometry
+  std::string layer;                    // empty: the only one with geometry; in a DXF a CAD layer, or all of them
   std::string layer_key = "layer";      // the project's key that names it, for hints
   std::vector<std::string> attributes;  // whose values are wanted; capitals do not matter
   std::vector<ShapeKind> kinds;         // which are wanted; empty: all
-  /// Whether other kinds are left out, with a warning, instead of being refused: a DXF mixes them.
-  bool others_are_left_out = false;
+  /// Whether polygons are rings in space, which may stand upright, instead of areas on plan.
+  bool polygons_are_in_space = false;
   /// Whether the features' z are used: then they must be metres upwards, as far as the file says.
   bool heights_are_used = false;
   /// The coordinate system of the terrain as WKT; empty: not known. Features are brought to it vertex by vertex (z
@@ -51,9 +51,12 @@ struct VectorLayer {
   std::vector<VectorFeature> features;  // one or more, in the order of the file
 };
 
-/// Curves become chords, collections several parts. Throws BadInput with all that is wrong: no such file, layer or
-/// attribute, an empty layer, degrees or feet without a terrain to bring them to, other kinds than those wanted,
-/// polygons that cross themselves, coordinates that are no numbers or have no place in the terrain's coordinate
+/// Curves become chords, collections several parts. A DXF mixes kinds: those that are not wanted are left out, closed
+/// lines are polygons where polygons alone are wanted, and only the model is read, not its layouts or hidden layers.
+/// Throws BadInput with all that is wrong: no such file, layer or
+/// attribute, an empty layer, degrees or feet without a terrain to bring them to, a DXF that names
+/// another unit than metres, other kinds than those wanted,
+/// polygons on plan that cross themselves, coordinates that are no numbers or have no place in the terrain's coordinate
 /// system, heights in another unit, attributes that are no UTF-8, more than Talus takes; and where the program was
 /// built without GDAL. What is only doubtful is added to `warnings`.
 [[nodiscard]] VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequest& request,

@@ -15,14 +15,15 @@ namespace {
 constexpr std::uint64_t most_vertices = 250'000'000;
 constexpr std::size_t most_complaints = 5;  // of one kind; more would only hide the others
 
-/// How far apart the ends of a polygon's rings are, at most; nothing where all are closed on plan.
-std::optional<double> widest_gap(const OGRGeometry& geometry) {
+/// How far apart the ends of a polygon's rings are, at most, on plan or in space; nothing where all are closed.
+std::optional<double> widest_gap(const OGRGeometry& geometry, bool in_space) {
   std::optional<double> widest;
   const auto look_at = [&](const OGRPolygon& polygon) {
     for (const OGRLinearRing* ring : polygon) {
       const int last = ring->getNumPoints() - 1;
       if (last < 0) continue;
-      const double gap = std::hypot(ring->getX(last) - ring->getX(0), ring->getY(last) - ring->getY(0));
+      const double gap = std::hypot(ring->getX(last) - ring->getX(0), ring->getY(last) - ring->getY(0),
+                                    in_space ? ring->getZ(last) - ring->getZ(0) : 0);
       if (gap > 0) widest = std::max(gap, widest.value_or(0));
     }
   };
@@ -32,6 +33,14 @@ std::optional<double> widest_gap(const OGRGeometry& geometry) {
     look_at(*geometry.toPolygon());
   }
   return widest;
+}
+
+OGRPolygon polygon_within(const OGRLineString& closed) {
+  OGRLinearRing ring;
+  ring.addSubLineString(&closed);
+  OGRPolygon polygon;
+  polygon.addRing(&ring);
+  return polygon;
 }
 
 std::string_view word(ShapeKind kind) {
@@ -77,8 +86,9 @@ std::string ogr2ogr(std::string_view options, const std::filesystem::path& file,
   return fmt::format("ogr2ogr {} {} {}", options, shell_word(made.string()), shell_word(file.string()));
 }
 
-VectorShapes::VectorShapes(const VectorRequest& request, const OGRSpatialReference* crs, RasterProblems& problems)
-    : request_(request), problems_(problems) {
+VectorShapes::VectorShapes(const VectorRequest& request, const OGRSpatialReference* crs, bool is_drawing,
+                           RasterProblems& problems)
+    : request_(request), problems_(problems), is_drawing_(is_drawing) {
   if (crs) {
     is_geographic_ = crs->IsGeographic();
     crs_name_ = name_of(*crs);
@@ -144,9 +154,15 @@ void VectorShapes::add(const OGRGeometry& geometry, VectorFeature& feature) {
     case wkbGeometryCollection:
       for (const OGRGeometry* part : *geometry.toGeometryCollection()) add(*part, feature);
       return;
-    case wkbLineString:
-      if (wants(ShapeKind::line, feature)) add_line(ShapeKind::line, *geometry.toLineString(), feature);
+    case wkbLineString: {
+      const OGRLineString& line = *geometry.toLineString();
+      if (is_drawing_ && line.get_IsClosed() && !reads(ShapeKind::line) && reads(ShapeKind::polygon)) {
+        add(polygon_within(line), feature);
+      } else if (wants(ShapeKind::line, feature)) {
+        add_line(ShapeKind::line, line, feature);
+      }
       return;
+    }
     case wkbPoint: {
       OGRLineString one;
       one.addPoint(geometry.toPoint());
@@ -158,26 +174,34 @@ void VectorShapes::add(const OGRGeometry& geometry, VectorFeature& feature) {
   }
 }
 
-bool VectorShapes::wants(ShapeKind kind, const VectorFeature& feature) {
+bool VectorShapes::reads(ShapeKind kind) const {
   const auto& kinds = request_.kinds;
-  if (kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) return true;
+  return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+bool VectorShapes::wants(ShapeKind kind, const VectorFeature& feature) {
+  if (reads(kind)) return true;
   note(other_kind, feature, fmt::format("is a {}", word(kind)));
   return false;
 }
 
 bool VectorShapes::is_valid(const OGRGeometry& geometry, const VectorFeature& feature) {
   // GEOS, which judges the rest, takes no ring that is open.
-  if (const auto apart = widest_gap(geometry)) {
+  if (const auto apart = widest_gap(geometry, request_.polygons_are_in_space)) {
     note(open_ring, feature, fmt::format("its ends are {:.4g} apart", *apart));
     return false;
   }
+  if (request_.polygons_are_in_space) return true;  // who cuts them in their planes is the judge
   const Objection objection(geometry);
   if (!objection.is_valid()) note(invalid, feature, objection.reason());
   return objection.is_valid();
 }
 
 void VectorShapes::add_line(ShapeKind kind, const OGRLineString& line, VectorFeature& feature) {
-  if (auto vertices = placed(line, feature)) feature.parts.push_back({kind, {std::move(*vertices)}});
+  auto vertices = placed(line, feature);
+  if (!vertices) return;
+  has_parts_ = true;
+  feature.parts.push_back({kind, {std::move(*vertices)}});
 }
 
 void VectorShapes::add_polygon(const OGRPolygon& polygon, VectorFeature& feature) {
@@ -189,7 +213,9 @@ void VectorShapes::add_polygon(const OGRPolygon& polygon, VectorFeature& feature
     vertices->pop_back();  // it repeats the first: rings of valid polygons are closed
     shape.lists.push_back(std::move(*vertices));
   }
-  if (!shape.lists.empty()) feature.parts.push_back(std::move(shape));
+  if (shape.lists.empty()) return;
+  has_parts_ = true;
+  feature.parts.push_back(std::move(shape));
 }
 
 std::optional<std::vector<Vec3>> VectorShapes::placed(const OGRLineString& line, const VectorFeature& feature) {
@@ -251,7 +277,7 @@ void VectorShapes::complain() {
   const std::string name_it = "Name the true one: " + ogr2ogr("-a_srs EPSG:XXXX", problems_.file(), "_placed.gpkg");
   for (std::size_t fault = 0; fault < fault_count; ++fault) {
     const Faulty& faulty = faulty_[fault];
-    if (fault == other_kind && faulty.count > 0 && request_.others_are_left_out) {
+    if (fault == other_kind && faulty.count > 0 && is_drawing_ && has_parts_) {
       problems_.warn(fmt::format("{} shapes are left out", faulty.count),
                      fmt::format("only {} are read; {} {}", kinds, faulty.first[0][0], faulty.first[0][1]));
       continue;
@@ -261,6 +287,8 @@ void VectorShapes::complain() {
       switch (fault) {
         case other_kind:
           why = kinds.empty() ? "Talus reads points, lines and polygons" : kinds + " are expected";
+          if (is_drawing_ && reads(ShapeKind::polygon) && !reads(ShapeKind::line))
+            hint = "A line that is closed is read as a polygon";
           break;
         case open_ring:
           problems_.refuse(feature + " is not closed", what, "Repeat its first vertex at its end");

@@ -22,8 +22,9 @@ namespace talus {
 /// Takes geometries one by one and remembers what is wrong with them.
 class VectorShapes {
  public:
-  /// `crs` is that of the file, null where it names none. What is wrong with it is added to `problems`.
-  VectorShapes(const VectorRequest& request, const OGRSpatialReference* crs, RasterProblems& problems);
+  /// `crs` is that of the file, null where it names none. What is wrong with it is added to `problems`. A drawing is a
+  /// DXF.
+  VectorShapes(const VectorRequest& request, const OGRSpatialReference* crs, bool is_drawing, RasterProblems& problems);
 
   /// Adds the parts of a geometry to the feature that has it.
   void add(const OGRGeometry& geometry, VectorFeature& feature);
@@ -38,6 +39,7 @@ class VectorShapes {
   };
 
   void find_transformation(const OGRSpatialReference* crs);
+  [[nodiscard]] bool reads(ShapeKind kind) const;
   [[nodiscard]] bool wants(ShapeKind kind, const VectorFeature& feature);
   [[nodiscard]] bool is_valid(const OGRGeometry& geometry, const VectorFeature& feature);
   void add_line(ShapeKind kind, const OGRLineString& line, VectorFeature& feature);
@@ -48,10 +50,12 @@ class VectorShapes {
 
   const VectorRequest& request_;
   RasterProblems& problems_;
+  bool is_drawing_;
   std::unique_ptr<OGRCoordinateTransformation> to_terrain_;  // null where the coordinates are the terrain's own
   bool is_geographic_ = false;
   std::string crs_name_, terrain_crs_name_;
   std::uint64_t vertices_ = 0;
+  bool has_parts_ = false;
   std::array<Faulty, fault_count> faulty_;
   std::optional<HeightFault> height_fault_;  // of the coordinate system, if it matters
   bool has_heights_ = false;                 // some feature

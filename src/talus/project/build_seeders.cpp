@@ -110,7 +110,7 @@ class SeederBuilder {
     VectorRequest request{.layer = s.layer,
                           .attributes = {},
                           .kinds = {ShapeKind::line},
-                          .others_are_left_out = false,
+                          .polygons_are_in_space = false,
                           .heights_are_used = !seeder.above_surface,
                           .terrain_crs_wkt = model_.crs_wkt};
     if (!s.source_attribute.empty()) request.attributes = {s.source_attribute};

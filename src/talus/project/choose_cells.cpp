@@ -132,7 +132,7 @@ class Chooser {
       VectorRequest request{.layer = seeder_.layer,
                             .attributes = {},
                             .kinds = {ShapeKind::polygon},
-                            .others_are_left_out = false,
+                            .polygons_are_in_space = false,
                             .heights_are_used = false,
                             .terrain_crs_wkt = question_.model.crs_wkt};
       if (!seeder_.source_attribute.empty()) request.attributes = {seeder_.source_attribute};

@@ -37,7 +37,7 @@ class Assignment {
                                 {.layer = project.ground.layer,
                                  .attributes = {project.ground.attribute},
                                  .kinds = {ShapeKind::polygon},
-                                 .others_are_left_out = false,
+                                 .polygons_are_in_space = false,
                                  .heights_are_used = false,
                                  .terrain_crs_wkt = terrain.crs_wkt},
                                 warnings)) {}

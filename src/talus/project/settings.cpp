@@ -467,8 +467,8 @@ Table terrain() {
                .unit = "m",
                .range = up_to(largest_coordinate_m),
                .meaning =
-                   "Vertices of `polylines` or `polygons` as near as this become one, which makes one surface of "
-                   "them.",
+                   "Vertices of `polylines` or `polygons` as near as this become one, and sides lead through vertices "
+                   "as near as this, which makes one surface of them.",
                .source = "the manual, section 2"},
               {.key = "crs",
                .slot = member(&Terrain::crs),

@@ -82,6 +82,8 @@ Estimate RankedValues::estimate(double p, double confidence) const {
   const RankBounds ranks = quantile_rank_bounds(p, count_, confidence);
   if (ranks.low) estimate.low = at(*ranks.low);
   if (ranks.high) estimate.high = at(*ranks.high);
+  if (estimate.low) estimate.value = std::max(estimate.value, *estimate.low);
+  if (estimate.high) estimate.value = std::min(estimate.value, *estimate.high);
   return estimate;
 }
 

@@ -50,6 +50,9 @@ class RankedValues {
   [[nodiscard]] double at(std::uint64_t rank) const;
   /// As QuantileSketch::quantile().
   [[nodiscard]] double quantile(double p) const;
+  /// The quantile and its interval. Definition 7 looks for it among the values alone: where these are so few that even
+  /// the greatest lies below it with this confidence (two values for p = 0.99), it interpolates to less than that. Then
+  /// the estimate is the end of the interval, which is the greatest value; likewise at the other end.
   [[nodiscard]] Estimate estimate(double p, double confidence) const;
 
  private:

@@ -39,14 +39,14 @@ void ConstrainedTriangulation::lay(const Segment& segment) {
     cross(segment, *meeting.blocked);
     return;
   }
-  Segment piece = segment;
-  if (meeting.reached != segment.b) {
-    const double z = height_on(segment, triangulation_.point(meeting.reached));
-    note_beside(meeting.reached, z);
-    waiting_.push_back({meeting.reached, segment.b, z, segment.z_b});
-    piece.b = meeting.reached;
+  if (meeting.reached == segment.b) {
+    flip_out_of_the_way(segment, std::move(meeting.crossed));
+    return;
   }
-  flip_out_of_the_way(piece, std::move(meeting.crossed));
+  const double z = height_on(segment, triangulation_.point(meeting.reached));
+  note_beside(meeting.reached, z);
+  waiting_.push_back({meeting.reached, segment.b, z, segment.z_b});
+  waiting_.push_back({segment.a, meeting.reached, segment.z_a, z});
 }
 
 ConstrainedTriangulation::Meeting ConstrainedTriangulation::way_of(const Segment& segment) const {
@@ -54,6 +54,7 @@ ConstrainedTriangulation::Meeting ConstrainedTriangulation::way_of(const Segment
   const GridPoint a = t.point(segment.a), b = t.point(segment.b);
   // To which side of the segment's line a vertex lies: positive to the left.
   const auto side_of = [&](Vertex v) { return doubled_area(a, b, t.point(v)); };
+  const auto passes = [&](Vertex v) { return is_on_way(a, b, t.point(v)); };
   Meeting meeting;
 
   // Out of which triangle around its beginning does it go?
@@ -73,6 +74,12 @@ ConstrainedTriangulation::Meeting ConstrainedTriangulation::way_of(const Segment
                   "the end is on plan, so some triangle leads there");
   }
 
+  for (const Vertex beside : {t.to(leaving), t.apex(leaving)}) {
+    if (!passes(beside)) continue;
+    meeting.reached = beside;
+    return meeting;
+  }
+
   // From triangle to triangle, each time across the side between a vertex to the right and one to the left.
   Triangulation::Side across = t.next_side(leaving);
   for (;;) {
@@ -83,13 +90,12 @@ ConstrainedTriangulation::Meeting ConstrainedTriangulation::way_of(const Segment
     meeting.crossed.push_back({t.from(across), t.to(across)});
     const Triangulation::Side beyond = t.twin(across);
     const Vertex ahead = t.apex(beyond);
-    const std::int64_t to_side = side_of(ahead);
-    if (to_side == 0) {
+    if (passes(ahead)) {
       meeting.reached = ahead;
       return meeting;
     }
     across = t.next_side(beyond);
-    if (to_side < 0) across = t.next_side(across);
+    if (side_of(ahead) < 0) across = t.next_side(across);
   }
 }
 
@@ -123,12 +129,16 @@ void ConstrainedTriangulation::flip_out_of_the_way(const Segment& segment, std::
   t.flip_until_delaunay(std::move(flipped));
 }
 
-// Both segments are laid again in pieces, from and to the grid point next to the crossing. It lies in the boxes around
-// both, so that |dx| + |dy| of a segment is that of its pieces together: however often pieces cross again, each of
-// them once has a single step left, and it ends.
+// Both segments are laid again in pieces, from and to the grid point next to the crossing, or to the segment's end
+// where that lies on the fixed one but for rounding. It lies in the boxes around both, so that |dx| + |dy| of a segment
+// is that of its pieces together: however often pieces cross again, each of them once has a single step left, and it
+// ends. It ends soon, because pieces that run along others meet at their vertices, and cross nowhere else.
 void ConstrainedTriangulation::cross(const Segment& segment, const Segment& fixed) {
   Triangulation& t = triangulation_;
-  const GridPoint at = crossing(t.point(segment.a), t.point(segment.b), t.point(fixed.a), t.point(fixed.b));
+  GridPoint at = crossing(t.point(segment.a), t.point(segment.b), t.point(fixed.a), t.point(fixed.b));
+  for (const Vertex end : {segment.a, segment.b}) {
+    if (is_on_way(t.point(fixed.a), t.point(fixed.b), t.point(end))) at = t.point(end);
+  }
   const double z = height_on(segment, at);
   double low = z, high = height_on(fixed, at);
   if (low > high) std::swap(low, high);

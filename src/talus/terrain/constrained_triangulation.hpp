@@ -5,10 +5,12 @@
 // A segment is put in by flipping the sides that cross it (Sloan 1993, "A fast algorithm for generating constrained
 // Delaunay triangulations", Computers and Structures 47), then what was flipped is flipped on until it is Delaunay
 // again wherever no segment is in the way. What meets a segment on its way is settled first:
-// - a vertex that lies on it cuts it in two; the vertex keeps its own height;
+// - a vertex that lies on it but for rounding (is_on_way) cuts it in two; the vertex keeps its own height;
 // - where two segments cross there will be a vertex, at the grid point next to the crossing, so that both bend by at
 //   most half a step of the grid. Its height is the mean of theirs;
-// - segments that lie upon each other share their sides.
+// - segments that lie upon each other share their sides: what is bent at crossings draws to it what runs along it
+//   (iterated snap rounding: Halperin and Packer 2002, Computational Geometry 23), so that a line drawn twice has as
+//   many crossings as one.
 
 #include <cstddef>
 #include <vector>

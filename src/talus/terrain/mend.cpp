@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "talus/core/problems.hpp"
+#include "talus/terrain/loose_edges.hpp"
+#include "talus/terrain/mesh_edges.hpp"
+#include "talus/terrain/side_corners.hpp"
 #include "talus/terrain/weld.hpp"
 
 namespace talus {
@@ -149,6 +153,18 @@ void drop_duplicates(MendedMesh& mesh) {
   mesh.original.resize(kept);
 }
 
+// ---- sides that pass corners ----
+
+void join_along_sides(MendedMesh& mesh, double tolerance) {
+  CutFacets facets{std::move(mesh.triangles), std::move(mesh.original)};
+  mesh.report.corners_in_sides = put_corners_into_sides(mesh.vertices, facets, tolerance);
+  mesh.triangles = std::move(facets.triangles);
+  mesh.original = std::move(facets.original);
+  if (mesh.report.corners_in_sides.count == 0) return;
+  drop_degenerate(mesh);
+  drop_duplicates(mesh);
+}
+
 // `stands_for` tells kept vertices from welded ones, which are no more there and count as welded, not as unused.
 void drop_unused_vertices(MendedMesh& mesh, const std::vector<std::uint32_t>& stands_for) {
   std::vector<bool> used(mesh.vertices.size());
@@ -174,31 +190,16 @@ void drop_unused_vertices(MendedMesh& mesh, const std::vector<std::uint32_t>& st
 // ---- who lies beside whom ----
 
 // The end vertices of the edges that more than two facets share are counted; those facets stay without neighbour there.
-void find_neighbours(MendedMesh& mesh) {
-  struct Edge {
-    std::uint64_t ends;  // the smaller vertex in the upper half
-    std::uint32_t triangle;
-    std::uint32_t edge;
-    bool operator<(const Edge& o) const { return ends != o.ends ? ends < o.ends : triangle < o.triangle; }
-  };
-  std::vector<Edge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Corners& t = mesh.triangles[i];
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      edges.push_back({std::uint64_t{low} << 32 | high, i, k});
-    }
-  }
-  tbb::parallel_sort(edges);
+// Returns the boundary's edges.
+std::vector<MeshEdge> find_neighbours(MendedMesh& mesh) {
   mesh.neighbours.assign(mesh.triangles.size(), {});
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].ends == edges[begin].ends) ++end;
-    const Edge& first = edges[begin];
-    if (end - begin == 1) {
-      ++mesh.report.boundary_edges;
-    } else if (end - begin == 2) {
-      const Edge& second = edges[begin + 1];
+  std::vector<MeshEdge> boundary;
+  each_shared(sorted_edges(mesh.triangles), [&](std::span<const MeshEdge> shared) {
+    const MeshEdge& first = shared.front();
+    if (shared.size() == 1) {
+      boundary.push_back(first);
+    } else if (shared.size() == 2) {
+      const MeshEdge& second = shared.back();
       mesh.neighbours[first.triangle][first.edge] = Neighbour{FacetId{second.triangle}};
       mesh.neighbours[second.triangle][second.edge] = Neighbour{FacetId{first.triangle}};
     } else {
@@ -206,7 +207,9 @@ void find_neighbours(MendedMesh& mesh) {
       const Vec3& b = mesh.vertices[first.ends & 0xFFFFFFFF];
       mesh.report.non_manifold_edges.add((a + b) / 2);
     }
-  }
+  });
+  mesh.report.boundary_edges = boundary.size();
+  return boundary;
 }
 
 // ---- which way is out of the ground ----
@@ -359,8 +362,11 @@ MendedMesh mend(RawMesh raw, const MendOptions& options) {
     refusals.throw_if_any();
   }
   drop_duplicates(mesh);
+  if (options.weld_tolerance_m > 0) join_along_sides(mesh, options.weld_tolerance_m);
   drop_unused_vertices(mesh, stands_for);
-  find_neighbours(mesh);
+  const std::vector<MeshEdge> boundary = find_neighbours(mesh);
+  mesh.report.crack_m = std::max(widest_crack_m, options.weld_tolerance_m);
+  mesh.report.loose_edges = loose_edges(mesh.vertices, mesh.triangles, boundary, mesh.report.crack_m);
   Orientation orientation{mesh};
   orientation.find();
   orientation.apply();

@@ -5,7 +5,9 @@
 namespace talus {
 
 bool MendReport::has_warnings() const {
-  return non_manifold_edges.count + one_sided_components.count + undecided_components.count > 0;
+  return non_manifold_edges.count + loose_edges.cracks.count + loose_edges.covered.count + one_sided_components.count +
+             undecided_components.count >
+         0;
 }
 
 std::string MendReport::text() const {
@@ -21,6 +23,10 @@ std::string MendReport::text() const {
   }
   if (welded_vertices > 0) {
     out += "\nwelded: " + counted(welded_vertices, "vertex, which lies", "vertices, which lie") + " where another does";
+  }
+  if (corners_in_sides.count > 0) {
+    out += "\njoined: " + counted(corners_in_sides.count, "corner that lies", "corners that lie") +
+           " on the side of another facet, which was cut there" + corners_in_sides.places();
   }
   if (unused_vertices > 0) {
     out += "\nleft out: " + counted(unused_vertices, "vertex", "vertices") + " of no facet";
@@ -38,6 +44,18 @@ std::string MendReport::text() const {
   if (non_manifold_edges.count > 0) {
     out += "\nwarning: " + counted(non_manifold_edges.count, "edge has", "edges have") +
            " more than two facets (which of them go on from each other is not known)" + non_manifold_edges.places();
+  }
+  if (loose_edges.cracks.count > 0) {
+    out +=
+        "\nwarning: " + counted(loose_edges.cracks.count, "boundary edge lies", "boundary edges lie") +
+        fmt::format(" within {:g} m of another facet (a crack: what slides or rolls to it may leave the model there)",
+                    crack_m) +
+        loose_edges.cracks.places();
+  }
+  if (loose_edges.covered.count > 0) {
+    out += "\nwarning: " + counted(loose_edges.covered.count, "boundary edge lies", "boundary edges lie") +
+           " below another facet and above none (what slides or rolls to it leaves the model there)" +
+           loose_edges.covered.places();
   }
   if (one_sided_components.count > 0) {
     out += "\nwarning: " + counted(one_sided_components.count, "component has", "components have") +

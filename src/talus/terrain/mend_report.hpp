@@ -5,6 +5,7 @@
 #include <string>
 
 #include "talus/terrain/findings.hpp"
+#include "talus/terrain/loose_edges.hpp"
 
 namespace talus {
 
@@ -13,11 +14,14 @@ struct MendReport {
   std::size_t facets = 0;           // of the mended mesh
   std::size_t welded_vertices = 0;  // that became one with another at the same place
   std::size_t unused_vertices = 0;  // left out: no facet has them
+  Findings corners_in_sides;        // of other facets, within the tolerance: each side was cut there
   Findings degenerate;              // facets left out: a corner twice, or no height
   Findings duplicates;              // facets left out: another one has the same corners
   Findings flipped;                 // facets whose winding was turned
   Findings non_manifold_edges;      // shared by more than two facets, none of which is the others' neighbour
   std::size_t boundary_edges = 0;   // with one facet only
+  LooseEdges loose_edges;           // of them, where the ground does not end
+  double crack_m = 0;               // how near others must be for that
   std::size_t components = 0;       // parts that hang together across edges of exactly two facets
   std::size_t closed_components = 0;
   Findings one_sided_components;  // like a Moebius strip: no consistent winding exists

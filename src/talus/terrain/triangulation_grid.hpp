@@ -2,6 +2,7 @@
 // Plan coordinates as whole numbers on a fine square grid, so that "left of", "on" and "within the circle" have exact
 // answers. A grid of up to 2^30 steps: 10 km in steps of 15 micrometres.
 
+#include <algorithm>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -80,6 +81,17 @@ __extension__ using Wide = __int128;
   const Wide sum = Wide{ax * ax + ay * ay} * (bx * cy - by * cx) + Wide{bx * bx + by * by} * (cx * ay - cy * ax) +
                    Wide{cx * cx + cy * cy} * (ax * by - ay * bx);
   return sum > 0;
+}
+
+/// Whether `p` lies on the way from `a` to `b` but for the rounding of places to the grid: in the box around it, and no
+/// further than two steps along x and y from its line. A way that is bent by half a step wherever it crosses another,
+/// and its pieces again where they do, is found by what runs along the unbent one.
+[[nodiscard]] constexpr bool is_on_way(GridPoint a, GridPoint b, GridPoint p) {
+  const bool is_in_box =
+      std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+  if (!is_in_box) return false;
+  const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y, area = doubled_area(a, b, p);
+  return (area < 0 ? -area : area) <= 2 * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
 }
 
 /// Where the segments from `a` to `b` and from `c` to `d`, which cross, do so: the nearest grid point. It lies in the

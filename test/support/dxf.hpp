@@ -1,0 +1,72 @@
+#pragma once
+// Small drawings for tests.
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+
+namespace talus::testing_tools {
+
+/// A drawing of which only the variable of the unit ($INSUNITS) and the layers are declared; `entities` as below.
+struct Drawing {
+  std::string header{}, layers{}, entities{};
+
+  Drawing& unit(int number) {
+    header += "9\n$INSUNITS\n70\n" + std::to_string(number) + "\n";
+    return *this;
+  }
+  /// Flags: 1 is frozen. A negative colour is that of a layer that is switched off.
+  Drawing& layer(const std::string& name, int flags, int colour) {
+    layers += "0\nLAYER\n2\n" + name + "\n70\n" + std::to_string(flags) + "\n62\n" + std::to_string(colour) + "\n";
+    return *this;
+  }
+  /// `more` are further pairs, for example "67\n1\n" for an entity on paper.
+  Drawing& line(const std::string& on, const std::string& from, const std::string& to, const std::string& more = "") {
+    entities += "0\nLINE\n8\n" + on + "\n" + more + place(from, 10) + place(to, 11);
+    return *this;
+  }
+  Drawing& point(const std::string& on, const std::string& at) {
+    entities += "0\nPOINT\n8\n" + on + "\n" + place(at, 10);
+    return *this;
+  }
+  /// An LWPOLYLINE, of plan coordinates alone.
+  Drawing& polyline(const std::string& on, bool is_closed, std::initializer_list<const char*> corners) {
+    entities +=
+        "0\nLWPOLYLINE\n8\n" + on + "\n90\n" + std::to_string(corners.size()) + "\n70\n" + (is_closed ? "1\n" : "0\n");
+    for (const char* corner : corners) entities += place(corner, 10);
+    return *this;
+  }
+  Drawing& face(const std::string& on, std::initializer_list<const char*> corners) {
+    entities += "0\n3DFACE\n8\n" + on + "\n";
+    int code = 10;
+    for (const char* corner : corners) entities += place(corner, code++);
+    return *this;
+  }
+  /// A curve through two places, which GDAL cannot read.
+  Drawing& fitted_spline(const std::string& on, const std::string& from, const std::string& to) {
+    entities += "0\nSPLINE\n8\n" + on + "\n70\n8\n71\n3\n72\n0\n73\n0\n74\n2\n" + place(from, 11) + place(to, 11);
+    return *this;
+  }
+
+  [[nodiscard]] std::string text() const {
+    return section("HEADER", header) + section("TABLES", "0\nTABLE\n2\nLAYER\n70\n9\n" + layers + "0\nENDTAB\n") +
+           section("ENTITIES", entities) + "0\nEOF\n";
+  }
+
+ private:
+  static std::string section(const std::string& name, const std::string& text) {
+    return "0\nSECTION\n2\n" + name + "\n" + text + "0\nENDSEC\n";
+  }
+  /// "1 2 3" as the values of x, y and z, whose codes are ten apart.
+  static std::string place(const std::string& numbers, int code) {
+    std::string out;
+    for (std::size_t at = 0; at < numbers.size(); code += 10) {
+      const std::size_t end = std::min(numbers.find(' ', at), numbers.size());
+      out += std::to_string(code) + "\n" + numbers.substr(at, end - at) + "\n";
+      at = end + 1;
+    }
+    return out;
+  }
+};
+
+}  // namespace talus::testing_tools
