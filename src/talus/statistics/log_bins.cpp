@@ -70,7 +70,7 @@ void LogBins::make_room() {
   constexpr std::size_t few = 64;
   if (entries_.size() - settled_ >= std::max<std::size_t>(few, settled_ / 2)) settle();
   const std::size_t size = entries_.size();
-  if (size == entries_.capacity()) entries_.reserve(size + std::max<std::size_t>(4, size / 4));
+  if (size == entries_.capacity()) entries_.reserve(size + std::max<std::size_t>(4, size < 128 ? size / 2 : size / 4));
 }
 
 void LogBins::merge(const LogBins& other) {

@@ -16,7 +16,7 @@ namespace talus {
 /// A bin holds the values that agree in exponent and the first six bits of the fraction: its width is 1/128 to 1/64 of
 /// its values, its middle at most 1/128 = 0.78 % off. Values below 2^-10 count as zero; values from 2^80 (1.2e24) on
 /// fall into the last bin. A bin that holds values takes 4 bytes, 4 more for every 65535 values after the first as
-/// many, and all together a quarter more for growing.
+/// many, and all together a third more for growing.
 class LogBins {
  public:
   void add(std::uint32_t which, float value) { append(key(which, value) << count_bits | 1); }
