@@ -149,8 +149,8 @@ TEST_F(Place, KnowsOfWhichFileADraftIs) {
   put("/api/draft", {{"file", "a.toml"}, {"text", "\xef\xbb\xbfname = \"ü\"\r\n\n"}, {"saved", one}});
   write("a.toml", "two");
   EXPECT_EQ(draft(), Json({{"text", "\xef\xbb\xbfname = \"ü\"\r\n\n"}, {"saved", one}}));
-  EXPECT_EQ(read(".a.toml.draft"), "# A draft of the file with the checksum " + one.get<std::string>() +
-                                       "\n\xef\xbb\xbfname = \"ü\"\r\n\n");
+  EXPECT_EQ(read(".a.toml.draft"),
+            "# A draft of the file with the checksum " + one.get<std::string>() + "\n\xef\xbb\xbfname = \"ü\"\r\n\n");
   EXPECT_EQ(put("/api/project", {{"file", "a.toml"}, {"text", "three"}, {"saved", draft()["saved"]}}).status, 409);
   EXPECT_EQ(read("a.toml"), "two");
   put("/api/draft", {{"file", "a.toml"}, {"text", "new"}, {"saved", nullptr}});

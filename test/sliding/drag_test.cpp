@@ -30,7 +30,8 @@ State go(const Law& law, State state, double rate, double timestep, double longe
   while (state.time < longest * (1 - 1e-12)) {
     const double allowed = dragged_timestep(rate, timestep, footing.pull, state.velocity);
     const double step = std::min(allowed, longest - state.time);
-    const Leg leg = cut_short(law(state, dragged(footing, state.velocity, rate, step, rolls ? 5.0 / 7 : 1), step), step);
+    const Leg leg =
+        cut_short(law(state, dragged(footing, state.velocity, rate, step, rolls ? 5.0 / 7 : 1), step), step);
     state.position = leg.path.at(leg.duration);
     state.velocity = leg.end_velocity;
     state.spin = leg.end_spin;

@@ -69,8 +69,8 @@ class MapTally {
   LogBins bins_;
 };
 
-/// Cells lie in tiles of 32 by 32, made when a rock first touches them. A tile takes 2 KB, a touched cell 136 bytes and 4
-/// to 6 for every bin of its percentiles, of which each rock adds four at most. Measured, all together, in bytes a
+/// Cells lie in tiles of 32 by 32, made when a rock first touches them. A tile takes 2 KB, a touched cell 136 bytes and
+/// 4 to 6 for every bin of its percentiles, of which each rock adds four at most. Measured, all together, in bytes a
 /// touched cell: 180 at 1 to 2 rocks a cell, 450 at 16, 1200 at 75, 3600 at 1900, where hardly a bin is new.
 class Maps {
  public:

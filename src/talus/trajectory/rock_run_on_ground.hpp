@@ -369,8 +369,8 @@ auto RockRun<Surface>::rim_ahead(const Parabola& leg, double t) const -> std::op
   for (double middle = 0.5 * t; middle > inside && middle < t; middle = 0.5 * (inside + t)) {
     (is_beside(middle) ? t : inside) = middle;
   }
-  // Seen from the last place that has ground below it: of what is beside the terrain, the surface cannot tell whether it
-  // is in the open or under ground.
+  // Seen from the last place that has ground below it: of what is beside the terrain, the surface cannot tell whether
+  // it is in the open or under ground.
   const auto exit = exit_here(leg.at(inside), leg.velocity(inside));
   return exit ? std::optional(Rim{t, *exit}) : std::nullopt;
 }
