@@ -17,6 +17,14 @@ struct OverPlane {
   double h0, h1;
 };
 
+/// The greatest height of a flight over a plane, whose vertical acceleration is 2 half_a [m/s2], not above 0.
+[[nodiscard]] inline double greatest_over(const OverPlane& ground, double half_a) {
+  const auto& [window, h0, h1] = ground;
+  const double t = std::clamp(half_a < 0 ? -h1 / (2 * half_a) : window.enter, window.enter, window.leave);
+  const auto height = [&](double at) { return h0 + at * (h1 + half_a * at); };
+  return std::max(height(t), height(window.leave));
+}
+
 /// All planes are under one flight, whose vertical acceleration is 2 half_a [m/s2], not above 0: so one of two is
 /// nearer to it where a linear function of time says so.
 class HeightInSight {
@@ -45,10 +53,7 @@ class HeightInSight {
   [[nodiscard]] double greatest() const {
     double greatest = -std::numeric_limits<double>::infinity();
     for (const TimeWindow& seen : seen_) {
-      const double t = std::clamp(half_a_ < 0 ? -ground_.h1 / (2 * half_a_) : seen.enter, seen.enter, seen.leave);
-      for (const double at : {t, seen.leave}) {
-        greatest = std::max(greatest, ground_.h0 + at * (ground_.h1 + half_a_ * at));
-      }
+      greatest = std::max(greatest, greatest_over({seen, ground_.h0, ground_.h1}, half_a_));
     }
     return greatest;
   }

@@ -172,15 +172,18 @@ double Profile::greatest_height(const Parabola& path, double t_end, double known
   const auto look = [&](std::uint32_t k) {
     const auto over = over_segment(segments_[k], path, t_end);
     if (!over) return;
-    HeightInSight height(*over, 0.5 * path.a.z());
-    if (height.greatest() <= known) return;
-    if (!is_height_field_) {
-      for (const Segment& segment : segments_) {
-        const auto other = over_segment(segment, path, t_end);
-        if (other && &segment != &segments_[k]) height.hide(*other);
-      }
+    const double half_g = 0.5 * path.a.z(), height = greatest_over(*over, half_g);
+    if (height <= known) return;
+    if (is_height_field_) {
+      known = height;
+      return;
     }
-    known = std::max(known, height.greatest());
+    HeightInSight in_sight(*over, half_g);
+    for (const Segment& segment : segments_) {
+      const auto other = over_segment(segment, path, t_end);
+      if (other && &segment != &segments_[k]) in_sight.hide(*other);
+    }
+    known = std::max(known, in_sight.greatest());
   };
   if (is_height_field_) {
     double t = t_end;

@@ -205,7 +205,7 @@ Exit TriangleMesh::exit(const Parabola& path) const {
   double last = -1;
   bool falls_through = false;
   visit_under(path, t_end, contact_slack, [&](const OverPlane& over, std::uint32_t k) {
-    if (HeightInSight(over, half_g).greatest() < -beneath) return;  // the facet is above the path
+    if (greatest_over(over, half_g) < -beneath) return;  // the facet is above the path
     double end = over.window.leave;
     const bool crosses = over.h0 + end * (over.h1 + half_g * end) < -beneath;
     if (crosses) {
@@ -246,9 +246,9 @@ double TriangleMesh::greatest_height(const Parabola& path, double t_end, double 
           if (n.z() <= 0) continue;
           const OverPlane over = over_facet(facets_[k].corner, n, path, t_end);
           if (over.window.is_empty()) continue;
-          HeightInSight height(over, half_g);
-          if (height.greatest() <= known) continue;
-          known = is_height_field_ ? height.greatest() : std::max(known, greatest_in_sight(path, over.window, k));
+          const double height = greatest_over(over, half_g);
+          if (height <= known) continue;
+          known = is_height_field_ ? height : std::max(known, greatest_in_sight(path, over.window, k));
         }
       });
   return known;

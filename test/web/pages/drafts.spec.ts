@@ -138,8 +138,10 @@ test('a draft stays in its folder, when another is served on the same port', asy
   server.write('a.toml', one);
   await page.reload();
   await openProject(page, 'a.toml');
+  await openForm(page, /^Project and analysis/);
+  await expect(page.getByLabel('Name', { exact: true })).toBeVisible();
   await server.end('SIGKILL');
-  await rename(page, 'Mine');
+  await fillField(page, 'Name', 'Mine');
   await expect.poll(() => page.evaluate(() => Object.values(localStorage).join())).toContain('Mine');
 
   const other = new Server(server.port);

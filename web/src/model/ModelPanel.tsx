@@ -2,6 +2,7 @@
 
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { rowsOf } from '../state/document';
+import { isConnected } from '../state/runs';
 import { chosen, helpOpen } from '../state/view';
 import type { Path } from '../toml/edit';
 import { DocumentDialog } from '../help/Document';
@@ -24,7 +25,7 @@ import { copy, remove } from './things';
 import './model.css';
 
 export function ModelPanel() {
-  useEffect(loadSettings, []);
+  useEffect(loadSettings, [isConnected.value]); // again, where the server went before it could tell
   useEffect(() => listenToDrops(takeFiles), []);
   useEffect(followChosen, []);
   const path = chosen.value;
