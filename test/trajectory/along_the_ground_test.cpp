@@ -192,8 +192,9 @@ TEST(Valley, ASphereSlipsWhereFrictionCannotRollIt) {
                                  on_slope(2 * down + (rock.radius / std::cos(side) + 1e-4) * up, Vec3::Zero()));
     ASSERT_EQ(path.outcome.reason, EndReason::maximum_time) << dip << ' ' << side << ' ' << mu;
     const double speed = path.outcome.end.velocity.dot(down);
+    // It falls 0.1 mm first, which takes 5 ms of the 3 s.
     EXPECT_NEAR(speed / (3 * acceleration * standard_gravity), 1, 2e-3) << dip << ' ' << side << ' ' << mu;
-    EXPECT_NEAR(path.outcome.end.position.dot(down), 2 + 1.5 * speed, 2e-2 * speed);
+    EXPECT_NEAR(path.outcome.end.position.dot(down), 2 + 1.5 * speed, 3e-3 * speed);
   }
 }
 

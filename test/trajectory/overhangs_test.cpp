@@ -55,6 +55,7 @@ void expect_heights_as_sampled(const Surface& surface, Dice& dice, double y) {
     const double sampled = greatest_by_sampling(surface, path, t_end);
     const double found = surface.greatest_height(path, t_end, 0);
     ASSERT_GE(found, sampled - 1e-6) << text(path.p) << text(path.v);
+    // Between two samples the rock and steep ground go up to 0.2 ms apart, at less than 100 m/s.
     ASSERT_LE(found, sampled + 0.02) << text(path.p) << text(path.v);
   }
 }
@@ -132,11 +133,7 @@ TEST(Overhang, ALineStepsWhereTheGroundDoes) {
   Dice dice(205);
   const TriangleMesh mesh = extruded(folded, 20, 5, dice).mesh();
   const auto line = mesh.draped({2, 10}, {30, 10});
-  std::vector<Vec2> bends;
   for (const Vec3& p : line) {
-    const bool is_bend =
-        bends.empty() || std::abs(p.x() - bends.back().x()) > 1e-6 || std::abs(p.z() - bends.back().y()) > 1e-6;
-    if (is_bend) bends.emplace_back(p.x(), p.z());
     // What lies higher than the floors is what the line goes over.
     EXPECT_GE(p.z(), *mesh.elevation(p.x() + 1e-7, p.y()) - 1e-6);
   }

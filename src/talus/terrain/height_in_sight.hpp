@@ -25,8 +25,7 @@ struct OverPlane {
   return std::max(height(t), height(window.leave));
 }
 
-/// All planes are under one flight, whose vertical acceleration is 2 half_a [m/s2], not above 0: so one of two is
-/// nearer to it where a linear function of time says so.
+/// All planes are under one flight: so one of two is nearer to it where a linear function of time says so.
 class HeightInSight {
  public:
   HeightInSight(const OverPlane& ground, double half_a) : ground_(ground), half_a_(half_a), seen_{ground.window} {}
