@@ -172,7 +172,7 @@ Verdict read_state(std::string_view input, const fs::path&) {
   // The file as write_run_state() would make it around these bytes.
   ByteWriter out;
   for (const char c : std::string_view("talus run state\n")) out.put(c);
-  out.put(std::uint32_t{1});
+  out.put(io::run_state_format);
   out.text(header);
   const auto put_digest = [&](std::string_view bytes) {
     const io::Digest digest = io::checksum_of(bytes);

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "commands.hpp"
+#include "standard_streams.hpp"
 #include "talus/core/problems.hpp"
 
 namespace talus::cli {
@@ -18,7 +19,7 @@ namespace {
 int output_error = 0;  // what fmt said of standard output, which keeps only that something went wrong
 
 int internal(const std::exception& error) {
-  fmt::print(stderr, "talus: internal error: {}\n", error.what());
+  tell("talus: internal error: {}\n", error.what());
   return internal_error;
 }
 
@@ -28,28 +29,37 @@ int answer(const std::function<int()>& work) {
   try {
     return work();
   } catch (const BadInput& bad) {
-    fmt::print(stderr, "{}\n", bad.problems().text());
+    tell("{}\n", bad.problems().text());
     return bad_input;
   } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) {
+      tell("talus: a thread cannot be had: {}\n", error.code().message());
+      return bad_input;
+    }
     if (std::ferror(stdout) == 0) return internal(error);
     output_error = error.code().value();
     return bad_input;  // output_taken() says more
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "talus: not enough memory for what was asked\n");
+    tell("talus: not enough memory for what was asked\n");
     return bad_input;
   } catch (const std::exception& error) {
     return internal(error);
   }
 }
 
-int output_taken(int code) {
+void show_now() {
   if (std::fflush(stdout) != 0) output_error = errno;
+}
+
+int output_taken(int code) {
+  show_now();
   if (std::ferror(stdout) == 0) return code;
+  if (output_error == EPIPE) end_by_closed_pipe();
   const Problem problem{.where = "standard output",
                         .what = "not all could be written to it",
                         .why = output_error != 0 ? std::strerror(output_error) : "",
                         .hint = "Free some space, or send it elsewhere"};
-  fmt::print(stderr, "{}\n", problem.text());
+  tell("{}\n", problem.text());
   return code == done || code == check_failed ? bad_input : code;
 }
 

@@ -2,10 +2,12 @@
 
 #include "commands.hpp"
 #include "load.hpp"
+#include "talus/campaign/thread_supply.hpp"
 
 namespace talus::cli {
 
 int check(const ProjectOptions& options) {
+  take_threads_that_there_are();
   const Loaded loaded = load(options);
   print_warnings(loaded.warnings);
   if (!loaded.model.terrain_report.empty()) fmt::print("{}\n", loaded.model.terrain_report);

@@ -1,9 +1,6 @@
 #include "load.hpp"
 
-#include <fmt/format.h>
-
-#include <cstdio>
-
+#include "standard_streams.hpp"
 #include "talus/project/model.hpp"
 #include "talus/project/read.hpp"
 
@@ -17,7 +14,7 @@ Loaded load(const ProjectOptions& options) {
 }
 
 void print_warnings(const Problems& warnings) {
-  if (!warnings.list().empty()) fmt::print(stderr, "{}\n", warnings.text());
+  if (!warnings.list().empty()) tell("{}\n", warnings.text());
 }
 
 }  // namespace talus::cli

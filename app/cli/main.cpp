@@ -4,36 +4,18 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdint>
-#include <cstdlib>
-#include <limits>
 #include <sstream>
 #include <string>
-#include <utility>
 
 #include "answer.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
+#include "option_values.hpp"
+#include "standard_streams.hpp"
 
 namespace talus::cli {
 namespace {
 
-/// CLI11 takes -1, and what needs more than 64 bits, for the largest number there is.
-const CLI::Validator natural(
-    [](const std::string& text) -> std::string {
-      if (text.starts_with('-')) return "expected 0 or more";
-      errno = 0;
-      std::strtoull(text.c_str(), nullptr, 0);
-      if (errno != ERANGE) return "";
-      return fmt::format("{} is too large; expected at most {}", text, std::numeric_limits<std::uint64_t>::max());
-    },
-    "");
-
-/// An empty text is what an unset variable of a script becomes; it is no reason to do what is done without the option.
-CLI::Validator not_empty(std::string complaint) {
-  return {[complaint = std::move(complaint)](const std::string& text) { return text.empty() ? complaint : ""; }, ""};
-}
 const CLI::Validator names_file = not_empty("\"\" is the name of no file"),
                      names_folder = not_empty("\"\" is the name of no folder"),
                      names_shard = not_empty("\"\" is no shard; expected i/n with i from 1 to n, for example 2/7");
@@ -44,9 +26,14 @@ void add_project_options(CLI::App& command, ProjectOptions& options) {
       .add_option("--set", options.settings, "Set one value, for example --set analysis.gravity_m_s2=9.81; repeatable")
       ->type_name("KEY=VALUE")
       ->expected(1)
+      ->allow_extra_args(false)  // or it takes the project, too
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--rocks", options.rocks, "Throw this many rocks in all")->type_name("N");
-  command.add_option("--seed", options.seed, "Start the random numbers elsewhere")->type_name("S")->check(natural);
+  command.add_option("--rocks", options.rocks, "Throw this many rocks in all")
+      ->transform(number_of_rocks())
+      ->type_name("N");
+  command.add_option("--seed", options.seed, "Start the random numbers elsewhere")
+      ->transform(natural_number())
+      ->type_name("S");
 }
 
 int dispatch(int argc, char** argv) {
@@ -129,7 +116,7 @@ int dispatch(int argc, char** argv) {
   CLI::App* replay_command = app.add_subcommand("replay", "Repeat one rock of a project, event by event");
   add_project_options(*replay_command, replay_options.project);
   replay_command->add_option("--rock", replay_options.rock, "The rock's number, as in endpoints.csv (from 0)")
-      ->check(natural)
+      ->transform(natural_number())
       ->required()
       ->type_name("N");
   replay_command->add_flag("--csv", replay_options.csv, "Print the rows of paths.csv instead of a table");
@@ -186,7 +173,7 @@ int dispatch(int argc, char** argv) {
     if (!answers_for_all(words)) return done;
     std::ostringstream out, complaint;
     const int code = app.exit(error, out, complaint);
-    fmt::print(stderr, "{}", complaint.str());
+    tell(complaint.str());
     fmt::print("{}", out.str());
     return code == 0 ? done : bad_input;
   }
@@ -207,5 +194,6 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace talus::cli;
+  make_streams_safe();
   return output_taken(answer([&] { return dispatch(argc, argv); }));
 }

@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
-#include <cstdio>
-
 #include "commands.hpp"
 #include "load.hpp"
 #include "outcome.hpp"
+#include "talus/campaign/thread_supply.hpp"
 
 namespace talus::cli {
 
 int merge(const MergeOptions& options) {
-  std::signal(SIGXFSZ, SIG_IGN);
+  take_threads(options.threads);
   const project::MergeResult result =
       project::merge_runs({options.folders, options.folder, options.partial, options.threads});
   print_warnings(result.warnings);

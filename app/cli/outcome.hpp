@@ -8,7 +8,7 @@
 
 namespace talus::cli {
 
-/// Ends by reason, runout, and a line a barrier, whose names are given in their order.
+/// Ends by reason, runout, notes, and a line a barrier, whose names are given in their order.
 void print_summary(const Summary& summary, const std::vector<std::string>& barriers);
 
 }  // namespace talus::cli

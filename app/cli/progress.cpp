@@ -2,10 +2,13 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include <algorithm>
 #include <string>
+
+#include "standard_streams.hpp"
 
 namespace talus::cli {
 
@@ -19,13 +22,30 @@ std::string clock_text(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+std::size_t columns_of_terminal() {
+  winsize size{};
+  constexpr std::size_t usual = 80;
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
+}
+
+/// The text behind a bar that takes the room that is left for it, if that is worth drawing. In all it has a column less
+/// than there are: a line that reaches the last one is broken by some terminals.
+std::string line_with_bar(const std::string& text, int percent, std::size_t columns) {
+  constexpr std::size_t least = 8, most = 24, around = 3;  // "[", "] "
+  const std::size_t room = columns - 1;
+  if (room < text.size() + around + least) return text.substr(0, room);
+  const std::size_t width = std::min(most, room - text.size() - around);
+  const std::size_t full = static_cast<std::size_t>(percent) * width / 100;
+  return fmt::format("[{:#<{}}{:.<{}}] {}", "", full, "", width - full, text);
+}
+
 }  // namespace
 
 Progress::Progress(std::uint64_t total)
     : total_(total), on_terminal_(isatty(STDERR_FILENO) == 1), begin_(Clock::now()), last_(begin_) {}
 
 Progress::~Progress() {
-  if (on_terminal_ && printed_) fmt::print(stderr, "\r\x1b[K");
+  if (on_terminal_ && printed_) tell("\r\x1b[K");
 }
 
 void Progress::operator()(std::uint64_t done) {
@@ -48,12 +68,9 @@ void Progress::print(std::uint64_t done, Clock::time_point now) {
   const std::string text =
       fmt::format("{} of {} rocks ({} %), {:.0f} rocks/s, {} left", done, total_, percent, rate, clock_text(left));
   if (on_terminal_) {
-    constexpr int width = 24;
-    const int full = percent * width / 100;
-    fmt::print(stderr, "\r\x1b[K[{:#<{}}{:.<{}}] {}", "", full, "", width - full, text);
-    std::fflush(stderr);
+    tell("\r\x1b[K{}", line_with_bar(text, percent, columns_of_terminal()));
   } else {
-    fmt::print(stderr, "{}\n", text);
+    tell("{}\n", text);
   }
   printed_ = true;
 }

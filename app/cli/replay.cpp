@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "load.hpp"
 #include "talus/campaign/simulate.hpp"
+#include "talus/campaign/thread_supply.hpp"
 #include "talus/io/result_tables.hpp"
 
 namespace talus::cli {
@@ -27,6 +28,7 @@ void print_row(const TableContext& context, const RockRecord& record, const char
 }  // namespace
 
 int replay(const ReplayOptions& options) {
+  take_threads_that_there_are();
   const Loaded loaded = load(options.project);
   if (options.rock >= loaded.model.rocks()) {
     throw BadInput(Problem{.file = options.project.file.string(),

@@ -5,13 +5,17 @@
 #include <optional>
 
 #include "commands.hpp"
+#include "earlier_output.hpp"
 #include "talus/io/folder_lock.hpp"
+#include "talus/io/output_file.hpp"
 
 namespace talus::cli {
 
 int report(const ReportOptions& options) {
   const char* page = options.folders.size() > 1 ? "compare.html" : "report.html";
   const std::filesystem::path file = options.file.empty() ? options.folders.front() / page : options.file;
+  (void)place_of_file(file);
+  refuse_other_files(file, "<!DOCTYPE html>", "page");
   std::optional<FolderLock> lock;  // of a run's folder, which may be that of a run under way
   if (options.file.empty()) lock.emplace(lock_output_folder(options.folders.front()));
   io::write_report(options.folders, file);

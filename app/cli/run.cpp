@@ -17,7 +17,9 @@
 #include "load.hpp"
 #include "outcome.hpp"
 #include "progress.hpp"
+#include "standard_streams.hpp"
 #include "talus/campaign/ranks.hpp"
+#include "talus/campaign/thread_supply.hpp"
 #include "talus/project/paths_size.hpp"
 #include "talus/project/run_on_ranks.hpp"
 
@@ -95,8 +97,6 @@ std::filesystem::path default_folder(const Loaded& loaded, const std::optional<S
 /// systems can send before the time is up.
 void catch_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, ask_to_stop);
-  // A file that outgrows what the system allows is a write that fails, and is answered as such.
-  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 project::RunOptions how_to_run(const RunOptions& options, const std::optional<Shard>& shard) {
@@ -124,6 +124,7 @@ void announce_paths(const Loaded& loaded, const RockRange& rocks) {
 int run_here(const RunOptions& options, Ranks* ranks) {
   const std::optional<Shard> shard = shard_of(options);
   check_time_between_checkpoints(options);
+  if (ranks == nullptr) take_threads(options.threads);
   const Loaded loaded = load(options.project);
   print_warnings(loaded.warnings);
   const std::filesystem::path folder = options.folder.empty() ? default_folder(loaded, shard) : options.folder;
@@ -142,7 +143,7 @@ int run_here(const RunOptions& options, Ranks* ranks) {
     how.campaign.progress = [&](std::uint64_t done) { (*progress)(done); };
     how.say = [](const std::string& text) {
       fmt::print("{}\n", text);
-      std::fflush(stdout);  // a log shows it while the rocks are thrown
+      show_now();
     };
   }
   const project::RunResult result = project::run_into(folder, loaded.project, loaded.model, loaded.warnings, how);
@@ -154,9 +155,8 @@ int run_here(const RunOptions& options, Ranks* ranks) {
   print_warnings(result.warnings);
   if (!options.quiet) print_outcome(loaded, options, result, folder);
   if (result.outcome.interrupted) {
-    fmt::print(stderr, "stopped after {} of {} rocks; what is done is in {}{}\n", result.summary.done,
-               result.range.count(), folder.string(),
-               options.checkpoint_every > 0 || shard ? ", and --resume goes on from there" : "");
+    tell("stopped after {} of {} rocks; what is done is in {}{}\n", result.summary.done, result.range.count(),
+         folder.string(), options.checkpoint_every > 0 || shard ? ", and --resume goes on from there" : "");
     return stopped;
   }
   return done;

@@ -5,10 +5,13 @@
 #include <array>
 #include <atomic>
 #include <csignal>
-#include <cstdio>
 
+#include "answer.hpp"
 #include "commands.hpp"
+#include "standard_streams.hpp"
+#include "talus/campaign/thread_supply.hpp"
 #include "talus/core/problems.hpp"
+#include "talus/io/ordinary_file.hpp"
 
 #ifdef TALUS_HAS_SERVER
 #include "server/serve.hpp"
@@ -36,7 +39,7 @@ void open_in_browser(const std::string& address) {
   std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
   pid_t child = 0;
   if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0)
-    fmt::print(stderr, "no browser could be opened: xdg-open is missing\n");
+    tell("no browser could be opened: xdg-open is missing\n");
 }
 
 }  // namespace
@@ -47,6 +50,10 @@ int serve(const ServeOptions& options) {
   if (std::filesystem::is_directory(options.project, error)) {
     how.folder = options.project;
   } else if (!options.project.empty()) {
+    if (not_an_ordinary_file(options.project))
+      throw BadInput(Problem{.file = options.project.string(),
+                             .what = "this is not a regular file",
+                             .why = "expected a project file, for example slope.toml"});
     if (!std::filesystem::exists(options.project, error))
       throw BadInput(Problem{.file = options.project.string(),
                              .what = "there is no such file",
@@ -58,15 +65,15 @@ int serve(const ServeOptions& options) {
   how.port = options.port;
   how.stop = &stop_wanted;
   how.ready = [&](const std::string& address) {
-    fmt::print("The workbench is at {}\nIt is open to this machine alone, and this address works once. Ctrl-C ends it.\n",
-               address);
-    std::fflush(stdout);
+    fmt::print(
+        "The workbench is at {}\nIt is open to this machine alone, and this address works once. Ctrl-C ends it.\n",
+        address);
+    show_now();
     if (options.open) open_in_browser(address);
   };
-  // Whoever leaves while being answered is no reason to end.
-  std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGCHLD, SIG_IGN);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, stop_serving);
+  take_threads_that_there_are();
   server::serve(how);
   return done;
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "earlier_output.hpp"
+#include "talus/campaign/thread_supply.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/verification/cases.hpp"
 #include "talus/verification/show.hpp"
@@ -25,10 +27,13 @@ int verify(const VerifyOptions& options) {
   for (const auto& file : {options.json, options.page}) {
     if (!file.empty()) (void)place_of_file(file);  // before the minutes that the cases take
   }
+  if (!options.json.empty()) refuse_other_files(options.json, "{\n  \"passes\":", "comparison");
+  if (!options.page.empty()) refuse_other_files(options.page, "# Verification\n", "page");
   const Files files = options.folder.empty() ? embedded_cases() : cases_in(options.folder);
   std::vector<Case> cases;
   for (const std::string& name : chosen_cases(files, options.cases)) cases.push_back(read_case(files, name));
 
+  take_threads_that_there_are();
   std::vector<CaseResult> results;
   bool passes = true;
   for (const Case& one : cases) {

@@ -211,6 +211,8 @@ Run RunStore::resume(const std::string& id) {
   if (run.state == RunState::waiting || run.state == RunState::running || run.state == RunState::done)
     throw not_now(run, "cannot go on", run.state == RunState::done ? "it is done" : "it is under way");
   unqueue(*entry);
+  entry->before.reset();
+  if (run.state != RunState::failed) entry->before = run.state;
   run.state = RunState::waiting;
   run.problems = Json::array();
   queue_.push_back({entry, Task::resume});
@@ -304,7 +306,7 @@ void RunStore::finish(Entry& entry) {
 
 void RunStore::fail(Entry& entry, const Problems& problems) {
   const std::lock_guard lock(mutex_);
-  entry.run.state = RunState::failed;
+  entry.run.state = entry.before.value_or(RunState::failed);
   for (const Json& problem : as_json(seen_from(workplace_.folder(), problems))) entry.run.problems.push_back(problem);
   finish(entry);
 }
@@ -358,6 +360,7 @@ void RunStore::throw_rocks(const Job& job, LowPriorityArena& arena) {
       begun = now;
     }
     const std::lock_guard lock(mutex_);
+    entry.before.reset();
     const double seconds = std::chrono::duration<double>(now - begun).count();
     entry.run.done = done;
     entry.run.seconds = seconds_before + seconds;

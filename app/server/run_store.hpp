@@ -60,6 +60,8 @@ class RunStore {
     Run run;
     std::atomic<bool> stop{false};
     std::unique_ptr<BuiltProject> built;  // where it is at hand
+    // What it was before it was to go on, as long as no rock is thrown: its results are still there.
+    std::optional<RunState> before;
   };
   enum class Task { begin, resume, write_what_is_done };
   struct Job {

@@ -4,8 +4,10 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <memory>
+#include <system_error>
 #include <thread>
 
 #include "events.hpp"
@@ -37,12 +39,21 @@ int bind(httplib::Server& server, int port) {
     const int yes = 1;
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
+  errno = 0;
   const int bound = port == 0                                ? server.bind_to_any_port("127.0.0.1")
                     : server.bind_to_port("127.0.0.1", port) ? port
                                                              : -1;
+  const int why = errno;
   if (bound > 0 && listen(*listening, most_waiting) == 0) return bound;
+  const std::string what = fmt::format("port {} cannot be had", port);
+  if (why == EACCES || why == EPERM) {
+    throw BadInput(Problem{.where = "--port",
+                           .what = what,
+                           .why = std::system_category().message(why),
+                           .hint = "Ports from 1024 on are free for all users"});
+  }
   throw BadInput(Problem{.where = "--port",
-                         .what = fmt::format("port {} cannot be had", port),
+                         .what = what,
                          .why = "another program listens there, perhaps another `talus serve`",
                          .hint = "Name another one, or 0 for any that is free"});
 }

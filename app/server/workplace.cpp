@@ -32,7 +32,7 @@ Workplace::Workplace(std::filesystem::path folder)
     : folder_(std::filesystem::canonical(folder)), identity_(identity_of(folder_)) {}
 
 std::filesystem::path Workplace::at(std::string_view name) const {
-  const auto refuse = [&](const char* why) {
+  const auto refuse = [&](const std::string& why) {
     return Refusal(403, std::string(name), "is no name in this folder", why);
   };
   if (name.empty()) throw refuse("it is empty");
@@ -48,7 +48,9 @@ std::filesystem::path Workplace::at(std::string_view name) const {
   const std::filesystem::path whole = folder_ / relative;
   std::error_code error;
   const std::filesystem::path real = std::filesystem::weakly_canonical(whole, error);
-  if (error || !lies_below(folder_, real)) throw refuse("it leads out of the folder");
+  if (error == std::errc::filename_too_long) throw refuse("it is too long");
+  if (error) throw refuse(error.message());
+  if (!lies_below(folder_, real)) throw refuse("it leads out of the folder");
   return whole;
 }
 

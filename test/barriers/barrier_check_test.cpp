@@ -35,7 +35,9 @@ TEST(BarrierCheck, TakesTheDesignBlockWhereThereIsOne) {
   CheckFactors factors = usual();
   factors.block_mass = 3000;
   EXPECT_EQ(energy_to_check(factors, 400e3, 450e3, 20), 600e3);
+  EXPECT_NEAR(radius_to_check(factors, 375, 0.5), 1.0, 1e-12) << "eight times the mass, of the same density";
   factors.block_mass.reset();
+  EXPECT_EQ(radius_to_check(factors, 375, 0.5), 0.5);
   factors.takes_total_energy = true;
   EXPECT_EQ(energy_to_check(factors, 400e3, 450e3, 20), 450e3);
 }
@@ -47,6 +49,12 @@ TEST(BarrierCheck, OfTheServiceLevelNeedsThreeTimesTheMaximum) {
   factors.level = KitLevel::service;
   EXPECT_DOUBLE_EQ(needed_maximum_energy(factors, 100e3), 3 * once);
   EXPECT_EQ(needed_class(factors, 50e3), 1) << "kits of class 0 have no SEL";
+  // SEL 330 and 660 kJ of the classes 3 and 5 are less than a third of their MEL.
+  EXPECT_EQ(needed_class(factors, 3 * 330e3), 3);
+  EXPECT_EQ(needed_class(factors, 3 * 331e3), 4);
+  EXPECT_EQ(needed_class(factors, 3 * 661e3), 6);
+  EXPECT_EQ(needed_class(factors, 3 * 1500e3), 7);
+  EXPECT_EQ(needed_class(factors, 3 * 1501e3), 8);
   EXPECT_EQ(needed_class(usual(), 50e3), 0);
 }
 

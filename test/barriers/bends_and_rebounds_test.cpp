@@ -94,6 +94,84 @@ TEST(Collectors, OfAnyNumberOnOneLineCountEachOnce) {
   }
 }
 
+std::vector<BarrierHit> hits_of(const Followed& path, std::uint32_t barrier) {
+  std::vector<BarrierHit> hits;
+  for (const BarrierHit& hit : path.log.hits) {
+    if (hit.barrier == BarrierId{barrier}) hits.push_back(hit);
+  }
+  return hits;
+}
+
+/// One that holds, one that breaks, two that throw back.
+std::vector<Barrier> barriers_of_all_kinds(double inclination) {
+  std::vector<Barrier> barriers(4, standing({{10, -5, -6}, {10, 5, -6}}, 30, inclination));
+  barriers[1].capacity = 10;
+  barriers[2].restitution = Restitution{0.5, 0.8};
+  barriers[3].restitution = Restitution{0.02, 0.1};
+  return barriers;
+}
+
+TEST(Collectors, OnTheLineOfABarrierRecordWhatArrives) {
+  for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
+    for (const SlidingMethod sliding : {SlidingMethod::stepped, SlidingMethod::closed_form}) {
+      for (const double inclination : {-0.2, 0.0, 0.2}) {
+        for (const Barrier& barrier : barriers_of_all_kinds(inclination)) {
+          // The collectors in the file before the barrier and behind it, one drawn with other points.
+          Barrier collector = standing({{10, -5, -6}, {10, 5, -6}}, 30, inclination);
+          Barrier longer = standing({{10, -7.1, -6}, {10, 1.0 / 3, -6}, {10, 9.7, -6}}, 30, inclination);
+          collector.is_collector = longer.is_collector = true;
+          const std::vector<Barrier> barriers{collector, barrier, longer};
+          for (const double start_z : {1.8, 5.0}) {
+            const Followed path = follow(steep_ground(), ground_of(slippery()), laws_of(model, sliding),
+                                         {{{-3, 0, start_z}, {2, 0.01, 0}}, rock}, barriers);
+            SCOPED_TRACE(::testing::Message() << "inclination " << inclination << ", model " << static_cast<int>(model)
+                                              << ", sliding " << static_cast<int>(sliding) << ", from " << start_z);
+            const auto stopped = hits_of(path, 1);
+            ASSERT_FALSE(stopped.empty());
+            for (const std::uint32_t number : {0U, 2U}) {
+              const auto recorded = hits_of(path, number);
+              ASSERT_EQ(recorded.size(), stopped.size()) << number;
+              for (std::size_t k = 0; k < stopped.size(); ++k) {
+                EXPECT_EQ(recorded[k].outcome, BarrierOutcome::passed);
+                EXPECT_LT((recorded[k].motion.velocity - stopped[k].motion.velocity).norm(), 1e-6);
+                EXPECT_NEAR(recorded[k].motion.time, stopped[k].motion.time, same_crossing);
+                EXPECT_NEAR(recorded[k].height, stopped[k].height, 1e-6);
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Collectors, OnTheLineOfTwoBarriersRecordARockOnce) {
+  std::vector<Barrier> barriers(3, standing({{10, -5, -6}, {10, 5, -6}}, 30, 0));
+  barriers[0].capacity = 10;
+  barriers[2].is_collector = true;
+  for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
+    const Followed path = follow(steep_ground(), ground_of(slippery()), laws_of(model, SlidingMethod::stepped),
+                                 {{{-3, 0, 5}, {2, 0, 0}}, rock}, barriers);
+    ASSERT_EQ(path.log.hits.size(), 3U);
+    EXPECT_EQ(path.log.hits[0].barrier, BarrierId{2});
+    EXPECT_EQ(path.log.hits[1].outcome, BarrierOutcome::broke_through);
+    EXPECT_EQ(path.log.hits[2].outcome, BarrierOutcome::stopped);
+    EXPECT_EQ(path.log.hits[0].motion.velocity, path.log.hits[1].motion.velocity);
+  }
+}
+
+// A rock meets the barrier above the collector's top.
+TEST(Collectors, OnTheLineOfAHigherBarrierCountWhatPassesAboveThem) {
+  std::vector<Barrier> barriers{standing({{5, -5, 0}, {5, 5, 0}}, 10, 0), standing({{5, -5, 0}, {5, 5, 0}}, 1, 0)};
+  barriers[1].is_collector = true;
+  const Followed path =
+      follow(level_ground(), ground_of(slippery()), laws_of(RockModel::lumped_mass, SlidingMethod::stepped),
+             {{{0, 0, 6}, {20, 0, 0}}, rock}, barriers);
+  EXPECT_EQ(path.outcome.reason, EndReason::stopped_by_barrier);
+  ASSERT_EQ(path.log.passed_above.size(), 1U);
+  EXPECT_EQ(path.log.passed_above[0].barrier, BarrierId{1});
+}
+
 struct Bend {
   double inclination, turn;  // of x at the ends of the line, 40 m from its middle: more than 0, it is hollow
   bool is_sphere;

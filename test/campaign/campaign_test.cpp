@@ -174,6 +174,72 @@ TEST(Campaign, LatinHypercubeNarrowsTheMean) {
   EXPECT_LT(scatter("latin_hypercube"), 0.002);
 }
 
+// A section of which every rock has its own, with a barrier between two collectors.
+Model uncertain_model(const char* deviations) {
+  Problems warnings;
+  const std::string text = std::string(R"(
+[terrain]
+section = [[0, 60], [40, 30], [60, 20], [100, 15]]
+section_std_dev_m = )") + deviations +
+                           R"(
+[[material]]
+name = "Rock"
+normal_restitution = 0.35
+tangential_restitution = 0.9
+friction_angle_deg = 5
+[[seeder]]
+position = [2, "surface"]
+rocks = 300
+mass_kg = 1000
+horizontal_velocity_m_s = 1
+[[barrier]]
+name = "Wall"
+line = 60
+height_m = 5
+[[collector]]
+name = "Before"
+line = 50
+height_m = 50
+[[collector]]
+name = "Behind"
+line = 61
+height_m = 50
+)";
+  return project::build_model(project::read_project_text(text, "slope.toml").project, warnings);
+}
+
+TEST(Campaign, BarriersStandOnTheSlopeOfEachRock) {
+  const Model model = uncertain_model("[[0, 0], [0, 0.5], [0, 0.5], [0, 0.5]]");
+  Simulator simulator(model);
+  double lowest = 1e300, highest = -1e300;
+  for (std::uint64_t rock = 0; rock < model.rocks(); ++rock) {
+    const RockRecord record = simulator.simulate(rock, false);
+    ASSERT_EQ(record.outcome.reason, EndReason::stopped_by_barrier) << rock;
+    ASSERT_EQ(simulator.log().hits.size(), 2U) << rock;
+    EXPECT_EQ(simulator.log().hits[0].barrier, BarrierId{1});
+    const BarrierHit& hit = simulator.log().hits[1];
+    EXPECT_EQ(hit.barrier, BarrierId{0});
+    const double foot = hit.motion.position.z() - hit.height;
+    lowest = std::min(lowest, foot);
+    highest = std::max(highest, foot);
+  }
+  // Three hundred normal values spread over five deviations.
+  EXPECT_GT(highest - lowest, 2);
+  EXPECT_LE(highest - lowest, 3);
+}
+
+TEST(Campaign, BarriersOnASlopeThatIsCertainAfterAllStandWhereTheyStood) {
+  const Model model = uncertain_model("[[0, 0], [0, 0], [0, 0], [0, 0]]");
+  Model certain = uncertain_model("[[0, 0], [0, 0], [0, 0], [0, 0]]");
+  certain.varying.reset();
+  Simulator one(model), other(certain);
+  for (std::uint64_t rock = 0; rock < 20; ++rock) {
+    ASSERT_EQ(bits_of(one.simulate(rock, false).outcome), bits_of(other.simulate(rock, false).outcome));
+    ASSERT_EQ(one.log().hits.size(), other.log().hits.size());
+    ASSERT_EQ(one.log().hits.back().height, other.log().hits.back().height);
+  }
+}
+
 TEST(Campaign, DrawsMaterialsOncePerRockIfAskedTo) {
   const Model per_rock = tutorial_model("2d", 1, {"sampling.materials=per_rock"});
   const Model per_impact = tutorial_model("2d", 1);

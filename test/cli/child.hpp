@@ -18,19 +18,24 @@ extern char** environ;
 
 namespace talus::test {
 
-/// Whether a file that a child writes comes to be, within a time that is long for any machine.
-inline bool appears(const std::filesystem::path& file) {
+/// Whether something comes true that a child brings about, within a time that is long for any machine.
+template <class Condition>
+bool comes_true(Condition&& condition) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   constexpr std::chrono::minutes patience(10);
 #else
   constexpr std::chrono::minutes patience(1);
 #endif
   const auto begin = std::chrono::steady_clock::now();
-  while (!std::filesystem::exists(file)) {
+  while (!condition()) {
     if (std::chrono::steady_clock::now() - begin > patience) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return true;
+}
+
+inline bool appears(const std::filesystem::path& file) {
+  return comes_true([&] { return std::filesystem::exists(file); });
 }
 
 class Child {

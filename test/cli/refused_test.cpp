@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -46,12 +48,86 @@ TEST(RefusedByTheProgram, NumbersBelowNothing) {
 
 TEST(RefusedByTheProgram, NumbersBeyond64Bits) {
   const Workplace place;
-  const std::string file = place.write("slope.toml", good), most = "expected at most 18446744073709551615\n";
+  const std::string file = place.write("slope.toml", good), most = "expected at most 9223372036854775807\n";
   EXPECT_EQ(said(place, "check " + file + " --seed 99999999999999999999"),
             "2 --seed: 99999999999999999999 is too large; " + most + "`talus check --help` says more.\n");
   EXPECT_EQ(said(place, "replay " + file + " --rock 18446744073709551616"),
             "2 --rock: 18446744073709551616 is too large; " + most + "`talus replay --help` says more.\n");
-  EXPECT_EQ(talus_says("check " + file + " --seed 18446744073709551615").exit_code, 0);
+  EXPECT_EQ(said(place, "check " + file + " --seed 9223372036854775808"),
+            "2 --seed: 9223372036854775808 is too large; " + most + "`talus check --help` says more.\n");
+  EXPECT_EQ(talus_says("check " + file + " --seed 9223372036854775807").exit_code, 0);
+  EXPECT_EQ(said(place, "check " + file + " --rocks 99999999999999999999"),
+            "2 --rocks: 99999999999999999999 is no number of rocks; expected 1 to 1e12\n`talus check --help` says "
+            "more.\n");
+}
+
+TEST(RefusedByTheProgram, TextsThatAreNoWholeNumbers) {
+  const Workplace place;
+  const std::string file = place.write("slope.toml", good), help = " --help` says more.\n";
+  EXPECT_EQ(said(place, "run " + file + " --rocks ''"), "2 --rocks: \"\" is no whole number\n`talus run" + help);
+  EXPECT_EQ(said(place, "run " + file + " --seed ''"), "2 --seed: \"\" is no whole number\n`talus run" + help);
+  EXPECT_EQ(said(place, "replay " + file + " --rock ''"), "2 --rock: \"\" is no whole number\n`talus replay" + help);
+  EXPECT_EQ(said(place, "run " + file + " --rocks 1e3"), "2 --rocks: \"1e3\" is no whole number\n`talus run" + help);
+  EXPECT_NE(said(place, "check " + file + " --rocks 010").find("no errors; 10 rocks"), std::string::npos);
+}
+
+TEST(TheProgram, TakesSettingsBeforeAndBehindTheProject) {
+  const Workplace place;
+  const std::string file = place.write("slope.toml", good), set = " --set analysis.gravity_m_s2=9 ";
+  const std::string out = " -q -o " + (place / "out").string();
+  EXPECT_EQ(said(place, "run" + set + file + out), "0 ");
+  EXPECT_EQ(said(place, "run" + set + set + file + out + set), "0 ");
+  EXPECT_EQ(said(place, "run " + file + set + out), "0 ");
+  EXPECT_EQ(said(place, "replay" + set + file + " --rock 0"), said(place, "replay " + file + " --rock 0" + set));
+}
+
+// A user other than the superuser may be held to so many processes: threads count, too.
+TEST(RefusedByTheProgram, MoreThreadsThanCanBeHad) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer has a thread of its own";
+#endif
+  if (geteuid() != 0 || std::system("setpriv --version > /dev/null && prlimit --version > /dev/null") != 0)
+    GTEST_SKIP() << "no other user can be taken";
+  const Workplace place;
+  std::filesystem::permissions(place / "", std::filesystem::perms::all);
+  const std::string run = "run " + place.write("slope.toml", good) + " -q -o " + (place / "out").string();
+  const std::string alone = "setpriv --reuid=54321 --clear-groups prlimit --nproc=1 ";
+  EXPECT_EQ(said(place, run + " --threads 8", alone),
+            "2 --threads: 8 threads cannot be had (Resource temporarily unavailable). Try --threads 1\n");
+  EXPECT_EQ(said(place, run + " --threads 1", alone), "0 ");
+  EXPECT_EQ(said(place, "replay " + (place / "slope.toml").string() + " --rock 0 > /dev/null", alone), "0 ");
+}
+
+TEST(RefusedByTheProgram, ToReplaceWhatItHasNotWritten) {
+  const Workplace place;
+  const std::string run = (place / "run").string(), file = place.write("slope.toml", good);
+  ASSERT_EQ(talus_says("run " + file + " -q -o " + run).exit_code, 0);
+  const auto refused = [](const std::string& name, const std::string& kind) {
+    return "2 " + name + ": this file is there already (it is no earlier " + kind +
+           " of this command, which alone it would replace). Choose another name\n";
+  };
+  for (const std::string name : {"run/endpoints.csv", "run/summary.json", "slope.toml"}) {
+    const std::string before = place.read(name), at = (place / name).string();
+    EXPECT_EQ(said(place, "report " + run + " -o " + at), refused(name, "page"));
+    EXPECT_EQ(said(place, "verify --json " + at), refused(name, "comparison"));
+    EXPECT_EQ(said(place, "verify --page " + at), refused(name, "page"));
+    EXPECT_EQ(place.read(name), before);
+  }
+  EXPECT_EQ(said(place, "report " + run), "0 run/report.html\n");
+  for (int twice = 0; twice < 2; ++twice) {
+    EXPECT_EQ(said(place, "report " + run + " -o " + (place / "page.html").string()), "0 page.html\n");
+    EXPECT_EQ(
+        talus_says("verify 3-sliding --json " + (place / "v.json").string() + " --page " + (place / "v.md").string())
+            .exit_code,
+        0);
+  }
+}
+
+TEST(RefusedByTheProgram, ToServeWhatIsNoProject) {
+  const Workplace place;
+  const std::string answer = said(place, "serve /dev/null --port 0", "timeout 20 ");
+  if (answer.find("without the workbench") != std::string::npos) GTEST_SKIP() << answer;
+  EXPECT_EQ(answer, "2 /dev/null: this is not a regular file (expected a project file, for example slope.toml)\n");
 }
 
 TEST(RefusedByTheProgram, EmptyTextsAreNotTakenForAbsent) {

@@ -213,6 +213,35 @@ heights_m = [1, 500]
   EXPECT_EQ(rows, "Catches enough Cost index; yes number; no number");
 }
 
+// All of 30 rocks are 88.4 to 100 % of those that may come: too few to be sure of 95 %.
+TEST(RunDesign, SaysWhereTooFewRocksWereThrownToBeSure) {
+  const Workplace work;
+  const std::string project = with_collectors(work, "3d", R"(
+[[collector]]
+name = "Tall"
+line = [[8, 0], [8, 50]]
+height_m = 500
+[design]
+lines = ["Tall"]
+energies_kJ = [5000]
+heights_m = [1, 500]
+)");
+  const Said said = talus_says("run -q " + project + " --rocks 30 -o " + (work / "out").string());
+  ASSERT_EQ(said.exit_code, 0) << said.text;
+  const auto kit = best_kit(work.read("out/design_ranking.csv"));
+  EXPECT_EQ(kit.at("suffices"), "yes");
+  EXPECT_EQ(kit.at("sure"), "no");
+  if (!testing_tools::has_browser()) GTEST_SKIP() << "there is no chromium";
+  const std::string shown = testing_tools::said_in_page(work / "out/report.html", R"(
+    const table = [...document.querySelectorAll('table')].find((t) => t.textContent.includes('Kits to choose from'));
+    const words = [...document.querySelectorAll('p')].map((p) => p.textContent).find((text) => text.startsWith('Not sure'));
+    return [...table.querySelectorAll('tr')].map((tr) => [...tr.children].at(-2).textContent).join('; ') + '; ' + words;
+  )");
+  EXPECT_EQ(shown,
+            "Catches enough; yes, not sure; no; Not sure: the wanted 95 % lie within the 95 % confidence interval of "
+            "the share. Run more rocks to tell, or choose a kit that is sure.");
+}
+
 TEST(RunDesign, OfALineThatLeavesTheTerrainCountsFromItsFirstPoint) {
   const Workplace work;
   const std::string project = with_collectors(work, "3d", R"(

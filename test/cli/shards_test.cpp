@@ -117,6 +117,34 @@ TEST(Shards, NeedNoProjectToBeMerged) {
   EXPECT_EQ(differences(files_of(work / "whole"), files_of(work / "merged")), "");
 }
 
+// The sums know positions by their distance from the model's origin, which merging has from the states alone.
+TEST(Shards, InMapCoordinatesGiveTheBytesOfOneRun) {
+  const Workplace work;
+  const std::string project = work.write("map.toml", R"(
+[terrain]
+section = [[652100, 30], [652110, 20], [652200, -10], [652300, -12]]
+[[material]]
+name = "A"
+normal_restitution = { mean = 0.35, distribution = "normal", std_dev = 0.04 }
+tangential_restitution = 0.85
+friction_angle_deg = 30
+[[seeder]]
+position = [652101, "surface"]
+rocks = 100001
+mass_kg = 1000
+[output]
+paths = "none"
+report = false
+)");
+  const std::string run = "run -q " + project;
+  expect_done(talus_says(run + " -o " + (work / "whole").string()));
+  for (int k = 1; k <= 2; ++k) {
+    expect_done(talus_says(run + " --shard " + std::to_string(k) + "/2 -o " + (work / shard_folder(k, 2)).string()));
+  }
+  expect_done(talus_says("merge -q " + folders(work, {2, 1}, 2) + "-o " + (work / "merged").string()));
+  EXPECT_EQ(differences(files_of(work / "whole"), files_of(work / "merged")), "");
+}
+
 class MergeRefuses : public testing::Test {
  protected:
   void SetUp() override {

@@ -175,6 +175,53 @@ TEST_F(StatisticsOfARun, OfADamagedTableAreRefused) {
   EXPECT_THROW((void)endpoint_statistics(folder_.path, facts_, "x_m", {}), BadInput);
 }
 
+// A section in map coordinates, and more rocks than are kept: quantiles come from counts in bins.
+TEST(StatisticsOfManyRocks, AreRightWhereCoordinatesAreLarge) {
+  const sample_run::Folder folder("column-statistics");
+  folder.write("utm.toml", R"(
+name = "Eastings"
+[terrain]
+section = [[652100, 1830], [652110, 1820], [652200, 1790], [652300, 1788]]
+[[material]]
+name = "A"
+normal_restitution = { mean = 0.35, distribution = "normal", std_dev = 0.04 }
+tangential_restitution = { mean = 0.85, distribution = "uniform", rel_min = 0.1, rel_max = 0.1 }
+friction_angle_deg = 30
+[[seeder]]
+position = [652101, "surface"]
+rocks = 100001
+mass_kg = 1000
+horizontal_velocity_m_s = 2
+[output]
+paths = "none"
+report = false
+)");
+  Problems warnings;
+  const project::Project project = project::read_project(folder.path / "utm.toml").project;
+  const Model model = project::build_model(project, warnings);
+  (void)project::run_into(folder.path, project, model, warnings, {});
+  const RunFacts facts = read_run_facts(folder.path);
+  const Json summary = Json::parse(folder.read("summary.json"));
+  EXPECT_EQ(summary["origin_m"].dump(), "[652288.0,0.0,2048.0]");
+  std::map<std::string, std::vector<double>> values;
+  CsvReader row(folder.path / "endpoints.csv", endpoint_columns);
+  while (row.next()) {
+    values["x_m"].push_back(row.number(2));
+    values["z_m"].push_back(row.number(4));
+  }
+  for (auto& [column, list] : values) {
+    std::sort(list.begin(), list.end());
+    const Tally tally = endpoint_statistics(folder.path, facts, column, {});
+    EXPECT_FALSE(tally.sketch().is_exact());
+    for (const double p : {0.25, 0.5, 0.75, 0.95}) {  // most are no less than 260 m from the origin
+      const double exact = list[static_cast<std::size_t>(p * 100'000)];
+      EXPECT_NEAR(*tally.sketch().quantile(p), exact, 0.0005 * 260) << column << " " << p;
+    }
+    EXPECT_GT(tally.histogram(40)->counts().size(), 10U);
+  }
+  EXPECT_EQ(statistics_json(endpoint_statistics(folder.path, facts, "x_m", {})), summary["statistics"]["end_x_m"]);
+}
+
 TEST(Cumulative, RisesToOneByWayOfTheValues) {
   Tally tally(1000);
   for (int k = 0; k < 1000; ++k) tally.add(k % 500);

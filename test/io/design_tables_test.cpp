@@ -46,6 +46,7 @@ DesignResult small_result() {
                      .maximum_energy = 500e3,
                      .kit_class = 2,
                      .suffices = true,
+                     .is_sure = false,
                      .caught = RockShare{3, 4, 0.75, 0.25, 1},
                      .above = 1,
                      .through = 0,
@@ -66,9 +67,9 @@ TEST(DesignTables, AreWrittenToTheLetter) {
             "\"Road, lower\",1,0,10,3,0.25,0.125,0.5,1000,500,,1100,550,,10,5,,2,1.5,,1.2,0,2.5,,,\n"
             "\"Road, lower\",2,10,15.5,0,0,0,0.25,,,,,,,,,,,,,,,,,,\n");
   EXPECT_EQ(ranking_table(small_plan(), small_result()),
-            "rank,line,length_m,height_m,mel_kJ,class,suffices,cost,rocks,caught,caught_share,caught_share_low,"
+            "rank,line,length_m,height_m,mel_kJ,class,suffices,sure,cost,rocks,caught,caught_share,caught_share_low,"
             "caught_share_high,above,through,beside\n"
-            "1,\"Road, lower\",15.5,3,500,2,yes,1039.5,4,3,0.75,0.25,1,1,0,0\n");
+            "1,\"Road, lower\",15.5,3,500,2,yes,no,1039.5,4,3,0.75,0.25,1,1,0,0\n");
 }
 
 TEST(DesignTables, ComeAndGo) {
@@ -92,6 +93,7 @@ TEST(DesignJson, HoldsWhatTheReportShows) {
   EXPECT_EQ(line["sections"][1]["percentiles"]["height_m"].dump(), "{}");
   EXPECT_EQ(line["sections"][1]["needs"], nullptr);
   EXPECT_EQ(json["best"], json["ranking"][0]);
+  EXPECT_EQ(json["best"]["sure"], false);
   DesignResult result = small_result();
   result.ranking[0].suffices = false;
   EXPECT_EQ(design_json(small_plan(), result)["best"], nullptr);

@@ -285,10 +285,29 @@ TEST(MapFiles, AFullDiskIsRefusedAndNothingHalfWrittenStays) {
   } catch (const BadInput& bad) {
     const std::string text = bad.what();
     EXPECT_NE(text.find(": cannot write this map (GDAL: "), std::string::npos) << text;
-    EXPECT_NE(text.find("). Free some space, or choose another output folder with -o"), std::string::npos) << text;
+    EXPECT_NE(text.find("). Free some space, or choose another folder with -o"), std::string::npos) << text;
   }
   for (const std::string& file : files_in(work / "maps")) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
   EXPECT_FALSE(files_in(work / "maps").contains("energy_total_max_J.tif"));
+}
+
+// A thousand cells with heights of up to 2 m, and under a cliff ten with one of 80 m.
+TEST(MapFiles, AFewCellsDoNotTakeAllColours) {
+  Maps maps(MapGrid({0, 0}, 1, {}));
+  std::vector<MapVisit> visits;
+  for (std::int32_t k = 0; k < 1010; ++k) {
+    const float height = k < 1000 ? 0.002F * static_cast<float>(k + 1) : 80;
+    visits.push_back({{k % 100, k / 100}, {1, 1, 10, height}, 0, false});
+  }
+  const std::span<const MapVisit> list(visits);
+  maps.add(1, std::span(&list, 1));
+  const Workplace work;
+  (void)write_maps(maps, {}, "", work / "maps");
+  const std::string style = work.read("maps/bounce_height_max_m.qml");
+  EXPECT_NE(style.find("greatestValue=\"80\""), std::string::npos) << style;
+  EXPECT_NE(style.find("label=\"1.98 or more, at most 80\" color=\"#b10026\""), std::string::npos) << style;
+  // Energies have a logarithmic scale, which reaches to the greatest.
+  EXPECT_NE(work.read("maps/passages.qml").find("classificationMax=\"1\" greatestValue=\"1\""), std::string::npos);
 }
 
 TEST(MapFiles, WithoutARockThereAreNone) {
@@ -312,13 +331,22 @@ TEST(MapFiles, WithoutGdalTheyAreRefused) {
 
 #endif
 
-TEST(MapStyle, ColoursFromTheLeastToTheGreatestValue) {
-  const std::string logarithmic = qgis_style(ColourScale::logarithmic, 1, 1e6);
+TEST(MapStyle, ColoursFromTheLeastValueToTheTop) {
+  const std::string logarithmic = qgis_style(ColourScale::logarithmic, {1, 1e6, 1e6});
   EXPECT_NE(logarithmic.find("classificationMin=\"1\" classificationMax=\"1000000\""), std::string::npos);
   EXPECT_NE(logarithmic.find("<item value=\"1000\" label=\"1e+03\" color=\"#fd8d3c\""), std::string::npos);
-  const std::string linear = qgis_style(ColourScale::linear, 3, 6);
+  const std::string linear = qgis_style(ColourScale::linear, {3, 6, 6});
   EXPECT_NE(linear.find("<item value=\"0\" label=\"0\" color=\"#ffffb2\""), std::string::npos);
   EXPECT_NE(linear.find("<item value=\"6\" label=\"6\" color=\"#b10026\""), std::string::npos);
+  EXPECT_NE(linear.find("maximumLabel=\"\""), std::string::npos);
+}
+
+TEST(MapStyle, SaysThatGreaterValuesHaveTheLastColour) {
+  const std::string style = qgis_style(ColourScale::linear, {0.5, 79.4, 16.6});
+  EXPECT_NE(style.find("classificationMin=\"0\" classificationMax=\"16.6\" greatestValue=\"79.4\""), std::string::npos);
+  EXPECT_NE(style.find("<item value=\"16.6\" label=\"16.6 or more, at most 79.4\" color=\"#b10026\""),
+            std::string::npos);
+  EXPECT_NE(style.find("maximumLabel=\"16.6 or more, at most 79.4\""), std::string::npos);
 }
 
 }  // namespace

@@ -54,12 +54,12 @@ TEST(MapsOfARun, AreListedWithWhatTheyShow) {
   const MapFile velocity = named(found, "velocity_max_m_s");
   EXPECT_EQ(velocity.unit, "m/s");
   EXPECT_EQ(velocity.scale, ColourScale::linear);
-  EXPECT_EQ(velocity.greatest, 4);
+  EXPECT_EQ(velocity.range.greatest, 4);
   EXPECT_EQ(velocity.source, "");
   const MapFile energy = named(found, "energy_total_max_J");
   EXPECT_EQ(energy.scale, ColourScale::logarithmic);
-  EXPECT_EQ(energy.least, 4);
-  EXPECT_EQ(energy.greatest, 16);
+  EXPECT_EQ(energy.range.least, 4);
+  EXPECT_EQ(energy.range.greatest, 16);
   // Percentiles ascend, whatever the order in which they were asked for.
   std::vector<std::string> of_velocity;
   for (const MapFile& map : found)
@@ -147,10 +147,10 @@ TEST(MapsOfARun, ThatHasNoneAreNone) {
 }
 
 TEST(ColourRamp, EndsAtTheLimits) {
-  const auto linear = colour_ramp(ColourScale::linear, 3, 12);
+  const auto linear = colour_ramp(ColourScale::linear, {3, 40, 12});
   EXPECT_EQ(linear.front().value, 0);
   EXPECT_EQ(linear.back().value, 12);
-  const auto logarithmic = colour_ramp(ColourScale::logarithmic, 1, 1e6);
+  const auto logarithmic = colour_ramp(ColourScale::logarithmic, {1, 1e6, 1e6});
   EXPECT_EQ(logarithmic.front().value, 1);
   EXPECT_EQ(logarithmic.back().value, 1e6);
   EXPECT_NEAR(logarithmic[3].value, 1000, 1e-9);

@@ -28,6 +28,24 @@ class PlaceOfFile : public ::testing::Test {
   io::sample_run::Folder folder_{"output"};
 };
 
+TEST(OutputFile, DoesNotWriteThroughWhatLiesInItsWay) {
+  const io::sample_run::Folder folder{"output_part"};
+  folder.write("other", "stays");
+  const auto write = [&](const char* name) {
+    OutputFile file(folder.path / name);
+    file.write("new");
+    file.commit();
+    return fs::is_regular_file(fs::symlink_status(folder.path / name)) && fs::file_size(folder.path / name) == 3;
+  };
+  fs::create_symlink("other", folder.path / "a.part");
+  EXPECT_TRUE(write("a"));
+  EXPECT_EQ(fs::file_size(folder.path / "other"), 5U);
+  ASSERT_EQ(::mkfifo((folder.path / "b.part").c_str(), 0600), 0);
+  EXPECT_TRUE(write("b"));
+  folder.write("c.part", "what an earlier program has left");
+  EXPECT_TRUE(write("c"));
+}
+
 TEST_F(PlaceOfFile, IsThatOfAnOrdinaryFileOrOfNone) {
   folder_.write("file", "");
   EXPECT_EQ(place("file"), "file");
@@ -44,7 +62,7 @@ TEST_F(PlaceOfFile, IsWhereLinksLead) {
   EXPECT_EQ(place("dangling"), "not there yet");
   fs::create_symlink("round", folder_.path / "round");
   EXPECT_EQ(refusal("round"),
-            "round: cannot write this file (Too many levels of symbolic links). Choose another output folder with -o");
+            "round: cannot write this file (Too many levels of symbolic links). Choose another folder with -o");
 }
 
 TEST_F(PlaceOfFile, IsNoneOfWhatIsNoFile) {

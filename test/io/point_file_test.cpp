@@ -90,6 +90,28 @@ TEST_F(PointFileTest, FurtherColumnsAreLeftAlone) {
   EXPECT_EQ(read("1.5 2 3 255 0 0\n4 5 -6.25 0 255 0\n7e3 8 9 0 0 255\n"), three);
 }
 
+TEST_F(PointFileTest, ValuesThatBelongToNoColumnAreRefused) {
+  EXPECT_EQ(refusal("x,y,z\n100,956,100,948,100,057\n1,2,3\n1,2,3,red\n"),
+            "p.csv:2: has 6 columns (line 1 names 3). If its commas stand for decimal points, write points, or put ; "
+            "between the columns\n"
+            "p.csv:4: has 4 columns (line 1 names 3). Name all columns in the first line");
+  EXPECT_EQ(refusal("1 2 3\n4 5 6 7\n"), "p.csv:2: has 4 columns (line 1 has 3). Name all columns in the first line");
+  EXPECT_EQ(read("x,y,z,\n1.5,2,3\n4,5,-6.25,\n7e3,8,9\n"), three);
+  EXPECT_EQ(read("x,y,z\n1.5,2,3,\n4,5,-6.25\n7e3,8,9\n"), three);
+  EXPECT_EQ(read("\"1.5\",\"2\",\"3\"\n\"4\",\"5\",\"-6.25\"\n\"7e3\",\"8\",\"9\"\n"), three);
+  EXPECT_EQ(read("x,y,z,what\n1.5,2,3,\"a, b, c\"\n4,5,-6.25,\n7e3,8,9,d\n"), three);
+}
+
+TEST_F(PointFileTest, DecimalCommasBetweenCommasAreRefused) {
+  const std::string refused =
+      "p.csv: seems to have decimal commas (its lines have six and more whole numbers between commas, and none that "
+      "names the columns). Write decimal points, or put ; between the columns; if they are whole numbers, name them in "
+      "the first line, for example: x,y,z,red,green,blue";
+  EXPECT_EQ(refusal("100,956,100,948,100,057\n100,085,110,835,100,736\n100,085,110,100,736\n"), refused);
+  EXPECT_EQ(read("x,y,z,red,green,blue\n1,2,3,4,5,6\n").size(), 1U);
+  EXPECT_EQ(read("1,2,3,4,5,6\n1.5,2,3,4,5,6\n").size(), 2U);
+}
+
 TEST_F(PointFileTest, BadLinesAreToldOfByTheirNumbers) {
   EXPECT_EQ(
       refusal("x,y,z\n1,2,3\n1,two,3\n4,5\n6,7,nan\n8,9,-9999\n"),

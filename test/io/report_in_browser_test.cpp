@@ -63,5 +63,20 @@ TEST(ReportInBrowser, PlanShowsTheTerrainWhereRocksFillIt) {
   EXPECT_EQ(plan_of(5), "5 no switch");
 }
 
+TEST(ReportInBrowser, SaysWhatTheRunWarnedOfAndNoted) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  const sample_run::Folder folder("report-notes");
+  sample_run::write(folder);
+  auto summary = sample_run::summary("Notes");
+  summary["warnings"] = {"warning: rocks: 2 of 2 rocks were ended at the maximum time"};
+  summary["notes"] = {"2 of 2 rocks left the model"};
+  folder.write("summary.json", summary.dump());
+  write_report(std::vector{folder.path}, folder.path / "report.html");
+  EXPECT_EQ(said_in_page(folder.path / "report.html",
+                         "return [...document.querySelectorAll('.note li')].slice(0, 2).map((li) => "
+                         "li.textContent).join('; ');"),
+            "warning: rocks: 2 of 2 rocks were ended at the maximum time; 2 of 2 rocks left the model");
+}
+
 }  // namespace
 }  // namespace talus::io

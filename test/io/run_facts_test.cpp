@@ -21,8 +21,10 @@ RunFacts facts_of(const Json& summary) {
 TEST(RunFacts, SayWhatTheSummarySays) {
   Json summary = sample_run::summary_3d();
   summary["terrain"]["crs_wkt"] = "PROJCRS[...]";
+  summary["origin_m"] = {1024, 2048, 0};
   const RunFacts facts = facts_of(summary);
   EXPECT_FALSE(facts.is_section);
+  EXPECT_EQ(facts.origin_m, (std::array<double, 3>{1024, 2048, 0}));
   EXPECT_EQ(facts.crs_wkt, "PROJCRS[...]");
   EXPECT_EQ(facts.planned_rocks, 6U);
   EXPECT_TRUE(facts.wants_geopackage);

@@ -32,7 +32,7 @@ RunStateHeader full_header() {
   description.barriers = 1;
   description.project = {{"sampling", {{"seed", 18446744073709551615U}}}, {"x", 0.1}};
   description.model = nlohmann::ordered_json::parse(
-      R"({"seed": 1, "energy_datum_m": -25.0, "terrain": {"kind": "section"}, "sources": [],
+      R"({"seed": 1, "energy_datum_m": -25.0, "origin_m": [0, 0, 0], "terrain": {"kind": "section"}, "sources": [],
           "barriers": [{"name": "Fence", "kind": "barrier"}]})");
   description.warnings = {"one", "two"};
   description.crs_wkt = "PROJCS[...]";
@@ -226,6 +226,14 @@ TEST(RunDescription, IsRefusedWhereItIsNone) {
   EXPECT_TRUE(refused("maps", {{"origin", {0}}, {"cell", {1, 1}}, {"by_source", true}, {"percentiles", {50}}}));
   EXPECT_TRUE(refused("project", nlohmann::ordered_json::array()));
   EXPECT_TRUE(refused("model", nlohmann::ordered_json::object()));
+  auto model = full_header().description.model;
+  EXPECT_FALSE(refused("model", model));
+  model["origin_m"] = {0, 0};
+  EXPECT_TRUE(refused("model", model));
+  model["origin_m"] = {0, "0", 0};
+  EXPECT_TRUE(refused("model", model));
+  model.erase("origin_m");
+  EXPECT_TRUE(refused("model", model));
   EXPECT_THROW((void)description_from(good.substr(0, good.size() - 1)), BadBytes);
   EXPECT_THROW((void)description_from("[]"), BadBytes);
 }

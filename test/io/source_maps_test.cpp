@@ -110,7 +110,7 @@ TEST(SourceMaps, AFolderThatCannotBeMadeIsRefused) {
     ADD_FAILURE() << "was written";
   } catch (const BadInput& bad) {
     EXPECT_EQ(bad.what(), (work / "by_source/a_b").string() +
-                              ": cannot create this folder (Not a directory). Choose another output folder with -o");
+                              ": cannot create this folder (Not a directory). Choose another folder with -o");
   }
 }
 

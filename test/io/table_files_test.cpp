@@ -66,7 +66,7 @@ TEST(OutputFile, CannotGoOnWithLessThanWasKept) {
   EXPECT_EQ(work.read("short.csv.part"), "0123");
   EXPECT_EQ(complaint([&] { OutputFile(work / "none.csv", 0); }),
             (work / "none.csv").string() +
-                ": cannot go on with this file (No such file or directory). Choose another output folder with -o");
+                ": cannot go on with this file (No such file or directory). Choose another folder with -o");
 }
 
 TEST(TableMark, FindsItsTableAsAPartOrFinished) {

@@ -6,6 +6,7 @@
 #ifdef TALUS_HAS_GDAL
 
 #include <cmath>
+#include <fstream>
 
 #include "support/rasters.hpp"
 #include "support/vectors.hpp"
@@ -130,6 +131,25 @@ TEST_F(VectorFileTest, WithoutACoordinateSystemItHasThatOfTheTerrain) {
             "points.csv: warning: names no coordinate system (it is taken to be that of the terrain). Name it: ogr2ogr "
             "-a_srs EPSG:XXXX points_placed.gpkg points.csv");
   EXPECT_EQ(read({}, "points.csv").features.size(), 2U);
+  EXPECT_EQ(warnings(), "");
+}
+
+TEST_F(VectorFileTest, ACoordinateSystemThatNobodyKnowsIsWarnedOf) {
+  const auto write = [&](const std::string& crs) {
+    std::ofstream(path("a.geojson"))
+        << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": ")" << crs
+        << R"("}}, "features": [{"type": "Feature", "properties": {}, "geometry": )"
+        << R"({"type": "Point", "coordinates": [11, 47]}}]})";
+  };
+  const VectorRequest in_tyrol{.kinds = {ShapeKind::point}, .terrain_crs_wkt = wkt("EPSG:31287")};
+  write("EPSG:999999");
+  EXPECT_EQ(read(in_tyrol, "a.geojson").features.size(), 1U);
+  EXPECT_EQ(
+      warnings(),
+      "a.geojson: warning: names a coordinate system that is not known (it is taken for EPSG:4326). Say which it is: "
+      "ogr2ogr -a_srs EPSG:XXXX a_placed.gpkg a.geojson");
+  write("EPSG:4326");
+  EXPECT_EQ(read(in_tyrol, "a.geojson").features.size(), 1U);
   EXPECT_EQ(warnings(), "");
 }
 

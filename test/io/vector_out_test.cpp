@@ -321,12 +321,12 @@ TEST(GeoPackage, SaysWhereItCannotBeWritten) {
   write_3d(folder);
   std::filesystem::create_directories(folder.path / "results.gpkg/in the way");
   EXPECT_EQ(complaint(folder.path),
-            "results.gpkg: cannot write this file (Is a directory). Choose another output folder with -o");
+            "results.gpkg: cannot write this file (Is a directory). Choose another folder with -o");
   std::filesystem::remove_all(folder.path / "results.gpkg");
   std::filesystem::create_directories(folder.path / "results.gpkg.part/in the way");
   const std::string text = complaint(folder.path);
   EXPECT_EQ(text.find("results.gpkg: cannot write this file (GDAL: "), 0U) << text;
-  EXPECT_NE(text.find("). Free some space, or choose another output folder with -o"), std::string::npos) << text;
+  EXPECT_NE(text.find("). Free some space, or choose another folder with -o"), std::string::npos) << text;
 }
 
 TEST(GeoPackage, AFullDiskLeavesNothingHalfWritten) {

@@ -188,7 +188,7 @@ TEST(VtkPaths, SayWhereTheyCannotBeWritten) {
     ADD_FAILURE() << "was written";
   } catch (const BadInput& bad) {
     EXPECT_EQ(bad.what(), (folder.path / "paths.vtp").string() +
-                              ": cannot create this file (Is a directory). Choose another output folder with -o");
+                              ": cannot create this file (Is a directory). Choose another folder with -o");
   }
 }
 

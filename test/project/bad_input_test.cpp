@@ -133,7 +133,7 @@ height_m = 2)"}},
     {"UnknownKeyLikeNoOther",
      {{"gravity_m_s2 = 9.81", "wind = 3"}},
      "slope.toml:4: [analysis]: unknown key \"wind\" (known are model, rotation, gravity_m_s2, "
-     "sliding, max_timestep_s, normal_velocity_cutoff_m_s, stopped_velocity_m_s, max_steps, "
+     "sliding, max_timestep_s, normal_velocity_cutoff_m_s, grazing_angle_deg, stopped_velocity_m_s, max_steps, "
      "max_time_s, energy_datum_m, friction_angle, scale_rn_by_velocity, rn_velocity_scale_m_s, "
      "scale_rn_by_mass, rn_mass_scale_kg and tangential_crsp_damping)"},
     {"UnknownTable",
@@ -938,6 +938,17 @@ vtk = true
      {{"mass_kg = 1000", "mass_kg = 1"}},
      "slope.toml:25: warning: seeder \"Crest\": mass_kg is 1 (this is a mass in kilograms, of a "
      "stone that can be held in a hand). If it is in tonnes, write 1000"},
+    {"LibraryGroundUnderASphere",
+     {{"[analysis]", "[analysis]\nmodel = \"rigid_sphere\""},
+      {"name = \"Rock\"", "name = \"Rock\"\nlike = \"talus_cover\""}},
+     "slope.toml:12: warning: material \"Rock\": the friction of a sphere is not given (the library has restitutions, "
+     "published for lumped masses; dynamic_friction = 0.5 and rolling_friction = 0.1 hold, and spheres go further and "
+     "faster than points). Give both, and compare with what is known of the site"},
+    {"DeviationBesideLimits",
+     {{"normal_restitution = 0.4",
+       R"(normal_restitution = { mean = 0.4, distribution = "uniform", std_dev = 0.03, rel_min = 0.1, rel_max = 0.1 })"}},
+     "slope.toml:11: warning: material \"Rock\": std_dev of normal_restitution has no effect (the uniform distribution "
+     "takes its width from rel_min and rel_max). Leave out std_dev, or the limits"},
     {"SettingsWithoutEffect",
      {{"[analysis]",
        R"([analysis]

@@ -112,6 +112,13 @@ const std::vector<Case> cases{
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nlayer = \"a\"\nsource_attribute = \"b\"\n",
      "13: warning: seeder \"Cliff\": layer has no effect (it belongs to a file of lines or polygons)\n"
      "14: warning: seeder \"Cliff\": source_attribute has no effect (it belongs to a file of lines or polygons)"},
+    {"AnAreaThrownOneWay",
+     "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nhorizontal_velocity_m_s = 2\n",
+     "13: warning: seeder \"Cliff\": horizontal_velocity_m_s is given without a direction (all rocks of the area start "
+     "eastwards, [1, 0, 0], whatever way the slope faces). Write direction = [x, y, z], and make a seeder for each "
+     "face"},
+    {"AnAreaWithADirection",
+     "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nspeed_m_s = 2\ndirection = [0, 1, 0]\n", ""},
     {"ADefaultSaysNothing", "position = [1, 1, 1]\nplace = \"random\"\n", ""},
     {"AClosedPolygonIsFine", "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5], [0, 0]]\n", ""},
 };

@@ -182,6 +182,25 @@ TEST(BuildModel, LiftsASphereUntilItFits) {
   EXPECT_NEAR(record.outcome.start.position.z(), record.body.radius, 1e-9);
 }
 
+TEST(BuildModel, LowersASphereFromACeilingAndLeavesOneWithoutRoomAtRest) {
+  const std::string text = replaced(
+      replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 20], [10, 20], [4, 14.6], [2, 15], [2, 10], [30, 8]]") +
+          "[analysis]\nmodel = \"rigid_sphere\"\n",
+      "[1, 5]\nmass_kg = 100", "[4, 14.5]\nhorizontal_velocity_m_s = 1\ndiameter_m = 0.5");
+  const RockRecord lowered = Simulator(model_of(text)).simulate(0, false);
+  EXPECT_TRUE(lowered.was_lifted);
+  EXPECT_NEAR(lowered.outcome.start.position.z(), 14.35, 1e-8);
+  EXPECT_EQ(lowered.outcome.start.velocity.x(), 1);
+  EXPECT_LT(lowered.outcome.end.position.z(), 11);
+
+  const RockRecord caught = Simulator(model_of(replaced(text, "0.5", "5"))).simulate(0, false);
+  EXPECT_TRUE(caught.was_lifted);
+  EXPECT_EQ(caught.outcome.reason, EndReason::at_rest);
+  EXPECT_EQ(caught.outcome.end.position, Vec3(4, 0, 14.5));
+  EXPECT_EQ(caught.outcome.end.time, 0);
+  EXPECT_EQ(caught.outcome.max_kinetic_energy, 0);
+}
+
 TEST(BuildModel, PutsRocksOnTheSurfaceAndAboveIt) {
   const Model model = model_of(replaced(flat_2d, "[1, 5]", "[5, \"surface\"]"));
   EXPECT_NEAR(Simulator(model).simulate(0, false).outcome.start.position.z(), -5, 1e-12);

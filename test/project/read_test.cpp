@@ -331,10 +331,16 @@ TEST(ReadProject, WholeNumbersThatNoDoubleEqualsAreRounded) {
   EXPECT_EQ(read(text + "9223372036854775807\n").barriers[0].capacity_kJ, 9223372036854775808.0);
 }
 
-TEST(ReadProject, TakesSeedsBeyondWhatTomlHolds) {
-  constexpr std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
+TEST(ReadProject, TakesNoSeedBeyondWhatTomlHolds) {
+  constexpr std::uint64_t largest = std::numeric_limits<std::int64_t>::max();
   EXPECT_EQ(read(smallest, {.settings = {}, .rocks = {}, .seed = largest}).sampling.seed, largest);
-  EXPECT_EQ(read_with(smallest, {"sampling.seed=9223372036854775807"}).sampling.seed, 9223372036854775807u);
+  EXPECT_EQ(read_with(smallest, {"sampling.seed=9223372036854775807"}).sampling.seed, largest);
+  try {
+    static_cast<void>(read(smallest, {.settings = {}, .rocks = {}, .seed = largest + 1}));
+    ADD_FAILURE() << "was read";
+  } catch (const BadInput& bad) {
+    EXPECT_STREQ(bad.what(), "--seed 9223372036854775808: this is no seed (expected 0 to 9223372036854775807)");
+  }
 }
 
 TEST(ReadProject, GivesAllRocksToASingleSeeder) { EXPECT_EQ(shared({50}, 1000), (std::vector<std::int64_t>{1000})); }

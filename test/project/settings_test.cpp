@@ -35,6 +35,7 @@ gravity_m_s2 = 9.81
 sliding = "closed_form"
 max_timestep_s = 0.02
 normal_velocity_cutoff_m_s = 0.2
+grazing_angle_deg = 2
 stopped_velocity_m_s = 0.3
 max_steps = 20000
 max_time_s = 700.5
@@ -503,12 +504,11 @@ TEST(Settings, RangesReadAsPeopleSayThem) {
 
 // What no engineer meets is refused, so that nothing that follows from it overflows.
 TEST(Settings, AllNumbersHaveLimits) {
-  const std::set<std::string> without_need{"sampling.seed",       "ground.triangles",     "terrain.triangles",
-                                           "terrain.section",  // whole, or looked at as places
-                                           "terrain.vertices",    "terrain.polylines",    "barrier.line",
-                                           "collector.line",      "area.polygon",         "seeder.polygon",
-                                           "distribution.mean",   "distribution.std_dev", "distribution.rel_min",
-                                           "distribution.rel_max"};
+  const std::set<std::string> without_need{
+      "sampling.seed",    "ground.triangles",  "terrain.triangles",
+      "terrain.section",  // whole, or looked at as places
+      "terrain.vertices", "terrain.polylines", "barrier.line",         "collector.line",       "area.polygon",
+      "seeder.polygon",   "distribution.mean", "distribution.std_dev", "distribution.rel_min", "distribution.rel_max"};
   std::set<std::string> without;
   const auto look = [&](const Table& table) {
     Project blank;

@@ -195,6 +195,25 @@ TEST(Design, RanksKitsByWhatTheyCatchAndCost) {
   EXPECT_NEAR(result.ranking[1].caught->high, 0.9681, 5e-5);
 }
 
+// Of 6 of 8 the interval is 0.349 to 0.968, of 7 of 8 it is 0.473 to 0.997.
+TEST(Design, IsSureWhereTheWholeIntervalSaysTheSame) {
+  DesignPlan plan = plan_without_factors();
+  plan.lines.resize(1);
+  plan.energies = {10e3};
+  const auto sure_of = [&](double wanted) {
+    plan.catch_share = wanted;
+    std::vector<std::pair<bool, bool>> found;
+    for (const KitChoice& kit : result_of(plan, eight_rocks()).ranking) found.emplace_back(kit.suffices, kit.is_sure);
+    return found;
+  };
+  using Found = std::vector<std::pair<bool, bool>>;
+  EXPECT_EQ(sure_of(0.3), (Found{{true, true}, {true, true}}));
+  EXPECT_EQ(sure_of(0.4), (Found{{true, false}, {true, true}}));
+  EXPECT_EQ(sure_of(0.75), (Found{{true, false}, {true, false}}));
+  EXPECT_EQ(sure_of(0.96), (Found{{false, false}, {false, false}}));
+  EXPECT_EQ(sure_of(0.98), (Found{{false, false}, {false, true}}));
+}
+
 TEST(Design, PutsLastWhatCatchesTooFew) {
   DesignPlan plan = plan_without_factors();
   plan.catch_share = 0.95;
@@ -235,6 +254,7 @@ TEST(Design, WithoutRocksFindsNoKit) {
   ASSERT_EQ(result.ranking.size(), 2u);
   EXPECT_FALSE(result.ranking[0].suffices);
   EXPECT_FALSE(result.ranking[0].caught);
+  EXPECT_FALSE(result.ranking[0].is_sure);
 }
 
 // What is to be protected is line 2, which four of eight rocks reach: three of them by way of line 0; one only after it

@@ -133,6 +133,8 @@ TEST(SavedResults, SummariesOfOtherRunsAreRefused) {
   SummaryObserver mine(10, 1, {}), longer(11, 1, {}), more_barriers(10, 2, {});
   EXPECT_FALSE(takes(longer, saved(mine)));
   EXPECT_FALSE(takes(more_barriers, saved(mine)));
+  SummaryObserver elsewhere(10, 1, {Vec3(1024, 0, 0)});
+  EXPECT_FALSE(takes(elsewhere, saved(mine))) << "its positions are counted from another origin";
   EXPECT_TRUE(takes(mine, saved(mine)));
 }
 

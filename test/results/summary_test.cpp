@@ -6,6 +6,7 @@
 #include <bit>
 #include <memory>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "support/dice.hpp"
@@ -78,6 +79,37 @@ TEST(Summary, PositionsAreTheUsers) {
   frame.origin = {2'600'000, 1'100'000, 500};
   EXPECT_DOUBLE_EQ(summary_of({ended_at({0, 0, 0}, {12.5, 0, 0})}, 0, frame).end_x.describe().mean.value(),
                    2'600'012.5);
+}
+
+// So many that they are counted in bins.
+TEST(Summary, QuantilesOfPositionsInMapCoordinatesAreNearTheTruth) {
+  constexpr std::uint64_t rocks = QuantileSketch::most_exact + 1;
+  SummaryObserver observer(rocks, 0, {Vec3(2'600'960, 1'199'104, 0)});
+  const auto part = observer.new_part();
+  for (std::uint64_t k = 0; k < rocks; ++k) {
+    const Seen seen = ended_at({0, 0, 0}, {200.0 * static_cast<double>(k) / (rocks - 1), 0, 0});
+    part->see(seen.record, seen.log);
+  }
+  observer.commit(*part);
+  const Tally& end_x = observer.summary().end_x;
+  for (const double p : {0.25, 0.5, 0.75, 0.95}) {
+    EXPECT_NEAR(*end_x.sketch().quantile(p), 2'600'960 + 200 * p, 0.0005 * 200 * p) << p;
+  }
+  EXPECT_EQ(*end_x.describe().median, *end_x.sketch().quantile(0.5));
+  const auto histogram = end_x.histogram(40);
+  ASSERT_EQ(histogram->counts().size(), 40U);
+  for (const std::uint64_t count : histogram->counts()) EXPECT_NEAR(static_cast<double>(count), 2500, 250);
+}
+
+TEST(Summary, NotesThatManyRocksLeftTheModel) {
+  std::vector<Seen> rocks(199, ended_at({0, 0, 0}, {1, 0, 0}));
+  rocks[7] = rocks[9] = ended_at({0, 0, 0}, {1, 0, 0}, EndReason::left_model);
+  EXPECT_EQ(
+      notes_of(summary_of(rocks)),
+      std::vector<std::string>{"2 of 199 rocks left the model: runout, reach and end points are cut at its edge"});
+  rocks.push_back(rocks.front());
+  EXPECT_TRUE(notes_of(summary_of(rocks)).empty()) << "one in a hundred";
+  EXPECT_TRUE(notes_of(summary_of({})).empty());
 }
 
 TEST(Summary, ABarrierCountsHitsAndTheRocksBehindThem) {

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "support/dice.hpp"
+#include "support/meshes.hpp"
 #include "talus/terrain/profile.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
@@ -24,16 +26,16 @@ double distance_from(const Surface& surface, const Vec3& centre) {
 
 TEST(Lifted, SphereTouchesTheEdgeThatItIsBeside) {
   const Profile ridge(std::vector<Vec2>{{0, 0}, {10, -4}, {20, -16}});
-  const auto z = lifted(ridge, {10.45, 0, -4.54}, 1.0);
-  ASSERT_TRUE(z);
-  EXPECT_NEAR(*z, -4 + std::sqrt(1 - 0.45 * 0.45), 1e-9);
+  const ClearPlace start = clear_place(ridge, {10.45, 0, -4.54}, 1.0);
+  EXPECT_EQ(start.fit, Fit::moved);
+  EXPECT_NEAR(start.z, -4 + std::sqrt(1 - 0.45 * 0.45), 1e-9);
 }
 
 TEST(Lifted, SphereOnAPlaneTouchesItsFace) {
   const Profile plane(std::vector<Vec2>{{0, 0}, {100, -75}});
-  const auto z = lifted(plane, {40, 0, -30}, 1.0);
-  ASSERT_TRUE(z);
-  EXPECT_NEAR(*z, -30 + 1.25, 1e-12);
+  const ClearPlace start = clear_place(plane, {40, 0, -30}, 1.0);
+  EXPECT_EQ(start.fit, Fit::moved);
+  EXPECT_NEAR(start.z, -30 + 1.25, 1e-12);
 }
 
 // As low as it can be: it touches, and does not overlap.
@@ -45,10 +47,82 @@ TEST(Lifted, SphereTouchesRoughGround) {
   const RasterSurface ground(grid);
   for (int k = 0; k < 500; ++k) {
     const double x = dice.between(5, 34), y = dice.between(5, 34), radius = dice.between(0.1, 1.5);
-    const auto z = lifted(ground, {x, y, *ground.elevation(x, y)}, radius);
-    ASSERT_TRUE(z);
-    EXPECT_NEAR(distance_from(ground, {x, y, *z}), radius, 2e-9) << k;
+    const ClearPlace start = clear_place(ground, {x, y, *ground.elevation(x, y)}, radius);
+    EXPECT_EQ(start.fit, Fit::moved);
+    EXPECT_NEAR(distance_from(ground, {x, y, start.z}), radius, 2e-9) << k;
   }
+}
+
+// ---- under a ceiling ----
+
+// A cave over a floor that falls from z = 10 to 8; its roof bulges down to (4, 14.6) under solid rock up to z = 20.
+const std::vector<Vec2> cave{{0, 20}, {10, 20}, {4, 14.6}, {2, 15}, {2, 10}, {30, 8}};
+
+template <class Surface>
+void expect_lowered_from_the_bulge(const Surface& surface, double y) {
+  for (const double z : {14.4, 14.5, 14.59}) {
+    const ClearPlace start = clear_place(surface, {4, y, z}, 0.25);
+    EXPECT_EQ(start.fit, Fit::moved);
+    EXPECT_NEAR(start.z, 14.35, 1e-8) << z;
+  }
+  EXPECT_EQ(clear_place(surface, {4, y, 14.3}, 0.25).fit, Fit::as_given);
+}
+
+TEST(UnderACeiling, ASphereIsLoweredUntilItTouches) {
+  Dice dice(42);
+  expect_lowered_from_the_bulge(Profile(cave), 0);
+  expect_lowered_from_the_bulge(testing_tools::extruded(cave, 20, 5, dice).mesh(), 10.3);
+}
+
+TEST(UnderACeiling, ASphereThatIsTooBigForTheCaveStaysOutOfTheRock) {
+  const Profile surface(cave);
+  const double floor = *surface.elevation(4, 0, 12);
+  for (const double z : {12.0, 14.5, floor, floor - 1}) {
+    const ClearPlace start = clear_place(surface, {4, 0, z}, 2.5);
+    EXPECT_EQ(start.fit, Fit::no_room) << z;
+    EXPECT_DOUBLE_EQ(start.z, std::max(z, floor));
+  }
+}
+
+// From under the floor it is lifted into the cave, not onto the cliff, be it hardly high enough.
+TEST(UnderACeiling, ASphereIsLiftedOntoTheFloor) {
+  const Profile surface(cave);
+  for (const double radius : {0.1, 1.0, 1.9}) {
+    const ClearPlace start = clear_place(surface, {4, 0, 9}, radius);
+    EXPECT_EQ(start.fit, Fit::moved);
+    EXPECT_LT(start.z, 14.6);
+    EXPECT_GE(distance_from(surface, {4, 0, start.z}), radius - 2e-9);
+  }
+}
+
+template <class Surface>
+void expect_none_in_the_rock(const Surface& surface, double y, Dice& dice) {
+  int moved = 0, caught = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const Vec3 place(dice.between(5, 15), y, dice.between(-1, 10));
+    const double radius = dice.magnitude(0.05, 2);
+    const Vec3 open(place.x(), y, surface.ground_over(place).value_or(place.z()));
+    const ClearPlace start = clear_place(surface, place, radius);
+    const Vec3 centre(place.x(), y, start.z);
+    // The ground under it is the same as before.
+    ASSERT_EQ(surface.elevation(centre.x(), y, centre.z() + 1e-9), surface.elevation(open.x(), y, open.z() + 1e-9));
+    if (start.fit == Fit::no_room) {
+      EXPECT_EQ(start.z, open.z());
+      ++caught;
+    } else {
+      ASSERT_GE(distance_from(surface, centre), radius - 2e-9) << place.transpose() << " r " << radius;
+      moved += start.z < open.z() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(moved, 10);
+  EXPECT_GT(caught, 20);
+}
+
+TEST(UnderACeiling, NoSphereIsMovedThroughIt) {
+  Dice dice(43);
+  const std::vector<Vec2> folded{{0, 10}, {8, 9}, {7, 5}, {6, 4.5}, {14, 3}, {13, 0}, {20, -1}, {20, -4}, {40, -5}};
+  expect_none_in_the_rock(Profile(folded), 0, dice);
+  expect_none_in_the_rock(testing_tools::extruded(folded, 20, 5, dice).mesh(), 10.3, dice);
 }
 
 }  // namespace

@@ -180,15 +180,15 @@ TEST(ReleaseAt, ADropStraightDownHasAHeadingAllTheSame) {
 
 TEST(Lifted, LeavesWhatIsClearOfTheGround) {
   const Profile flat(std::vector<Vec2>{{0, 0}, {10, 0}});
-  EXPECT_FALSE(lifted(flat, {5, 0, 0.1}, 0));
-  EXPECT_FALSE(lifted(flat, {5, 0, 1.1}, 1));
+  EXPECT_EQ(clear_place(flat, {5, 0, 0.1}, 0).fit, Fit::as_given);
+  EXPECT_EQ(clear_place(flat, {5, 0, 1.1}, 1).fit, Fit::as_given);
 }
 
 TEST(Lifted, PutsAPointOnTheGroundAndASphereItsRadiusAboveIt) {
   const Profile flat(std::vector<Vec2>{{0, 0}, {10, 0}});
-  EXPECT_NEAR(lifted(flat, {5, 0, -3}, 0).value(), 0, 1e-12);
-  EXPECT_NEAR(lifted(flat, {5, 0, -3}, 1).value(), 1, 1e-8);
-  EXPECT_NEAR(lifted(flat, {5, 0, 0.25}, 1).value(), 1, 1e-8);
+  EXPECT_NEAR(clear_place(flat, {5, 0, -3}, 0).z, 0, 1e-12);
+  EXPECT_NEAR(clear_place(flat, {5, 0, -3}, 1).z, 1, 1e-8);
+  EXPECT_NEAR(clear_place(flat, {5, 0, 0.25}, 1).z, 1, 1e-8);
 }
 
 TEST(Lifted, ASphereFitsOnEverySlope) {
@@ -198,8 +198,7 @@ TEST(Lifted, ASphereFitsOnEverySlope) {
     for (int k = 0; k < 50; ++k) {
       const double x = dice.between(5, 25), y = dice.between(5, 25), radius = dice.magnitude(0.05, 1.5);
       const Vec3 place(x, y, *mesh.elevation(x, y) + dice.between(-2, 1));
-      const auto z = lifted(mesh, place, radius);
-      const Vec3 centre(x, y, z.value_or(place.z()));
+      const Vec3 centre(x, y, clear_place(mesh, place, radius).z);
       ASSERT_GE(centre.z(), *mesh.elevation(x, y));
       mesh.supports(centre, radius, 0,
                     [&](const Vec3&, const Vec3&, double distance, FacetId) { ASSERT_GE(distance, radius - 1e-6); });

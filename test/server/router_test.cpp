@@ -90,6 +90,36 @@ TEST_F(Asked, RefusesKeysThatAreMissingUnknownOrOfAnotherType) {
   EXPECT_EQ(post("/api/distribution", {{"men", 1}}).status, 400);
 }
 
+TEST_F(Asked, TakesNoRestOfARefusedBodyForARequest) {
+  write("a.csv", "1");
+  const auto put = [&](const std::string& headers, std::size_t length) {
+    return "PUT /api/files/a.csv HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port_) + "\r\n" + headers +
+           "Content-Length: " + std::to_string(length) + "\r\n\r\n" + std::string(length, 'x');
+  };
+  const std::string cookie = "Cookie: " + cookie_ + "\r\n", type = "Content-Type: application/octet-stream\r\n";
+  const std::string about =
+      "GET /api/about HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port_) + "\r\n" + cookie + "\r\n";
+  {
+    // What is short is read to its end, and the connection goes on.
+    testing_tools::RawConnection connection(port_);
+    connection.send(put(cookie + type, 1000));
+    EXPECT_EQ(connection.status(), 409);
+    connection.send(put(cookie + "Content-Type: text/plain\r\n", 1000));
+    EXPECT_EQ(connection.status(), 415);
+    connection.send(about);
+    EXPECT_EQ(connection.status(), 200);
+  }
+  const std::string parts = "Content-Type: multipart/form-data; boundary=x\r\n";
+  const std::string refused_unread[] = {put(type, 1000), put(cookie + type, 2u << 20u), put(cookie + parts, 1000)};
+  for (const std::string& request : refused_unread) {
+    testing_tools::RawConnection connection(port_);
+    connection.send(request);
+    const int status = connection.status();
+    EXPECT_TRUE(status == 403 || status == 409 || status == 415) << status;
+    EXPECT_TRUE(connection.is_closed());
+  }
+}
+
 TEST_F(Asked, SaysInJsonThatThereIsNoSuchThing) {
   for (const std::string what : {"/api/nothing", "/api/models/0123/nothing", "/api"}) {
     const Reply reply = get(what);

@@ -56,10 +56,9 @@ TEST_F(Runs, WriteTheBytesOfTheProgram) {
 }
 
 TEST_F(Runs, TakeRocksAndSeedOfTheirOwn) {
-  const std::string id = begin(section(), {{"rocks", 30}, {"seed", 18446744073709551615U}});
+  const std::string id = begin(section(), {{"rocks", 30}, {"seed", 9223372036854775807U}});
   EXPECT_EQ(wait_for(id, "done")["done"], 30);
-  EXPECT_EQ(test::differences(files_of(id), files_of_program(section(), " --rocks 30 --seed 18446744073709551615")),
-            "");
+  EXPECT_EQ(test::differences(files_of(id), files_of_program(section(), " --rocks 30 --seed 9223372036854775807")), "");
 }
 
 TEST_F(Runs, OfAProjectWithErrorsAreRefused) {
@@ -214,6 +213,26 @@ TEST_F(Runs, OfAServerThatWasKilledGoOnToTheSameBytes) {
   EXPECT_EQ(ask(id, "resume").status, 202);
   EXPECT_EQ(wait_for(id, "done")["done"], 60'000);
   EXPECT_EQ(test::differences(files_of(id), files_of_program(section(), " --rocks 60000")), "");
+}
+
+TEST_F(Runs, KeepTheirResultsWhereTheyCannotGoOn) {
+  const std::string id = begin(section(), {{"rocks", 60'000}});
+  (void)wait_for_rocks(id);
+  (void)ask(id, "stop");
+  const Json stopped = wait_for(id, "stopped");
+  const std::string project = stopped["folder"].get<std::string>() + "/project.toml", text = read(project);
+  for (const std::string& other : {text + "[[broken\n", text + "[sampling]\nseed = 99\n"}) {
+    write(project, other);
+    EXPECT_EQ(ask(id, "resume").status, 202);
+    const Json refused = wait(id, [](const Json& now) { return !now["problems"].empty(); });
+    EXPECT_EQ(refused["state"], "stopped");
+    EXPECT_EQ(refused["done"], stopped["done"]);
+    EXPECT_EQ(get("/api/runs/" + id + "/summary").json()["rocks"]["done"], stopped["done"]);
+  }
+  write(project, text);
+  EXPECT_EQ(ask(id, "resume").status, 202);
+  const Json done = wait_for(id, "done");
+  EXPECT_EQ(done["problems"], Json::array());
 }
 
 TEST_F(Runs, HaveNamesThatAreShownAsTheyAre) {

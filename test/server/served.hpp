@@ -79,6 +79,55 @@ class ArraysOf {
   std::map<std::string, std::size_t> begins_;
 };
 
+/// A connection on which bytes are sent just as they are.
+class RawConnection {
+ public:
+  explicit RawConnection(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(static_cast<std::uint16_t>(port));
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
+  }
+  RawConnection(const RawConnection&) = delete;
+  RawConnection& operator=(const RawConnection&) = delete;
+  ~RawConnection() { ::close(socket_); }
+
+  /// As much as is taken: who refuses need not read all.
+  void send(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+      if (sent <= 0) return;
+      bytes.remove_prefix(static_cast<std::size_t>(sent));
+    }
+  }
+  /// Of the next answer, which is read whole; 0: none comes.
+  [[nodiscard]] int status() {
+    while (read_.find("\r\n\r\n") == std::string::npos)
+      if (!read_more()) return 0;
+    const std::size_t head = read_.find("\r\n\r\n") + 4, length = read_.find("Content-Length: ");
+    const std::size_t whole = head + (length < head ? std::stoul(read_.substr(length + 16)) : 0);
+    while (read_.size() < whole && read_more()) {
+    }
+    const int status = std::stoi(read_.substr(read_.find(' ')));
+    read_.erase(0, whole);
+    return status;
+  }
+  /// Whether the server ends it before it says anything more.
+  [[nodiscard]] bool is_closed() { return read_.empty() && !read_more(); }
+
+ private:
+  bool read_more() {
+    char bytes[4096];
+    const ssize_t got = ::recv(socket_, bytes, sizeof bytes, 0);
+    if (got > 0) read_.append(bytes, static_cast<std::size_t>(got));
+    return got > 0;
+  }
+
+  int socket_;
+  std::string read_;
+};
+
 class Served : public ::testing::Test {
  protected:
   explicit Served(server::Limits limits = {}) {

@@ -49,6 +49,7 @@ TEST_F(Place, RefusesNamesThatLeadElsewhere) {
   EXPECT_EQ(refusal("a\nb"), "it has control characters");
   EXPECT_EQ(refusal(std::string("a\0b", 3)), "it has control characters");
   EXPECT_EQ(refusal(std::string(2000, 'a')), "it is too long");
+  EXPECT_EQ(refusal(std::string(300, 'a') + ".toml"), "it is too long");
 }
 
 TEST_F(Place, RefusesLinksThatLeadOut) {
@@ -96,6 +97,28 @@ TEST_F(Place, KeepsFilesThatAreSent) {
   EXPECT_EQ(files[0]["name"], "data/dem.tif");
   EXPECT_EQ(files[0]["bytes"], 5);
   EXPECT_EQ(files[0]["kind"], "raster");
+}
+
+TEST_F(Place, KeepsTwoUploadsOfOneNameApart) {
+  constexpr std::size_t half = 20'000;
+  const auto begin = [&](char letter) {
+    auto upload = std::make_unique<testing_tools::RawConnection>(port_);
+    upload->send("PUT /api/files/x.csv?replace=1 HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port_) +
+                 "\r\nCookie: " + cookie_ + "\r\nContent-Type: application/octet-stream\r\nContent-Length: " +
+                 std::to_string(2 * half) + "\r\n\r\n" + std::string(half, letter));
+    return upload;
+  };
+  const auto first = begin('A');
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const auto second = begin('B');
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  first->send(std::string(half, 'A'));
+  EXPECT_EQ(first->status(), 201);
+  EXPECT_EQ(read("x.csv"), std::string(2 * half, 'A'));
+  second->send(std::string(half, 'B'));
+  EXPECT_EQ(second->status(), 201);
+  EXPECT_EQ(read("x.csv"), std::string(2 * half, 'B'));
+  EXPECT_EQ(std::distance(fs::directory_iterator(path("")), fs::directory_iterator()), 1);
 }
 
 TEST_F(Place, RefusesFilesThatAreTooLarge) {
@@ -148,13 +171,82 @@ TEST_F(Place, KnowsOfWhichFileADraftIs) {
   const auto draft = [&] { return get("/api/project?file=a.toml").json()["draft"]; };
   put("/api/draft", {{"file", "a.toml"}, {"text", "\xef\xbb\xbfname = \"ü\"\r\n\n"}, {"saved", one}});
   write("a.toml", "two");
-  EXPECT_EQ(draft(), Json({{"text", "\xef\xbb\xbfname = \"ü\"\r\n\n"}, {"saved", one}}));
+  EXPECT_EQ(draft(), Json({{"text", "\xef\xbb\xbfname = \"ü\"\r\n\n"}, {"saved", one}, {"revisions", Json::array()}}));
   EXPECT_EQ(read(".a.toml.draft"),
             "# A draft of the file with the checksum " + one.get<std::string>() + "\n\xef\xbb\xbfname = \"ü\"\r\n\n");
   EXPECT_EQ(put("/api/project", {{"file", "a.toml"}, {"text", "three"}, {"saved", draft()["saved"]}}).status, 409);
   EXPECT_EQ(read("a.toml"), "two");
   put("/api/draft", {{"file", "a.toml"}, {"text", "new"}, {"saved", nullptr}});
-  EXPECT_EQ(draft(), Json({{"text", "new"}, {"saved", nullptr}}));
+  EXPECT_EQ(draft(), Json({{"text", "new"}, {"saved", nullptr}, {"revisions", Json::array()}}));
+}
+
+class Drafts : public Place {
+ protected:
+  Drafts() { write("a.toml", "saved"); }
+
+  /// Keeps what a tab has as its change `revision`, made of the draft with the change `after`.
+  Reply keep(const Json& text, const std::string& revision, const Json& after) const {
+    return put("/api/draft", {{"file", "a.toml"}, {"text", text}, {"revision", revision}, {"after", after}});
+  }
+  [[nodiscard]] Json kept() const { return get("/api/project?file=a.toml").json()["draft"]; }
+};
+
+TEST_F(Drafts, AreReplacedOnlyByWhatGoesOnFromThem) {
+  EXPECT_EQ(keep("one", "a.1", nullptr).status, 200);
+  EXPECT_EQ(keep("two", "a.2", "a.1").status, 200);
+  EXPECT_EQ(keep("three", "b.1", "a.2").status, 200) << "another tab that took it up";
+  const Reply refused = keep("four", "a.3", "a.2");
+  EXPECT_EQ(refused.status, 409);
+  EXPECT_EQ(refused.problem(), "a.toml: has another draft (it was changed in another tab or browser meanwhile)");
+  EXPECT_EQ(keep("five", "c.1", nullptr).status, 409) << "one that never saw it";
+  EXPECT_EQ(keep(nullptr, "a.3", "a.2").status, 409) << "nor is it taken away by an older one";
+  EXPECT_EQ(kept(), Json({{"text", "three"}, {"saved", nullptr}, {"revisions", {"a.2", "b.1"}}}));
+  EXPECT_EQ(keep("six", "b.3", "b.2").status, 200) << "b.2 did not come here";
+  EXPECT_EQ(keep("late", "b.2", "b.1").status, 409) << "and comes too late";
+  EXPECT_EQ(keep(nullptr, "b.4", "b.3").status, 200);
+  EXPECT_TRUE(kept().is_null());
+}
+
+TEST_F(Drafts, OfOthersOutliveSaving) {
+  const Json hash = get("/api/project?file=a.toml").json()["saved"];
+  (void)keep("one", "a.1", nullptr);
+  (void)keep("two", "b.1", "a.1");
+  const auto save = [&](const char* text, const Json& saved, const char* revision, const char* after) {
+    return put("/api/project",
+               {{"file", "a.toml"}, {"text", text}, {"saved", saved}, {"revision", revision}, {"after", after}});
+  };
+  const Reply older = save("one", hash, "a.2", "a.1");
+  EXPECT_EQ(older.status, 200);
+  EXPECT_EQ(kept()["text"], "two");
+  EXPECT_EQ(save("two and more", older.json()["saved"], "b.2", "b.1").status, 200);
+  EXPECT_TRUE(kept().is_null());
+}
+
+TEST_F(Drafts, HaveRevisionsThatAreUnderstood) {
+  for (const char* wrong : {"a", "a.", ".1", "a b.1", "a.1x", "a.-1"}) {
+    const Reply refused = keep("one", wrong, nullptr);
+    EXPECT_EQ(refused.status, 400) << wrong;
+    EXPECT_EQ(refused.problem(), "revision: is no revision of a draft. Such as 3f9a.12");
+  }
+}
+
+TEST_F(Place, RefusesAProjectThatIsNoUtf8) {
+  const std::string latin = "# Talus\nname = \"Gel\xe4nde\"\n";
+  write("a.toml", latin);
+  const std::string why =
+      "a.toml:2: cannot be shown as text (it has bytes that are not UTF-8, and saving it from here would lose them). "
+      "Save it as UTF-8";
+  const Reply asked = get("/api/project?file=a.toml");
+  EXPECT_EQ(asked.status, 422);
+  EXPECT_EQ(asked.problem(), why);
+  for (const Json& saved : {Json(), Json("0123")}) {
+    const Reply refused = put("/api/project", {{"file", "a.toml"}, {"text", "name = \"\""}, {"saved", saved}});
+    EXPECT_EQ(refused.status, 422);
+    EXPECT_EQ(refused.problem(), why);
+  }
+  EXPECT_EQ(read("a.toml"), latin);
+  write("a.toml", "name = \"Gelände\"\n");
+  EXPECT_EQ(get("/api/project?file=a.toml").json()["text"], "name = \"Gelände\"\n");
 }
 
 TEST_F(Place, IsToldFromOtherFolders) {

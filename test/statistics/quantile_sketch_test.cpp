@@ -80,6 +80,31 @@ TEST(QuantileSketchOfMany, KeepsItsErrorForEverySingleValue) {
   }
 }
 
+TEST(QuantileSketchOfMany, TellsPlacesApartNextToItsOrigin) {
+  QuantileSketch sketch(many, 652288);
+  std::vector<double> values;
+  for (int k = 0; k <= 2000; ++k) values.push_back(652100 + 0.1 * k);
+  for (const double x : values) sketch.add(x);
+  for (const double p : {0.01, 0.25, 0.5, 0.75, 0.99}) {
+    const double expected = exact_quantile(values, p);
+    EXPECT_NEAR(*sketch.quantile(p), expected, 0.0005 * std::abs(expected - 652288)) << p;
+  }
+  EXPECT_EQ(sketch.quantile(0), 652100);
+  EXPECT_EQ(sketch.quantile(1), 652300);
+  const auto counted = sketch.ascending();
+  EXPECT_GT(counted.size(), 1000U);
+  EXPECT_TRUE(std::is_sorted(counted.begin(), counted.end(), [](auto a, auto b) { return a.value < b.value; }));
+}
+
+TEST(QuantileSketchOfFew, IsTheSameWithAnyOrigin) {
+  const std::vector<double> values = mixed_values(1000);
+  QuantileSketch with_origin(1000, 652288);
+  for (const double x : values) with_origin.add(x);
+  for (const double p : {0.0, 0.01, 0.5, 0.99}) {
+    EXPECT_EQ(with_origin.quantile(p), sketch_of(values, 1000).quantile(p));
+  }
+}
+
 TEST(QuantileSketchOfMany, CountsTheTinyAsZeroAndTheHugeInTheLastBin) {
   EXPECT_EQ(sketch_of({-1, 1e-13, 1}, many).quantile(0.5), 0);
   EXPECT_EQ(sketch_of({-1, -1e-13, 1}, many).quantile(0.5), 0);

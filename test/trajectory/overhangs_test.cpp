@@ -77,6 +77,35 @@ TEST(Overhang, HeightOverALongFoldedSectionIsThatOverTheGroundInSight) {
   expect_heights_as_sampled(Profile(fine), dice, 0);
 }
 
+// The roof bends over the place where the floor does.
+const std::vector<Vec2> bent_together{{0, 30}, {5, 26}, {10, 25}, {2, 10}, {5, 8}, {30, 0}};
+
+template <class Surface>
+void expect_floor_hidden_over_a_shared_edge(const Surface& surface, double y) {
+  for (const double height : {0.0, 0.7}) {
+    const Vec3 over_the_edge(5, y, 26 + height);
+    for (const double vx : {-3.0, -0.1, 0.1, 3.0}) {
+      const Parabola from{over_the_edge, {vx, 0, 5}, gravity};
+      const double t_end = 1e-3;
+      const double sampled = greatest_by_sampling(surface, from, t_end);
+      EXPECT_NEAR(surface.greatest_height(from, t_end, 0), sampled, 1e-4) << height << ' ' << vx;
+      // The same way back ends there.
+      const Parabola back{from.at(t_end), -from.velocity(t_end), gravity};
+      EXPECT_NEAR(surface.greatest_height(back, t_end, 0), sampled, 1e-4) << height << ' ' << vx;
+    }
+    for (const double t_end : {0.0, 1e-12, 1e-9}) {
+      const Parabola path{over_the_edge, {3, 0, 2}, gravity};
+      EXPECT_NEAR(surface.greatest_height(path, t_end, 0), height, 1e-7) << height << ' ' << t_end;
+    }
+  }
+}
+
+TEST(Overhang, AFloorThatBendsUnderTheRoofsBendIsHiddenThere) {
+  Dice dice(206);
+  expect_floor_hidden_over_a_shared_edge(Profile(bent_together), 0);
+  expect_floor_hidden_over_a_shared_edge(extruded(bent_together, 20, 5, dice).mesh(), 10.3);
+}
+
 // Over a face of 10 m a rock that is thrown off its top is as high as the face and what it rose, less what it fell.
 TEST(Overhang, TheFootOfAVerticalFaceIsUnderTheRockAtOnce) {
   const Profile cliff(std::vector<Vec2>{{0, 10}, {5, 10}, {5, 0}, {40, 0}});

@@ -1,8 +1,11 @@
 // The rooms of the workbench: bar, model or runs at the left, the view, results below it.
 
+import { useEffect } from 'preact/hooks';
+import { isOfBefore } from './state/model';
 import { sidePanel } from './state/view';
 import { ModelPanel } from './model/ModelPanel';
 import { dimension } from './model/place';
+import { listenToDrops, takeFiles } from './model/terrainFile';
 import { TimeBar } from './paths/TimeBar';
 import { ResultsPanel } from './results/ResultsPanel';
 import { RunsPanel } from './runs/RunsPanel';
@@ -14,6 +17,7 @@ import { Tabs } from './ui/Tabs';
 import { SavingDialogs } from './ui/SavingDialogs';
 
 export function Workbench() {
+  useEffect(() => listenToDrops(takeFiles), []);
   return (
     <div class="workbench">
       <TopBar />
@@ -35,7 +39,14 @@ export function Workbench() {
         </div>
       </aside>
       <main class="view">
-        <div class="picture">{dimension.value === 2 ? <SectionView /> : <SceneView />}</div>
+        <div class="picture">
+          {dimension.value === 2 ? <SectionView /> : <SceneView />}
+          {isOfBefore.value && (
+            <div class="of-before problem warning" role="status">
+              The terrain has errors: shown is the one before them.
+            </div>
+          )}
+        </div>
         <TimeBar />
         <ResultsPanel />
       </main>

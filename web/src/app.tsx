@@ -7,6 +7,7 @@ import { file } from './state/document';
 import { sayFailure } from './state/messages';
 import { lastOpen, open } from './state/opening';
 import { follow } from './state/runs';
+import { ReplaceDialog } from './model/ReplaceDialog';
 import { StartPage } from './start/StartPage';
 import { Messages } from './ui/Messages';
 import { Workbench } from './Workbench';
@@ -28,6 +29,7 @@ export function App() {
   return (
     <>
       {file.value === null ? <StartPage /> : <Workbench />}
+      <ReplaceDialog />
       <Messages />
     </>
   );

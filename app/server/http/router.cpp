@@ -18,10 +18,59 @@ constexpr const char* content_policy =
     "font-src 'self'; connect-src 'self'; worker-src 'self' blob:; base-uri 'none'; form-action 'none'; "
     "frame-ancestors 'none'";
 
-void write(const Answer& answer, httplib::Response& response) {
+void write_head(const Answer& answer, httplib::Response& response) {
   response.status = answer.status;
   for (const auto& [name, value] : answer.headers) response.set_header(name, value);
+}
+
+void write(const Answer& answer, httplib::Response& response) {
+  write_head(answer, response);
   response.set_content(answer.body, answer.type);
+}
+
+/// The last answer of its connection: what the client still sends of a body is not read as its next request.
+void write_and_close(const Answer& answer, httplib::Response& response) {
+  write_head(answer, response);
+  response.set_header("Connection", "close");
+  response.set_content_provider(
+      answer.body.size(), answer.type,
+      [body = answer.body](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+        sink.write(body.data() + offset, length);
+        return false;  // the library closes a connection whose answer ends so, though all of it is sent
+      });
+}
+
+std::uint64_t declared_bytes(const httplib::Request& request) {
+  return request.get_header_value<std::uint64_t>("Content-Length");
+}
+
+bool brings_a_body(const httplib::Request& request) {
+  return request.has_header("Transfer-Encoding") || declared_bytes(request) > 0;
+}
+
+/// How much of a refused body is still taken, so that its connection can go on.
+constexpr std::uint64_t most_drained = 1u << 20u;
+
+enum class Arrival { not_asked_for, broken_off, whole };
+
+/// Reads as `content` does, and notes how far it got.
+httplib::ContentReader noting(const httplib::ContentReader& content, Arrival& arrival) {
+  const auto read = [&](httplib::ContentReceiver receiver) {
+    arrival = Arrival::broken_off;
+    if (content(std::move(receiver))) arrival = Arrival::whole;
+    return arrival == Arrival::whole;
+  };
+  return {read, nullptr};
+}
+
+/// Whether nothing of the body is left on the connection.
+bool is_drained(const httplib::Request& request, const httplib::ContentReader& content, Arrival arrival) {
+  if (arrival != Arrival::not_asked_for) return arrival == Arrival::whole;
+  if (!brings_a_body(request)) return true;
+  if (request.is_multipart_form_data()) return false;  // which the library reads otherwise
+  if (declared_bytes(request) > most_drained) return false;
+  std::uint64_t bytes = 0;
+  return content([&](const char*, std::size_t length) { return (bytes += length) <= most_drained; });
 }
 
 Answer refusal_answer(int status, const Problems& problems) {
@@ -46,6 +95,19 @@ Answer answer_of(const std::function<Answer()>& function) {
     return refusal_answer(Refusal(500, "", "there is not enough memory for this"));
   } catch (const std::exception& error) {
     return refusal_answer(Refusal(500, "", "the server failed", error.what()));
+  }
+}
+
+/// What the function answers to a request with a body, of which it may have left some.
+void answer_body(const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& content,
+                 const std::function<Answer(const httplib::ContentReader&)>& function) {
+  Arrival arrival = Arrival::not_asked_for;
+  const httplib::ContentReader noted = noting(content, arrival);
+  const Answer answer = answer_of([&] { return function(noted); });
+  if (is_drained(request, content, arrival)) {
+    write(answer, response);
+  } else {
+    write_and_close(answer, response);
   }
 }
 
@@ -132,7 +194,7 @@ Router::Router(httplib::Server& server, Session& session, Limits limits)
                                       : httplib::Server::HandlerResponse::Handled;
   });
   server_.set_error_handler([](const httplib::Request& request, httplib::Response& response) {
-    if (!response.body.empty()) return;
+    if (!response.body.empty() || response.content_length_ > 0) return;
     const int status = response.status;
     write(refusal_answer(status == 404 ? Refusal(404, request.path, "there is no such thing here")
                                        : Refusal(status, request.path, "the request is not understood")),
@@ -151,7 +213,12 @@ bool Router::lets_in(const httplib::Request& request, httplib::Response& respons
     return std::find(hosts_.begin(), hosts_.end(), host) != hosts_.end();
   };
   const auto refuse = [&](const char* where, const char* what, const char* hint) {
-    write(refusal_answer(Refusal(403, where, what, "", hint)), response);
+    const Answer answer = refusal_answer(Refusal(403, where, what, "", hint));
+    if (brings_a_body(request)) {
+      write_and_close(answer, response);
+    } else {
+      write(answer, response);
+    }
     return false;
   };
   if (!is_ours(request.get_header_value("Host")))
@@ -176,7 +243,9 @@ httplib::Server::Handler Router::guarded(Handler handler) {
 httplib::Server::HandlerWithContentReader Router::guarded_with_body(Handler handler) const {
   return [this, handler = std::move(handler)](const httplib::Request& request, httplib::Response& response,
                                               const httplib::ContentReader& content) {
-    write(answer_of([&] { return handler(Call{request, read_body(request, content, limits_)}); }), response);
+    answer_body(request, response, content, [&](const httplib::ContentReader& body) {
+      return handler(Call{request, read_body(request, body, limits_)});
+    });
   };
 }
 
@@ -209,12 +278,11 @@ void Router::stream(const std::string& pattern, RawHandler handler) {
 void Router::upload(const std::string& pattern, UploadHandler handler) {
   server_.Put(pattern, [handler = std::move(handler)](const httplib::Request& request, httplib::Response& response,
                                                       const httplib::ContentReader& content) {
-    write(answer_of([&] {
-            if (request.get_header_value("Content-Type") != "application/octet-stream")
-              throw Refusal(415, "Content-Type", "this type is not understood", "expected application/octet-stream");
-            return handler(request, content);
-          }),
-          response);
+    answer_body(request, response, content, [&](const httplib::ContentReader& body) {
+      if (request.get_header_value("Content-Type") != "application/octet-stream")
+        throw Refusal(415, "Content-Type", "this type is not understood", "expected application/octet-stream");
+      return handler(request, body);
+    });
   });
 }
 

@@ -1,9 +1,12 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
+#include <mutex>
 
 #include "routes/routes.hpp"
 #include "talus/io/output_file.hpp"
@@ -21,11 +24,10 @@ struct Kind {
   std::string_view kind;
   std::array<std::string_view, 6> endings;
 };
-constexpr std::array kinds{Kind{"project", {".toml"}},
-                           Kind{"raster", {".tif", ".tiff", ".asc", ".vrt", ".img", ".dem"}},
-                           Kind{"mesh", {".obj", ".stl", ".ply"}},
-                           Kind{"points", {".csv", ".xyz", ".txt", ".las", ".laz"}},
-                           Kind{"vector", {".gpkg", ".geojson", ".shp", ".dxf", ".json"}}};
+constexpr std::array kinds{
+    Kind{"project", {".toml"}}, Kind{"raster", {".tif", ".tiff", ".asc", ".vrt", ".img", ".dem"}},
+    Kind{"mesh", {".obj", ".stl", ".ply"}}, Kind{"points", {".csv", ".xyz", ".txt", ".las", ".laz"}},
+    Kind{"vector", {".gpkg", ".geojson", ".shp", ".dxf", ".json"}}};
 
 std::string_view kind_of(const fs::path& file) {
   std::string ending = file.extension().string();
@@ -52,7 +54,8 @@ Listing listing(const Workplace& workplace) {
   Listing found;
   auto& [files, drafts, is_cut] = found;
   std::error_code error;
-  auto entry = fs::recursive_directory_iterator(workplace.folder(), fs::directory_options::skip_permission_denied, error);
+  auto entry =
+      fs::recursive_directory_iterator(workplace.folder(), fs::directory_options::skip_permission_denied, error);
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     const fs::path& path = entry->path();
     std::error_code ignored;
@@ -84,6 +87,46 @@ Listing listing(const Workplace& workplace) {
   return found;
 }
 
+/// Of each upload its own, so that two of one file do not write into each other.
+fs::path part_of(const fs::path& path) {
+  static std::atomic<unsigned> uploads{0};
+  return path.parent_path() / fmt::format(".{}.{}-{}.part", path.filename().string(), getpid(), ++uploads);
+}
+
+Answer keep_upload(const httplib::Request& request, const httplib::ContentReader& content, const Workplace& workplace,
+                   std::uint64_t most_bytes) {
+  const std::string name = request.matches[1].str();
+  const fs::path path = workplace.at(name);
+  const auto check_place = [&] {
+    std::error_code ignored;
+    if (fs::exists(path, ignored) && request.get_param_value("replace") != "1")
+      throw Refusal(409, name, "is already there");
+  };
+  const auto too_large = [&] {
+    return Refusal(413, name, "is too large", fmt::format("at most {} bytes are taken", most_bytes));
+  };
+  check_place();
+  if (request.get_header_value<std::uint64_t>("Content-Length") > most_bytes) throw too_large();
+  std::error_code ignored;
+  fs::create_directories(path.parent_path(), ignored);
+  OutputFile file(path, part_of(path));
+  std::uint64_t bytes = 0;
+  const bool is_whole = content([&](const char* data, std::size_t length) {
+    bytes += length;
+    if (bytes > most_bytes) return false;
+    file.write({data, length});
+    return true;
+  });
+  if (bytes > most_bytes) throw too_large();
+  if (!is_whole) throw Refusal(400, name, "did not arrive whole");
+  // Looking and renaming are one step, for uploads of one name that end at the same time.
+  static std::mutex ending;
+  const std::lock_guard lock(ending);
+  check_place();
+  file.commit();
+  return json_answer({{"name", name}, {"bytes", bytes}}, 201);
+}
+
 }  // namespace
 
 void add_file_routes(Router& router, const Workplace& workplace) {
@@ -93,25 +136,7 @@ void add_file_routes(Router& router, const Workplace& workplace) {
         {{"files", std::move(found.files)}, {"drafts", std::move(found.drafts)}, {"more", found.is_cut}});
   });
   router.upload(R"(/api/files/(.+))", [&](const httplib::Request& request, const httplib::ContentReader& content) {
-    const std::string name = request.matches[1].str();
-    const fs::path path = workplace.at(name);
-    std::error_code ignored;
-    if (fs::exists(path, ignored) && request.get_param_value("replace") != "1")
-      throw Refusal(409, name, "is already there");
-    fs::create_directories(path.parent_path(), ignored);
-    OutputFile file(path);
-    std::uint64_t bytes = 0;
-    const bool is_whole = content([&](const char* data, std::size_t length) {
-      bytes += length;
-      if (bytes > router.limits().upload_bytes) return false;
-      file.write({data, length});
-      return true;
-    });
-    if (bytes > router.limits().upload_bytes)
-      throw Refusal(413, name, "is too large", fmt::format("at most {} bytes are taken", router.limits().upload_bytes));
-    if (!is_whole) throw Refusal(400, name, "did not arrive whole");
-    file.commit();
-    return json_answer({{"name", name}, {"bytes", bytes}}, 201);
+    return keep_upload(request, content, workplace, router.limits().upload_bytes);
   });
 }
 

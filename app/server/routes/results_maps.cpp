@@ -21,8 +21,8 @@ void add_map_routes(Router& router, RunStore& runs) {
                       {"meaning", map.meaning},
                       {"unit", map.unit},
                       {"scale", name(map.scale)},
-                      {"least", map.least},
-                      {"most", map.greatest},
+                      {"least", map.range.least},
+                      {"most", map.range.greatest},
                       {"source", map.source.empty() ? Json() : Json(map.source)}});
     return json_answer({{"maps", std::move(list)}});
   });
@@ -36,14 +36,14 @@ void add_map_routes(Router& router, RunStore& runs) {
     if (map == maps.end()) throw Refusal(404, call.part(2), "there is no such map of this run");
     const io::MapValues values = io::read_map(folder, *map, std::max(pixels, io::least_pixels));
     Json colours = Json::array();
-    for (const auto& [value, colour] : io::colour_ramp(map->scale, map->least, map->greatest))
-      colours.push_back({value, colour});
+    for (const auto& [value, colour] : io::colour_ramp(map->scale, map->range)) colours.push_back({value, colour});
     Arrays arrays({{"origin", values.origin},
                    {"cell", values.cell},
                    {"columns", values.columns},
                    {"rows", values.rows},
                    {"scale", name(map->scale)},
-                   {"limits", {map->least, map->greatest}},
+                   {"limits", {map->range.least, map->range.top}},
+                   {"is_open_upwards", map->range.is_open_upwards()},
                    {"colours", std::move(colours)}});
     arrays.add("values", std::span<const float>(values.values));
     return arrays.answer();

@@ -131,8 +131,9 @@ void parallel_for(Index first, Index last, const Body& body) {
 
 template <class Iterator, class Body>
 void parallel_for_each(Iterator first, Iterator last, const Body& body) {
-  threads::each(static_cast<std::size_t>(last - first),
-                [&](std::size_t k) { body(first[static_cast<std::ptrdiff_t>(k)]); });
+  std::vector<Iterator> places;
+  for (; first != last; ++first) places.push_back(first);
+  threads::each(places.size(), [&](std::size_t k) { body(*places[k]); });
 }
 
 template <class Container, class Body>

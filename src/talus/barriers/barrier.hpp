@@ -47,6 +47,10 @@ class Barrier {
   std::optional<Restitution> restitution;  // of what rebounds; without it, what is stopped stays
 
   void stand(std::vector<Panel> panels);
+  /// Its foot at another height, all along: across a section that stands elsewhere. On plan nothing changes.
+  void move_foot_to(double z) {
+    for (Panel& panel : panels_) panel.foot.z() = z;
+  }
   [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
   /// Where on plan each panel can be met, or passed above by up to 10 km.
   [[nodiscard]] const PlanIndex& on_plan() const { return on_plan_; }

@@ -1,5 +1,7 @@
 #include "talus/barriers/barrier_check.hpp"
 
+#include <cmath>
+
 namespace talus {
 
 std::optional<int> kit_class_of(double maximum_energy) {
@@ -9,9 +11,21 @@ std::optional<int> kit_class_of(double maximum_energy) {
   return static_cast<int>(next - kit_class_energies.begin()) - 1;
 }
 
+namespace {
+
+constexpr double service_share = 3;  // EAD 340059-00-0106: SEL is a third of MEL
+
+/// The first class that has this energy, the first of all being `lowest`.
+template <std::size_t count>
+int first_class(const std::array<double, count>& energies, int lowest, double energy) {
+  return lowest + static_cast<int>(std::ranges::lower_bound(energies, energy) - energies.begin());
+}
+
+}  // namespace
+
 int needed_class(const CheckFactors& factors, double maximum_energy) {
-  if (factors.level == KitLevel::service) maximum_energy = std::max(maximum_energy, least_energy_with_service);
-  return static_cast<int>(std::ranges::lower_bound(kit_class_energies, maximum_energy) - kit_class_energies.begin());
+  if (factors.level == KitLevel::maximum) return first_class(kit_class_energies, 0, maximum_energy);
+  return first_class(kit_class_service_energies, 1, maximum_energy / service_share);
 }
 
 double energy_to_check(const CheckFactors& factors, double translational, double total, double velocity) {
@@ -19,10 +33,13 @@ double energy_to_check(const CheckFactors& factors, double translational, double
   return factors.takes_total_energy ? total : translational;
 }
 
+double radius_to_check(const CheckFactors& factors, double mass, double radius) {
+  return factors.block_mass ? radius * std::cbrt(*factors.block_mass / mass) : radius;
+}
+
 double needed_maximum_energy(const CheckFactors& factors, double energy) {
   const double of_velocity = factors.trajectory * factors.topography;
   const double design = energy * factors.volume * factors.density * of_velocity * of_velocity * factors.risk;
-  constexpr double service_share = 3;  // EAD 340059-00-0106: SEL is a third of MEL
   return design * factors.energy * (factors.level == KitLevel::service ? service_share : 1);
 }
 

@@ -30,6 +30,8 @@ inline constexpr std::array<double, 8> kit_class_energies{100e3, 250e3, 500e3, 1
 [[nodiscard]] std::optional<int> kit_class_of(double maximum_energy);
 /// Kits of class 0 have no SEL.
 inline constexpr double least_energy_with_service = kit_class_energies[1];
+/// SEL of the classes 1 to 7 [J]: a third of their MEL, rounded.
+inline constexpr std::array<double, 7> kit_class_service_energies{85e3, 170e3, 330e3, 500e3, 660e3, 1000e3, 1500e3};
 
 /// The factors of the check; these initial values change nothing.
 struct CheckFactors {
@@ -49,6 +51,10 @@ struct CheckFactors {
 
 /// The energy that the check begins with [J]: of the design block at this velocity [m/s] where there is one.
 [[nodiscard]] double energy_to_check(const CheckFactors& factors, double translational, double total, double velocity);
+
+/// The radius [m] that the upper clearance is held against: of the design block, of this rock's density, where there is
+/// one.
+[[nodiscard]] double radius_to_check(const CheckFactors& factors, double mass, double radius);
 
 /// The MEL [J] that a kit needs against a rock, or a percentile of rocks, of this energy [J].
 [[nodiscard]] double needed_maximum_energy(const CheckFactors& factors, double energy);

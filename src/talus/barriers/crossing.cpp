@@ -52,24 +52,47 @@ Place place_on(const Panel& panel, const Vec3& q) {
 class Search {
  public:
   Search(const Parabola& path, double radius, double start, double t_max, const RecentCrossings& recent)
-      : path_(path), radius_(radius), margin_(radius + by_rounding), start_(start), t_max_(t_max), recent_(recent) {}
+      : path_(path),
+        radius_(radius),
+        margin_(radius + by_rounding),
+        start_(start),
+        t_max_(t_max),
+        recent_(recent),
+        barriers_{t_max, {}},
+        // Of a barrier that ends the path a collector on its line may lie a rounding beyond.
+        collectors_{t_max + same_crossing, {}} {}
 
   [[nodiscard]] PlanBounds bounds() const {
     const Range x(path_.p.x(), path_.v.x(), path_.a.x(), t_max_, margin_),
         y(path_.p.y(), path_.v.y(), path_.a.y(), t_max_, margin_);
     return {{x.low, y.low}, {x.high, y.high}};
   }
-  void ask(BarrierId barrier, const Panel& panel) {
-    ask_face(barrier, panel);
-    if (radius_ > 0 && panel.has_next) ask_joint(barrier, panel);
+  void ask(BarrierId barrier, bool is_collector, const Panel& panel) {
+    Earliest& earliest = is_collector ? collectors_ : barriers_;
+    ask_face(barrier, panel, earliest);
+    if (radius_ > 0 && panel.has_next) ask_joint(barrier, panel, earliest);
   }
-  [[nodiscard]] const std::optional<Crossing>& first() const { return first_; }
+  [[nodiscard]] const std::optional<Crossing>& first() const {
+    const auto &barrier = barriers_.crossing, &collector = collectors_.crossing;
+    if (!collector) return barrier;
+    const bool is_met = barrier && !barrier->above;
+    if (is_met && collector->t < barrier->t + same_crossing) return collector;
+    if (collector->t > t_max_) return barrier;
+    if (!barrier || collector->t < barrier->t) return collector;
+    const bool is_before = collector->t == barrier->t && collector->barrier.index < barrier->barrier.index;
+    return is_before ? collector : barrier;
+  }
 
  private:
-  void ask_face(BarrierId barrier, const Panel& panel) {
+  /// The earliest crossing of a kind up to t_max.
+  struct Earliest {
+    double t_max;
+    std::optional<Crossing> crossing;
+  };
+  void ask_face(BarrierId barrier, const Panel& panel, Earliest& earliest) {
     const double h0 = panel.normal.dot(path_.p - panel.foot);
     const double v = panel.normal.dot(path_.v), a = panel.normal.dot(path_.a);
-    const Range distance(h0, v, a, t_max_, margin_);
+    const Range distance(h0, v, a, earliest.t_max, margin_);
     if (distance.low > 0 || distance.high < 0) return;
     // From either side, the side being where the rock comes from at that time.
     for (const double side : {1.0, -1.0}) {
@@ -77,54 +100,56 @@ class Search {
       for (int i = 0; i < times.count; ++i) {
         // A rock that starts at the barrier, or a rounding beyond it, meets it.
         const double t = times.t[static_cast<std::size_t>(i)];
-        if (t < -0.5 * same_crossing || t > t_max_) continue;
+        if (t < -0.5 * same_crossing || t > earliest.t_max) continue;
         if (draws_away(side * (v + a * t), side * a)) continue;
         const Place place = place_on(panel, path_.at(t) - side * radius_ * panel.normal);
         // Panels of one barrier meet without a gap; a rounding's breadth beyond an end belongs to it, too.
         if (place.along < panel.start_at(place.up) - 1e-9 || place.along > panel.end_at(place.up) + 1e-9) continue;
-        offer(barrier, panel, std::max(t, 0.0), place, side * panel.normal);
+        offer(earliest, barrier, panel, std::max(t, 0.0), place, side * panel.normal);
       }
     }
   }
   /// The side that a panel shares with the next one, over its top, too. From within a bend a sphere comes to one of the
   /// panels first.
-  void ask_joint(BarrierId barrier, const Panel& panel) {
+  void ask_joint(BarrierId barrier, const Panel& panel, Earliest& earliest) {
     constexpr double endless = 1e4;  // [m]
     const Vec3 corner = panel.foot + panel.length * panel.along;
     const Vec3 side = panel.up + panel.end_lean * panel.along, direction = side.normalized();
-    const auto t = touch_edge(path_, corner - margin_ * direction, direction, endless, radius_, {0, t_max_});
+    const auto t = touch_edge(path_, corner - margin_ * direction, direction, endless, radius_, {0, earliest.t_max});
     if (!t) return;
     const Vec3 away = tangential(path_.at(*t) - corner, direction);
     if (away.norm() < 0.5 * radius_) return;
     const double up = (path_.at(*t) - corner).dot(direction) / side.norm();
-    offer(barrier, panel, *t, {panel.length, up}, away.normalized());
+    offer(earliest, barrier, panel, *t, {panel.length, up}, away.normalized());
   }
   /// What neither comes nearer nor is drawn nearer, stays where it is. (Speeds below this are rounding.)
   static bool draws_away(double speed, double acceleration) {
     constexpr double none = 1e-9;  // [m/s]
     return speed > none || (speed > -none && acceleration >= 0);
   }
-  void offer(BarrierId barrier, const Panel& panel, double t, const Place& place, const Vec3& normal) {
-    if (place.up < -margin_ || (first_ && t >= first_->t)) return;
+  void offer(Earliest& earliest, BarrierId barrier, const Panel& panel, double t, const Place& place,
+             const Vec3& normal) {
+    auto& first = earliest.crossing;
+    if (place.up < -margin_ || (first && t >= first->t)) return;
     const bool from_ahead = normal.dot(panel.normal) > 0;
     if (recent_.contain(barrier, start_ + t, from_ahead)) return;
     const bool above = place.up > panel.height;
     const double share = std::clamp(place.along / panel.length, 0.0, 1.0);
-    first_ = Crossing{t,
-                      barrier,
-                      std::max(place.up, 0.0),
-                      above ? place.up - panel.height - radius_ : 0,
-                      normal,
-                      panel.up,
-                      above,
-                      panel.station + share * panel.plan_length,
-                      from_ahead};
+    first = Crossing{t,
+                     barrier,
+                     std::max(place.up, 0.0),
+                     above ? place.up - panel.height - radius_ : 0,
+                     normal,
+                     panel.up,
+                     above,
+                     panel.station + share * panel.plan_length,
+                     from_ahead};
   }
 
   const Parabola& path_;
   const double radius_, margin_, start_, t_max_;
   const RecentCrossings& recent_;
-  std::optional<Crossing> first_;
+  Earliest barriers_, collectors_;
 };
 
 }  // namespace
@@ -134,7 +159,9 @@ std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const 
   Search search(path, radius, start, t_max, recent);
   const PlanBounds passed = search.bounds();
   for (std::uint32_t b = 0; b < barriers.size(); ++b) {
-    barriers[b].on_plan().visit(passed, [&](std::size_t k) { search.ask(BarrierId{b}, barriers[b].panels()[k]); });
+    const Barrier& barrier = barriers[b];
+    barrier.on_plan().visit(
+        passed, [&](std::size_t k) { search.ask(BarrierId{b}, barrier.is_collector, barrier.panels()[k]); });
   }
   return search.first();
 }

@@ -34,13 +34,22 @@ inline constexpr double same_crossing = 1e-8;
 class RecentCrossings {
  public:
   /// It has gone through, or above. Until it is well beyond, it does not meet the same barrier again: at a bend a
-  /// sphere touches two panels.
+  /// sphere touches two panels. What it met in the same moment it leaves as slowly.
   void note_passage(const Crossing& crossing, double time, double through_until) {
-    note({crossing.barrier, time, std::max(time, through_until), false, crossing.from_ahead});
+    for (Noted& noted : noted_) {
+      if (noted.is_passed_at(time)) noted.until = std::max(noted.until, through_until);
+    }
+    note({crossing.barrier, time, std::max(time, through_until), false, crossing.from_ahead, crossing.normal});
   }
-  /// It was thrown back: it can meet the barrier again from the same side, but not from beyond.
-  void note_rebound(const Crossing& crossing, double time) {
-    note({crossing.barrier, time, time, true, crossing.from_ahead});
+  /// It was thrown back, and leaves at `velocity`: it can meet the barrier again from the same side, but not from
+  /// beyond. So it can what it met in the same moment and has not passed after all, as a collector on the same line.
+  void note_rebound(const Crossing& crossing, double time, const Vec3& velocity) {
+    for (Noted& noted : noted_) {
+      if (!noted.is_passed_at(time) || noted.normal.dot(velocity) <= 0) continue;
+      noted.until = noted.time;
+      noted.was_thrown_back = true;
+    }
+    note({crossing.barrier, time, time, true, crossing.from_ahead, crossing.normal});
   }
   [[nodiscard]] bool contain(BarrierId barrier, double time, bool from_ahead) const {
     for (const Noted& noted : noted_) {
@@ -71,13 +80,17 @@ class RecentCrossings {
     BarrierId barrier;
     double time, until;
     bool was_thrown_back, from_ahead;
+    Vec3 normal;  // across the face, against the rock as it came
+
+    [[nodiscard]] bool is_passed_at(double at) const { return !was_thrown_back && std::abs(time - at) < same_crossing; }
   };
   void note(const Noted& noted) { noted_.push_back(noted); }
 
   std::vector<Noted> noted_;
 };
 
-/// The first crossing up to t_max of a path that begins at the rock's time `start`, but for those that are recent; the
+/// The first crossing up to t_max of a path that begins at the rock's time `start`, but for those that are recent. A
+/// collector comes before a barrier that the rock meets in the same moment: it records what arrives. Otherwise the
 /// barriers' order decides ties.
 [[nodiscard]] std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const Parabola& path,
                                                      double radius, double start, double t_max,

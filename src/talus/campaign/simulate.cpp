@@ -29,10 +29,16 @@ Release release_of(const Model& model, const Surface& surface, const Draws& draw
   }
   Release release = release_at(seeder, place, draws);
   const double reach = model.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0;
-  if (const auto z = lifted(surface, place, reach)) {
-    release.motion.position.z() = *z;
+  const ClearPlace clear = clear_place(surface, place, reach);
+  if (clear.fit != Fit::as_given) {
+    release.motion.position.z() = clear.z;
     // A sphere put on the surface by its z or by its height above it is meant to touch it: no cause for a warning.
     record.was_lifted = !seeder.above_surface;
+  }
+  if (clear.fit == Fit::no_room) {
+    release.has_room = false;
+    release.motion.velocity.setZero();
+    release.motion.spin.setZero();
   }
   record.body = release.rock;
   return release;
@@ -44,11 +50,12 @@ const Seeder& seeder_of(const Model& model, std::uint64_t rock) {
   return *std::prev(after);
 }
 
-/// The section of one rock, where it stands elsewhere for every rock.
+/// The section of one rock, where it stands elsewhere for every rock, with the barriers on it.
 class OwnSection {
  public:
-  explicit OwnSection(const VaryingSection& section) : section_(section), profile_(section.vertices) {}
-  const Profile& move_for(const Model& model, std::uint64_t rock) {
+  explicit OwnSection(const Model& model)
+      : section_(*model.varying), profile_(section_.vertices), barriers_(model.barriers) {}
+  void move_for(const Model& model, std::uint64_t rock) {
     const Draws draws({model.seed, model.sampling, 0, model.rocks()}, rock);
     vertices_.clear();
     for (std::uint32_t k = 0; k < section_.vertices.size(); ++k) {
@@ -57,12 +64,17 @@ class OwnSection {
       vertices_.push_back(section_.vertices[k] + Vec2(shift[0].draw(u[0]), shift[1].draw(u[1])));
     }
     profile_.move_vertices(vertices_);
-    return profile_;
+    for (Barrier& barrier : barriers_) {
+      if (const auto z = profile_.elevation(barrier.panels().front().foot.x())) barrier.move_foot_to(*z);
+    }
   }
+  [[nodiscard]] const Profile& profile() const { return profile_; }
+  [[nodiscard]] std::span<const Barrier> barriers() const { return barriers_; }
 
  private:
   const VaryingSection& section_;
   Profile profile_;
+  std::vector<Barrier> barriers_;
   std::vector<Vec2> vertices_;
 };
 
@@ -81,19 +93,20 @@ class Walker {
     draws_.emplace(SamplingPlan{model.seed, model.sampling, seeder.first_rock, seeder.rocks}, rock);
     if constexpr (std::is_same_v<Surface, Profile>) {
       if (model.varying) {
-        if (!section_) section_.emplace(*model.varying);
-        start(model, section_->move_for(model, rock), seeder);
+        if (!section_) section_.emplace(model);
+        section_->move_for(model, rock);
+        start(model, section_->profile(), section_->barriers(), seeder);
         return;
       }
     }
-    start(model, surface, seeder);
+    start(model, surface, model.barriers, seeder);
   }
   [[nodiscard]] RockRun<Surface>& run() { return *run_; }
 
  private:
-  void start(const Model& model, const Surface& surface, const Seeder& seeder) {
+  void start(const Model& model, const Surface& surface, std::span<const Barrier> barriers, const Seeder& seeder) {
     const Release release = release_of(model, surface, *draws_, seeder, record);
-    run_.emplace(Scene<Surface>{surface, model.ground, model.barriers, model.laws}, release, *draws_, log);
+    run_.emplace(Scene<Surface>{surface, model.ground, barriers, model.laws}, release, *draws_, log);
   }
 
   std::optional<Draws> draws_;

@@ -16,6 +16,7 @@ std::string Problem::text() const {
   out += what;
   if (!why.empty()) out += " (" + why + ")";
   if (!hint.empty()) out += ". " + hint;
+  if (!option.empty()) out += " with " + option;
   return out;
 }
 

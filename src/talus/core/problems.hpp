@@ -9,16 +9,17 @@ namespace talus {
 
 enum class Severity { warning, error };
 
-/// One complaint. Printed as `file:line: where: problem (why). hint`, each part only where there is one.
+/// One complaint. Printed as `file:line: where: problem (why). hint with option`, each part only where there is one.
 struct Problem {
   Severity severity = Severity::error;
-  std::string file;   // as the user named it
-  int line = 0;       // 1-based; 0 where no line can be named
-  std::string where;  // the key or the thing, for example `material "Type One"`
-  std::string what;   // the problem
-  std::string why;    // why it is one, with what was expected
-  std::string hint;   // what would mend it
-  std::string path;   // of the setting of a project, for programs: `material.0.roughness_deg`; no part of the text
+  std::string file;    // as the user named it
+  int line = 0;        // 1-based; 0 where no line can be named
+  std::string where;   // the key or the thing, for example `material "Type One"`
+  std::string what;    // the problem
+  std::string why;     // why it is one, with what was expected
+  std::string hint;    // what would mend it
+  std::string path;    // of the setting of a project, for programs: `material.0.roughness_deg`; no part of the text
+  std::string option;  // of the command line by which the hint is followed, for example `-o`
   [[nodiscard]] std::string text() const;
 };
 

@@ -1,6 +1,7 @@
 #include "talus/io/column_statistics.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "talus/core/check.hpp"
 #include "talus/core/vec.hpp"
@@ -28,6 +29,13 @@ std::size_t column_of(const std::array<std::string_view, n>& columns, std::strin
   const auto found = std::find(columns.begin(), columns.end(), name);
   TALUS_PROMISE(found != columns.end(), "the table has the column");
   return static_cast<std::size_t>(found - columns.begin());
+}
+
+/// What numbers of a column are counted next to: the origin, if they are positions.
+double origin_of(const RunFacts& facts, std::string_view column) {
+  constexpr std::array<std::string_view, 3> positions{"x_m", "y_m", "z_m"};
+  const auto found = std::ranges::find(positions, column);
+  return found == positions.end() ? 0 : facts.origin_m[static_cast<std::size_t>(found - positions.begin())];
 }
 
 bool is_one_of(const std::vector<std::string>& names, std::string_view name) {
@@ -123,14 +131,14 @@ const std::vector<NumberColumn>& barrier_numbers() {
 Tally endpoint_statistics(const std::filesystem::path& folder, const RunFacts& facts, std::string_view column,
                           const RockFilter& filter) {
   const std::size_t at = column_of(endpoint_columns, column);
-  Tally tally(facts.planned_rocks);
+  Tally tally(facts.planned_rocks, origin_of(facts, column));
   for_rocks(folder, facts, filter, [&](const CsvReader& row) { tally.add(row.number(at)); });
   return tally;
 }
 
 Tally barrier_statistics(const std::filesystem::path& folder, const RunFacts& facts, std::string_view barrier,
                          std::string_view column, const RockFilter& filter) {
-  Tally tally(facts.planned_rocks);
+  Tally tally(facts.planned_rocks, origin_of(facts, column));
   CsvReader row(folder / "barriers.csv", barrier_columns);
   const auto known = std::ranges::find(facts.barriers, barrier, &BarrierFacts::name);
   TALUS_PROMISE(known != facts.barriers.end(), "the run has the barrier");

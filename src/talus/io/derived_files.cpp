@@ -8,11 +8,11 @@
 
 namespace talus::io {
 
-void write_derived_files(const std::filesystem::path& folder) {
+void write_derived_files(const std::filesystem::path& folder, const char* summary) {
   std::error_code ignored;
   std::filesystem::remove(folder / geopackage_name, ignored);
   std::filesystem::remove(folder / vtk_paths_name, ignored);
-  const RunFacts facts = read_run_facts(folder);
+  const RunFacts facts = read_run_facts(folder, summary);
   if (facts.wants_geopackage && can_write_geopackage()) write_geopackage(facts, folder);
   if (facts.wants_vtk) write_vtk_paths(folder);
 }

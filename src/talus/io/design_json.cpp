@@ -159,6 +159,7 @@ Json choice_json(const DesignPlan& plan, const KitChoice& kit) {
           {"energy_J", kit.maximum_energy},
           {"class", optional_json(kit.kit_class)},
           {"suffices", kit.suffices},
+          {"sure", kit.is_sure},
           {"rocks", kit.caught ? kit.caught->of : 0},
           {"caught", kit.caught ? kit.caught->rocks : 0},
           {"caught_share", share_json(kit.caught)},

@@ -91,14 +91,15 @@ std::string design_table(const DesignPlan& plan, const DesignResult& result) {
 
 std::string ranking_table(const DesignPlan& plan, const DesignResult& result) {
   std::string text =
-      "rank,line,length_m,height_m,mel_kJ,class,suffices,cost,rocks,caught,caught_share,caught_share_low,"
+      "rank,line,length_m,height_m,mel_kJ,class,suffices,sure,cost,rocks,caught,caught_share,caught_share_low,"
       "caught_share_high,above,through,beside\n";
   std::size_t rank = 0;
   for (const KitChoice& kit : result.ranking) {
     CsvRow row(text);
     row << ++rank << plan.lines[kit.line].name << plan.lines[kit.line].length << kit.height << kit.maximum_energy / 1000
-        << (kit.kit_class ? fmt::format("{}", *kit.kit_class) : "") << (kit.suffices ? "yes" : "no") << kit.cost
-        << (kit.caught ? kit.caught->of : 0) << (kit.caught ? kit.caught->rocks : 0);
+        << (kit.kit_class ? fmt::format("{}", *kit.kit_class) : "") << (kit.suffices ? "yes" : "no")
+        << (kit.is_sure ? "yes" : "no") << kit.cost << (kit.caught ? kit.caught->of : 0)
+        << (kit.caught ? kit.caught->rocks : 0);
     put(row, kit.caught);
     row << kit.above << kit.through << kit.beside;
     row.end();

@@ -30,7 +30,8 @@ FolderLock lock_output_folder(const std::filesystem::path& folder) {
   throw BadInput(Problem{.file = folder.string(),
                          .what = "cannot write results here",
                          .why = "another program is writing results into this folder",
-                         .hint = "Wait for its end, or write elsewhere with -o"});
+                         .hint = "Wait for its end, or write elsewhere",
+                         .option = "-o"});
 }
 
 }  // namespace talus

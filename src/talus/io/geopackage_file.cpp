@@ -15,12 +15,18 @@ namespace talus::io {
 
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, std::string why, std::string hint) {
-  throw BadInput(
-      Problem{.file = file.string(), .what = "cannot write this file", .why = std::move(why), .hint = std::move(hint)});
+[[noreturn]] void refuse(const std::filesystem::path& file, std::string why, std::string hint,
+                         std::string option = {}) {
+  throw BadInput(Problem{.file = file.string(),
+                         .what = "cannot write this file",
+                         .why = std::move(why),
+                         .hint = std::move(hint),
+                         .option = std::move(option)});
 }
 
-constexpr const char* write_elsewhere = "Free some space, or choose another output folder with -o";
+[[noreturn]] void refuse_to_write(const std::filesystem::path& file, std::string why) {
+  refuse(file, std::move(why), "Free some space, or choose another folder", "-o");
+}
 
 /// To the disk, whatever the machine still holds of it; empty where that worked, else why not.
 std::string flushed(const std::filesystem::path& file) {
@@ -61,7 +67,7 @@ GeoPackageFile::~GeoPackageFile() {
   std::filesystem::remove(part_, ignored);
 }
 
-void GeoPackageFile::fail() const { refuse(path_, messages_.failure(), write_elsewhere); }
+void GeoPackageFile::fail() const { refuse_to_write(path_, messages_.failure()); }
 
 OGRLayer& GeoPackageFile::add_layer(const char* name, OGRwkbGeometryType type, const char* meaning,
                                     std::span<const GeoField> fields) {
@@ -84,10 +90,10 @@ void GeoPackageFile::commit() {
   if (dataset_->CommitTransaction() != OGRERR_NONE) fail();
   dataset_.reset();
   if (messages_.has_failure()) fail();  // what goes wrong while a file is closed is only said
-  if (const std::string why = flushed(part_); !why.empty()) refuse(path_, why, write_elsewhere);
+  if (const std::string why = flushed(part_); !why.empty()) refuse_to_write(path_, why);
   std::error_code error;
   std::filesystem::rename(part_, path_, error);
-  if (error) refuse(path_, error.message(), "Choose another output folder with -o");
+  if (error) refuse(path_, error.message(), "Choose another folder", "-o");
   is_committed_ = true;
 }
 

@@ -12,6 +12,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/io/map_list.hpp"
 #include "talus/io/output_file.hpp"
+#include "talus/statistics/quantile_sketch.hpp"
 
 #ifdef TALUS_HAS_GDAL
 #include <ogr_spatialref.h>
@@ -56,12 +57,16 @@ void remove_maps(const std::filesystem::path& folder) {
 
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, std::string why, std::string hint) {
-  throw BadInput(
-      Problem{.file = file.string(), .what = "cannot write this map", .why = std::move(why), .hint = std::move(hint)});
+[[noreturn]] void refuse(const std::filesystem::path& file, std::string why, std::string hint,
+                         std::string option = {}) {
+  throw BadInput(Problem{.file = file.string(),
+                         .what = "cannot write this map",
+                         .why = std::move(why),
+                         .hint = std::move(hint),
+                         .option = std::move(option)});
 }
 [[noreturn]] void refuse(const std::filesystem::path& file, const GdalMessages& messages) {
-  refuse(file, messages.failure(), "Free some space, or choose another output folder with -o");
+  refuse(file, messages.failure(), "Free some space, or choose another folder", "-o");
 }
 
 GDALDriver& driver(const char* name, const std::filesystem::path& file) {
@@ -87,15 +92,34 @@ class Options {
   char** list_ = nullptr;
 };
 
-struct Found {
-  double least = 0, greatest = 0;  // of the values above 0
+/// Sees a map's values, and tells over which of them colours are spread.
+class RangeFinder {
+ public:
+  explicit RangeFinder(ColourScale scale) : scale_(scale) {}
+  void see(double value) {
+    if (value <= 0) return;
+    range_.least = range_.least == 0 ? value : std::min(range_.least, value);
+    range_.greatest = std::max(range_.greatest, value);
+    if (scale_ == ColourScale::linear) values_.add(value);
+  }
+  [[nodiscard]] ColourRange range() const {
+    ColourRange range = range_;
+    range.top = values_.quantile(percentile_of_top / 100).value_or(range.greatest);
+    return range;
+  }
+
+ private:
+  ColourScale scale_;
+  ColourRange range_;
+  QuantileSketch values_{0};  // of as many as come
 };
 
 constexpr double no_rock = -9999;
 
 /// All values of one map, in the order of a picture: from north to south. Nothing where GDAL could not take them.
-std::optional<Found> fill(GDALRasterBand& band, const Maps& maps, const MapKind& kind, const Maps::Extent& extent) {
-  Found found;
+std::optional<ColourRange> fill(GDALRasterBand& band, const Maps& maps, const MapKind& kind,
+                                const Maps::Extent& extent) {
+  RangeFinder finder(kind.scale);
   std::vector<double> values;
   for (const Maps::Tile* tile : maps.tiles()) {
     const MapCell first{std::max(tile->first().column, extent.first.column),
@@ -108,9 +132,7 @@ std::optional<Found> fill(GDALRasterBand& band, const Maps& maps, const MapKind&
       for (std::int32_t column = first.column; column <= last.column; ++column) {
         const MapTally* tally = tile->find(column - tile->first().column, row - tile->first().row);
         values.push_back(tally != nullptr ? kind.value(*tally) : kind.is_count ? 0 : no_rock);
-        if (values.back() <= 0) continue;
-        found.least = found.least == 0 ? values.back() : std::min(found.least, values.back());
-        found.greatest = std::max(found.greatest, values.back());
+        finder.see(values.back());
       }
     }
     if (band.RasterIO(GF_Write, first.column - extent.first.column, extent.last.row - last.row, columns, rows,
@@ -118,7 +140,7 @@ std::optional<Found> fill(GDALRasterBand& band, const Maps& maps, const MapKind&
       return std::nullopt;
     }
   }
-  return found;
+  return finder.range();
 }
 
 /// The largest count of a map decides how its numbers are kept.
@@ -168,8 +190,8 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
   band.SetNoDataValue(kind.is_count ? 0 : no_rock);
   band.SetDescription(kind.meaning.c_str());
   band.SetUnitType(kind.unit.c_str());
-  const std::optional<Found> found = fill(band, maps, kind, extent);
-  if (!found || !build_overviews(*raster, kind.overview)) refuse(file, messages);
+  const std::optional<ColourRange> range = fill(band, maps, kind, extent);
+  if (!range || !build_overviews(*raster, kind.overview)) refuse(file, messages);
 
   const Options cloud_optimised{"COMPRESS=DEFLATE", "LEVEL=1",       "PREDICTOR=YES",   "OVERVIEWS=FORCE_USE_EXISTING",
                                 "SPARSE_OK=TRUE",   "BLOCKSIZE=256", "BIGTIFF=IF_SAFER"};
@@ -187,10 +209,10 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
   }
   std::error_code error;
   std::filesystem::rename(part, file, error);
-  if (error) refuse(file, error.message(), "Choose another output folder with -o");
+  if (error) refuse(file, error.message(), "Choose another folder", "-o");
 
   OutputFile style(folder / (kind.name + ".qml"));
-  style.write(qgis_style(kind.scale, found->least, found->greatest));
+  style.write(qgis_style(kind.scale, *range));
   style.commit();
 }
 

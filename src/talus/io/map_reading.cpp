@@ -83,8 +83,9 @@ void read_head(const fs::path& folder, MapFile& map) {
   map.unit = band.GetUnitType();
   std::ifstream style(fs::path(file).replace_extension(".qml"), std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(style), {}};
-  map.least = attribute(text, "classificationMin").value_or(0);
-  map.greatest = attribute(text, "classificationMax").value_or(0);
+  map.range.least = attribute(text, "classificationMin").value_or(0);
+  map.range.top = attribute(text, "classificationMax").value_or(0);
+  map.range.greatest = attribute(text, "greatestValue").value_or(map.range.top);
 }
 
 /// The maps in one folder: `maps/` and the prefix of their names.

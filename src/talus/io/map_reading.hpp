@@ -15,8 +15,8 @@ struct MapFile {
   std::string meaning;  // one phrase
   std::string unit;     // empty: a number
   ColourScale scale = ColourScale::linear;
-  double least = 0, greatest = 0;  // of the colours, as in the style for QGIS
-  std::string source;              // whose rocks it is of; empty: all
+  ColourRange range;   // as in the style for QGIS
+  std::string source;  // whose rocks it is of; empty: all
 };
 
 /// The maps in a run's folder, in the order of map_list.hpp, those of all rocks first. None where the program was built

@@ -128,6 +128,12 @@ Json barrier_json(const Model& model, const Barrier& barrier) {
   return json;
 }
 
+/// The kernel's origin, next to which positions are counted. None of it is a negative zero.
+Json origin_json(const LocalFrame& frame) {
+  const Vec3 origin = frame.origin + Vec3::Zero();
+  return {origin.x(), origin.y(), origin.z()};
+}
+
 }  // namespace
 
 Json model_json(const Model& model) {
@@ -137,6 +143,7 @@ Json model_json(const Model& model) {
           {"barriers", std::move(barriers)},
           {"sources", sources_json(model)},
           {"energy_datum_m", model.energy_datum},
+          {"origin_m", origin_json(model.frame)},
           {"terrain", std::visit([&](const auto& surface) { return terrain_json(model, surface); }, model.surface)}};
 }
 

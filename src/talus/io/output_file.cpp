@@ -16,17 +16,29 @@ namespace talus {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* doing, int error) {
-  const char* hint = error == ENOSPC || error == EDQUOT ? "Free some space, or write elsewhere with -o"
-                     : error == EACCES || error == EROFS || error == EPERM
-                         ? "Choose a folder that you may write to with -o"
-                     : error == EFBIG ? "Allow larger files (ulimit -f), or write elsewhere with -o"
-                                      : "Choose another output folder with -o";
-  throw BadInput(Problem{
-      .file = path.string(), .what = fmt::format("cannot {}", doing), .why = std::strerror(error), .hint = hint});
+  const char* hint = error == ENOSPC || error == EDQUOT                    ? "Free some space, or write elsewhere"
+                     : error == EACCES || error == EROFS || error == EPERM ? "Choose a folder that you may write to"
+                     : error == EFBIG ? "Allow larger files (ulimit -f), or write elsewhere"
+                                      : "Choose another folder";
+  throw BadInput(Problem{.file = path.string(),
+                         .what = fmt::format("cannot {}", doing),
+                         .why = std::strerror(error),
+                         .hint = hint,
+                         .option = "-o"});
 }
 
 /// Some devices cannot be synchronised; what matters is that they took the data.
 bool is_synchronised(int descriptor) { return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP; }
+
+/// The file itself, never what a link of its name leads to. Null where that fails.
+std::FILE* opened(const std::filesystem::path& path, int how, const char* mode) {
+  constexpr mode_t all_may_that_the_mask_lets = 0666;
+  const int descriptor = open(path.c_str(), how | O_NOFOLLOW | O_CLOEXEC, all_may_that_the_mask_lets);
+  if (descriptor < 0) return nullptr;
+  std::FILE* const file = fdopen(descriptor, mode);
+  if (file == nullptr) close(descriptor);
+  return file;
+}
 
 /// So that a new name outlives a loss of power, too. A system that cannot do this has nothing to be asked for.
 void synchronise_folder_of(const std::filesystem::path& path) {
@@ -41,8 +53,13 @@ void synchronise_folder_of(const std::filesystem::path& path) {
 
 std::filesystem::path OutputFile::part_of(std::filesystem::path path) { return path += ".part"; }
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), part_(part_of(path_)) {
-  file_ = std::fopen(part_.c_str(), "wb");
+OutputFile::OutputFile(std::filesystem::path path) : OutputFile(path, part_of(path)) {}
+
+OutputFile::OutputFile(std::filesystem::path path, std::filesystem::path part)
+    : path_(std::move(path)), part_(std::move(part)) {
+  // What a program that was killed has left there, or somebody has laid there to lead it elsewhere: a link, a pipe.
+  if (unlink(part_.c_str()) != 0 && errno == EISDIR) fail("create this file");
+  file_ = opened(part_, O_WRONLY | O_CREAT | O_EXCL, "wb");
   if (file_ == nullptr) fail("create this file");
   std::setvbuf(file_, nullptr, _IOFBF, 1 << 20);
 }
@@ -59,7 +76,7 @@ OutputFile::OutputFile(std::filesystem::path path, std::uint64_t bytes)
                            .what = "cannot go on with this file",
                            .why = fmt::format("it has {} bytes, expected {} at the least", ignored ? 0 : size, bytes)});
   }
-  file_ = std::fopen(part_.c_str(), "r+b");
+  file_ = opened(part_, O_RDWR, "r+b");
   if (file_ == nullptr) fail("go on with this file");
   std::setvbuf(file_, nullptr, _IOFBF, 1 << 20);
   if (ftruncate(fileno(file_), static_cast<off_t>(bytes)) != 0 || std::fseek(file_, 0, SEEK_END) != 0) {

@@ -15,6 +15,8 @@ namespace talus {
 class OutputFile : public TextSink {
  public:
   explicit OutputFile(std::filesystem::path path);
+  /// Written as `part`, in the same folder: of a file that several may write at the same time each has one of its own.
+  OutputFile(std::filesystem::path path, std::filesystem::path part);
   /// Goes on with what an earlier program left as `NAME.part`, or under the final name: its first `bytes` bytes, of
   /// which there must be so many; the rest is cut off.
   OutputFile(std::filesystem::path path, std::uint64_t bytes);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -31,7 +32,11 @@ constexpr std::size_t most_points = std::size_t{1} << 30U;
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(blanks);
   if (begin == std::string_view::npos) return {};
-  text = text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string_view value_of(std::string_view text) {
+  text = trimmed(text);
   if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front()) {
     text = text.substr(1, text.size() - 2);
   }
@@ -118,6 +123,11 @@ class PointReader {
         if (is_comment) continue;
         is_known_ = true;
         may_count_ = !has_names_ && words_.size() > 3;
+        if (!has_names_) {
+          named_at_ = line_number();
+          column_count_ = count_columns();
+          may_have_decimal_commas_ = separator_ == ',' && column_count_ >= 6;
+        }
       } else {
         split(text);
       }
@@ -130,6 +140,13 @@ class PointReader {
     if (total_ && *total_ != points_.size()) {
       stop(fmt::format("has {} points", points_.size()), fmt::format("its first line says {}", *total_),
            "Copy it again from where it comes from, or take that line out");
+    }
+    if (may_have_decimal_commas_) {
+      stop(
+          "seems to have decimal commas",
+          "its lines have six and more whole numbers between commas, and none that names the columns",
+          "Write decimal points, or put ; between the columns; if they are whole numbers, name them in the first line, "
+          "for example: x,y,z,red,green,blue");
     }
     if (may_count_ && points_.size() > 2) {
       stop("seems to count its points in the first column",
@@ -182,19 +199,27 @@ class PointReader {
     }
   }
 
+  // Where the text in quotation marks that begins here is over; here if none does.
+  static std::size_t after_quotes(std::string_view text, std::size_t at) {
+    const std::size_t begin = std::min(text.find_first_not_of(blanks, at), text.size());
+    if (begin == text.size() || text[begin] != '"') return at;
+    const std::size_t end = text.find('"', begin + 1);
+    return end == std::string_view::npos ? at : end;
+  }
+
   void split(std::string_view text) {
     words_.clear();
     if (separator_ == ' ') {
       for (std::size_t at = text.find_first_not_of(blanks); at != std::string_view::npos;) {
         const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
-        words_.push_back(trimmed(text.substr(at, end - at)));
+        words_.push_back(value_of(text.substr(at, end - at)));
         at = text.find_first_not_of(blanks, end);
       }
       return;
     }
     for (std::size_t at = 0; at <= text.size();) {
-      const std::size_t end = std::min(text.find(separator_, at), text.size());
-      words_.push_back(trimmed(text.substr(at, end - at)));
+      const std::size_t end = std::min(text.find(separator_, after_quotes(text, at)), text.size());
+      words_.push_back(value_of(text.substr(at, end - at)));
       at = end + 1;
     }
   }
@@ -255,6 +280,30 @@ class PointReader {
                    "Columns are called x, y and z, or easting, northing and elevation");
     }
     has_names_ = true;
+    named_at_ = line_number();
+    column_count_ = count_columns();
+  }
+
+  // A separator at the end of a line parts nothing.
+  [[nodiscard]] std::size_t count_columns() const { return words_.size() - (words_.back().empty() ? 1 : 0); }
+
+  [[nodiscard]] bool has_whole_numbers_only() const {
+    return std::ranges::all_of(words_, [](std::string_view word) {
+      const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
+      return word.size() > sign && word.find_first_not_of("0123456789", sign) == std::string_view::npos;
+    });
+  }
+
+  // A value that belongs to no column may be the rest of one that was cut in two.
+  [[nodiscard]] bool is_too_long() {
+    const std::size_t count = count_columns();
+    if (count <= column_count_) return false;
+    const bool may_be_commas = separator_ == ',' && has_whole_numbers_only();
+    problems_.add(line_number(), fmt::format("has {} columns", count),
+                  fmt::format("line {} {} {}", named_at_, has_names_ ? "names" : "has", column_count_),
+                  may_be_commas ? "If its commas stand for decimal points, write points, or put ; between the columns"
+                                : "Name all columns in the first line");
+    return true;
   }
 
   [[noreturn]] void stop_at_line(std::string what, std::string why, std::string hint) const {
@@ -271,6 +320,8 @@ class PointReader {
   }
 
   void take_point() {
+    if (is_too_long()) return;
+    may_have_decimal_commas_ = may_have_decimal_commas_ && has_whole_numbers_only();
     Vec3 point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (columns_[axis] >= words_.size()) {
@@ -321,6 +372,9 @@ class PointReader {
   std::optional<std::size_t> total_;  // of points, as the first line says
   bool is_known_ = false;             // what separates the columns, and which are which
   bool has_names_ = false;
+  int named_at_ = 0;  // the line that says how many columns there are
+  std::size_t column_count_ = 0;
+  bool may_have_decimal_commas_ = false;
   bool may_count_ = false;  // whether the first column may be a number of the point
   double counted_ = 0;
   std::array<std::size_t, 3> columns_{0, 1, 2};

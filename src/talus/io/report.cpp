@@ -176,7 +176,8 @@ std::string report_page(std::span<const RunFolder> runs) {
       {{"title", title}, {"style", assets::style}, {"d3", assets::d3}, {"data", json}, {"script", assets::script}});
 }
 
-void write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html) {
+void write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html,
+                  const char* summary) {
   if (run_folders.empty() || run_folders.size() > 2) {
     throw BadInput(Problem{.file = "",
                            .where = "report",
@@ -188,7 +189,7 @@ void write_report(std::span<const std::filesystem::path> run_folders, const std:
   Problems problems;
   for (const std::filesystem::path& folder : run_folders) {
     try {
-      runs.push_back(read_run_folder(folder));
+      runs.push_back(read_run_folder(folder, {}, summary));
     } catch (const BadInput& bad) {
       problems.append(bad.problems());
     }

@@ -1,5 +1,7 @@
 #include "talus/io/run_description.hpp"
 
+#include <algorithm>
+
 #include "talus/core/bytes.hpp"
 #include "talus/io/design_json.hpp"
 #include "talus/io/json_text.hpp"
@@ -38,7 +40,11 @@ namespace {
 /// The barriers and sources that the sums are of are those that summary.json tells of.
 void check_model(const RunDescription& description) {
   const Json& model = description.model;
-  for (const char* key : {"seed", "energy_datum_m", "terrain", "barriers", "sources"}) (void)model.at(key);
+  for (const char* key : {"seed", "energy_datum_m", "origin_m", "terrain", "barriers", "sources"}) (void)model.at(key);
+  const Json& origin = model.at("origin_m");
+  expect_bytes(origin.is_array() && origin.size() == 3 &&
+                   std::ranges::all_of(origin, [](const Json& x) { return x.is_number(); }),
+               "the description's origin is none");
   expect_bytes(model.at("barriers").is_array() && model.at("barriers").size() == description.barriers,
                "the description's barriers disagree");
   for (const Json& barrier : model.at("barriers")) (void)barrier.at("name").get_ref<const std::string&>();
@@ -78,6 +84,11 @@ RunDescription read(const Json& json) {
 }
 
 }  // namespace
+
+Vec3 origin_of(const RunDescription& description) {
+  const Json& origin = description.model.at("origin_m");
+  return {origin.at(0).get<double>(), origin.at(1).get<double>(), origin.at(2).get<double>()};
+}
 
 RunDescription description_from(std::string_view json_text) {
   expect_bytes(depth_of_json(json_text) <= deepest_json, "the description of the run is damaged");

@@ -38,6 +38,9 @@ struct RunDescription {
   bool wants_report = true;
 };
 
+/// Of the model's local frame, in the user's coordinates [m].
+[[nodiscard]] Vec3 origin_of(const RunDescription& description);
+
 [[nodiscard]] nlohmann::ordered_json as_json(const RunDescription& description);
 /// Throws BadBytes where the text is not what as_json() gave.
 [[nodiscard]] RunDescription description_from(std::string_view json_text);

@@ -212,12 +212,15 @@ const std::string& RunFacts::source_of(std::uint64_t rock) const {
   return rock - stretch.first_rock < stretch.rocks ? stretch.source : unknown;
 }
 
-RunFacts read_run_facts(const std::filesystem::path& folder) {
-  const Values values(folder / "summary.json");
+RunFacts read_run_facts(const std::filesystem::path& folder, const char* summary) {
+  const Values values(folder / summary);
   RunFacts facts;
   facts.is_section = values.text("/terrain/kind") == "section";
   if (values.has("/terrain/crs_wkt")) facts.crs_wkt = values.text("/terrain/crs_wkt");
   facts.planned_rocks = values.count("/rocks/planned");
+  for (std::size_t k = 0; k < 3 && values.has("/origin_m"); ++k) {
+    facts.origin_m[k] = values.number(fmt::format("/origin_m/{}", k));
+  }
   facts.with_path = values.choice("/project/output/paths", facts.planned_rocks);
   facts.in_geopackage = values.choice("/project/output/geopackage", facts.planned_rocks);
   facts.wants_geopackage = !facts.is_section && facts.in_geopackage.count() > 0;

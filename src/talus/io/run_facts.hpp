@@ -48,10 +48,11 @@ struct SourceStretch {
 
 struct RunFacts {
   bool is_section = false;
-  std::string crs_wkt;              // empty: not known
-  std::uint64_t planned_rocks = 0;  // of the whole campaign
-  EvenChoice with_path{0, 0};       // rocks that paths.csv holds, if they were done
-  EvenChoice in_geopackage{0, 0};   // rocks that results.gpkg is to hold
+  std::string crs_wkt;               // empty: not known
+  std::uint64_t planned_rocks = 0;   // of the whole campaign
+  std::array<double, 3> origin_m{};  // next to which positions are counted
+  EvenChoice with_path{0, 0};        // rocks that paths.csv holds, if they were done
+  EvenChoice in_geopackage{0, 0};    // rocks that results.gpkg is to hold
   bool wants_geopackage = false, wants_vtk = false;
   std::vector<BarrierFacts> barriers;
   std::vector<SourceStretch> sources;  // in the order of the rocks
@@ -63,7 +64,7 @@ struct RunFacts {
   [[nodiscard]] const std::string& source_of(std::uint64_t rock) const;
 };
 
-/// Reads FOLDER/summary.json. Throws BadInput where it is none, or not as a run writes it.
-[[nodiscard]] RunFacts read_run_facts(const std::filesystem::path& folder);
+/// Reads FOLDER/summary.json, or what is to become it. Throws BadInput where it is none, or not as a run writes it.
+[[nodiscard]] RunFacts read_run_facts(const std::filesystem::path& folder, const char* summary = "summary.json");
 
 }  // namespace talus::io

@@ -352,7 +352,7 @@ void note_what_is_missing(RunFolder& run) {
 
 }  // namespace
 
-RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& limits) {
+RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& limits, const char* summary) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored)) {
     refuse(folder, "", std::filesystem::exists(folder, ignored) ? "is not a folder" : "there is no such folder",
@@ -369,7 +369,7 @@ RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& lim
       problems.append(bad.problems());
     }
   };
-  attempt("summary.json", false, [&](const auto& file) {
+  attempt(summary, false, [&](const auto& file) {
     run.summary = read_summary(file);
     run.date = run.summary.value("date", date_of(file));
   });

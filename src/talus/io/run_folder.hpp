@@ -103,8 +103,9 @@ struct RunFolder {
   std::vector<std::string> notes{};         // what is not there, for the reader of the page
 };
 
-/// Reads a run's folder. A missing table is a note; a summary that is missing, or any file that is not what it should
-/// be, is BadInput, with one problem for each such file.
-[[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& limits = {});
+/// Reads a run's folder, whose summary may have another name while it is made. A missing table is a note; a summary
+/// that is missing, or any file that is not what it should be, is BadInput, with one problem for each such file.
+[[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& limits = {},
+                                        const char* summary = "summary.json");
 
 }  // namespace talus::io

@@ -16,7 +16,7 @@ namespace talus::io {
 namespace {
 
 constexpr std::string_view magic = "talus run state\n";
-constexpr std::uint32_t format = 1;
+constexpr std::uint32_t format = run_state_format;
 constexpr std::size_t digest_size = 16;
 constexpr std::size_t preamble_size = magic.size() + sizeof(std::uint32_t) + sizeof(std::uint64_t);
 constexpr const char* cut_short = "it was cut short";

@@ -22,6 +22,7 @@
 namespace talus::io {
 
 inline constexpr const char* run_state_name = "run.state";
+inline constexpr std::uint32_t run_state_format = 2;
 
 struct RunStateHeader {
   RunDescription description;

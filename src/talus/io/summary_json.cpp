@@ -82,7 +82,7 @@ Json summary_json(const io::RunDescription& description, const std::vector<std::
                   const Summary& summary, const RunCourse& course, const DesignResult* design) {
   Json ends = Json::object();
   for (int k = 0; k < end_reason_count; ++k) {
-    const auto count = summary.ends[static_cast<std::size_t>(k)];
+    const std::uint64_t count = summary.ended(static_cast<EndReason>(k));
     if (count > 0) ends[name(static_cast<EndReason>(k))] = count;
   }
   const Json& model = description.model;
@@ -120,7 +120,9 @@ Json summary_json(const io::RunDescription& description, const std::vector<std::
   if (description.design && design != nullptr) json["design"] = io::design_json(*description.design, *design);
   json["sources"] = model.at("sources");
   json["warnings"] = warnings;
+  json["notes"] = notes_of(summary);
   json["energy_datum_m"] = model.at("energy_datum_m");
+  json["origin_m"] = model.at("origin_m");
   json["terrain"] = model.at("terrain");
   json["project"] = description.project;
   json["timings"] = timings_json(summary, course);

@@ -101,6 +101,14 @@ void judge_size(OGRLayer& layer, RasterProblems& problems) {
                   "Cut it to the slope: " + ogr2ogr("-spat WEST SOUTH EAST NORTH", problems.file(), "_slope.gpkg"));
 }
 
+/// GDAL takes a GeoJSON whose coordinate system is unknown for one in degrees, as if it named none.
+void warn_of_unknown_crs(const OGRSpatialReference* crs, const GdalMessages& messages, RasterProblems& problems) {
+  if (messages.failure().find("crs not found") == std::string::npos) return;
+  problems.warn("names a coordinate system that is not known",
+                fmt::format("it is taken for {}", crs ? name_of(*crs) : "that of the terrain"),
+                "Say which it is: " + ogr2ogr("-a_srs EPSG:XXXX", problems.file(), "_placed.gpkg"));
+}
+
 /// `entities` is null where the file is no DXF.
 void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities* entities, VectorShapes& shapes,
                    VectorLayer& read, GdalMessages& messages, RasterProblems& problems) {
@@ -179,6 +187,7 @@ VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequ
     read.crs_wkt = wkt_of(*crs);
     read.crs_name = name_of(*crs);
   }
+  warn_of_unknown_crs(crs, messages, problems);
   VectorShapes shapes(request, crs, entities.has_value(), problems);
   problems.throw_if_any();
   read_features(layer, columns, entities ? &*entities : nullptr, shapes, read, messages, problems);

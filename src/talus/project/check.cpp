@@ -113,6 +113,7 @@ class Rules {
     idle("rn_mass_scale_kg", analysis.scale_rn_by_mass, "scale_rn_by_mass = true");
     idle("tangential_crsp_damping", analysis.model == RockModel::rigid_sphere || !analysis.tangential_crsp_damping,
          "model = \"rigid_sphere\"");
+    idle("grazing_angle_deg", analysis.model == RockModel::lumped_mass, "model = \"lumped_mass\"");
     idle("rotation", analysis.model == RockModel::lumped_mass || analysis.rotation, "model = \"lumped_mass\"");
   }
 
@@ -122,8 +123,24 @@ class Rules {
     const auto list = rows("material");
     about_unique("materials", list, names);
     for (std::size_t i = 0; i < list.size() && i < project_.materials.size(); ++i) {
-      if (list[i]) about_forest(project_.materials[i], *list[i], name_of_row(declaration("material"), *list[i], i));
+      if (!list[i]) continue;
+      const std::string where = name_of_row(declaration("material"), *list[i], i);
+      about_forest(project_.materials[i], *list[i], where);
+      about_library_friction(*list[i], where);
     }
+  }
+
+  /// Restitutions were published for rocks as points, which have no friction of their own in an impact.
+  void about_library_friction(const toml::table& row, const std::string& where) {
+    const Node like = good(&row, "like");
+    if (!like || project_.analysis.model != RockModel::rigid_sphere) return;
+    if (row.contains("dynamic_friction") || row.contains("rolling_friction")) return;
+    const Material plain;
+    complain(like, where, "the friction of a sphere is not given",
+             fmt::format("the library has restitutions, published for lumped masses; dynamic_friction = {:g} and "
+                         "rolling_friction = {:g} hold, and spheres go further and faster than points",
+                         plain.dynamic_friction.mean, plain.rolling_friction.mean),
+             "Give both, and compare with what is known of the site", Severity::warning);
   }
 
   void about_forest(const Material& material, const toml::table& row, const std::string& where) {

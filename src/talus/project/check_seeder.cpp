@@ -155,6 +155,17 @@ void SeederRules::about_cells() const {
     complain(good("cell_m"), "cell_m has no effect", "the cells are those of the terrain's raster", "",
              Severity::warning);
   }
+  about_heading();
+}
+
+// Slopes of an area face many ways.
+void SeederRules::about_heading() const {
+  for (const std::string_view key : {"horizontal_velocity_m_s", "speed_m_s"}) {
+    if (!good(key) || has("direction")) continue;
+    complain(good(key), fmt::format("{} is given without a direction", key),
+             "all rocks of the area start eastwards, [1, 0, 0], whatever way the slope faces",
+             "Write direction = [x, y, z], and make a seeder for each face", Severity::warning);
+  }
 }
 
 void SeederRules::about_files() const {

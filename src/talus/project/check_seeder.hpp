@@ -33,6 +33,7 @@ struct SeederRules {
   [[nodiscard]] std::string_view about_place() const;
   void about_idle_keys(std::string_view told) const;
   void about_cells() const;
+  void about_heading() const;
   void about_files() const;
 };
 

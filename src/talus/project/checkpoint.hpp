@@ -52,10 +52,11 @@ class Checkpoints {
 struct Found {
   std::optional<io::RunStateHeader> state;  // to go on from
   bool is_complete = false;                 // there is nothing left to do
+  std::string lacks;                        // of results without a state: the file that is missing
 };
 
 /// Throws BadInput where there is a state that cannot be gone on from: damaged, of another program, of other rocks, or
-/// of a project that was changed since; what was changed is said.
+/// of a project that was changed since; what was changed is said. The same of results without a state.
 [[nodiscard]] Found find_checkpoint(const std::filesystem::path& folder, const io::RunDescription& description,
                                     const RockRange& range, const std::optional<Shard>& shard);
 

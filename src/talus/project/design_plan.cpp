@@ -13,7 +13,7 @@ namespace {
 std::vector<double> rising(std::vector<double> values, double unit) {
   for (double& value : values) value *= unit;
   std::ranges::sort(values);
-  values.erase(std::ranges::unique(values).begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

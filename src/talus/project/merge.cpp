@@ -212,7 +212,8 @@ void check_output(const std::vector<Part>& parts, const std::filesystem::path& o
     throw BadInput(Problem{.file = output.string(),
                            .what = "cannot write the results here",
                            .why = "it is the folder of one of the runs to merge",
-                           .hint = "Choose another folder with -o"});
+                           .hint = "Choose another folder",
+                           .option = "-o"});
   }
 }
 

@@ -51,6 +51,7 @@ Laws laws_of(const Project& project) {
       a.sliding == SlidingMethod::stepped ? talus::SlidingMethod::stepped : talus::SlidingMethod::closed_form;
   laws.timestep = a.max_timestep_s;
   laws.normal_velocity_cutoff = a.normal_velocity_cutoff_m_s;
+  laws.grazing = std::sin(a.grazing_angle_deg * radians);
   laws.stopped_velocity = a.stopped_velocity_m_s;
   laws.max_steps = a.max_steps;
   laws.max_time = a.max_time_s;

@@ -38,7 +38,9 @@ std::string why_missing(const Project& project, const std::filesystem::path& fil
   std::error_code error;
   const std::filesystem::path path = project.file.parent_path() / file;
   if (!std::filesystem::exists(project.file, error) || std::filesystem::exists(path, error)) return "";
-  return path.string().starts_with("/vsi") ? "" : fmt::format("there is no file {}", path.string());
+  if (path.string().starts_with("/vsi")) return "";
+  if (error) return fmt::format("{} cannot be looked at: {}", path.string(), error.message());
+  return fmt::format("there is no file {}", path.string());
 }
 
 Problems said_of_project(const Problems& problems, const Project& project, std::string_view where) {

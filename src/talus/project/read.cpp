@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 
 #include "talus/core/utf8.hpp"
@@ -156,6 +158,12 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
   if (overrides.rocks && !rocks.contains(static_cast<double>(*overrides.rocks))) {
     problems.add(about_option(fmt::format("--rocks {}", *overrides.rocks), "this is no number of rocks",
                               fmt::format("expected {}", rocks.text())));
+  }
+  // As a file's, which is a signed number of 64 bits: what a run echoes can be run again.
+  constexpr auto most_seed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (overrides.seed && *overrides.seed > most_seed) {
+    problems.add(about_option(fmt::format("--seed {}", *overrides.seed), "this is no seed",
+                              fmt::format("expected 0 to {}", most_seed)));
   }
   if (overrides.rocks && project.seeders.size() > 1) refuse_rocks_per_cell(project, *overrides.rocks, problems);
   if (!problems.has_errors()) complete(project);

@@ -10,6 +10,7 @@
 #include "talus/io/run_state.hpp"
 #include "talus/io/table_files.hpp"
 #include "talus/project/checkpoint.hpp"
+#include "talus/project/result_files.hpp"
 #include "talus/project/run_on_ranks.hpp"
 
 namespace talus::project {
@@ -24,8 +25,9 @@ namespace {
   Problems problems;
   for (Problem problem : bad.problems().list()) {
     if (problem.severity == Severity::error) {
-      problem.hint += fmt::format("{}The first {} of {} rocks are kept: with --resume the run goes on from there",
-                                  problem.hint.empty() ? "" : ". ", last->rocks().count(), last->range.count());
+      const std::string hint = std::move(problem.hint);
+      problem.hint = fmt::format("The first {} of {} rocks are kept: with --resume the run goes on from there{}{}",
+                                 last->rocks().count(), last->range.count(), hint.empty() ? "" : ". ", hint);
     }
     problems.add(std::move(problem));
   }
@@ -59,9 +61,12 @@ Start find_start(const std::filesystem::path& folder, const io::RunDescription& 
   start.goes_on = found.state.has_value();
   if (found.state) start.state = *found.state;
   if (start.is_complete || !options.say) return start;
-  options.say(start.goes_on
-                  ? fmt::format("going on after {} of {} rocks", start.state.rocks().count(), start.state.range.count())
-                  : fmt::format("there is no checkpoint in {}: the run begins anew", folder.string()));
+  if (start.goes_on) {
+    options.say(fmt::format("going on after {} of {} rocks", start.state.rocks().count(), start.state.range.count()));
+  } else {
+    const std::string lacks = found.lacks.empty() ? "there is no checkpoint in " : found.lacks + " is not whole in ";
+    options.say(fmt::format("{}{}: the run begins anew", lacks, folder.string()));
+  }
   return start;
 }
 
@@ -100,6 +105,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   const io::RunStateHeader& begun = start.state;
   if (start.is_complete) return {.summary = Summary(0, 0), .range = begun.range, .was_complete = true};
   // Before anything of an earlier run is touched.
+  check_that_results_have_room(folder, description, options.shard);
   const std::vector<int> threads =
       options.ranks != nullptr ? meet_ranks(*options.ranks, description, options.campaign.threads) : std::vector<int>();
 

@@ -17,6 +17,7 @@
 #include "talus/project/design_plan.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/fingerprint.hpp"
+#include "talus/project/finished_run.hpp"
 
 namespace talus::project {
 
@@ -127,7 +128,8 @@ RunSums::RunSums(const io::RunDescription& description, const Project& project, 
   if (description.maps) maps_ = map_observer(project, model);
 }
 
-RunSums::RunSums(const io::RunDescription& description) : summary_(description.rocks, description.barriers, {}) {
+RunSums::RunSums(const io::RunDescription& description)
+    : summary_(description.rocks, description.barriers, {io::origin_of(description)}) {
   if (description.design) design_.emplace(*description.design, description.rocks);
   if (!description.maps) return;
   const MapGrid grid(description.maps->origin, description.maps->cell, {});
@@ -141,23 +143,72 @@ std::vector<SummingObserver*> RunSums::observers() {
   return list;
 }
 
+namespace {
+
+/// Ends that are none of the slope's.
+struct Limit {
+  EndReason reason;
+  const char* what;
+  const char* hint;
+};
+constexpr Limit limits[] = {
+    {EndReason::no_data, "ended where the terrain has no data", "Use a terrain that has data where rocks come"},
+    {EndReason::maximum_steps, "were ended after the maximum number of steps", "Raise analysis.max_steps"},
+    {EndReason::maximum_time, "were ended at the maximum time", "Raise analysis.max_time_s"}};
+
+void warn_of_limits(const Summary& summary, Problems& warnings) {
+  std::uint64_t all = 0;
+  for (const Limit& limit : limits) all += summary.ended(limit.reason);
+  if (!summary.are_many(all)) return;
+  for (const auto& [reason, what, hint] : limits) {
+    if (summary.ended(reason) == 0) continue;
+    warnings.add({.severity = Severity::warning,
+                  .where = "rocks",
+                  .what = fmt::format("{} of {} rocks {}", summary.ended(reason), summary.done, what),
+                  .why = "runout, reach and end points are cut there",
+                  .hint = hint});
+  }
+}
+
+}  // namespace
+
 void warn_of_rocks(const Summary& summary, Problems& warnings) {
   const auto warn = [&](std::string where, std::string what, std::string why, std::string hint) {
     warnings.add({Severity::warning, "", 0, std::move(where), std::move(what), std::move(why), std::move(hint)});
   };
   if (summary.lifted > 0) {
-    warn("seeders", fmt::format("{} of {} rocks were lifted onto the surface", summary.lifted, summary.done),
-         "they would have started below it", "");
+    warn("seeders", fmt::format("{} of {} rocks were to start in the ground", summary.lifted, summary.done),
+         "they were lifted onto it or lowered from a ceiling; without room for either they stay there, at rest", "");
   }
-  if (const auto lost = summary.ends[static_cast<std::size_t>(EndReason::lost)]; lost > 0) {
+  warn_of_limits(summary, warnings);
+  if (const std::uint64_t lost = summary.ended(EndReason::lost); lost > 0) {
     warn("rocks", fmt::format("{} of {} rocks fell through the surface", lost, summary.done),
          "this is a defect of the program, not of your project",
          fmt::format("Please report it with the output of `talus replay --rock {}`", *summary.first_lost));
   }
 }
 
+namespace {
+
+/// What is made of tables and summary, which still has the name `summary`.
+void write_what_follows(const std::filesystem::path& folder, const io::RunDescription& description,
+                        const std::optional<DesignResult>& design, const std::filesystem::path& summary) {
+  io::remove_design_tables(folder);
+  if (design) io::write_design_tables(folder, *description.design, *design);
+  io::write_derived_files(folder, summary.c_str());
+  // That of an earlier run would tell of other tables.
+  std::error_code ignored;
+  std::filesystem::remove(folder / "report.html", ignored);
+  if (!description.wants_report) return;
+  const std::filesystem::path folders[] = {folder};
+  io::write_report(folders, folder / "report.html", summary.c_str());
+}
+
+}  // namespace
+
 Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
                        const RunCourse& course) {
+  remove_finished_summary(folder);
   Problems found;
   if (!course.shard) {
     warn_of_what_is_not_written(description, found);
@@ -173,18 +224,11 @@ Problems write_results(const std::filesystem::path& folder, const io::RunDescrip
   constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
   const auto json = summary_json(description, warnings, sums.summary(), course, design ? &*design : nullptr);
   summary.write(json.dump(1, ' ', false, replace) + "\n");
-  summary.commit();
-  if (course.shard) return found;
-  io::remove_design_tables(folder);
-  if (design) io::write_design_tables(folder, *description.design, *design);
-  io::write_derived_files(folder);
-  // That of an earlier run would tell of other tables.
-  std::error_code ignored;
-  std::filesystem::remove(folder / "report.html", ignored);
-  if (description.wants_report) {
-    const std::filesystem::path folders[] = {folder};
-    io::write_report(folders, folder / "report.html");
+  if (!course.shard) {
+    summary.sync();
+    write_what_follows(folder, description, design, OutputFile::part_of("summary.json"));
   }
+  summary.commit();
   return found;
 }
 

@@ -52,12 +52,14 @@ class RunSums {
   std::unique_ptr<MapObserver> maps_;
 };
 
-/// Adds what only the sums tell: rocks that were lost, or lifted.
+/// Adds what only the sums tell: rocks that were lost, lifted, or, more than one in a hundred, ended by a limit of the
+/// data or of the computation.
 void warn_of_rocks(const Summary& summary, Problems& warnings);
 
-/// Writes maps, summary.json, the design of barriers, what is made of the tables (which must be there whole), and the
-/// report, as the description plans them; maps and designs of an earlier run are removed. Of a shard, summary.json
-/// alone. Gives the warnings that came with the rocks. Throws BadInput where a file cannot be written.
+/// Writes maps, the design of barriers, what is made of the tables (which must be there whole), the report, as the
+/// description plans them, and last summary.json: where it is, all is. What an earlier run left of them is removed. Of
+/// a shard, summary.json alone. Gives the warnings that came with the rocks. Throws BadInput where a file cannot be
+/// written.
 Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
                        const RunCourse& course);
 

@@ -218,6 +218,15 @@ Table analysis() {
                .meaning = "A rock that leaves an impact with a smaller normal velocity stays on the ground and slides "
                           "or rolls.",
                .source = "RocFall2 and RocFall3"},
+              {.key = "grazing_angle_deg",
+               .slot = member(&Analysis::grazing_angle_deg),
+               .unit = "deg",
+               .range = up_to(45),
+               .meaning =
+                   "A lumped mass that slides is not struck by ground that it meets at a smaller angle: it slides "
+                   "on, with the friction of what it presses with. The default is for rounded heights; take 1 to "
+                   "5 for fine grids of smooth ground, 0 for an impact at every bend, as in RocFall.",
+               .source = "Talus"},
               {.key = "stopped_velocity_m_s",
                .slot = member(&Analysis::stopped_velocity_m_s),
                .unit = "m/s",
@@ -1129,8 +1138,8 @@ Table design() {
                          .too_low = "a block weighs something",
                          .too_high = too_heavy},
                .without_it = "each rock has its own mass",
-               .meaning = "Mass of the design block: energies of the check are then its own, at the velocities of the "
-                          "rocks.",
+               .meaning = "Mass of the design block: energy and size in the check are then its own, at the rocks' "
+                          "velocities and density.",
                .source = "UNI 11211-4",
                .doubt = tonnes_doubt},
               {.key = "upper_clearance_m",

@@ -245,12 +245,15 @@ bool ValueReader::refuse_kind(const Value& value, const std::string& expected, s
 
 void ValueReader::doubt(const Value& value, double number) {
   const std::optional<Doubt> doubt = value.setting.doubt ? value.setting.doubt(number) : std::nullopt;
-  if (!doubt) return;
+  if (doubt) warn(value, fmt::format("{} is {}", value.name, number_text(number)), doubt->why, doubt->hint);
+}
+
+void ValueReader::warn(const Value& value, std::string what, std::string why, std::string hint) {
   Problem problem = document_.at(value.node, Severity::warning);
   problem.where = value.where;
-  problem.what = fmt::format("{} is {}", value.name, number_text(number));
-  problem.why = doubt->why;
-  problem.hint = doubt->hint;
+  problem.what = std::move(what);
+  problem.why = std::move(why);
+  problem.hint = std::move(hint);
   problems_.add(std::move(problem));
 }
 
@@ -423,6 +426,12 @@ bool ValueReader::into(const Value& value, Distribution* member) {
   }
   if (const auto why = why_unusable(read, bounds(range)))
     return refuse(value, fmt::format("{} {}", value.name, *why), "");
+  if (read.std_dev && is_told_by_its_limits(read)) {
+    warn(value, fmt::format("std_dev of {} has no effect", value.name),
+         fmt::format("the {} distribution takes its width from rel_min and rel_max",
+                     words(read.kind)[static_cast<std::size_t>(read.kind)]),
+         "Leave out std_dev, or the limits");
+  }
   *member = read;
   return true;
 }

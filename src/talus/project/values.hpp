@@ -95,6 +95,7 @@ class ValueReader {
   std::optional<std::vector<std::array<double, 2>>> plan_points(const Value& value);
   bool plan_coordinate(const Value& value, double* member);
   void doubt(const Value& value, double number);
+  void warn(const Value& value, std::string what, std::string why, std::string hint);
 
   /// Adds a problem about the value and gives false, so that a reader can return it.
   bool refuse(const Value& value, std::string what, std::string why, std::string hint = {});

@@ -97,6 +97,9 @@ class Evaluation {
       kit.through = crossing - kit.above - caught;
       kit.suffices = kit.caught && kit.caught->value >= plan_.catch_share;
     }
+    if (kit.caught) {
+      kit.is_sure = kit.suffices ? kit.caught->low >= plan_.catch_share : kit.caught->high < plan_.catch_share;
+    }
     kit.cost = plan_.cost.of(plan_.lines[line].length, kit.height, kit.maximum_energy);
     return kit;
   }

@@ -43,7 +43,8 @@ struct KitChoice {
   double height = 0;          // [m]
   double maximum_energy = 0;  // [J]
   std::optional<int> kit_class;
-  bool suffices = false;
+  bool suffices = false;            // the share that it catches is at least the wanted one
+  bool is_sure = false;             // the whole confidence interval of that share says the same
   std::optional<RockShare> caught;  // of the rocks that count; nothing without any
   /// Why others are not caught: too high; low enough, but with too much energy; never at the line.
   std::uint64_t above = 0, through = 0, beside = 0;

@@ -157,12 +157,13 @@ class DesignObserver::Part : public ObserverPart {
     const double energy = energy_to_check(plan_.factors, translational, total, velocity);
     constexpr double by_rounding = 1e-6;  // above the ground that a rock rolls on [m]
     const double height = crossing.height > by_rounding ? crossing.height : 0;
+    const double radius = radius_to_check(plan_.factors, rock.mass, rock.radius);
     noted.push_back(
         {line,
          plan_.lines[line].section_at(crossing.station),
-         {translational, total, velocity, height, rock.radius},
+         {translational, total, velocity, height, radius},
          counts,
-         static_cast<std::uint32_t>(first_enough(plan_.heights, needed_height(plan_.factors, height, rock.radius))),
+         static_cast<std::uint32_t>(first_enough(plan_.heights, needed_height(plan_.factors, height, radius))),
          static_cast<std::uint32_t>(first_enough(plan_.energies, needed_maximum_energy(plan_.factors, energy)))});
   }
 

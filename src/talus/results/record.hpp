@@ -17,7 +17,7 @@ struct RockRecord {
   SourceId source;
   Rock body;
   RockOutcome outcome;
-  bool was_lifted = false;  // its release point lay below the surface
+  bool was_lifted = false;  // it was to start in the ground: lifted, lowered from a ceiling or caught
 };
 
 /// What one observer makes of one block of rocks. Parts of different blocks are made at the same time, each by one

@@ -1,5 +1,7 @@
 #include "talus/results/summary.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,9 +87,9 @@ void BarrierTally::merge_saved(ByteReader& in) {
   merge_least(in, least_clearance);
 }
 
-Summary::Summary(std::uint64_t planned_rocks, std::size_t barrier_count)
+Summary::Summary(std::uint64_t planned_rocks, std::size_t barrier_count, const Vec3& origin)
     : planned(planned_rocks),
-      end_x(planned_rocks),
+      end_x(planned_rocks, origin.x()),
       runout_plan(planned_rocks),
       runout_total(planned_rocks),
       max_kinetic_energy(planned_rocks),
@@ -110,6 +112,7 @@ void Summary::merge(const Summary& other) {
 
 void Summary::save(ByteWriter& out) const {
   out.put(planned);
+  out.put(end_x.sketch().origin());
   out.put(done);
   out.numbers(std::span(ends));
   out.put(lifted);
@@ -122,6 +125,7 @@ void Summary::save(ByteWriter& out) const {
 
 void Summary::merge_saved(ByteReader& in) {
   expect_bytes(in.get<std::uint64_t>() == planned, "the summary is of a run of another size");
+  expect_bytes(in.get<double>() == end_x.sketch().origin(), "the summary's positions are counted from another origin");
   done += in.get<std::uint64_t>();
   merge_counts(in, ends);
   lifted += in.get<std::uint64_t>();
@@ -138,12 +142,19 @@ void Summary::merge_saved(ByteReader& in) {
   for (BarrierTally& barrier : barriers) barrier.merge_saved(in);
 }
 
+std::vector<std::string> notes_of(const Summary& summary) {
+  const std::uint64_t left = summary.ended(EndReason::left_model);
+  if (!summary.are_many(left)) return {};
+  return {fmt::format("{} of {} rocks left the model: runout, reach and end points are cut at its edge", left,
+                      summary.done)};
+}
+
 namespace {
 
 class SummaryPart : public ObserverPart {
  public:
   SummaryPart(std::uint64_t planned, std::size_t barriers, const LocalFrame& frame)
-      : summary(planned, barriers), frame_(frame) {}
+      : summary(planned, barriers, frame.origin), frame_(frame) {}
 
   void see(const RockRecord& record, const RockLog& log) override {
     const RockOutcome& outcome = record.outcome;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "talus/results/record.hpp"
@@ -17,7 +18,8 @@ namespace talus {
 /// One quantity over all rocks: moments and quantiles.
 class Tally {
  public:
-  explicit Tally(std::uint64_t planned) : sketch_(planned) {}
+  /// Values that lie far from zero and near each other, as positions do, take an origin near them.
+  explicit Tally(std::uint64_t planned, double origin = 0) : sketch_(planned, origin) {}
   void add(double x) {
     moments_.add(x);
     sketch_.add(x);
@@ -57,11 +59,17 @@ struct BarrierTally {
 
 /// Everything counted and summed over rocks. Positions are the user's.
 struct Summary {
-  Summary(std::uint64_t planned_rocks, std::size_t barriers);
+  /// `origin`: a place near the terrain, for the quantiles of positions.
+  Summary(std::uint64_t planned_rocks, std::size_t barriers, const Vec3& origin = Vec3::Zero());
   void merge(const Summary& other);
   void save(ByteWriter& out) const;
-  /// Adds a saved summary; throws BadBytes on what is none, or not of as many planned rocks and barriers.
+  /// Adds a saved summary; throws BadBytes on what is none, or not of as many planned rocks and barriers, or
+  /// of another origin.
   void merge_saved(ByteReader& in);
+
+  [[nodiscard]] std::uint64_t ended(EndReason reason) const { return ends[static_cast<std::size_t>(reason)]; }
+  /// Whether more than one in a hundred rocks: what falls to so many is told.
+  [[nodiscard]] bool are_many(std::uint64_t rocks) const { return rocks > done / 100; }
 
   std::uint64_t planned = 0, done = 0;
   std::array<std::uint64_t, end_reason_count> ends{};
@@ -74,10 +82,14 @@ struct Summary {
   std::vector<BarrierTally> barriers;
 };
 
+/// What a reader of the results should know and is no fault of the project: that many rocks left the model, as they
+/// are meant to where it ends behind what is to be protected.
+[[nodiscard]] std::vector<std::string> notes_of(const Summary& summary);
+
 class SummaryObserver : public SummingObserver {
  public:
   SummaryObserver(std::uint64_t planned_rocks, std::size_t barriers, const LocalFrame& frame)
-      : frame_(frame), summary_(planned_rocks, barriers) {}
+      : frame_(frame), summary_(planned_rocks, barriers, frame.origin) {}
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
   void commit(ObserverPart& part) override;

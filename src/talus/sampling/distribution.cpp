@@ -272,9 +272,17 @@ Complaint about_numbers(const Distribution& given, Bounds bounds) {
   return {};
 }
 
+}  // namespace
+
+bool is_told_by_its_limits(const Distribution& given) {
+  const bool is_flat_sided = given.kind == DistributionKind::uniform || given.kind == DistributionKind::triangular;
+  return is_flat_sided && given.rel_min && given.rel_max;
+}
+
+namespace {
+
 Complaint about_what_is_missing(const Distribution& given) {
   const char* kind = name_of(given.kind);
-  const bool has_both_limits = given.rel_min && given.rel_max;
   switch (given.kind) {
     case DistributionKind::none:
       return {};
@@ -285,14 +293,15 @@ Complaint about_what_is_missing(const Distribution& given) {
       break;
     case DistributionKind::uniform:
     case DistributionKind::triangular:
-      if (has_both_limits) return {};
+      if (is_told_by_its_limits(given)) return {};
       if (!given.std_dev) {
         return fmt::format("limits are missing (the {} distribution needs rel_min and rel_max, or std_dev)", kind);
       }
       break;
     case DistributionKind::beta:
       if (!given.std_dev) return "std_dev is missing (the beta distribution needs it)";
-      if (!has_both_limits) return "limits are missing (the beta distribution lies between rel_min and rel_max)";
+      if (!given.rel_min || !given.rel_max)
+        return "limits are missing (the beta distribution lies between rel_min and rel_max)";
       break;
     case DistributionKind::exponential:
       if (!given.std_dev && given.mean <= 0) {

@@ -80,6 +80,9 @@ struct Density {
 /// of up to a thousandth of all draws. Empty for a constant. Expects a distribution that `why_unusable` accepts.
 [[nodiscard]] std::vector<Density> density_of(const Distribution& distribution, Bounds bounds, std::size_t intervals);
 
+/// Whether its limits alone say how wide it is, whatever its standard deviation.
+[[nodiscard]] bool is_told_by_its_limits(const Distribution& distribution);
+
 /// Why a sampler cannot be made of this distribution, or nothing: for example a beta without limits. In the form
 /// `problem (why). hint`, in the words and units of the project file.
 [[nodiscard]] std::optional<std::string> why_unusable(const Distribution& distribution, Bounds bounds);

@@ -1,39 +1,95 @@
 #pragma once
-// A release point below the surface is lifted onto it.
+// A release point in the ground, or too near to it for its rock, is moved up or down to where the rock has room.
 
 #include <algorithm>
 #include <optional>
 
 #include "talus/core/id.hpp"
 #include "talus/flight/parabola.hpp"
+#include "talus/flight/touch.hpp"
 
 namespace talus {
 
-/// The height at which a rock of this radius (0: a point) may start at a place, if that is higher than the place:
-/// on the surface that the place is beneath, and far enough out of it for the rock to fit.
+/// What becomes of a rock at the place where it is to start.
+enum class Fit {
+  as_given,
+  moved,   // lifted, or lowered from a ceiling
+  no_room  // between floor and ceiling
+};
+
+/// The height at which a rock may start.
+struct ClearPlace {
+  double z;
+  Fit fit = Fit::as_given;
+};
+
+namespace lift_detail {
+
+constexpr double by_rounding = 1e-9;  // [m]
+
+/// Raises a sphere that reaches into facets until it only touches; each round clears the deepest one.
 template <class Surface>
-[[nodiscard]] std::optional<double> lifted(const Surface& surface, const Vec3& place, double radius) {
-  Vec3 centre = place;
-  if (const auto ground = surface.ground_over(place)) centre.z() = *ground;
-  // A sphere that reaches into a facet is raised until it only touches; each round clears the deepest one.
-  for (int round = 0; radius > 0 && round < 64; ++round) {
+[[nodiscard]] Vec3 raised(const Surface& surface, Vec3 centre, double radius) {
+  for (int round = 0; round < 64; ++round) {
     double rise = 0;
     surface.supports(centre, radius, 0, [&](const Vec3& away, const Vec3&, double distance, FacetId) {
-      if (distance < radius - 1e-9) rise = std::max(rise, (radius - distance) / std::max(away.z(), 0.1));
+      if (distance < radius - by_rounding) rise = std::max(rise, (radius - distance) / std::max(away.z(), 0.1));
     });
     if (rise == 0) break;
     centre.z() += rise;
   }
-  const double raised = centre.z() - place.z();
-  if (!(raised > 0)) return std::nullopt;
+  return centre;
+}
+
+/// Whether the way straight up or down from a place in the open to another height leads through no ground.
+template <class Surface>
+[[nodiscard]] bool is_open(const Surface& surface, const Vec3& place, double z) {
+  const auto ground_at = [&](double height) { return surface.elevation(place.x(), place.y(), height + contact_slack); };
+  return !surface.may_overhang() || ground_at(place.z()) == ground_at(z);
+}
+
+/// The first height at which a sphere is clear, straight up (`way` is 1) or down (-1) from a place in the open. No
+/// facet comes nearer than the way that the sphere goes.
+template <class Surface>
+[[nodiscard]] std::optional<double> clear_along(const Surface& surface, const Vec3& place, double radius, double way) {
+  constexpr int most_steps = 1000;
+  Vec3 centre = place;
+  for (int step = 0; step < most_steps; ++step) {
+    double nearest = radius;
+    surface.supports(centre, radius, 0, [&](const Vec3&, const Vec3&, double distance, FacetId) {
+      nearest = std::min(nearest, distance);
+    });
+    if (nearest >= radius - by_rounding) return centre.z();
+    centre.z() += way * (radius - nearest);
+    if (!is_open(surface, place, centre.z())) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace lift_detail
+
+/// Where a rock of this radius (0: a point) may start: above the ground that the place is beneath, and far enough from
+/// all ground for the rock to fit. It is never moved through a ceiling.
+template <class Surface>
+[[nodiscard]] ClearPlace clear_place(const Surface& surface, const Vec3& place, double radius) {
+  using namespace lift_detail;
+  Vec3 open = place;
+  if (const auto ground = surface.ground_over(place)) open.z() = *ground;
+  Vec3 centre = radius > 0 ? raised(surface, open, radius) : open;
+  if (!(centre.z() > place.z())) return {place.z()};
   if (radius > 0) {
+    if (!is_open(surface, open, centre.z())) {
+      auto z = clear_along(surface, open, radius, 1);
+      if (!z) z = clear_along(surface, open, radius, -1);
+      return z ? ClearPlace{*z, Fit::moved} : ClearPlace{open.z(), Fit::no_room};
+    }
     // Beside an edge or a corner that was too far. From there it is let down again until it touches.
-    const auto touched = surface.first_contact({centre, {0, 0, -1}, Vec3::Zero()}, radius, raised);
-    constexpr double by_rounding = 1e-9;  // [m]
-    const double down = touched ? touched->t : raised;
+    const double rise = centre.z() - place.z();
+    const auto touched = surface.first_contact({centre, {0, 0, -1}, Vec3::Zero()}, radius, rise);
+    const double down = touched ? touched->t : rise;
     if (down > by_rounding) centre.z() -= down;
   }
-  return centre.z() > place.z() ? std::optional(centre.z()) : std::nullopt;
+  return centre.z() > place.z() ? ClearPlace{centre.z(), Fit::moved} : ClearPlace{place.z()};
 }
 
 }  // namespace talus

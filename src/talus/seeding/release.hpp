@@ -9,6 +9,7 @@ namespace talus {
 struct Release {
   Motion motion;
   Rock rock;
+  bool has_room = true;  // otherwise it is caught where it is, and stays there
 };
 
 }  // namespace talus

@@ -25,7 +25,7 @@ struct BoxPlot {
 
 /// Nothing if there are no values.
 [[nodiscard]] std::optional<BoxPlot> box_plot(std::span<const double> sample);
-/// As near as the sketch is: within 0.05 % of each number once it counts in bins.
+/// As near as the sketch is: within 0.05 % of each number's distance from its origin once it counts in bins.
 [[nodiscard]] std::optional<BoxPlot> box_plot(const QuantileSketch& sketch);
 
 }  // namespace talus

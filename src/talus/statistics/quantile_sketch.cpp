@@ -46,11 +46,11 @@ void QuantileSketch::Bins::add(std::uint32_t bin, std::uint64_t count) {
 }
 
 void QuantileSketch::count_in_bins(double x) {
-  const double magnitude = std::abs(x);
+  const double distance = x - origin_, magnitude = std::abs(distance);
   if (magnitude < least_magnitude) {
     ++zeros_;
   } else {
-    (x > 0 ? positive_ : negative_).add(bin_of(magnitude), 1);
+    (distance > 0 ? positive_ : negative_).add(bin_of(magnitude), 1);
   }
 }
 
@@ -76,6 +76,7 @@ void QuantileSketch::add(double x) {
 
 void QuantileSketch::merge(const QuantileSketch& other) {
   TALUS_PROMISE(planned_ == other.planned_, "only sketches of one plan agree on when to count in bins");
+  TALUS_PROMISE(origin_ == other.origin_, "only sketches of one origin have the same bins");
   if (other.count_ == 0) return;
   minimum_ = count_ == 0 ? other.minimum_ : std::min(minimum_, other.minimum_);
   maximum_ = count_ == 0 ? other.maximum_ : std::max(maximum_, other.maximum_);
@@ -138,7 +139,7 @@ void QuantileSketch::save(ByteWriter& out) const {
 }
 
 void QuantileSketch::merge_saved(ByteReader& in) {
-  QuantileSketch saved(in.get<std::uint64_t>());
+  QuantileSketch saved(in.get<std::uint64_t>(), origin_);
   expect_bytes(saved.planned_ == planned_, "quantiles are of a run of another size");
   saved.count_ = in.get<std::uint64_t>();
   expect_bytes(saved.count_ <= most_values, damaged);
@@ -176,8 +177,8 @@ std::vector<QuantileSketch::Counted> QuantileSketch::ascending() const {
     }
     return counted;
   }
-  const auto put = [&](double value, std::uint64_t count) {
-    if (count > 0) counted.push_back({std::clamp(value, minimum_, maximum_), count});
+  const auto put = [&](double distance, std::uint64_t count) {
+    if (count > 0) counted.push_back({std::clamp(origin_ + distance, minimum_, maximum_), count});
   };
   for (std::size_t i = negative_.counts.size(); i-- > 0;) {
     put(-middle_of(negative_.first + static_cast<std::uint32_t>(i)), negative_.counts[i]);

@@ -19,16 +19,21 @@ struct OverPlane {
 
 /// The greatest height of a flight over a plane, whose vertical acceleration is 2 half_a [m/s2], not above 0.
 [[nodiscard]] inline double greatest_over(const OverPlane& ground, double half_a) {
-  const auto& [window, h0, h1] = ground;
-  const double t = std::clamp(half_a < 0 ? -h1 / (2 * half_a) : window.enter, window.enter, window.leave);
-  const auto height = [&](double at) { return h0 + at * (h1 + half_a * at); };
-  return std::max(height(t), height(window.leave));
+  const auto [enter, leave] = ground.window;
+  const double t = std::clamp(half_a < 0 ? -ground.h1 / (2 * half_a) : enter, enter, leave);
+  const auto height = [&](double at) { return ground.h0 + at * (ground.h1 + half_a * at); };
+  return std::max(height(t), height(leave));
 }
 
 /// All planes are under one flight: so one of two is nearer to it where a linear function of time says so.
 class HeightInSight {
  public:
-  HeightInSight(const OverPlane& ground, double half_a) : ground_(ground), half_a_(half_a), seen_{ground.window} {}
+  /// `flight` is how long the whole flight is [s].
+  HeightInSight(const OverPlane& ground, double half_a, double flight)
+      : ground_(ground), half_a_(half_a), is_instant_(flight <= instant) {
+    // Ground that the flight is over for an instant only goes on beside it, or ends.
+    if (is_instant_ || !lasts_an_instant(ground.window)) seen_.push_back(ground.window);
+  }
 
   /// Other ground hides this while it is below the flight and nearer to it.
   void hide(const OverPlane& other) {
@@ -43,9 +48,14 @@ class HeightInSight {
       return;
     }
     // At an instant only, where one ends and the other begins, neither hides the other.
-    if (nearer.leave - nearer.enter <= instant) return;
+    if (is_instant_ ? nearer.is_empty() : lasts_an_instant(nearer)) return;
     const double middle = 0.5 * (nearer.enter + nearer.leave);
-    if (other.h0 + middle * (other.h1 + half_a_ * middle) >= -contact_slack) take_away(nearer);
+    if (other.h0 + middle * (other.h1 + half_a_ * middle) < -contact_slack) return;
+    if (is_instant_) {
+      seen_.clear();
+    } else {
+      take_away(nearer);
+    }
   }
 
   /// -infinity where it is hidden all the time.
@@ -60,6 +70,9 @@ class HeightInSight {
  private:
   // Shorter times [s] are rounding, between one facet and the next.
   static constexpr double instant = 1e-9;
+  [[nodiscard]] static bool lasts_an_instant(const TimeWindow& window) {
+    return window.leave - window.enter <= instant;
+  }
 
   void take_away(const TimeWindow& hidden) {
     std::vector<TimeWindow> left;
@@ -67,7 +80,7 @@ class HeightInSight {
       const TimeWindow before{seen.enter, std::min(seen.leave, hidden.enter)};
       const TimeWindow after{std::max(seen.enter, hidden.leave), seen.leave};
       for (const TimeWindow& part : {before, after}) {
-        if (part.leave - part.enter > instant) left.push_back(part);
+        if (!lasts_an_instant(part)) left.push_back(part);
       }
     }
     seen_ = std::move(left);
@@ -75,6 +88,7 @@ class HeightInSight {
 
   OverPlane ground_;
   double half_a_;
+  bool is_instant_;
   std::vector<TimeWindow> seen_;
 };
 

@@ -178,7 +178,7 @@ double Profile::greatest_height(const Parabola& path, double t_end, double known
       known = height;
       return;
     }
-    HeightInSight in_sight(*over, half_g);
+    HeightInSight in_sight(*over, half_g, t_end);
     for (const Segment& segment : segments_) {
       const auto other = over_segment(segment, path, t_end);
       if (other && &segment != &segments_[k]) in_sight.hide(*other);

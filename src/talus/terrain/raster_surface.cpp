@@ -333,27 +333,20 @@ double RasterSurface::greatest_height_in_cell(const Parabola& path, const GridWa
                                               double known) const {
   const Cell here = cell_at(at.node());
   if (!here.has_data()) return known;
-  const double half_a = 0.5 * path.a.z();
-  const double t0 = at.enter(), t1 = t_end;
-  const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
-  const double side0 = here.side_of_diagonal(u0, v0), side1 = here.side_of_diagonal(u1, v1);
-  const double cut = side0 * side1 < 0 ? t0 + side0 / (side0 - side1) * (t1 - t0) : t1;
-  const auto ground = [&](double t) {
-    return *height_in_cell(path.p.x() + t * path.v.x(), path.p.y() + t * path.v.y(), at.column(), at.row());
+  const double t0 = at.enter(), t1 = std::max(t0, t_end);
+  const double side0 = here.side_of_diagonal(at.u(t0), at.v(t0)), side1 = here.side_of_diagonal(at.u(t1), at.v(t1));
+  // Over a facet's plane the height is greatest when the flight is as steep as the plane.
+  const auto greatest_over = [&](double side, double from, double to) {
+    const Plane plane = here.plane((side > 0) == here.cut_north_east() ? 0 : 1);
+    const double rise = plane.along_u * at.u_speed() + plane.along_v * at.v_speed();
+    const double t = path.a.z() < 0      ? std::clamp((rise - path.v.z()) / path.a.z(), from, to)
+                     : path.v.z() > rise ? to
+                                         : from;
+    return path.z(t) - plane.z - (at.u(t) - plane.corner) * plane.along_u - (at.v(t) - plane.corner) * plane.along_v;
   };
-  // On each side of the diagonal the ground is a plane, and the height over it greatest where it neither grows nor
-  // shrinks.
-  const auto look = [&](double from, double to) {
-    if (!(to > from)) return;
-    const double ground_from = ground(from), slope = (ground(to) - ground_from) / (to - from);
-    const double t = std::clamp(half_a < 0 ? (slope - path.v.z()) / (2 * half_a) : to, from, to);
-    for (const double each : {from, t, to}) {
-      known = std::max(known, path.z(each) - (ground_from + slope * (each - from)));
-    }
-  };
-  look(t0, cut);
-  look(cut, t1);
-  return known;
+  if (!(side0 * side1 < 0)) return std::max(known, greatest_over(side0 + side1, t0, t1));
+  const double cut = t0 + side0 / (side0 - side1) * (t1 - t0);
+  return std::max({known, greatest_over(side0, t0, cut), greatest_over(side1, cut, t1)});
 }
 
 std::vector<Vec3> RasterSurface::draped(const Vec2& from, const Vec2& to) const {

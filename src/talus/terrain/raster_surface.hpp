@@ -33,6 +33,7 @@ class RasterSurface {
   /// The cell, row by row from the south-west.
   [[nodiscard]] std::uint32_t source(FacetId facet) const { return facet.index / 2; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }
+  [[nodiscard]] static bool may_overhang() { return false; }
   [[nodiscard]] std::size_t bytes() const { return grid_.z.size() * sizeof(float); }
   /// Whether all four nodes have data.
   [[nodiscard]] bool has_data(std::size_t column, std::size_t row) const;

@@ -182,7 +182,7 @@ std::optional<Contact> TriangleMesh::first_contact_on_leg(const Parabola& leg, d
 
 template <class Visit>
 void TriangleMesh::visit_under(const Parabola& path, double t_end, double slack, Visit&& visit) const {
-  constexpr double any = -1e300;
+  static constexpr double any = -1e300;
   bvh_.visit_under(
       path, t_end, [] { return any; },
       [&](std::uint32_t first, std::uint32_t last) {
@@ -223,13 +223,14 @@ Exit TriangleMesh::exit(const Parabola& path) const {
   return falls_through ? Exit{t_floor, true} : Exit{last, false};
 }
 
-double TriangleMesh::greatest_in_sight(const Parabola& path, const TimeWindow& window, std::uint32_t facet) const {
+double TriangleMesh::greatest_in_sight(const Parabola& path, double flight, const TimeWindow& window,
+                                       std::uint32_t facet) const {
   const Parabola part{path.at(window.enter), path.velocity(window.enter), path.a};
   const double t_end = window.leave - window.enter;
   const Triangle& corner = facets_[facet].corner;
   OverPlane over = over_facet(corner, area_normal(corner), part, t_end);
   over.window = {0, t_end};
-  HeightInSight height(over, 0.5 * path.a.z());
+  HeightInSight height(over, 0.5 * path.a.z(), flight);
   visit_under(part, t_end, 0, [&](const OverPlane& other, std::uint32_t k) {
     if (k != facet) height.hide(other);
   });
@@ -248,7 +249,7 @@ double TriangleMesh::greatest_height(const Parabola& path, double t_end, double 
           if (over.window.is_empty()) continue;
           const double height = greatest_over(over, half_g);
           if (height <= known) continue;
-          known = is_height_field_ ? height : std::max(known, greatest_in_sight(path, over.window, k));
+          known = is_height_field_ ? height : std::max(known, greatest_in_sight(path, t_end, over.window, k));
         }
       });
   return known;

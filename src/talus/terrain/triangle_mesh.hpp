@@ -29,6 +29,8 @@ class TriangleMesh {
   /// Facets are numbered as the tree stores them; this is the number that the triangle had when the mesh was made.
   [[nodiscard]] std::uint32_t source(FacetId facet) const { return facets_[facet.index].source; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }
+  /// Whether anywhere there may be ground above ground.
+  [[nodiscard]] bool may_overhang() const { return !is_height_field_; }
   /// Of everything that grows with the number of triangles.
   [[nodiscard]] std::size_t bytes() const;
 
@@ -94,8 +96,9 @@ class TriangleMesh {
   /// t_end].
   template <class Visit>
   void visit_under(const Parabola& path, double t_end, double slack, Visit&& visit) const;
-  /// Of a flight over one facet, while no other ground lies between.
-  [[nodiscard]] double greatest_in_sight(const Parabola& path, const TimeWindow& window, std::uint32_t facet) const;
+  /// Of a flight over one facet in a part of its time, while no other ground lies between.
+  [[nodiscard]] double greatest_in_sight(const Parabola& path, double flight, const TimeWindow& window,
+                                         std::uint32_t facet) const;
   /// Calls visit(z, n_z, facet) for each facet over or under a place on plan that is not vertical, between two heights.
   template <class Visit>
   void visit_column(double x, double y, double z_low, double z_high, Visit&& visit) const;

@@ -47,7 +47,8 @@ class RockRun {
         rock_(release.rock),
         motion_(release.motion),
         reach_(scene.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0),
-        has_forest_(scene.ground.has_forest()) {}
+        has_forest_(scene.ground.has_forest()),
+        has_room_(release.has_room) {}
 
   /// What a run has come to.
   enum class Pause {
@@ -120,6 +121,7 @@ class RockRun {
   }
   [[nodiscard]] Phase fly_off(const LeftPlanes& left = {}) {
     left_ = left;
+    hops_ = left.count > 0;
     return Phase::flies;
   }
   Next move_along(OnGround& phase);
@@ -203,6 +205,8 @@ class RockRun {
   [[nodiscard]] const Outline& outline_of(FacetId facet) { return outlines_.of(surface_, facet); }
   std::optional<OutlineEdge> edge_ahead(OnGround& phase, const Parabola& leg, double& t);
   [[nodiscard]] bool is_level(const Vec3& n, const Vec3& velocity) const;
+  [[nodiscard]] bool grazes(const Vec3& n, const Vec3& velocity) const;
+  void settle_onto(const Vec3& n, double mu);
   /// Whether a support of this normal is the facet itself and not one of its edges or vertices.
   [[nodiscard]] bool carries(FacetId facet, const Vec3& normal) const {
     return surface_.normal(facet).dot(normal) > 1 - 1e-9;
@@ -232,9 +236,10 @@ class RockRun {
   /// Notes an arrival: the moments at which a rock is fastest.
   void arrive(PathState state) {
     ++outcome_.events;
-    outcome_.max_kinetic_energy = std::max(outcome_.max_kinetic_energy, kinetic_energy());
+    note_energy();
     log_.row(state, motion_);
   }
+  void note_energy() { outcome_.max_kinetic_energy = std::max(outcome_.max_kinetic_energy, kinetic_energy()); }
 
   const Surface& surface_;
   const Ground& ground_;
@@ -245,12 +250,13 @@ class RockRun {
   const Rock rock_;
   Motion motion_;
   const double reach_;  // from the centre to the contact: the radius of a sphere, 0 for the lumped mass
-  const bool has_forest_;
+  const bool has_forest_, has_room_;
 
   RockOutcome outcome_;
   Phase phase_ = Phase::flies;
   LeftPlanes left_;         // where it flies: what it has just slid off
   OnGround on_ground_;      // where it is
+  bool hops_ = false;       // it slid until it flew
   std::int64_t steps_ = 0;  // phases so far
   // Of the stretch along the ground that lasts as long as the phase.
   struct Stretch {
@@ -307,7 +313,7 @@ auto RockRun<Surface>::go_on() -> Pause {
     outcome_.start = motion_;
     outcome_.max_kinetic_energy = kinetic_energy();
     log_.row(PathState::projectile, motion_);
-    begin(Phase::flies);
+    begin(has_room_ ? Phase::flies : end(EndReason::at_rest));
   }
   while (phase_ != Phase::ended) {
     if (phase_ == Phase::flies) {
@@ -320,7 +326,7 @@ auto RockRun<Surface>::go_on() -> Pause {
     }
     if (const Next next = move_along(on_ground_)) begin(*next);
   }
-  outcome_.max_kinetic_energy = std::max(outcome_.max_kinetic_energy, kinetic_energy());
+  note_energy();
   outcome_.end = motion_;
   log_.row(PathState::ended, motion_);
   return Pause::ended;
@@ -418,7 +424,7 @@ auto RockRun<Surface>::meet_barrier(const Crossing& crossing, double noted_time,
   const double angle = std::copysign(std::acos(across), -motion_.velocity.dot(crossing.up));
   log_.hits.push_back({crossing.barrier, motion_, crossing.height, angle, response.outcome, crossing.station});
   if (response.outcome == BarrierOutcome::rebounded) {
-    crossed_.note_rebound(crossing, noted_time);
+    crossed_.note_rebound(crossing, noted_time, response.leaving->velocity);
   } else if (response.leaving) {
     note_passage(crossing, noted_time, response.leaving->velocity);
   }
@@ -460,6 +466,12 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
   const Material& material = ground_[material_at(contact.facet)];
   const std::uint32_t number = contacts_;
   const GroundDraw draw = draw_at(contact.facet);
+  if (hops_ && grazes(contact.normal, motion_.velocity)) {
+    const double rt = draw.restitution(material)[1];
+    draw_friction(on_ground_, draw, material, rt);
+    settle_onto(contact.normal, on_ground_.mu);
+    return enter_ground(contact, draw, material, rt);
+  }
 
   Vec3 n = contact.normal;
   if (material.is_rough()) {

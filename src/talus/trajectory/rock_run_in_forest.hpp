@@ -45,7 +45,7 @@ auto RockRun<Surface>::fly_where_forests_are() -> Phase {
     const Next next = rate > 0 ? fly_among_trees(rate) : fly_to_the_trees();
     if (next) return *next;
     if (motion_.time >= laws_.max_time) return end(EndReason::maximum_time);
-    outcome_.max_kinetic_energy = std::max(outcome_.max_kinetic_energy, kinetic_energy());
+    note_energy();
     left_ = {};
   }
 }

@@ -277,6 +277,24 @@ bool RockRun<Surface>::is_level(const Vec3& n, const Vec3& velocity) const {
   return std::abs(velocity.dot(n)) <= level * velocity.norm() && laws_.gravity.dot(n) < 0;
 }
 
+/// Whether a rock that slides, or has slid until a moment ago, only grazes a facet, so that it is not struck and slides
+/// on. (CRSP takes a share of the speed along the ground however flat an impact is: over a bend in many facets a slide
+/// would lose all of it. What a sphere loses tends to nothing by its own law.)
+template <class Surface>
+bool RockRun<Surface>::grazes(const Vec3& n, const Vec3& velocity) const {
+  const double into = -velocity.dot(n);
+  return laws_.model == RockModel::lumped_mass && into >= 0 && into < laws_.grazing * velocity.norm() &&
+         laws_.gravity.dot(n) < 0;
+}
+
+/// A lumped mass grazes the ground: it keeps nothing of what leads into it, and the impulse of that has its friction.
+template <class Surface>
+void RockRun<Surface>::settle_onto(const Vec3& n, double mu) {
+  const double into = -motion_.velocity.dot(n);
+  const Vec3 along = tangential(motion_.velocity, n);
+  motion_.velocity = std::max(0.0, 1 - mu * into / std::max(along.norm(), 1e-300)) * along;
+}
+
 /// One leg; gives what comes after it, or nothing where the rock goes on as before.
 template <class Surface>
 auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
@@ -399,8 +417,8 @@ auto RockRun<Surface>::leave_facet(OnGround& phase, const OutlineEdge& edge) -> 
   if (phase.valley) return leave_valley(phase);
   if (edge.beyond) {
     const Vec3 n = outline_of(*edge.beyond).normal;
-    const double speed = motion_.velocity.norm();
-    if (is_level(n, motion_.velocity)) {
+    const bool is_level = this->is_level(n, motion_.velocity);
+    if (is_level || grazes(n, motion_.velocity)) {
       const Vec3 normal_before = std::exchange(phase.normal, n);
       const FacetId facet_before = std::exchange(phase.facet, *edge.beyond);
       if (n.dot(edge.inward) > 0) {
@@ -419,8 +437,13 @@ auto RockRun<Surface>::leave_facet(OnGround& phase, const OutlineEdge& edge) -> 
         const GroundDraw draw = draw_at(phase.facet);
         draw_friction(phase, draw, there, draw.restitution(there)[1]);
       }
-      const Vec3 along = tangential(motion_.velocity, n);
-      motion_.velocity = along * (speed / std::max(along.norm(), 1e-300));
+      if (is_level) {
+        motion_.velocity = tangential(motion_.velocity, n);
+      } else {
+        note_energy();
+        settle_onto(n, phase.mu);
+        log_.row(PathState::sliding, motion_);
+      }
       return Phase::on_ground;
     }
     if (motion_.velocity.dot(n) < 0) {

@@ -23,11 +23,12 @@ struct Laws {
   bool rotation = true;  // lumped mass: the CRSP impact; otherwise the plain one
   Vec3 gravity{0, 0, -standard_gravity};
   SlidingMethod sliding = SlidingMethod::stepped;
-  double timestep = 0.01;               // of stepped motion along the ground [s]
-  double normal_velocity_cutoff = 0.1;  // a rock that leaves an impact more slowly stays on the ground [m/s]
-  double stopped_velocity = 0.1;        // a rock slower than this stops where friction holds it [m/s]
-  std::int64_t max_steps = 10000;       // flights, impacts and stretches along the ground
-  double max_time = 600;                // [s]
+  double timestep = 0.01;                // of stepped motion along the ground [s]
+  double normal_velocity_cutoff = 0.1;   // a rock that leaves an impact more slowly stays on the ground [m/s]
+  double grazing = 0.00174532836589831;  // sine of the angle at which a slide goes on without an impact; of 0.1 degrees
+  double stopped_velocity = 0.1;         // a rock slower than this stops where friction holds it [m/s]
+  std::int64_t max_steps = 10000;        // flights, impacts and stretches along the ground
+  double max_time = 600;                 // [s]
   FrictionSource friction_source = FrictionSource::material;
   RestitutionScaling restitution_scaling;
   bool tangential_crsp_damping = false;  // rigid sphere

@@ -29,12 +29,12 @@ test('changed on the disk, and dropped anew', async ({ workbench: page, server }
   await page.evaluate(() => dispatchEvent(new Event('focus')));
   await expect(legend).toContainText('394');
 
-  page.on('dialog', (dialog) => void dialog.accept());
   await page.evaluate((text) => {
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(new File([text], 'maungawhau.asc'));
     dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
   }, raised(grid, 200));
+  await page.getByRole('dialog').getByRole('button', { name: 'Replace it' }).click();
   await expect(legend).toContainText('294');
   await page.getByRole('tab', { name: 'Text' }).click();
   expect(await page.getByLabel('Project file').inputValue()).toContain(crs);

@@ -86,3 +86,20 @@ test('a run that failed can go on', async ({ workbench: page, server }) => {
   await run.getByRole('button', { name: 'Resume' }).click();
   await expect(run).toContainText('Done');
 });
+
+test('many segments of many materials: each offers them all when it is reached', async ({ workbench: page, server }) => {
+  const materials = Array.from({ length: 60 }, (_, k) => `[[material]]\nname = "M ${k}"\n`).join('');
+  const section = Array.from({ length: 101 }, (_, k) => `[${k}, ${-k}]`).join(', ');
+  server.write('many.toml', `[terrain]\nsection = [${section}]\n[ground]\ndefault = "M 7"\n${materials}`);
+  await page.reload();
+  await page.getByRole('button', { name: /many\.toml/ }).first().click();
+  await openForm(page, /^Ground/);
+  await page.getByLabel('Where materials are').selectOption('segments');
+  const last = page.getByLabel('Material of segment 100', { exact: true });
+  await expect(last).toHaveValue('M 7');
+  await expect(last.locator('option')).toHaveCount(1);
+  await last.focus();
+  await expect(last.locator('option')).toHaveCount(60);
+  await last.selectOption('M 59');
+  await expect(last).toHaveValue('M 59');
+});

@@ -41,3 +41,23 @@ test('a panel of the bar lies within the picture', async ({ workbench: page }) =
   };
   await expect.poll(isInside).toBe(true);
 });
+
+test('in a small window, as at 200 %, the page scrolls to a view and forms that can be used', async ({ workbench: page }) => {
+  await openExample(page, 'Tutorial 1, in 3D');
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await page.setViewportSize({ width: 683, height: 384 });
+  const heightOf = async (selector: string) => (await page.locator(selector).boundingBox())!.height;
+  await expect.poll(() => heightOf('.picture')).toBeGreaterThanOrEqual(260);
+  expect(await heightOf('.side')).toBeGreaterThanOrEqual(360);
+  expect(await heightOf('.results-body')).toBeGreaterThanOrEqual(200);
+  const distance = page.getByRole('button', { name: 'Distance' });
+  await expect(distance).toBeHidden();
+  await page.getByRole('button', { name: 'Tools of the view' }).click();
+  await expect(distance).toBeVisible();
+  await openForm(page, /^Type One/);
+  const name = page.getByLabel('Name', { exact: true });
+  await name.scrollIntoViewIfNeeded();
+  await expect(name).toBeInViewport({ ratio: 1 });
+  await page.setViewportSize({ width: 1366, height: 384 });
+  await expect.poll(() => heightOf('.workbench')).toBeGreaterThanOrEqual(560);
+});

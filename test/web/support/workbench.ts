@@ -2,7 +2,7 @@
 
 import { test as base, expect, type Page } from '@playwright/test';
 import { spawn, type ChildProcess } from 'node:child_process';
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
@@ -57,8 +57,17 @@ export class Server {
   read(name: string): string {
     return readFileSync(join(this.folder, name), 'utf8');
   }
-  write(name: string, text: string) {
-    writeFileSync(join(this.folder, name), text);
+  has(name: string): boolean {
+    return existsSync(join(this.folder, name));
+  }
+  readBytes(name: string): Buffer {
+    return readFileSync(join(this.folder, name));
+  }
+  write(name: string, content: string | Buffer) {
+    writeFileSync(join(this.folder, name), content);
+  }
+  removeFile(name: string) {
+    rmSync(join(this.folder, name));
   }
   copyExample(name: string) {
     cpSync(join(sources, 'examples', name), join(this.folder, name), { recursive: true });

@@ -15,6 +15,7 @@ import type {
   PolygonsAnswer,
   Problem,
   ProjectText,
+  Revision,
   Run,
   Verification,
 } from './types';
@@ -101,10 +102,12 @@ export const api = {
   },
   project: (file: string) => getJson<ProjectText>(`/api/project?file=${encodeURIComponent(file)}`),
   /// `saved`: of the file that it is to replace. Refused where the server works in another folder by now.
-  saveProject: (file: string, { text, saved }: Draft, workplace: string) =>
-    sendJson<{ saved: string }>('PUT', '/api/project', { file, text, saved, workplace }),
-  keepDraft: (file: string, draft: Draft | null, workplace: string) =>
-    sendJson('PUT', '/api/draft', { file, ...(draft ?? { text: null }), workplace }),
+  saveProject: (file: string, { text, saved }: Draft, of: Revision, workplace: string) =>
+    sendJson<{ saved: string }>('PUT', '/api/project', { file, text, saved, ...of, workplace }),
+  keepDraft: (file: string, draft: Draft | null, of: Revision, workplace: string) => {
+    const { text, saved } = draft ?? { text: null, saved: null };
+    return sendJson('PUT', '/api/draft', { file, text, saved, ...of, workplace });
+  },
   model: (file: string, text: string, signal?: AbortSignal) =>
     sendJson<ModelAnswer>('POST', '/api/model', { file, text }, signal),
   runs: async () => (await getJson<{ runs: Run[] }>('/api/runs')).runs,

@@ -49,9 +49,18 @@ export interface Draft {
   /// The hash of the file that it began from; null: there was none.
   saved: string | null;
 }
+/// As the server has it: with the last revision of each tab that it comes from, its own the last.
+export interface KeptDraft extends Draft {
+  revisions: string[];
+}
+/// Of a draft, and of the server's that it was made of (null: of none).
+export interface Revision {
+  revision: string;
+  after: string | null;
+}
 export interface ProjectText extends Draft {
   file: string;
-  draft: Draft | null;
+  draft: KeptDraft | null;
 }
 
 export type Point2 = [number, number];

@@ -26,6 +26,7 @@ export const topics: Record<string, Topic> = {
   analysis: equations,
   'analysis.model': laws('The laws'),
   'analysis.normal_velocity_cutoff_m_s': points,
+  'analysis.grazing_angle_deg': points,
   'analysis.stopped_velocity_m_s': points,
   'analysis.friction_angle': points,
   'terrain.section_std_dev_m': points,

@@ -6,7 +6,7 @@ import { shownMap } from './shownMap';
 export function MapLegend() {
   const map = shownMap.value;
   if (!map) return null;
-  const { colours, limits, scale } = map.header;
+  const { colours, limits, scale, is_open_upwards } = map.header;
   const stops = colours.map(([, colour], k) => `${cssOf(colour)} ${(100 * k) / Math.max(colours.length - 1, 1)}%`);
   return (
     <ScaleLegend
@@ -15,6 +15,7 @@ export function MapLegend() {
       low={limits[0]}
       high={limits[1]}
       logarithmic={scale === 'log'}
+      isClipped={is_open_upwards}
     />
   );
 }

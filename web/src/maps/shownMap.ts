@@ -14,6 +14,8 @@ export interface MapHeader {
   rows: number;
   scale: 'linear' | 'log';
   limits: [number, number];
+  /// Greater values have the last colour.
+  is_open_upwards: boolean;
   /// Colours at values; between two of them a mixture.
   colours: [number, [number, number, number]][];
 }

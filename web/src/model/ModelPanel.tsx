@@ -17,7 +17,6 @@ import { DesignForm } from './DesignForm';
 import { GroundForm } from './GroundForm';
 import { followChosen } from './highlight';
 import { TerrainForm } from './TerrainForm';
-import { takeFiles, listenToDrops } from './terrainFile';
 import { ProblemList } from './ProblemList';
 import { UnfinishedList } from './UnfinishedList';
 import { nameOf } from './place';
@@ -26,7 +25,6 @@ import './model.css';
 
 export function ModelPanel() {
   useEffect(loadSettings, [isConnected.value]); // again, where the server went before it could tell
-  useEffect(() => listenToDrops(takeFiles), []);
   useEffect(followChosen, []);
   const path = chosen.value;
   const isThere = path !== null && (typeof path[1] !== 'number' || rowsOf(String(path[0])).length > path[1]);

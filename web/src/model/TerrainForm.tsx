@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { edit, file } from '../state/document';
 import { sayFailure } from '../state/messages';
 import { model } from '../state/model';
-import { files, loadFiles, relativeTo } from './files';
+import { chosenFiles, files, loadFiles, relativeTo } from './files';
 import { Field } from './form/Field';
 import { TableForm } from './form/TableForm';
 import { tableAt } from './place';
@@ -78,7 +78,7 @@ function NoTerrain({ pick }: { pick: (kind: TerrainKind) => void }) {
         hidden
         multiple
         aria-label="Upload a terrain file"
-        onChange={(event) => void takeFiles([...(event.currentTarget.files ?? [])]).catch(sayFailure)}
+        onChange={(event) => void takeFiles(chosenFiles(event.currentTarget)).catch(sayFailure)}
       />
       {fitting.length > 0 && (
         <>

@@ -1,9 +1,27 @@
 // The project file as it is written, for who likes to.
 
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { replaceText, syntaxError, text } from '../state/document';
 import { asTyped, withTyped } from '../toml/lineEnds';
+import { endOfChange, stepOf } from './textSteps';
 
 export function TextPanel() {
+  const field = useRef<HTMLTextAreaElement>(null);
+  const shown = asTyped(text.value);
+  const last = useRef(shown);
+  // What changes it otherwise, such as Undo, leaves the caret where it changed.
+  useLayoutEffect(() => {
+    const before = last.current;
+    last.current = shown;
+    if (before === shown || document.activeElement !== field.current) return;
+    const place = endOfChange(before, shown);
+    field.current!.setSelectionRange(place, place);
+  }, [shown]);
+  const take = (typed: string) => {
+    const step = stepOf(last.current, typed);
+    last.current = typed;
+    replaceText(withTyped(text.value, typed), 'edit the text', step);
+  };
   return (
     <div style={{ display: 'flex', flexDirection: 'column', height: '100%', padding: 8, gap: 6 }}>
       {syntaxError.value && (
@@ -12,13 +30,16 @@ export function TextPanel() {
         </span>
       )}
       <textarea
+        ref={field}
         class="mono"
         aria-label="Project file"
+        // Always what the project says: undoing is that of the project.
+        data-clean=""
         spellcheck={false}
         wrap="off"
         style={{ flex: 1, resize: 'none', fontSize: 12 }}
-        value={asTyped(text.value)}
-        onInput={(event) => replaceText(withTyped(text.value, event.currentTarget.value), 'edit the text', 'text')}
+        value={shown}
+        onInput={(event) => take(event.currentTarget.value)}
       />
     </div>
   );

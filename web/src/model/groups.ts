@@ -78,7 +78,14 @@ const groupsOf: Record<string, Group[]> = {
     {
       title: 'When a rock stops',
       folded: true,
-      keys: ['normal_velocity_cutoff_m_s', 'stopped_velocity_m_s', 'max_timestep_s', 'max_steps', 'max_time_s'],
+      keys: [
+        'normal_velocity_cutoff_m_s',
+        'grazing_angle_deg',
+        'stopped_velocity_m_s',
+        'max_timestep_s',
+        'max_steps',
+        'max_time_s',
+      ],
     },
   ],
   terrain: [

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { numberOf, pastedRows, typedValue, withoutNames } from './numbers';
+import { numberOf, typedList, typedValue } from './numbers';
 
 describe('numbers as they are typed', () => {
   test.each([
@@ -30,62 +30,15 @@ describe('numbers as they are typed', () => {
   });
 });
 
-describe('rows from a spreadsheet', () => {
-  test('tabs', () =>
-    expect(pastedRows('0\t0\r\n3.1\t-12.2\r\n')).toEqual([
-      ['0', '0'],
-      ['3.1', '-12.2'],
-    ]));
-  test('decimal commas between tabs or semicolons', () => {
-    expect(pastedRows('3,1\t-12,2')).toEqual([['3.1', '-12.2']]);
-    expect(pastedRows('3,1;-12,2\n1;2')).toEqual([
-      ['3.1', '-12.2'],
-      ['1', '2'],
-    ]);
-  });
-  test('commas and blanks as separators', () => {
-    expect(pastedRows('1, 2, 3')).toEqual([['1', '2', '3']]);
-    expect(pastedRows('  1   2\t3'.replace('\t', ' '))).toEqual([['1', '2', '3']]);
-  });
-  test('a heading, empty lines and quotes', () => expect(pastedRows('X\tY\n\n"1"\t"2"\n')).toEqual([['1', '2']]));
-  test('a row of numbers that cannot be kept is no heading', () =>
-    expect(pastedRows('1e999;1e999')).toEqual([['1e999', '1e999']]));
-  test('a comma at the end of every line', () =>
-    expect(pastedRows('1,2,\n3,4,')).toEqual([
-      ['1', '2'],
-      ['3', '4'],
-    ]));
-  test('the names of vertices go', () => {
-    const rows = pastedRows('Vertex\tX\tY\tZ\nA\t-10\t10\t16.32993\nB\t10\t10\t16.32993');
-    expect(withoutNames(rows, 3)).toEqual([
-      ['-10', '10', '16.32993'],
-      ['10', '10', '16.32993'],
-    ]);
-  });
-  test('numbers that count the rows go, others stay', () => {
-    expect(
-      withoutNames(
-        [
-          ['1', '5', '6'],
-          ['2', '7', '8'],
-        ],
-        2,
-      ),
-    ).toEqual([
-      ['5', '6'],
-      ['7', '8'],
-    ]);
-    expect(
-      withoutNames(
-        [
-          ['4', '5', '6'],
-          ['2', '7', '8'],
-        ],
-        2,
-      ),
-    ).toEqual([
-      ['4', '5', '6'],
-      ['2', '7', '8'],
-    ]);
-  });
+describe('lists as they are typed', () => {
+  test.each([
+    ['50, 95, 97.5', [50, 95, 97.5]],
+    ['50,95', [50, 95]],
+    ['50;95 99', [50, 95, 99]],
+    ['50, 97,5', [50, '97,5']],
+    ['2,5; 3,5', ['2,5', '3,5']],
+    ['2,5 3', ['2,5', 3]],
+    ['0.5 ,5', [0.5, 5]],
+    [' , ', []],
+  ])('%s', (text, list) => expect(typedList(text)).toEqual(list));
 });

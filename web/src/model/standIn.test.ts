@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import type { Problem } from '../api/types';
 import { valuesOf } from '../toml/edit';
-import { withStandIns } from './standIn';
+import { withStandIns, withTerrainOf } from './standIn';
 
 const error = (path: string): Problem => ({
   severity: 'error',
@@ -15,6 +15,21 @@ const error = (path: string): Problem => ({
   text: path,
 });
 const terrain = '[terrain]\nsection = [[5, 1], [10, -5]]\n';
+
+test('what is wrong with the terrain is told as soon as something stands in for the rest', () => {
+  const missing = { ...error(''), what: '[[material]] is missing' };
+  const ofTerrain = {
+    ...error('terrain.lines'),
+    file: 'a.toml',
+    line: 9,
+    text: 'a.toml:9: lines has an attribute that is not UTF-8',
+  };
+  expect(withTerrainOf([missing], [error('seeder.0.position'), ofTerrain])).toEqual([
+    missing,
+    { ...ofTerrain, line: 0, text: 'a.toml: lines has an attribute that is not UTF-8' },
+  ]);
+  expect(withTerrainOf([ofTerrain], [ofTerrain])).toEqual([ofTerrain]);
+});
 
 test('a material and a seeder stand in where there are none', () =>
   expect(valuesOf(withStandIns(terrain, [error(''), error('')])!)).toMatchObject({

@@ -32,12 +32,27 @@ function placeOn(terrain: TomlTable, problems: readonly Problem[]): TomlValue[] 
   return [(west! + east!) / 2, (south! + north!) / 2, 0];
 }
 
+const isOfTerrain = ({ path }: Problem) => path === 'terrain' || path.startsWith('terrain.');
+
+/// What is wrong with a text, and what came to light of its terrain when something stood in for the rest. Lines of that
+/// text are not those of the project.
+export function withTerrainOf(found: readonly Problem[], withStandIns: readonly Problem[]): Problem[] {
+  const isNew = ({ path, what }: Problem) => !found.some((known) => known.path === path && known.what === what);
+  const terrain = withStandIns.filter((problem) => isOfTerrain(problem) && isNew(problem));
+  const withoutLine = (problem: Problem) => ({
+    ...problem,
+    line: 0,
+    text: problem.text.replace(`${problem.file}:${problem.line}:`, `${problem.file}:`),
+  });
+  return [...found, ...terrain.map(withoutLine)];
+}
+
 /// A text that may build, or null where the terrain itself is what is wrong.
 export function withStandIns(text: string, problems: readonly Problem[]): string | null {
   try {
     const { terrain } = valuesOf(text);
     const errors = problems.filter(({ severity }) => severity === 'error');
-    if (!isTable(terrain) || errors.some(({ path }) => path === 'terrain' || path.startsWith('terrain.'))) return null;
+    if (!isTable(terrain) || errors.some(isOfTerrain)) return null;
     const removes = errors.flatMap((problem) => removalFor(problem) ?? []);
     // From the last one on, so that numbers of entries hold.
     const inOrder = [...new Map(removes.map((edit) => [JSON.stringify(edit), edit])).values()].sort((a, b) =>

@@ -2,22 +2,34 @@
 
 import { edit, file } from '../state/document';
 import { say, sayFailure } from '../state/messages';
-import { chosen } from '../state/view';
-import { loadFiles, uploadBeside } from './files';
+import { chosen, sidePanel } from '../state/view';
+import { keepBeside } from './files';
 import { tableAt } from './place';
-import { changeTo, terrainKinds } from './terrainKinds';
+import { changeTo, kindOf, terrainKinds } from './terrainKinds';
 
 const endings: [RegExp, string, string][] = [
   [/\.(tiff?|asc|vrt|img|dem)$/i, 'raster', 'raster'],
   [/\.(obj|stl|ply)$/i, 'mesh', 'mesh'],
   [/\.(csv|xyz|txt|pts|dat|las)$/i, 'survey', 'points'],
   [/\.dxf$/i, 'survey', 'lines'],
+  [/\.(shp|gpkg|geojson)$/i, 'survey', 'lines'],
 ];
+/// Files that are as often something else: areas of the ground, places where rocks start.
+const mayBeElse = /\.(shp|gpkg|geojson)$/i;
 
 /// The kind and the key of the terrain that a file would be, by its name; null: none.
 export function terrainOfFile(name: string): { kind: string; key: string } | null {
   const found = endings.find(([ending]) => ending.test(name));
   return found ? { kind: found[1], key: found[2] } : null;
+}
+
+/// Of several files the one that is a terrain the most likely.
+export function terrainAmong(names: readonly string[]) {
+  for (const [ending, kind, key] of endings) {
+    const name = names.find((one) => ending.test(one));
+    if (name !== undefined) return { name, kind, key };
+  }
+  return null;
 }
 
 /// The terrain is this file from now on, called as the project calls it.
@@ -27,21 +39,20 @@ export function useTerrainFile(name: string, kindName: string, key: string) {
   edit(`take ${name} as the terrain`, [...edits, { set: ['terrain', key], value: name }]);
 }
 
-/// Keeps dropped files beside the project; the first that can be a terrain becomes it.
+/// Keeps dropped files beside the project; one that can be a terrain becomes it.
 export async function takeFiles(list: readonly File[]) {
-  if (file.value === null) return;
-  let taken: { name: string; kind: string; key: string } | null = null;
-  for (const one of list) {
-    const name = await uploadBeside(file.value, one);
-    const terrain = terrainOfFile(one.name);
-    if (name !== null && terrain && !taken) taken = { name, ...terrain };
-  }
-  await loadFiles();
+  const project = file.value;
+  if (project === null) return;
+  const kept = await keepBeside(project, list);
+  if (file.value !== project) return;
+  const hasTerrain = kindOf(tableAt(['terrain'])) !== undefined;
+  const taken = terrainAmong(hasTerrain ? kept.filter((name) => !mayBeElse.test(name)) : kept);
   if (taken) {
     useTerrainFile(taken.name, taken.kind, taken.key);
     chosen.value = ['terrain'];
-  } else if (list.length > 0)
-    say('note', `Kept in the folder: ${list.map(({ name }) => name).join(', ')}. Forms that name a file offer it now.`);
+    sidePanel.value = 'model';
+  } else if (kept.length > 0)
+    say('note', `Kept in the folder: ${kept.join(', ')}. Forms that name a file offer it now.`);
 }
 
 /// Lets files be dropped anywhere on the page.

@@ -69,7 +69,7 @@ export function nextSteps(project: TomlTable): Step[] {
       (key) => terrain[key] !== undefined,
     );
   const section = terrain?.section;
-  const isEmpty = (key: string) => !Array.isArray(project[key]) || project[key].length === 0;
+  const isEmpty = (key: string) => project[key] === undefined || (project[key] as unknown[]).length === 0;
   const steps: Step[] = [];
   if (!hasSurface && !(Array.isArray(section) && section.length >= 2))
     steps.push({

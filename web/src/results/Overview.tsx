@@ -51,8 +51,9 @@ export function Overview({ run }: { run: Run }) {
           </dd>
         </dl>
         {Number(summary.rocks.lifted) > 0 && (
-          <p class="problem warning">{counted(Number(summary.rocks.lifted), 'rock')} would have started underground, and
-            {summary.rocks.lifted === '1' ? ' was' : ' were'} lifted.</p>
+          <p class="problem warning">{counted(Number(summary.rocks.lifted), 'rock')}
+            {summary.rocks.lifted === '1' ? ' was' : ' were'} to start in the ground, and moved out of it where there was
+            room.</p>
         )}
       </div>
       <StatisticsTable caption="Statistics over all rocks" file={fileName(run.name, 'statistics')} columns={columns} />

@@ -74,7 +74,7 @@ export function ResultsPanel() {
   const isOpen = resultsOpen.value;
   return (
     <section
-      class="results"
+      class={isOpen ? 'results open' : 'results'}
       aria-label="Results"
       style={isOpen ? { height: `${Math.round(resultsShare.value * 1000) / 10}vh` } : {}}
     >

@@ -28,6 +28,14 @@ function Progress({ run }: { run: Run }) {
   );
 }
 
+/// Where the keyboard goes when a run is gone: to the next one, or to the tab where there is none.
+function placeAfter(run: Run): HTMLElement | null {
+  const card = document.querySelector(`[data-run="${run.id}"]`);
+  const next = card?.nextElementSibling ?? card?.previousElementSibling;
+  const tab = card?.closest('.side')?.querySelector<HTMLElement>('[role="tab"][aria-selected="true"]');
+  return next?.querySelector<HTMLElement>('.run-name') ?? tab ?? null;
+}
+
 function DeleteDialog({ run, close }: { run: Run; close: () => void }) {
   return (
     <Dialog title="Delete this run?" close={close}>
@@ -41,8 +49,9 @@ function DeleteDialog({ run, close }: { run: Run; close: () => void }) {
         <button
           class="button danger"
           onClick={() => {
+            const next = placeAfter(run);
             close();
-            void remove(run.id);
+            void remove(run.id).then(() => next?.focus());
           }}
         >
           Delete
@@ -64,7 +73,7 @@ export function RunCard({ run, isNear }: { run: Run; isNear: boolean }) {
   const errors = run.problems.filter(({ severity }) => severity === 'error').length;
   const warnings = run.problems.length - errors;
   return (
-    <li class={`run ${isShown ? 'shown' : isCompared ? 'compared' : ''}`}>
+    <li class={`run ${isShown ? 'shown' : isCompared ? 'compared' : ''}`} data-run={run.id}>
       <RunName run={run} />
       <RunStateText run={run} />
       {run.state === 'running' && <Progress run={run} />}

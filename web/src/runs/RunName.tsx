@@ -1,4 +1,4 @@
-import { useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { Run } from '../api/types';
 import { rename } from '../state/runs';
 import { focusOnceMade } from '../ui/focus';
@@ -6,15 +6,31 @@ import { focusOnceMade } from '../ui/focus';
 /// The name of a run; a click makes it a field.
 export function RunName({ run }: { run: Run }) {
   const [isOpen, open] = useState(false);
+  const button = useRef<HTMLButtonElement>(null);
+  const endedByKey = useRef(false);
+  useLayoutEffect(() => {
+    if (!isOpen && endedByKey.current) button.current?.focus();
+    endedByKey.current = false;
+  }, [isOpen]);
   if (!isOpen)
     return (
-      <button class="run-name" title="Rename" aria-label={`${run.name}: rename`} onClick={() => open(true)}>
+      <button
+        ref={button}
+        class="run-name"
+        title="Rename"
+        aria-label={`${run.name}: rename`}
+        onClick={() => open(true)}
+      >
         {run.name}
       </button>
     );
-  const end = (name: string) => {
-    open(false);
+  const take = (name: string) => {
     if (name && name !== run.name) void rename(run.id, name);
+  };
+  const end = (input: HTMLInputElement, key?: string) => {
+    if (key !== 'Escape') take(input.value.trim());
+    endedByKey.current = key !== undefined;
+    open(false);
   };
   return (
     <input
@@ -24,10 +40,12 @@ export function RunName({ run }: { run: Run }) {
       maxLength={200}
       ref={focusOnceMade}
       onFocus={(event) => event.currentTarget.select()}
-      onBlur={(event) => end(event.currentTarget.value.trim())}
+      // A field that is taken away is left, too.
+      onBlur={(event) => !endedByKey.current && end(event.currentTarget)}
       onKeyDown={(event) => {
-        if (event.key === 'Enter') end(event.currentTarget.value.trim());
-        if (event.key === 'Escape') open(false);
+        if (event.key !== 'Enter' && event.key !== 'Escape') return;
+        event.preventDefault(); // Enter would press the button, too
+        end(event.currentTarget, event.key);
       }}
     />
   );

@@ -10,18 +10,21 @@ const looks: Record<RunState, { sign: string; words: string }> = {
   failed: { sign: '✕', words: 'Failed' },
 };
 
+/// "Stopped, 20 of 50 rocks".
+export function stateText(run: Run): string {
+  const isPart = run.state !== 'done' && run.state !== 'waiting' && run.done > 0;
+  const of = `, ${run.done.toLocaleString('en')} of ${counted(run.rocks, 'rock')}`;
+  return looks[run.state].words + (isPart ? of : '');
+}
+
 /// Where a run stands, as a sign and in words.
 export function RunStateText({ run }: { run: Run }) {
-  const { sign, words } = looks[run.state];
-  const isPart = run.state !== 'done' && run.state !== 'waiting' && run.done > 0;
-  const of = `${run.done.toLocaleString('en')} of ${counted(run.rocks, 'rock')}`;
   return (
     <span class={`run-state ${run.state}`}>
       <span class="sign" aria-hidden="true">
-        {sign}
+        {looks[run.state].sign}
       </span>
-      {words}
-      {isPart && `, ${of}`}
+      {stateText(run)}
     </span>
   );
 }

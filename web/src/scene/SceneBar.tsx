@@ -7,6 +7,7 @@ import { SectionButton } from '../sectionLine/SectionButton';
 import { DistanceButton } from '../view/DistanceButton';
 import { Popover } from '../view/Popover';
 import { savePicture } from '../view/savePicture';
+import { ViewBar } from '../view/ViewBar';
 import { namedViews, type NamedView } from './namedViews';
 import type { OpenScene } from './open';
 
@@ -20,7 +21,7 @@ const stretches = [1, 1.5, 2, 3, 5];
 
 export function SceneBar({ open }: { open: OpenScene }) {
   return (
-    <div class="view-bar" role="toolbar" aria-label="View">
+    <ViewBar>
       <Popover title="View">
         {(Object.keys(namedViews) as NamedView[]).map((name) => (
           <button key={name} class="button plain" onClick={() => open.scene.view(name)}>
@@ -76,6 +77,6 @@ export function SceneBar({ open }: { open: OpenScene }) {
       >
         Picture
       </button>
-    </div>
+    </ViewBar>
   );
 }

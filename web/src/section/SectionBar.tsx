@@ -7,6 +7,7 @@ import { savePicture } from '../view/savePicture';
 import { DistanceButton } from '../view/DistanceButton';
 import { Popover } from '../view/Popover';
 import { equalAxes, layerNames, layers } from '../view/settings';
+import { ViewBar } from '../view/ViewBar';
 import { zoomed } from './frame';
 import { fit, frame } from './picture';
 
@@ -17,7 +18,7 @@ function zoom(factor: number) {
 
 export function SectionBar({ canvas }: { canvas: RefObject<HTMLCanvasElement> }) {
   return (
-    <div class="view-bar" role="toolbar" aria-label="View">
+    <ViewBar>
       <button class="button" title="Show all (0)" onClick={fit}>
         Fit
       </button>
@@ -44,6 +45,6 @@ export function SectionBar({ canvas }: { canvas: RefObject<HTMLCanvasElement> })
       <button class="button" title="Save the picture as PNG" onClick={() => savePicture(canvas.current)}>
         Picture
       </button>
-    </div>
+    </ViewBar>
   );
 }

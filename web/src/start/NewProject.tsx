@@ -1,15 +1,14 @@
 // A new project: its name, and what its terrain begins with.
 
 import { useRef, useState } from 'preact/hooks';
-import { uploadBeside } from '../model/files';
-import { terrainOfFile } from '../model/terrainFile';
+import { chosenFiles, files, keepBeside } from '../model/files';
+import { terrainAmong, terrainOfFile } from '../model/terrainFile';
 import { api } from '../api/client';
-import { localDrafts } from '../state/drafts';
+import { localDrafts } from '../state/localDrafts';
 import { say, sayFailure } from '../state/messages';
 import { start } from '../state/opening';
 import { chosen, sidePanel } from '../state/view';
 import { allWritten } from '../state/writes';
-import { files } from '../model/files';
 import { fileNameOf, firstText, type Beginning } from './newProject';
 
 /// Names that projects have, also those that were never saved.
@@ -27,19 +26,15 @@ export async function begin(name: string, beginning: Beginning) {
   chosen.value = beginning.kind === 'file' ? null : ['terrain'];
 }
 
-/// Keeps the files in the folder; a project begins with the first that can be a terrain.
+/// Keeps the files in the folder; a project begins with one that can be a terrain.
 export async function beginWith(list: readonly File[], name = '') {
-  let terrain: Beginning | null = null;
-  for (const one of list) {
-    const found = terrainOfFile(one.name);
-    const kept = await uploadBeside('', one);
-    if (kept !== null && found && !terrain) terrain = { kind: 'file', name: kept, key: found.key };
-  }
-  if (terrain) await begin(name, terrain);
-  else if (list.length > 0)
+  const kept = await keepBeside('', list);
+  const terrain = terrainAmong(kept);
+  if (terrain) await begin(name, { kind: 'file', name: terrain.name, key: terrain.key });
+  else if (kept.length > 0)
     say(
       'note',
-      'That is no terrain that Talus reads: a raster (.tif, .asc), a mesh (.obj, .stl, .ply), points (.csv, .xyz, .las) or lines (.dxf).',
+      'That is no terrain that Talus reads: a raster (.tif, .asc), a mesh (.obj, .stl, .ply), points (.csv, .xyz, .las) or lines (.dxf, .shp, .gpkg, .geojson).',
     );
 }
 
@@ -66,7 +61,7 @@ export function NewProject() {
         </button>
         <button class="card" onClick={() => input.current?.click()}>
           <span class="name">From a terrain file…</span>
-          <span class="faint">A GeoTIFF, a mesh, surveyed points: pick it, or drop it anywhere here</span>
+          <span class="faint">A GeoTIFF, a mesh, surveyed points or contours: pick it, or drop it anywhere here</span>
         </button>
       </div>
       <input
@@ -75,7 +70,7 @@ export function NewProject() {
         hidden
         multiple
         aria-label="Terrain file"
-        onChange={(event) => void beginWith([...(event.currentTarget.files ?? [])], name).catch(sayFailure)}
+        onChange={(event) => void beginWith(chosenFiles(event.currentTarget), name).catch(sayFailure)}
       />
       {there.length > 0 && (
         <label class="new-name">

@@ -7,7 +7,7 @@ import type { Example } from '../api/types';
 import { files } from '../model/files';
 import { listenToDrops } from '../model/terrainFile';
 import { about } from '../state/about';
-import { localDrafts } from '../state/drafts';
+import { localDrafts } from '../state/localDrafts';
 import { sayFailure } from '../state/messages';
 import { open } from '../state/opening';
 import { compute, ownRuns } from '../state/runs';

@@ -30,8 +30,8 @@ const future = signal<Step[]>([]);
 export const isChanged = computed(() => text.value !== savedText.value || savedHash.value === null);
 export const undoes = computed(() => past.value.at(-1)?.what ?? null);
 export const redoes = computed(() => future.value.at(-1)?.what ?? null);
-/// A draft of an earlier session that was taken up, until the user has seen it.
-export const takenUp = signal<'of the file' | 'of an earlier file' | null>(null);
+/// A draft that was taken up, or the file of which changed while it was made, until the user has seen it.
+export const takenUp = signal<'of the file' | 'of an earlier file' | 'of a file that is gone' | null>(null);
 
 /// What the text says; while it is no TOML (in the text editor), what it said last.
 let last: { opening: number; values: TomlTable } = { opening: 0, values: {} };

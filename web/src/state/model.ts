@@ -3,7 +3,7 @@
 import { batch, effect, signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { Model, Problem } from '../api/types';
-import { withoutStandIns, withStandIns } from '../model/standIn';
+import { withoutStandIns, withStandIns, withTerrainOf } from '../model/standIn';
 import { file, text } from './document';
 import { sayFailure } from './messages';
 
@@ -14,6 +14,8 @@ export const problems = signal<Problem[]>([]);
 export const isBuilding = signal(false);
 /// Whether `model` is of the text as it stands.
 export const isCurrent = signal(false);
+/// Whether the terrain of the text has errors, and `model` is that of the text before.
+export const isOfBefore = signal(false);
 
 let asking: AbortController | undefined;
 let timer: ReturnType<typeof setTimeout> | undefined;
@@ -36,11 +38,14 @@ async function ask(isWanted: (next: Model) => boolean) {
   const name = file.value;
   try {
     const answer = await api.model(name, text.value, own.signal);
-    const shown = answer.model ?? (await buildWithStandIns(name, text.value, answer.problems, own.signal));
+    const { model: shown, wrong } = answer.model
+      ? { model: answer.model, wrong: answer.problems }
+      : await buildWithStandIns(name, text.value, answer.problems, own.signal);
     if (own.signal.aborted) return;
     lastTook = performance.now() - begun;
     batch(() => {
-      problems.value = answer.problems;
+      problems.value = wrong;
+      isOfBefore.value = shown === null && modelFile === name && model.value !== null;
       if (modelFile !== name || (shown && isWanted(shown))) model.value = shown;
       modelFile = name;
       isCurrent.value = answer.model !== null;
@@ -54,18 +59,18 @@ async function ask(isWanted: (next: Model) => boolean) {
   }
 }
 
-/// The model of a text that cannot run yet, as far as it goes.
+/// The model of a text that cannot run yet, as far as it goes, and what is wrong with the text.
 async function buildWithStandIns(name: string, now: string, found: Problem[], signal: AbortSignal) {
   let [next, wrong]: [string | null, Problem[]] = [now, found];
   // What is wrong on the terrain is seen only when the rest is right.
   for (let round = 0; round < 3; ++round) {
     next = withStandIns(next, wrong);
-    if (next === null) return null;
+    if (next === null) break;
     const answer = await api.model(name, next, signal);
-    if (answer.model) return withoutStandIns(answer.model);
     wrong = answer.problems;
+    if (answer.model) return { model: withoutStandIns(answer.model), wrong: withTerrainOf(found, wrong) };
   }
-  return null;
+  return { model: null, wrong: withTerrainOf(found, wrong) };
 }
 
 effect(() => {
@@ -77,6 +82,7 @@ effect(() => {
     asking?.abort();
     modelFile = null;
     model.value = null;
+    isOfBefore.value = false;
     problems.value = [];
     return;
   }

@@ -2,10 +2,13 @@
 
 import { batch, effect } from '@preact/signals';
 import { api, Refused } from '../api/client';
-import type { Draft, ProjectText } from '../api/types';
+import type { ProjectText } from '../api/types';
 import { about, keptKey } from './about';
 import { begin, file, leave, replaceText, savedHash, takenUp } from './document';
-import { forgetLocal, keepNow, localDraft } from './drafts';
+import { draftsAside, keepHere, keepNow, letGo, takeNote } from './drafts';
+import { sawFile } from './fileOnDisk';
+import { localDraftsOf } from './localDrafts';
+import { choiceOf, type LocalDraft } from './revisions';
 import { chosen, chosenRock } from './view';
 
 // A tab that is reloaded opens its project again.
@@ -15,24 +18,32 @@ effect(() => {
 });
 export const lastOpen = () => sessionStorage.getItem(ownKey()) ?? about.value?.project ?? null;
 
-async function read(name: string, local: Draft | null): Promise<ProjectText> {
+async function read(name: string, locals: readonly LocalDraft[]): Promise<ProjectText> {
   try {
     return await api.project(name);
   } catch (error) {
     // Never saved, and the server did not hear of it before it went.
-    if (!(error instanceof Refused) || error.status !== 404 || local === null) throw error;
-    return { file: name, text: '', saved: null, draft: local };
+    if (!(error instanceof Refused) || error.status !== 404 || locals.length === 0) throw error;
+    return { file: name, text: '', saved: null, draft: null };
   }
 }
 
 /// Opens a project of the folder; a draft that was left is taken up, and the saved text is one undo away. One of a file
 /// that has been changed since still has that file's hash: it does not overwrite the new one unasked.
 export async function open(name: string) {
-  const local = localDraft(name);
-  const project = await read(name, local);
-  const draft = local ?? project.draft;
+  const locals = localDraftsOf(name);
+  const project = await read(name, locals);
+  const { taken: draft, aside, outdone } = choiceOf(project.text, project.draft, locals);
   begin(name, project.text, project.text, project.saved);
-  if (draft === null || draft.text === project.text) return forgetLocal(name);
+  takeNote(name, project.draft);
+  sawFile(project.saved);
+  letGo(name, outdone);
+  draftsAside.value = aside;
+  if (draft === null) return;
+  if ('revision' in draft) {
+    keepHere(name, draft);
+    letGo(name, [draft]);
+  }
   const isOfTheFile = project.saved === null || draft.saved === project.saved;
   batch(() => {
     replaceText(draft.text, 'take up the draft');
@@ -42,7 +53,11 @@ export async function open(name: string) {
 }
 
 /// Begins a project that has no file yet.
-export const start = (name: string, first: string) => begin(name, first, '', null);
+export function start(name: string, first: string) {
+  begin(name, first, '', null);
+  takeNote(name, null);
+  sawFile(null);
+}
 
 export function close() {
   void keepNow();

@@ -5,6 +5,7 @@ import { api } from '../api/client';
 import { leftOut } from '../model/leftOut';
 import type { Run } from '../api/types';
 import { file, text } from './document';
+import { lookAtFile } from './fileOnDisk';
 import { say, sayFailure } from './messages';
 import { lookAgain } from './model';
 import { hearNews } from './news';
@@ -55,6 +56,7 @@ function take(run: Run) {
 
 /// Throws the rocks of the text as it stands.
 export async function compute(more: { name?: string; rocks?: number; seed?: number } = {}) {
+  await lookAtFile();
   if (file.value === null) return;
   try {
     const run = await api.compute(file.value, text.value, more);

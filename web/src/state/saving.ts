@@ -5,7 +5,8 @@ import { api, Refused } from '../api/client';
 import { leftOut } from '../model/leftOut';
 import { workplace } from './about';
 import { file, opening, replaceText, savedHash, settle, text } from './document';
-import { dropDraft } from './drafts';
+import { dropDraft, nextRevision } from './drafts';
+import { sawFile } from './fileOnDisk';
 import { say, sayFailure } from './messages';
 import { writeInTurn } from './writes';
 
@@ -19,7 +20,9 @@ function write(name: string, replaced: () => string | null | Promise<string | nu
   return writeInTurn(async () => {
     if (opening.value !== asked) return; // left meanwhile; the draft has it
     const now = text.value;
-    const { saved } = await api.saveProject(name, { text: now, saved: await replaced() }, workplace());
+    const before = await replaced();
+    const { saved } = await api.saveProject(name, { text: now, saved: before }, nextRevision(name), workplace());
+    sawFile(saved);
     if (opening.value === asked) settle(name, now, saved);
     say('saved', `Saved ${name}${leftOut()}`);
   });

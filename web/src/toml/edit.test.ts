@@ -206,3 +206,9 @@ test('the mark with which some editors begin a file stays', () => {
     '\ufeffname = "B"\r\n\r\n[[seeder]]\r\nrocks = 5\r\n',
   );
 });
+
+test('what is no list of tables gets no table', () => {
+  const append = () => [{ append: ['material'], value: { name: 'A' } }];
+  for (const text of ['material = 3\n', 'material = { name = "B" }\n', '[material]\nname = "B"\n'])
+    expect(() => edited(text, append())).toThrow('material is there already, and is no list of tables');
+});

@@ -5,6 +5,7 @@ import { isBuilding } from '../state/model';
 import { isConnected, running, stop } from '../state/runs';
 import { theme, type Theme } from '../state/view';
 import { ComputeMenu } from '../runs/ComputeMenu';
+import { RunEnds } from '../runs/RunEnds';
 import { clockText, counted } from './format';
 import { taken } from './typing';
 
@@ -68,6 +69,7 @@ export function TopBar() {
       </button>
       <span class="space" />
       <Progress />
+      <RunEnds />
       {!isConnected.value && (
         <span class="problem" role="alert">
           The server does not answer

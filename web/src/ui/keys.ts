@@ -10,7 +10,8 @@ import { isWriting, taken } from './typing';
 const undoesItself = (target: EventTarget | null) =>
   isWriting(target) &&
   !(target instanceof HTMLSelectElement) &&
-  !(target instanceof HTMLInputElement && (target.type !== 'text' || target.dataset.clean !== undefined));
+  !(target instanceof HTMLInputElement && target.type !== 'text') &&
+  (target as HTMLElement).dataset.clean === undefined;
 
 function onKey(event: KeyboardEvent) {
   if (file.value === null) return;

@@ -4,6 +4,7 @@ const designsOf = () => runs.filter((run) => run.summary.design);
 const shareText = (share) => share ? `${number(100 * share.value, 3)} %` : '–';
 const rangeText = ([value, low, high], per, digits = 4) => value === undefined ? '–' :
   `${number(value / per, digits)} (${isNumber(low) ? number(low / per, digits) : '…'} to ${isNumber(high) ? number(high / per, digits) : '…'})`;
+const sufficesText = (kit) => (kit.suffices ? 'yes' : 'no') + (kit.sure === false ? ', not sure' : '');
 const classText = (needs) => needs ? `${needs.class}` : '–';
 
 // Quantities as the summary calls them; energy is the one that the check begins with.
@@ -93,7 +94,7 @@ function designCheck(parent, run) {
   });
   const words = design.standard ? `Factors: trajectory ${number(factors.trajectory)}, topography ${number(factors.topography)}, volume ${number(factors.volume)}, density ${number(factors.density)}, ` +
     `risk ${number(factors.risk)}, energy ${number(factors.energy)} (${factors.level}); upper clearance ${number(factors.clearance_m)} m or half the block. ` : '';
-  const block = isNumber(factors.block_mass_kg) ? `Energies of the check are those of a design block of ${number(factors.block_mass_kg)} kg. ` : '';
+  const block = isNumber(factors.block_mass_kg) ? `Energy and size in the check are those of a design block of ${number(factors.block_mass_kg)} kg. ` : '';
   element(parent, 'p', `${words}${block}Classes are those of EAD 340059-00-0106; class 8 is above 4,500 kJ. What a net gives way, foundations and several rocks at once are not checked.`, {class: 'quiet'});
 }
 
@@ -104,17 +105,20 @@ function designRanking(parent, run) {
   const best = design.best;
   const wanted = `${number(100 * design.catch_share)} %`;
   const of = (run.project.design || {}).protect ? `the rocks that reach ${run.project.design.protect}` : 'the rocks that reach its line';
-  element(parent, 'p', best ? `Least cost that catches ${wanted} of ${of}: ${best.line}, ${number(best.height_m)} m high, ${number(best.energy_J / 1000)} kJ${isNumber(best.class) ? ` (class ${best.class})` : ''}; it catches ${shareText(best.caught_share)}.`
+  element(parent, 'p', best ? `Least cost that catches ${wanted} of ${of}: ${best.line}, ${number(best.height_m)} m high, ${number(best.energy_J / 1000)} kJ${isNumber(best.class) ? ` (class ${best.class})` : ''}; it catches ${shareText(best.caught_share)}${best.sure === false ? ' (not sure)' : ''}.`
     : `No kit of those given catches ${wanted} of ${of}.`);
   table(parent, {
     caption: 'Kits to choose from, the best first',
     head: [['Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Interval', 'Too high', 'Too strong', 'Past the line', 'Catches enough', 'Cost index']],
     rows: shown.map((kit) => [kit.line, number(kit.height_m), number(kit.energy_J / 1000), isNumber(kit.class) ? String(kit.class) : '–', shareText(kit.caught_share),
       kit.caught_share ? `${number(100 * kit.caught_share.low, 3)} to ${number(100 * kit.caught_share.high, 3)} %` : '–',
-      number(kit.above), number(kit.through), number(kit.beside), kit.suffices ? 'yes' : 'no', number(kit.cost, 4)]),
+      number(kit.above), number(kit.through), number(kit.beside), sufficesText(kit), number(kit.cost, 4)]),
     numeric: (column) => column > 0,
     rowClass: (i) => i === 0 && best ? 'differs' : '',
   });
+  if (shown.some((kit) => kit.sure === false)) {
+    element(parent, 'p', `Not sure: the wanted ${wanted} lie within the ${number(100 * design.confidence)} % confidence interval of the share. Run more rocks to tell, or choose a kit that is sure.`);
+  }
   const more = design.ranking.length - shown.length;
   element(parent, 'p', (more > 0 ? `${count(more, 'more is', 'more are')} in design_ranking.csv. ` : '') +
     'A kit catches a rock that the check would let it stand against; of each line and height the least energy that suffices is shown. The cost index is length × height to a power × energy to a power, of the settings: a help to compare, no price.', {class: 'quiet'});

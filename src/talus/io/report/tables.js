@@ -101,7 +101,7 @@ function warnings(parent) {
     const mark = single ? '' : run.label + ': ';
     const rocks = run.summary.rocks || {};
     const stopped = run.summary.interrupted ? [`${mark}The run was interrupted: ${number(rocks.done)} of ${number(rocks.planned)} rocks are done.`] : [];
-    return [...stopped, ...run.warnings.map((w) => mark + (typeof w === 'string' ? w : settingText(w))), ...run.notes.map((n) => mark + n)];
+    return [...stopped, ...run.warnings.map((w) => mark + (typeof w === 'string' ? w : settingText(w))), ...[...(run.summary.notes || []), ...run.notes].map((n) => mark + n)];
   });
   if (!lines.length) return element(parent, 'p', 'The run gave no warnings.', {class: 'quiet'});
   const list = element(element(parent, 'div', null, {class: 'note'}), 'ul');

@@ -1,3 +1,4 @@
+import { useState } from 'preact/hooks';
 import type { TomlValue } from '../../toml/format';
 import { cellText } from '../numbers';
 import { wordText } from '../words';
@@ -13,13 +14,18 @@ interface Props {
   absent: string;
   invalid?: boolean;
   describedBy?: string;
+  /// One of very many: its other words come when somebody is about to choose.
+  isOneOfMany?: boolean;
   take: (value: string | undefined) => void;
 }
 
 /// One word of several. What the file has is shown even where it is none of them.
-export function Choice({ id, label, words, titles = {}, value, absent, invalid, describedBy, take }: Props) {
+export function Choice(props: Props) {
+  const { id, label, words, titles = {}, value, absent, invalid, describedBy, isOneOfMany = false, take } = props;
+  const [isNear, approach] = useState(!isOneOfMany);
   const now = cellText(value);
-  const all = now === '' || words.includes(now) ? words : [...words, now];
+  const near = () => approach(true);
+  const all = !isNear ? [now].filter(Boolean) : now === '' || words.includes(now) ? words : [...words, now];
   return (
     <select
       id={id}
@@ -27,6 +33,8 @@ export function Choice({ id, label, words, titles = {}, value, absent, invalid, 
       aria-invalid={invalid ?? false}
       aria-describedby={describedBy}
       value={now}
+      onFocus={near}
+      onPointerDown={near}
       onChange={(event) => take(event.currentTarget.value || undefined)}
     >
       {(absent || now === '') && <option value="">{absent || 'choose …'}</option>}

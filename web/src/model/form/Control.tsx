@@ -6,7 +6,7 @@ import { pathText, put } from '../place';
 import { absentText, valueText, wordText } from '../words';
 import { Choice } from './Choice';
 import { DistributionControl } from './DistributionControl';
-import { idOf, type FieldProps } from './Field';
+import { idOf, sayingsId, type FieldProps } from './Field';
 import { FileControl } from './FileControl';
 import { LineControl, RowsControl, TupleControl } from './geometry';
 import { LibraryControl } from './LibraryControl';
@@ -20,7 +20,7 @@ export function Control({ field, path }: FieldProps) {
   const value = valueAt(path);
   const id = idOf(path);
   const invalid = value !== undefined && problemsAt(pathText(path)).some(({ severity }) => severity === 'error');
-  const describedBy = problemsAt(pathText(path)).length > 0 ? `${id}-problems` : undefined;
+  const describedBy = sayingsId(path);
   const take = (next: Parameters<typeof put>[1]) => put(path, next, field.title);
   const common = { id, invalid, describedBy };
   switch (field.type.kind) {
@@ -28,7 +28,7 @@ export function Control({ field, path }: FieldProps) {
     case 'whole':
       return <TypedInput {...common} value={value} placeholder={absentText(field)} take={take} />;
     case 'text':
-      if (materialFields.has(pathText([path[0]!, field.key]))) return <NameChoice field={field} path={path} />;
+      if (materialFields.has(pathText([path[0]!, field.key]))) return <NameChoice field={field} path={path} {...common} />;
       return <TypedInput {...common} isText value={value} placeholder={absentText(field)} take={take} />;
     case 'boolean':
       return (
@@ -41,7 +41,7 @@ export function Control({ field, path }: FieldProps) {
         />
       );
     case 'choice':
-      if (field.key === 'like') return <LibraryControl field={field} path={path} />;
+      if (field.key === 'like') return <LibraryControl field={field} path={path} {...common} />;
       return (
         <Choice
           {...common}

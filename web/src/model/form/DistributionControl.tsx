@@ -2,14 +2,14 @@
 
 import { edit, valueAt } from '../../state/document';
 import type { Problem } from '../../api/types';
-import { problemsAt } from '../../state/model';
 import type { TomlTable, TomlValue } from '../../toml/format';
+import { problemsOf } from '../awaited';
 import { inheritedText, inheritedAt } from '../library';
 import { isTable, pathText, put, thingOf } from '../place';
 import { absentText, valueText } from '../words';
 import { Choice } from './Choice';
 import { Curve } from './Curve';
-import { idOf, type FieldProps } from './Field';
+import { idOf, sayingsId, type FieldProps } from './Field';
 import { TypedInput } from './TypedInput';
 
 const kindTitles: Record<string, string> = { none: 'constant' };
@@ -27,8 +27,11 @@ export function DistributionControl({ field, path }: FieldProps) {
   /// The part that a problem is about: its path says it, or its words do.
   const partOf = ({ path: at, what }: Problem) =>
     parts.find((key) => at === pathText([...path, key])) ?? parts.find((key) => what.includes(` ${key} `)) ?? 'mean';
-  const isWrong = (key: string) =>
-    problemsAt(pathText(path)).some((problem) => problem.severity === 'error' && partOf(problem) === key);
+  const saidOf = (key: string) => problemsOf(path).filter((problem) => partOf(problem) === key);
+  const marks = (key: string) => ({
+    invalid: value !== undefined && saidOf(key).some(({ severity }) => severity === 'error'),
+    describedBy: saidOf(key).length > 0 ? sayingsId(path) : undefined,
+  });
 
   const inherited = inheritedAt(path);
   const chooseKind = (next: string | undefined) => {
@@ -46,8 +49,7 @@ export function DistributionControl({ field, path }: FieldProps) {
           id={id}
           label={`${field.title}: mean`}
           value={mean}
-          invalid={value !== undefined && isWrong('mean')}
-          describedBy={problemsAt(pathText(path)).length > 0 ? `${id}-problems` : undefined}
+          {...marks('mean')}
           placeholder={inheritedText(path) ?? absentText(field)}
           take={(next) => put(given ? [...path, 'mean'] : path, next, field.title, pathText(path))}
         />
@@ -73,7 +75,7 @@ export function DistributionControl({ field, path }: FieldProps) {
                   <TypedInput
                     label={`${field.title}: ${part.title.toLowerCase()}`}
                     value={given[part.key]}
-                    invalid={isWrong(part.key)}
+                    {...marks(part.key)}
                     placeholder={part.key === 'std_dev' ? '' : valueText(part.default)}
                     take={(next) =>
                       put(

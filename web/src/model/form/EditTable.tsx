@@ -4,9 +4,8 @@ import type { ComponentChildren } from 'preact';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { isSame } from '../../toml/differences';
 import type { TomlValue } from '../../toml/format';
-import { Dialog } from '../../ui/Dialog';
-import { counted } from '../../ui/format';
-import { cellText, pastedRows, withoutNames } from '../numbers';
+import { cellText } from '../numbers';
+import { readPasted, withoutNames } from '../pasted';
 import { overlaid, rowValue } from '../rows';
 import {
   asGiven,
@@ -18,6 +17,7 @@ import {
   type Row,
   type Waiting,
 } from '../waitingRows';
+import { PasteDialog, type Cell } from './PasteDialog';
 import { TypedInput } from './TypedInput';
 
 interface Props {
@@ -44,7 +44,7 @@ const withoutBlanks = (rows: Row[]) => rows.slice(0, rows.findLastIndex(({ cells
 export function EditTable(props: Props) {
   const { label, columns, cells, least, take, waiting, wait, isWrong, describedBy, children } = props;
   const [first, setFirst] = useState(0);
-  const [pasting, setPasting] = useState(false);
+  const [pasting, setPasting] = useState<{ begun: (Cell & { text: string }) | null } | null>(null);
   const focus = useRef<[number, number] | null>(null);
   const table = useRef<HTMLTableElement>(null);
   const shown = withWaiting(cells, waiting);
@@ -90,9 +90,12 @@ export function EditTable(props: Props) {
     go(at, 0);
   };
   const paste = (text: string, row: number, column: number) => {
-    const block = pastedRows(text);
-    if (block.length === 0) return false;
-    lay(rendered, column === 0 ? withoutNames(block, columns.length) : block, row, column);
+    const { rows, open } = readPasted(text);
+    if (rows.length === 0) return false;
+    const block = column === 0 ? withoutNames(rows, columns.length) : rows;
+    const isTooWide = block.some((line) => column + line.length > columns.length);
+    if (isTooWide || open) setPasting({ begun: { text, row, column } });
+    else lay(rendered, block, row, column);
     return true;
   };
   const lay = (over: Row[], block: string[][], row: number, column: number) => {
@@ -211,7 +214,7 @@ export function EditTable(props: Props) {
         <button class="button" onClick={() => insert(shown.length)}>
           Insert row
         </button>
-        <button class="button" onClick={() => setPasting(true)}>
+        <button class="button" onClick={() => setPasting({ begun: null })}>
           Paste rows…
         </button>
         {children}
@@ -220,61 +223,16 @@ export function EditTable(props: Props) {
         <PasteDialog
           columns={columns}
           hasRows={shown.length > 0}
-          close={() => setPasting(false)}
-          take={(text, replace) => {
-            const over = replace ? [] : shown;
-            lay(over, withoutNames(pastedRows(text), columns.length), over.length, 0);
-            setPasting(false);
+          begun={pasting.begun}
+          close={() => setPasting(null)}
+          take={(rows, where) => {
+            if (where === 'instead') lay([], rows, 0, 0);
+            else if (where === 'below') lay(shown, rows, shown.length, 0);
+            else lay(rendered, rows, where.row, where.column);
+            setPasting(null);
           }}
         />
       )}
     </div>
-  );
-}
-
-interface PasteProps {
-  columns: string[];
-  hasRows: boolean;
-  close: () => void;
-  take: (text: string, replace: boolean) => void;
-}
-
-function PasteDialog({ columns, hasRows, close, take }: PasteProps) {
-  const [text, setText] = useState('');
-  const rows = withoutNames(pastedRows(text), columns.length);
-  const wrong = rows.findIndex((row) => row.length > columns.length);
-  return (
-    <Dialog title="Paste rows" close={close}>
-      <p class="faint">
-        Columns {columns.join(', ')}: copied from a spreadsheet, or apart by commas, semicolons or blanks. A heading is
-        left out.
-      </p>
-      <textarea
-        class="mono"
-        aria-label="Rows"
-        rows={10}
-        cols={48}
-        value={text}
-        onInput={(event) => setText(event.currentTarget.value)}
-      />
-      <p role="status">
-        {counted(rows.length, 'row')}
-        {wrong >= 0 && (
-          <span class="problem">
-            Row {wrong + 1} has {rows[wrong]!.length} columns; {columns.length} are taken, from the left.
-          </span>
-        )}
-      </p>
-      <div class="row">
-        <button class="button first" disabled={rows.length === 0} onClick={() => take(text, true)}>
-          {hasRows ? 'Replace all rows' : 'Take the rows'}
-        </button>
-        {hasRows && (
-          <button class="button" disabled={rows.length === 0} onClick={() => take(text, false)}>
-            Add below
-          </button>
-        )}
-      </div>
-    </Dialog>
   );
 }

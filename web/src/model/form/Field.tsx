@@ -16,7 +16,16 @@ export interface FieldProps {
   path: Path;
 }
 
+/// What a control of one value needs besides it.
+export interface Common {
+  id: string;
+  invalid: boolean;
+  describedBy?: string;
+}
+
 export const idOf = (path: Path) => `field-${path.join('-')}`;
+/// Where it stands what is said of a setting, for its controls to point at.
+export const sayingsId = (path: Path) => (problemsOf(path).length > 0 ? `${idOf(path)}-problems` : undefined);
 
 /// Whether a field is one control, whose label points at it; a group of controls has a name of its own.
 const isSingle = ({ type }: Setting) =>

@@ -4,11 +4,11 @@ import { useEffect, useRef } from 'preact/hooks';
 import { file, valueAt } from '../../state/document';
 import { sayFailure } from '../../state/messages';
 import { problemsAt } from '../../state/model';
-import { files, fittingFiles, loadFiles, relativeTo, uploadBeside } from '../files';
+import { chosenFiles, files, fittingFiles, fittingName, keepBeside, loadFiles, relativeTo } from '../files';
 import { cellText } from '../numbers';
 import { pathText, put } from '../place';
 import { absentText } from '../words';
-import { idOf, type FieldProps } from './Field';
+import { idOf, sayingsId, type FieldProps } from './Field';
 
 export function FileControl({ field, path }: FieldProps) {
   useEffect(() => void loadFiles(), []);
@@ -21,16 +21,16 @@ export function FileControl({ field, path }: FieldProps) {
   const absent = field.excludes.length > 0 ? 'no file chosen' : absentText(field) || 'no file chosen';
   const emptyText = names.length > 0 || now ? absent : 'no fitting file in the folder yet';
   const problems = problemsAt(pathText(path));
-  const upload = async (chosen: File) => {
-    const name = await uploadBeside(project, chosen);
-    if (name !== null) put(path, name, field.title);
+  const upload = async (list: File[]) => {
+    const name = fittingName(field.key, await keepBeside(project, list), files.value);
+    if (name !== undefined) put(path, name, field.title);
   };
   return (
     <div class="file-control">
       <select
         id={idOf(path)}
         aria-invalid={value !== undefined && problems.some(({ severity }) => severity === 'error')}
-        aria-describedby={problems.length > 0 ? `${idOf(path)}-problems` : undefined}
+        aria-describedby={sayingsId(path)}
         value={now}
         onChange={(event) => put(path, event.currentTarget.value || undefined, field.title)}
       >
@@ -50,16 +50,7 @@ export function FileControl({ field, path }: FieldProps) {
         hidden
         multiple
         aria-label={`Upload a file for ${field.title}`}
-        onChange={(event) => {
-          const [first, ...others] = [...(event.currentTarget.files ?? [])];
-          event.currentTarget.value = '';
-          // What belongs to it, such as the .dbf of a Shapefile, goes along.
-          const all = async () => {
-            for (const other of others) await uploadBeside(project, other);
-            if (first) await upload(first);
-          };
-          void all().catch(sayFailure);
-        }}
+        onChange={(event) => void upload(chosenFiles(event.currentTarget)).catch(sayFailure)}
       />
     </div>
   );

@@ -4,10 +4,10 @@ import { library, loadLibrary } from '../library';
 import { put } from '../place';
 import { absentText } from '../words';
 import { Choice } from './Choice';
-import { idOf, type FieldProps } from './Field';
+import type { Common, FieldProps } from './Field';
 
 /// The material of the library whose values hold where nothing is given, and where they are from.
-export function LibraryControl({ field, path }: FieldProps) {
+export function LibraryControl({ field, path, ...common }: FieldProps & Common) {
   useEffect(loadLibrary, []);
   const value = valueAt(path);
   const words = field.type.kind === 'choice' ? field.type.words : [];
@@ -16,7 +16,7 @@ export function LibraryControl({ field, path }: FieldProps) {
   return (
     <>
       <Choice
-        id={idOf(path)}
+        {...common}
         words={words}
         titles={titles}
         value={value}

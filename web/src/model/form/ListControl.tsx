@@ -1,5 +1,5 @@
 import type { TomlValue } from '../../toml/format';
-import { cellText, typedValue } from '../numbers';
+import { cellText, typedList } from '../numbers';
 import { TypedInput } from './TypedInput';
 
 interface Props {
@@ -15,6 +15,6 @@ interface Props {
 export function ListControl({ value, take, ...rest }: Props) {
   const text = Array.isArray(value) ? value.map(cellText).join(', ') : cellText(value);
   const read = (typed: TomlValue | undefined) =>
-    typeof typed !== 'string' ? undefined : typed.split(/[,;\s]+/).flatMap((part) => typedValue(part) ?? []);
+    typeof typed !== 'string' ? undefined : typedList(typed);
   return <TypedInput {...rest} isText value={text === '' ? undefined : text} take={(typed) => take(read(typed))} />;
 }

@@ -13,7 +13,7 @@ import { wait, waitingAt } from '../unfinished';
 import { isBlank, isSameRow, type Waiting } from '../waitingRows';
 import { DrawButton } from './DrawButton';
 import { EditTable } from './EditTable';
-import { idOf, type FieldProps } from './Field';
+import { idOf, sayingsId, type FieldProps } from './Field';
 import { TypedInput } from './TypedInput';
 
 /// How many numbers a position has at the least: its height may be left out where `height_above_m` says it.
@@ -37,7 +37,7 @@ export function tableProps(path: Path, field: Path = path) {
     waiting: waitingAt(own),
     wait: (rows: readonly Waiting[]) => wait(own, rows),
     isWrong: wrongCells(path),
-    describedBy: problemsAt(own).length > 0 ? `${idOf(field)}-problems` : undefined,
+    describedBy: sayingsId(field),
   };
 }
 
@@ -51,6 +51,7 @@ export function TupleControl({ field, path }: FieldProps) {
   const defaults = Array.isArray(field.default) ? field.default : [];
   const words = 'words' in field.type ? field.type.words : [];
   const own = pathText(path);
+  const id = idOf(path);
   const wrong = problemsAt(own).flatMap(({ severity, path: at }) => (severity === 'error' ? [at] : []));
   const isWrong = (column: number) => wrong.some((at) => at === own || at === `${own}.${column}`);
   const take = (column: number, next: TomlValue | undefined) => {
@@ -66,12 +67,13 @@ export function TupleControl({ field, path }: FieldProps) {
           <label key={column}>
             <span class="faint">{column}</span>
             <TypedInput
-              id={k === 0 ? idOf(path) : undefined}
+              id={k === 0 ? id : undefined}
               label={`${field.title}, ${column}`}
               invalid={value !== undefined && isWrong(k)}
+              describedBy={[isWrong(k) && sayingsId(path), draft && `${id}-draft`].filter(Boolean).join(' ') || undefined}
               value={cells[k] === '' ? undefined : cells[k]}
               placeholder={defaults.length > 0 ? String(defaults[columns.length === 2 && k === 1 ? 2 : k] ?? '') : ''}
-              words={column === 'z' && words.length > 0 ? `${idOf(path)}-words` : undefined}
+              words={column === 'z' && words.length > 0 ? `${id}-words` : undefined}
               take={(next) => take(k, next)}
             />
           </label>
@@ -81,14 +83,14 @@ export function TupleControl({ field, path }: FieldProps) {
         <DrawButton path={path} />
       </div>
       {words.length > 0 && (
-        <datalist id={`${idOf(path)}-words`}>
+        <datalist id={`${id}-words`}>
           {words.map((word) => (
             <option key={word} value={word} />
           ))}
         </datalist>
       )}
       {draft && (
-        <p class="problem warning">
+        <p id={`${id}-draft`} class="problem warning">
           Taken when {columns.filter((_, k) => cells[k] === '').join(' and ')} is given, too
           {given && '; the project keeps it as before'}.
         </p>
@@ -137,6 +139,8 @@ export function LineControl({ field, path }: FieldProps) {
             id={idOf(path)}
             label={`${field.title}, x`}
             value={value}
+            invalid={value !== undefined && problemsAt(pathText(path)).some(({ severity }) => severity === 'error')}
+            describedBy={sayingsId(path)}
             placeholder="x"
             take={(next) => put(path, next, field.title)}
           />

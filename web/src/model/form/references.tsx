@@ -1,12 +1,12 @@
 // Settings that name other things of the project: materials, barriers, collectors.
 
 import { edit, rowsOf, valueAt } from '../../state/document';
-import { model } from '../../state/model';
+import { model, problemsAt } from '../../state/model';
 import { is2d, nameOf, pathText, put, tableAt } from '../place';
 import { absentText } from '../words';
 import { cellText } from '../numbers';
 import { Choice } from './Choice';
-import { idOf, type FieldProps } from './Field';
+import { sayingsId, type Common, type FieldProps } from './Field';
 
 const names = (key: string) => rowsOf(key).map((_, index) => nameOf(key, index));
 export const materialNames = () => names('material');
@@ -14,12 +14,12 @@ export const materialNames = () => names('material');
 /// Texts that are the name of something.
 export const materialFields = new Set(['ground.default', 'area.material', 'design.protect']);
 
-export function NameChoice({ field, path }: FieldProps) {
+export function NameChoice({ field, path, ...common }: FieldProps & Common) {
   const words = path[0] === 'design' ? names('collector') : materialNames();
   const titles = Object.fromEntries(words.map((word) => [word, word]));
   return (
     <Choice
-      id={idOf(path)}
+      {...common}
       words={words}
       titles={titles}
       value={valueAt(path)}
@@ -64,6 +64,8 @@ function SegmentList({ field, path, given }: FieldProps & { given: string[] }) {
   const count = Math.max(given.length, Array.isArray(section) ? section.length - 1 : 0);
   const standard = cellText(valueAt(['ground', 'default'])) || words[0] || '';
   const all = Array.from({ length: count }, (_, k) => given[k] ?? standard);
+  const own = pathText(path);
+  const wrong = new Set(problemsAt(own).flatMap(({ severity, path: at }) => (severity === 'error' ? [at] : [])));
   if (!is2d.value && model.value?.kind === 'raster') return null;
   return (
     <div class="scroll">
@@ -85,6 +87,9 @@ function SegmentList({ field, path, given }: FieldProps & { given: string[] }) {
                   titles={titles}
                   value={name}
                   absent=""
+                  isOneOfMany
+                  invalid={wrong.has(`${own}.${k}`)}
+                  describedBy={wrong.has(`${own}.${k}`) ? sayingsId(path) : undefined}
                   take={(next) =>
                     next !== undefined &&
                     edit(
@@ -92,7 +97,7 @@ function SegmentList({ field, path, given }: FieldProps & { given: string[] }) {
                       given.length === count
                         ? [{ set: [...path, k], value: next }]
                         : [{ set: path, value: all.with(k, next) }],
-                      pathText([...path, k]),
+                      `${own}.${k}`,
                     )
                   }
                 />

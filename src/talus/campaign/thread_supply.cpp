@@ -1,0 +1,54 @@
+#include "talus/campaign/thread_supply.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <cstddef>
+#include <future>
+#include <thread>
+#include <vector>
+
+#include "talus/campaign/campaign.hpp"
+#include "talus/core/problems.hpp"
+
+namespace talus {
+
+ThreadSupply try_threads(int wanted) {
+  ThreadSupply supply;
+  std::promise<void> all_are_there;
+  const std::shared_future<void> end = all_are_there.get_future().share();
+  std::vector<std::thread> others;
+  try {
+    while (supply.threads < threads_for(wanted)) {
+      others.emplace_back([end] { end.wait(); });
+      ++supply.threads;
+    }
+  } catch (const std::system_error& error) {
+    supply.why = error.code();
+  }
+  all_are_there.set_value();
+  for (std::thread& other : others) other.join();
+  return supply;
+}
+
+void limit_threads(int most) {
+  // Never taken back: the library would ask for the other threads at once, and end the program if it got none.
+  static const auto* const limit =
+      new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(most));
+  (void)limit;
+}
+
+void take_threads(int wanted) {
+  const ThreadSupply supply = try_threads(wanted);
+  if (supply.why) {
+    throw BadInput(Problem{.where = "--threads",
+                           .what = fmt::format("{} threads cannot be had", threads_for(wanted)),
+                           .why = supply.why.message(),
+                           .hint = fmt::format("Try --threads {}", supply.threads)});
+  }
+  limit_threads(supply.threads);
+}
+
+void take_threads_that_there_are() { limit_threads(try_threads(0).threads); }
+
+}  // namespace talus

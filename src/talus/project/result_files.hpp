@@ -1,0 +1,28 @@
+#pragma once
+// Which files a run leaves in its folder, and what stands in their way.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "talus/campaign/shard.hpp"
+#include "talus/io/run_description.hpp"
+
+namespace talus::project {
+
+/// Relative to the folder; of the maps one that is always among them, and summary.json, which is written last, at the
+/// end.
+[[nodiscard]] std::vector<std::string> result_files(const io::RunDescription& description,
+                                                    const std::optional<Shard>& shard);
+
+/// The first of them that is not there, or of the tables not to its end.
+[[nodiscard]] std::optional<std::string> lacking_file(const std::filesystem::path& folder,
+                                                      const io::RunDescription& description,
+                                                      const std::optional<Shard>& shard);
+
+/// Throws BadInput where a folder has the name of one of them, or a file that of the maps' folder.
+void check_that_results_have_room(const std::filesystem::path& folder, const io::RunDescription& description,
+                                  const std::optional<Shard>& shard);
+
+}  // namespace talus::project

@@ -1,0 +1,91 @@
+// Files that are chosen, dropped, and chosen again.
+
+import { readFileSync, writeFileSync, mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from '@playwright/test';
+import { openForm, openProject, projectText, toStartPage } from '../support/steps';
+import { expect, sources, test } from '../support/workbench';
+
+const valley = join(sources, 'examples/first-gis-run/valley.tif');
+const terrainFile = (page: Page) => page.getByLabel('Terrain file', { exact: true });
+const asked = (page: Page, name: string) => page.getByRole('dialog', { name: `Replace ${name}?` });
+
+/// Drops a file somewhere on the page; whether the page took it.
+const drop = (page: Page, name: string, text: string) =>
+  page.evaluate(
+    ([called, content]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([content!], called!));
+      const event = new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true });
+      document.body.dispatchEvent(event);
+      return event.defaultPrevented;
+    },
+    [name, text],
+  );
+
+test('a file that is there already begins a project, too', async ({ workbench: page, server }) => {
+  server.write('valley.tif', 'the old one');
+  await terrainFile(page).setInputFiles(valley);
+  await asked(page, 'valley.tif').getByRole('button', { name: 'Replace it' }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('valley');
+  expect(readFileSync(join(server.folder, 'valley.tif')).equals(readFileSync(valley))).toBe(true);
+  await toStartPage(page);
+
+  await terrainFile(page).setInputFiles(valley);
+  await asked(page, 'valley.tif').getByRole('button', { name: 'Close' }).click();
+  await expect(asked(page, 'valley.tif')).toHaveCount(0);
+  await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible();
+  await expect(page.getByText('That is no terrain')).toHaveCount(0);
+  // The same once more.
+  await terrainFile(page).setInputFiles(valley);
+  await asked(page, 'valley.tif').getByRole('button', { name: 'Take the one that is there' }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('valley');
+  expect(await projectText(page)).toContain('raster = "valley.tif"');
+});
+
+const contours = JSON.stringify({
+  type: 'FeatureCollection',
+  features: [0, 10, 20].map((z) => ({
+    type: 'Feature',
+    properties: {},
+    geometry: { type: 'LineString', coordinates: [[0, z, z], [50, z, z], [100, z, z]] }, // prettier-ignore
+  })),
+});
+
+test('contours begin a project as lines of a survey', async ({ workbench: page, server }) => {
+  mkdirSync(join(server.folder, '.elsewhere'));
+  const file = join(server.folder, '.elsewhere/contours.geojson');
+  writeFileSync(file, contours);
+  await terrainFile(page).setInputFiles(file);
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('contours');
+  expect(await projectText(page)).toContain('lines = "contours.geojson"');
+});
+
+test('of a Shapefile the setting names the .shp', async ({ workbench: page, server }) => {
+  server.write('a.toml', '[terrain]\npoints = "a.csv"\n');
+  server.write('a.csv', 'x,y,z\n0,0,0\n10,0,0\n0,10,5\n');
+  await page.reload();
+  await openProject(page, 'a.toml');
+  await openForm(page, /^Terrain/);
+  const members = ['cpg', 'dbf', 'prj', 'shp', 'shx'].map((ending) => ({
+    name: `contours.${ending}`,
+    mimeType: 'application/octet-stream',
+    buffer: Buffer.from(ending),
+  }));
+  await page.getByLabel('Upload a file for Contours and breaklines').setInputFiles(members);
+  await expect.poll(() => projectText(page)).toContain('lines = "contours.shp"');
+  expect(server.read('contours.cpg')).toBe('cpg');
+});
+
+test('a file may be dropped whatever panel is open', async ({ workbench: page, server }) => {
+  server.write('a.toml', 'name = "A"\n');
+  await page.reload();
+  await openProject(page, 'a.toml');
+  await page.getByRole('tab', { name: 'Runs' }).click();
+  expect(await drop(page, 'notes.txt2', 'x')).toBe(true);
+  await expect(page.getByText('Kept in the folder: notes.txt2.')).toBeVisible();
+  await page.getByRole('tab', { name: 'Text' }).click();
+  expect(await drop(page, 'b.csv', 'x,y,z\n0,0,0\n10,0,0\n0,10,5\n')).toBe(true);
+  await expect(page.getByRole('heading', { name: 'Terrain', level: 2 })).toBeVisible();
+  expect(await projectText(page)).toContain('points = "b.csv"');
+});
