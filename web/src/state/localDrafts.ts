@@ -1,5 +1,6 @@
 // Drafts that could not reach the server, in the browser: one of each tab, since none may take the place of another's.
 
+import type { Draft } from '../api/types';
 import { keptKey } from './about';
 import { tabOf, type LocalDraft } from './revisions';
 
@@ -7,7 +8,10 @@ const keyOf = (name: string) => keptKey('draft', name);
 
 export function localDraftsOf(name: string): LocalDraft[] {
   const kept = localStorage.getItem(keyOf(name));
-  return kept === null ? [] : (JSON.parse(kept) as LocalDraft[]);
+  if (kept === null) return [];
+  const found = JSON.parse(kept) as LocalDraft[] | Draft;
+  // Before drafts had revisions there was one of all tabs.
+  return Array.isArray(found) ? found : [{ ...found, revision: 'earlier.0', after: null, time: 0 }];
 }
 
 /// Which projects have one.
