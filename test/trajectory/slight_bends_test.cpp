@@ -61,6 +61,7 @@ TEST(SlightBends, OfRoundedHeightsTakeNoSpeed) {
     for (const double rounding : {1e-5, 1e-4, 1e-3}) {
       const Followed path = slide(straight_slope(rounding), 0.6, sliding, 5);
       EXPECT_EQ(path.outcome.reason, EndReason::left_model);
+      // A hundredth: hops over bends at 24 m/s last for part of a step, which has its friction as a whole.
       EXPECT_NEAR(path.outcome.end.velocity.norm(), exact, 0.01 * exact) << rounding;
     }
   }
@@ -83,6 +84,7 @@ TEST(SlightBends, OfAHollowTakeTheFrictionOfItsPressure) {
     const Followed path = slide(section, mu, sliding, speed);
     const double at_start = sliding_from(path).squaredNorm() - cosine * std::cos(steep) - sine * std::sin(steep);
     const double expected = std::sqrt(at_start * std::exp(-2 * mu * steep) + cosine);
+    // Facets of 0.02 m and steps of 1 ms instead of the limit: three thousandths.
     EXPECT_NEAR(path.outcome.end.velocity.norm(), expected, 0.003 * expected);
   }
 }
@@ -103,6 +105,7 @@ TEST(SlightBends, OfACrestLetTheRockGoWhereItsCurveLeavesTheGround) {
       return row.state == PathState::projectile && next.motion.time - row.motion.time > 0.1;
     });
     ASSERT_NE(leap, rows.end());
+    // Where the ground hardly presses any more, hops are long already: the leap begins a degree or two before.
     EXPECT_NEAR(std::atan2(leap->motion.position.x(), leap->motion.position.z()), expected, 0.03);
   }
 }
