@@ -136,7 +136,7 @@ Verdict read_points(std::string_view input, const fs::path& folder) {
       const fs::path file = written(folder / "points.las", input);
       LasFile las = read_las_file(file, {});
       Problems warnings;
-      (void)crs_of_las(las.crs, file, warnings);
+      (void)crs_of_las(las.crs, file, {}, warnings);
       survey.points = std::move(las.points);
     } else {
       survey.points = read_point_file(written(folder / "points.csv", input));

@@ -16,7 +16,8 @@ int schema() {
 }
 
 int start_project(const NewOptions& options) {
-  if (!options.force && std::filesystem::exists(options.file)) {
+  std::error_code unknown;  // writing says what is wrong with the name
+  if (!options.force && std::filesystem::exists(options.file, unknown)) {
     throw BadInput(Problem{.file = options.file.string(),
                            .what = "this file is there already",
                            .why = "talus new does not overwrite",

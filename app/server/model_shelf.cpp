@@ -57,7 +57,7 @@ ModelShelf::Held ModelShelf::kept(const std::string& id) const {
 
 ModelShelf::Held ModelShelf::build(const fs::path& file, std::string_view text) {
   project::Reading reading = project::read_project_text(text, file);
-  // Models can be large: a second one waits, and then may be the first.
+  // Who has waited may want the model that was built meanwhile.
   const std::lock_guard one_at_a_time(building_);
   std::string what = fmt::format("{}\n{}\n", file.string(), text), files;
   for (const fs::path& named : files_of(reading.project)) {

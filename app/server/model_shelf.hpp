@@ -28,6 +28,9 @@ class ModelShelf {
  public:
   using Held = std::shared_ptr<const ShelvedModel>;
 
+  /// `building`: held while a model is built.
+  explicit ModelShelf(std::mutex& building) : building_(building) {}
+
   /// The model of a project, whose files are relative to `file`: built, or the same as before where neither the text
   /// nor a file that was read has changed. One at a time. Throws BadInput.
   [[nodiscard]] Held build(const std::filesystem::path& file, std::string_view text);
@@ -38,7 +41,8 @@ class ModelShelf {
   static constexpr std::size_t most_kept = 4;
   [[nodiscard]] Held kept(const std::string& id) const;
 
-  mutable std::mutex shelf_, building_;
+  std::mutex& building_;
+  mutable std::mutex shelf_;
   std::deque<Held> models_;  // the one used last in front
   std::uint64_t built_ = 0;
 };

@@ -6,13 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "talus/io/folder_lock.hpp"
-#include "talus/io/json_text.hpp"
-#include "talus/io/ordinary_file.hpp"
+#include "talus/io/json_file.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/run_state.hpp"
 
@@ -33,27 +30,10 @@ const char* name(RunState state) {
   return std::find_if(states.begin(), states.end(), [&](const auto& known) { return known.first == state; })->second;
 }
 
-constexpr std::uintmax_t most_bytes = 16u << 20u;
+constexpr const char* hint = "The run's other files may be whole";
 
 [[noreturn]] void refuse(const fs::path& file, std::string where, std::string what, std::string why) {
-  throw BadInput(Problem{.file = file.string(),
-                         .where = std::move(where),
-                         .what = std::move(what),
-                         .why = std::move(why),
-                         .hint = "The run's other files may be whole"});
-}
-
-Json read_json(const fs::path& file) {
-  if (const auto why = not_an_ordinary_file(file)) refuse(file, "", "cannot be read", *why);
-  std::error_code error;
-  if (const auto bytes = fs::file_size(file, error); error || bytes > most_bytes)
-    refuse(file, "", "cannot be read", error ? error.message() : fmt::format("it has {} bytes", bytes));
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (io::depth_of_json(text) > io::deepest_json) refuse(file, "", "is damaged", "it holds lists within lists");
-  Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object()) refuse(file, "", "is damaged", "it holds no JSON object");
-  return json;
+  io::refuse_json_file(file, std::move(where), std::move(what), std::move(why), hint);
 }
 
 /// A value of a kind; refused where it is missing or of another.
@@ -82,7 +62,8 @@ std::optional<Value> value_if_any(const Json& json, const char* key, const fs::p
 }
 
 void read_into(Run& run, const fs::path& file) {
-  const Json json = read_json(file);
+  constexpr std::uintmax_t most_bytes = 16U << 20U;  // far beyond any
+  const Json json = io::read_json_object<Json>(file, hint, most_bytes);
   run.name = value_of<std::string>(json, "name", file);
   run.project = value_of<std::string>(json, "project", file);
   const std::string state = value_of<std::string>(json, "state", file);
@@ -123,6 +104,13 @@ std::string iso(std::chrono::system_clock::time_point time) {
 
 std::string time_now() { return iso(std::chrono::system_clock::now()); }
 
+bool has_results(const Run& run) {
+  if (run.state == RunState::waiting || run.state == RunState::running || run.is_at_work) return false;
+  // A link may lead out of the folder, a pipe has no end.
+  std::error_code ignored;
+  return fs::symlink_status(run.folder / "summary.json", ignored).type() == fs::file_type::regular;
+}
+
 Json told(const Run& run, const fs::path& base) {
   const bool is_running = run.state == RunState::running;
   std::optional<double> rate = run.rate;
@@ -138,6 +126,7 @@ Json told(const Run& run, const fs::path& base) {
             {"rate", rate ? Json(*rate) : Json()},
             {"seconds", run.seconds},
             {"seconds_left", nullptr},
+            {"has_results", has_results(run)},
             {"begun", run.begun},
             {"problems", run.problems},
             {"folder", run.folder.lexically_relative(base).generic_string()}};

@@ -42,6 +42,9 @@ struct Run {
   std::optional<std::uint64_t> asked_seed;
 };
 
+/// Whether its results can be looked at: all are written, and none is being written.
+[[nodiscard]] bool has_results(const Run& run);
+
 /// As the page is told; `base` is the folder that is worked in.
 [[nodiscard]] Json told(const Run& run, const std::filesystem::path& base);
 

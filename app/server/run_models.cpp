@@ -34,6 +34,7 @@ std::shared_ptr<const BuiltProject> RunModels::find(const Run& run) {
     return kept_.front().second;
   }
   auto built = build_again(run, workplace_);
+  if (!built) return nullptr;  // the project's files may come back
   kept_.emplace_front(run.id, built);
   if (kept_.size() > most_kept) kept_.pop_back();
   return built;

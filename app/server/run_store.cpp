@@ -20,7 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int deepest_project = 4;      // folders below the one that is worked in, as in the list of files
 constexpr double checkpoint_every = 5;  // [s]
 constexpr auto between_tellings = std::chrono::milliseconds(100);
 constexpr std::size_t longest_name = 200;  // bytes
@@ -41,6 +40,29 @@ bool can_be_id(const std::string& name) {
                      [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_' || c == '.'; });
 }
 
+std::vector<fs::path> folders_in(const fs::path& above) {
+  std::vector<fs::path> folders;
+  std::error_code error;
+  for (auto entry = fs::directory_iterator(above, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    std::error_code ignored;
+    if (entry->is_directory(ignored) && !entry->is_symlink(ignored)) folders.push_back(entry->path());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+bool holds_run(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder / run_file_name, ignored);
+}
+
+/// Whether projects may lie there, as in the list of files.
+bool may_hold_projects(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  return !name.starts_with('.') && name != "node_modules" && !holds_run(folder);
+}
+
 /// A new folder there, named by the time.
 fs::path new_folder(const fs::path& above) {
   make_output_folder(above);
@@ -57,23 +79,34 @@ fs::path new_folder(const fs::path& above) {
   }
 }
 
+/// Makes its folder, with all that makes it a run.
+void begin_folder(Run& run, const fs::path& above, const std::string& text) {
+  run.folder = new_folder(above);
+  run.id = run.folder.filename().string();
+  OutputFile project(run.folder / run_project_name);
+  project.write(text);
+  project.commit();
+  keep(run);
+}
+
 Refusal not_now(const Run& run, const char* what, const char* why, const char* hint = "") {
   return Refusal(409, run.id, what, why, hint);
 }
 
 const char* why_elsewhere = "another program works in its folder";
+const char* why_ending = "the server is ending";
 
 }  // namespace
 
-RunStore::RunStore(const Workplace& workplace, EventHub& events) : workplace_(workplace), events_(events) {
+RunStore::RunStore(const Workplace& workplace, EventHub& events, std::mutex& building)
+    : workplace_(workplace), events_(events), building_(building) {
   find_runs();
   worker_ = std::thread([this] { work(); });
 }
 
 void RunStore::find_runs() {
   const auto add = [&](const fs::path& folder) {
-    std::error_code ignored;
-    if (!fs::exists(folder / run_file_name, ignored) || !can_be_id(folder.filename().string())) return;
+    if (!holds_run(folder) || !can_be_id(folder.filename().string())) return;
     auto entry = std::make_shared<Entry>();
     entry->run = find_run(folder, workplace_.folder());
     // A copied folder has the id of the first.
@@ -81,34 +114,22 @@ void RunStore::find_runs() {
     for (int k = 2; entries_.contains(entry->run.id); ++k) entry->run.id = fmt::format("{}-{}", id, k);
     entries_[entry->run.id] = entry;
     if (!entry->run.was_killed) return;
-    const bool has_results =
+    std::error_code ignored;
+    const bool has_done_some =
         fs::exists(folder / io::run_state_name, ignored) || fs::exists(folder / "summary.json", ignored);
-    if (has_results && entry->run.state == RunState::interrupted) queue_.push_back({entry, Task::write_what_is_done});
-  };
-  const auto folders_in = [](const fs::path& above) {
-    std::vector<fs::path> folders;
-    std::error_code error;
-    for (auto entry = fs::directory_iterator(above, error); !error && entry != fs::directory_iterator();
-         entry.increment(error)) {
-      std::error_code ignored;
-      if (entry->is_directory(ignored) && !entry->is_symlink(ignored)) folders.push_back(entry->path());
-    }
-    std::sort(folders.begin(), folders.end());
-    return folders;
+    if (has_done_some && entry->run.state == RunState::interrupted) queue_.push_back({entry, Task::write_what_is_done});
   };
   const auto look_in = [&](const auto& self, const fs::path& above, int depth) -> void {
     for (const fs::path& folder : folders_in(above)) {
-      const std::string name = folder.filename().string();
-      if (name.starts_with('.') || name == "node_modules") continue;
-      if (name == "runs") {
+      if (!may_hold_projects(folder)) continue;
+      if (folder.filename() == "runs") {
         for (const fs::path& project : folders_in(folder))
           for (const fs::path& run : folders_in(project)) add(run);
-      } else if (depth < deepest_project) {
-        self(self, folder, depth + 1);
       }
+      if (depth < deepest_project) self(self, folder, depth + 1);
     }
   };
-  look_in(look_in, workplace_.folder(), 1);
+  look_in(look_in, workplace_.folder(), 0);
 }
 
 std::shared_ptr<RunStore::Entry> RunStore::entry_of(const std::string& id) {
@@ -146,6 +167,7 @@ Run RunStore::begin(const RunOrder& order) {
   run.asked_rocks = order.rocks;
   run.asked_seed = order.seed;
   run.begun = time_now();
+  const std::lock_guard one_at_a_time(building_);
   try {
     entry->built = std::make_unique<BuiltProject>(build(order.text, file, overrides_of(run)));
   } catch (const BadInput& bad) {
@@ -158,14 +180,9 @@ Run RunStore::begin(const RunOrder& order) {
   run.problems = as_json(seen_from(workplace_.folder(), entry->built->warnings));
 
   const fs::path above = fs::path(run.file).parent_path() / "runs" / fs::path(run.file).stem();
-  run.folder = new_folder(workplace_.at(above.generic_string()));
-  run.id = run.folder.filename().string();
-  OutputFile project(run.folder / run_project_name);
-  project.write(order.text);
-  project.commit();
-  keep(run);
-
   const std::lock_guard lock(mutex_);
+  if (is_closed_) throw Refusal(503, run.file, "cannot be run", why_ending);
+  begin_folder(run, workplace_.at(above.generic_string()), order.text);
   // Of the runs that wait none but the first holds a model in memory.
   if (under_way_ != nullptr || !queue_.empty()) entry->built.reset();
   entries_[run.id] = entry;
@@ -206,6 +223,7 @@ Run RunStore::resume(const std::string& id) {
   const std::lock_guard lock(mutex_);
   const auto entry = entry_of(id);
   Run& run = entry->run;
+  if (is_closed_) throw Refusal(503, run.id, "cannot go on", why_ending);
   if (run.is_elsewhere) throw not_now(run, "cannot go on", why_elsewhere);
   if (run.is_damaged) throw not_now(run, "cannot go on", "its run.json is damaged", "Run its project again");
   if (run.state == RunState::waiting || run.state == RunState::running || run.state == RunState::done)
@@ -227,18 +245,21 @@ void RunStore::remove(const std::string& id) {
   const Run& run = entry->run;
   if (run.is_elsewhere) throw not_now(run, "cannot be removed", why_elsewhere);
   if (run.is_at_work) throw not_now(run, "cannot be removed", "it is under way", "Stop it first");
-  unqueue(*entry);
+  const auto refuse = [&](const char* what, const std::error_code& error) {
+    return BadInput(Problem{.file = run.folder.string(), .what = what, .why = error.message()});
+  };
   std::error_code error;
   // First what makes it a run: if the rest cannot be removed, it does not come back.
   fs::remove(run.folder / run_file_name, error);
-  if (!error) fs::remove_all(run.folder, error);
-  if (error)
-    throw BadInput(Problem{.file = run.folder.string(), .what = "cannot remove this folder", .why = error.message()});
+  if (error) throw refuse("cannot remove this folder", error);
+  unqueue(*entry);
+  entries_.erase(id);
+  events_.tell("removed", id, {{"id", id}});
+  fs::remove_all(run.folder, error);
+  if (error) throw refuse("cannot remove all of this folder", error);
   std::error_code ignored;
   for (const fs::path& above : {run.folder.parent_path(), run.folder.parent_path().parent_path()})
     fs::remove(above, ignored);  // where it is empty now
-  entries_.erase(id);
-  events_.tell("removed", id, {{"id", id}});
 }
 
 void RunStore::unqueue(const Entry& entry) {
@@ -285,7 +306,9 @@ void RunStore::work() {
       under_way_ = job.entry;
       job.entry->run.is_at_work = true;
       job.entry->stop = job.task == Task::write_what_is_done;
-      if (job.task != Task::write_what_is_done) {
+      if (job.task == Task::write_what_is_done) {
+        events_.tell("run", job.entry->run.id, told(job.entry->run));
+      } else {
         job.entry->run.state = RunState::running;
         changed(*job.entry);
       }

@@ -32,7 +32,8 @@ struct RunOrder {
 class RunStore {
  public:
   /// Finds the runs of earlier servers. Of those that were killed the results are written as far as they had got.
-  RunStore(const Workplace& workplace, EventHub& events);
+  /// `building`: held while the model of a run that is to begin is built.
+  RunStore(const Workplace& workplace, EventHub& events, std::mutex& building);
   RunStore(const RunStore&) = delete;
   RunStore& operator=(const RunStore&) = delete;
   ~RunStore() { close(); }
@@ -44,15 +45,17 @@ class RunStore {
   /// The project's file, which need not be there any more.
   [[nodiscard]] std::filesystem::path project_file(const Run& run) const { return workplace_.at(run.file); }
 
-  /// Throws BadInput with all problems of the project and its model.
+  /// Throws BadInput with all problems of the project and its model. Refuses (503) once the store is closed.
   Run begin(const RunOrder& order);
   Run rename(const std::string& id, const std::string& name);
   /// What is done is kept. One that is under way goes on until the blocks that are begun are finished.
   Run stop(const std::string& id);
+  /// Refuses (503) once the store is closed.
   Run resume(const std::string& id);
+  /// Throws BadInput where its folder cannot be removed; if only a part of it can, the run is gone all the same.
   void remove(const std::string& id);
 
-  /// Stops the run under way and waits for it.
+  /// Stops the run under way and waits for it. None begins any more.
   void close();
 
  private:
@@ -84,6 +87,7 @@ class RunStore {
 
   const Workplace& workplace_;
   EventHub& events_;
+  std::mutex& building_;  // is taken before the other
   std::mutex mutex_;
   std::condition_variable news_;
   std::map<std::string, std::shared_ptr<Entry>> entries_;

@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <chrono>
 #include <memory>
+#include <mutex>
+#include <stop_token>
 #include <system_error>
 #include <thread>
 
@@ -76,7 +78,8 @@ void serve(const ServeOptions& options) {
   const int port = bind(server, options.port);
   Session session(options.key_file.empty() ? usual_key_file() : options.key_file, port);
   Router router(server, session, options.limits);
-  RunStore runs(workplace, events);
+  std::mutex building;  // models can be large: of those that requests have built, one at a time
+  RunStore runs(workplace, events, building);
   RunModels run_models(workplace);
   router.listens_on(port);
   server.set_payload_max_length(std::max(router.limits().upload_bytes, router.limits().json_bytes));
@@ -86,7 +89,7 @@ void serve(const ServeOptions& options) {
   add_file_routes(router, workplace);
   add_project_routes(router, workplace);
   add_example_routes(router, workplace);
-  ModelShelf shelf;
+  ModelShelf shelf(building);
   add_model_routes(router, workplace, shelf);
   add_run_routes(router, runs, events);
   add_result_routes(router, runs, run_models);
@@ -96,18 +99,19 @@ void serve(const ServeOptions& options) {
   add_verification_routes(router);
   add_page_routes(router, server, session, address);  // last: it takes every path that is left
 
-  std::atomic<bool> ends{false};
-  std::thread watch([&] {
-    while (!ends && (options.stop == nullptr || !*options.stop)) std::this_thread::sleep_for(50ms);
+  const std::jthread watch([&](const std::stop_token& over) {
+    const auto wait_until = [&](const auto& is) {
+      while (!over.stop_requested() && !is()) std::this_thread::sleep_for(50ms);
+    };
+    wait_until([&] { return options.stop != nullptr && *options.stop; });
     events.close();
     runs.close();
+    wait_until([&] { return server.is_running(); });  // a stop that comes before is forgotten
     server.stop();
   });
   // Connections are taken from the moment of binding; they are answered as soon as this thread listens.
   if (options.ready) options.ready(address());
   server.listen_after_bind();
-  ends = true;
-  watch.join();
 }
 
 }  // namespace talus::server

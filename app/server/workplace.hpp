@@ -8,6 +8,9 @@
 
 namespace talus::server {
 
+/// Projects are looked for in the folder that is worked in, and in folders so many below it.
+inline constexpr int deepest_project = 4;
+
 class Workplace {
  public:
   explicit Workplace(std::filesystem::path folder);

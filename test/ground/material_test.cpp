@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/scenes.hpp"
 
 namespace talus {
@@ -93,6 +95,31 @@ TEST(GroundDraw, PerRockAMaterialIsTheSameWhereverItIsMet) {
   EXPECT_NE(draw(draws, 0, 1).restitution(material), draw(other_rock, 0, 1).restitution(material));
   // The ground's shape is no property of the material: it differs from place to place.
   EXPECT_NE(draw(draws, 0, 1).roughness(material, 1), draw(draws, 0, 5).roughness(material, 5));
+}
+
+// Of the distribution itself ahead; aside of its mixture with its mirror image, or rocks would drift to one hand.
+TEST(GroundDraw, RoughGroundLeansToNeitherHand) {
+  Material material;
+  Distribution tilt;
+  tilt.kind = DistributionKind::normal;
+  tilt.mean = 0.1;
+  tilt.std_dev = 0.02;
+  material.roughness = Sampler(tilt, Bounds{});
+  constexpr int rocks = 20'000;
+  double ahead = 0, aside = 0, squares = 0, product = 0;
+  for (std::uint64_t rock = 0; rock < rocks; ++rock) {
+    const Draws draws(SamplingPlan{}, rock);
+    const auto [x, y] = GroundDraw(draws, MaterialSampling::per_impact, MaterialId{0}, 3).roughness(material, 3);
+    ahead += x / rocks;
+    aside += y / rocks;
+    squares += y * y / rocks;
+    product += (x - 0.1) * y / rocks;
+  }
+  const double error = 5 / std::sqrt(1.0 * rocks);
+  EXPECT_NEAR(ahead, 0.1, 0.02 * error);
+  EXPECT_NEAR(aside, 0, 0.102 * error);
+  EXPECT_NEAR(squares, 0.1 * 0.1 + 0.02 * 0.02, 2 * 0.1 * 0.02 * error);
+  EXPECT_NEAR(product, 0, 0.02 * 0.102 * error);
 }
 
 TEST(GroundDraw, PropertiesOfOneContactAreIndependent) {

@@ -112,6 +112,16 @@ TEST(Crsp, SpinAloneDrivesTheRock) {
 }
 
 // As the spin vanishes about the axis that rolling would have, the law goes over into that without spin.
+// A rock that is set down comes with what rounding has let it fall.
+TEST(Crsp, SpinDrivesARockThatHardlyMoves) {
+  const Rebound still = crsp_rebound({0, 0, -1e-7}, {0, 12, 0}, Vec3::UnitZ(), rock, {0.3, 0.7});
+  for (const double along : {1e-7, -1e-7}) {
+    const Rebound after = crsp_rebound({along, 0, -1e-7}, {0, 12, 0}, Vec3::UnitZ(), rock, {0.3, 0.7});
+    EXPECT_LT((after.velocity - still.velocity).norm(), 1e-6);
+    EXPECT_LT((after.spin - still.spin).norm(), 1e-6);
+  }
+}
+
 TEST(Crsp, VanishingSpinChangesNothing) {
   const Vec3 v(3, 0, -5);
   const Rebound none = crsp_rebound(v, Vec3::Zero(), Vec3::UnitZ(), rock, {0.5, 0.8});

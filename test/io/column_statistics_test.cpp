@@ -18,6 +18,7 @@
 #include "talus/io/csv_reader.hpp"
 #include "talus/io/run_folder.hpp"
 #include "talus/io/summary_json.hpp"
+#include "talus/io/table_columns.hpp"
 #include "talus/project/model.hpp"
 #include "talus/project/read.hpp"
 #include "talus/project/run.hpp"

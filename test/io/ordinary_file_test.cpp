@@ -10,6 +10,7 @@
 #include "talus/io/mesh_file.hpp"
 #include "talus/io/point_file.hpp"
 #include "talus/io/run_folder.hpp"
+#include "talus/io/table_columns.hpp"
 
 namespace talus {
 namespace {

@@ -418,6 +418,22 @@ TEST_F(RasterFileTest, UndeclaredNoDataIsFound) {
   EXPECT_THAT(refusal(spec), HasSubstr("gdal_translate -a_nodata -3.4028234663852886e+38 dem.tif"));
 }
 
+// The sea is ground; a rim of zeros at the foot of walls is none.
+TEST_F(RasterFileTest, ZerosThatSeemToBeNoDataAreWarnedOf) {
+  RasterSpec spec;
+  spec.cells = {0, 0, 0, 0, 0, 710, 720, 0, 0, 715, 730, 0};
+  read(spec);
+  EXPECT_EQ(warnings(),
+            "dem.tif: warning: has 8 cells of 0 m (walls stand around them; they seem to have no data, but the file "
+            "does not say so). Tell it: gdal_translate -a_nodata 0 dem.tif dem_declared.tif");
+  spec.cells = {0, 0, 0, 0, 0, 10, 20, 0, 0, 15, 130, 0};
+  read(spec);
+  EXPECT_EQ(warnings(), "");
+  spec.cells.assign(12, 0);
+  read(spec);
+  EXPECT_EQ(warnings(), "");
+}
+
 TEST_F(RasterFileTest, ARasterWithoutSurfaceIsRefused) {
   RasterSpec spec;
   spec.cells.assign(12, -1);

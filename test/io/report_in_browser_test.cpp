@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "io/sample_run.hpp"
+#include "io/sample_run_3d.hpp"
 #include "support/browser.hpp"
+#include "talus/io/map_files.hpp"
 #include "talus/io/report.hpp"
 
 namespace talus::io {
@@ -63,19 +66,267 @@ TEST(ReportInBrowser, PlanShowsTheTerrainWhereRocksFillIt) {
   EXPECT_EQ(plan_of(5), "5 no switch");
 }
 
-TEST(ReportInBrowser, SaysWhatTheRunWarnedOfAndNoted) {
-  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
-  const sample_run::Folder folder("report-notes");
+/// What `script` gives in the report of a run with this summary.
+std::string said_of(const nlohmann::ordered_json& summary, const std::string& script) {
+  const sample_run::Folder folder("report-said");
   sample_run::write(folder);
-  auto summary = sample_run::summary("Notes");
-  summary["warnings"] = {"warning: rocks: 2 of 2 rocks were ended at the maximum time"};
-  summary["notes"] = {"2 of 2 rocks left the model"};
   folder.write("summary.json", summary.dump());
   write_report(std::vector{folder.path}, folder.path / "report.html");
-  EXPECT_EQ(said_in_page(folder.path / "report.html",
-                         "return [...document.querySelectorAll('.note li')].slice(0, 2).map((li) => "
-                         "li.textContent).join('; ');"),
-            "warning: rocks: 2 of 2 rocks were ended at the maximum time; 2 of 2 rocks left the model");
+  return said_in_page(folder.path / "report.html", script);
+}
+
+/// Rows of the table with this caption, cells apart by "|".
+std::string rows_of(const std::string& caption) {
+  return R"(
+  const table = [...document.querySelectorAll('table')].find((t) => t.caption && t.caption.textContent.startsWith(')" +
+         caption + R"('));
+  const rows = [...table.rows].map((row) => [...row.cells].map((cell) => cell.textContent).join('|'));
+)";
+}
+
+TEST(ReportInBrowser, SaysWhatTheRunWarnedOfAndNotedWithoutTheNameOfTheProjectsFile) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  auto summary = sample_run::summary("Notes");
+  summary["warnings"] = {"warning: rocks: 2 of 2 rocks were ended at the maximum time",
+                         "a/road.toml:31: warning: [ground]: 5 cells are in no polygon"};
+  summary["notes"] = {"2 of 2 rocks left the model"};
+  EXPECT_EQ(said_of(summary,
+                    "return document.querySelector('.note h4').textContent + ': ' + "
+                    "[...document.querySelectorAll('.note li')].slice(0, 3).map((li) => li.textContent).join('; ');"),
+            "Warnings and notes: rocks: 2 of 2 rocks were ended at the maximum time; "
+            "[ground]: 5 cells are in no polygon; 2 of 2 rocks left the model");
+}
+
+TEST(ReportInBrowser, DrawsEnvelopesAsStepsThatEndWhereNoRockWas) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  const sample_run::Folder folder("report-envelopes");
+  sample_run::write(folder);
+  auto summary = sample_run::summary("Envelopes");
+  summary["project"]["barrier"] = {{{"name", "Fence"}, {"line", {2.5, 0}}, {"height_m", 3}}};
+  folder.write("summary.json", summary.dump());
+  folder.write("envelopes.csv",
+               "x_m,energy_total_max_J,energy_total_mean_J,energy_total_p95_J,energy_total_p99.5_J\n"
+               "0.5,4000,1000,2000,3000\n1.5,8000,1000,2000,3000\n2.5,,,,\n3.5,2000,1000,1500,1500\n");
+  write_report(std::vector{folder.path}, folder.path / "report.html");
+  const std::string said = said_in_page(folder.path / "report.html", R"(
+    const svg = document.querySelector('svg[aria-label^="Total kinetic energy along the section"]');
+    const curve = svg.querySelector('path.envelope').getAttribute('d');
+    const bars = [...svg.querySelectorAll('.under-pointer')];
+    bars[1].dispatchEvent(new MouseEvent('mousemove', {bubbles: true}));
+    return [curve.replace(/[-0-9., ]+/g, ''), svg.querySelectorAll('path.envelope').length, bars.length,
+            [...svg.querySelectorAll('text')].map((t) => t.textContent).filter((t) => /[a-z]/.test(t)).join('|'),
+            document.getElementById('tip').textContent].join(' ; ');)");
+  EXPECT_EQ(said,
+            "MHVHMH ; 4 ; 4 ; x [m]|Total kinetic energy [kJ]|Fence|maximum|percentile 99.5|percentile 95|mean ; "
+            "x 1 to 2 m\nmaximum 8 kJ\npercentile 99.5 3 kJ\npercentile 95 2 kJ\nmean 1 kJ");
+}
+
+/// A line of a design with the same numbers everywhere, wide ones.
+nlohmann::ordered_json design_line(const std::string& name) {
+  using Json = nlohmann::ordered_json;
+  const Json range{1'234'567.8, 1'123'456.7, 1'345'678.9};
+  const Json percentiles{{"50", range}, {"95", range}, {"99", range}};
+  const Json quantities{{"ke_translational_J", percentiles}, {"velocity_m_s", percentiles}, {"height_m", percentiles}};
+  const Json share{{"value", 0.12345}, {"low", 0.11234}, {"high", 0.13456}};
+  const Json needs{{"energy_J", 2.5e6}, {"class", 6}, {"height_m", 8.35}};
+  const Json worst{{"energy_J", 3.5e6}, {"class", 7}, {"height_m", 9.5}};
+  const auto section = [&](double from_m, const Json& asks) {
+    return Json{{"from_m", from_m}, {"to_m", from_m + 20},       {"rocks", 500},
+                {"share", share},   {"percentiles", quantities}, {"needs", asks}};
+  };
+  return {{"name", name},
+          {"length_m", 437.18971},
+          {"rocks", 16348},
+          {"share", share},
+          {"percentiles", quantities},
+          {"needs", needs},
+          {"needs_at_upper_end", needs},
+          {"sections", Json::array({section(0, needs), section(20, worst)})}};
+}
+
+/// A summary with every table of the report, and much in them.
+nlohmann::ordered_json wide_summary() {
+  using Json = nlohmann::ordered_json;
+  auto summary = on_terrain(1000);
+  Json& project = summary["project"];
+  const Json drawn{
+      {"mean", 1234.5}, {"distribution", "lognormal"}, {"std_dev", 0.65}, {"rel_min", 0.8}, {"rel_max", 4}};
+  project["material"] = Json::array();
+  project["seeder"] = Json::array();
+  for (int k = 0; k < 7; ++k) {
+    const std::string number = std::to_string(k);
+    project["material"].push_back({{"name", "Material of the slope " + number},
+                                   {"like", "talus_with_vegetation"},
+                                   {"normal_restitution", drawn},
+                                   {"tangential_restitution", drawn},
+                                   {"friction_angle_deg", drawn},
+                                   {"roughness_deg", drawn},
+                                   {"forest", "medium"},
+                                   {"forest_height_m", 10 + k}});
+    Json seeder{{"name", "Faces_" + number}, {"polygons", "releases/of_the_whole_cliff.gpkg"}};
+    for (const char* key : {"volume_m3", "density_kg_m3", "horizontal_velocity_m_s", "vertical_velocity_m_s",
+                            "rotational_velocity_deg_s"}) {
+      seeder[key] = drawn;
+    }
+    seeder["direction"] = {0, 1, 0};
+    project["seeder"].push_back(seeder);
+  }
+  const Json share{{"value", 0.962}, {"low", 0.929}, {"high", 0.983}};
+  const Json kit{{"line", "Upper of the two lines"},
+                 {"height_m", 5},
+                 {"energy_J", 1.5e6},
+                 {"class", 4},
+                 {"suffices", true},
+                 {"sure", false},
+                 {"caught_share", share},
+                 {"above", 12345},
+                 {"through", 12345},
+                 {"beside", 12345},
+                 {"cost", 93068.3}};
+  summary["design"] = {{"standard", "UNI 11211-4"},
+                       {"factors", {{"of_total_energy", false}, {"level", "MEL"}, {"energy", 1.2}}},
+                       {"design_percentile", 95},
+                       {"confidence", 0.95},
+                       {"catch_share", 0.95},
+                       {"lines", Json::array({design_line("Upper"), design_line("Lower")})},
+                       {"best", kit},
+                       {"ranking", Json::array({kit, kit})}};
+  return summary;
+}
+
+// The style for paper is laid on a page that is as wide as A4 between its margins.
+constexpr auto tables_beyond_the_paper = R"(
+  for (const sheet of document.styleSheets)
+    for (const rule of sheet.cssRules)
+      if (rule.media && rule.media.mediaText === 'print') rule.media.mediaText = 'all';
+  document.body.style.width = '184mm';
+  const tables = [...document.querySelectorAll('table')];
+  const end = (node) => node.getBoundingClientRect().right;
+  const beyond = tables.filter((t) => end(t) > end(document.body) + 0.5);
+  return (tables.length > 12) + ' ' + beyond.map((t) => t.caption && t.caption.textContent).join();
+)";
+
+TEST(ReportInBrowser, PrintsTablesWhole) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  EXPECT_EQ(said_of(wide_summary(), tables_beyond_the_paper), "true ");
+}
+
+TEST(ReportInBrowser, IsNoWiderThanTheScreen) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  EXPECT_EQ(said_of(wide_summary(), "return document.documentElement.scrollWidth <= innerWidth;"), "true");
+}
+
+TEST(ReportInBrowser, HasAColumnForEachSeederWhereTheyHaveManySettings) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  EXPECT_EQ(said_of(wide_summary(), rows_of("Seeders") + "return rows[0] + '; ' + rows[1] + '; ' + rows[7];"),
+            "|Faces_0|Faces_1|Faces_2|Faces_3; Polygons|releases/of_the_whole_cliff.gpkg|releases/of_the_whole_cliff."
+            "gpkg|releases/of_the_whole_cliff.gpkg|releases/of_the_whole_cliff.gpkg; Direction|0, 1, 0|0, 1, 0|0, 1, "
+            "0|0, 1, 0");
+}
+
+TEST(ReportInBrowser, ShowsTheClassOfTheWorstSection) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  EXPECT_EQ(said_of(wide_summary(),
+                    rows_of("What the check of UNI 11211-4 asks for, by translational energy") + "return rows[2];"),
+            "Upper|2,500|6|8.35|2,500|6|8.35|3,500|7|9.5");
+}
+
+TEST(ReportInBrowser, SaysOfEveryKineticEnergyWhetherItIsTheTotal) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  EXPECT_EQ(said_of(wide_summary(), R"(
+    const texts = [...document.querySelectorAll('main *')].filter((e) => !e.children.length).map((e) => e.textContent);
+    const named = texts.filter((text) => /kinetic energy/i.test(text));
+    const unclear = named.filter((text) => /(?<!total |translational )kinetic energy/i.test(text));
+    return (named.length > 5) + ' ' + unclear.join('; ');
+  )"),
+            "true ");
+}
+
+TEST(ReportInBrowser, SaysWhatWasAnalysed) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  auto summary = on_terrain(1000);
+  summary["terrain"]["bounds"] = {{2600000, 1200000, 1052.15}, {2602190, 1202580, 2206.972}};
+  summary["terrain"]["triangles"] = 2 * 438 * 516;
+  summary["terrain"]["crs_wkt"] =
+      R"(PROJCRS["MGI / Austria Lambert",BASEGEOGCRS["MGI",ID["EPSG",4312]],USAGE[AREA["Austria."]],ID["EPSG",31287]])";
+  summary["project"]["terrain"] = {
+      {"raster", "kot_5m.tif"}, {"merge_tolerance_m", 0.001}, {"rotate_deg", 0}, {"rotate_about", {0, 0, 0}}};
+  summary["project"]["ground"] = {{"default", "Type One"},
+                                  {"polygons", "ground_of_kot.gpkg"},
+                                  {"attribute", "unit"},
+                                  {"values", {{"Fels", "Type One"}, {"Wald", "Type_Two"}}}};
+  EXPECT_EQ(said_of(summary, rows_of("Terrain") + "return rows.join('; ');"),
+            "Kind|Raster of elevations, 3D; Raster|kot_5m.tif; Coordinate system|MGI / Austria Lambert (EPSG:31287); "
+            "Extent in x|2,600,000 to 2,602,190 m (2,190 m); Extent in y|1,200,000 to 1,202,580 m (2,580 m); "
+            "Extent in z|1,052.15 to 2,206.972 m (1,154.8 m); Nodes|439 × 517; Cell size [m]|5; Triangles|452,016");
+  EXPECT_EQ(said_of(summary, rows_of("Ground") + "return rows.join('; ');"),
+            "Default|Type One; Polygons|ground_of_kot.gpkg; Attribute of the material|unit; unit = Fels|Type One; "
+            "unit = Wald|Type_Two");
+}
+
+TEST(ReportInBrowser, KnowsACoordinateSystemByItsNameAndNumberInBothTextForms) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  EXPECT_EQ(said_of(sample_run::summary("Names"), R"(
+    return [crsText('PROJCS["ETRS89 / UTM 32N",GEOGCS["ETRS89",AUTHORITY["EPSG","4258"]],AUTHORITY["EPSG","25832"]]'),
+      crsText('ENGCRS["The ""quarry""",EDATUM["none"]]'), crsText('')].join('; ');
+  )"),
+            R"(ETRS89 / UTM 32N (EPSG:25832); The "quarry"; not named)");
+}
+
+TEST(ReportInBrowser, GivesHighPercentilesOfEndPointsAndHits) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  auto summary = sample_run::summary("Percentiles");
+  summary["statistics"]["runout_xy_m"]["percentiles"] = {{"95", 28.25}, {"99", 28.375}};
+  summary["barriers"][0]["statistics"]["ke_translational_J"]["percentiles"] = {{"95", 99'500}, {"99", 99'900}};
+  const std::string high = "return rows.filter((row) => row.startsWith('Percentile')).join('; ');";
+  EXPECT_EQ(said_of(summary, rows_of("Descriptive statistics, one value a rock") + high),
+            "Percentile 95|–|28.25|–; Percentile 99|–|28.375|–");
+  EXPECT_EQ(said_of(summary, rows_of("Descriptive statistics of the hits") + high),
+            "Percentile 95|99.5; Percentile 99|99.9");
+}
+
+TEST(ReportInBrowser, SaysWhatTheHitsLeaveOutAndWhyAClearanceIsNegative) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  auto summary = sample_run::summary("Above");
+  summary["barriers"][0]["least_clearance_m"] = -0.449;
+  EXPECT_EQ(
+      said_of(summary, "return [...document.querySelectorAll('#barriers p')].map((p) => p.textContent).join('; ');"),
+      "Not in the figures of the hits: 1 rock that passed above the top, as the centre was higher. The clearance is "
+      "that of the lower side: it is negative where the centre passed above the top and the lower side below it.");
+}
+
+TEST(ReportInBrowser, HasScaleBarsOfRoundLength) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  EXPECT_EQ(said_of(sample_run::summary("Scale"), "return [0.7, 1, 16, 49, 200, 5300].map(roundLength).join(' ');"),
+            "0.5 1 10 20 200 5000");
+}
+
+TEST(ReportInBrowser, DrawsMapsOfWhatTheRocksDid) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  if (!can_write_maps()) GTEST_SKIP() << "no maps without GDAL";
+  const sample_run::Folder folder("report-maps");
+  sample_run::write_3d(folder);
+  folder.write("summary.json", on_terrain(100).dump());
+  folder.write("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0) + sample_run::endpoint_row(1));
+  const std::vector<MapVisit> path{{{0, 0}, {4'000, 3'000, 10, 2}, 0, false},
+                                   {{1, 0}, {8'000, 6'000, 20, 1}, 0, false}};
+  const std::vector<std::span<const MapVisit>> paths{path};
+  Maps maps(MapGrid({0, 0}, 5, {}));
+  maps.add(2, paths);
+  (void)write_maps(maps, {}, "", folder.path / "maps");
+  write_report(std::vector{folder.path}, folder.path / "report.html");
+  EXPECT_EQ(said_in_page(folder.path / "report.html", R"(
+    const figures = [...document.querySelectorAll('#maps figure')];
+    const energy = figures[1];
+    const texts = [...energy.querySelectorAll('text')].map((t) => t.textContent).slice(-4).join('|');
+    const has = (what) => figures.every((f) => f.querySelector(what)) ? what + ' ' : '';
+    return figures.map((f) => f.querySelector('h4').textContent).join('|') + '; ' + texts + '; ' +
+      has('image.relief') + has('image.cells') + has('.scale-bar') + has('.north') + has('.release') +
+      '; ' + mapValues(runs[0].maps[1]).map((value) => number(value, 4)).join(' ') + ' kJ';
+  )"),
+            "Reach|Greatest total kinetic energy|Greatest height above the ground|Greatest velocity; "
+            "y|Total kinetic energy (translational and rotational), greatest of all rocks [kJ]|4|8; "
+            "image.relief image.cells .scale-bar .north .release ; 4 8 kJ");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "io/sample_run.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/io/run_folder.hpp"
+#include "talus/io/table_columns.hpp"
 
 namespace talus::io {
 namespace {

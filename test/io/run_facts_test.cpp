@@ -107,7 +107,9 @@ TEST(RunFacts, RefuseWhatIsNoSummary) {
   const std::string hint = ". Name a folder that `talus run` has written";
   EXPECT_EQ(complaint_about(""),
             "summary.json: cannot be opened (a run's folder holds it once the run is done)" + hint);
-  EXPECT_EQ(complaint_about("[1, 2"), "summary.json: is not the summary of a run (it holds no JSON object)" + hint);
+  EXPECT_EQ(complaint_about("[1, 2"), "summary.json: is damaged (it holds no JSON object)" + hint);
+  EXPECT_EQ(complaint_about(std::string(100'000, '[')),
+            "summary.json: is damaged (it holds lists within lists, 100000 deep; expected at most 100)" + hint);
   EXPECT_EQ(complaint_about("{}"), "summary.json: terrain/kind: is missing (a run writes it)" + hint);
   EXPECT_EQ(complaint_about_value("/rocks/planned", -6),
             "summary.json: rocks/planned: is of type number (expected a whole number, 0 or more)" + hint);

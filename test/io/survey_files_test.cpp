@@ -66,6 +66,23 @@ TEST_F(SurveyFilesTest, TextTakesTheCoordinateSystemThatIsSaid) {
   EXPECT_EQ(without_folder(files.report), "p.csv: 4 points");
 }
 
+TEST_F(SurveyFilesTest, LasTakesTheCoordinateSystemThatIsSaid) {
+  LasSpec spec;
+  spec.offset = {400000, 300000, 0};
+  for (const double x : {0.0, 50.0, 100.0}) spec.points.push_back({{400000 + x, 300000 + x * x / 100, 1000}, 2});
+  LasBytes(spec).write(path("p.las"));
+  SurveySources from = sources("p.las");
+  EXPECT_EQ(read(from).crs_wkt, "");
+  EXPECT_THAT(warnings(), HasSubstr("p.las: warning: names no coordinate system that Talus understands"));
+  from.said = said("EPSG:31287");
+  EXPECT_EQ(name_of_crs(read(from).crs_wkt), "EPSG:31287");
+  EXPECT_EQ(warnings(), "");
+  from.said = {};
+  from.said.is_local = true;
+  EXPECT_EQ(read(from).crs_wkt, "");
+  EXPECT_EQ(warnings(), "");
+}
+
 TEST_F(SurveyFilesTest, LinesSayWhereTextIs) {
   write("p.csv", csv);
   lines({{"LINESTRING Z (400010 300010 1005, 400090 300090 1025)", ""}});

@@ -1,6 +1,7 @@
 // results.gpkg, read back with OGR as QGIS does.
 
 #include "talus/io/vector_out.hpp"
+#include "talus/io/table_columns.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -740,6 +740,10 @@ position = [2, 5]
 mass_kg = 10
 
 [[barrier]])"}},
+     "slope.toml:24: warning: seeder \"Crest\": its 1000000000000 rocks are all the same (nothing is random of them or "
+     "of "
+     "the ground, so that they follow one path). Give restitution or friction a distribution, or the ground a "
+     "roughness\n"
      "slope.toml:27: all seeders together have 1000000000001 rocks (expected at most 1000000000000)"},
     {"BarrierWithoutHeight",
      {{R"(height_m = 3
@@ -840,7 +844,12 @@ raster_cell_m = "terrain"
     {"NameIsAFolder",
      {{R"(name = "Slope")", R"(name = "../Slope")"}},
      "slope.toml:1: name is \"../Slope\" (the folder of the results is called by it). Use a name "
-     "without slashes, line breaks and the like"},
+     "without slashes"},
+    {"ANameWithALineBreak",
+     {{"name = \"Rock\"", "name = \"Ro\\nck\""}},
+     "slope.toml:10: material \"Ro\\nck\": name is \"Ro\\nck\" (expected a text without line breaks and other "
+     "characters "
+     "that cannot be seen)"},
     {"TwoMistakesAtOnce",
      {{"9.81", "-9.81"}, {"rocks = 10", "rocks = 0"}, {"height_m = 3", R"(height_m = "tall")"}},
      "slope.toml:4: [analysis]: gravity_m_s2 is -9.81 (gravity is given as a magnitude, it "
@@ -887,14 +896,17 @@ TEST_P(DoubtfulProjectTest, IsReadWithThisWarning) {
 }
 
 const std::vector<BadProject> doubtful_projects{
-    {"MapsOfASection",
-     {{"[terrain]",
-       R"([output]
-maps = true
-raster_cell_m = 1.0
-
-[terrain])"}},
-     "slope.toml:7: warning: [output]: maps has no effect (a section has no area to map). Give terrain.width_m for 3D"},
+    {"RocksThatAreAllTheSame",
+     {{"rocks = 10", "rocks = 500"}},
+     "slope.toml:24: warning: seeder \"Crest\": its 500 rocks are all the same (nothing is random of them or of the "
+     "ground, so that they follow one path). Give restitution or friction a distribution, or the ground a roughness"},
+    {"RocksOfDifferentMass",
+     {{"rocks = 10", "rocks = 500"},
+      {"mass_kg = 1000", "mass_kg = { mean = 1000, std_dev = 100, distribution = \"normal\" }"}},
+     ""},
+    {"RocksOnRoughGround",
+     {{"rocks = 10", "rocks = 500"}, {"name = \"Talus\"", "name = \"Talus\"\nroughness_deg = 3"}},
+     ""},
     {"GeoPackageOfASection",
      {{"[terrain]",
        R"([output]

@@ -115,10 +115,13 @@ const std::vector<Case> cases{
     {"AnAreaThrownOneWay",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nhorizontal_velocity_m_s = 2\n",
      "13: warning: seeder \"Cliff\": horizontal_velocity_m_s is given without a direction (all rocks of the area start "
-     "eastwards, [1, 0, 0], whatever way the slope faces). Write direction = [x, y, z], and make a seeder for each "
-     "face"},
+     "eastwards, [1, 0, 0], whatever way the slope faces). Write direction = \"downslope\", or one direction, [x, y, "
+     "z]"},
     {"AnAreaWithADirection",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nspeed_m_s = 2\ndirection = [0, 1, 0]\n", ""},
+    {"AnAreaThrownDownItsSlopes",
+     "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nspeed_m_s = 2\ndirection = \"downslope\"\n",
+     ""},
     {"ADefaultSaysNothing", "position = [1, 1, 1]\nplace = \"random\"\n", ""},
     {"AClosedPolygonIsFine", "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5], [0, 0]]\n", ""},
 };

@@ -80,6 +80,11 @@ TEST(BuildModel, RefusesABarrierOffTheTerrain) {
             "slope.toml:11: barrier \"Fence\": its line does not touch the terrain (a barrier stands on the ground)");
 }
 
+TEST(BuildModel, RefusesABarrierThatIsNoLine) {
+  EXPECT_EQ(complaint_of(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[5, 5], [5, 5.000001]]\nheight_m = 2\n"),
+            "slope.toml:11: barrier \"Fence\": its line is 1e-06 m long (expected at least 1e-05 m)");
+}
+
 const std::string varied_2d = replaced(
     flat_2d, "section = ", "section_std_dev_m = [[0.5, 0], [0, 0], [1, 0]]\nsection = ");  // certain from 1.5 to 17
 
@@ -208,6 +213,30 @@ TEST(BuildModel, PutsRocksOnTheSurfaceAndAboveIt) {
   EXPECT_NEAR(Simulator(above).simulate(0, false).outcome.start.position.z(), 2, 1e-12);
 }
 
+TEST(BuildModel, ThrowsRocksDownEitherSideOfARidge) {
+  const Model ridge = model_of(R"(
+[terrain]
+section = [[-4, 0], [0, 3], [12, -2]]
+[[material]]
+name = "Rock"
+[[seeder]]
+name = "West"
+position = [-1, 5]
+mass_kg = 100
+horizontal_velocity_m_s = 2
+direction = "downslope"
+[[seeder]]
+name = "East"
+position = [1, 5]
+mass_kg = 100
+speed_m_s = 13
+direction = "downslope"
+)");
+  Simulator simulator(ridge);
+  EXPECT_LT((simulator.simulate(0, false).outcome.start.velocity - Vec3(-2, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((simulator.simulate(1, false).outcome.start.velocity - Vec3(12, 0, -5)).norm(), 1e-12);
+}
+
 TEST(BuildModel, ReadsASectionFromRightToLeftWithItsMaterials) {
   const std::string two = R"(
 [terrain]
@@ -232,6 +261,11 @@ mass_kg = 100
   const Vec3 a = Simulator(forwards).simulate(0, false).outcome.end.position;
   const Vec3 b = Simulator(backwards).simulate(0, false).outcome.end.position;
   EXPECT_EQ(a, b);
+}
+
+TEST(BuildModel, CountsTheSegmentsOfAnOverhangFromTheTop) {
+  const Model overhang = model_of(replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 0], [10, -10], [0, -10]]"));
+  EXPECT_TRUE(overhang.parts.of_source.empty()) << "as they are given";
 }
 
 TEST(BuildModel, MovesNothingWhenTheModelIsMovedFarAway) {

@@ -2,46 +2,38 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <string>
-#include <utility>
-#include <vector>
+#include "talus/project/model.hpp"
+#include "talus/project/read.hpp"
 
 namespace talus::project {
 namespace {
 
-using Ends = std::vector<std::pair<EndReason, std::uint64_t>>;
-
-/// What a run warns of after so many rocks, of which these did not come to rest.
-std::string warned_after(std::uint64_t rocks, const Ends& ends) {
-  Summary summary(rocks, 0);
-  summary.done = rocks;
-  for (const auto& [reason, count] : ends) summary.ends[static_cast<std::size_t>(reason)] = count;
+// Cells of maps are counted with 32 bits.
+TEST(Maps, OfMoreCellsThanCanBeToldApartAreRefused) {
   Problems warnings;
-  warn_of_rocks(summary, warnings);
-  return warnings.text();
-}
-
-TEST(WarningsOfRocks, TellOfEndsThatAreTheModelsAndNotTheSlopes) {
-  EXPECT_EQ(
-      warned_after(20'000, {{EndReason::no_data, 18'369}}),
-      "warning: rocks: 18369 of 20000 rocks ended where the terrain has no data (runout, reach and end points are "
-      "cut there). Use a terrain that has data where rocks come");
-  EXPECT_EQ(warned_after(100, {{EndReason::maximum_steps, 1}, {EndReason::maximum_time, 1}}),
-            "warning: rocks: 1 of 100 rocks were ended after the maximum number of steps (runout, reach and end points "
-            "are cut there). Raise analysis.max_steps\n"
-            "warning: rocks: 1 of 100 rocks were ended at the maximum time (runout, reach and end points are cut "
-            "there). Raise analysis.max_time_s");
-}
-
-TEST(WarningsOfRocks, LeaveOneInAHundredAlone) {
-  EXPECT_EQ(warned_after(200, {{EndReason::no_data, 1}, {EndReason::maximum_time, 1}}), "");
-  EXPECT_NE(warned_after(199, {{EndReason::no_data, 1}, {EndReason::maximum_time, 1}}), "");
-  EXPECT_EQ(warned_after(0, {}), "");
-}
-
-TEST(WarningsOfRocks, TakeTheEdgeOfTheModelForMeant) {
-  EXPECT_EQ(warned_after(100, {{EndReason::left_model, 100}}), "");
+  const Project project = read_project_text(R"(
+[terrain]
+section = [[0, 0], [10, -10]]
+width_m = 1e8
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, 99999999, 5]
+mass_kg = 100
+[output]
+raster_cell_m = 0.01
+)",
+                                            "slope.toml")
+                              .project;
+  const Model model = build_model(project, warnings);
+  try {
+    (void)map_observer(project, model);
+    ADD_FAILURE() << "was not refused";
+  } catch (const BadInput& bad) {
+    EXPECT_EQ(bad.problems().text(),
+              "slope.toml: [output]: raster_cell_m is 0.01 (the terrain is 1e+10 such cells wide; expected fewer than "
+              "2e+09). Take larger cells");
+  }
 }
 
 }  // namespace

@@ -664,9 +664,6 @@ TEST(ReferencePage, NamesEverySettingAndItsMeaning) {
       EXPECT_NE(page.find("| `" + std::string(setting.key) + "` |"), std::string::npos) << row_name(table, setting);
       EXPECT_NE(page.find(std::string(setting.meaning)), std::string::npos) << row_name(table, setting);
     }
-    for (const LaterKey& later : table.later) {
-      EXPECT_NE(page.find('`' + std::string(later.key) + '`'), std::string::npos) << later.key;
-    }
   };
   for (const Table& table : tables()) expect_named(table);
   expect_named(distribution_table());

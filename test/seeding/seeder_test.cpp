@@ -25,7 +25,7 @@ Seeder point_seeder() {
 }
 
 Release release_of(const Seeder& seeder, std::uint64_t rock = 0) {
-  return release_at(seeder, std::get<Vec3>(seeder.where), Draws(SamplingPlan{}, rock));
+  return release_at(seeder, std::get<Vec3>(seeder.where), *seeder.direction, Draws(SamplingPlan{}, rock));
 }
 
 // ---- where ----
@@ -162,7 +162,7 @@ TEST(ReleaseAt, PositiveSpinRollsForwards) {
   const Motion motion = release_of(seeder).motion;
   EXPECT_NEAR(motion.spin.norm(), 3, 1e-15);
   // The top of the rock moves ahead.
-  EXPECT_GT(motion.spin.cross(Vec3::UnitZ()).dot(seeder.direction), 2.9);
+  EXPECT_GT(motion.spin.cross(Vec3::UnitZ()).dot(*seeder.direction), 2.9);
 }
 
 TEST(ReleaseAt, ADropStraightDownHasAHeadingAllTheSame) {

@@ -30,7 +30,7 @@ segments = ["Rock", "Soil"]
 [[seeder]]
 name = "Edge"
 position = [1, 25]
-rocks = 10
+rocks = 1
 mass_kg = 1000
 [[barrier]]
 name = "Net"
@@ -201,7 +201,7 @@ TEST_F(ModelOf, TellsOfASection) {
   const Json model = model_of(section_text);
   EXPECT_EQ(model["dimension"], 2);
   EXPECT_EQ(model["kind"], "section");
-  EXPECT_EQ(model["rocks"], 10);
+  EXPECT_EQ(model["rocks"], 1);
   EXPECT_TRUE(model["crs"].is_null());
   EXPECT_EQ(model["materials"], (Json{"Rock", "Soil"}));
   EXPECT_EQ(model["bounds"], (Json{{"min", {0.0, 0.0, 5.0}}, {"max", {30.0, 0.0, 20.0}}}));

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,6 +15,7 @@
 #include "talus/io/csv_reader.hpp"
 #include "talus/io/path_reader.hpp"
 #include "talus/io/run_folder.hpp"
+#include "talus/io/table_columns.hpp"
 
 namespace talus {
 namespace {
@@ -77,6 +80,24 @@ TEST_F(Results, HaveNoFilesBesideThose) {
     EXPECT_EQ(of(std::string("/files/") + name).status, 404) << name;
   for (const char* name : {"nothing", "../endpoints", "passages.tif", "by_source/x/passages", "%2e%2e/passages"})
     EXPECT_EQ(of(std::string("/maps/") + name).status, 404) << name;
+}
+
+TEST_F(Results, AreOrdinaryFilesOfTheirFolder) {
+  const std::filesystem::path summary = folder_ / "summary.json", elsewhere = base_ / "elsewhere.json";
+  const auto expect_none = [&] {
+    for (const char* what : {"/summary", "/paths", "/endpoints", "/statistics?of=x_m", "/barriers", "/maps"})
+      EXPECT_EQ(of(what).problem(), id_ + ": this run has no results (its summary.json is no ordinary file)") << what;
+    EXPECT_EQ(run(id_)["has_results"], false);
+  };
+  std::filesystem::rename(summary, elsewhere);
+  std::filesystem::create_symlink(elsewhere, summary);
+  expect_none();
+  std::filesystem::remove(summary);
+  ASSERT_EQ(mkfifo(summary.c_str(), 0600), 0);
+  expect_none();
+  std::filesystem::remove(summary);
+  std::filesystem::rename(elsewhere, summary);
+  EXPECT_EQ(of("/summary").status, 200);
 }
 
 TEST_F(Results, OfEveryPathAreItsPointsWithTheRowsAmongThem) {
@@ -237,14 +258,16 @@ TEST_F(Results, OfAChangedProjectAreNotComputedAgain) {
   const std::string few = begin(text_ + "\n[output]\npaths = 5\n");
   ASSERT_EQ(wait_for(few, "done")["state"], "done");
   const std::string file = run(few)["folder"].get<std::string>() + "/project.toml";
-  std::string text = read(file);
-  write(file, text.replace(text.find("position = [5, 20"), 17, "position = [5, 21"));
+  const std::string text = read(file);
+  write(file, std::string(text).replace(text.find("position = [5, 20"), 17, "position = [5, 21"));
   int refused = 0;
   for (int rock = 0; rock < 75; ++rock)
     refused += get("/api/runs/" + few + "/rocks/" + std::to_string(rock)).status == 404 ? 1 : 0;
   EXPECT_EQ(refused, 70);
   for (const float height : ArraysOf(get("/api/runs/" + few + "/paths")).get<float>("heights", "f32"))
     EXPECT_TRUE(std::isnan(height));
+  write(file, text);
+  EXPECT_EQ(get("/api/runs/" + few + "/rocks/1").status, 200);
 }
 
 TEST_F(Results, InStatisticsAreThoseOfTheSummary) {

@@ -2,6 +2,8 @@
 
 #include "server/served.hpp"
 
+#include <future>
+
 #include "talus/core/problems.hpp"
 
 namespace talus {
@@ -9,7 +11,16 @@ namespace {
 
 using testing_tools::Served;
 
-using Serving = Served;
+class Serving : public Served {
+ protected:
+  /// Another server of the same folder.
+  [[nodiscard]] server::ServeOptions others() const {
+    server::ServeOptions options = options_;
+    options.port = 0;
+    options.ready = nullptr;
+    return options;
+  }
+};
 
 /// What the server says instead of serving.
 std::string refusal(server::ServeOptions options) {
@@ -34,10 +45,32 @@ TEST_F(Serving, NeedsAPortOfItsOwn) {
 }
 
 TEST_F(Serving, NeedsAFolder) {
-  server::ServeOptions other = options_;
-  other.port = 0;
+  server::ServeOptions other = others();
   other.folder = path("none");
   EXPECT_EQ(refusal(other), path("none").string() + ": is no folder");
+}
+
+TEST_F(Serving, EndsWhenItIsStoppedBeforeItListens) {
+  static std::atomic<bool> stop;
+  stop = false;
+  server::ServeOptions other = others();
+  other.stop = &stop;
+  other.ready = [](const std::string&) {
+    stop = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  };
+  std::packaged_task<void()> serving([other] { server::serve(other); });
+  const auto end = serving.get_future();
+  std::thread(std::move(serving)).detach();
+  EXPECT_EQ(end.wait_for(std::chrono::seconds(30)), std::future_status::ready);
+}
+
+TEST_F(Serving, EndsWhenNobodyCanBeToldOfIt) {
+  const std::atomic<bool> stop{false};
+  server::ServeOptions other = others();
+  other.stop = &stop;
+  other.ready = [](const std::string&) { throw std::runtime_error("nobody is there"); };
+  EXPECT_THROW(server::serve(other), std::runtime_error);
 }
 
 TEST_F(Serving, EndsWhileConnectionsAreOpen) {

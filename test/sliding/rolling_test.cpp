@@ -87,6 +87,20 @@ TEST(Rolling, ComesToRestByItsResistance) {
   EXPECT_LT(tangential(end.spin, Vec3::UnitZ()).norm(), 1e-9);
 }
 
+// Resistance holds what creeps and does not drive it, be a step ever so long.
+TEST(Rolling, IsNotPushedUphillByItsResistance) {
+  const Vec3 n = normal_of_slope(0.17), down(std::cos(0.17), 0, -std::sin(0.17));
+  for (const double speed : {0.0, 1e-12, 1e-10, 1e-9, 1e-6}) {
+    for (const double way : {1.0, -1.0}) {
+      const Vec3 velocity = way * speed * down;
+      const State end =
+          roll({Vec3::Zero(), velocity, rolling_spin(velocity, Vec3::Zero(), n, rock.radius)}, n, {0.8, 0.5}, 1, 5);
+      EXPECT_LT(end.position.norm(), 5e-6) << speed;
+      EXPECT_LE(end.velocity.norm(), speed);
+    }
+  }
+}
+
 TEST(Rolling, KeepsTheSpinAboutTheNormal) {
   State state;
   state.velocity = {3, 0, 0};

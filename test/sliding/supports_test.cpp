@@ -91,6 +91,16 @@ TEST(CaughtBetween, InAValleyNotOnARidge) {
   EXPECT_TRUE(caught_between(gravity, left, right, 0.05 * away, 0.1));
 }
 
+// The forces of both sides and gravity balance across the valley.
+TEST(CaughtBetween, SharesTheLoadBetweenTheSides) {
+  const Vec3 steep = Vec3(2, 0, 1).normalized(), gentle = Vec3(-1, 0, 3).normalized();
+  const auto valley = caught_between(gravity, steep, gentle, {0, 0, 0}, 0.1);
+  ASSERT_TRUE(valley);
+  const double on_first = valley->first_share * valley->footing.pressure;
+  const double on_second = valley->footing.pressure - on_first;
+  EXPECT_LT((on_first * steep + on_second * gentle + gravity - valley->footing.pull).norm(), 1e-12);
+}
+
 TEST(CaughtBetween, NotWhereOneSideLeadsAway) {
   // Both fall the same way: from the first the rock slides off over the second.
   EXPECT_FALSE(caught_between(gravity, Vec3(1, 0, 2).normalized(), Vec3(1, 0, 1).normalized(), {0, 0, 0}, 0.1));

@@ -226,8 +226,8 @@ TEST(RepositoryCases, TurnTheSeederWithTheTerrain) {
         EXPECT_NEAR(p.seeders[0].points[e][static_cast<std::size_t>(axis)], expected[axis], 1e-13) << run.name;
       }
     }
-    EXPECT_NEAR(p.seeders[0].direction[0], cosine, 1e-15);
-    EXPECT_NEAR(p.seeders[0].direction[1], sine, 1e-15);
+    EXPECT_NEAR(p.seeders[0].direction->at(0), cosine, 1e-15);
+    EXPECT_NEAR(p.seeders[0].direction->at(1), sine, 1e-15);
   }
 }
 

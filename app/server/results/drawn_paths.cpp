@@ -46,14 +46,16 @@ DrawnPaths drawn_paths(const std::filesystem::path& folder, const Json& summary,
   paths.rocks = end_points(folder, summary, facts, wants);
   paths.rocks.total = total;
 
+  const auto refuse = [&] {
+    return BadInput(Problem{.file = (folder / "paths.csv").string(),
+                            .what = "has other rocks than endpoints.csv",
+                            .why = "rocks are missing in one of the two"});
+  };
   const HeightAboveGround height(model);
   io::PathReader reader(folder / "paths.csv");
   while (paths.starts.size() < paths.rocks.rocks.size() && reader.next(wants)) {
     const io::Path& path = reader.path();
-    if (path.rock != paths.rocks.rocks[paths.starts.size()])
-      throw BadInput(Problem{.file = (folder / "paths.csv").string(),
-                             .what = "has other rocks than endpoints.csv",
-                             .why = "rocks are missing in one of the two"});
+    if (path.rock != paths.rocks.rocks[paths.starts.size()]) throw refuse();
     if (paths.starts.empty()) paths.rocks.origin = origin_near(Vec3(path.rows[0].position_m.data()));
     paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));
     io::for_points_along(path, tolerance, [&](const io::PathPoint& point) {
@@ -67,6 +69,7 @@ DrawnPaths drawn_paths(const std::filesystem::path& folder, const Json& summary,
       paths.states.push_back(static_cast<std::uint8_t>(point.state));
     });
   }
+  if (paths.starts.size() < paths.rocks.rocks.size()) throw refuse();
   paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));
   return paths;
 }

@@ -5,19 +5,13 @@
 
 #include "talus/io/csv_reader.hpp"
 #include "talus/io/run_folder.hpp"
+#include "talus/io/table_columns.hpp"
 
 namespace talus::server {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-template <std::size_t n>
-constexpr std::size_t place_of(const std::array<std::string_view, n>& columns, std::string_view name) {
-  for (std::size_t k = 0; k < n; ++k)
-    if (columns[k] == name) return k;
-  throw "no such column";  // refused while compiling
-}
 
 std::uint8_t reason_in(const io::CsvReader& row, std::size_t column) {
   for (int reason = 0; reason < end_reason_count; ++reason)
@@ -27,7 +21,7 @@ std::uint8_t reason_in(const io::CsvReader& row, std::size_t column) {
 
 void read_ends(const fs::path& file, const io::RunFacts& facts, const std::function<bool(std::uint64_t)>& wants,
                EndPoints& ends) {
-  constexpr auto at = [](std::string_view name) { return place_of(io::endpoint_columns, name); };
+  constexpr auto at = [](std::string_view name) { return io::place_of(io::endpoint_columns, name); };
   io::CsvReader row(file, io::endpoint_columns);
   while (row.next()) {
     const auto rock = static_cast<std::uint64_t>(row.whole_number(at("rock")));
@@ -46,21 +40,22 @@ void read_ends(const fs::path& file, const io::RunFacts& facts, const std::funct
 }
 
 void read_hits(const fs::path& file, EndPoints& ends) {
-  constexpr auto at = [](std::string_view name) { return place_of(io::barrier_columns, name); };
+  constexpr auto at = [](std::string_view name) { return io::place_of(io::barrier_columns, name); };
   const std::size_t words = std::max<std::size_t>(1, (ends.barrier_names.size() + 31) / 32);
   ends.barriers.resize(words * ends.rocks.size());
   if (ends.barrier_names.empty()) return;
-  Names names(ends.barrier_names);
+  const Names names(ends.barrier_names);
   io::CsvReader row(file, io::barrier_columns);
   auto next = ends.rocks.begin();
   while (row.next()) {  // in the order of the rocks, as those are
     const auto rock = static_cast<std::uint64_t>(row.whole_number(at("rock")));
     while (next != ends.rocks.end() && *next < rock) ++next;
     if (next == ends.rocks.end()) return;
-    const std::uint32_t barrier = names.number(row.text(at("barrier")));
+    const std::optional<std::uint32_t> barrier = names.find(row.text(at("barrier")));
+    if (!barrier) row.refuse("barrier", "is no barrier of this run", "summary.json names all of them");
     if (*next != rock) continue;
     const auto of_rock = static_cast<std::size_t>(next - ends.rocks.begin());
-    ends.barriers[words * of_rock + barrier / 32] |= 1U << barrier % 32;
+    ends.barriers[words * of_rock + *barrier / 32] |= 1U << *barrier % 32;
   }
 }
 

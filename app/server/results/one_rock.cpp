@@ -11,6 +11,7 @@
 #include "talus/io/result_tables.hpp"
 #include "talus/io/rock_rows.hpp"
 #include "talus/io/run_folder.hpp"
+#include "talus/io/table_columns.hpp"
 
 namespace talus::server {
 

@@ -1,10 +1,6 @@
 #include "results/run_summary.hpp"
 
-#include <fstream>
-#include <iterator>
-
-#include "talus/io/json_text.hpp"
-#include "talus/io/ordinary_file.hpp"
+#include "talus/io/json_file.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/read.hpp"
@@ -15,27 +11,16 @@ std::filesystem::path results_folder(const Run& run) {
   const auto refuse = [&](const char* why, const char* hint = "") {
     return Refusal(404, run.id, "this run has no results", why, hint);
   };
+  if (has_results(run)) return run.folder;
   if (run.state == RunState::waiting) throw refuse("it waits for others");
   if (run.state == RunState::running) throw refuse("it is under way", "Stop it to see what is done");
   if (run.is_at_work) throw refuse("what was done before its server was killed is being written", "Ask again soon");
   std::error_code ignored;
-  if (!std::filesystem::exists(run.folder / "summary.json", ignored)) throw refuse("it ended before they were written");
-  return run.folder;
+  const bool is_there = std::filesystem::exists(run.folder / "summary.json", ignored);
+  throw refuse(is_there ? "its summary.json is no ordinary file" : "it ended before they were written");
 }
 
-Json read_summary(const Run& run) {
-  const std::filesystem::path file = results_folder(run) / "summary.json";
-  const auto refuse = [&](std::string what, std::string why) {
-    return BadInput(Problem{.file = file.string(), .what = std::move(what), .why = std::move(why)});
-  };
-  if (const auto why = not_an_ordinary_file(file)) throw refuse("cannot be read", *why);
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (io::depth_of_json(text) > io::deepest_json) throw refuse("is damaged", "it holds lists within lists");
-  Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object()) throw refuse("is damaged", "it holds no JSON object");
-  return json;
-}
+Json read_summary(const Run& run) { return io::read_json_object<Json>(results_folder(run) / "summary.json", ""); }
 
 Json settings_of(const Run& run, const std::filesystem::path& project_file) {
   return project::echo(
@@ -55,6 +40,12 @@ std::uint32_t Names::number(std::string_view name) {
   const auto [entry, is_new] = numbers_.try_emplace(std::string(name), static_cast<std::uint32_t>(list_.size()));
   if (is_new) list_.emplace_back(name);
   return entry->second;
+}
+
+std::optional<std::uint32_t> Names::find(std::string_view name) const {
+  const auto found = numbers_.find(std::string(name));
+  if (found == numbers_.end()) return std::nullopt;
+  return found->second;
 }
 
 std::vector<std::string> names_of(const Json& list) {

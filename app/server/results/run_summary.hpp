@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -35,6 +36,8 @@ class Names {
   }
   /// Of two things of the same name, the first.
   std::uint32_t number(std::string_view name);
+  /// Nothing of one that is not among them.
+  [[nodiscard]] std::optional<std::uint32_t> find(std::string_view name) const;
   [[nodiscard]] const std::vector<std::string>& list() const { return list_; }
 
  private:

@@ -28,9 +28,10 @@ constexpr std::array examples{
             "barrier/barrier.toml"},
     Example{"first-gis-run", "Cliffs from a GIS", "A valley from a GeoTIFF, rocks from polygons of cliffs, and maps",
             "first-gis-run/first-gis-run.toml"},
-    Example{"maungawhau", "Maungawhau", "A real volcano on a grid of 10 m: sources by slope angle, maps",
+    Example{"maungawhau", "Maungawhau", "A real volcano on a grid of 10 m: rocks off its rim, and maps",
             "maungawhau/maungawhau.toml"},
-    Example{"barrier-design", "A barrier, designed", "The same volcano with barriers, and what they would have to hold",
+    Example{"barrier-design", "A barrier, designed",
+            "The same volcano with lines where barriers may stand, and what they would have to hold",
             "maungawhau/barrier-design.toml"}};
 
 }  // namespace
@@ -39,14 +40,13 @@ void add_example_routes(Router& router, const Workplace& workplace) {
   router.get("/api/examples", [](const Call&) {
     Json list = Json::array();
     for (const Example& example : examples)
-      list.push_back(
-          {{"id", example.id}, {"title", example.title}, {"what", example.what}, {"file", example.file}});
+      list.push_back({{"id", example.id}, {"title", example.title}, {"what", example.what}, {"file", example.file}});
     return json_answer({{"examples", list}});
   });
   router.post(R"(/api/examples/([a-z0-9-]+))", [&workplace](const Call& call) {
     call.only({});
-    const auto example = std::find_if(examples.begin(), examples.end(),
-                                      [&](const Example& known) { return known.id == call.part(1); });
+    const auto example =
+        std::find_if(examples.begin(), examples.end(), [&](const Example& known) { return known.id == call.part(1); });
     if (example == examples.end()) throw Refusal(404, call.part(1), "there is no such example");
     const std::string_view folder = example->file.substr(0, example->file.find('/') + 1);
     for (const ExampleFile& file : example_files()) {

@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int deepest = 4;           // folders below the one that is worked in
 constexpr std::size_t most = 2'000;  // files that are listed
 
 struct Kind {
@@ -61,7 +60,7 @@ Listing listing(const Workplace& workplace) {
     std::error_code ignored;
     const bool is_hidden = path.filename().string().starts_with('.');
     if (entry->is_directory(ignored)) {
-      if (is_hidden || entry.depth() >= deepest || is_of_results(path) || path.filename() == "node_modules")
+      if (is_hidden || entry.depth() >= deepest_project || is_of_results(path) || path.filename() == "node_modules")
         entry.disable_recursion_pending();
       continue;
     }

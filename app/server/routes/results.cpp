@@ -7,7 +7,6 @@
 #include "results/run_summary.hpp"
 #include "routes/results.hpp"
 #include "routes/routes.hpp"
-#include "talus/io/ordinary_file.hpp"
 #include "talus/io/run_state.hpp"
 
 namespace talus::server {

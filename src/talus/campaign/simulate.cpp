@@ -4,6 +4,7 @@
 #include <array>
 #include <variant>
 
+#include "talus/seeding/fall_line.hpp"
 #include "talus/seeding/lift.hpp"
 #include "talus/trajectory/rock_run.hpp"
 
@@ -27,7 +28,8 @@ Release release_of(const Model& model, const Surface& surface, const Draws& draw
     }
     place.z() = z.value_or(place.z()) + *seeder.above_surface;
   }
-  Release release = release_at(seeder, place, draws);
+  const Vec3 direction = seeder.direction ? *seeder.direction : fall_line(surface, place);
+  Release release = release_at(seeder, place, direction, draws);
   const double reach = model.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0;
   const ClearPlace clear = clear_place(surface, place, reach);
   if (clear.fit != Fit::as_given) {

@@ -44,7 +44,8 @@ Rebound crsp_rebound(const CrspImpact& impact, const Rock& rock, Restitution res
   const double r = rock.radius;
   const double kept = r * r * crsp_friction_function(slip, restitution.tangential) *
                       crsp_scaling_factor(vn, restitution) / (rock.inertia + rock.mass * r * r);
-  const double direction = v1 != 0 ? v1 : w2;
+  // A velocity that is next to nothing beside the spin, as of a rock that is set down, has a sign by rounding.
+  const double direction = std::abs(v1) > 1e-6 * w2 * r ? v1 : w2;
   const double v1_after = std::copysign(std::sqrt(kept * (rock.inertia * w2 * w2 + rock.mass * v1 * v1)), direction);
   const double v2_after = std::copysign(std::sqrt(kept * rock.mass * v2 * v2), v2);
   return {-restitution.normal * vn * n + v1_after * t1 + v2_after * t2, wn * n - v2_after / r * t1 + v1_after / r * t2};

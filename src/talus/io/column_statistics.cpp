@@ -8,17 +8,12 @@
 #include "talus/io/csv_reader.hpp"
 #include "talus/io/foot_stretch.hpp"
 #include "talus/io/run_folder.hpp"
+#include "talus/io/table_columns.hpp"
 
 namespace talus::io {
 
 namespace {
 
-template <std::size_t n>
-constexpr std::size_t place_of(const std::array<std::string_view, n>& columns, std::string_view name) {
-  for (std::size_t k = 0; k < n; ++k)
-    if (columns[k] == name) return k;
-  throw "no such column";  // refused while compiling
-}
 constexpr std::size_t of_endpoints(std::string_view name) { return place_of(endpoint_columns, name); }
 constexpr std::size_t of_hits(std::string_view name) { return place_of(barrier_columns, name); }
 

@@ -25,19 +25,21 @@ constexpr auto cut_short = "The file was cut short or damaged; run the project a
 
 }  // namespace
 
-CsvReader::CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns)
-    : file_(file.string()), columns_(columns), buffer_(std::size_t{1} << 20), line_read_(longest_row + 2) {
+CsvReader::CsvReader(const std::filesystem::path& file)
+    : file_(file.string()), buffer_(std::size_t{1} << 20), line_read_(longest_row + 2) {
   if (const auto why = not_an_ordinary_file(file)) refuse("", "cannot be opened", *why);
   stream_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   stream_.open(file, std::ios::binary);
   if (!stream_) refuse("", "cannot be opened", "it must be a readable file");
-  fields_.reserve(columns.size() + 1);
   if (!read_record()) refuse("", "the file is empty", "its first line must name the columns", cut_short);
   split();
-  if (!std::ranges::equal(fields_, columns_)) {
-    refuse("", fmt::format("the columns are {}", excerpt(record_)),
-           fmt::format("expected \"{}\"", fmt::join(columns_, ",")));
-  }
+  columns_.assign(fields_.begin(), fields_.end());
+}
+
+CsvReader::CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns) : CsvReader(file) {
+  if (std::ranges::equal(columns_, columns)) return;
+  refuse("", fmt::format("the columns are {}", excerpt(record_)),
+         fmt::format("expected \"{}\"", fmt::join(columns, ",")));
 }
 
 bool CsvReader::read_record() {
@@ -112,7 +114,7 @@ double CsvReader::number(std::size_t column) const {
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
-    refuse(std::string(columns_[column]), fmt::format("{} is not a number", excerpt(field)),
+    refuse(columns_[column], fmt::format("{} is not a number", excerpt(field)),
            "expected a finite number");
   }
   return value;
@@ -123,7 +125,7 @@ std::int64_t CsvReader::whole_number(std::size_t column) const {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc{} || end != field.data() + field.size() || value < 0) {
-    refuse(std::string(columns_[column]), fmt::format("{} is not a count", excerpt(field)),
+    refuse(columns_[column], fmt::format("{} is not a count", excerpt(field)),
            "expected a whole number, 0 or more");
   }
   return value;

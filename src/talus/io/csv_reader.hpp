@@ -16,6 +16,10 @@ class CsvReader {
  public:
   /// Expects exactly these columns in the file's first line; throws BadInput otherwise.
   CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns);
+  /// Takes the columns that the file's first line names.
+  explicit CsvReader(const std::filesystem::path& file);
+
+  [[nodiscard]] std::span<const std::string> columns() const { return columns_; }
 
   /// Goes to the next row; false after the last. Throws BadInput on a row with too few or too many values, and on a
   /// last line without an end, the mark of a file that was cut short; and on one of more than a megabyte.
@@ -37,13 +41,13 @@ class CsvReader {
   void split();
 
   std::string file_;
-  std::span<const std::string_view> columns_;
   std::vector<char> buffer_;
   std::ifstream stream_;
   std::vector<char> line_read_;
   std::string record_;    // the current row as it stands in the file
   std::string unquoted_;  // text of its quoted values; fields_ may point into it
   std::vector<std::string_view> fields_;
+  std::vector<std::string> columns_;
   int line_ = 0;  // of the current row's first line
   int lines_read_ = 0;
   bool knows_lines_ = true;

@@ -150,7 +150,7 @@ void make_output_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) refuse(folder, "create this folder", error.value());
-  if (!std::filesystem::is_directory(folder)) refuse(folder, "write results here", ENOTDIR);
+  if (!std::filesystem::is_directory(folder, error)) refuse(folder, "write results here", ENOTDIR);
   if (access(folder.c_str(), W_OK | X_OK) != 0) refuse(folder, "write to this folder", errno);
 }
 

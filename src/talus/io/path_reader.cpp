@@ -9,17 +9,13 @@
 #include <string>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/table_columns.hpp"
 
 namespace talus::io {
 
 namespace {
 
-constexpr std::size_t place_of(std::string_view name) {
-  for (std::size_t i = 0; i < path_columns.size(); ++i) {
-    if (path_columns[i] == name) return i;
-  }
-  throw "no such column";  // refused while compiling
-}
+constexpr std::size_t place_of(std::string_view name) { return io::place_of(path_columns, name); }
 
 constexpr std::size_t rock_column = place_of("rock"), event = place_of("event"), state_column = place_of("state"),
                       time = place_of("time_s"), x = place_of("x_m"), vx = place_of("vx_m_s"),

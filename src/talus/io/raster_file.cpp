@@ -314,12 +314,39 @@ class BandReader {
                      "Tell it: " + problems_.command(fmt::format("gdal_translate -a_nodata {:.17g}", raw(strangest)),
                                                      "_declared.tif"));
     }
+    judge_zeros(out.grid);
     if (!has_surface(out.grid)) {
       problems_.stop("has no surface",
                      out.without_data == out.grid.z.size()
                          ? "no cell has data"
                          : "nowhere have four neighbouring cells data, which a piece of surface needs");
     }
+  }
+
+  /// Zeros at the foot of walls are no ground: no data that the file does not declare. (The sea and a lowest point of 0
+  /// have beaches.)
+  void judge_zeros(const RasterGrid& grid) {
+    constexpr double wall = 5;  // height over width
+    std::uint64_t zeros = 0, borders = 0, walls = 0;
+    const auto look = [&](std::size_t node, std::size_t next, double apart) {
+      const float a = grid.z[node], b = grid.z[next];
+      if ((a == 0) == (b == 0) || std::isnan(a + b)) return;
+      ++borders;
+      walls += std::abs(a - b) > wall * apart ? 1 : 0;
+    };
+    for (std::uint32_t row = 0; row < grid.rows; ++row) {
+      for (std::uint32_t i = 0; i < grid.columns; ++i) {
+        const std::size_t node = grid.index(i, row);
+        zeros += grid.z[node] == 0 ? 1 : 0;
+        if (i + 1 < grid.columns) look(node, node + 1, grid.dx);
+        if (row + 1 < grid.rows) look(node, node + grid.columns, grid.dy);
+      }
+    }
+    if (2 * walls <= borders) return;
+    problems_.warn(
+        fmt::format("has {} cells of 0 m", zeros),
+        "walls stand around them; they seem to have no data, but the file does not say so",
+        "Tell it: " + problems_.command(fmt::format("gdal_translate -a_nodata {:.17g}", raw(0)), "_declared.tif"));
   }
 
   /// As the file has it, before scale and offset.

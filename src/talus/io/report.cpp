@@ -1,8 +1,12 @@
 #include "talus/io/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -109,12 +113,67 @@ Json losses_of(const RunFolder& run) {
           {"by_number", std::move(by_number)}};
 }
 
+// Bytes as four letters for every three (RFC 4648), which atob() of browsers reads.
+std::string base64(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k) three = three << 8U | (k < n ? bytes[i + k] : 0U);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= n ? letters[three >> (18 - 6 * k) & 63U] : '=';
+  }
+  return out;
+}
+
+Json maps_of(const RunFolder& run) {
+  auto maps = Json::array();
+  for (const ReportMap& map : run.maps) {
+    maps.push_back({{"name", map.name},
+                    {"logarithmic", map.scale == ColourScale::logarithmic},
+                    {"least", map.range.least},
+                    {"greatest", map.range.greatest},
+                    {"top", map.range.top},
+                    {"origin", map.origin},
+                    {"cell", map.cell},
+                    {"columns", map.columns},
+                    {"rows", map.rows},
+                    {"levels", base64(map.levels)}});
+  }
+  return maps;
+}
+
+// To six digits.
+double in_short(double value) { return std::stod(fmt::format("{:.6g}", value)); }
+
+Json envelopes_of(const RunFolder& run) {
+  auto rows = Json::array();
+  for (const ReportEnvelopes::Cell& cell : run.envelopes.cells) {
+    auto row = Json::array({drawn(cell.from_x_m), drawn(cell.to_x_m)});
+    for (const auto& value : cell.values) row.push_back(value ? Json(in_short(*value)) : Json());
+    rows.push_back(std::move(row));
+  }
+  auto columns = Json::array({"from_x_m", "to_x_m"});
+  for (const std::string& column : run.envelopes.columns) columns.push_back(column);
+  return {{"cells_each", run.envelopes.cells_each}, {"columns", std::move(columns)}, {"rows", std::move(rows)}};
+}
+
+// Red, green and blue at equal steps of a map's scale.
+Json map_colours() {
+  auto colours = Json::array();
+  for (const ColourStop& stop : colour_ramp(ColourScale::linear, {.least = 0, .greatest = 1, .top = 1})) {
+    colours.push_back(stop.colour);
+  }
+  return colours;
+}
+
 Json data_of(const RunFolder& run) {
   const auto whole = std::filesystem::absolute(run.folder).lexically_normal();
   const auto last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
   return {{"folder", last.string()},        {"date", run.date},       {"summary", run.summary},
           {"endpoints", endpoints_of(run)}, {"paths", paths_of(run)}, {"hits", hits_of(run)},
-          {"losses", losses_of(run)},       {"notes", run.notes}};
+          {"losses", losses_of(run)},       {"maps", maps_of(run)},   {"envelopes", envelopes_of(run)},
+          {"notes", run.notes}};
 }
 
 std::string escaped(std::string_view text) {
@@ -168,7 +227,7 @@ std::string title_of(std::span<const RunFolder> runs) {
 }  // namespace
 
 std::string report_page(std::span<const RunFolder> runs) {
-  Json data{{"version", TALUS_VERSION}, {"runs", Json::array()}};
+  Json data{{"version", TALUS_VERSION}, {"map_colours", map_colours()}, {"runs", Json::array()}};
   for (const RunFolder& run : runs) data["runs"].push_back(data_of(run));
   const std::string title = escaped(title_of(runs)), json = json_for_script(data);
   return filled(

@@ -20,6 +20,7 @@ Json as_json(const RunDescription& description) {
   json["crs_wkt"] = description.crs_wkt;
   json["sources"] = description.sources;
   json["wants_maps"] = description.wants_maps;
+  json["wants_envelopes"] = description.wants_envelopes;
   json["wants_geopackage"] = description.wants_geopackage;
   json["wants_report"] = description.wants_report;
   json["warnings"] = description.warnings;
@@ -61,6 +62,7 @@ RunDescription read(const Json& json) {
   json.at("crs_wkt").get_to(description.crs_wkt);
   json.at("sources").get_to(description.sources);
   json.at("wants_maps").get_to(description.wants_maps);
+  description.wants_envelopes = json.value("wants_envelopes", false);
   json.at("wants_geopackage").get_to(description.wants_geopackage);
   json.at("wants_report").get_to(description.wants_report);
   json.at("warnings").get_to(description.warnings);

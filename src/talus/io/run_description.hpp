@@ -12,7 +12,7 @@
 
 namespace talus::io {
 
-/// The maps that a run makes.
+/// The maps that a run makes; of a section, in one row of cells along it.
 struct MapPlan {
   Vec2 origin, cell;  // of the grid, as in results/map_grid.hpp
   bool by_source = false;
@@ -33,7 +33,8 @@ struct RunDescription {
   std::vector<std::string> sources;   // their names
   std::optional<MapPlan> maps;        // that are gathered; nothing: none
   std::optional<DesignPlan> design;   // of barriers; nothing: none
-  bool wants_maps = false;            // in the project
+  bool wants_maps = false;            // of 3D terrain
+  bool wants_envelopes = false;       // of a section
   bool wants_geopackage = false;      // that can be made on 3D terrain only
   bool wants_report = true;
 };

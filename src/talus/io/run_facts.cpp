@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <unordered_map>
 
@@ -11,6 +10,7 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/io/foot_stretch.hpp"
+#include "talus/io/json_file.hpp"
 
 namespace talus::io {
 
@@ -18,15 +18,12 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr const char* hint = "Name a folder that `talus run` has written";
+
 /// Values by their place, "/rocks/planned"; refused where they are not there or not of the kind expected.
 class Values {
  public:
-  explicit Values(std::filesystem::path file) : file_(std::move(file)) {
-    std::ifstream stream(file_, std::ios::binary);
-    if (!stream) refuse("", "cannot be opened", "a run's folder holds it once the run is done");
-    json_ = Json::parse(stream, nullptr, false);
-    if (!json_.is_object()) refuse("", "is not the summary of a run", "it holds no JSON object");
-  }
+  explicit Values(std::filesystem::path file) : file_(std::move(file)), json_(read_json_object<Json>(file_, hint)) {}
 
   [[nodiscard]] bool has(const std::string& place) const { return json_.contains(Json::json_pointer(place)); }
   [[nodiscard]] const Json& at(const std::string& place) const {
@@ -66,11 +63,7 @@ class Values {
     return value;
   }
   [[noreturn]] void refuse(const std::string& place, std::string what, std::string why) const {
-    throw BadInput(Problem{.file = file_.string(),
-                           .where = place.empty() ? "" : place.substr(1),
-                           .what = std::move(what),
-                           .why = std::move(why),
-                           .hint = "Name a folder that `talus run` has written"});
+    refuse_json_file(file_, place.substr(1), std::move(what), std::move(why), hint);
   }
 
   std::filesystem::path file_;

@@ -13,10 +13,12 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/io/csv_reader.hpp"
+#include "talus/io/envelope_table.hpp"
 #include "talus/io/json_text.hpp"
 #include "talus/io/ordinary_file.hpp"
 #include "talus/io/path_reader.hpp"
 #include "talus/io/spread_sample.hpp"
+#include "talus/io/table_columns.hpp"
 
 namespace talus::io {
 namespace {
@@ -39,15 +41,6 @@ constexpr std::uintmax_t most_summary_bytes = std::uintmax_t{256} << 20;  // far
 
 constexpr auto cut_short = "The file was cut short or damaged; run the project again to get it whole";
 constexpr auto name_a_run = "Name a folder that `talus run` has written";
-
-// A name in one of the folder's tables, and the column's place: the reader below says `at("x_m")`, never `at(4)`.
-template <std::size_t n>
-constexpr std::size_t place_of(const std::array<std::string_view, n>& columns, std::string_view name) {
-  for (std::size_t i = 0; i < n; ++i) {
-    if (columns[i] == name) return i;
-  }
-  throw "no such column";  // refused while compiling
-}
 
 std::string date_of(const std::filesystem::path& file) {
   const auto written = std::chrono::file_clock::to_sys(std::filesystem::last_write_time(file));
@@ -128,7 +121,7 @@ Json read_summary(const std::filesystem::path& path) {
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
-    refuse(path, "", std::filesystem::exists(path) ? "cannot be opened" : "there is no such file",
+    refuse(path, "", std::filesystem::exists(path, error_code) ? "cannot be opened" : "there is no such file",
            "a run's folder holds it once the run is done", name_a_run);
   }
   std::stringstream text;
@@ -379,6 +372,8 @@ RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& lim
   });
   attempt("paths.csv", true, [&](const auto& file) { read_paths(file, limits, run); });
   attempt("barriers.csv", true, [&](const auto& file) { run.hits = read_hits(file, limits.hits); });
+  attempt("maps", true, [&](const auto&) { run.maps = read_report_maps(folder); });
+  attempt(envelopes_name, true, [&](const auto& file) { run.envelopes = read_report_envelopes(file); });
   if (problems.has_errors()) throw BadInput(std::move(problems));
   note_what_is_missing(run);
   return run;

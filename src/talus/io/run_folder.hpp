@@ -11,33 +11,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "talus/io/report_envelopes.hpp"
+#include "talus/io/report_maps.hpp"
 #include "talus/motion/motion.hpp"
 
 namespace talus::io {
-
-inline constexpr std::array<std::string_view, 15> endpoint_columns{
-    "rock",   "seeder", "x_m",        "y_m",     "z_m",      "runout_xy_m", "runout_z_m",  "runout_total_m",
-    "time_s", "events", "end_reason", "mass_kg", "radius_m", "max_ke_J",    "max_bounce_m"};
-inline constexpr std::array<std::string_view, 16> path_columns{"rock",
-                                                               "event",
-                                                               "state",
-                                                               "time_s",
-                                                               "x_m",
-                                                               "y_m",
-                                                               "z_m",
-                                                               "vx_m_s",
-                                                               "vy_m_s",
-                                                               "vz_m_s",
-                                                               "wx_rad_s",
-                                                               "wy_rad_s",
-                                                               "wz_rad_s",
-                                                               "ke_translational_J",
-                                                               "ke_rotational_J",
-                                                               "pe_J"};
-inline constexpr std::array<std::string_view, 15> barrier_columns{
-    "barrier",         "rock",       "time_s", "x_m",    "y_m",       "z_m",
-    "impact_height_m", "vx_m_s",     "vy_m_s", "vz_m_s", "angle_deg", "ke_translational_J",
-    "ke_rotational_J", "ke_total_J", "outcome"};
 
 /// How much of a run is kept. Rocks are chosen by the sampling rule of spread_sample.hpp, the same for the same run.
 struct Limits {
@@ -100,7 +78,9 @@ struct RunFolder {
   Kept<Path> paths{};
   Kept<BarrierHit> hits{};
   std::vector<ImpactLoss> impact_losses{};  // [0]: first impact; the first hundred are kept
-  std::vector<std::string> notes{};         // what is not there, for the reader of the page
+  std::vector<ReportMap> maps{};
+  ReportEnvelopes envelopes{};
+  std::vector<std::string> notes{};  // what is not there, for the reader of the page
 };
 
 /// Reads a run's folder, whose summary may have another name while it is made. A missing table is a note; a summary

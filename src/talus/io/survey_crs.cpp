@@ -70,7 +70,7 @@ std::optional<SurveyCrs> crs_in_words(const std::string& words) {
   return SurveyCrs{wkt_of(crs), name_of(crs)};
 }
 
-SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, Problems& warnings) {
+SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const SaidOfCrs& said, Problems& warnings) {
   const GdalMessages messages;
   OGRSpatialReference crs;
   bool is_known = !las.wkt.empty() && crs.importFromWkt(las.wkt.c_str()) == OGRERR_NONE;
@@ -98,6 +98,7 @@ SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, Probl
   }
   problems.throw_if_any();
   if (is_known) return {wkt_of(crs), name_of(crs)};
+  if (said.crs.is_known() || said.is_local) return {};
   warnings.add(Problem{.severity = Severity::warning,
                        .file = file.string(),
                        .where = {},
@@ -136,7 +137,7 @@ namespace talus {
 
 std::optional<SurveyCrs> crs_in_words(const std::string&) { return std::nullopt; }
 
-SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, Problems& warnings) {
+SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const SaidOfCrs& said, Problems& warnings) {
   if (las.is_geographic) {
     throw BadInput(Problem{.file = file.string(),
                            .where = {},
@@ -144,6 +145,7 @@ SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, Probl
                            .why = "its coordinate system is geographic; Talus needs metres on plan",
                            .hint = {}});
   }
+  if (said.crs.is_known() || said.is_local) return {};
   warnings.add(Problem{.severity = Severity::warning,
                        .file = file.string(),
                        .where = {},

@@ -30,8 +30,9 @@ enum class SurveyKind { text, las, vector };
 /// knows none of that name, or where this program was built without GDAL.
 [[nodiscard]] std::optional<SurveyCrs> crs_in_words(const std::string& words);
 
-/// That of a LAS file; not known where the file does not say, with a warning.
-[[nodiscard]] SurveyCrs crs_of_las(const LasCrs& crs, const std::filesystem::path& file, Problems& warnings);
+/// That of a LAS file; not known where the file does not say, with a warning unless the project does.
+[[nodiscard]] SurveyCrs crs_of_las(const LasCrs& crs, const std::filesystem::path& file, const SaidOfCrs& said,
+                                   Problems& warnings);
 
 /// Whether two coordinate systems have the same plan; both must be known.
 [[nodiscard]] bool have_one_plan(const SurveyCrs& a, const SurveyCrs& b);

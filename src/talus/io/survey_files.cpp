@@ -249,7 +249,7 @@ class SurveyReader {
 
   void read_las() {
     LasFile las = read_las_file(sources_.points, sources_.point_classes);
-    crs_.keep(crs_of_las(las.crs, sources_.points, warnings_), sources_.points);
+    crs_.keep(crs_of_las(las.crs, sources_.points, sources_.said, warnings_), sources_.points);
     std::string classes;
     for (const auto& [las_class, count] : las.of_class) {
       classes += fmt::format("{}{} of class {}", classes.empty() ? "" : ", ", count, las_class);

@@ -12,17 +12,13 @@
 #include "talus/io/geopackage_file.hpp"
 #include "talus/io/path_arcs.hpp"
 #include "talus/io/path_reader.hpp"
+#include "talus/io/table_columns.hpp"
 
 namespace talus::io {
 
 namespace {
 
-constexpr std::size_t column(std::string_view name) {
-  for (std::size_t k = 0; k < endpoint_columns.size(); ++k) {
-    if (endpoint_columns[k] == name) return k;
-  }
-  throw "no such column";  // refused while compiling
-}
+constexpr std::size_t column(std::string_view name) { return place_of(endpoint_columns, name); }
 
 OGRFieldType type_of(std::string_view name) {
   if (name == "rock" || name == "events") return OFTInteger64;

@@ -84,7 +84,8 @@ class SeederBuilder {
       seeder.size = sampler_of("mass_kg", s.mass_kg);
     }
     seeder.density = sampler_of("density_kg_m3", s.density_kg_m3);
-    seeder.direction = Vec3(s.direction[0], s.direction[1], s.direction[2]).normalized();
+    seeder.direction.reset();
+    if (const auto& d = s.direction) seeder.direction = Vec3((*d)[0], (*d)[1], (*d)[2]).normalized();
     if (s.speed_m_s) seeder.speed = sampler_of("speed_m_s", *s.speed_m_s);
     seeder.horizontal = sampler_of("horizontal_velocity_m_s", s.horizontal_velocity_m_s);
     seeder.vertical = sampler_of("vertical_velocity_m_s", s.vertical_velocity_m_s);

@@ -20,7 +20,7 @@ std::vector<Vec2> section_vertices(const Terrain& terrain) {
   std::vector<Vec2> vertices;
   for (const auto& [x, z] : terrain.section) vertices.emplace_back(x, z);
   // The ground lies on the right of a section walked from left to right.
-  if (vertices.front().x() > vertices.back().x()) std::reverse(vertices.begin(), vertices.end());
+  if (terrain.section_runs_leftwards()) std::reverse(vertices.begin(), vertices.end());
   return vertices;
 }
 
@@ -36,7 +36,7 @@ BuiltTerrain section_terrain(const Project& project) {
   built.surface = Profile(vertices);
   if (!terrain.section_std_dev_m.empty()) {
     auto deviations = terrain.section_std_dev_m;
-    if (terrain.section.front()[0] > terrain.section.back()[0]) std::reverse(deviations.begin(), deviations.end());
+    if (terrain.section_runs_leftwards()) std::reverse(deviations.begin(), deviations.end());
     VaryingSection varying{vertices, {}};
     for (const auto& [sx, sz] : deviations) {
       const auto shift = [](double s) {

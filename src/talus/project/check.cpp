@@ -3,24 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_map>
 
-#include "talus/core/nearest.hpp"
 #include "talus/project/check_design.hpp"
 #include "talus/project/check_ground.hpp"
 #include "talus/project/check_seeder.hpp"
 #include "talus/project/check_terrain.hpp"
-#include "talus/project/named_files.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/values.hpp"
-#include "talus/terrain/mend.hpp"
-#include "talus/terrain/plan_polygon.hpp"
 
 namespace talus::project {
 namespace {
-
-constexpr std::size_t most_complaints = 10;  // of one list; more would only hide the others
 
 /// What the rules look at, and how they complain.
 class Rules {
@@ -55,6 +48,7 @@ class Rules {
     }
     about_areas();
     about_seeders();
+    about_chance();
     about_barriers();
     about_design();
     about_output();
@@ -93,10 +87,9 @@ class Rules {
   void about_name() {
     const Node node = good(&document_.root(), "name");
     const std::string& name = project_.name;
-    const bool is_control = std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 127; });
-    if (node && (name.find('/') != std::string::npos || is_control || name == "." || name == "..")) {
+    if (node && (name.find('/') != std::string::npos || name == "." || name == "..")) {
       complain(node, "", fmt::format("name is {}", quoted(*node)), "the folder of the results is called by it",
-               "Use a name without slashes, line breaks and the like");
+               "Use a name without slashes");
     }
   }
 
@@ -202,6 +195,36 @@ class Rules {
     }
   }
 
+  static bool is_random(const Table& declared, const Row& row) {
+    return std::any_of(declared.settings.begin(), declared.settings.end(), [&](const Setting& setting) {
+      const Slot slot = setting.slot(row);
+      if (const auto* const plain = std::get_if<Distribution*>(&slot)) return (*plain)->kind != DistributionKind::none;
+      const auto* const given = std::get_if<std::optional<Distribution>*>(&slot);
+      return given && **given && (**given)->kind != DistributionKind::none;
+    });
+  }
+
+  /// Rocks that nothing makes differ are one rock.
+  void about_chance() {
+    Project copy = project_;  // the declaration leads to members that can be written to
+    if (!copy.terrain.section_std_dev_m.empty()) return;
+    for (Material& material : copy.materials) {
+      const bool is_rough = material.roughness_deg.mean > 0 || material.roughness_amplitude_m > 0;
+      if (is_rough || is_random(declaration("material"), &material)) return;
+    }
+    constexpr std::int64_t many = 100;  // from which statistics could be expected
+    const auto list = rows("seeder");
+    for (std::size_t i = 0; i < copy.seeders.size(); ++i) {
+      Seeder& seeder = copy.seeders[i];
+      const bool is_one_rock = seeder.type == SeederType::point && !is_random(declaration("seeder"), &seeder);
+      if (!is_one_rock || seeder.rocks < many || !list[i] || !good(list[i], "rocks")) continue;
+      complain(list[i]->get("rocks"), fmt::format("seeder \"{}\"", seeder.name),
+               fmt::format("its {} rocks are all the same", seeder.rocks),
+               "nothing is random of them or of the ground, so that they follow one path",
+               "Give restitution or friction a distribution, or the ground a roughness", Severity::warning);
+    }
+  }
+
   void about_seeder(const Seeder& seeder, const toml::table& row, const std::string& where) {
     SeederRules{project_,
                 seeder,
@@ -264,9 +287,6 @@ class Rules {
                Severity::warning);
     };
     if (is_2d(document_.root()) == true) {
-      if (good(row, "maps") && output.maps) {
-        has_no_effect("maps", "a section has no area to map", "Give terrain.width_m for 3D");
-      }
       if (good(row, "maps_by_source") && output.maps_by_source) {
         has_no_effect("maps_by_source", "a section has no area to map", "Give terrain.width_m for 3D");
       }

@@ -164,7 +164,7 @@ void SeederRules::about_heading() const {
     if (!good(key) || has("direction")) continue;
     complain(good(key), fmt::format("{} is given without a direction", key),
              "all rocks of the area start eastwards, [1, 0, 0], whatever way the slope faces",
-             "Write direction = [x, y, z], and make a seeder for each face", Severity::warning);
+             "Write direction = \"downslope\", or one direction, [x, y, z]", Severity::warning);
   }
 }
 

@@ -124,7 +124,7 @@ void TerrainRules::about_deviations(Node deviations) const {
            fmt::format("expected one for each of the {} vertices of the section", vertices.size()));
     return;
   }
-  const bool is_leftward = !vertices.empty() && vertices.front()[0] > vertices.back()[0];
+  const bool is_leftward = project.terrain.section_runs_leftwards();
   std::size_t wrong = 0;
   for (std::size_t i = 0; i + 1 < vertices.size() && wrong < most_complaints; ++i) {
     const std::size_t left = is_leftward ? i + 1 : i, right = is_leftward ? i : i + 1;
@@ -153,15 +153,13 @@ void TerrainRules::about_mesh_file(Node mesh) const {
   // A project that is only a text has no folder in which its mesh could lie.
   std::error_code error;
   const std::filesystem::path path = project.file.parent_path() / project.terrain.mesh;
-  if (std::filesystem::exists(project.file, error) && !std::filesystem::is_regular_file(path, error)) {
+  std::string why = why_missing(project, project.terrain.mesh);
+  if (why.empty() && std::filesystem::exists(project.file, error) && !std::filesystem::is_regular_file(path, error)) {
     const bool is_folder = std::filesystem::is_directory(path, error);
-    const bool is_there = std::filesystem::exists(path, error);
-    refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)),
-           is_folder  ? fmt::format("{} is a folder", path.string())
-           : is_there ? fmt::format("{} is not an ordinary file", path.string())
-                      : fmt::format("there is no file {}", path.string()),
-           "Its path is relative to the project file");
+    why = fmt::format("{} is {}", path.string(), is_folder ? "a folder" : "not an ordinary file");
   }
+  if (why.empty()) return;
+  refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)), why, "Its path is relative to the project file");
 }
 
 void TerrainRules::about_inline_mesh() const {

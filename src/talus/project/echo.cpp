@@ -80,7 +80,8 @@ struct Writer {
   Written operator()(PlanPolygonSlot slot) const { return (*this)(slot.polygon); }
   Written operator()(LibrarySlot slot) const { return (*this)(&slot.material->like); }
   Written operator()(DirectionSlot slot) const {
-    const auto& [x, y, z] = *slot.direction;
+    if (!*slot.direction) return Json("downslope");
+    const auto& [x, y, z] = **slot.direction;
     return two_dimensional ? Json{x, z} : Json{x, y, z};
   }
   Written operator()(RockLimitSlot slot) const {

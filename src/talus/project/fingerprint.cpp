@@ -81,7 +81,8 @@ void put(ByteWriter& out, const talus::Seeder& seeder) {
   std::visit([&](const auto& where) { put(out, where); }, seeder.where);
   out.flag(seeder.above_surface.has_value());
   out.put(seeder.above_surface.value_or(0));
-  put(out, seeder.direction);
+  out.flag(seeder.direction.has_value());
+  put(out, seeder.direction.value_or(Vec3::Zero()));
 }
 
 void put(ByteWriter& out, const talus::Barrier& barrier) {

@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/json_file.hpp"
 #include "talus/project/result_files.hpp"
 
 namespace talus::project {
@@ -46,10 +46,12 @@ std::vector<std::string> changed_settings(const Json& then, const Json& now) {
 
 /// Nothing where there is none that can be read.
 std::optional<Json> summary_in(const std::filesystem::path& folder) {
-  std::ifstream file(folder / "summary.json");
-  Json summary = Json::parse(file, nullptr, false);
-  if (!summary.is_object() || !summary.contains("fingerprint")) return std::nullopt;
-  return summary;
+  try {
+    Json summary = io::read_json_object<Json>(folder / "summary.json", "");
+    return summary.contains("fingerprint") ? std::optional(std::move(summary)) : std::nullopt;
+  } catch (const BadInput&) {
+    return std::nullopt;
+  }
 }
 
 /// The rocks that a summary tells of.

@@ -15,6 +15,7 @@
 #include "talus/io/run_state.hpp"
 #include "talus/io/table_files.hpp"
 #include "talus/project/checkpoint.hpp"
+#include "talus/project/finished_run.hpp"
 #include "talus/project/run_results.hpp"
 
 namespace talus::project {
@@ -257,6 +258,7 @@ MergeResult merge_runs(const MergeOptions& options) {
   course.threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
   make_output_folder(output);
   const FolderLock lock = lock_output_folder(output);
+  remove_finished_summary(output);
   join_tables(parts, output);
   Problems warnings = write_results(output, description, sums, course);
   return {output, description, sums.summary(), std::move(warnings), missing, parts.size()};

@@ -78,9 +78,7 @@ Laws laws_of(const Project& project) {
 
 TerrainParts parts_as_given(const Project& project, BuiltTerrain& terrain) {
   TerrainParts parts{terrain.parts, std::move(terrain.part_of_facet)};
-  const auto& section = project.terrain.section;
-  if (section.empty() || section.front()[0] < section.back()[0]) return parts;
-  // It was walked from left to right.
+  if (!project.terrain.section_runs_leftwards()) return parts;
   if (parts.of_source.empty()) {
     for (std::uint32_t k = 0; k < parts.count; ++k) parts.of_source.push_back(k);
   }
@@ -157,7 +155,11 @@ class Builder {
     }
     const Foot foot = foot_of(b);
     barrier.stand(panels_along(foot, b.height_m, b.inclination_deg * radians));
-    if (barrier.panels().empty()) {
+    constexpr double shortest = 1e-5;  // [m]
+    if (foot.given > 0 && foot.given < shortest) {
+      complain(b.source_line, called(b), fmt::format("its line is {:.3g} m long", foot.given),
+               fmt::format("expected at least {:g} m", shortest), "");
+    } else if (barrier.panels().empty()) {
       complain(b.source_line, called(b), "its line does not touch the terrain", "a barrier stands on the ground", "");
     } else {
       warn_of_gaps(b, foot);

@@ -81,11 +81,16 @@ bool ValueReader::into(const Value& value, PointsSlot slot) {
 }
 
 bool ValueReader::into(const Value& value, DirectionSlot slot) {
+  if (value.node.value<std::string_view>() == "downslope") {
+    slot.direction->reset();
+    return true;
+  }
   if (!dimension_is_known_) return false;
   const toml::array* list = value.node.as_array();
   const bool is_pair = two_dimensional_ && list && list->size() == 2;
   if (!list || (list->size() != 3 && !is_pair)) {
-    return refuse_kind(value, two_dimensional_ ? "[x, z], the analysis being 2D" : "[x, y, z], the analysis being 3D");
+    return refuse_kind(value, two_dimensional_ ? "[x, z], the analysis being 2D, or \"downslope\""
+                                               : "[x, y, z], the analysis being 3D, or \"downslope\"");
   }
   std::array<double, 3> read{};
   bool good = true;

@@ -87,6 +87,11 @@ struct Terrain {
   std::string crs;  // in words; "local": of no map; empty: that of the files
   double rotate_deg = 0;
   std::array<double, 3> rotate_about{0, 0, 0};
+
+  /// Whether the section is given from right to left; it is walked from left to right.
+  [[nodiscard]] bool section_runs_leftwards() const {
+    return !section.empty() && section.front()[0] > section.back()[0];
+  }
 };
 
 enum class Forest { none, open, medium, dense };
@@ -159,11 +164,11 @@ struct Seeder {
   std::optional<Distribution> diameter_m;
   Distribution density_kg_m3 = constant(2700);
   Distribution horizontal_velocity_m_s = constant(0);
-  Distribution vertical_velocity_m_s = constant(0);      // positive up
-  std::optional<Distribution> speed_m_s;                 // along the full `direction`, instead of the two above
-  Distribution rotational_velocity_deg_s = constant(0);  // positive: rolling forwards, about up x direction
-  std::array<double, 3> direction{1, 0, 0};
-  int line = 0;  // in the project file, for later complaints
+  Distribution vertical_velocity_m_s = constant(0);           // positive up
+  std::optional<Distribution> speed_m_s;                      // along the full `direction`, instead of the two above
+  Distribution rotational_velocity_deg_s = constant(0);       // positive: rolling forwards, about up x direction
+  std::optional<std::array<double, 3>> direction{{1, 0, 0}};  // nothing: down the slope, wherever a rock starts
+  int line = 0;                                               // in the project file, for later complaints
 };
 
 /// [[barrier]] and [[collector]]

@@ -49,7 +49,7 @@ struct Named {
   std::string operator()(PositionSlot) const { return "position"; }
   std::string operator()(PointsSlot) const { return "list of positions"; }
   std::string operator()(PlanLineSlot) const { return "number or list of pairs"; }
-  std::string operator()(DirectionSlot) const { return "two or three numbers"; }
+  std::string operator()(DirectionSlot) const { return "two or three numbers, or `\"downslope\"`"; }
   std::string operator()(RockLimitSlot) const { return "`\"all\"`, `\"none\"` or whole number"; }
   std::string operator()(MapCellSlot) const { return "number or `\"terrain\"`"; }
 };
@@ -98,18 +98,6 @@ std::string rows_of(const Table& table) {
   return out;
 }
 
-std::string later_of(const Table& table) {
-  std::string out;
-  for (const LaterKey& later : table.later) {
-    out += fmt::format("- `{}` ({}) is known and not read yet. {}.\n", later.key, later.what, later.instead);
-  }
-  for (const Setting& setting : table.settings) {
-    if (setting.later_words.empty()) continue;
-    out += fmt::format("- Of `{}`, {} are known and not read yet.\n", setting.key, words_text(setting.later_words));
-  }
-  return out.empty() ? "" : '\n' + out;
-}
-
 }  // namespace
 
 std::string reference_page() {
@@ -148,7 +136,6 @@ range of its property.
     page += fmt::format("\n## {}\n\n{}\n\n", table.key.empty() ? "Before the first table" : '`' + table.heading() + '`',
                         table.meaning);
     page += rows_of(table);
-    page += later_of(table);
   }
   page += "\n## An example\n\n`talus new` writes this one.\n\n```toml\n" + starter() + "```\n";
   return page;

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/envelope_table.hpp"
 #include "talus/io/map_files.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/run_state.hpp"
@@ -46,6 +47,7 @@ std::vector<std::string> result_files(const io::RunDescription& description, con
   if (!shard) {
     if (description.wants_maps && io::can_write_maps() && description.rocks > 0)
       names.emplace_back("maps/passages.tif");
+    if (description.wants_envelopes) names.emplace_back(io::envelopes_name);
     if (description.design) names.insert(names.end(), {"design.csv", "design_ranking.csv"});
     if (description.wants_geopackage && io::can_write_geopackage()) names.emplace_back(io::geopackage_name);
     if (wants_vtk(description)) names.emplace_back(io::vtk_paths_name);

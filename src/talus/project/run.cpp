@@ -5,11 +5,11 @@
 #include <system_error>
 #include <utility>
 
-#include "talus/io/map_files.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/run_state.hpp"
 #include "talus/io/table_files.hpp"
 #include "talus/project/checkpoint.hpp"
+#include "talus/project/finished_run.hpp"
 #include "talus/project/result_files.hpp"
 #include "talus/project/run_on_ranks.hpp"
 
@@ -86,15 +86,6 @@ CampaignOutcome throw_rocks(const Model& model, const RunOptions& options, const
 
 }  // namespace
 
-RunResult run_in_memory(const Model& model, const CampaignOptions& options) {
-  SummaryObserver statistics(model.rocks(), model.barriers.size(), model.frame);
-  Observer* const observers[] = {&statistics};
-  const CampaignOutcome outcome = run_campaign(model, observers, options);
-  RunResult result{outcome, statistics.summary(), {}, {0, model.rocks()}};
-  warn_of_rocks(result.summary, result.warnings);
-  return result;
-}
-
 RunResult run_into(const std::filesystem::path& folder, const Project& project, const Model& model,
                    const Problems& warnings, const RunOptions& options) {
   make_output_folder(folder);
@@ -136,6 +127,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     course.interrupted = outcome.interrupted;
     course.seconds = begun.seconds + outcome.seconds;
     course.threads = outcome.threads;
+    remove_finished_summary(folder);
     tables.finish();
     RunResult result{outcome, sums.summary(), write_results(folder, description, sums, course), begun.range,
                      begun.rocks().count()};

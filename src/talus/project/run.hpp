@@ -48,7 +48,4 @@ struct RunResult {
 RunResult run_into(const std::filesystem::path& folder, const Project& project, const Model& model,
                    const Problems& warnings, const RunOptions& options);
 
-/// Runs the campaign for its statistics alone.
-RunResult run_in_memory(const Model& model, const CampaignOptions& options);
-
 }  // namespace talus::project

@@ -8,6 +8,7 @@
 #include "talus/core/check.hpp"
 #include "talus/io/derived_files.hpp"
 #include "talus/io/design_tables.hpp"
+#include "talus/io/envelope_table.hpp"
 #include "talus/io/map_files.hpp"
 #include "talus/io/model_json.hpp"
 #include "talus/io/output_file.hpp"
@@ -17,7 +18,7 @@
 #include "talus/project/design_plan.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/fingerprint.hpp"
-#include "talus/project/finished_run.hpp"
+#include "talus/project/run_warnings.hpp"
 
 namespace talus::project {
 
@@ -27,17 +28,22 @@ namespace {
 template <class Surface>
 MapGrid map_grid(const Project& project, const LocalFrame& frame, const Surface& surface) {
   const Vec2 low = surface.bounds().low.head(2);
-  if (project.output.raster_cell_m) return MapGrid::at_multiples(*project.output.raster_cell_m, frame, low);
+  if (const auto cell = project.output.raster_cell_m) {
+    const double across = (surface.bounds().high.head(2) - low).maxCoeff() / *cell;
+    if (across < MapGrid::most_cells_across) return MapGrid::at_multiples(*cell, frame, low);
+    throw BadInput(Problem{.file = project.file.string(),
+                           .where = "[output]",
+                           .what = fmt::format("raster_cell_m is {:g}", *cell),
+                           .why = fmt::format("the terrain is {:.3g} such cells wide; expected fewer than {:g}", across,
+                                              MapGrid::most_cells_across),
+                           .hint = "Take larger cells"});
+  }
   if constexpr (std::is_same_v<Surface, RasterSurface>) {
     const RasterGrid& raster = surface.grid();
     return MapGrid::around_nodes({raster.x0, raster.y0}, {raster.dx, raster.dy}, frame);
   }
   TALUS_PROMISE(false, "the project was checked: only a raster has cells of its own");
   return MapGrid::at_multiples(1, frame, low);
-}
-
-bool has_maps(const Project& project, const Model& model) {
-  return project.output.maps && !std::holds_alternative<Profile>(model.surface);
 }
 
 std::optional<std::size_t> split_by(const io::RunDescription& description) {
@@ -56,11 +62,20 @@ void warn_of_what_is_not_written(const io::RunDescription& description, Problems
   }
 }
 
+/// Where every rock has a section of its own, heights above one of them say nothing.
+void write_section_envelopes(const std::filesystem::path& folder, const io::RunDescription& description,
+                             MapObserver* maps) {
+  io::remove_envelopes(folder);
+  if (maps == nullptr || !description.wants_envelopes) return;
+  const nlohmann::ordered_json::json_pointer deviations("/terrain/section_std_dev_m");
+  io::write_envelopes(folder, maps->maps(), description.maps->percentiles, !description.project.contains(deviations));
+}
+
 void write_all_maps(const std::filesystem::path& folder, const io::RunDescription& description, MapObserver* maps,
                     int threads) {
   io::remove_maps(folder);
   io::remove_source_maps(folder / "by_source");
-  if (maps == nullptr || !io::can_write_maps()) return;
+  if (maps == nullptr || !description.wants_maps || !io::can_write_maps()) return;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   const std::vector<double>& percentiles = description.maps->percentiles;
   io::write_maps(maps->maps(), percentiles, description.crs_wkt, folder);
@@ -73,13 +88,14 @@ void write_all_maps(const std::filesystem::path& folder, const io::RunDescriptio
 }  // namespace
 
 std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model) {
-  if (!has_maps(project, model)) return nullptr;
+  if (!project.output.maps) return nullptr;
+  const bool is_section = std::holds_alternative<Profile>(model.surface);
   return std::visit(
       [&](const auto& surface) {
         const MapGrid grid = map_grid(project, model.frame, surface);
         const auto ground = [&surface](double x, double y, double below) { return surface.elevation(x, y, below); };
         std::optional<std::size_t> sources;
-        if (project.output.maps_by_source) sources = model.sources.size();
+        if (project.output.maps_by_source && !is_section) sources = model.sources.size();
         return std::make_unique<MapObserver>(grid, model.laws.model, ground, sources);
       },
       model.surface);
@@ -97,14 +113,16 @@ io::RunDescription describe(const Project& project, const Model& model, const Pr
   for (const Problem& problem : warnings.list()) description.warnings.push_back(problem.text());
   description.crs_wkt = model.crs_wkt;
   description.sources = model.sources;
-  description.wants_maps = has_maps(project, model);
-  if (description.wants_maps) {
+  const bool is_section = std::holds_alternative<Profile>(model.surface);
+  description.wants_maps = project.output.maps && !is_section;
+  description.wants_envelopes = project.output.maps && is_section;
+  if (project.output.maps) {
     const MapGrid grid =
         std::visit([&](const auto& surface) { return map_grid(project, model.frame, surface); }, model.surface);
-    description.maps = {grid.origin(), grid.cell(), project.output.maps_by_source, project.output.percentiles};
+    const bool by_source = project.output.maps_by_source && !is_section;
+    description.maps = {grid.origin(), grid.cell(), by_source, project.output.percentiles};
   }
   if (project.design) description.design = design_plan(*project.design, model);
-  const bool is_section = std::holds_alternative<Profile>(model.surface);
   description.wants_geopackage = !is_section && project.output.geopackage_limit != 0;
   description.wants_report = project.output.report;
   return description;
@@ -113,7 +131,7 @@ io::RunDescription describe(const Project& project, const Model& model, const Pr
 io::RunDescription describe_run(const Project& project, const Model& model, const Problems& warnings,
                                 const std::optional<Shard>& shard) {
   io::RunDescription description = describe(project, model, warnings);
-  if (!io::can_write_maps() && !shard) description.maps.reset();
+  if (description.wants_maps && !io::can_write_maps() && !shard) description.maps.reset();
   return description;
 }
 
@@ -145,51 +163,6 @@ std::vector<SummingObserver*> RunSums::observers() {
 
 namespace {
 
-/// Ends that are none of the slope's.
-struct Limit {
-  EndReason reason;
-  const char* what;
-  const char* hint;
-};
-constexpr Limit limits[] = {
-    {EndReason::no_data, "ended where the terrain has no data", "Use a terrain that has data where rocks come"},
-    {EndReason::maximum_steps, "were ended after the maximum number of steps", "Raise analysis.max_steps"},
-    {EndReason::maximum_time, "were ended at the maximum time", "Raise analysis.max_time_s"}};
-
-void warn_of_limits(const Summary& summary, Problems& warnings) {
-  std::uint64_t all = 0;
-  for (const Limit& limit : limits) all += summary.ended(limit.reason);
-  if (!summary.are_many(all)) return;
-  for (const auto& [reason, what, hint] : limits) {
-    if (summary.ended(reason) == 0) continue;
-    warnings.add({.severity = Severity::warning,
-                  .where = "rocks",
-                  .what = fmt::format("{} of {} rocks {}", summary.ended(reason), summary.done, what),
-                  .why = "runout, reach and end points are cut there",
-                  .hint = hint});
-  }
-}
-
-}  // namespace
-
-void warn_of_rocks(const Summary& summary, Problems& warnings) {
-  const auto warn = [&](std::string where, std::string what, std::string why, std::string hint) {
-    warnings.add({Severity::warning, "", 0, std::move(where), std::move(what), std::move(why), std::move(hint)});
-  };
-  if (summary.lifted > 0) {
-    warn("seeders", fmt::format("{} of {} rocks were to start in the ground", summary.lifted, summary.done),
-         "they were lifted onto it or lowered from a ceiling; without room for either they stay there, at rest", "");
-  }
-  warn_of_limits(summary, warnings);
-  if (const std::uint64_t lost = summary.ended(EndReason::lost); lost > 0) {
-    warn("rocks", fmt::format("{} of {} rocks fell through the surface", lost, summary.done),
-         "this is a defect of the program, not of your project",
-         fmt::format("Please report it with the output of `talus replay --rock {}`", *summary.first_lost));
-  }
-}
-
-namespace {
-
 /// What is made of tables and summary, which still has the name `summary`.
 void write_what_follows(const std::filesystem::path& folder, const io::RunDescription& description,
                         const std::optional<DesignResult>& design, const std::filesystem::path& summary) {
@@ -208,13 +181,17 @@ void write_what_follows(const std::filesystem::path& folder, const io::RunDescri
 
 Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
                        const RunCourse& course) {
-  remove_finished_summary(folder);
   Problems found;
   if (!course.shard) {
     warn_of_what_is_not_written(description, found);
     write_all_maps(folder / "maps", description, sums.maps(), course.threads);
+    write_section_envelopes(folder, description, sums.maps());
   }
   warn_of_rocks(sums.summary(), found);
+  warn_of_collectors(description, sums.summary(), found);
+  if (course.interrupted && !course.shard && course.missing.empty()) {
+    warn_of_sources(description, sums.summary().done, found);
+  }
   std::vector<std::string> warnings = description.warnings;
   for (const Problem& problem : found.list()) warnings.push_back(problem.text());
   std::optional<DesignResult> design;

@@ -19,7 +19,7 @@
 
 namespace talus::project {
 
-/// What makes maps of the model's rocks; nothing where the project wants none, or is 2D. Refers to the model.
+/// What makes maps of the model's rocks; nothing where the project wants none. Refers to the model.
 [[nodiscard]] std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model);
 
 /// `warnings`: those known before the run.
@@ -51,10 +51,6 @@ class RunSums {
   std::optional<DesignObserver> design_;
   std::unique_ptr<MapObserver> maps_;
 };
-
-/// Adds what only the sums tell: rocks that were lost, lifted, or, more than one in a hundred, ended by a limit of the
-/// data or of the computation.
-void warn_of_rocks(const Summary& summary, Problems& warnings);
 
 /// Writes maps, the design of barriers, what is made of the tables (which must be there whole), the report, as the
 /// description plans them, and last summary.json: where it is, all is. What an earlier run left of them is removed. Of

@@ -94,7 +94,9 @@ struct Typed {
     const Json plain = number();
     return {{"anyOf", Json::array({plain, tuple_of(plain, 1, 1), list_of(tuple_of(plain, 2, 2), 2)})}};
   }
-  Json operator()(DirectionSlot) const { return tuple_of(number(), 2, 3); }
+  Json operator()(DirectionSlot) const {
+    return {{"anyOf", Json::array({tuple_of(number(), 2, 3), Json{{"const", "downslope"}}})}};
+  }
   Json operator()(RockLimitSlot) const { return {{"anyOf", Json::array({Json{{"enum", {"all", "none"}}}, whole()})}}; }
   Json operator()(MapCellSlot) const { return {{"anyOf", Json::array({Json{{"const", "terrain"}}, number()})}}; }
 };
@@ -124,10 +126,6 @@ Json table_schema(const Table& table) {
     if (!setting.source.empty()) property["x-source"] = std::string(setting.source);
     if (setting.required) required.push_back(std::string(setting.key));
     properties[std::string(setting.key)] = std::move(property);
-  }
-  for (const LaterKey& later : table.later) {
-    if (later.only_warns)
-      properties[std::string(later.key)] = {{"description", "Not read yet. " + std::string(later.instead)}};
   }
   Json out{{"type", "object"}, {"description", std::string(table.meaning)}};
   out["properties"] = std::move(properties);

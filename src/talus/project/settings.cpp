@@ -166,7 +166,6 @@ Table head() {
                .meaning = "What the project is called in the report, and the name of the folder with its results.",
                .source = "Talus"},
           },
-      .later = {},
       .add = [](Project& project) -> Row { return &project; },
       .rows = [](Project& project) { return std::vector<Row>{&project}; },
   };
@@ -283,7 +282,6 @@ Table analysis() {
                .meaning = "Rigid sphere: the tangential velocity after an impact is damped as by CRSP.",
                .source = "RocFall3"},
           },
-      .later = {},
       .add = add,
       .rows = rows,
   };
@@ -310,7 +308,6 @@ Table sampling() {
                .meaning = "Material properties are drawn afresh at every impact, or once for each rock.",
                .source = "Talus; the manual does not say which its programs do"},
           },
-      .later = {},
       .add = add,
       .rows = rows,
   };
@@ -500,7 +497,6 @@ Table terrain() {
                .meaning = "A point [x, y, z] on the vertical axis of that turn.",
                .source = "the manual, section 5"},
           },
-      .later = {},
       .add = add,
       .rows = rows,
   };
@@ -534,7 +530,9 @@ Table material() {
               {.key = "tangential_restitution",
                .slot = member(&Material::tangential_restitution),
                .range = restitution,
-               .meaning = "Rt, the part of the velocity along the ground that an impact leaves.",
+               .meaning =
+                   "Rt, the part of the velocity along the ground that an impact leaves; of a rigid sphere, of its "
+                   "contact point's, as far as friction can (docs/laws.md).",
                .source = "the manual, table 1-2, for how it is given; the default is a choice of Talus",
                .slip = restitution_slip},
               {.key = "friction_angle_deg",
@@ -606,7 +604,6 @@ Table material() {
                           "braked by this times its velocity.",
                .source = "RAMMS::ROCKFALL (Bartelt et al. 2016): 0.3 on bedrock to 0.9 on a moor, see docs/laws.md"},
           },
-      .later = {},
       .add = [](Project& project) { return added(project.materials); },
       .rows = [](Project& project) { return all(project.materials); },
   };
@@ -679,7 +676,6 @@ Table ground() {
                           "\"Scree\" }`; where there is no polygon, the default holds.",
                .source = "Talus"},
           },
-      .later = {},
       .add = add,
       .rows = rows,
   };
@@ -712,7 +708,6 @@ Table area() {
                           "triangle of the terrain belongs to it where its middle does.",
                .source = "Talus"},
           },
-      .later = {},
       .add = [](Project& project) { return added(project.areas); },
       .rows = [](Project& project) { return all(project.areas); },
   };
@@ -933,10 +928,10 @@ Table seeder() {
                .slot = direction_slot(),
                .range = within(largest_coordinate_m),
                .meaning = "[x, z] in 2D, [x, y, z] in 3D, of any length: of the horizontal velocity (then z is 0), or "
-                          "of `speed_m_s`.",
+                          "of `speed_m_s`. Or `\"downslope\"`: down the ground below the place where the rock starts, "
+                          "`speed_m_s` along it; [1, 0, 0] where that is level.",
                .source = "Talus"},
           },
-      .later = {},
       .add = [](Project& project) { return added(project.seeders); },
       .rows = [](Project& project) { return all(project.seeders); },
   };
@@ -983,7 +978,6 @@ Table barrier() {
       .repeated = true,
       .meaning = "Something that stops rocks; any number of entries.",
       .settings = line_settings("`barrier N`, N counted from 1"),
-      .later = {},
       .add = [](Project& project) { return added_barrier(project, false); },
       .rows = [](Project& project) { return all_barriers(project, false); },
   };
@@ -1021,7 +1015,6 @@ Table collector() {
       .repeated = true,
       .meaning = "Something that records the rocks that pass it and does not touch them; any number of entries.",
       .settings = line_settings("`collector N`, N counted from 1"),
-      .later = {},
       .add = [](Project& project) { return added_barrier(project, true); },
       .rows = [](Project& project) { return all_barriers(project, true); },
   };
@@ -1181,7 +1174,6 @@ Table design() {
                .meaning = "b of the cost index.",
                .source = "Talus; an input"},
           },
-      .later = {},
       .add = [](Project& project) -> Row { return &project.design.emplace(); },
       .rows = [](Project& project) { return project.design ? std::vector<Row>{&*project.design} : std::vector<Row>{}; },
   };
@@ -1201,8 +1193,8 @@ Table output() {
                .source = "Talus"},
               {.key = "maps",
                .slot = member(&Output::maps),
-               .meaning = "3D: writes maps of where rocks pass, how fast, how high and with how much energy, as "
-                          "GeoTIFFs in the folder `maps`.",
+               .meaning = "Writes where rocks pass, how fast, how high and with how much energy: in 3D maps, as "
+                          "GeoTIFFs in the folder `maps`; in 2D the same along the section, `envelopes.csv`.",
                .source = "Talus"},
               {.key = "maps_by_source",
                .slot = member(&Output::maps_by_source),
@@ -1215,8 +1207,8 @@ Table output() {
                          .most = largest_coordinate_m,
                          .too_low = "nothing is known of the ground on that scale"},
                .meaning =
-                   "Side of a map's cell, whose borders are at multiples of it; with `\"terrain\"` the cells are "
-                   "those of the terrain's raster.",
+                   "Side of a map's cell, or length of an envelope's, whose borders are at multiples of it; with "
+                   "`\"terrain\"` the cells are those of the terrain's raster.",
                .source = "Talus"},
               {.key = "percentiles",
                .slot = member(&Output::percentiles),
@@ -1240,7 +1232,6 @@ Table output() {
                .meaning = "Writes `report.html`, a page of figures that opens without a network.",
                .source = "Talus"},
           },
-      .later = {},
       .add = add,
       .rows = rows,
   };
@@ -1284,7 +1275,6 @@ Table distribution() {
                .source = "the manual, tables 1-1 and 1-2",
                .slip = sign_slip},
           },
-      .later = {},
       .add = nullptr,
       .rows = nullptr,
   };

@@ -57,7 +57,7 @@ struct LibrarySlot {
   Material* material;  // the key of a material of the library, whose values it takes
 };
 struct DirectionSlot {
-  std::array<double, 3>* direction;  // [x, z] or [x, y, z]
+  std::optional<std::array<double, 3>>* direction;  // [x, z] or [x, y, z], or "downslope" (nothing here)
 };
 struct RockLimitSlot {
   std::optional<std::int64_t>* limit;  // "all" (nothing here), "none" (0) or a number of rocks
@@ -103,20 +103,11 @@ struct Setting {
   Range range{};
   bool required = false;
   std::string_view without_it{};  // what holds where the key is absent and the struct's initial value does not say it
-  std::vector<std::string_view> excludes{};     // keys of the same table that may not stand beside this one
-  std::vector<std::string_view> later_words{};  // words of the contract that this version does not read
-  std::string_view meaning{};                   // one sentence
+  std::vector<std::string_view> excludes{};  // keys of the same table that may not stand beside this one
+  std::string_view meaning{};                // one sentence
   std::string_view source{};
   std::function<std::optional<double>(double)> slip{};  // what a number out of range was probably meant to be
   std::function<std::optional<Doubt>(double)> doubt{};  // for a number inside the range
-};
-
-/// A key of the contract that this version does not read: recognised, and refused (or warned of) with a reason.
-struct LaterKey {
-  std::string_view key;
-  std::string_view what;     // what it would do
-  std::string_view instead;  // what to do today
-  bool only_warns = false;   // a run is worth having without it: a warning, and none for `key = false`
 };
 
 struct Table {
@@ -125,7 +116,6 @@ struct Table {
   bool required = false;
   std::string_view meaning;
   std::vector<Setting> settings;
-  std::vector<LaterKey> later;
   std::function<Row(Project&)> add;                // the row to read into; a new one for each [[key]]
   std::function<std::vector<Row>(Project&)> rows;  // all rows that there are
 

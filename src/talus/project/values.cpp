@@ -84,12 +84,15 @@ std::optional<bool> is_2d(const toml::table& root) {
   return std::nullopt;
 }
 
+static bool is_control(unsigned char c) { return c < ' ' || c == 127; }
+
 std::string name_of_row(const Table& table, const toml::table& row, std::size_t index) {
   if (table.key.empty()) return "";
   if (!table.repeated) return table.heading();
   const auto name = row["name"].value<std::string>();
-  return name && !name->empty() ? fmt::format("{} \"{}\"", table.key, *name)
-                                : fmt::format("{} {}", table.key, index + 1);
+  if (!name || name->empty()) return fmt::format("{} {}", table.key, index + 1);
+  const bool is_printable = std::none_of(name->begin(), name->end(), is_control);
+  return fmt::format("{} {}", table.key, is_printable ? fmt::format("\"{}\"", *name) : quoted(*row.get("name")));
 }
 
 bool is_mistyped(const Table& table, const toml::table& row, std::string_view key) {
@@ -156,19 +159,6 @@ void ValueReader::refuse_unknown(const Table& table, const toml::table& from, co
     }
     Problem problem = document_.at(node);
     problem.where = where;
-    const auto later =
-        std::find_if(table.later.begin(), table.later.end(), [&](const LaterKey& l) { return l.key == name; });
-    if (later != table.later.end()) {
-      if (later->only_warns) {
-        if (node.value<bool>() == false) continue;
-        problem.severity = Severity::warning;
-      }
-      problem.what = fmt::format("{} is not read by this version", name);
-      problem.why = fmt::format("{} will come later", later->what);
-      problem.hint = later->instead;
-      problems_.add(std::move(problem));
-      continue;
-    }
     if (++unknown > most_unknown) continue;
     if (table.key.empty() && node.is_table()) {
       problem.what = fmt::format("unknown table [{}]", name);
@@ -326,6 +316,9 @@ bool ValueReader::into(const Value& value, std::string* member) {
   const auto* text = value.node.as_string();
   if (!text) return refuse_kind(value, "a text in quotes");
   if (text->get().empty()) return refuse_kind(value, "a text that is not empty");
+  if (std::any_of(text->get().begin(), text->get().end(), is_control)) {
+    return refuse_kind(value, "a text without line breaks and other characters that cannot be seen");
+  }
   *member = text->get();
   return true;
 }
@@ -386,11 +379,6 @@ bool ValueReader::into(const Value& value, Enumeration* member) {
   if (found != known.end()) {
     *member = static_cast<Enumeration>(found - known.begin());
     return true;
-  }
-  const auto& later = value.setting.later_words;
-  if (std::find(later.begin(), later.end(), text->get()) != later.end()) {
-    return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)),
-                  fmt::format("this version does not read it yet; expected {}", expected));
   }
   const auto near = nearest(text->get(), known);
   return refuse_kind(value, expected, near ? fmt::format("Did you mean \"{}\"?", *near) : "");

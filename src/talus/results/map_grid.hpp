@@ -22,6 +22,8 @@ struct MapCell {
 /// Cells of one size. Borders are at origin + k cell in the user's coordinates; places are asked for in local ones.
 class MapGrid {
  public:
+  /// Cells are counted with 32 bits: what lies further from cell (0, 0) than this is not told apart.
+  static constexpr double most_cells_across = 2e9;
   /// `origin` is a corner of cell (0, 0), the user's [m]; `cell` the lengths of its sides [m], above 0.
   MapGrid(const Vec2& origin, const Vec2& cell, const LocalFrame& frame)
       : origin_(origin), local_(origin - frame.origin.head<2>()), cell_(cell) {}
@@ -45,8 +47,8 @@ class MapGrid {
   [[nodiscard]] double border(std::size_t axis, std::int32_t k) const { return local_[axis] + k * cell_[axis]; }
   /// The column or row that holds a local coordinate.
   [[nodiscard]] std::int32_t index(std::size_t axis, double local) const {
-    constexpr double most = 2e9;  // no terrain has so many
-    return static_cast<std::int32_t>(std::clamp(std::floor((local - local_[axis]) / cell_[axis]), -most, most));
+    const double k = std::floor((local - local_[axis]) / cell_[axis]);
+    return static_cast<std::int32_t>(std::clamp(k, -most_cells_across, most_cells_across));
   }
   /// The borders of a cell, local.
   struct Borders {

@@ -79,7 +79,7 @@ static double drawn(const Sampler& sampler, const Draws& draws, Stream stream) {
   return sampler.is_constant() ? sampler.draw(0.5) : sampler.draw(draws.one(stream));
 }
 
-Release release_at(const Seeder& seeder, const Vec3& place, const Draws& draws) {
+Release release_at(const Seeder& seeder, const Vec3& place, const Vec3& direction, const Draws& draws) {
   const double density = drawn(seeder.density, draws, Stream::density);
   const double size = drawn(seeder.size, draws, Stream::size);
   Release release;
@@ -94,11 +94,11 @@ Release release_at(const Seeder& seeder, const Vec3& place, const Draws& draws) 
       release.rock = sphere_of_diameter(size, density);
       break;
   }
-  const Vec3 plan = Vec3(seeder.direction.x(), seeder.direction.y(), 0);
+  const Vec3 plan = Vec3(direction.x(), direction.y(), 0);
   const Vec3 heading = plan.norm() > 0 ? Vec3(plan.normalized()) : Vec3(Vec3::UnitX());
   release.motion.position = place;
   if (seeder.speed) {
-    release.motion.velocity = drawn(*seeder.speed, draws, Stream::horizontal_velocity) * seeder.direction;
+    release.motion.velocity = drawn(*seeder.speed, draws, Stream::horizontal_velocity) * direction;
   } else {
     release.motion.velocity = drawn(seeder.horizontal, draws, Stream::horizontal_velocity) * heading +
                               drawn(seeder.vertical, draws, Stream::vertical_velocity) * Vec3::UnitZ();

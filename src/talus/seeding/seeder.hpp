@@ -30,10 +30,11 @@ struct Seeder {
   Sampler size;     // of the mass [kg], the volume [m3] or the diameter [m]
   Sampler density;  // [kg/m3]
   /// With `speed`, along `direction` as it is; otherwise `horizontal` along its part on plan and `vertical` upwards.
-  Vec3 direction = Vec3::UnitX();  // unit
-  std::optional<Sampler> speed;    // [m/s]
-  Sampler horizontal, vertical;    // [m/s]
-  Sampler spin;                    // [rad/s], about up x direction: positive rolls forwards
+  /// Unit; nothing: that of the fall line (fall_line.hpp) where a rock starts.
+  std::optional<Vec3> direction = Vec3::UnitX();
+  std::optional<Sampler> speed;  // [m/s]
+  Sampler horizontal, vertical;  // [m/s]
+  Sampler spin;                  // [rad/s], about up x direction: positive rolls forwards
 };
 
 /// Where one rock starts, before any lifting to the surface.
@@ -55,7 +56,7 @@ struct SourceRun {
 
 [[nodiscard]] ReleasePlace place_of(const Seeder& seeder, const Draws& draws);
 
-/// The rock and its motion, at `place`.
-[[nodiscard]] Release release_at(const Seeder& seeder, const Vec3& place, const Draws& draws);
+/// The rock and its motion, at `place`; `direction`: the seeder's, or the fall line there.
+[[nodiscard]] Release release_at(const Seeder& seeder, const Vec3& place, const Vec3& direction, const Draws& draws);
 
 }  // namespace talus

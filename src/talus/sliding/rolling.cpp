@@ -1,5 +1,7 @@
 #include "talus/sliding/rolling.hpp"
 
+#include <algorithm>
+
 namespace talus {
 
 namespace {
@@ -20,6 +22,8 @@ Leg rolling_without_slip(const Vec3& position, const Vec3& velocity, const Vec3&
       leg.duration = -speed / rate;
       leg.end_velocity = halted(velocity + leg.duration * a, footing, heading);
     }
+  } else if (a.isZero(0)) {
+    leg.end_velocity = Vec3::Zero();
   }
   leg.end_spin = rolling_spin(leg.end_velocity, spin, n, radius);
   return leg;
@@ -37,7 +41,10 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
   const Vec3 slip = slip_velocity(velocity, spin, n, r);
   Vec3 slip_heading;
   if (slip.norm() <= no_slip) {
-    const Vec3 a = rolling_share(rock) * (footing.pull - friction.rolling * pressure * heading);
+    const double resistance = friction.rolling * pressure;
+    // What stands is held by it and not driven.
+    const double resisting = speed > standstill ? resistance : std::min(resistance, pull);
+    const Vec3 a = rolling_share(rock) * (footing.pull - resisting * heading);
     const Vec3 needed = a - footing.pull;
     if (needed.norm() <= friction.dynamic * pressure) {
       return rolling_without_slip(position, velocity, spin, n, a, footing, r, timestep);

@@ -1,5 +1,7 @@
 #include "talus/sliding/supports.hpp"
 
+#include <algorithm>
+
 namespace talus {
 
 namespace {
@@ -69,7 +71,10 @@ std::optional<Valley> caught_between(const Vec3& gravity, const Vec3& first, con
   Supports both;
   both.add(first);
   both.add(second);
-  return Valley{e, footing_on(gravity, both)};
+  // Gravity drives it from each onto the other: both carry.
+  const double c = first.dot(second), on_first = -gravity.dot(first), on_second = -gravity.dot(second);
+  const double share = (on_first - c * on_second) / ((1 - c) * (on_first + on_second));
+  return Valley{e, footing_on(gravity, both), std::clamp(share, 0.0, 1.0)};
 }
 
 }  // namespace talus

@@ -29,6 +29,7 @@ class Supports {
 struct Valley {
   Vec3 direction;  // unit, along both
   Footing footing;
+  double first_share;  // of the normal forces, that of the first
 };
 
 /// Whether a rock that leaves a contact with the second of two neighbouring supports at `velocity` stays between them:

@@ -3,8 +3,9 @@
 // are asked for and stored nowhere. Coordinates are local on plan; elevations are the grid's own.
 //
 // Every cell is cut along the diagonal whose ends differ less in height, the one from south-west to north-east where
-// they agree: the surface then follows ridges and valleys that cross the grid at an angle, and mirroring or turning the
-// grid by quarter turns changes nothing else. A cell with a node without data is a hole.
+// they agree: the surface then follows contours, with ridges and valleys that are nearly level, and mirroring or
+// turning the grid by quarter turns changes nothing else. (A gully that falls steeply along the diagonals is cut
+// across: docs/terrain.md.) A cell with a node without data is a hole.
 
 #include <algorithm>
 #include <array>

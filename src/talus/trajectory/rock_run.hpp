@@ -124,6 +124,11 @@ class RockRun {
     hops_ = left.count > 0;
     return Phase::flies;
   }
+  [[nodiscard]] Phase come_to_rest() {
+    motion_.velocity.setZero();
+    if (laws_.model == RockModel::rigid_sphere) motion_.spin.setZero();  // RocFall leaves a lumped mass its spin
+    return end(EndReason::at_rest);
+  }
   Next move_along(OnGround& phase);
   bool prepare_glide(const OnGround& phase);
   void end_glide();
@@ -166,7 +171,10 @@ class RockRun {
     return phase.valley ? Vec3(velocity.dot(phase.valley->direction) * phase.valley->direction)
                         : tangential(velocity, phase.normal);
   }
+  bool enter_valley(OnGround& phase, FacetId facet, const Vec3& n);
   void go_along_valley(const OnGround& phase);
+  [[nodiscard]] bool is_held_in_valley(const OnGround& phase) const;
+  void end_valley(OnGround& phase);
   struct Rim {
     double t;
     Exit exit;
@@ -175,6 +183,7 @@ class RockRun {
   [[nodiscard]] std::optional<Exit> exit_here(const Vec3& position, const Vec3& velocity) const;
   Phase leave_over_rim(const Exit& exit);
   Phase leave_facet(OnGround& phase, const OutlineEdge& edge);
+  void go_on_over(OnGround& phase, FacetId facet, const Vec3& n);
   [[nodiscard]] bool is_where_it_was() const {
     constexpr double nowhere = 1e-3;  // [m]
     return (motion_.position - wedge_).squaredNorm() <= nowhere * nowhere;
@@ -217,6 +226,8 @@ class RockRun {
   Phase take_off(const LeftPlanes& left);
   void stand_on(const OnGround& phase);
   void draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material, double rt);
+  void redraw_friction(OnGround& phase);
+  void share_friction(OnGround& phase);
 
   [[nodiscard]] GroundDraw draw_at(FacetId facet) {
     return GroundDraw(draws_, laws_.material_sampling, material_at(facet), contacts_++);
@@ -299,8 +310,7 @@ void RockRun<Surface>::begin(Phase phase) {
   if (steps_++ == laws_.max_steps) {
     phase_ = end(EndReason::maximum_steps);
   } else if (note_progress(); is_wedged()) {
-    motion_.velocity.setZero();
-    phase_ = end(EndReason::at_rest);
+    phase_ = come_to_rest();
   }
 }
 
@@ -520,6 +530,7 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
 
 #include "talus/trajectory/rock_run_gliding.hpp"
 #include "talus/trajectory/rock_run_in_forest.hpp"
+#include "talus/trajectory/rock_run_in_valley.hpp"
 #include "talus/trajectory/rock_run_on_ground.hpp"
 
 namespace talus {

@@ -44,24 +44,13 @@ auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& dr
     log_.row(contact_state(phase.normal), motion_);
   }
   if (phase.valley) {
+    share_friction(phase);
     go_along_valley(phase);
   } else if (phase.is_guided) {
     const Vec3 e = phase.normal.cross(*phase.other_normal).normalized();
     motion_.velocity = motion_.velocity.dot(e) * e;
   }
   return Phase::on_ground;
-}
-
-/// What a valley leaves of the rock's motion: the part along it, and of a sphere's spin the part about the axis across
-/// it. Slip between them is left to friction.
-template <class Surface>
-void RockRun<Surface>::go_along_valley(const OnGround& phase) {
-  const Vec3& e = phase.valley->direction;
-  motion_.velocity = motion_.velocity.dot(e) * e;
-  if (laws_.model == RockModel::rigid_sphere) {
-    const Vec3 axis = rolling_plane(phase).normal.cross(e);
-    motion_.spin = motion_.spin.dot(axis) * axis;
-  }
 }
 
 template <class Surface>
@@ -89,6 +78,15 @@ void RockRun<Surface>::draw_friction(OnGround& phase, const GroundDraw& draw, co
   }
 }
 
+/// For the ground that carries the rock now.
+template <class Surface>
+void RockRun<Surface>::redraw_friction(OnGround& phase) {
+  const Material& material = ground_[material_at(phase.facet)];
+  const GroundDraw draw = draw_at(phase.facet);
+  draw_friction(phase, draw, material, draw.restitution(material)[1]);
+  if (phase.valley) share_friction(phase);
+}
+
 template <class Surface>
 PathState RockRun<Surface>::contact_state(const Vec3& normal) const {
   if (laws_.model == RockModel::lumped_mass) return PathState::sliding;
@@ -99,18 +97,6 @@ PathState RockRun<Surface>::contact_state(const Vec3& normal) const {
 template <class Surface>
 Footing RockRun<Surface>::footing(const OnGround& phase) const {
   return phase.valley ? phase.valley->footing : Footing::on_plane(laws_.gravity, phase.normal);
-}
-
-/// The plane on which a sphere rolls or slips. Along a valley it does on both sides at once: as on a plane across the
-/// middle of the normals, with the distance of the contacts from the axis as its radius.
-template <class Surface>
-auto RockRun<Surface>::rolling_plane(const OnGround& phase) const -> RollingPlane {
-  if (!phase.valley) return {phase.normal, rock_, phase.friction};
-  const Vec3 middle = (phase.normal + *phase.other_normal).normalized();
-  const double share = middle.dot(phase.normal);
-  Rock rock = rock_;
-  rock.radius *= share;
-  return {middle, rock, {phase.friction.dynamic, phase.friction.rolling / share}};
 }
 
 template <class Surface>
@@ -298,12 +284,10 @@ void RockRun<Surface>::settle_onto(const Vec3& n, double mu) {
 /// One leg; gives what comes after it, or nothing where the rock goes on as before.
 template <class Surface>
 auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
+  if (phase.valley && !is_held_in_valley(phase)) end_valley(phase);
   const Footing footing = this->footing(phase);
   note_progress(std::min(1.0, laws_.timestep / 0.01));
-  if (rests(phase, footing) || is_wedged()) {
-    motion_.velocity.setZero();
-    return end(EndReason::at_rest);
-  }
+  if (rests(phase, footing) || is_wedged()) return come_to_rest();
   if (motion_.time >= laws_.max_time) return end(EndReason::maximum_time);
   const bool still = motion_.velocity.squaredNorm() == 0;
   if (still && std::exchange(stretch_.has_turned, true) == false) log_.turn(motion_);
@@ -410,6 +394,7 @@ auto RockRun<Surface>::leave_over_rim(const Exit& exit) -> Phase {
 /// The rock has come to the end of its facet.
 template <class Surface>
 auto RockRun<Surface>::leave_facet(OnGround& phase, const OutlineEdge& edge) -> Phase {
+  note_energy();
   if (!edge.beyond) {
     // At the rim the model ends under the rock's centre; whether its skin would still brush the rim is no matter.
     if (const auto exit = exit_here(motion_.position, motion_.velocity)) return leave_over_rim(*exit);
@@ -417,33 +402,10 @@ auto RockRun<Surface>::leave_facet(OnGround& phase, const OutlineEdge& edge) -> 
   if (phase.valley) return leave_valley(phase);
   if (edge.beyond) {
     const Vec3 n = outline_of(*edge.beyond).normal;
-    const bool is_level = this->is_level(n, motion_.velocity);
-    if (is_level || grazes(n, motion_.velocity)) {
-      const Vec3 normal_before = std::exchange(phase.normal, n);
-      const FacetId facet_before = std::exchange(phase.facet, *edge.beyond);
-      if (n.dot(edge.inward) > 0) {
-        // The bottom of a valley, reached along it or over a crease too flat to be struck.
-        phase.valley = caught_between(laws_.gravity, normal_before, n, motion_.velocity, laws_.normal_velocity_cutoff);
-        if (phase.valley) {
-          phase.other_normal = normal_before;
-          phase.other_facet = facet_before;
-          go_along_valley(phase);
-          return Phase::on_ground;
-        }
-      }
-      if (reach_ > 0) phase.other_normal = normal_before;
-      const Material& there = ground_[material_at(phase.facet)];
-      if (material_at(facet_before) != material_at(phase.facet)) {
-        const GroundDraw draw = draw_at(phase.facet);
-        draw_friction(phase, draw, there, draw.restitution(there)[1]);
-      }
-      if (is_level) {
-        motion_.velocity = tangential(motion_.velocity, n);
-      } else {
-        note_energy();
-        settle_onto(n, phase.mu);
-        log_.row(PathState::sliding, motion_);
-      }
+    if (is_level(n, motion_.velocity) || grazes(n, motion_.velocity)) {
+      // The bottom of a valley, reached along it or over a crease too flat to be struck.
+      if (n.dot(edge.inward) > 0 && enter_valley(phase, *edge.beyond, n)) return Phase::on_ground;
+      go_on_over(phase, *edge.beyond, n);
       return Phase::on_ground;
     }
     if (motion_.velocity.dot(n) < 0) {
@@ -456,52 +418,28 @@ auto RockRun<Surface>::leave_facet(OnGround& phase, const OutlineEdge& edge) -> 
   return take_off(LeftPlanes(phase.normal));
 }
 
+/// A facet ahead is level, or only grazed: the rock goes on over it.
+template <class Surface>
+void RockRun<Surface>::go_on_over(OnGround& phase, FacetId facet, const Vec3& n) {
+  if (reach_ > 0) phase.other_normal = phase.normal;
+  const bool is_other_ground = material_at(phase.facet) != material_at(facet);
+  phase.facet = facet;
+  phase.normal = n;
+  if (is_other_ground) redraw_friction(phase);
+  if (is_level(n, motion_.velocity)) {
+    motion_.velocity = tangential(motion_.velocity, n);
+  } else {
+    settle_onto(n, phase.mu);
+    log_.row(PathState::sliding, motion_);
+  }
+}
+
 /// The ground falls away, or ends. The path shows the place: the rock arrives there and leaves in flight.
 template <class Surface>
 auto RockRun<Surface>::take_off(const LeftPlanes& left) -> Phase {
   arrive(PathState::impact);
   log_.row(PathState::projectile, motion_);
   return fly_off(left);
-}
-
-/// At the end of a valley's facets the same planes may go on, both or one of them.
-template <class Surface>
-auto RockRun<Surface>::leave_valley(OnGround& phase) -> Phase {
-  constexpr double step = 1e-6;  // how far to look ahead [m]
-  const Vec3 ahead = motion_.position + step * motion_.velocity.normalized();
-  std::optional<FacetId> first, second;
-  double first_depth = 0, second_depth = 0;
-  surface_.supports(ahead, reach_, 0.1 * step, [&](const Vec3& n, const Vec3&, double, FacetId facet) {
-    // Several facets of one plane may touch there: the rock goes on over the one in whose outline it will be.
-    const Outline& outline = outline_of(facet);
-    double depth = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < outline.edge_count; ++k) {
-      const OutlineEdge& side = outline.edges[static_cast<std::size_t>(k)];
-      depth = std::min(depth, (ahead - side.point).dot(side.inward));
-    }
-    const auto choose = [&](std::optional<FacetId>& chosen, double& chosen_depth) {
-      if (depth < -contact_slack || (chosen && depth <= chosen_depth)) return;
-      chosen = facet;
-      chosen_depth = depth;
-    };
-    if (n.dot(phase.normal) > 1 - same_plane) choose(first, first_depth);
-    if (n.dot(*phase.other_normal) > 1 - same_plane) choose(second, second_depth);
-  });
-  if (first && second) {
-    phase.facet = *first;
-    phase.other_facet = *second;
-    phase.on_facet = carries(phase.facet, phase.normal);
-    return Phase::on_ground;
-  }
-  if (first || second) {
-    phase.facet = first ? *first : *second;
-    // The other facet ends here. The sphere touches its end for a moment yet, and must not strike it again at once.
-    if (!first) std::swap(phase.normal, *phase.other_normal);
-    phase.valley.reset();
-    phase.on_facet = carries(phase.facet, phase.normal);
-    return Phase::on_ground;
-  }
-  return take_off(LeftPlanes(phase.normal, *phase.other_normal));
 }
 
 }  // namespace talus

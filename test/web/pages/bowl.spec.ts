@@ -1,6 +1,7 @@
 // Section 2.2 of the manual, click by click: from an empty project to the path of table 2-4.
 
 import type { Page } from '@playwright/test';
+import { shiftedText } from '../../../web/src/ui/format';
 import { cellsOf, printedUnit, published } from '../support/table';
 import { expect, test } from '../support/workbench';
 
@@ -91,9 +92,11 @@ test('the bowl of the manual is built by hand, and its rock takes the published 
       expect(Math.abs(value - Number(row[name])), `row ${k}, ${name}`).toBeLessThanOrEqual(1.0001 * printedUnit(row[name]!));
     }
   }
-  // To the digit what the run's file has.
+  // To the digit what the run's file has; energies are read in kJ.
   const runs = await page.evaluate(async () => (await fetch('/api/runs')).json());
-  const lines = server.read(`${runs.runs[0].folder}/paths.csv`).trim().split('\n').slice(1);
-  const ofFile = lines.map((line: string) => line.trim().split(',').slice(1));
+  const [heading, ...lines] = server.read(`${runs.runs[0].folder}/paths.csv`).trim().split('\n');
+  const names = heading!.trim().split(',').slice(1);
+  const inShownUnit = (cell: string, k: number) => (names[k]!.endsWith('_J') ? shiftedText(cell, 3) : cell);
+  const ofFile = lines.map((line: string) => line.trim().split(',').slice(1).map(inShownUnit));
   expect(shown).toEqual(ofFile);
 });

@@ -48,6 +48,20 @@ test('triangles of a material that is deleted have none, and it is said', async 
   expect(await projectText(page)).toBe(twoTriangles);
 });
 
+test('a direction is a word or numbers', async ({ workbench: page, server }) => {
+  server.write('a.toml', twoTriangles);
+  await page.reload();
+  await openProject(page, 'a.toml');
+  await openForm(page, /^Right/);
+  const way = page.getByLabel('Direction, how it is given');
+  await way.selectOption('downslope');
+  await expect(page.getByLabel('Direction, x')).toHaveCount(0);
+  expect(await projectText(page)).toBe(`${twoTriangles}direction = "downslope"\n`);
+  await way.selectOption('as numbers');
+  await expect(page.getByLabel('Direction, x')).toBeVisible();
+  expect(await projectText(page)).toBe(twoTriangles);
+});
+
 test('a drawing ends with the project or entry for which it was begun', async ({ workbench: page, server }) => {
   server.write('a.toml', twoTriangles);
   server.write('b.toml', twoTriangles);

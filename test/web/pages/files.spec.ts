@@ -77,6 +77,20 @@ test('of a Shapefile the setting names the .shp', async ({ workbench: page, serv
   expect(server.read('contours.cpg')).toBe('cpg');
 });
 
+test('a list of files that is cut says so', async ({ workbench: page, server }) => {
+  const cut = page.getByText('Only 2,000 files of the folder are listed.');
+  await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible();
+  await expect(cut).toHaveCount(0);
+  for (let k = 0; k <= 2000; ++k) server.write(`${k}.csv`, '');
+  await page.reload();
+  await expect(page.getByRole('region', { name: 'Projects of this folder' })).toContainText(/Only 2,000 files/);
+  await page.getByRole('button', { name: 'Empty, 3D' }).click();
+  await expect(cut).toBeVisible();
+  await expect(page.getByText(/^and \d+ others, under their kinds$/)).toBeVisible();
+  await page.getByRole('button', { name: /^\d+\.csv$/ }).first().click();
+  await expect(page.locator('.file-control').first()).toContainText('Only 2,000 files');
+});
+
 test('a file may be dropped whatever panel is open', async ({ workbench: page, server }) => {
   server.write('a.toml', 'name = "A"\n');
   await page.reload();

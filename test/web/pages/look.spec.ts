@@ -16,6 +16,28 @@ test('a click on a path in the section shows its rock', async ({ workbench: page
   await expect(page.getByRole('region', { name: /^Path of rock \d+/ })).toBeVisible();
 });
 
+test('the page is as dark as the system, or as is chosen', async ({ workbench: page }) => {
+  await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
+  await openExample(page, 'Tutorial 1, a section');
+  const grounds = { light: 'rgb(244, 242, 238)', dark: 'rgb(20, 25, 28)' };
+  const expectGround = (shade: keyof typeof grounds) =>
+    expect(page.locator('body')).toHaveCSS('background-color', grounds[shade]);
+  const plotText = () => page.locator('[role="img"] svg text').first().getAttribute('fill');
+  await page.getByRole('tab', { name: 'Distributions' }).click();
+  await expectGround('light');
+  await expect.poll(plotText).toBe('#1d2326');
+  await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
+  await expectGround('dark');
+  await expect.poll(plotText).toBe('#e8ecee');
+  await page.getByRole('button', { name: 'Theme: system' }).click();
+  await expectGround('light');
+  await expect.poll(plotText).toBe('#1d2326');
+  await page.getByRole('button', { name: 'Theme: light' }).click();
+  await expectGround('dark');
+  await page.reload();
+  await expectGround('dark');
+});
+
 test('a filter is shared by the view and the figures', async ({ workbench: page, server }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');

@@ -27,7 +27,11 @@ test('an upload in the place of a file is asked for before it is sent', async ({
   await pick();
   await expect(question).toBeVisible();
   expect(sent).toEqual([]);
+  await pick(); // once more, before the first is answered
   await page.keyboard.press('Escape');
+  await expect(question).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(question).toHaveCount(0);
   expect(server.read('dem.asc')).toBe('old');
   await pick();
   await question.getByRole('button', { name: /^Replace/ }).click();

@@ -31,7 +31,7 @@ export class Refused extends Error {
 }
 
 /// The server does not answer: it was stopped, or the connection broke.
-export class Unreachable extends Error {
+class Unreachable extends Error {
   constructor() {
     super('The server does not answer. Start talus serve again; nothing here is lost.');
   }
@@ -84,8 +84,7 @@ export const api = {
   examples: async () => (await getJson<{ examples: Example[] }>('/api/examples')).examples,
   openExample: (id: string) => sendJson<{ project: string }>('POST', `/api/examples/${id}`, {}),
   /// The files of the folder, and which of its projects have a draft.
-  folder: () => getJson<{ files: FolderFile[]; drafts: string[] }>('/api/files'),
-  files: async () => (await api.folder()).files,
+  folder: () => getJson<{ files: FolderFile[]; drafts: string[]; more: boolean }>('/api/files'),
   verification: () => getJson<Verification>('/api/verification'),
   upload: async (file: string, content: Blob, replace = false) => {
     let response: Response;

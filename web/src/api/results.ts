@@ -24,6 +24,7 @@ export interface Summary {
   sources: { name: string }[];
   project: { seeder: { name?: string }[] };
   warnings: string[];
+  notes?: string[];
   timings: { seconds: NumberText; rocks_per_second: NumberText; threads: NumberText };
 }
 

@@ -157,6 +157,7 @@ export interface Run {
   rate: number | null;
   seconds: number;
   seconds_left: number | null;
+  has_results: boolean;
   begun: string;
   problems: Problem[];
   folder: string;

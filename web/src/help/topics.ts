@@ -1,5 +1,6 @@
 // Where the documents say more about a setting.
 
+import { checkKeys } from '../model/groups';
 import type { Path } from '../toml/edit';
 
 export interface Topic {
@@ -87,20 +88,7 @@ export const topics: Record<string, Topic> = {
   'design.cost_height_exponent': ranking,
   'design.cost_energy_exponent': ranking,
   ...Object.fromEntries(
-    [
-      'standard',
-      'design_percentile',
-      'trajectory_factor',
-      'topography_factor',
-      'volume_factor',
-      'density_factor',
-      'risk_factor',
-      'energy_level',
-      'energy_factor',
-      'energy',
-      'block_mass_kg',
-      'upper_clearance_m',
-    ].map((key) => [`design.${key}`, check]),
+    checkKeys.map((key) => [`design.${key}`, check]),
   ),
 };
 

@@ -1,3 +1,4 @@
+import { readingOf, titleOf, unitOf } from '../results/columns';
 import { cssOf } from '../view/colours';
 import { ScaleLegend } from '../view/Legend';
 import { shownMap } from './shownMap';
@@ -6,14 +7,15 @@ import { shownMap } from './shownMap';
 export function MapLegend() {
   const map = shownMap.value;
   if (!map) return null;
+  const { unit, per } = readingOf(unitOf(map.name));
   const { colours, limits, scale, is_open_upwards } = map.header;
   const stops = colours.map(([, colour], k) => `${cssOf(colour)} ${(100 * k) / Math.max(colours.length - 1, 1)}%`);
   return (
     <ScaleLegend
-      title={map.name}
+      title={unit === unitOf(map.name) ? map.name : `${titleOf(map.name)}, ${unit}`}
       gradient={`linear-gradient(to right, ${stops.join(', ')})`}
-      low={limits[0]}
-      high={limits[1]}
+      low={limits[0] / per}
+      high={limits[1] / per}
       logarithmic={scale === 'log'}
       isClipped={is_open_upwards}
     />

@@ -5,9 +5,9 @@ import { questions } from './replacing';
 export function ReplaceDialog() {
   const question = questions.value[0];
   if (!question) return null;
-  const { name, answer } = question;
+  const { id, name, answer } = question;
   return (
-    <Dialog key={name} title={`Replace ${name}?`} close={() => answer('neither')}>
+    <Dialog key={id} title={`Replace ${name}?`} close={() => answer('neither')}>
       <p>
         The folder has a file <span class="mono">{name}</span> already.
       </p>

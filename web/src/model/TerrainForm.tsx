@@ -7,6 +7,7 @@ import { model } from '../state/model';
 import { chosenFiles, files, loadFiles, relativeTo } from './files';
 import { Field } from './form/Field';
 import { TableForm } from './form/TableForm';
+import { MoreFiles } from './MoreFiles';
 import { tableAt } from './place';
 import { fieldOf } from './settings';
 import { terrainOfFile, takeFiles, useTerrainFile } from './terrainFile';
@@ -58,6 +59,8 @@ export function TerrainForm() {
   );
 }
 
+const mostFiles = 12; // that are offered at once
+
 /// What can be done where there is no terrain yet.
 function NoTerrain({ pick }: { pick: (kind: TerrainKind) => void }) {
   useEffect(() => void loadFiles(), []);
@@ -83,13 +86,15 @@ function NoTerrain({ pick }: { pick: (kind: TerrainKind) => void }) {
       {fitting.length > 0 && (
         <>
           <h3>Files of the folder</h3>
-          {fitting.slice(0, 12).map(({ name, kind, key }) => (
+          {fitting.slice(0, mostFiles).map(({ name, kind, key }) => (
             <button key={name} class="card" onClick={() => useTerrainFile(name, kind, key)}>
               <span class="name">{name}</span>
             </button>
           ))}
+          {fitting.length > mostFiles && <p class="faint">{`and ${fitting.length - mostFiles} others, under their kinds`}</p>}
         </>
       )}
+      <MoreFiles />
       <h3>Kinds of terrain</h3>
       {terrainKinds.map((kind) => (
         <button key={kind.name} class="card" onClick={() => pick(kind)}>

@@ -1,4 +1,5 @@
-import { expect, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
+import { edited, valuesOf } from '../toml/edit';
 import { consequences, removal } from './consequences';
 
 const project = {
@@ -26,3 +27,53 @@ test('triangles keep their material when another goes, and have none when their 
     { remove: ['material', 1] },
     { set: ['ground', 'triangles'], value: [0, -1, 1, -1] },
   ]));
+
+describe('what is said of segments and vertices goes with them', () => {
+  const slope = `[terrain]
+section = [[0, 30], [10, 20], [20, 10], [30, 0]]
+section_std_dev_m = [[0, 0], [0.1, 0.2], [0.3, 0.4], [0, 0]]
+
+[ground]
+segments = ["Rock", "Scree", "Soil"]
+`;
+  const section = (valuesOf(slope).terrain as { section: number[][] }).section;
+  const after = (next: number[][], text = slope) => {
+    const path = ['terrain', 'section'];
+    return valuesOf(edited(text, [{ set: path, value: next }, ...consequences(valuesOf(text), path, next)]));
+  };
+  const longer = section.toSpliced(2, 0, [15, 16]);
+
+  test('a new vertex splits its segment, and does not vary', () =>
+    expect(after(longer)).toEqual({
+      terrain: { section: longer, section_std_dev_m: [[0, 0], [0.1, 0.2], [0, 0], [0.3, 0.4], [0, 0]] },
+      ground: { segments: ['Rock', 'Scree', 'Scree', 'Soil'] },
+    }));
+  test('of two segments that become one the first keeps its material', () =>
+    expect(after(section.toSpliced(1, 1))).toEqual({
+      terrain: { section: section.toSpliced(1, 1), section_std_dev_m: [[0, 0], [0.3, 0.4], [0, 0]] },
+      ground: { segments: ['Rock', 'Soil'] },
+    }));
+  test('a vertex that moves moves nothing else', () =>
+    expect(consequences(valuesOf(slope), ['terrain', 'section'], section.with(1, [11, 19]))).toEqual([]));
+  test('a list that was too short stays too short, with its materials where they were', () => {
+    const short = slope.replace(', "Soil"', '');
+    expect(after(longer, short).ground).toEqual({ segments: ['Rock', 'Scree', 'Scree'] });
+    expect(after(section.toSpliced(1, 1), short).ground).toEqual({ segments: ['Rock'] });
+  });
+  test('what was too much stays, too', () => {
+    const long = slope.replace('"Soil"]', '"Soil", "Bog"]');
+    expect(after(longer, long).ground).toEqual({ segments: ['Rock', 'Scree', 'Scree', 'Soil', 'Bog'] });
+  });
+  test('without such lists nothing follows', () =>
+    expect(consequences({ terrain: { section } }, ['terrain', 'section'], longer)).toEqual([]));
+});
+
+test('triangles keep their material when others come and go', () => {
+  const triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 5]]; // prettier-ignore
+  const mesh = { ...project, ground: { default: 'Scree', triangles: [0, 1, 2, 1] }, terrain: { triangles } };
+  const path = ['terrain', 'triangles'];
+  expect(consequences(mesh, path, triangles.toSpliced(1, 1))).toEqual([{ remove: ['ground', 'triangles', 1] }]);
+  expect(consequences(mesh, path, [...triangles, [4, 5, 6]])).toEqual([
+    { set: ['ground', 'triangles', 4], value: 1 },
+  ]);
+});

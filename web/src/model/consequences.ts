@@ -1,8 +1,10 @@
 // What else changes when a value does, in the same step: keys that mean nothing beside a new kind, numbers of what
-// moves.
+// moves, what is said of each segment or row.
 
 import type { Edit, Path } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
+import { rowsBefore, segmentsBefore } from './rowMatch';
+import { rowEdits } from './rows';
 import { isTable, valueIn } from './tables';
 
 const placesOf: Record<string, string[]> = {
@@ -24,9 +26,47 @@ const placesOf: Record<string, string[]> = {
   raster: ['min_slope_deg', 'max_slope_deg', 'mask', 'mask_value', 'cell_m', 'place', 'rocks_per_cell'],
 };
 
+const listIn = (values: TomlTable, path: Path): TomlValue[] => {
+  const found = valueIn(values, path);
+  return Array.isArray(found) ? found : [];
+};
+
+/// A list that says something of each part of another one, as it is for the parts of now; `fresh` is said of a new one.
+/// What lacks or is too many because the text was edited by hand stays so.
+function follow(values: TomlTable, path: Path, parts: number, was: (number | null)[], fresh?: TomlValue): Edit[] {
+  const given = listIn(values, path);
+  if (given.length === 0) return [];
+  const known = was.filter((k) => k === null || k < given.length);
+  const surplus = known.length === was.length ? given.slice(parts) : [];
+  const next = known.map((k) => (k === null ? fresh : given[k])).filter((entry) => entry !== undefined);
+  return rowEdits(path, given, [...next, ...surplus]);
+}
+
+const stillVertex = [0, 0]; // no standard deviation
+
+function consequencesOfSection(values: TomlTable, next: TomlValue[]): Edit[] {
+  const before = listIn(values, ['terrain', 'section']);
+  return [
+    ...follow(values, ['ground', 'segments'], before.length - 1, segmentsBefore(before, next)),
+    ...follow(values, ['terrain', 'section_std_dev_m'], before.length, rowsBefore(before, next), stillVertex),
+  ];
+}
+
+/// Triangles call materials by their numbers.
+function consequencesOfTriangles(values: TomlTable, next: TomlValue[]): Edit[] {
+  const before = listIn(values, ['terrain', 'triangles']);
+  const name = valueIn(values, ['ground', 'default']);
+  const standard = listIn(values, ['material']).findIndex((row) => isTable(row) && row.name === name);
+  return follow(values, ['ground', 'triangles'], before.length, rowsBefore(before, next), Math.max(0, standard));
+}
+
 /// The edits that belong to setting the value at a path.
 export function consequences(values: TomlTable, path: Path, next: TomlValue | undefined): Edit[] {
   const [table, index, key] = path;
+  if (table === 'terrain' && path.length === 2 && Array.isArray(next)) {
+    if (index === 'section') return consequencesOfSection(values, next);
+    return index === 'triangles' ? consequencesOfTriangles(values, next) : [];
+  }
   const rows = values[String(table)];
   const row = Array.isArray(rows) && typeof index === 'number' ? rows[index] : undefined;
   if (path.length !== 3 || !isTable(row)) return [];

@@ -8,10 +8,19 @@ import { lookAgain } from '../state/model';
 import { askToReplace } from './replacing';
 
 export const files = signal<FolderFile[]>([]);
+/// Whether the folder has others, which are not listed.
+export const hasMoreFiles = signal(false);
+
+export async function readFolder() {
+  const folder = await api.folder();
+  files.value = folder.files;
+  hasMoreFiles.value = folder.more;
+  return folder;
+}
 
 export async function loadFiles() {
   try {
-    files.value = await api.files();
+    await readFolder();
   } catch (error) {
     sayFailure(error);
   }

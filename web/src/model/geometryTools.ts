@@ -1,11 +1,12 @@
 // From the form into the view and back: which settings can be drawn, and what is written of what was drawn.
 
 import type { Point3 } from '../api/types';
-import { edit, valueAt } from '../state/document';
+import { edit, valueAt, values } from '../state/document';
 import { model } from '../state/model';
 import type { Path } from '../toml/edit';
 import type { TomlValue } from '../toml/format';
 import { shading } from '../view/settings';
+import { consequences } from './consequences';
 import { draw, type Drawing } from './drawing';
 import { asNow, is2d, tableAt, thingOf } from './place';
 import { rounded } from './plan';
@@ -34,7 +35,8 @@ export function drawable(path: Path): Drawable | null {
   const [table, key] = [path[0], path.at(-1)];
   const thing = thingOf(path);
   const drawIt = (drawing: Omit<Drawing, 'isPossible'>) => draw({ ...drawing, isPossible: asNow(String(table)) });
-  const set = (what: string, value: TomlValue) => edit(`${what} ${thing}`, [{ set: path, value }]);
+  const set = (what: string, value: TomlValue) =>
+    edit(`${what} ${thing}`, [{ set: path, value }, ...consequences(values.value, path, value)]);
   if (table === 'terrain' && key === 'section' && is2d.value) {
     const old = valueAt(path);
     const hasRows = Array.isArray(old) && old.length > 0;

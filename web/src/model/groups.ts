@@ -37,6 +37,22 @@ const seederPlaces: Record<string, (row: TomlTable) => boolean> = {
   rocks_per_cell: isType('polygon', 'raster'),
 };
 
+/// Of the check that a standard prescribes for a barrier's design.
+export const checkKeys = [
+  'standard',
+  'design_percentile',
+  'trajectory_factor',
+  'topography_factor',
+  'volume_factor',
+  'density_factor',
+  'risk_factor',
+  'energy_level',
+  'energy_factor',
+  'energy',
+  'block_mass_kg',
+  'upper_clearance_m',
+];
+
 const surveyKeys = ['points', 'lines'];
 const terrainNeeds: Record<string, string[]> = {
   width_m: ['section'],
@@ -198,20 +214,7 @@ const groupsOf: Record<string, Group[]> = {
     { title: 'What is asked', keys: ['lines', 'protect', 'section_m', 'percentiles', 'confidence'] },
     {
       title: 'Check',
-      keys: [
-        'standard',
-        'design_percentile',
-        'trajectory_factor',
-        'topography_factor',
-        'volume_factor',
-        'density_factor',
-        'risk_factor',
-        'energy_level',
-        'energy_factor',
-        'energy',
-        'block_mass_kg',
-        'upper_clearance_m',
-      ],
+      keys: checkKeys,
       folded: true,
     },
     {

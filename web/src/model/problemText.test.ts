@@ -30,3 +30,8 @@ test('a number that cannot be kept is no text for who typed it', () => {
     'height_m is "5" (expected a number). Leave out the quotes',
   );
 });
+
+test('who types a decimal comma writes no quotes', () =>
+  expect(sentence(problem('height_m is "97,5"', 'expected a number', 'Write 97.5, without quotes'), counting())).toBe(
+    'height_m is "97,5" (expected a number). Write 97.5',
+  ));

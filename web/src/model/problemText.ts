@@ -31,7 +31,9 @@ function placeText(key: string, indices: number[], { kind, columns, rowAt }: Cou
 /// A number that was typed and cannot be kept stands in the file as a text.
 function told({ what, why, hint }: Problem): { what: string; why: string; hint: string } {
   const text = / is "([^"]*)"$/.exec(what)?.[1];
-  if (text === undefined || !isNumeral(text) || numberOf(text) !== undefined) return { what, why, hint };
+  // Who types into a field writes no quotes; only the file has them.
+  if (text === undefined || !isNumeral(text) || numberOf(text) !== undefined)
+    return { what, why, hint: hint.replace(/^(Write .*), without quotes$/, '$1') };
   const reason = 'it is too large, or too small, to be kept';
   return { what: what.replace(`"${text}"`, text), why: why ? `${reason}; ${why}` : reason, hint: '' };
 }

@@ -5,6 +5,8 @@ import { signal } from '@preact/signals';
 export type Replacing = 'replace' | 'take what is there' | 'neither';
 
 export interface Question {
+  /// Of this question: several may be about one name.
+  id: number;
   name: string;
   answer: (what: Replacing) => void;
 }
@@ -12,9 +14,12 @@ export interface Question {
 /// Those that wait for an answer; the first is asked first.
 export const questions = signal<Question[]>([]);
 
+let asked = 0;
+
 export function askToReplace(name: string): Promise<Replacing> {
   return new Promise((resolve) => {
     const question: Question = {
+      id: ++asked,
       name,
       answer: (what) => {
         questions.value = questions.value.filter((other) => other !== question);

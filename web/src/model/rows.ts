@@ -40,15 +40,16 @@ export function overlaid(
   return result;
 }
 
-/// The fewest edits that make rows of others, so that the layout of the rest stays.
-export function rowEdits(path: Path, before: unknown, after: TomlValue[][]): Edit[] {
+/// The fewest edits that make rows, or entries of a list, of others, so that the layout of the rest stays.
+export function rowEdits(path: Path, before: unknown, after: TomlValue[]): Edit[] {
   const old = Array.isArray(before) ? (before as TomlValue[]) : undefined;
   if (!old || old.length === 0 || after.length === 0) return [{ set: path, value: after }];
   if (after.length >= old.length) {
     const edits = after.flatMap<Edit>((row, r) => {
       const known = old[r];
       if (isSame(known, row)) return [];
-      if (!Array.isArray(known) || known.length !== row.length) return [{ set: [...path, r], value: row }];
+      const isChangedInside = Array.isArray(known) && Array.isArray(row) && known.length === row.length;
+      if (!isChangedInside) return [{ set: [...path, r], value: row }];
       return row.flatMap((value, c) => (isSame(known[c], value) ? [] : [{ set: [...path, r, c], value }]));
     });
     // Most of the rows are new: written as a whole they have a line each.

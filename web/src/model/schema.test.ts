@@ -29,6 +29,9 @@ const schema = {
           items: { type: 'array', items: { type: 'array', items: { type: 'number' }, minItems: 3, maxItems: 3 } },
         },
         rotate_about: { type: 'array', items: { type: 'number' }, minItems: 3, maxItems: 3, default: [0, 0, 0] },
+        heading: {
+          anyOf: [{ type: 'array', items: { type: 'number' }, minItems: 2, maxItems: 3 }, { const: 'downslope' }],
+        },
       },
     },
     material: {
@@ -71,7 +74,8 @@ describe('tables and fields of the schema', () => {
     expect(field('terrain', 'section').excludes).toEqual(['mesh']);
     expect(field('terrain', 'mesh').type.kind).toBe('file');
     expect(field('terrain', 'polylines').type).toEqual({ kind: 'lists of rows', columns: 3 });
-    expect(field('terrain', 'rotate_about').type).toMatchObject({ kind: 'tuple', least: 3, most: 3 });
+    expect(field('terrain', 'rotate_about').type).toMatchObject({ kind: 'tuple', least: 3, most: 3, instead: [] });
+    expect(field('terrain', 'heading').type).toMatchObject({ kind: 'tuple', least: 2, most: 3, instead: ['downslope'] });
     expect(field('output', 'paths').type).toMatchObject({
       kind: 'word or number',
       words: ['all', 'none'],

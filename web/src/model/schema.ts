@@ -18,8 +18,8 @@ export type Kind =
   /// One of a few words, or a number.
   | { kind: 'word or number'; words: string[]; whole: boolean; range: Range }
   | { kind: 'list'; of: 'number' | 'whole' | 'text' }
-  /// A point or a vector of so many numbers; some may be words, such as "surface".
-  | { kind: 'tuple'; least: number; most: number; words: string[] }
+  /// A point or a vector of so many numbers; some may be words, such as "surface", or one word may stand for all.
+  | { kind: 'tuple'; least: number; most: number; words: string[]; instead: string[] }
   /// Rows of such tuples.
   | { kind: 'rows'; least: number; columns: number; whole: boolean; words: string[] }
   | { kind: 'lists of rows'; columns: number }
@@ -86,11 +86,21 @@ const rangeOf = (node: Node): Range => ({
 
 const wordsOf = (node: Node): string[] => node.enum ?? (node.const !== undefined ? [node.const] : []);
 
+const tupleOf = ({ items, minItems = 1, maxItems = 3 }: Node, instead: string[]): Kind => ({
+  kind: 'tuple',
+  least: minItems,
+  most: maxItems,
+  words: (items?.anyOf ?? []).flatMap(wordsOf),
+  instead,
+});
+
 function alternatives(nodes: Node[]): Kind {
   const number = nodes.find(({ type }) => type === 'number' || type === 'integer');
   const parts = nodes.find(({ properties }) => properties?.distribution);
   if (number && parts) return { kind: 'distribution', range: rangeOf(number), parts: fieldsOf(parts) };
-  if (nodes.some(({ type }) => type === 'array')) return { kind: 'line' };
+  const tuple = nodes.find(({ type }) => type === 'array');
+  if (number && tuple) return { kind: 'line' };
+  if (tuple) return tupleOf(tuple, nodes.flatMap(wordsOf));
   return {
     kind: 'word or number',
     words: nodes.flatMap(wordsOf),
@@ -112,13 +122,7 @@ function arrayOf(node: Node): Kind {
       words: (inner.anyOf ?? []).flatMap(wordsOf),
     };
   }
-  if (node.maxItems !== undefined)
-    return {
-      kind: 'tuple',
-      least: node.minItems ?? 1,
-      most: node.maxItems,
-      words: (item.anyOf ?? []).flatMap(wordsOf),
-    };
+  if (node.maxItems !== undefined) return tupleOf(node, []);
   return { kind: 'list', of: item.type === 'string' ? 'text' : item.type === 'integer' ? 'whole' : 'number' };
 }
 

@@ -89,7 +89,7 @@ export function FilterChoices() {
       <Names of="sources" names={sources} />
       <Names of="barriers" names={barriers} />
       <fieldset>
-        <legend>Greatest kinetic energy</legend>
+        <legend>Greatest total kinetic energy</legend>
         <Energy of="minEnergy_kJ" title="At least" />
         <Energy of="maxEnergy_kJ" title="At most" />
       </fieldset>

@@ -1,5 +1,6 @@
 // What the colours of paths mean.
 
+import { isOutdated } from '../runs/outdated';
 import { compared, shown } from '../state/runs';
 import { cssGradient, markColours } from '../view/colours';
 import { KindsLegend, ScaleLegend } from '../view/Legend';
@@ -20,6 +21,7 @@ export function PathLegend() {
           kinds={how.names.map((name, k) => ({ name, colour: how.colours[k]! })).filter((_, k) => how.isThere[k])}
         />
       )}
+      {isOutdated.value && <p class="legend outdated-paths">Paths of an earlier text of the project</p>}
       {comparedPaths.value && compared.value && (
         <KindsLegend title="Runs" kinds={[{ name: `${compared.value.name}, over ${shown.value?.name}`, colour: markColours.compared }]} />
       )}

@@ -9,7 +9,7 @@ import { shownPaths, type DrawnPaths } from './drawnPaths';
 
 export const pathColours: Record<PathColour, string> = {
   speed: 'Speed',
-  energy: 'Kinetic energy',
+  energy: 'Total kinetic energy',
   height: 'Height above ground',
   source: 'Source',
   seeder: 'Seeder',
@@ -81,7 +81,7 @@ function kinds({ header, sources, seeders, reasons }: DrawnPaths, by: KindsColou
   return { kind: 'kinds', by, title: pathColours[by], numbers, names, colours: names.map((_, k) => categoryColour(k)), isThere };
 }
 
-export function colouringOf(paths: DrawnPaths, by: PathColour): Colouring {
+function colouringOf(paths: DrawnPaths, by: PathColour): Colouring {
   switch (by) {
     case 'speed':
     case 'energy':

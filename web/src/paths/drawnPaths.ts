@@ -1,7 +1,7 @@
 // The paths of the run that is shown, and of the one that is compared with it, as arrays for drawing. Both views read
 // them from here.
 
-import { effect, signal, type ReadonlySignal, type Signal } from '@preact/signals';
+import { effect, signal, type ReadonlySignal } from '@preact/signals';
 import { getArrays } from '../api/client';
 import type { Point3, Run } from '../api/types';
 import { sayFailure } from '../state/messages';
@@ -68,7 +68,7 @@ function fetched(run: Run, signal: AbortSignal): Promise<DrawnPaths> {
   return answer;
 }
 
-function pathsOf(run: ReadonlySignal<Run | null>, isLoading: Signal<boolean>): ReadonlySignal<DrawnPaths | null> {
+function pathsOf(run: ReadonlySignal<Run | null>): ReadonlySignal<DrawnPaths | null> {
   const paths = signal<DrawnPaths | null>(null);
   let asking: AbortController | undefined;
   let asked = '';
@@ -80,28 +80,22 @@ function pathsOf(run: ReadonlySignal<Run | null>, isLoading: Signal<boolean>): R
     asking?.abort();
     const own = (asking = new AbortController());
     if (paths.peek()?.run !== now?.id) paths.value = null;
-    isLoading.value = now !== null;
     if (!now) return;
-    fetched(now, own.signal)
-      .then(
-        (found) => {
-          if (!own.signal.aborted) paths.value = found.rocks.length > 0 ? found : null;
-        },
-        (error: unknown) => {
-          if (!own.signal.aborted) sayFailure(error);
-        },
-      )
-      .finally(() => {
-        if (asking === own) isLoading.value = false;
-      });
+    fetched(now, own.signal).then(
+      (found) => {
+        if (!own.signal.aborted) paths.value = found.rocks.length > 0 ? found : null;
+      },
+      (error: unknown) => {
+        if (!own.signal.aborted) sayFailure(error);
+      },
+    );
   });
   return paths;
 }
 
-export const isLoadingPaths = signal(false);
 /// Null while they are fetched, and where the run has none.
-export const shownPaths = pathsOf(shown, isLoadingPaths);
-export const comparedPaths = pathsOf(compared, signal(false));
+export const shownPaths = pathsOf(shown);
+export const comparedPaths = pathsOf(compared);
 
 /// The place of a rock among those that are drawn; -1: it is none of them.
 export function indexOfRock({ rocks }: DrawnPaths, rock: number): number {

@@ -21,7 +21,7 @@ export const time = computed(() => Math.min(moment.value, endTime.value));
 export const isPlaying = signal(false);
 export const isWhole = computed(() => !isPlaying.value && time.value >= endTime.value);
 
-export const wantsLessMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
+const wantsLessMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 export function play() {
   if (endTime.value === 0) return;

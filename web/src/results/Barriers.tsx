@@ -61,6 +61,14 @@ function Counts({ run, barriers }: { run: Run; barriers: BarrierAnswer[] }) {
   );
 }
 
+/// Whose figures these are: only of what hit it.
+function populationOf({ passed_above }: BarrierAnswer, hits: number): string {
+  const above = Number(passed_above);
+  if (above === 0) return counted(hits, 'hit');
+  const others = `${counted(above, 'rock')} passed above the top and ${above === 1 ? 'is' : 'are'}`;
+  return `${counted(hits, 'hit')}; ${others} not in these figures`;
+}
+
 function Hits({ run, barrier, number }: { run: Run; barrier: BarrierAnswer; number: number }) {
   const [column, choose] = useState('ke_total_J');
   const now = filter.value;
@@ -78,7 +86,6 @@ function Hits({ run, barrier, number }: { run: Run; barrier: BarrierAnswer; numb
       <div class="tab-tools">
         <ColumnChoice columns={hitColumns} now={column} choose={choose} />
         <FilterNote />
-        {found && <span class="faint">{counted(found.statistics.count, 'hit')}</span>}
       </div>
       {!found ? (
         <Waiting of={answer} />
@@ -88,7 +95,7 @@ function Hits({ run, barrier, number }: { run: Run; barrier: BarrierAnswer; numb
         <div class="figures">
           <DistributionFigures layers={layers} column={found.column} thing="Hits" of={`${run.name} ${barrier.name}`} />
           <StatisticsTable
-            caption="Statistics"
+            caption={`Statistics of ${populationOf(barrier, found.statistics.count)}`}
             file={fileName(run.name, barrier.name, found.column, 'statistics')}
             columns={[
               { key: found.column, title: titleOf(found.column), unit: found.statistics.unit, figures: found.statistics.statistics },

@@ -5,7 +5,7 @@ import type { EChartsOption } from 'echarts/types/dist/shared';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { sayFailure } from '../state/messages';
-import { theme } from '../state/view';
+import { shade } from '../view/theme';
 import { frame, lookOfPage, type Look, type Size } from './chartLook';
 import { savePng, saveSvg } from './picture';
 import { saveCsv, type Cell } from './save';
@@ -22,6 +22,8 @@ interface Props {
   rows: () => Cell[][];
   /// Beside the title.
   tools?: ComponentChildren;
+  /// What is said of the saved numbers.
+  saving?: string;
   /// What is wrong with it.
   note?: string | null;
   choose?: (event: { seriesName?: string; dataIndex?: number; data?: unknown }) => void;
@@ -31,26 +33,10 @@ interface Props {
   pointed?: number | null;
 }
 
-/// Counts the changes between light and dark.
-function useLook(): number {
-  const [count, setCount] = useState(0);
-  useEffect(() => {
-    const dark = matchMedia('(prefers-color-scheme: dark)');
-    const changed = () => setCount((now) => now + 1);
-    dark.addEventListener('change', changed);
-    const stop = theme.subscribe(changed);
-    return () => {
-      dark.removeEventListener('change', changed);
-      stop();
-    };
-  }, []);
-  return count;
-}
-
-export function Chart({ title, description, file, option, followsSize, rows, tools, note, choose, hover, pointed = null }: Props) {
+export function Chart({ title, description, file, option, followsSize, rows, tools, saving, note, choose, hover, pointed = null }: Props) {
   const box = useRef<HTMLDivElement>(null);
   const [chart, setChart] = useState<EChartsType | null>(null);
-  const look = useLook();
+  const look = shade.value;
   const chosen = useRef(choose);
   chosen.current = choose;
   const hovered = useRef(hover);
@@ -110,7 +96,7 @@ export function Chart({ title, description, file, option, followsSize, rows, too
           <button class="button plain" onClick={() => saveSvg(`${file}.svg`, drawing(), lookOfPage().panel)}>
             SVG
           </button>
-          <button class="button plain" onClick={() => saveCsv(file, rows())}>
+          <button class="button plain" title={saving} onClick={() => saveCsv(file, rows())}>
             CSV
           </button>
         </span>

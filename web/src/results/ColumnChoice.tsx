@@ -1,4 +1,4 @@
-import { titleOf, unitOf, withUnit } from './columns';
+import { readingOf, titleOf, unitOf, withUnit } from './columns';
 
 /// Which column of a table is looked at.
 export function ColumnChoice({
@@ -16,7 +16,7 @@ export function ColumnChoice({
       <select value={now} onChange={(event) => choose(event.currentTarget.value)}>
         {columns.map((column) => (
           <option key={column} value={column}>
-            {withUnit(titleOf(column), unitOf(column))}
+            {withUnit(titleOf(column), readingOf(unitOf(column)).unit)}
           </option>
         ))}
       </select>

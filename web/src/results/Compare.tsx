@@ -56,7 +56,7 @@ function Figures({ run, other }: { run: Run; other: Run }) {
             caption="Statistics"
             file={fileName(run.name, other.name, found.column, 'statistics')}
             columns={layers.map(({ name, statistics }) => ({
-              key: name,
+              key: `${found.column} of ${name}`,
               title: `${titleOf(found.column)}: ${name}`,
               unit: statistics.unit,
               figures: statistics.statistics,

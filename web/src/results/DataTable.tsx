@@ -1,9 +1,10 @@
 // A table of results, which can be saved and copied with all its digits.
 
 import type { ComponentChildren } from 'preact';
-import { numberText } from '../ui/format';
+import { numberText, shiftedText } from '../ui/format';
 import type { NumberText } from '../api/exact';
 import { allDigits } from '../state/view';
+import { asInFiles, readingOf } from './columns';
 import { copyRows, saveCsv } from './save';
 
 export interface Column {
@@ -12,6 +13,8 @@ export interface Column {
   title: string;
   unit?: string;
   isText?: boolean;
+  /// Its texts are units.
+  isUnit?: boolean;
 }
 
 interface Props {
@@ -24,27 +27,38 @@ interface Props {
   hasHeads?: boolean;
   exact?: boolean;
   tools?: ComponentChildren;
+  /// The unit of a number where it is not its column's.
+  unitAt?: (row: number, column: number) => string | undefined;
   rowClass?: (row: number) => string;
 }
 
-function shownText(text: NumberText, { isText }: Column, exact: boolean): string {
-  if (text === '') return '–';
-  const value = Number(text);
-  if (exact || isText || Number.isNaN(value)) return text;
+/// In the unit in which it is read.
+function readText(text: NumberText, { isText, isUnit }: Column, unit: string): string {
+  if (isUnit) return readingOf(text).unit;
+  return isText ? text : shiftedText(text, readingOf(unit).places);
+}
+
+function shownText(read: string, { isText }: Column, exact: boolean): string {
+  if (read === '') return '–';
+  const value = Number(read);
+  if (exact || isText || Number.isNaN(value)) return read;
   return numberText(value, 4);
 }
 
-export function DataTable({ caption, file, columns, rows, hasHeads, exact = allDigits.value, tools, rowClass }: Props) {
+export function DataTable(props: Props) {
+  const { caption, file, columns, rows, hasHeads, exact = allDigits.value, tools, unitAt, rowClass } = props;
+  const isReadOtherwise = columns.some(({ unit = '', isUnit }) => isUnit || readingOf(unit).places !== 0);
+  const saying = isReadOtherwise ? asInFiles : undefined;
   const all = () => [columns.map(({ key }) => key), ...rows.map((row) => [...row])];
   return (
     <div class="data-table">
       <div class="table-tools">
         <h3>{caption}</h3>
         {tools}
-        <button class="button plain" onClick={() => copyRows(all())}>
+        <button class="button plain" title={saying} onClick={() => copyRows(all())}>
           Copy
         </button>
-        <button class="button plain" onClick={() => saveCsv(file, all())}>
+        <button class="button plain" title={saying} onClick={() => saveCsv(file, all())}>
           CSV
         </button>
       </div>
@@ -55,7 +69,7 @@ export function DataTable({ caption, file, columns, rows, hasHeads, exact = allD
               {columns.map((column) => (
                 <th key={column.key} scope="col" class={column.isText ? '' : 'number'}>
                   {column.title}
-                  {column.unit && <span class="unit">{column.unit}</span>}
+                  {column.unit && <span class="unit">{readingOf(column.unit).unit}</span>}
                 </th>
               ))}
             </tr>
@@ -65,13 +79,18 @@ export function DataTable({ caption, file, columns, rows, hasHeads, exact = allD
               <tr key={k} class={rowClass?.(k) ?? ''}>
                 {row.map((text, c) => {
                   const column = columns[c]!;
-                  const shown = shownText(text, column, exact);
+                  const read = readText(text, column, unitAt?.(k, c) ?? column.unit ?? '');
+                  const shown = shownText(read, column, exact);
                   return c === 0 && hasHeads ? (
                     <th key={column.key} scope="row">
                       {shown}
                     </th>
                   ) : (
-                    <td key={column.key} class={column.isText ? '' : 'number'} title={shown === text ? undefined : text}>
+                    <td
+                      key={column.key}
+                      class={column.isText ? '' : 'number'}
+                      title={shown === read ? undefined : read}
+                    >
                       {shown}
                     </td>
                   );

@@ -6,6 +6,12 @@ import { DataTable } from './DataTable';
 import { titleOf, unitOf } from './columns';
 import { fileName } from './save';
 
+/// Whose figures these are: not only of rocks that hit it.
+const populationOf = ({ rocks }: DesignLine) =>
+  rocks === '1'
+    ? 'the one rock that crossed its line, on it or above'
+    : `all ${Number(rocks).toLocaleString('en')} rocks that crossed its line, on it or above: each where it first did`;
+
 export function DesignTable({ run, name, design }: { run: Run; name: string; design: DesignLine }) {
   const quantities = Object.entries(design.percentiles);
   const percents = [...new Set(quantities.flatMap(([, of]) => Object.keys(of)))];
@@ -19,17 +25,18 @@ export function DesignTable({ run, name, design }: { run: Run; name: string; des
   return (
     <div class="design">
       <DataTable
-        caption="Design percentiles"
+        caption={`Design percentiles of ${populationOf(design)}`}
         file={fileName(run.name, name, 'design')}
         hasHeads
         columns={[
           { key: 'quantity', title: 'Quantity', isText: true },
-          { key: 'unit', title: 'Unit', isText: true },
+          { key: 'unit', title: 'Unit', isText: true, isUnit: true },
           { key: 'percentile', title: 'Percentile', unit: '%' },
           { key: 'value', title: 'Value' },
           { key: 'low', title: 'Confidence, from' },
           { key: 'high', title: 'to' },
         ]}
+        unitAt={(row, c) => (c >= 3 ? rows[row]![1] : undefined)}
         rows={rows}
       />
       {needs ? (
@@ -38,7 +45,7 @@ export function DesignTable({ run, name, design }: { run: Run; name: string; des
           file={fileName(run.name, name, 'needs')}
           hasHeads
           columns={[
-            { key: 'energy_J', title: 'Energy', unit: 'J' },
+            { key: 'energy_J', title: 'Energy of the kit (MEL)', unit: 'J' },
             { key: 'class', title: 'EAD class' },
             { key: 'height_m', title: 'Height', unit: 'm' },
           ]}

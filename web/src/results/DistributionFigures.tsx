@@ -1,7 +1,7 @@
 import { useCallback } from 'preact/hooks';
 import { Chart } from './Chart';
 import type { Look } from './chartLook';
-import { titleOf } from './columns';
+import { savingOf, titleOf } from './columns';
 import { cumulative, cumulativeRows, histogram, histogramRows, type Layer } from './distributionPlots';
 import { fileName } from './save';
 
@@ -27,6 +27,7 @@ export function DistributionFigures({ layers, column, thing, of }: Props) {
         description={`Histogram of ${title.toLowerCase()} over ${thing.toLowerCase()} (${counted}). The CSV button saves its numbers.`}
         file={fileName(of, column, 'histogram')}
         option={drawHistogram}
+        saving={savingOf(column)}
         rows={() => histogramRows(layers, column)}
       />
       <Chart
@@ -34,6 +35,7 @@ export function DistributionFigures({ layers, column, thing, of }: Props) {
         description={`Share of ${thing.toLowerCase()} with at most a ${title.toLowerCase()} (${counted}). The CSV button saves its numbers.`}
         file={fileName(of, column, 'cumulative')}
         option={drawCumulative}
+        saving={savingOf(column)}
         rows={() => cumulativeRows(layers, column)}
       />
     </>

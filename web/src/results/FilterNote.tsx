@@ -9,8 +9,8 @@ export function FilterNote() {
     seeders && `from ${seeders.join(' or ')}`,
     sources && `from ${sources.join(' or ')}`,
     barriers && `hit ${barriers.join(' or ')}`,
-    minEnergy_kJ !== null && `at least ${minEnergy_kJ} kJ`,
-    maxEnergy_kJ !== null && `at most ${maxEnergy_kJ} kJ`,
+    minEnergy_kJ !== null && `greatest total kinetic energy at least ${minEnergy_kJ} kJ`,
+    maxEnergy_kJ !== null && `greatest total kinetic energy at most ${maxEnergy_kJ} kJ`,
   ];
   return (
     <span class="mark filter-note">

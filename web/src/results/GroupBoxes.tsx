@@ -6,7 +6,7 @@ import type { Run } from '../api/types';
 import { filter, type RockFilter } from '../state/filter';
 import { Chart } from './Chart';
 import type { Look } from './chartLook';
-import { titleOf } from './columns';
+import { savingOf, titleOf } from './columns';
 import { boxes, boxRows, shownColour, type Layer } from './distributionPlots';
 import { useRemote } from './remote';
 import { fileName } from './save';
@@ -63,7 +63,8 @@ export function GroupBoxes({ run, column, all }: { run: Run; column: string; all
       description={`Box plots of ${title.toLowerCase()}, ${groupings[grouping]}. The CSV button saves their numbers.`}
       file={fileName(run.name, column, 'boxes')}
       option={draw}
-      rows={() => boxRows(layers)}
+      saving={savingOf(column)}
+      rows={() => boxRows(layers, column)}
       tools={
         <select
           aria-label="Groups of the box plots"

@@ -4,10 +4,12 @@ import { fileAddress, results } from '../api/results';
 import type { Run, RunMap } from '../api/types';
 import { drapedMap, drapedOpacity } from '../state/view';
 import { numberText } from '../ui/format';
+import { readingOf } from './columns';
 import { useRemote } from './remote';
 import { Waiting } from './Waiting';
 
 function Row({ run, map }: { run: Run; map: RunMap }) {
+  const { unit, per } = readingOf(map.unit);
   const isShown = drapedMap.value === map.name;
   return (
     <tr class={isShown ? 'chosen' : ''}>
@@ -17,9 +19,9 @@ function Row({ run, map }: { run: Run; map: RunMap }) {
         </button>
       </th>
       <td class="words">{map.meaning}</td>
-      <td class="number">{numberText(map.least)}</td>
-      <td class="number">{numberText(map.most)}</td>
-      <td>{map.unit}</td>
+      <td class="number">{numberText(map.least / per)}</td>
+      <td class="number">{numberText(map.most / per)}</td>
+      <td>{unit}</td>
       <td>{map.source ?? 'all'}</td>
       <td>
         <a href={fileAddress(run.id, `maps/${map.name}.tif`)} download>

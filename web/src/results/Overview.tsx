@@ -55,6 +55,11 @@ export function Overview({ run }: { run: Run }) {
             {summary.rocks.lifted === '1' ? ' was' : ' were'} to start in the ground, and moved out of it where there was
             room.</p>
         )}
+        {(summary.notes ?? []).map((note) => (
+          <p key={note} class="faint">
+            {note}.
+          </p>
+        ))}
       </div>
       <StatisticsTable caption="Statistics over all rocks" file={fileName(run.name, 'statistics')} columns={columns} />
     </div>

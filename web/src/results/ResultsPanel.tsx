@@ -1,7 +1,7 @@
 // What the run that is shown gave, below the view.
 
 import { useId } from 'preact/hooks';
-import type { Run } from '../api/types';
+import type { Run, RunState } from '../api/types';
 import { hasResults, ownRuns, resume, shown } from '../state/runs';
 import { resultsOpen, resultsShare, resultsTab, sidePanel, type ResultsTab } from '../state/view';
 import { dimension } from '../model/place';
@@ -11,7 +11,9 @@ import { Tabs } from '../ui/Tabs';
 import { Barriers } from './Barriers';
 import { Compare } from './Compare';
 import { Distributions } from './Distributions';
+import { EnvelopesTab } from './EnvelopesTab';
 import { Maps } from './Maps';
+import { Outdated } from './Outdated';
 import { Overview } from './Overview';
 import { Rock } from './Rock';
 import { Splitter } from './Splitter';
@@ -22,6 +24,7 @@ const pages: Record<ResultsTab, { title: string; page: (props: { run: Run }) => 
   distributions: { title: 'Distributions', page: Distributions },
   barriers: { title: 'Barriers', page: Barriers },
   rock: { title: 'Rock', page: Rock },
+  envelopes: { title: 'Envelopes', page: EnvelopesTab },
   maps: { title: 'Maps', page: Maps },
   compare: { title: 'Compare', page: Compare },
   section: { title: 'Section', page: SectionTab },
@@ -32,18 +35,25 @@ function tabsNow(): ResultsTab[] {
   const all = Object.keys(pages) as ResultsTab[];
   const hasRuns = shown.value !== null || ownRuns.value.length > 0;
   const mayHaveSection = dimension.value === 3 && (hasRuns || sectionLine.value !== null);
-  return all.filter((name) => (name === 'section' ? mayHaveSection : hasRuns));
+  const isOfOther = (name: ResultsTab) => name === (dimension.value === 2 ? 'maps' : 'envelopes');
+  return all.filter((name) => (name === 'section' ? mayHaveSection : hasRuns && !isOfOther(name)));
 }
+
+const halts: Partial<Record<RunState, string>> = {
+  interrupted: 'The server was ended while this run was under way.',
+  stopped: 'This run was stopped before any of its rocks was thrown.',
+};
 
 /// Why there is nothing to look at, and what to do about it.
 function NoResults({ run }: { run: Run }) {
   if (run.state === 'waiting') return <div class="empty">This run waits for others to end. Its results come then.</div>;
   if (run.state === 'running')
     return <div class="empty">The rocks are being thrown. Results come when all are done, or when the run is stopped.</div>;
-  if (run.state === 'interrupted')
+  if (run.state === 'done') return <div class="empty">The results of this run are no longer in its folder.</div>;
+  if (halts[run.state])
     return (
       <div class="empty">
-        <p>The server was ended while this run was under way.</p>
+        <p>{halts[run.state]}</p>
         <button class="button" style={{ justifySelf: 'center' }} onClick={() => void resume(run.id)}>
           Resume
         </button>
@@ -101,6 +111,7 @@ export function ResultsPanel() {
           {isOpen ? 'Hide ▾' : 'Results ▴'}
         </button>
       </div>
+      {now !== 'section' && <Outdated />}
       <div id={panel} class="results-body" role="tabpanel" aria-label={pages[now].title}>
         {!isOpen ? null : now === 'section' ? (
           <SectionTab />

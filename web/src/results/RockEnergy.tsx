@@ -3,16 +3,16 @@ import { useCallback } from 'preact/hooks';
 import type { RockAnswer, Run } from '../api/types';
 import { numberText } from '../ui/format';
 import { Chart } from './Chart';
-import { axis, type Look } from './chartLook';
+import { axis, withLegend, type Look } from './chartLook';
 import { tooltipOf } from './distributionPlots';
+import { asInFiles } from './columns';
 import { fileName } from './save';
 
-const parts = ['Translational', 'Rotational', 'Potential'] as const;
+const parts = ['Kinetic, translational', 'Kinetic, rotational', 'Potential'] as const;
 
 function plot(energy: RockAnswer['energy'], look: Look): EChartsOption {
   return {
-    legend: { top: 0, textStyle: { color: look.text }, itemWidth: 16, itemHeight: 10 },
-    grid: { left: 12, right: 18, top: 34, bottom: 8, outerBoundsMode: 'same', outerBoundsContain: 'all' },
+    ...withLegend(look),
     tooltip: {
       ...tooltipOf(look),
       trigger: 'axis',
@@ -39,9 +39,10 @@ export function RockEnergy({ run, rock, path }: { run: Run; rock: number; path: 
   return (
     <Chart
       title="Energy over time"
-      description={`Translational, rotational and potential energy of rock ${rock} over time. The CSV button saves their numbers.`}
+      description={`Translational and rotational kinetic energy and potential energy of rock ${rock} over time. The CSV button saves their numbers.`}
       file={fileName(run.name, `rock ${rock} energy`)}
       option={draw}
+      saving={asInFiles}
       rows={() => [['time_s', 'ke_translational_J', 'ke_rotational_J', 'pe_J'], ...path.energy]}
     />
   );

@@ -2,7 +2,7 @@ import type { FigureTexts } from '../api/results';
 import { allDigits } from '../state/view';
 import { DataTable } from './DataTable';
 import { DigitsSwitch } from './DigitsSwitch';
-import { figureText, figuresOf } from './statisticsTable';
+import { figureText, figuresOf, unitOfFigure } from './statisticsTable';
 
 interface Props {
   caption: string;
@@ -15,6 +15,7 @@ interface Props {
 export function StatisticsTable({ caption, file, columns }: Props) {
   const first = columns[0];
   if (!first) return null;
+  const shown = figuresOf(first.figures);
   return (
     <DataTable
       caption={caption}
@@ -25,7 +26,8 @@ export function StatisticsTable({ caption, file, columns }: Props) {
         { key: 'figure', title: 'Figure', isText: true },
         ...columns.map(({ key, title, unit }) => ({ key, title, unit })),
       ]}
-      rows={figuresOf(first.figures).map(({ key, title }) => [
+      unitAt={(row, c) => columns[c - 1] && unitOfFigure(shown[row]!.key, columns[c - 1]!.unit)}
+      rows={shown.map(({ key, title }) => [
         title,
         ...columns.map(({ figures }) => figureText(figures, key)),
       ])}

@@ -60,6 +60,12 @@ export function frame(look: Look): EChartsOption {
   };
 }
 
+/// A legend above the plot, and the room that it takes.
+export const withLegend = (look: Look): EChartsOption => ({
+  legend: { top: 0, textStyle: { color: look.text }, itemWidth: 16, itemHeight: 10, type: 'plain' },
+  grid: { left: 12, right: 18, top: 34, bottom: 8, outerBoundsMode: 'same', outerBoundsContain: 'all' },
+});
+
 /// An axis of numbers with its title.
 export function axis(look: Look, title: string) {
   return {

@@ -26,11 +26,11 @@ const titles: Record<string, string> = {
   end_reason: 'End',
   mass_kg: 'Mass',
   radius_m: 'Radius',
-  max_ke_J: 'Greatest kinetic energy',
+  max_ke_J: 'Greatest total kinetic energy',
   max_bounce_m: 'Greatest bounce height',
-  ke_total_J: 'Kinetic energy',
-  ke_translational_J: 'Translational energy',
-  ke_rotational_J: 'Rotational energy',
+  ke_total_J: 'Total kinetic energy',
+  ke_translational_J: 'Translational kinetic energy',
+  ke_rotational_J: 'Rotational kinetic energy',
   impact_height_m: 'Height above the foot',
   velocity_m_s: 'Velocity',
   angle_deg: 'Angle to the normal',
@@ -52,9 +52,13 @@ export function titleOf(column: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/// Energies are read in kJ: how a unit is drawn, and by what its numbers are divided for that.
-export function readingOf(unit: string): { unit: string; per: number } {
-  return unit === 'J' ? { unit: 'kJ', per: 1000 } : { unit, per: 1 };
+/// Energies are read in kJ: the unit on the page, and by what a file's numbers are divided for it, a power of ten.
+export function readingOf(unit: string): { unit: string; per: number; places: number } {
+  const places = { J: 3, 'J²': 6 }[unit] ?? 0;
+  return places === 0 ? { unit, per: 1, places } : { unit: `k${unit}`, per: 10 ** places, places };
 }
+/// What is said where numbers are saved that are read in another unit.
+export const asInFiles = 'With the numbers of the files: energies in J';
+export const savingOf = (column: string) => (readingOf(unitOf(column)).places === 0 ? undefined : asInFiles);
 
 export const withUnit = (title: string, unit: string) => (unit ? `${title} [${unit}]` : title);

@@ -3,7 +3,7 @@
 import type { EChartsOption } from 'echarts/types/dist/shared';
 import type { ColumnStatistics } from '../api/results';
 import { numberText } from '../ui/format';
-import { axis, type Look } from './chartLook';
+import { axis, withLegend, type Look } from './chartLook';
 import { readingOf, withUnit } from './columns';
 import { endsAround, type Ends } from './oneValue';
 import type { Cell } from './save';
@@ -21,13 +21,7 @@ export const comparedColour = (look: Look) => look.compared;
 
 type Rectangle = { api: (k: number) => number };
 
-const several = (layers: readonly Layer[], look: Look): EChartsOption =>
-  layers.length > 1
-    ? {
-        legend: { top: 0, textStyle: { color: look.text }, itemWidth: 16, itemHeight: 10, type: 'plain' },
-        grid: { left: 12, right: 18, top: 34, bottom: 8, outerBoundsMode: 'same', outerBoundsContain: 'all' },
-      }
-    : {};
+const several = (layers: readonly Layer[], look: Look): EChartsOption => (layers.length > 1 ? withLegend(look) : {});
 
 const legendEntries = (layers: readonly Layer[], look: Look) =>
   layers.map((layer) => ({ name: layer.name, itemStyle: { color: layer.colour(look) } }));
@@ -190,10 +184,10 @@ export function boxes(layers: readonly Layer[], title: string, look: Look): ECha
   } as EChartsOption;
 }
 
-export function boxRows(layers: readonly Layer[]): Cell[][] {
+export function boxRows(layers: readonly Layer[], column: string): Cell[][] {
   const keys = ['least', 'whisker_low', 'q1', 'median', 'q3', 'whisker_high', 'most'] as const;
   return [
-    ['of', 'count', ...keys],
+    ['of', 'count', ...keys.map((key) => `${column}_${key}`)],
     ...layers
       .filter(({ statistics }) => statistics.box)
       .map(({ name, statistics: { box, count } }) => [name, count, ...keys.map((key) => box[key])]),

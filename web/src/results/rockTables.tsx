@@ -24,11 +24,11 @@ const pathColumns: Record<string, Column> = {
   wx_rad_s: column('wx_rad_s', 'Spin x', 'rad/s'),
   wy_rad_s: column('wy_rad_s', 'Spin y', 'rad/s'),
   wz_rad_s: column('wz_rad_s', 'Spin z', 'rad/s'),
-  ke_translational_J: column('ke_translational_J', 'Translational', 'J'),
-  ke_rotational_J: column('ke_rotational_J', 'Rotational', 'J'),
-  ke_J: column('ke_J', 'Kinetic', 'J'),
+  ke_translational_J: column('ke_translational_J', 'Kinetic, translational', 'J'),
+  ke_rotational_J: column('ke_rotational_J', 'Kinetic, rotational', 'J'),
+  ke_J: column('ke_J', 'Kinetic, total', 'J'),
   pe_J: column('pe_J', 'Potential', 'J'),
-  total_J: column('total_J', 'Total', 'J'),
+  total_J: column('total_J', 'Kinetic and potential', 'J'),
 };
 
 interface Props {
@@ -58,7 +58,7 @@ const hitColumns: Record<string, Column> = {
   barrier: { key: 'barrier', title: 'Barrier', isText: true },
   impact_height_m: column('impact_height_m', 'Height', 'm'),
   angle_deg: column('angle_deg', 'Angle', '°'),
-  ke_total_J: column('ke_total_J', 'Kinetic', 'J'),
+  ke_total_J: column('ke_total_J', 'Kinetic, total', 'J'),
   outcome: { key: 'outcome', title: 'Outcome', isText: true },
 };
 
@@ -86,7 +86,7 @@ export function RockFacts({ endpoint }: { endpoint: Record<string, string> }) {
     ['End', endpoint.end_reason ?? ''],
     ['Runout on plan', number('runout_xy_m', 'm')],
     ['Time', number('time_s', 's')],
-    ['Greatest kinetic energy', number('max_ke_J', 'kJ', 1000)],
+    ['Greatest total kinetic energy', number('max_ke_J', 'kJ', 1000)],
     ['Greatest bounce height', number('max_bounce_m', 'm')],
   ];
   return (

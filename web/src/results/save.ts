@@ -14,7 +14,7 @@ export function saveFile(name: string, content: Blob) {
 }
 
 /// RFC 4180.
-export function csvText(rows: readonly (readonly Cell[])[]): string {
+function csvText(rows: readonly (readonly Cell[])[]): string {
   const cell = (value: Cell) => {
     const text = String(value);
     return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;

@@ -39,6 +39,12 @@ export function figuresOf(given: FigureTexts): Figure[] {
   );
 }
 
+/// Of a figure of a quantity that has a unit.
+export function unitOfFigure(key: string, unit: string): string {
+  if (['count', 'skewness', 'kurtosis'].includes(key)) return '';
+  return key === 'sample_variance' && unit ? `${unit}²` : unit;
+}
+
 /// '' where it is not given.
 export function figureText(given: FigureTexts, key: string): NumberText {
   if (key === 'quartile_1') return (given.quartiles as NumberText[] | undefined)?.[0] ?? '';

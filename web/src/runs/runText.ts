@@ -9,18 +9,18 @@ import { valuesOf } from '../toml/edit';
 
 const texts = new Map<string, Promise<string>>(); // a run's text never changes
 
-function textOf(run: Run): Promise<string> {
-  const known = texts.get(run.id);
+export function textOf(id: string): Promise<string> {
+  const known = texts.get(id);
   if (known) return known;
-  const asked = results.fileText(run.id, 'project.toml');
-  texts.set(run.id, asked);
-  asked.catch(() => texts.delete(run.id));
+  const asked = results.fileText(id, 'project.toml');
+  texts.set(id, asked);
+  asked.catch(() => texts.delete(id));
   return asked;
 }
 
 /// The values in which a run's text differs from the project as it stands; null: not known.
 export function useChanges(run: Run, isWanted: boolean): ValueDifference[] | null {
-  const answer = useRemote(run.id, isWanted && run.file === file.value ? run.id : null, () => textOf(run));
+  const answer = useRemote(run.id, isWanted && run.file === file.value ? run.id : null, () => textOf(run.id));
   if (answer.value === null) return null;
   if (answer.value === text.value) return [];
   try {

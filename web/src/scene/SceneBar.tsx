@@ -1,10 +1,11 @@
 // The row of controls above the picture.
 
-import { layerNames, layers, contours, exaggeration, shading, type Shading } from '../view/settings';
+import { contours, exaggeration, shading, type Shading } from '../view/settings';
 import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
 import { SectionButton } from '../sectionLine/SectionButton';
 import { DistanceButton } from '../view/DistanceButton';
+import { LayerChoices } from '../view/LayerChoices';
 import { Popover } from '../view/Popover';
 import { savePicture } from '../view/savePicture';
 import { ViewBar } from '../view/ViewBar';
@@ -57,14 +58,7 @@ export function SceneBar({ open }: { open: OpenScene }) {
       </Popover>
       <PathChoices />
       <FilterChoices />
-      <Popover title="Layers">
-        {(Object.keys(layers) as (keyof typeof layers)[]).map((name) => (
-          <label key={name}>
-            <input type="checkbox" checked={layers[name].value} onChange={(event) => (layers[name].value = event.currentTarget.checked)} />
-            {layerNames[name]}
-          </label>
-        ))}
-      </Popover>
+      <LayerChoices />
       <DistanceButton />
       <SectionButton />
       <button

@@ -9,7 +9,7 @@ import { layers, shading } from '../view/settings';
 import { shade } from '../view/theme';
 import { elevations } from './picture';
 
-export function GroundLegend() {
+function GroundLegend() {
   const light = shade.value;
   const [low, high] = elevations.value;
   if (!layers.terrain.value) return null;

@@ -6,7 +6,7 @@ import type { Colouring } from '../paths/colouring';
 import type { DrawnPaths } from '../paths/drawnPaths';
 import { colourOf, listBytes, rampBytes } from '../view/colours';
 
-export const rocksAcross = 1024; // texels in a row of the rocks' texture
+const rocksAcross = 1024; // texels in a row of the rocks' texture
 
 /// `values`: speed, energy, height, and the rock's place among those that are drawn.
 export const colourGlsl = /* glsl */ `

@@ -5,8 +5,8 @@ import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
 import { savePicture } from '../view/savePicture';
 import { DistanceButton } from '../view/DistanceButton';
-import { Popover } from '../view/Popover';
-import { equalAxes, layerNames, layers } from '../view/settings';
+import { LayerChoices } from '../view/LayerChoices';
+import { equalAxes } from '../view/settings';
 import { ViewBar } from '../view/ViewBar';
 import { zoomed } from './frame';
 import { fit, frame } from './picture';
@@ -33,14 +33,7 @@ export function SectionBar({ canvas }: { canvas: RefObject<HTMLCanvasElement> })
       </button>
       <PathChoices />
       <FilterChoices />
-      <Popover title="Layers">
-        {(Object.keys(layers) as (keyof typeof layers)[]).map((name) => (
-          <label key={name}>
-            <input type="checkbox" checked={layers[name].value} onChange={(event) => (layers[name].value = event.currentTarget.checked)} />
-            {layerNames[name]}
-          </label>
-        ))}
-      </Popover>
+      <LayerChoices />
       <DistanceButton />
       <button class="button" title="Save the picture as PNG" onClick={() => savePicture(canvas.current)}>
         Picture

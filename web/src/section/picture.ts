@@ -23,7 +23,7 @@ export const frame = signal<Frame | null>(null);
 export const pointer = signal<{ x: number; z: number; ground: number | null } | null>(null);
 
 /// The slope, and what stands on it.
-export const bounds = computed<Bounds | null>(() => {
+const bounds = computed<Bounds | null>(() => {
   const places = (profile.value?.vertices ?? []).map(([x, z]) => ({ x, z }));
   const now = model.value;
   if (places.length === 0 || !now) return null;

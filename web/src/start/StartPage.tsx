@@ -4,7 +4,8 @@ import { useEffect } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { api } from '../api/client';
 import type { Example } from '../api/types';
-import { files } from '../model/files';
+import { files, hasMoreFiles, readFolder } from '../model/files';
+import { MoreFiles } from '../model/MoreFiles';
 import { listenToDrops } from '../model/terrainFile';
 import { about } from '../state/about';
 import { localDrafts } from '../state/localDrafts';
@@ -24,9 +25,8 @@ const given = signal<string | null>(null);
 
 async function load() {
   await allWritten(); // the draft of the project that was left
-  const [list, folder] = await Promise.all([api.examples(), api.folder()]);
+  const [list, folder] = await Promise.all([api.examples(), readFolder()]);
   examples.value = list;
-  files.value = folder.files;
   drafts.value = folder.drafts;
 }
 
@@ -95,11 +95,12 @@ function Projects() {
   const projects = files.value.filter(({ kind }) => kind === 'project');
   const drafted = [...new Set([...drafts.value, ...localDrafts()])];
   const unsaved = drafted.filter((draft) => !projects.some(({ name }) => name === draft));
-  if (projects.length + unsaved.length === 0) return null;
+  if (projects.length + unsaved.length === 0 && !hasMoreFiles.value) return null;
   const openFile = (name: string) => void open(name).catch(sayFailure);
   return (
     <section aria-labelledby="projects">
       <h2 id="projects">Projects of this folder</h2>
+      <MoreFiles />
       <div class="cards">
         {unsaved.map((name) => (
           <button key={name} class="card" onClick={() => openFile(name)}>

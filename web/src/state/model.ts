@@ -12,8 +12,6 @@ import { sayFailure } from './messages';
 export const model = signal<Model | null>(null);
 export const problems = signal<Problem[]>([]);
 export const isBuilding = signal(false);
-/// Whether `model` is of the text as it stands.
-export const isCurrent = signal(false);
 /// Whether the terrain of the text has errors, and `model` is that of the text before.
 export const isOfBefore = signal(false);
 
@@ -48,7 +46,6 @@ async function ask(isWanted: (next: Model) => boolean) {
       isOfBefore.value = shown === null && modelFile === name && model.value !== null;
       if (modelFile !== name || (shown && isWanted(shown))) model.value = shown;
       modelFile = name;
-      isCurrent.value = answer.model !== null;
     });
   } catch (error) {
     if (own.signal.aborted) return;
@@ -76,7 +73,6 @@ async function buildWithStandIns(name: string, now: string, found: Problem[], si
 effect(() => {
   const name = file.value;
   void text.value;
-  isCurrent.value = false;
   clearTimeout(timer);
   if (name === null) {
     asking?.abort();

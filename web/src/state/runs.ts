@@ -27,7 +27,8 @@ export const running = computed(() => runs.value.find((run) => run.state === 'ru
 /// Of the open project, newest first.
 export const ownRuns = computed(() => runs.value.filter((run) => run.file === file.value));
 
-export const hasResults = (run: Run) => run.state === 'done' || run.state === 'stopped';
+/// One that failed may have tables that end anywhere: what is wrong with it is shown instead.
+export const hasResults = (run: Run) => run.has_results && run.state !== 'failed';
 
 // Who opens a project sees its newest results; what is shown of another project goes.
 let pickedFor: string | null = null;

@@ -13,15 +13,11 @@ function kept<T>(key: string, first: T) {
 }
 
 export const theme = kept<Theme>('theme', 'system');
-effect(() => {
-  if (theme.value === 'system') delete document.documentElement.dataset.theme;
-  else document.documentElement.dataset.theme = theme.value;
-});
 
 export type SidePanel = 'model' | 'runs' | 'text';
 export const sidePanel = kept<SidePanel>('side panel', 'model');
 
-export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'maps' | 'compare' | 'section';
+export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'envelopes' | 'maps' | 'compare' | 'section';
 export const resultsTab = kept<ResultsTab>('results tab', 'overview');
 export const resultsOpen = kept('results open', true);
 /// Of the window's height.

@@ -30,7 +30,7 @@ export function commentStart(text: string, line: number): number {
 }
 
 /// Whether something stands alone on its lines, but for a comma and a comment after it.
-export function isAlone(text: string, [from, to]: AST.Range): boolean {
+function isAlone(text: string, [from, to]: AST.Range): boolean {
   const before = text.slice(lineStart(text, from), from);
   return before.trim() === '' && /^[ \t]*,?[ \t]*(#.*)?$/.test(text.slice(to, lineEnd(text, to)));
 }

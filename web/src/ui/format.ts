@@ -16,6 +16,18 @@ export function numberText(value: number, digits = 4): string {
   return size >= 10 ** digits ? Math.round(value).toLocaleString('en') : String(Number(value.toPrecision(digits)));
 }
 
+/// A number as it is written, over 10 to the `places`, with the same digits: "152530.4" is "152.5304" over 1000.
+export function shiftedText(text: string, places: number): string {
+  const parts = /^([+-]?)(\d+)(?:\.(\d*))?(?:e([+-]?\d+))?$/i.exec(text);
+  if (!parts || places === 0) return text;
+  const [, sign = '', whole = '', decimals = '', exponent] = parts;
+  if (exponent !== undefined) return `${sign}${whole}${decimals && `.${decimals}`}e${Number(exponent) - places}`;
+  const digits = `${'0'.repeat(Math.max(0, places + 1 - whole.length))}${whole}`;
+  const point = digits.length - places;
+  const behind = `${digits.slice(point)}${decimals}`.replace(/0+$/, '');
+  return `${sign}${digits.slice(0, point)}${behind && `.${behind}`}`;
+}
+
 /// "2.3 MB".
 export function bytesText(bytes: number): string {
   const units = ['bytes', 'kB', 'MB', 'GB', 'TB'];

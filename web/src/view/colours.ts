@@ -7,9 +7,6 @@ export type Ramp = [number, Colour][];
 const hex = (text: string): Colour => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16)) as Colour;
 const even = (...colours: string[]): Ramp => colours.map((colour, k) => [k / (colours.length - 1), hex(colour)]);
 
-/// Matplotlib's viridis (CC0), at nine places.
-export const viridis = even('#440154', '#472d7b', '#3b528b', '#2c728e', '#21918c', '#28ae80', '#5ec962', '#addc30', '#fde725');
-
 /// What moves, over the land: matplotlib's plasma (CC0), without its end that is lost on the ground.
 export const pathRamp = {
   light: even('#0d0887', '#4c02a1', '#7e03a8', '#a92395', '#cc4778', '#e56b5d', '#f89540'),

@@ -6,7 +6,7 @@ function hitFigure(parent, name) {
   const all = shown.flatMap((s) => s.hits.map((hit) => ({...hit, run: s.run})));
   const reached = (run) => (run.barriers.find((b) => b.name === name) || {}).hits;
   figure(parent, {
-    title: 'Impact height and energy', label: `Impact height against translational energy at ${name}`,
+    title: 'Impact height and translational energy', label: `Impact height against translational energy at ${name}`,
     caption: shown.map((s) => `${single ? '' : s.run.label + ': '}${number(s.hits.length)} of ${number(isNumber(reached(s.run)) ? reached(s.run) : s.hits.length)} hits`).join('; ') + '.',
     draw(svg, width) {
       const side = {left: 72, right: width - 14, top: 12, bottom: 262};
@@ -30,6 +30,15 @@ function hitFigure(parent, name) {
   });
 }
 
+// How many rocks the figures of a barrier's hits leave out, and how a clearance can be less than nothing.
+function passedAboveText(name) {
+  const shown = runs.map((run) => ({run, barrier: run.barriers.find((b) => b.name === name) || {}})).filter(({barrier}) => barrier.passed_above > 0);
+  const rocks = shown.map(({run, barrier}) => (single ? '' : `${run.label}: `) + count(barrier.passed_above, 'rock')).join(', ');
+  const isBelow = shown.some(({barrier}) => barrier.least_clearance_m < 0);
+  return `Not in the figures of the hits: ${rocks} that passed above the top, as the centre was higher. The clearance is that of the lower side` +
+    (isBelow ? ': it is negative where the centre passed above the top and the lower side below it.' : '.');
+}
+
 function barrierSections(parent) {
   const names = [...new Set(runs.flatMap((run) => run.barriers.map((b) => b.name)))];
   for (const name of names) {
@@ -42,16 +51,18 @@ function barrierSections(parent) {
       ...(runs.some((run) => isNumber(of(run).rocks_hit)) ? [['Rocks that hit', ...runs.map((run) => number(of(run).rocks_hit))]] : []),
       ...outcomes.map((word) => [`Hits: ${word}`, ...runs.map((run) => number((of(run).outcomes || {})[word]))]),
       ['Rocks that passed above', ...runs.map((run) => number(of(run).passed_above))],
-      ['Least clearance above [m]', ...runs.map((run) => number(of(run).least_clearance_m))],
+      [{text: 'Least clearance above', unit: 'm'}, ...runs.map((run) => number(of(run).least_clearance_m, 3))],
     ];
     table(parent, {head: [['', ...(single ? ['Number'] : runs.map((run) => ({text: run.label, run})))]], rows, numeric: (column) => column > 0});
+    if (runs.some((run) => of(run).passed_above > 0)) element(parent, 'p', passedAboveText(name), {class: 'quiet'});
     const box = element(parent, 'div', null, {class: 'columns'});
     histogramFigure(box, {title: 'Translational energy at impact', quantity: 'Translational kinetic energy', unit: 'kJ', per: 1000, thing: 'hits', of: (run) => (of(run).histograms || {}).ke_translational_J});
     histogramFigure(box, {title: 'Impact height', quantity: 'Impact height', unit: 'm', thing: 'hits', of: (run) => (of(run).histograms || {}).impact_height_m});
     hitFigure(box, name);
-    statisticsTable(single ? element(box, 'div') : parent, runs, [
-      {text: 'Energy', unit: 'kJ', per: 1000, of: (run) => (of(run).statistics || {}).ke_translational_J},
-      {text: 'Height', unit: 'm', of: (run) => (of(run).statistics || {}).impact_height_m},
+    statisticsTable(parent, runs, [
+      {text: 'Translational energy', unit: 'kJ', per: 1000, of: (run) => (of(run).statistics || {}).ke_translational_J},
+      {text: 'Total kinetic energy', unit: 'kJ', per: 1000, of: (run) => (of(run).statistics || {}).ke_total_J},
+      {text: 'Impact height', unit: 'm', of: (run) => (of(run).statistics || {}).impact_height_m},
       {text: 'Velocity', unit: 'm/s', of: (run) => (of(run).statistics || {}).velocity_m_s},
     ], 'Descriptive statistics of the hits');
   }

@@ -4,14 +4,25 @@ const designsOf = () => runs.filter((run) => run.summary.design);
 const shareText = (share) => share ? `${number(100 * share.value, 3)} %` : '–';
 const rangeText = ([value, low, high], per, digits = 4) => value === undefined ? '–' :
   `${number(value / per, digits)} (${isNumber(low) ? number(low / per, digits) : '…'} to ${isNumber(high) ? number(high / per, digits) : '…'})`;
+const inUnit = (value, per) => isNumber(value) ? value / per : null;
+
+// A value with its interval beneath, in a table's cell.
+function rangeCell([value, low, high], per, digits = 4) {
+  if (value === undefined) return '–';
+  const end = (v) => isNumber(v) ? number(v / per, digits) : '…';
+  return {text: number(value / per, digits), below: `${end(low)} to ${end(high)}`};
+}
+const shareCell = (share) => share ? {text: shareText(share), below: `${number(100 * share.low, 3)} to ${number(100 * share.high, 3)} %`} : '–';
 const sufficesText = (kit) => (kit.suffices ? 'yes' : 'no') + (kit.sure === false ? ', not sure' : '');
 const classText = (needs) => needs ? `${needs.class}` : '–';
+
+const energyWord = (design) => design.factors.of_total_energy ? 'total kinetic' : 'translational';
 
 // Quantities as the summary calls them; energy is the one that the check begins with.
 function designQuantities(design) {
   const total = design.factors.of_total_energy;
   return [
-    {key: total ? 'ke_total_J' : 'ke_translational_J', text: `${total ? 'Total' : 'Translational'} energy`, unit: 'kJ', per: 1000},
+    {key: total ? 'ke_total_J' : 'ke_translational_J', text: `${total ? 'Total kinetic' : 'Translational'} energy`, unit: 'kJ', per: 1000},
     {key: 'velocity_m_s', text: 'Velocity', unit: 'm/s', per: 1},
     {key: 'height_m', text: 'Height above the foot', unit: 'm', per: 1},
   ];
@@ -27,18 +38,19 @@ function alongFigure(parent, run, line) {
     title, label: `Rocks and percentiles of energy, velocity and height along ${line.name}`, width: drawing.wide,
     caption: `Steps: sections of the line. Lines: percentiles; shaded: their ${number(100 * run.summary.design.confidence)} % confidence intervals, without an upper end where a section has too few rocks for one.`,
     draw(svg, width) {
-      const left = 82, right = width - 14, tall = 150, gap = 30;
+      const left = 82, right = width - 14, tall = 130, gap = 50;
       const toX = d3.scaleLinear().domain([0, line.length_m]).range([left, right]);
-      let top = 12;
+      let top = 26;
       const panel = (values, yLabel, height, xLabel = '') => {
         const side = {left, right, top, bottom: top + height};
         const toY = d3.scaleLinear().domain([0, (d3.max(values) || 1) * 1.06]).range([side.bottom, side.top]);
-        axes(svg, toX, toY, side, {xLabel, yLabel, yTicks: 4});
+        axes(svg, toX, toY, side, {xLabel, yLabel: '', yTicks: 4});
+        svg.append('text').attr('class', 'axis-label').attr('x', left).attr('y', side.top - 8).text(yLabel);
         top = side.bottom + gap;
         return toY;
       };
       const wide = (s) => Math.max(toX(s.to_m) - toX(s.from_m), 1);
-      const toRocks = panel(line.sections.map((s) => s.rocks), 'Rocks', 90);
+      const toRocks = panel(line.sections.map((s) => s.rocks), 'Rocks', 70);
       tip(svg.append('g').style('--run', run.colour).selectAll('rect').data(line.sections.filter((s) => s.rocks)).enter().append('rect').attr('class', 'bar')
         .attr('x', (s) => toX(s.from_m)).attr('width', (s) => Math.max(wide(s) - 0.5, 1)).attr('y', (s) => toRocks(s.rocks)).attr('height', (s) => toRocks(0) - toRocks(s.rocks)),
       (s) => `${number(s.from_m, 5)} to ${number(s.to_m, 5)} m\n${count(s.rocks, 'rock')}, ${shareText(s.share)} of all\n` +
@@ -53,10 +65,10 @@ function alongFigure(parent, run, line) {
           .attr('x1', (m) => toX(m.s.from_m)).attr('x2', (m) => toX(m.s.from_m) + wide(m.s)).attr('y1', (m) => toY(m.value / per)).attr('y2', (m) => toY(m.value / per)),
         (m) => `${number(m.s.from_m, 5)} to ${number(m.s.to_m, 5)} m, ${count(m.s.rocks, 'rock')}\np${m.name}: ${rangeText([m.value, m.low, m.high], per)} ${unit}`);
       }
-      return legend(svg, names.map((name, i) => ({text: `percentile ${name}`, draw: sign.line('step', colour(i))})), left, top + 26, right) + 12;
+      return legend(svg, names.map((name, i) => ({text: `percentile ${name}`, draw: sign.line('step', colour(i))})), left, top + 14, right) + 14;
     },
-    rows: () => [['from_m', 'to_m', 'rocks', 'share', ...quantities.flatMap(({key}) => names.flatMap((name) => [`${key} p${name}`, `${key} p${name} low`, `${key} p${name} high`]))],
-      ...line.sections.map((s) => [s.from_m, s.to_m, s.rocks, (s.share || {}).value, ...quantities.flatMap(({key}) => names.flatMap((name) => s.percentiles[key][name] || [null, null, null]))])],
+    rows: () => [['from_m', 'to_m', 'rocks', 'share', ...quantities.flatMap(({key}) => names.flatMap((name) => ['', ' low', ' high'].map((end) => `${key.replace(/_J$/, '_kJ')} p${name}${end}`)))],
+      ...line.sections.map((s) => [s.from_m, s.to_m, s.rocks, (s.share || {}).value, ...quantities.flatMap(({key, per}) => names.flatMap((name) => [0, 1, 2].map((i) => inUnit((s.percentiles[key][name] || [])[i], per))))])],
   });
 }
 
@@ -66,12 +78,12 @@ function designLines(parent, run) {
   const quantities = designQuantities(design);
   const names = [...new Set(design.lines.flatMap((line) => Object.keys(line.percentiles[quantities[0].key])))];
   table(parent, {
-    caption: `Rocks that cross each line, with ${confidence} confidence intervals`,
+    caption: `Rocks that cross each line, beneath each value its ${confidence} confidence interval`,
     head: [['Line', {text: 'Length', unit: 'm'}, 'Rocks', 'Share of all', 'Percentile', ...quantities.map(({text, unit}) => ({text, unit}))]],
     rows: design.lines.flatMap((line) => (line.rocks ? names : ['–']).map((name, i) => [
       i ? '' : line.name, i ? '' : line.length_m ? number(line.length_m, 5) : '–', i ? '' : number(line.rocks),
-      i ? '' : line.share ? `${shareText(line.share)} (${number(100 * line.share.low, 3)} to ${number(100 * line.share.high, 3)})` : '–',
-      name, ...quantities.map(({key, per}) => rangeText(line.percentiles[key][name] || [], per)),
+      i ? '' : shareCell(line.share),
+      name, ...quantities.map(({key, per}) => rangeCell(line.percentiles[key][name] || [], per)),
     ])),
     numeric: (column) => column > 0,
   });
@@ -82,20 +94,22 @@ function designCheck(parent, run) {
   const {factors} = design;
   const needs = (n) => [n ? number(n.energy_J / 1000, 4) : '–', classText(n), n ? number(n.height_m, 3) : '–'];
   const worst = (line, key) => d3.max(line.sections.filter((s) => s.needs), (s) => s.needs[key]);
+  const worstClass = (line) => worst(line, 'class') ?? '–';
   table(parent, {
-    caption: design.standard ? `What the check of ${design.standard} asks for` : 'What a barrier needs, without factors of a standard',
+    caption: (design.standard ? `What the check of ${design.standard} asks for` : 'What a barrier needs, without factors of a standard') +
+      `, by ${energyWord(design)} energy`,
     head: [
-      ['', {text: `By percentile ${number(design.design_percentile)}`, span: 3}, {text: 'By the upper ends of its interval', span: 3}, {text: 'Worst section', span: 2}],
-      ['Line', {text: 'MEL', unit: 'kJ'}, 'Class', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, {text: 'Height', unit: 'm'}],
+      ['', {text: `By percentile ${number(design.design_percentile)}`, span: 3}, {text: 'By the upper ends of its interval', span: 3}, {text: 'Worst section', span: 3}],
+      ['Line', {text: 'MEL', unit: 'kJ'}, 'Class', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', {text: 'Height', unit: 'm'}],
     ],
     rows: design.lines.map((line) => [line.name, ...needs(line.needs), ...needs(line.needs_at_upper_end),
-      number(kJ(worst(line, 'energy_J')), 4), number(worst(line, 'height_m'), 3)]),
+      number(kJ(worst(line, 'energy_J')), 4), String(worstClass(line)), number(worst(line, 'height_m'), 3)]),
     numeric: (column) => column > 0,
   });
   const words = design.standard ? `Factors: trajectory ${number(factors.trajectory)}, topography ${number(factors.topography)}, volume ${number(factors.volume)}, density ${number(factors.density)}, ` +
     `risk ${number(factors.risk)}, energy ${number(factors.energy)} (${factors.level}); upper clearance ${number(factors.clearance_m)} m or half the block. ` : '';
   const block = isNumber(factors.block_mass_kg) ? `Energy and size in the check are those of a design block of ${number(factors.block_mass_kg)} kg. ` : '';
-  element(parent, 'p', `${words}${block}Classes are those of EAD 340059-00-0106; class 8 is above 4,500 kJ. What a net gives way, foundations and several rocks at once are not checked.`, {class: 'quiet'});
+  element(parent, 'p', `${words}${block}Each column of the worst section has the greatest value of any section. Classes are those of EAD 340059-00-0106; class 8 is above 4,500 kJ. What a net gives way, foundations and several rocks at once are not checked.`, {class: 'quiet'});
 }
 
 function designRanking(parent, run) {
@@ -105,13 +119,12 @@ function designRanking(parent, run) {
   const best = design.best;
   const wanted = `${number(100 * design.catch_share)} %`;
   const of = (run.project.design || {}).protect ? `the rocks that reach ${run.project.design.protect}` : 'the rocks that reach its line';
-  element(parent, 'p', best ? `Least cost that catches ${wanted} of ${of}: ${best.line}, ${number(best.height_m)} m high, ${number(best.energy_J / 1000)} kJ${isNumber(best.class) ? ` (class ${best.class})` : ''}; it catches ${shareText(best.caught_share)}${best.sure === false ? ' (not sure)' : ''}.`
+  element(parent, 'p', best ? `Least cost that catches ${wanted} of ${of}: ${best.line}, ${number(best.height_m)} m high, ${number(best.energy_J / 1000)} kJ of ${energyWord(design)} energy${isNumber(best.class) ? ` (class ${best.class})` : ''}; it catches ${shareText(best.caught_share)}${best.sure === false ? ' (not sure)' : ''}.`
     : `No kit of those given catches ${wanted} of ${of}.`);
   table(parent, {
-    caption: 'Kits to choose from, the best first',
-    head: [['Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Interval', 'Too high', 'Too strong', 'Past the line', 'Catches enough', 'Cost index']],
-    rows: shown.map((kit) => [kit.line, number(kit.height_m), number(kit.energy_J / 1000), isNumber(kit.class) ? String(kit.class) : '–', shareText(kit.caught_share),
-      kit.caught_share ? `${number(100 * kit.caught_share.low, 3)} to ${number(100 * kit.caught_share.high, 3)} %` : '–',
+    caption: `Kits to choose from, the best first; ${energyWord(design)} energy, beneath each share its ${number(100 * design.confidence)} % confidence interval`,
+    head: [['Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Too high', 'Too strong', 'Past the line', 'Catches enough', 'Cost index']],
+    rows: shown.map((kit) => [kit.line, number(kit.height_m), number(kit.energy_J / 1000), isNumber(kit.class) ? String(kit.class) : '–', shareCell(kit.caught_share),
       number(kit.above), number(kit.through), number(kit.beside), sufficesText(kit), number(kit.cost, 4)]),
     numeric: (column) => column > 0,
     rowClass: (i) => i === 0 && best ? 'differs' : '',

@@ -1,4 +1,4 @@
-// Total, kinetic and potential energy of one rock along its way.
+// Mechanical, kinetic and potential energy of one rock along its way.
 
 const energyAxes = {
   x: {text: 'x', label: 'x [m]', of: (rows) => rows.map((row) => row.x)},
@@ -29,18 +29,18 @@ function energyFigure(parent, run, width) {
   let axis = 'x';
   const kinetic = (row) => (row.ke_translational + row.ke_rotational) / 1000;
   const potential = (row) => row.pe / 1000;
-  const total = (row) => kinetic(row) + potential(row);
+  const mechanical = (row) => kinetic(row) + potential(row);
   const made = figure(parent, {
     title: single ? 'Energy of one rock along its path' : `Energy of one rock along its path · ${run.label}`,
-    label: 'Total, kinetic and potential energy of the chosen rock along its path',
-    caption: 'Kinetic energy holds translation and rotation. Potential energy is measured from the datum of the settings. Dots are the rows of the path; a vertical drop is the loss at an impact.',
+    label: 'Mechanical, total kinetic and potential energy of the chosen rock along its path',
+    caption: 'Total kinetic energy is that of translation and rotation; mechanical energy is total kinetic and potential energy. Potential energy is measured from the datum of the model. Dots are the rows of the path; a vertical drop is the loss at an impact.',
     width,
     draw(svg) {
       const rock = choice.rocks[run.index];
       const {rows} = rock;
-      const side = {left: 72, right: width - 14, top: 12, bottom: 12 + (width > 800 ? 300 : 260)};
+      const side = {left: 94, right: width - 14, top: 12, bottom: 12 + (width > 800 ? 300 : 260)};
       const places = energyAxes[axis].of(rows);
-      const values = rows.flatMap((row) => [total(row), kinetic(row), potential(row)]);
+      const values = rows.flatMap((row) => [mechanical(row), kinetic(row), potential(row)]);
       const toX = d3.scaleLinear().domain(extentOf(places, 0.02)).range([side.left, side.right]);
       const toY = d3.scaleLinear().domain(extentOf([0, ...values])).range([side.bottom, side.top]);
       axes(svg, toX, toY, side, {xLabel: energyAxes[axis].label, yLabel: 'Energy [kJ]'});
@@ -50,20 +50,20 @@ function energyFigure(parent, run, width) {
       const curves = [
         ['potential', potential, (row) => weight * row.vz],
         ['kinetic', kinetic, (row) => -weight * row.vz],
-        ['total', total, () => 0],
+        ['mechanical', mechanical, () => 0],
       ];
       for (const [name, energyOf, slope] of curves) {
         svg.append('path').attr('class', 'energy ' + name).attr('d', energyPath(rows, places, energyOf, slope, toX, toY));
         tip(svg.append('g').selectAll('circle').data(rows).enter().append('circle').attr('class', 'stop ' + name).attr('r', 3.4)
           .attr('cx', (row, i) => toX(places[i])).attr('cy', (row) => toY(energyOf(row))),
-        (row) => `${row.state} at ${number(row.time, 5)} s\nx ${metres(row.x)}, z ${metres(row.z)}\ntotal ${number(total(row), 6)} kJ\n` +
-          `kinetic ${number(kinetic(row), 6)} kJ\npotential ${number(potential(row), 6)} kJ`);
+        (row) => `${row.state} at ${number(row.time, 5)} s\nx ${metres(row.x)}, z ${metres(row.z)}\nmechanical ${number(mechanical(row), 6)} kJ\n` +
+          `total kinetic ${number(kinetic(row), 6)} kJ\npotential ${number(potential(row), 6)} kJ`);
       }
-      return legend(svg, ['total', 'kinetic', 'potential'].map((name) => ({text: name + ' energy', draw: sign.line('energy ' + name)})),
-        side.left, side.bottom + 58) + 14;
+      return legend(svg, [['mechanical', 'mechanical'], ['kinetic', 'total kinetic'], ['potential', 'potential']].map(([name, words]) => ({text: words + ' energy', draw: sign.line('energy ' + name)})),
+        side.left, side.bottom + 64) + 14;
     },
-    rows: () => [['rock', 'state', 'time_s', 'x_m', 'y_m', 'z_m', 'kinetic_kJ', 'potential_kJ', 'total_kJ'],
-      ...choice.rocks[run.index].rows.map((row) => [choice.rocks[run.index].rock, row.state, row.time, row.x, row.y, row.z, kinetic(row), potential(row), total(row)])],
+    rows: () => [['rock', 'state', 'time_s', 'x_m', 'y_m', 'z_m', 'total_kinetic_kJ', 'potential_kJ', 'mechanical_kJ'],
+      ...choice.rocks[run.index].rows.map((row) => [choice.rocks[run.index].rock, row.state, row.time, row.x, row.y, row.z, kinetic(row), potential(row), mechanical(row)])],
   });
   const pick = (words, options, value, onPick) => {
     const label = made.head.insert('label', '.save').text(words + ' ');

@@ -3,6 +3,9 @@
 
 const drawing = {wide: 1180, half: 570};  // widths in the drawings' own units, about a pixel each at 1366 x 768
 
+// How much larger a drawing's letters may become: those of wide ones do on paper (style.css).
+const largestLetters = (svg) => svg.attr('data-width') > 800 ? 17 / 12 : 1;
+
 function element(parent, tag, text, attributes = {}) {
   const made = parent.append(tag);
   if (text !== undefined && text !== null) made.text(text);
@@ -20,9 +23,9 @@ function figure(parent, {title, caption, label, width = drawing.half, draw, rows
   const svg = element(node, 'svg', null, {xmlns: 'http://www.w3.org/2000/svg', role: 'img', 'aria-label': label || title});
   const note = element(node, 'figcaption', caption);
   const redraw = () => {
-    svg.selectAll('*').remove();
+    svg.attr('data-width', width).selectAll('*').remove();
     const height = draw(svg, width);
-    svg.attr('viewBox', `0 0 ${width} ${height}`).attr('data-width', width).attr('data-height', height);
+    svg.attr('viewBox', `0 0 ${width} ${height}`).attr('data-height', height);
   };
   redraw();
   const name = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'figure';
@@ -115,7 +118,8 @@ function extentOf(values, margin = 0.04) {
 
 // Draws grid, frame, axes and their labels into the rectangle given by its sides.
 function axes(svg, x, y, {left, top, right, bottom}, {xLabel, yLabel, xTicks, yTicks}) {
-  const widest = (scale, ticks) => 6.6 * d3.max(scale.ticks(ticks), (v) => tickText(scale, ticks)(v).length);
+  const larger = largestLetters(svg);
+  const widest = (scale, ticks) => 6.6 * larger * d3.max(scale.ticks(ticks), (v) => tickText(scale, ticks)(v).length);
   const nx = xTicks || Math.max(2, Math.floor((right - left) / Math.max(80, widest(x, 8) + 30)));
   const ny = yTicks || Math.max(3, Math.round((bottom - top) / 45));
   const grid = svg.append('g').attr('class', 'grid');
@@ -123,7 +127,7 @@ function axes(svg, x, y, {left, top, right, bottom}, {xLabel, yLabel, xTicks, yT
   if (y.ticks) grid.append('g').attr('transform', `translate(${left},0)`).call(d3.axisLeft(y).ticks(ny).tickSize(left - right).tickFormat(''));
   const below = svg.append('g').attr('class', 'axis').attr('transform', `translate(0,${bottom})`);
   below.call(d3.axisBottom(x).ticks(nx).tickSizeOuter(0).tickFormat(tickText(x, nx)));
-  svg.append('text').attr('class', 'axis-label').attr('x', (left + right) / 2).attr('y', bottom + 36).attr('text-anchor', 'middle').text(xLabel);
+  svg.append('text').attr('class', 'axis-label').attr('x', (left + right) / 2).attr('y', bottom + (larger > 1 ? 42 : 36)).attr('text-anchor', 'middle').text(xLabel);
   if (!y.ticks) return;
   const beside = svg.append('g').attr('class', 'axis').attr('transform', `translate(${left},0)`);
   beside.call(d3.axisLeft(y).ticks(ny).tickSizeOuter(0).tickFormat(tickText(y, ny)));
@@ -139,7 +143,7 @@ function legend(svg, entries, x, y, rightmost = Infinity) {
     const group = svg.append('g');
     entry.draw(group);
     const text = group.append('text').attr('x', 28).attr('y', 4).text(entry.text);
-    const length = 28 + (text.node().getComputedTextLength() || entry.text.length * 6.5) + 20;
+    const length = 28 + (text.node().getComputedTextLength() || entry.text.length * 6.5) * largestLetters(svg) + 20;
     if (at + length > rightmost && at > x) {
       at = x;
       line += 19;

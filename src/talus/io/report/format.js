@@ -70,8 +70,12 @@ function settingText(value) {
     if ('mean' in value) return property(value);
     return Object.entries(value).map(([k, v]) => `${wordsOf(k).toLowerCase()} ${settingText(v)}`).join(', ');
   }
-  return typeof value === 'number' ? number(value, 8) : String(value).replace(/_/g, ' ');
+  return typeof value === 'number' ? number(value, 8) : choiceWords[value] || String(value);
 }
+
+// Words to choose from; names and files of the user stay as they are.
+const choiceWords = Object.fromEntries(['lumped_mass', 'rigid_sphere', 'closed_form', 'tangential_restitution', 'monte_carlo',
+  'latin_hypercube', 'per_impact', 'per_rock'].map((word) => [word, word.replace(/_/g, ' ')]));
 
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 

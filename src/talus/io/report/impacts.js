@@ -1,4 +1,4 @@
-// Energy lost at each impact on the ground: single impacts of the paths shown, and the mean over all rocks.
+// Total kinetic energy lost at each impact on the ground: single impacts of the paths shown, and the mean over all rocks.
 
 function impactFigure(parent) {
   const shown = runs.filter((run) => run.losses.length);
@@ -9,35 +9,35 @@ function impactFigure(parent) {
   const dots = shown.flatMap((run) => run.losses.map((loss) => ({...loss, run})));
   const most = d3.max(shown, (run) => d3.max(run.losses, (loss) => loss.impact));
   const made = figure(parent, {
-    title: 'Energy lost at each impact on the ground', label: 'Energy lost at each impact against its number or place', width: drawing.wide,
+    title: 'Total kinetic energy lost at each impact on the ground', label: 'Total kinetic energy lost at each impact against its number or place', width: drawing.wide,
     caption: startOfSentence(dotsText) +
-      '; the line is the mean over all rocks with a path that came to that impact. Lost energy is kinetic energy, translation and rotation, on arrival less that on leaving.',
+      '; the line is the mean over all rocks with a path that came to that impact. Lost is the total kinetic energy, of translation and rotation, on arrival less that on leaving.',
     draw(svg, width) {
-      const side = {left: 72, right: width - 14, top: 12, bottom: 272};
+      const side = {left: 94, right: width - 14, top: 12, bottom: 272};
       const place = (dot) => axis === 'x' ? dot.x : dot.impact + (shown.length > 1 ? (dot.run === shown[0] ? -0.12 : 0.12) : 0);
       const domain = axis === 'x' ? extentOf(dots.map((d) => d.x)) : [0.4, Math.max(most, 2) + 0.6];
       const toX = d3.scaleLinear().domain(domain).range([side.left, side.right]);
       const lines = axis === 'x' ? [] : shown.map((run) => ({run, points: run.lossByNumber.filter((m) => m.impact <= most)}));
       const toY = d3.scaleLinear().domain(extentOf([0, ...dots.map((d) => d.lost / 1000), ...lines.flatMap((l) => l.points.map((m) => m.mean / 1000))]))
         .range([side.bottom, side.top]);
-      axes(svg, toX, toY, side, {xLabel: words[axis], yLabel: 'Energy lost [kJ]', xTicks: axis === 'impact' ? Math.min(most, 16) : undefined});
+      axes(svg, toX, toY, side, {xLabel: words[axis], yLabel: 'Total kinetic energy lost [kJ]', xTicks: axis === 'impact' ? Math.min(most, 16) : undefined});
       tip(svg.append('g').selectAll('circle').data(dots).enter().append('circle').attr('class', 'dot').attr('r', 3).style('--run', (d) => d.run.colour)
         .attr('cx', (d) => toX(place(d))).attr('cy', (d) => toY(d.lost / 1000)),
       (d) => `Rock ${d.rock}, impact ${d.impact}` + (single ? '' : ` · ${d.run.label}`) +
-        `\nlost ${number(kJ(d.lost), 5)} kJ of ${number(kJ(d.kinetic_before), 5)} kJ kinetic\nat x ${metres(d.x)}`);
+        `\nlost ${number(kJ(d.lost), 5)} kJ of ${number(kJ(d.kinetic_before), 5)} kJ of total kinetic energy\nat x ${metres(d.x)}`);
       for (const {run, points} of lines) {
         svg.append('path').attr('class', 'mean-line').style('stroke', single ? null : run.colour)
           .attr('d', d3.line().x((m) => toX(m.impact)).y((m) => toY(m.mean / 1000))(points));
-        tip(svg.append('g').selectAll('circle').data(points).enter().append('circle').attr('r', 4).attr('class', 'total stop').style('fill', single ? null : run.colour)
+        tip(svg.append('g').selectAll('circle').data(points).enter().append('circle').attr('r', 4).attr('class', 'mechanical stop').style('fill', single ? null : run.colour)
           .attr('cx', (m) => toX(m.impact)).attr('cy', (m) => toY(m.mean / 1000)),
         (m) => (single ? '' : run.label + '\n') + `Impact ${m.impact}: ${count(m.rocks, 'rock')}\nmean loss ${number(kJ(m.mean), 5)} kJ\nleast ${number(kJ(m.least), 5)} kJ, greatest ${number(kJ(m.most), 5)} kJ`);
       }
       return legend(svg, [
         ...shown.map((run) => ({text: single ? 'single impact' : run.label, draw: sign.circle('dot', run.colour)})),
         ...(axis === 'impact' ? [{text: 'mean over all rocks', draw: sign.line('mean-line')}] : []),
-      ], side.left, side.bottom + 58, side.right) + 14;
+      ], side.left, side.bottom + 64, side.right) + 14;
     },
-    rows: () => [['run', 'rock', 'impact', 'x_m', 'lost_kJ', 'kinetic_before_kJ'], ...dots.map((d) => [d.run.label, d.rock, d.impact, d.x, d.lost / 1000, d.kinetic_before / 1000])],
+    rows: () => [['run', 'rock', 'impact', 'x_m', 'total_kinetic_lost_kJ', 'total_kinetic_before_kJ'], ...dots.map((d) => [d.run.label, d.rock, d.impact, d.x, d.lost / 1000, d.kinetic_before / 1000])],
   });
   const select = made.head.insert('label', '.save').text('against ').append('select');
   element(select, 'option', 'number of the impact', {value: 'impact'});

@@ -15,7 +15,7 @@ function heading() {
     const rocks = run.summary.rocks || {};
     const parts = [
       ['', run.date], ['Model ', model && `${model}, ${run.isSection ? '2D' : '3D'}`], ['Rocks ', isNumber(rocks.done) ? number(rocks.done) : null],
-      ['Seed ', run.summary.seed === undefined ? null : String(run.summary.seed)], ['Talus ', talus.version], ['Folder ', run.folder],
+      ['Terrain ', terrainFile(run)], ['Seed ', run.summary.seed === undefined ? null : String(run.summary.seed)], ['Talus ', talus.version], ['Folder ', run.folder],
     ].filter(([, value]) => value);
     parts.forEach(([words, value], i) => {
       facts.append('span').text((i ? '  ·  ' : '') + words);
@@ -35,22 +35,25 @@ heading();
 cards(d3.select('#main'));
 warnings(d3.select('#main'));
 section('Slope and paths', 'slope', (node) => { planFigure(node); sectionFigure(node); });
+if (runs.some((run) => run.maps.length)) section('Maps', 'maps', mapFigures);
+if (runs.some((run) => run.envelopes.rows.length)) section('Along the section', 'envelopes', envelopeFigures);
 section('End points and runout', 'runout', (node) => {
   distributionFigures(node);
   statisticsTable(node, runs, [
     {text: 'End point x', unit: 'm', of: (run) => run.statistics.end_x_m},
     {text: 'Runout on plan', unit: 'm', of: (run) => run.statistics.runout_xy_m},
     {text: 'Runout in space', unit: 'm', of: (run) => run.statistics.runout_total_m},
-    {text: 'Greatest kinetic energy', unit: 'kJ', per: 1000, of: (run) => run.statistics.max_ke_J},
+    {text: 'Greatest total kinetic energy', unit: 'kJ', per: 1000, of: (run) => run.statistics.max_ke_J},
     {text: 'Greatest bounce height', unit: 'm', of: (run) => run.statistics.max_bounce_m},
   ], 'Descriptive statistics, one value a rock');
-  element(node, 'p', 'Standard deviation and variance are those of a sample (n − 1); kurtosis is excess kurtosis and skewness is corrected for bias; the confidence level is half the width of the 95 % interval of the mean, by Student’s t. Variances have the square of the unit.', {class: 'quiet'});
+  element(node, 'p', 'Standard deviation and variance are those of a sample (n − 1); kurtosis is excess kurtosis and skewness is corrected for bias; the confidence level is half the width of the 95 % interval of the mean, by Student’s t. Variances have the square of the unit. Total kinetic energy is that of translation and rotation.', {class: 'quiet'});
 });
 section('Why the rocks ended', 'reasons', endReasons);
 if (runs.some((run) => run.barriers.length)) section('Barriers and collectors', 'barriers', barrierSections);
 if (designsOf().length) section('Design of barriers', 'design', designSections);
 section('Energy', 'energy', (node) => { energyFigures(node); impactFigure(node); });
-section('Model', 'model', (node) => { settings(node); inputs(node); });
+section('Model', 'model', (node) => { terrainTables(node); inputs(node); settings(node); });
+fitTablesToPaper();
 {
   const foot = d3.select('#foot');
   const times = runs.map((run) => run.summary.timings || {}).filter((t) => isNumber(t.seconds));

@@ -17,7 +17,7 @@ function equalFrame(width, left, du, dz, tallest) {
   const side = {left, top: 12, right: left + room, bottom: 12 + height};
   const beside = width - side.right > 190;
   const lastLine = (svg, entries) => {
-    if (!beside) return legend(svg, entries, side.left, side.bottom + 58, side.right) + 14;
+    if (!beside) return legend(svg, entries, side.left, side.bottom + 64, side.right) + 14;
     entries.forEach((entry, i) => legend(svg, [entry], side.right + 26, side.top + 12 + 23 * i));
     return Math.max(side.bottom + 46, side.top + 23 * entries.length + 12);
   };
@@ -82,14 +82,14 @@ function rockText(rock) {
   const lines = [`Rock ${rock.rock}` + (single ? '' : ` · ${run.label}`)];
   if (end) lines.push(`${end.end_reason} after ${number(last.time, 4)} s`);
   lines.push(`end: x ${metres(last.x)}` + (run.isSection ? '' : `, y ${metres(last.y)}`) + `, z ${metres(last.z)}`);
-  if (end) lines.push(`runout ${metres(end.runout_xy)}, greatest kinetic energy ${number(kJ(end.max_ke), 4)} kJ`);
+  if (end) lines.push(`runout ${metres(end.runout_xy)}, greatest total kinetic energy ${number(kJ(end.max_ke), 4)} kJ`);
   return lines.join('\n');
 }
 
 const endText = (run) => (end) => [`End of rock ${end.rock}` + (single ? '' : ` · ${run.label}`), end.end_reason,
   `x ${metres(end.x)}` + (run.isSection ? '' : `, y ${metres(end.y)}`) + `, z ${metres(end.z)}`,
   `runout ${metres(end.runout_xy)}, time ${number(end.time, 4)} s`,
-  `greatest kinetic energy ${number(kJ(end.max_ke), 4)} kJ`].join('\n');
+  `greatest total kinetic energy ${number(kJ(end.max_ke), 4)} kJ`].join('\n');
 
 // Paths and end points into a group; `textOf` gives a rock's path.
 function drawRocks(group, textOf, toX, toY, endX, endY) {
@@ -106,7 +106,12 @@ function drawRocks(group, textOf, toX, toY, endX, endY) {
       .attr('class', 'end').attr('r', run.endpoints.length > 600 ? 1.8 : 2.8)
       .attr('cx', (e) => toX(endX(e))).attr('cy', (e) => toY(endY(e))), endText(run));
   }
-  const starts = runs.flatMap((run) => run.rocks.map((rock) => rock.rows[0]));
+  drawReleases(group, runs, toX, toY, endX, endY);
+}
+
+// One ring for all releases that would lie on each other.
+function drawReleases(group, shown, toX, toY, endX, endY) {
+  const starts = shown.flatMap((run) => run.rocks.map((rock) => rock.rows[0]));
   const seen = new Set();
   for (const start of starts) {
     const at = [toX(endX(start)).toFixed(0), toY(endY(start)).toFixed(0)].join();
@@ -381,6 +386,16 @@ function fillsLittle({rocks, terrain}) {
   return rocks !== null && scale(rocks) > 1.6 * scale(terrain);
 }
 
+function drawBarrierOnPlan(group, barrier, toX, toY, side) {
+  const line = barrierLine(barrier);
+  if (line.length < 2) return;
+  group.append('path').attr('class', 'barrier').attr('d', 'M' + line.map(([x, y]) => `${toX(x)},${toY(y)}`).join('L'));
+  const [x, y] = line[line.length - 1];
+  const atRight = toX(x) > (side.left + side.right) * 0.75;
+  group.append('text').attr('class', 'barrier-name halo').attr('x', toX(x) + (atRight ? -8 : 8)).attr('y', Math.max(toY(y) + 4, side.top + 14))
+    .attr('text-anchor', atRight ? 'end' : 'start').text(barrier.name);
+}
+
 function planFigure(parent) {
   const spatial = runs.filter((run) => !run.isSection);
   if (!spatial.length) return;
@@ -414,7 +429,7 @@ function planFigure(parent) {
       const inside = svg.append('g').attr('clip-path', 'url(#plan-frame)');
       if (relief) {
         const half = relief.cell_m / 2;
-        inside.append('image').attr('href', picture).attr('preserveAspectRatio', 'none')
+        inside.append('image').attr('class', 'relief').attr('href', picture).attr('preserveAspectRatio', 'none')
           .attr('x', toX(relief.x0 - half)).attr('y', toY(relief.y0 + relief.cell_m * relief.rows - half))
           .attr('width', relief.columns * relief.cell_m * scale).attr('height', relief.rows * relief.cell_m * scale);
         const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
@@ -436,13 +451,7 @@ function planFigure(parent) {
       drawRocks(inside, flat, toX, toY, (e) => e.x, (e) => e.y);
       for (const run of spatial) {
         for (const barrier of barriersOf(run)) {
-          const line = barrierLine(barrier);
-          if (line.length < 2) continue;
-          inside.append('path').attr('class', 'barrier').attr('d', 'M' + line.map(([x, y]) => `${toX(x)},${toY(y)}`).join('L'));
-          const [x, y] = line[line.length - 1];
-          const atRight = toX(x) > (side.left + side.right) * 0.75;
-          inside.append('text').attr('class', 'barrier-name halo').attr('x', toX(x) + (atRight ? -8 : 8)).attr('y', Math.max(toY(y) + 4, side.top + 14))
-            .attr('text-anchor', atRight ? 'end' : 'start').text(barrier.name);
+          drawBarrierOnPlan(inside, barrier, toX, toY, side);
         }
       }
       return frame.legend(svg, [

@@ -14,6 +14,7 @@ import { ListControl } from './ListControl';
 import { NamesControl } from './NamesControl';
 import { PolylinesControl } from './PolylinesControl';
 import { materialFields, NameChoice, NameList } from './references';
+import { SegmentList } from './SegmentList';
 import { TypedInput } from './TypedInput';
 
 export function Control({ field, path }: FieldProps) {
@@ -69,6 +70,7 @@ export function Control({ field, path }: FieldProps) {
         </>
       );
     case 'list':
+      if (field.type.of === 'text' && path[0] === 'ground') return <SegmentList field={field} path={path} />;
       if (field.type.of === 'text') return <NameList field={field} path={path} />;
       return (
         <ListControl

@@ -5,6 +5,7 @@ import { file, valueAt } from '../../state/document';
 import { sayFailure } from '../../state/messages';
 import { problemsAt } from '../../state/model';
 import { chosenFiles, files, fittingFiles, fittingName, keepBeside, loadFiles, relativeTo } from '../files';
+import { MoreFiles } from '../MoreFiles';
 import { cellText } from '../numbers';
 import { pathText, put } from '../place';
 import { absentText } from '../words';
@@ -52,6 +53,7 @@ export function FileControl({ field, path }: FieldProps) {
         aria-label={`Upload a file for ${field.title}`}
         onChange={(event) => void upload(chosenFiles(event.currentTarget)).catch(sayFailure)}
       />
+      <MoreFiles />
     </div>
   );
 }

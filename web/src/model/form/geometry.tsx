@@ -1,16 +1,19 @@
 // Controls of settings that are points: one, rows of them, lists of rows.
 
-import { edit, valueAt } from '../../state/document';
+import { useEffect } from 'preact/hooks';
+import { edit, valueAt, values } from '../../state/document';
 import { problemsAt } from '../../state/model';
 import type { Path } from '../../toml/edit';
 import type { TomlValue } from '../../toml/format';
 import { columnsAt } from '../columns';
+import { consequences } from '../consequences';
 import { cellText } from '../numbers';
 import { is2d, pathText, put, tableAt, thingOf } from '../place';
 import { absentText } from '../words';
 import { cellsOf, rowEdits, rowValue } from '../rows';
 import { wait, waitingAt } from '../unfinished';
 import { isBlank, isSameRow, type Waiting } from '../waitingRows';
+import { Choice } from './Choice';
 import { DrawButton } from './DrawButton';
 import { EditTable } from './EditTable';
 import { idOf, sayingsId, type FieldProps } from './Field';
@@ -41,7 +44,31 @@ export function tableProps(path: Path, field: Path = path) {
   };
 }
 
-export function TupleControl({ field, path }: FieldProps) {
+/// Where one word may stand for all numbers: which, or the numbers.
+export function TupleControl(props: FieldProps) {
+  const { field, path } = props;
+  const instead = field.type.kind === 'tuple' ? field.type.instead : [];
+  if (instead.length === 0) return <TupleCells {...props} />;
+  const value = valueAt(path);
+  const isWord = typeof value === 'string';
+  return (
+    <>
+      <Choice
+        id={isWord ? idOf(path) : undefined}
+        label={`${field.title}, how it is given`}
+        words={instead}
+        value={isWord ? value : undefined}
+        absent="as numbers"
+        invalid={isWord && problemsAt(pathText(path)).some(({ severity }) => severity === 'error')}
+        describedBy={sayingsId(path)}
+        take={(word) => put(path, word, field.title)}
+      />
+      {!isWord && <TupleCells {...props} />}
+    </>
+  );
+}
+
+function TupleCells({ field, path }: FieldProps) {
   const columns = columnsAt(path);
   const value = valueAt(path);
   const given = cellsOf(value === undefined ? [] : [value], columns.length)[0] ?? null;
@@ -54,12 +81,18 @@ export function TupleControl({ field, path }: FieldProps) {
   const id = idOf(path);
   const wrong = problemsAt(own).flatMap(({ severity, path: at }) => (severity === 'error' ? [at] : []));
   const isWrong = (column: number) => wrong.some((at) => at === own || at === `${own}.${column}`);
-  const take = (column: number, next: TomlValue | undefined) => {
-    const changed = cells.with(column, cellText(next));
-    const row = isBlank(changed) ? undefined : rowValue(changed, leastOf({ field, path }, columns.length));
+  const least = leastOf({ field, path }, columns.length);
+  const take = (changed: readonly string[]) => {
+    const row = isBlank(changed) ? undefined : rowValue(changed, least);
     if (row || isBlank(changed)) put(path, row, field.title);
     wait(own, row || isBlank(changed) ? [] : [{ at: 0, cells: changed, over: given }]);
   };
+  const missing = columns.filter((_, k) => k < least && cells[k] === '');
+  // How much it needs can change, too: a height above the ground makes up for z.
+  const isComplete = draft !== undefined && rowValue(draft.cells, least) !== undefined;
+  useEffect(() => {
+    if (isComplete) take(draft.cells);
+  }, [isComplete]);
   return (
     <>
       <div class="tuple">
@@ -74,7 +107,7 @@ export function TupleControl({ field, path }: FieldProps) {
               value={cells[k] === '' ? undefined : cells[k]}
               placeholder={defaults.length > 0 ? String(defaults[columns.length === 2 && k === 1 ? 2 : k] ?? '') : ''}
               words={column === 'z' && words.length > 0 ? `${id}-words` : undefined}
-              take={(next) => take(k, next)}
+              take={(next) => take(cells.with(k, cellText(next)))}
             />
           </label>
         ))}
@@ -91,7 +124,8 @@ export function TupleControl({ field, path }: FieldProps) {
       )}
       {draft && (
         <p id={`${id}-draft`} class="problem warning">
-          Taken when {columns.filter((_, k) => cells[k] === '').join(' and ')} is given, too
+          Taken when {missing.join(' and ')} is given, too
+          {missing.join() === 'z' && words.includes('surface') && ', or a height above'}
           {given && '; the project keeps it as before'}.
         </p>
       )}
@@ -106,7 +140,7 @@ export function RowsControl({ field, path }: FieldProps) {
     if (rows.length === 0 && field.key !== 'section') return put(path, undefined, field.title);
     edit(
       `${what} ${field.title.toLowerCase()} of ${thingOf(path)}`,
-      rowEdits(path, value, rows),
+      [...rowEdits(path, value, rows), ...consequences(values.value, path, rows)],
       what === 'change' ? pathText(path) : '',
     );
   };
@@ -123,7 +157,20 @@ export function RowsControl({ field, path }: FieldProps) {
       >
         <DrawButton path={path} />
       </EditTable>
+      {field.key === 'section' && <WhatFollows />}
     </>
+  );
+}
+
+/// What becomes of the materials of segments when vertices come and go.
+function WhatFollows() {
+  const segments = valueAt(['ground', 'segments']);
+  if (!Array.isArray(segments) || segments.length === 0) return null;
+  return (
+    <p class="faint">
+      Segments keep their materials: both parts of one that a new vertex splits; where a vertex goes, the segment before
+      it. Of rows that are replaced by more or fewer, each segment has the material that lay nearest.
+    </p>
   );
 }
 

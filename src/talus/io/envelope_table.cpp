@@ -1,0 +1,57 @@
+#include "talus/io/envelope_table.hpp"
+
+#include <system_error>
+#include <vector>
+
+#include "talus/io/csv_text.hpp"
+#include "talus/io/map_list.hpp"
+#include "talus/io/output_file.hpp"
+
+namespace talus::io {
+
+std::string envelope_table(const Maps& maps, std::span<const double> percentiles, bool has_heights) {
+  std::vector<MapKind> kinds = map_kinds(maps.rocks(), percentiles);
+  if (!has_heights) std::erase_if(kinds, [](const MapKind& kind) { return kind.name.starts_with("bounce_height"); });
+  std::string text;
+  CsvRow heading(text);
+  heading << "x_m";
+  for (const MapKind& kind : kinds) heading << kind.name;
+  heading.end();
+
+  const auto extent = maps.extent();
+  if (!extent) return text;
+  std::vector<const MapTally*> cells(static_cast<std::size_t>(extent->last.column - extent->first.column) + 1);
+  for (const Maps::Tile* tile : maps.tiles()) {
+    for (std::int32_t k = 0; k < Maps::tile_side; ++k) {
+      const MapTally* const tally = tile->find(k, extent->first.row - tile->first().row);
+      if (tally != nullptr) cells[static_cast<std::size_t>(tile->first().column + k - extent->first.column)] = tally;
+    }
+  }
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    CsvRow row(text);
+    row << maps.grid().origin().x() + (extent->first.column + static_cast<double>(k) + 0.5) * maps.grid().cell().x();
+    for (const MapKind& kind : kinds) {
+      if (cells[k] != nullptr) {
+        row << kind.value(*cells[k]);
+      } else {
+        row << (kind.is_count ? "0" : "");
+      }
+    }
+    row.end();
+  }
+  return text;
+}
+
+void write_envelopes(const std::filesystem::path& folder, const Maps& maps, std::span<const double> percentiles,
+                     bool has_heights) {
+  OutputFile file(folder / envelopes_name);
+  file.write(envelope_table(maps, percentiles, has_heights));
+  file.commit();
+}
+
+void remove_envelopes(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::filesystem::remove(folder / envelopes_name, ignored);
+}
+
+}  // namespace talus::io

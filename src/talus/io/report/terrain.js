@@ -1,0 +1,102 @@
+// What was analysed: the terrain, its files, its place and size, and which part of it is of which material.
+
+// The name of a coordinate system and its number, from the well-known text: the name stands first, the number last.
+function crsText(wkt) {
+  const name = /^\s*\w+\["((?:[^"]|"")*)"/.exec(wkt);
+  const id = /(?:ID|AUTHORITY)\["([^"]+)",\s*"?(\w+)"?\]\s*\]\s*$/.exec(wkt);
+  return (name ? name[1].replace(/""/g, '"') : 'not named') + (id ? ` (${id[1]}:${id[2]})` : '');
+}
+
+// Columns and rows of nodes and how far apart they are. The summary counts triangles, two for each square between four
+// nodes; nothing where squares would not fill the terrain's sides.
+function nodesOf(terrain) {
+  const [low, high] = terrain.bounds || [];
+  if (terrain.kind !== 'raster' || !low || !isNumber(terrain.triangles)) return null;
+  const wide = high[0] - low[0], tall = high[1] - low[1], squares = terrain.triangles / 2;
+  const across = Math.round(Math.sqrt(squares * wide / tall)), along = Math.round(Math.sqrt(squares * tall / wide));
+  if (across * along !== squares) return null;
+  return {columns: across + 1, rows: along + 1, dx: wide / across, dy: tall / along};
+}
+
+const rangeOf = (low, high) => `${number(low, 8)} to ${number(high, 8)} m (${number(high - low, 5)} m)`;
+
+// What says the terrain in the project, but for coordinates and what has no effect on it.
+function terrainSettings(given) {
+  const isTurned = given.rotate_deg ? [] : ['rotate_deg', 'rotate_about'];
+  const isMerged = given.polylines || given.polygons ? [] : ['merge_tolerance_m'];
+  const unwanted = new Set(['section', 'vertices', 'triangles', 'polylines', 'crs', ...isTurned, ...isMerged]);
+  return Object.entries(given).filter(([key]) => !unwanted.has(key))
+    .map(([key, value]) => [{text: wordsOf(key), unit: unitOf(key)}, settingText(value)]);
+}
+
+function terrainRows(run) {
+  const {terrain} = run;
+  const kinds = {section: 'Section, 2D', mesh: 'Mesh of triangles, 3D', raster: 'Raster of elevations, 3D'};
+  const rows = terrain.kind ? [['Kind', kinds[terrain.kind] || terrain.kind]] : [];
+  rows.push(...terrainSettings(run.project.terrain || {}));
+  if (run.isSection && Array.isArray(terrain.section)) {
+    rows.push(['Vertices', number(terrain.section.length)],
+      ['Extent in x', rangeOf(...d3.extent(terrain.section, (p) => p[0]))], ['Extent in z', rangeOf(...d3.extent(terrain.section, (p) => p[1]))]);
+  }
+  if (!run.isSection && terrain.kind) {
+    const local = (run.project.terrain || {}).crs === 'local';
+    rows.push(['Coordinate system', terrain.crs_wkt ? crsText(terrain.crs_wkt) : local ? 'local: metres of no map' : 'not known']);
+  }
+  if (Array.isArray(terrain.bounds)) {
+    const [low, high] = terrain.bounds;
+    ['x', 'y', 'z'].forEach((name, i) => rows.push([`Extent in ${name}`, rangeOf(low[i], high[i])]));
+  }
+  const nodes = nodesOf(terrain);
+  if (nodes) {
+    const apart = [number(nodes.dx, 4), number(nodes.dy, 4)];
+    rows.push(['Nodes', `${number(nodes.columns)} × ${number(nodes.rows)}`],
+      [{text: 'Cell size', unit: 'm'}, apart[0] === apart[1] ? apart[0] : apart.join(' × ')]);
+  }
+  if (isNumber(terrain.triangles)) rows.push(['Triangles', number(terrain.triangles)]);
+  if (isNumber(run.summary.energy_datum_m)) rows.push(['Potential energy is zero at z', metres(run.summary.energy_datum_m)]);
+  return rows;
+}
+
+// Segments next to each other of one material, "Segments 1 to 6".
+function segmentRows(segments) {
+  const rows = [];
+  segments.forEach((name, i) => {
+    const last = rows[rows.length - 1];
+    if (last && last.name === name) last.to = i + 1;
+    else rows.push({name, from: i + 1, to: i + 1});
+  });
+  return rows.map(({name, from, to}) => [from === to ? `Segment ${from}` : `Segments ${from} to ${to}`, name]);
+}
+
+function groundRows(run) {
+  const {default: fallback, default_material, segments, triangles, raster, classes, polygons, layer, attribute, values} = run.project.ground || {};
+  const rows = [];
+  const row = (words, value) => { if (value !== undefined) rows.push([words, settingText(value)]); };
+  row('Default', fallback ?? default_material ?? (materialsOf(run).length === 1 ? materialsOf(run)[0].name : undefined));
+  if (Array.isArray(segments)) rows.push(...segmentRows(segments));
+  else row('Segments', segments);
+  if (triangles !== undefined) row('Materials of triangles', Array.isArray(triangles) ? `${number(triangles.length)} entries` : triangles);
+  row('Raster of classes', raster);
+  for (const [value, name] of Object.entries(classes || {})) row(`Class ${value}`, name);
+  row('Polygons', polygons);
+  row('Layer', layer);
+  row('Attribute of the material', attribute);
+  for (const [value, name] of Object.entries(values || {})) row(`${attribute || 'Value'} = ${value}`, name);
+  for (const {name, material, polygon} of listOf(run, 'area', 'areas')) {
+    row(`Area ${name}`, material + (Array.isArray(polygon) ? `, within ${count(polygon.length, 'corner')} drawn on plan` : ''));
+  }
+  return rows;
+}
+
+function terrainTables(parent) {
+  const box = element(parent, 'div', null, {class: 'columns'});
+  const [left, right] = [element(box, 'div'), element(box, 'div')];
+  factsTable(left, 'Terrain', terrainRows);
+  factsTable(right, 'Ground', groundRows);
+}
+
+// The file that the terrain comes from, if it is one.
+function terrainFile(run) {
+  const {raster, mesh, points, lines, polygons} = run.project.terrain || {};
+  return [raster || mesh || points, lines, polygons].filter((file) => typeof file === 'string').join(', ');
+}

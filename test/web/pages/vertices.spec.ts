@@ -1,0 +1,95 @@
+// Vertices of a section come and go: what is said of its segments and vertices goes with them, in the same step.
+
+import type { Page } from '@playwright/test';
+import { backToModel, fillField, openForm, openProject, projectText } from '../support/steps';
+import { expect, test } from '../support/workbench';
+
+const slope = `[terrain]
+section = [[0, 30], [10, 20], [20, 10], [40, 0]]
+section_std_dev_m = [[0, 0], [0, 0.5], [0, 0.2], [0, 0]]
+
+[[material]]
+name = "Rock"
+normal_restitution = 0.5
+tangential_restitution = 0.9
+
+[[material]]
+name = "Scree"
+normal_restitution = 0.3
+tangential_restitution = 0.8
+
+[[material]]
+name = "Soil"
+normal_restitution = 0.2
+tangential_restitution = 0.7
+
+[ground]
+segments = ["Rock", "Scree", "Soil"]
+
+[[seeder]]
+position = [1, "surface"]
+height_above_m = 1
+mass_kg = 100
+`;
+
+async function openSlope(page: Page, write: (name: string, content: string) => void, text: string) {
+  write('slope.toml', text);
+  await page.reload();
+  await openProject(page, 'slope.toml');
+}
+
+test('each segment keeps its material, each vertex its deviations', async ({ workbench: page, server }) => {
+  await openSlope(page, server.write.bind(server), slope);
+  await openForm(page, /^Terrain/);
+  const section = page.getByRole('table', { name: 'Section', exact: true });
+  await section.getByRole('button', { name: 'Insert a row above row 3' }).click();
+  await section.getByLabel('x, row 3').fill('15');
+  await section.getByLabel('z, row 3').fill('16');
+  await section.getByLabel('z, row 3').press('Tab');
+  let text = await projectText(page);
+  expect(text).toContain('section = [[0, 30], [10, 20], [15, 16], [20, 10], [40, 0]]');
+  expect(text).toContain('section_std_dev_m = [[0, 0], [0, 0.5], [0, 0], [0, 0.2], [0, 0]]');
+  expect(text).toContain('segments = ["Rock", "Scree", "Scree", "Soil"]');
+
+  await section.getByRole('button', { name: 'Delete row 2' }).click();
+  text = await projectText(page);
+  expect(text).toContain('section = [[0, 30], [15, 16], [20, 10], [40, 0]]');
+  expect(text).toContain('section_std_dev_m = [[0, 0], [0, 0], [0, 0.2], [0, 0]]');
+  expect(text).toContain('segments = ["Rock", "Scree", "Soil"]');
+
+  const undo = page.getByRole('button', { name: 'Undo' });
+  await undo.click();
+  await undo.click();
+  expect(await projectText(page)).toBe(slope);
+});
+
+test('a list that was written too short is marked, and nothing fills it unasked', async ({ workbench: page, server }) => {
+  await openSlope(page, server.write.bind(server), slope.replace(', "Soil"]', ']'));
+  await openForm(page, /^Ground/);
+  await expect(page.getByText('The text lists 2 materials for 3 segments.')).toBeVisible();
+  const third = page.getByLabel('Material of segment 3');
+  await expect(third).toHaveValue('');
+  await expect(third).toHaveAttribute('aria-invalid', 'true');
+  const give = async (segment: number, material: string) => {
+    const choice = page.getByLabel(`Material of segment ${segment}`);
+    await choice.focus(); // its words come when somebody is about to choose
+    await choice.selectOption(material);
+  };
+  await give(1, 'Soil');
+  expect(await projectText(page)).toContain('segments = ["Soil", "Scree"]');
+  await give(3, 'Soil');
+  await expect(page.getByText(/The text lists/)).toHaveCount(0);
+  expect(await projectText(page)).toContain('segments = ["Soil", "Scree", "Soil"]');
+});
+
+test('a height above the ground makes up for a z that was left out', async ({ workbench: page, server }) => {
+  await openSlope(page, server.write.bind(server), slope.replace(/position[^]*?height_above_m = 1\n/, ''));
+  await openForm(page, /^seeder 1/);
+  await fillField(page, 'Position, x', '3');
+  await expect(page.getByText('Taken when z is given, too, or a height above.')).toBeVisible();
+  await fillField(page, 'Height above m', '0.5');
+  await expect(page.getByText(/Taken when/)).toHaveCount(0);
+  await expect(page.getByText('position is missing')).toHaveCount(0);
+  await backToModel(page);
+  expect(await projectText(page)).toMatch(/position = \[3\]/);
+});

@@ -1,0 +1,16 @@
+import { Popover } from './Popover';
+import { layerNames, layers } from './settings';
+
+/// What of the model and of the run a view shows.
+export function LayerChoices() {
+  return (
+    <Popover title="Layers">
+      {(Object.keys(layers) as (keyof typeof layers)[]).map((name) => (
+        <label key={name}>
+          <input type="checkbox" checked={layers[name].value} onChange={(event) => (layers[name].value = event.currentTarget.checked)} />
+          {layerNames[name]}
+        </label>
+      ))}
+    </Popover>
+  );
+}
