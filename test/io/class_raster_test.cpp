@@ -145,6 +145,22 @@ TEST_F(ClassRasterTest, WithoutACoordinateSystemItHasThatOfTheTerrain) {
   EXPECT_EQ(warnings(), "");
 }
 
+TEST_F(ClassRasterTest, FurtherBandsAreWarnedOf) {
+  make("ground.tif", bytes());
+  const std::string band =
+      "<SimpleSource><SourceFilename relativeToVRT=\"1\">ground.tif</SourceFilename></SimpleSource>";
+  write("two.vrt",
+        "<VRTDataset rasterXSize=\"4\" rasterYSize=\"3\"><SRS>EPSG:31287</SRS>"
+        "<GeoTransform>400000, 10, 0, 300030, 0, -10</GeoTransform>"
+        "<VRTRasterBand dataType=\"Byte\" band=\"1\">" +
+            band +
+            "</VRTRasterBand>"
+            "<VRTRasterBand dataType=\"Byte\" band=\"2\">" +
+            band + "</VRTRasterBand></VRTDataset>");
+  const ClassRaster classes(path("two.vrt"), wkt("EPSG:31287"), warnings_);
+  EXPECT_EQ(warnings(), "two.vrt: warning: has 2 bands (Talus reads the first)");
+}
+
 TEST_F(ClassRasterTest, Refusals) {
   EXPECT_EQ(refusal_of([&] {
               Problems warnings;
@@ -164,6 +180,11 @@ TEST_F(ClassRasterTest, Refusals) {
             "gdal_translate -ot Int32 ground.tif ground_classes.tif\n"
             "ground.tif: does not say where it lies (it has no geotransform: no corner and no size of a cell). Tell "
             "it: gdal_translate -a_ullr WEST NORTH EAST SOUTH ground.tif ground_placed.tif");
+  RasterSpec scaled = bytes();
+  scaled.scale = 0.1;
+  EXPECT_EQ(refusal(scaled),
+            "ground.tif: has the scale 0.1 and the offset 0 (a class is the number that a cell holds). Leave them out: "
+            "gdal_translate -a_scale 1 -a_offset 0 ground.tif ground_classes.tif");
   RasterSpec site = bytes();
   site.crs = "LOCAL_CS[\"site grid\",UNIT[\"metre\",1]]";
   EXPECT_EQ(refusal(site),

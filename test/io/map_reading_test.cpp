@@ -3,6 +3,7 @@
 #include "talus/io/map_reading.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +66,16 @@ TEST(MapsOfARun, AreListedWithWhatTheyShow) {
   for (const MapFile& map : found)
     if (map.name.starts_with("velocity_p")) of_velocity.push_back(map.name);
   EXPECT_EQ(of_velocity, (std::vector<std::string>{"velocity_p9_m_s", "velocity_p50_m_s", "velocity_p99.5_m_s"}));
+}
+
+TEST(MapsOfARun, WhoseStyleIsAPipeAreListedWithoutItsLimits) {
+  const Folder work("map-reading");
+  (void)write_maps(rocks_in({{0, 0}}), percentiles, "", work.path / "maps");
+  const auto style = work.path / "maps/velocity_max_m_s.qml";
+  ASSERT_TRUE(std::filesystem::remove(style));
+  ASSERT_EQ(::mkfifo(style.c_str(), 0600), 0);  // which nobody writes to
+  EXPECT_EQ(named(maps_of_run(work.path), "velocity_max_m_s").range.greatest, 0);
+  EXPECT_EQ(named(maps_of_run(work.path), "velocity_mean_m_s").range.greatest, 1);
 }
 
 TEST(MapsOfARun, OfEachSourceComeAfterThoseOfAll) {

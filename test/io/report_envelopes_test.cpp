@@ -64,10 +64,11 @@ TEST(ReportEnvelopes, OfManyCellsAreTheGreatestOfEveryFew) {
 
 TEST(ReportEnvelopes, ThatAreNoneAreRefused) {
   EXPECT_THAT(complaint_about("rock,time_s\n0,1\n"),
-              HasSubstr("envelopes.csv:1: rock: is the first column (envelopes of a section begin with x_m)"));
+              HasSubstr("envelopes.csv:1: the first column is not x_m (expected envelopes of a section)"));
   EXPECT_THAT(complaint_about("x_m,velocity_max_m_s\n0.5,fast\n"),
               HasSubstr("envelopes.csv:2: velocity_max_m_s: \"fast\" is not a number"));
-  EXPECT_THAT(complaint_about("x_m,velocity_max_m_s\n0.5,1\n1.5\n"), HasSubstr("envelopes.csv:3: the row has 1 values"));
+  EXPECT_THAT(complaint_about("x_m,velocity_max_m_s\n0.5,1\n1.5\n"),
+              HasSubstr("envelopes.csv:3: the row has 1 values"));
   EXPECT_THAT(complaint_about(""), HasSubstr("the file is empty"));
 }
 

@@ -826,6 +826,13 @@ geopackage = true
 
 [terrain])"}},
      "slope.toml:7: [output]: geopackage is true (expected \"all\", \"none\" or a number of rocks)"},
+    {"MapPercentileTwice",
+     {{"[terrain]",
+       R"([output]
+percentiles = [50, 0.0, -0.0]
+
+[terrain])"}},
+     "slope.toml:7: [output]: percentiles[2] is 0 (it was given before). Leave it out"},
     {"MapCellsInWords",
      {{"[terrain]",
        R"([output]

@@ -139,5 +139,17 @@ TEST(SeederPolygon, AClosedOneIsKeptOpen) {
   EXPECT_EQ(project.seeders.at(0).polygon, (std::vector<std::array<double, 2>>{{0, 0}, {5, 0}, {0, 5}}));
 }
 
+TEST(SeederPoints, ThatAreWrongAreToldTenTimes) {
+  std::string points = "[0, 0, 1]";
+  for (int k = 0; k < 1000; ++k) points += ", [1, 1, \"high\"]";
+  const std::string keys = "type = \"line\"\npoints = [" + points + "]\n";
+  std::string expected;
+  for (int k = 1; k <= 10; ++k) {
+    expected += (k > 1 ? "\n" : "") + std::string("slope.toml:11: seeder \"Cliff\": points[") + std::to_string(k) +
+                "][2] is \"high\" (expected a number or \"surface\")";
+  }
+  EXPECT_EQ(said_of({"", keys.c_str(), ""}), expected);
+}
+
 }  // namespace
 }  // namespace talus::project

@@ -6,6 +6,7 @@ export default defineConfig({
   testDir: 'pages',
   outputDir: 'results',
   workers: 1,
+  retries: 1, // a machine that does much else may be late once: such tests are told as flaky
   timeout: 90_000,
   expect: { timeout: 15_000 },
   reporter: [['list']],

@@ -7,6 +7,7 @@
 #include "results/run_summary.hpp"
 #include "routes/results.hpp"
 #include "routes/routes.hpp"
+#include "talus/io/ordinary_file.hpp"
 #include "talus/io/run_state.hpp"
 
 namespace talus::server {
@@ -50,6 +51,7 @@ const char* type_of(const std::string& name) {
 }
 
 void send_file(const fs::path& path, const char* type, httplib::Response& response) {
+  if (const auto why = not_an_ordinary_file(path)) throw Refusal(404, path.filename().string(), *why);
   auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
   std::error_code error;
   const auto bytes = fs::file_size(path, error);

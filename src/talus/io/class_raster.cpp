@@ -44,6 +44,12 @@ class ClassRaster::Reader {
       problems_.refuse("has complex numbers in band 1", "a class is a whole number",
                        "Keep their real part: " + problems_.command("gdal_translate -ot Int32", "_classes.tif"));
     }
+    const double scale = band_->GetScale(), offset = band_->GetOffset();
+    if (scale != 1 || offset != 0) {
+      problems_.refuse(fmt::format("has the scale {:g} and the offset {:g}", scale, offset),
+                       "a class is the number that a cell holds",
+                       "Leave them out: " + problems_.command("gdal_translate -a_scale 1 -a_offset 0", "_classes.tif"));
+    }
     const GDALColorInterp colour = band_->GetColorInterpretation();
     if (colour != GCI_Undefined && colour != GCI_GrayIndex && colour != GCI_PaletteIndex) {
       problems_.refuse(
@@ -57,6 +63,7 @@ class ClassRaster::Reader {
       cell_ = std::sqrt(std::abs(geotransform[1] * geotransform[5] - geotransform[2] * geotransform[4]));
     }
     find_transformation(terrain_crs_wkt);
+    warn_of_further_bands(*dataset_, problems_);
     problems_.throw_if_any();
     warnings.append(problems_.warnings());
   }

@@ -114,8 +114,7 @@ double CsvReader::number(std::size_t column) const {
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
-    refuse(columns_[column], fmt::format("{} is not a number", excerpt(field)),
-           "expected a finite number");
+    refuse(columns_[column], fmt::format("{} is not a number", excerpt(field)), "expected a finite number");
   }
   return value;
 }
@@ -125,8 +124,7 @@ std::int64_t CsvReader::whole_number(std::size_t column) const {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc{} || end != field.data() + field.size() || value < 0) {
-    refuse(columns_[column], fmt::format("{} is not a count", excerpt(field)),
-           "expected a whole number, 0 or more");
+    refuse(columns_[column], fmt::format("{} is not a count", excerpt(field)), "expected a whole number, 0 or more");
   }
   return value;
 }

@@ -112,6 +112,11 @@ GDALDatasetUniquePtr open_raster(const GdalMessages& messages, RasterProblems& p
   problems.stop("has no band", "a raster of one band or more was expected");
 }
 
+void warn_of_further_bands(GDALDataset& dataset, RasterProblems& problems) {
+  if (dataset.GetRasterCount() < 2 || dataset.GetRasterBand(2)->GetColorInterpretation() == GCI_AlphaBand) return;
+  problems.warn(fmt::format("has {} bands", dataset.GetRasterCount()), "Talus reads the first");
+}
+
 bool read_geotransform(GDALDataset& dataset, double (&geotransform)[6], RasterProblems& problems) {
   if (dataset.GetGeoTransform(geotransform) != CE_None) {
     if (dataset.GetGCPCount() > 0) {

@@ -60,6 +60,9 @@ class RasterProblems {
 /// Opens a raster with at least one band to read from. Throws BadInput.
 [[nodiscard]] GDALDatasetUniquePtr open_raster(const GdalMessages& messages, RasterProblems& problems);
 
+/// Warns where a raster has bands beyond the first, which alone is read; one that is a mask is no such band.
+void warn_of_further_bands(GDALDataset& dataset, RasterProblems& problems);
+
 /// Where the cells of a file lie: GDAL's six numbers, of which x = [0] + [1] column + [2] row and
 /// y = [3] + [4] column + [5] row, counted from a corner of the first cell. Complains and gives false where a file has
 /// none, or where its cells have no area.

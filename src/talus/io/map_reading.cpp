@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -15,6 +14,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/io/csv_reader.hpp"
 #include "talus/io/map_list.hpp"
+#include "talus/io/ordinary_file.hpp"
 
 #ifdef TALUS_HAS_GDAL
 #include "talus/io/gdal_raster.hpp"
@@ -73,6 +73,18 @@ std::optional<double> attribute(const std::string& text, const char* name) {
   return value;
 }
 
+/// The beginning of the style beside a map, which says what it shows; nothing where there is none to be read.
+std::string style_of(const fs::path& map) {
+  constexpr std::size_t most = std::size_t{1} << 20;  // bytes; ours have some thousand
+  const fs::path style = fs::path(map).replace_extension(".qml");
+  if (not_an_ordinary_file(style)) return {};
+  std::ifstream stream(style, std::ios::binary);
+  std::string text(most, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(most));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
 void read_head(const fs::path& folder, MapFile& map) {
   const fs::path file = file_of(folder, map.name);
   const GdalMessages messages;
@@ -81,8 +93,7 @@ void read_head(const fs::path& folder, MapFile& map) {
   GDALRasterBand& band = *raster->GetRasterBand(1);
   map.meaning = band.GetDescription();
   map.unit = band.GetUnitType();
-  std::ifstream style(fs::path(file).replace_extension(".qml"), std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(style), {}};
+  const std::string text = style_of(file);
   map.range.least = attribute(text, "classificationMin").value_or(0);
   map.range.top = attribute(text, "classificationMax").value_or(0);
   map.range.greatest = attribute(text, "greatestValue").value_or(map.range.top);

@@ -407,9 +407,7 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
                   fmt::format("its cells are taken to be {:.6g} x {:.6g} m", place->dx, place->dy),
                   "Name it: crs = \"EPSG:XXXX\" in [terrain], or \"local\" for metres of no map");
   }
-  if (dataset->GetRasterCount() > 1 && dataset->GetRasterBand(2)->GetColorInterpretation() != GCI_AlphaBand) {
-    problems.warn(fmt::format("has {} bands", dataset->GetRasterCount()), "Talus reads the first");
-  }
+  warn_of_further_bands(*dataset, problems);
   BandReader(band, *place, messages, problems).into(out);
   warnings.append(problems.warnings());
   return out;

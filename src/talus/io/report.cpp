@@ -170,10 +170,11 @@ Json map_colours() {
 Json data_of(const RunFolder& run) {
   const auto whole = std::filesystem::absolute(run.folder).lexically_normal();
   const auto last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
-  return {{"folder", last.string()},        {"date", run.date},       {"summary", run.summary},
-          {"endpoints", endpoints_of(run)}, {"paths", paths_of(run)}, {"hits", hits_of(run)},
-          {"losses", losses_of(run)},       {"maps", maps_of(run)},   {"envelopes", envelopes_of(run)},
-          {"notes", run.notes}};
+  return {{"folder", last.string()},        {"date", run.date},
+          {"summary", run.summary},         {"endpoints", endpoints_of(run)},
+          {"paths", paths_of(run)},         {"hits", hits_of(run)},
+          {"losses", losses_of(run)},       {"maps", maps_of(run)},
+          {"envelopes", envelopes_of(run)}, {"notes", run.notes}};
 }
 
 std::string escaped(std::string_view text) {

@@ -24,9 +24,7 @@ std::uint64_t rows_of(const std::filesystem::path& file) {
 
 ReportEnvelopes read_report_envelopes(const std::filesystem::path& file) {
   CsvReader row(file);
-  if (row.columns().front() != "x_m") {
-    row.refuse(row.columns().front(), "is the first column", "envelopes of a section begin with x_m");
-  }
+  if (row.columns().front() != "x_m") row.refuse("", "the first column is not x_m", "expected envelopes of a section");
   ReportEnvelopes out;
   std::vector<std::size_t> places;
   for (std::size_t k = 1; k < row.columns().size(); ++k) {
@@ -37,7 +35,8 @@ ReportEnvelopes read_report_envelopes(const std::filesystem::path& file) {
   out.cells_each = rows_of(file) / (most_report_envelope_cells + 1) + 1;
   for (std::uint64_t k = 0; row.next(); ++k) {
     const double x_m = row.number(0);
-    if (k % out.cells_each == 0) out.cells.push_back({.from_x_m = x_m, .values = decltype(out.cells[0].values)(places.size())});
+    if (k % out.cells_each == 0)
+      out.cells.push_back({.from_x_m = x_m, .values = decltype(out.cells[0].values)(places.size())});
     auto& cell = out.cells.back();
     cell.to_x_m = x_m;
     for (std::size_t n = 0; n < places.size(); ++n) {

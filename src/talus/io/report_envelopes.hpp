@@ -11,7 +11,7 @@ namespace talus::io {
 
 struct ReportEnvelopes {
   struct Cell {
-    double from_x_m = 0, to_x_m = 0;               // the middles of its first and last cell of the file
+    double from_x_m = 0, to_x_m = 0;              // the middles of its first and last cell of the file
     std::vector<std::optional<double>> values{};  // one a column: the greatest of its cells; none where no rock was
   };
   std::vector<std::string> columns{};  // as the file has them, without x_m

@@ -300,6 +300,13 @@ class Rules {
     if (good(row, "vtk") && output.vtk && output.path_limit == 0) {
       has_no_effect("vtk", "paths is \"none\"", "Let paths be a number of rocks");
     }
+    if (const Node list = good(row, "percentiles")) {
+      for (const std::size_t i : repeated(output.percentiles)) {
+        complain(list->as_array()->get(i), "[output]",
+                 fmt::format("percentiles[{}] is {}", i, number_text(output.percentiles[i])), "it was given before",
+                 "Leave it out");
+      }
+    }
     const toml::table* terrain = table("terrain");
     if (const Node cell = good(row, "raster_cell_m");
         cell && !output.raster_cell_m && terrain && !terrain->contains("raster")) {

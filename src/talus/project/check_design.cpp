@@ -109,10 +109,8 @@ void DesignRules::about_lists() const {
     }
   }
   if (const auto* node = good(&row, "percentiles")) {
-    for (auto each = design.percentiles.begin(); each != design.percentiles.end(); ++each) {
-      if (std::find(design.percentiles.begin(), each, *each) == each) continue;
-      const auto index = static_cast<std::size_t>(each - design.percentiles.begin());
-      complain(node->as_array()->get(index), fmt::format("percentiles[{}] is {}", index, number_text(*each)),
+    for (const std::size_t i : repeated(design.percentiles)) {
+      complain(node->as_array()->get(i), fmt::format("percentiles[{}] is {}", i, number_text(design.percentiles[i])),
                "it was given before", "Leave it out", Severity::error);
     }
   }

@@ -57,12 +57,16 @@ bool ValueReader::into(const Value& value, PositionSlot slot) {
 bool ValueReader::into(const Value& value, PointsSlot slot) {
   const toml::array* list = value.node.as_array();
   if (!list || list->size() < 2) return refuse_kind(value, "a list of two or more positions");
+  constexpr std::size_t most_complaints = 10;  // more would only hide the others
   std::vector<Position> positions;
-  for (std::size_t i = 0; i < list->size(); ++i) {
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < list->size() && wrong < most_complaints; ++i) {
     const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
-    if (const std::optional<Position> read = position(entry)) positions.push_back(*read);
+    const std::optional<Position> read = position(entry);
+    if (read) positions.push_back(*read);
+    wrong += read ? 0 : 1;
   }
-  if (positions.size() != list->size()) return false;
+  if (wrong > 0) return false;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
     if (positions[i].on_surface != positions[0].on_surface && !value.row.contains("height_above_m")) {

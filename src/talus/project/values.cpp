@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "talus/core/nearest.hpp"
 #include "talus/project/decimal_comma.hpp"
@@ -108,6 +109,15 @@ bool is_mistyped(const Table& table, const toml::table& row, std::string_view ke
 
 std::string counted(std::size_t count, std::string_view one, std::string_view several) {
   return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+std::vector<std::size_t> repeated(const std::vector<double>& list) {
+  std::set<double> before;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!before.insert(list[i]).second) places.push_back(i);
+  }
+  return places;
 }
 
 std::string number_text(double value) {
@@ -268,7 +278,7 @@ bool ValueReader::into(const Value& value, double* member) {
                   slip_hint(value.setting, number));
   }
   doubt(value, number);
-  *member = number;
+  *member = number + 0.0;  // -0 is 0, also in a name that is made of it
   return true;
 }
 

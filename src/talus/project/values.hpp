@@ -31,6 +31,9 @@ namespace talus::project {
 /// A number as people write it: whole numbers without a point or an exponent.
 [[nodiscard]] std::string number_text(double value);
 
+/// The places of entries that are in the list before.
+[[nodiscard]] std::vector<std::size_t> repeated(const std::vector<double>& list);
+
 class ValueReader {
  public:
   ValueReader(const Document& document, Problems& problems);

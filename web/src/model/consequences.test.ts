@@ -77,3 +77,29 @@ test('triangles keep their material when others come and go', () => {
     { set: ['ground', 'triangles', 4], value: 1 },
   ]);
 });
+
+describe('triangles keep their corners when vertices come and go', () => {
+  const mesh = `[terrain]
+vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 2, 0]]
+triangles = [[0, 1, 2], [1, 3, 2], [1, 4, 3]]
+
+[ground]
+triangles = [0, 1, 2]
+`;
+  const vertices = (valuesOf(mesh).terrain as { vertices: number[][] }).vertices;
+  const path = ['terrain', 'vertices'];
+  const after = (next: number[][]) => {
+    const values = valuesOf(edited(mesh, [{ set: path, value: next }, ...consequences(valuesOf(mesh), path, next)]));
+    return [(values.terrain as { triangles: number[][] }).triangles, (values.ground as { triangles: number[] }).triangles];
+  };
+  test('those of a vertex that goes go with it, with their materials', () => {
+    expect(after(vertices.toSpliced(0, 1))).toEqual([[[0, 2, 1], [0, 3, 2]], [1, 2]]); // prettier-ignore
+    expect(after(vertices.slice(0, 4))).toEqual([[[0, 1, 2], [1, 3, 2]], [0, 1]]); // prettier-ignore
+  });
+  test('a new vertex moves the numbers behind it', () =>
+    expect(after(vertices.toSpliced(2, 0, [9, 9, 9]))[0]).toEqual([[0, 1, 3], [1, 4, 3], [1, 5, 4]])); // prettier-ignore
+  test('one at the end, one that moves, and another list change nothing else', () => {
+    const others = [[...vertices, [5, 5, 5]], vertices.with(2, [7, 7, 7]), [[8, 0, 0], [0, 8, 0], [0, 0, 8]]]; // prettier-ignore
+    for (const next of others) expect(consequences(valuesOf(mesh), path, next)).toEqual([]);
+  });
+});

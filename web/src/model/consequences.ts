@@ -60,11 +60,32 @@ function consequencesOfTriangles(values: TomlTable, next: TomlValue[]): Edit[] {
   return follow(values, ['ground', 'triangles'], before.length, rowsBefore(before, next), Math.max(0, standard));
 }
 
+/// Triangles call vertices by their numbers: those of a vertex that goes go with it. Where vertices come and go at once
+/// it is another list, and numbers are those in it.
+function consequencesOfVertices(values: TomlTable, next: TomlValue[]): Edit[] {
+  const before = listIn(values, ['terrain', 'vertices']);
+  const was = rowsBefore(before, next);
+  const now = new Map(was.flatMap((old, k) => (old === null ? [] : [[old, k] as const])));
+  if (now.size < Math.min(before.length, next.length)) return [];
+  const triangles = listIn(values, ['terrain', 'triangles']);
+  const cornersOf = (triangle: TomlValue) => (Array.isArray(triangle) ? triangle : []);
+  const isGone = (corner: TomlValue) => typeof corner === 'number' && corner < before.length && !now.has(corner);
+  const kept = triangles.flatMap((triangle, k) => (cornersOf(triangle).some(isGone) ? [] : [k]));
+  const renumbered = kept.map((k) =>
+    Array.isArray(triangles[k]) ? cornersOf(triangles[k]!).map((corner) => now.get(Number(corner)) ?? corner) : triangles[k]!,
+  );
+  return [
+    ...rowEdits(['terrain', 'triangles'], triangles, renumbered),
+    ...follow(values, ['ground', 'triangles'], triangles.length, kept),
+  ];
+}
+
 /// The edits that belong to setting the value at a path.
 export function consequences(values: TomlTable, path: Path, next: TomlValue | undefined): Edit[] {
   const [table, index, key] = path;
   if (table === 'terrain' && path.length === 2 && Array.isArray(next)) {
     if (index === 'section') return consequencesOfSection(values, next);
+    if (index === 'vertices') return consequencesOfVertices(values, next);
     return index === 'triangles' ? consequencesOfTriangles(values, next) : [];
   }
   const rows = values[String(table)];

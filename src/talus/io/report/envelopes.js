@@ -25,7 +25,7 @@ const envelopeCellWidth = (run) => (run.project.output || {}).raster_cell_m || 1
 function envelopeCells(run) {
   const cells = records(run.envelopes);
   const width = envelopeCellWidth(run);
-  return cells.map((cell) => ({...cell, run, from: cell.from_x_m - width / 2, to: cell.to_x_m + width / 2}));
+  return cells.map((cell) => ({...cell, from: cell.from_x_m - width / 2, to: cell.to_x_m + width / 2}));
 }
 
 // A step between cells side by side; where no rock was the line is broken.
