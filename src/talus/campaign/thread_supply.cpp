@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <future>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -32,9 +33,10 @@ ThreadSupply try_threads(int wanted) {
 }
 
 void limit_threads(int most) {
+  using Limit = tbb::global_control;
   // Never taken back: the library would ask for the other threads at once, and end the program if it got none.
-  static const auto* const limit =
-      new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(most));
+  alignas(Limit) static std::byte place[sizeof(Limit)];
+  static const auto* const limit = ::new (place) Limit(Limit::max_allowed_parallelism, static_cast<std::size_t>(most));
   (void)limit;
 }
 
