@@ -65,8 +65,8 @@ TEST(StandardOutput, ThatIsClosedByItsReaderEndsTheProgramAsOthers) {
 
 TEST(Files, ThatMayNotGrowAreAnsweredByEveryCommand) {
   const Workplace place;
-  EXPECT_EQ(code_of("ulimit -f 0; TALUS new " + (place / "a.toml").string() + " > /dev/null 2>&1"), 2);
-  EXPECT_EQ(code_of("ulimit -f 0; TALUS schema > " + (place / "schema").string() + " 2> /dev/null"), 2);
+  EXPECT_EQ(code_of("ulimit -f 1; TALUS new " + (place / "a.toml").string() + " > /dev/null 2>&1"), 2);
+  EXPECT_EQ(code_of("ulimit -f 1; TALUS schema > " + (place / "schema").string() + " 2> /dev/null"), 2);
   EXPECT_FALSE(std::filesystem::exists(place / "a.toml.part"));
 }
 
