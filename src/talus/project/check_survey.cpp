@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "talus/project/named_files.hpp"
+#include "talus/project/values.hpp"
 
 namespace talus::project {
 namespace {
@@ -95,9 +96,8 @@ void SurveyRules::about_polylines() const {
   if (!list) return;
   const auto& polylines = project.terrain.polylines;
   if (polylines.empty()) complain(list, "polylines is empty", "a terrain has at least one", "", Severity::error);
-  constexpr std::size_t most_told = 10;
   std::size_t told = 0;
-  for (std::size_t i = 0; i < polylines.size() && told < most_told; ++i) {
+  for (std::size_t i = 0; i < polylines.size() && told < most_complaints; ++i) {
     const auto& line = polylines[i];
     const toml::node* node = list->as_array()->get(i);
     const std::string name = fmt::format("polylines[{}]", i);

@@ -19,8 +19,6 @@ namespace talus::project {
 
 namespace {
 
-constexpr std::size_t most_complaints = 10;  // of one list; more would only hide the others
-
 /// Then the user is told of the key, and that there is no terrain only follows.
 bool is_mistyped(const toml::table& row) {
   const auto terrain = std::ranges::find_if(tables(), [](const Table& table) { return table.key == "terrain"; });

@@ -57,7 +57,6 @@ bool ValueReader::into(const Value& value, PositionSlot slot) {
 bool ValueReader::into(const Value& value, PointsSlot slot) {
   const toml::array* list = value.node.as_array();
   if (!list || list->size() < 2) return refuse_kind(value, "a list of two or more positions");
-  constexpr std::size_t most_complaints = 10;  // more would only hide the others
   std::vector<Position> positions;
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < list->size() && wrong < most_complaints; ++i) {

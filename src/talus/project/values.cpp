@@ -360,7 +360,6 @@ bool ValueReader::into(const Value& value, std::array<Number, count>* member) {
 
 template <class Item>
 bool ValueReader::into(const Value& value, std::vector<Item>* member) {
-  constexpr std::size_t most_complaints = 10;  // of one list; more would only hide the others
   const toml::array* list = value.node.as_array();
   if (!list) return refuse_kind(value, "a list [...]");
   std::vector<Item> items(list->size());

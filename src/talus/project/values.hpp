@@ -31,6 +31,9 @@ namespace talus::project {
 /// A number as people write it: whole numbers without a point or an exponent.
 [[nodiscard]] std::string number_text(double value);
 
+/// How often entries of one list are complained of; more would only hide the others.
+inline constexpr std::size_t most_complaints = 10;
+
 /// The places of entries that are in the list before.
 [[nodiscard]] std::vector<std::size_t> repeated(const std::vector<double>& list);
 
