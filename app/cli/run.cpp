@@ -20,6 +20,7 @@
 #include "standard_streams.hpp"
 #include "talus/campaign/ranks.hpp"
 #include "talus/campaign/thread_supply.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/project/paths_size.hpp"
 #include "talus/project/run_on_ranks.hpp"
 
@@ -138,6 +139,7 @@ int run_here(const RunOptions& options, Ranks* ranks) {
     if (!loaded.model.seeder_report.empty()) fmt::print("{}\n", loaded.model.seeder_report);
     const std::uint64_t all = loaded.model.rocks();
     const RockRange rocks = shard ? rocks_of(*shard, all) : RockRange{0, all};
+    const StopScope scope(&stop_wanted);
     announce_paths(loaded, rocks);
     progress.emplace(rocks.count());
     how.campaign.progress = [&](std::uint64_t done) { (*progress)(done); };
@@ -153,6 +155,13 @@ int run_here(const RunOptions& options, Ranks* ranks) {
     return done;
   }
   print_warnings(result.warnings);
+  if (!result.has_results) {
+    tell(
+        "stopped after {} of {} rocks, before their results were written; the rocks are kept in {}, and --resume goes "
+        "on from there\n",
+        result.summary.done, result.range.count(), folder.string());
+    return stopped;
+  }
   if (!options.quiet) print_outcome(loaded, options, result, folder);
   if (result.outcome.interrupted) {
     tell("stopped after {} of {} rocks; what is done is in {}{}\n", result.summary.done, result.range.count(),
@@ -160,6 +169,15 @@ int run_here(const RunOptions& options, Ranks* ranks) {
     return stopped;
   }
   return done;
+}
+
+int run_or_stop(const RunOptions& options, Ranks* ranks) {
+  try {
+    return run_here(options, ranks);
+  } catch (const Stopped&) {
+    tell("stopped before the first rock was done\n");
+    return stopped;
+  }
 }
 
 /// As one of several processes, but not the first, which speaks for all.
@@ -187,9 +205,9 @@ int run(const RunOptions& options) {
     if (find_launch()->rank > 0) return done;
     throw;
   }
-  if (!ranks) return run_here(options, nullptr);
+  if (!ranks) return run_or_stop(options, nullptr);
   if (ranks->rank() > 0) return help(options, *ranks);
-  const int code = answer([&] { return run_here(options, ranks.get()); });
+  const int code = answer([&] { return run_or_stop(options, ranks.get()); });
   std::fflush(nullptr);  // before a launcher may end this program because another one has ended
   project::dismiss_ranks(*ranks, code);
   return code;

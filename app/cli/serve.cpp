@@ -5,6 +5,12 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
 
 #include "answer.hpp"
 #include "commands.hpp"
@@ -33,9 +39,35 @@ extern "C" void stop_serving(int signal) {
   }
 }
 
+/// By a page that leads to the address, since all users of the machine can read what programs are called with: in a
+/// folder of this user alone, which goes with the object.
+class OpeningPage {
+ public:
+  explicit OpeningPage(const std::string& address) {
+    std::string folder = (std::filesystem::temp_directory_path() / "talus-XXXXXX").string();
+    if (mkdtemp(folder.data()) == nullptr) return;  // which only this user may enter
+    folder_ = folder;
+    std::ofstream(folder_ / "workbench.html") << fmt::format(
+        "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0; url={0}\">"
+        "<title>Talus</title><a href=\"{0}\">To the workbench</a>\n",
+        address);
+  }
+  OpeningPage(const OpeningPage&) = delete;
+  OpeningPage& operator=(const OpeningPage&) = delete;
+  ~OpeningPage() {
+    std::error_code ignored;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
+  }
+  [[nodiscard]] std::string file() const { return folder_.empty() ? "" : (folder_ / "workbench.html").string(); }
+
+ private:
+  std::filesystem::path folder_;
+};
+
 /// With whatever the system opens pages with; that it has none is no reason to stop.
-void open_in_browser(const std::string& address) {
-  std::string program = "xdg-open", argument = address;
+void open_in_browser(const OpeningPage& page) {
+  std::string program = "xdg-open", argument = page.file();
+  if (argument.empty()) return tell("no browser could be opened: there is no folder for temporary files\n");
   std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
   pid_t child = 0;
   if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0)
@@ -62,6 +94,7 @@ int serve(const ServeOptions& options) {
     how.folder = whole.parent_path();
     how.project = whole.filename().string();
   }
+  std::optional<OpeningPage> page;
   how.port = options.port;
   how.stop = &stop_wanted;
   how.ready = [&](const std::string& address) {
@@ -69,7 +102,12 @@ int serve(const ServeOptions& options) {
         "The workbench is at {}\nIt is open to this machine alone, and this address works once. Ctrl-C ends it.\n",
         address);
     show_now();
-    if (options.open) open_in_browser(address);
+    if (options.open) open_in_browser(page.emplace(address));
+  };
+  how.hangs = [&] {
+    page.reset();
+    std::fflush(nullptr);
+    std::_Exit(done);
   };
   std::signal(SIGCHLD, SIG_IGN);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, stop_serving);

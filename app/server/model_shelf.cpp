@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "http/answer.hpp"
+#include "http/session.hpp"
 #include "talus/io/checksum.hpp"
 #include "talus/project/model.hpp"
 #include "talus/project/read.hpp"
@@ -47,6 +48,18 @@ std::optional<std::string> state_of(const fs::path& file) {
   return fmt::format("{}\n{}\n", name, fmt::join(states, "\n"));
 }
 
+std::size_t bytes_of(const Model& model) {
+  const std::size_t surface = std::visit(
+      []<class Surface>(const Surface& of) {
+        if constexpr (std::is_same_v<Surface, Profile>)
+          return of.facet_count() * sizeof(Outline);
+        else
+          return of.bytes();
+      },
+      model.surface);
+  return surface + model.ground.bytes() + model.parts.of_source.size() * sizeof(std::uint32_t);
+}
+
 }  // namespace
 
 ModelShelf::Held ModelShelf::kept(const std::string& id) const {
@@ -57,31 +70,34 @@ ModelShelf::Held ModelShelf::kept(const std::string& id) const {
 
 ModelShelf::Held ModelShelf::build(const fs::path& file, std::string_view text) {
   project::Reading reading = project::read_project_text(text, file);
-  // Who has waited may want the model that was built meanwhile.
-  const std::lock_guard one_at_a_time(building_);
   std::string what = fmt::format("{}\n{}\n", file.string(), text), files;
   for (const fs::path& named : files_of(reading.project)) {
     const fs::path read = file.parent_path() / named;
     const std::optional<std::string> state = state_of(read);
-    what += state.value_or(fmt::format("unknown {}\n", ++built_));
+    what += state ? *state : fmt::format("unknown {}\n", random_hex(16));
     files += state.value_or(read.string() + '\n');
   }
   std::string id = io::text_of(io::checksum_of(what));
 
   Held held = kept(id);
   if (!held) {
-    auto built = std::make_shared<ShelvedModel>();
-    built->id = std::move(id);
-    built->files = io::text_of(io::checksum_of(files));
-    built->model = project::build_model(reading.project, reading.warnings);
-    built->project = std::move(reading.project);
-    built->warnings = std::move(reading.warnings);
-    held = std::move(built);
+    held = reading_.read<ShelvedModel>(
+        id, [id, files_id = io::text_of(io::checksum_of(files)), reading = std::move(reading)]() mutable {
+          ShelvedModel built{.id = id, .files = files_id};
+          built.model = project::build_model(reading.project, reading.warnings);
+          built.bytes = bytes_of(built.model);
+          built.project = std::move(reading.project);
+          built.warnings = std::move(reading.warnings);
+          return built;
+        });
   }
   const std::lock_guard lock(shelf_);
   std::erase(models_, held);
   models_.push_front(held);
-  if (models_.size() > most_kept) models_.pop_back();
+  std::size_t bytes = 0, kept = 0;
+  while (kept < models_.size() && kept < most_kept && (kept == 0 || bytes + models_[kept]->bytes <= most_bytes_))
+    bytes += models_[kept++]->bytes;
+  models_.resize(kept);
   return held;
 }
 

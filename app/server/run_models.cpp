@@ -11,13 +11,17 @@ namespace talus::server {
 
 namespace {
 
-std::shared_ptr<const BuiltProject> build_again(const Run& run, const Workplace& workplace) {
+namespace fs = std::filesystem;
+
+std::shared_ptr<const BuiltProject> build_again(const Run& run, const fs::path& file, ModelReading& reading) {
   try {
-    auto built = std::make_shared<BuiltProject>(
-        build(project::text_of_file(run.folder / run_project_name), workplace.at(run.file), overrides_of(run)));
-    const std::string fingerprint = project::fingerprint_of(project::echo(built->project), built->model);
-    if (read_summary(run).value("fingerprint", Json()) != fingerprint) return nullptr;
-    return built;
+    return reading.read<BuiltProject>("run " + run.id, [run, file] {
+      BuiltProject built = build(project::text_of_file(run.folder / run_project_name), file, overrides_of(run));
+      const std::string fingerprint = project::fingerprint_of(project::echo(built.project), built.model);
+      if (read_summary(run).value("fingerprint", Json()) != fingerprint)
+        throw BadInput(Problem{.file = file.string(), .what = "the files of this project have changed since the run"});
+      return built;
+    });
   } catch (const BadInput&) {
     return nullptr;
   }
@@ -26,15 +30,19 @@ std::shared_ptr<const BuiltProject> build_again(const Run& run, const Workplace&
 }  // namespace
 
 std::shared_ptr<const BuiltProject> RunModels::find(const Run& run) {
-  // One at a time, so that two who ask for the same one do not both build it.
-  const std::lock_guard lock(mutex_);
-  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const auto& kept) { return kept.first == run.id; });
-  if (found != kept_.end()) {
-    std::rotate(kept_.begin(), found, found + 1);
-    return kept_.front().second;
+  const auto is_it = [&](const auto& kept) { return kept.first == run.id; };
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(kept_.begin(), kept_.end(), is_it);
+    if (found != kept_.end()) {
+      std::rotate(kept_.begin(), found, found + 1);
+      return kept_.front().second;
+    }
   }
-  auto built = build_again(run, workplace_);
+  auto built = build_again(run, workplace_.at(run.file), reading_);
   if (!built) return nullptr;  // the project's files may come back
+  const std::lock_guard lock(mutex_);
+  std::erase_if(kept_, is_it);
   kept_.emplace_front(run.id, built);
   if (kept_.size() > most_kept) kept_.pop_back();
   return built;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "model_reading.hpp"
 #include "run.hpp"
 #include "run_model.hpp"
 #include "workplace.hpp"
@@ -15,7 +16,7 @@ namespace talus::server {
 
 class RunModels {
  public:
-  explicit RunModels(const Workplace& workplace) : workplace_(workplace) {}
+  RunModels(const Workplace& workplace, ModelReading& reading) : workplace_(workplace), reading_(reading) {}
 
   /// The model with which the run's rocks were thrown; nothing where it cannot be had any more: the project's files
   /// have changed since.
@@ -25,6 +26,7 @@ class RunModels {
   static constexpr std::size_t most_kept = 2;
 
   const Workplace& workplace_;
+  ModelReading& reading_;
   std::mutex mutex_;
   std::deque<std::pair<std::string, std::shared_ptr<const BuiltProject>>> kept_;  // by id; the last used in front
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "talus/core/stop.hpp"
 #include "talus/io/folder_lock.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/run_state.hpp"
@@ -93,13 +94,22 @@ Refusal not_now(const Run& run, const char* what, const char* why, const char* h
   return Refusal(409, run.id, what, why, hint);
 }
 
+Json stopped_before_its_results() {
+  Problems problems;
+  problems.add({.severity = Severity::warning,
+                .what = "the run was stopped before its results were written",
+                .why = "all its rocks are kept",
+                .hint = "Let it go on to write them"});
+  return as_json(problems)[0];
+}
+
 const char* why_elsewhere = "another program works in its folder";
 const char* why_ending = "the server is ending";
 
 }  // namespace
 
-RunStore::RunStore(const Workplace& workplace, EventHub& events, std::mutex& building)
-    : workplace_(workplace), events_(events), building_(building) {
+RunStore::RunStore(const Workplace& workplace, EventHub& events, ModelReading& reading)
+    : workplace_(workplace), events_(events), reading_(reading) {
   find_runs();
   worker_ = std::thread([this] { work(); });
 }
@@ -167,9 +177,8 @@ Run RunStore::begin(const RunOrder& order) {
   run.asked_rocks = order.rocks;
   run.asked_seed = order.seed;
   run.begun = time_now();
-  const std::lock_guard one_at_a_time(building_);
   try {
-    entry->built = std::make_unique<BuiltProject>(build(order.text, file, overrides_of(run)));
+    entry->built = built(order.text, file, overrides_of(run));
   } catch (const BadInput& bad) {
     throw BadInput(seen_from(workplace_.folder(), project::with_paths(bad.problems(), order.text, file)));
   }
@@ -229,6 +238,7 @@ Run RunStore::resume(const std::string& id) {
   if (run.state == RunState::waiting || run.state == RunState::running || run.state == RunState::done)
     throw not_now(run, "cannot go on", run.state == RunState::done ? "it is done" : "it is under way");
   unqueue(*entry);
+  if (run.is_at_work) entry->stop = true;  // its results so far are being written
   entry->before.reset();
   if (run.state != RunState::failed) entry->before = run.state;
   run.state = RunState::waiting;
@@ -305,7 +315,7 @@ void RunStore::work() {
       queue_.pop_front();
       under_way_ = job.entry;
       job.entry->run.is_at_work = true;
-      job.entry->stop = job.task == Task::write_what_is_done;
+      job.entry->stop = false;
       if (job.task == Task::write_what_is_done) {
         events_.tell("run", job.entry->run.id, told(job.entry->run));
       } else {
@@ -314,7 +324,7 @@ void RunStore::work() {
       }
     }
     do_job(job, arena);
-    std::unique_ptr<BuiltProject> let_go;  // outside of the lock: a large model takes its time
+    std::shared_ptr<BuiltProject> let_go;  // outside of the lock: a large model takes its time
     const std::lock_guard lock(mutex_);
     let_go.swap(job.entry->built);
   }
@@ -334,11 +344,22 @@ void RunStore::fail(Entry& entry, const Problems& problems) {
   finish(entry);
 }
 
+std::shared_ptr<BuiltProject> RunStore::built(const std::string& text, const fs::path& file,
+                                              const project::Overrides& overrides) const {
+  return *reading_.read<std::shared_ptr<BuiltProject>>(
+      "", [=] { return std::make_shared<BuiltProject>(build(text, file, overrides)); });
+}
+
 void RunStore::do_job(const Job& job, LowPriorityArena& arena) {
   try {
     throw_rocks(job, arena);
   } catch (const BadInput& bad) {
     fail(*job.entry, bad.problems());
+  } catch (const Stopped&) {
+    const std::lock_guard lock(mutex_);
+    Entry& entry = *job.entry;
+    if (job.task != Task::write_what_is_done) entry.run.state = entry.before.value_or(RunState::stopped);
+    finish(entry);
   } catch (const std::exception& error) {
     Problems problems;
     problems.add(Problem{.what = "the run failed", .why = error.what()});
@@ -357,8 +378,8 @@ void RunStore::throw_rocks(const Job& job, LowPriorityArena& arena) {
   if (!folder_lock) throw BadInput(Problem{.file = run.folder.string(), .what = "cannot be run", .why = why_elsewhere});
   if (!entry.built) {
     const std::string text = project::text_of_file(run.folder / run_project_name);
-    entry.built = std::make_unique<BuiltProject>(
-        arena.execute([&] { return build(text, workplace_.at(run.file), overrides_of(run)); }));
+    const StopScope scope(&entry.stop);
+    entry.built = built(text, workplace_.at(run.file), overrides_of(run));
   }
   {
     const std::lock_guard lock(mutex_);
@@ -373,6 +394,7 @@ void RunStore::throw_rocks(const Job& job, LowPriorityArena& arena) {
   options.campaign.stop = &entry.stop;
   options.lock = &*folder_lock;
   options.resume = goes_on;
+  options.only_results = job.task == Task::write_what_is_done;
   options.checkpoint_every = checkpoint_every;
   std::optional<std::uint64_t> done_before;
   Clock::time_point begun, told_at;
@@ -405,12 +427,17 @@ void RunStore::throw_rocks(const Job& job, LowPriorityArena& arena) {
   } else {
     entry.run.done = entry.run.rocks;
   }
-  if (!result.outcome.interrupted) {
+  if (!result.outcome.interrupted && result.has_results) {
     entry.run.state = RunState::done;
   } else if (job.task != Task::write_what_is_done) {
     entry.run.state = RunState::stopped;
   }
+  if (!result.has_results && !result.outcome.interrupted) entry.run.problems.push_back(stopped_before_its_results());
   finish(entry);
+  // Whoever stopped it waits no longer, and gets its results when they are there.
+  const bool wants_results = !result.has_results && result.outcome.interrupted && entry.run.state == RunState::stopped;
+  if (wants_results && !is_closed_ && job.task != Task::write_what_is_done)
+    queue_.push_front({job.entry, Task::write_what_is_done});
 }
 
 }  // namespace talus::server

@@ -12,6 +12,7 @@
 
 #include "events.hpp"
 #include "low_priority.hpp"
+#include "model_reading.hpp"
 #include "run.hpp"
 #include "run_model.hpp"
 #include "workplace.hpp"
@@ -32,8 +33,7 @@ struct RunOrder {
 class RunStore {
  public:
   /// Finds the runs of earlier servers. Of those that were killed the results are written as far as they had got.
-  /// `building`: held while the model of a run that is to begin is built.
-  RunStore(const Workplace& workplace, EventHub& events, std::mutex& building);
+  RunStore(const Workplace& workplace, EventHub& events, ModelReading& reading);
   RunStore(const RunStore&) = delete;
   RunStore& operator=(const RunStore&) = delete;
   ~RunStore() { close(); }
@@ -48,7 +48,7 @@ class RunStore {
   /// Throws BadInput with all problems of the project and its model. Refuses (503) once the store is closed.
   Run begin(const RunOrder& order);
   Run rename(const std::string& id, const std::string& name);
-  /// What is done is kept. One that is under way goes on until the blocks that are begun are finished.
+  /// What is done is kept. Of one that is under way rocks are left at once, and results that take long follow it.
   Run stop(const std::string& id);
   /// Refuses (503) once the store is closed.
   Run resume(const std::string& id);
@@ -62,7 +62,7 @@ class RunStore {
   struct Entry {
     Run run;
     std::atomic<bool> stop{false};
-    std::unique_ptr<BuiltProject> built;  // where it is at hand
+    std::shared_ptr<BuiltProject> built;  // where it is at hand
     // What it was before it was to go on, as long as no rock is thrown: its results are still there.
     std::optional<RunState> before;
   };
@@ -77,6 +77,8 @@ class RunStore {
   void do_job(const Job& job, LowPriorityArena& arena);
   void throw_rocks(const Job& job, LowPriorityArena& arena);
   void fail(Entry& entry, const Problems& problems);
+  [[nodiscard]] std::shared_ptr<BuiltProject> built(const std::string& text, const std::filesystem::path& file,
+                                                    const project::Overrides& overrides) const;
   /// The worker is done with a run, whose state is its last. Expects the lock.
   void finish(Entry& entry);
   /// Keeps a run that has changed, and tells it. Expects the lock.
@@ -87,7 +89,7 @@ class RunStore {
 
   const Workplace& workplace_;
   EventHub& events_;
-  std::mutex& building_;  // is taken before the other
+  ModelReading& reading_;
   std::mutex mutex_;
   std::condition_variable news_;
   std::map<std::string, std::shared_ptr<Entry>> entries_;

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <chrono>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <stop_token>
 #include <system_error>
 #include <thread>
@@ -15,10 +15,12 @@
 #include "events.hpp"
 #include "http/router.hpp"
 #include "http/session.hpp"
-#include "http/thread_pool.hpp"
+#include "http/web_server.hpp"
+#include "model_reading.hpp"
 #include "routes/routes.hpp"
 #include "run_models.hpp"
 #include "run_store.hpp"
+#include "talus/core/memory.hpp"
 #include "workplace.hpp"
 
 namespace talus::server {
@@ -27,9 +29,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A page asks for a few things at a time. A connection that is silent, or that reads slowly, holds a thread for a
-// while, and must not keep others waiting.
-constexpr std::size_t most_threads = 2'000;
+// A page asks for a few things at a time. Whoever has a session and reads slowly holds a thread for a while, and must
+// not keep others waiting.
+constexpr std::size_t most_threads = 500;
+
+constexpr std::size_t share_of_models = 4;  // of the memory: a quarter for models that are looked at
+constexpr auto time_to_end = 1s;            // for requests under way
 
 // The library lets five connections wait to be taken, and another server take the same port.
 constexpr int most_waiting = 512;
@@ -69,18 +74,14 @@ void serve(const ServeOptions& options) {
   const Workplace workplace(options.folder);
   EventHub events;
 
-  httplib::Server server;
-  server.new_task_queue = [] { return new ThreadPool(most_threads); };
+  WebServer server(options.limits, most_threads);
   server.set_tcp_nodelay(true);
-  server.set_keep_alive_max_count(10'000);
-  server.set_keep_alive_timeout(1);  // [s]: the program ends when the last connection that is silent is closed
-  server.set_write_timeout(30s);
   const int port = bind(server, options.port);
-  Session session(options.key_file.empty() ? usual_key_file() : options.key_file, port);
+  Session session(port);
   Router router(server, session, options.limits);
-  std::mutex building;  // models can be large: of those that requests have built, one at a time
-  RunStore runs(workplace, events, building);
-  RunModels run_models(workplace);
+  ModelReading reading(options.limits.reading_time);
+  RunStore runs(workplace, events, reading);
+  RunModels run_models(workplace, reading);
   router.listens_on(port);
   server.set_payload_max_length(std::max(router.limits().upload_bytes, router.limits().json_bytes));
 
@@ -89,7 +90,7 @@ void serve(const ServeOptions& options) {
   add_file_routes(router, workplace);
   add_project_routes(router, workplace);
   add_example_routes(router, workplace);
-  ModelShelf shelf(building);
+  ModelShelf shelf(reading, usable_memory() / share_of_models);
   add_model_routes(router, workplace, shelf);
   add_run_routes(router, runs, events);
   add_result_routes(router, runs, run_models);
@@ -97,7 +98,8 @@ void serve(const ServeOptions& options) {
   add_model_query_routes(router, shelf);
   add_shape_routes(router);
   add_verification_routes(router);
-  add_page_routes(router, server, session, address);  // last: it takes every path that is left
+  add_page_routes(router, server, session, address);  // it takes every path that is left
+  router.refuse_the_rest();
 
   const std::jthread watch([&](const std::stop_token& over) {
     const auto wait_until = [&](const auto& is) {
@@ -108,10 +110,28 @@ void serve(const ServeOptions& options) {
     runs.close();
     wait_until([&] { return server.is_running(); });  // a stop that comes before is forgotten
     server.stop();
+    server.end_connections();
+    const auto end = std::chrono::steady_clock::now() + time_to_end;
+    wait_until([&] { return std::chrono::steady_clock::now() > end; });
+    // All that is to be kept is on the disk, and a thread waits for what the system does not give.
+    if (!over.stop_requested() && options.hangs) options.hangs();
   });
+  struct Ending {
+    WebServer& server;
+    ModelReading& reading;
+    ~Ending() {
+      server.end_connections();
+      server.wait();
+      const auto end = std::chrono::steady_clock::now() + time_to_end;
+      while (reading.left_alone() > 0 && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(10ms);
+    }
+  };
+  std::optional<Ending> ending(std::in_place, server, reading);  // before what requests need goes
   // Connections are taken from the moment of binding; they are answered as soon as this thread listens.
   if (options.ready) options.ready(address());
   server.listen_after_bind();
+  ending.reset();
+  if (reading.left_alone() > 0 && options.hangs) options.hangs();
 }
 
 }  // namespace talus::server

@@ -14,11 +14,13 @@ struct ServeOptions {
   std::filesystem::path folder = ".";  // that is worked in
   std::string project;                 // to open first, relative to the folder; empty: none
   int port = 8425;                     // 0: any that is free
-  std::filesystem::path key_file;      // of the sessions
   Limits limits;
   /// Called once requests are answered, with the address to open.
   std::function<void(const std::string& address)> ready;
   const std::atomic<bool>* stop = nullptr;  // set from outside
+  /// Called at the end if something still waits for a file that the system does not give, which nothing can end but the
+  /// end of the program. Nothing is left to be kept then.
+  std::function<void()> hangs;
 };
 
 /// Answers requests until it is told to stop; a run under way is stopped then, and keeps what it has. Throws BadInput

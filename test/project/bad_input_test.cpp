@@ -396,9 +396,8 @@ section_std_dev_m = [[0.1, 0.1]])"}},
      "slope.toml:4: [analysis]: max_time_s is 1e+155 (expected more than 0, up to 1e6)"},
     {"StepsTooShort",
      {{"gravity_m_s2 = 9.81", "max_timestep_s = 1e-9"}},
-     "slope.toml:4: [analysis]: max_timestep_s is 1e-09 (one slide would take billions of shorter steps, which nothing "
-     "can "
-     "interrupt; expected 1e-4 to 1e6)"},
+     "slope.toml:4: [analysis]: max_timestep_s is 1e-09 (one slide would take billions of shorter steps; "
+     "expected 1e-4 to 1e6)"},
     {"DeviationsThatChangeTheOrder",
      {{"section = [[0, 0], [10, -10], [20, -10]]",
        R"(section = [[0, 0], [10, -10], [20, -10]]
@@ -833,6 +832,13 @@ percentiles = [50, 0.0, -0.0]
 
 [terrain])"}},
      "slope.toml:7: [output]: percentiles[2] is 0 (it was given before). Leave it out"},
+    {"TooManyPercentiles",
+     {{"[terrain]",
+       R"([output]
+percentiles = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21]
+
+[terrain])"}},
+     "slope.toml:7: [output]: percentiles has 21 entries (expected 20 at most)"},
     {"MapCellsInWords",
      {{"[terrain]",
        R"([output]

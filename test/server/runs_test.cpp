@@ -186,8 +186,8 @@ struct Store {
 
   server::Workplace workplace;
   server::EventHub events;
-  std::mutex building;
-  server::RunStore runs{workplace, events, building};
+  server::ModelReading reading{std::chrono::minutes(1)};
+  server::RunStore runs{workplace, events, reading};
 };
 
 TEST_F(Runs, BeginAndGoOnOnlyUntilTheServerEnds) {
@@ -216,13 +216,38 @@ TEST_F(Runs, BeginAndGoOnOnlyUntilTheServerEnds) {
   EXPECT_EQ(run(id)["state"], "stopped");
 }
 
-TEST_F(Runs, ThatBeginWaitForModelsThatAreBeingBuilt) {
-  Store store(path(""));
-  std::unique_lock other(store.building);
-  auto begun = std::async([&] { return store.runs.begin({.file = file_, .text = section()}).rocks; });
-  EXPECT_EQ(begun.wait_for(std::chrono::milliseconds(300)), std::future_status::timeout);
-  other.unlock();
-  EXPECT_EQ(begun.get(), 50U);
+TEST_F(Runs, AreStoppedInTheMiddleOfALongRock) {
+  // 17,000 rocks that rest at once, then some that each take minutes.
+  const std::string endless = R"([analysis]
+rotation = false
+max_timestep_s = 1e-4
+max_time_s = 1e6
+max_steps = 1000000000
+[terrain]
+section = [[-1000, 100], [1e6, -100000]]
+[[material]]
+name = "Rock"
+normal_restitution = 0
+tangential_restitution = 1
+friction_angle_deg = 5.7105932
+[[seeder]]
+position = [0, "surface"]
+rocks = 17000
+mass_kg = 100
+[[seeder]]
+position = [0, "surface"]
+horizontal_velocity_m_s = 1
+rocks = 5
+mass_kg = 100
+)";
+  const std::string id = begin(endless);
+  (void)wait(id, [](const Json& now) { return now["done"] > 16'700; });  // the last block has some of the long ones
+  const auto asked = std::chrono::steady_clock::now();
+  EXPECT_EQ(ask(id, "stop").status, 200);
+  EXPECT_EQ(wait_for(id, "stopped")["done"], 17'000);
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::minutes(1));
+  (void)wait(id, [](const Json& now) { return now["has_results"] == true; });
+  EXPECT_EQ(get("/api/runs/" + id + "/summary").json()["rocks"]["done"], 17'000);
 }
 
 TEST_F(Runs, AreFoundAgainWhereverFilesAreListed) {
@@ -278,8 +303,7 @@ std::string address_in(const std::filesystem::path& said) {
 TEST_F(Runs, OfAServerThatWasKilledGoOnToTheSameBytes) {
   stop();  // another server does the work
   const std::filesystem::path said = base_ / "said.txt";
-  test::Child other({"serve", path("").string(), "--port", "0"}, said,
-                    {"env", "XDG_STATE_HOME=" + (base_ / "state").string()});
+  test::Child other({"serve", path("").string(), "--port", "0"}, said);
   const std::string address = address_in(said);
   const std::size_t slash = address.find("/?");
   port_ = std::stoi(address.substr(address.rfind(':') + 1));

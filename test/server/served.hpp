@@ -113,6 +113,12 @@ class RawConnection {
     read_.erase(0, whole);
     return status;
   }
+  /// Whether it has not ended so far.
+  [[nodiscard]] bool is_open() const {
+    char byte = 0;
+    const ssize_t got = ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+    return got > 0 ? true : got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
+  }
   /// Whether the server ends it before it says anything more.
   [[nodiscard]] bool is_closed() { return read_.empty() && !read_more(); }
 
@@ -139,7 +145,6 @@ class Served : public ::testing::Test {
     std::filesystem::create_directories(path(""));
     options_.folder = path("");
     options_.port = 0;
-    options_.key_file = base_ / "sessions.key";
     options_.limits = limits;
     start();
   }

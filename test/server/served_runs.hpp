@@ -41,7 +41,7 @@ class ServedRuns : public Served {
 
   /// The run, as soon as it is so.
   Json wait(const std::string& id, const std::function<bool(const Json&)>& is) const {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(10);
     for (;;) {
       Json now = run(id);
       if (is(now)) return now;

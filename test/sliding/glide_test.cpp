@@ -122,7 +122,7 @@ TEST(GlideLanes, GiveTheBitsOfEachAlone) {
       const bool is_traced = glides.size() % 3 != 0;
       lanes.add(glides.back(), is_traced ? &traces.back() : nullptr, glides.size() - 1);
     }
-    lanes.run([&](std::size_t name) { ended.push_back(name); });
+    lanes.run(nullptr, [&](std::size_t name) { ended.push_back(name); });
   }
   EXPECT_TRUE(lanes.is_empty());
   std::sort(ended.begin(), ended.end());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "talus/core/stop.hpp"
 #include "talus/io/json_text.hpp"
 
 namespace talus::server {
@@ -91,6 +92,8 @@ Answer answer_of(const std::function<Answer()>& function) {
     return refusal_answer(refusal);
   } catch (const BadInput& bad) {
     return refusal_answer(422, bad.problems());
+  } catch (const Stopped&) {
+    return refusal_answer(Refusal(503, "", "this was left undone", "the server is ending, or nobody waits for it"));
   } catch (const std::bad_alloc&) {
     return refusal_answer(Refusal(500, "", "there is not enough memory for this"));
   } catch (const std::exception& error) {
@@ -202,6 +205,19 @@ Router::Router(httplib::Server& server, Session& session, Limits limits)
   });
 }
 
+void Router::refuse_the_rest() {
+  // The library would read the bodies of such requests into memory before it says that there is no such thing.
+  const auto refuse = [](const httplib::Request& request, httplib::Response& response,
+                         const httplib::ContentReader& content) {
+    answer_body(request, response, content, [&](const httplib::ContentReader&) -> Answer {
+      throw Refusal(404, request.path, "there is no such thing here");
+    });
+  };
+  server_.Post(".*", refuse);
+  server_.Put(".*", refuse);
+  server_.Patch(".*", refuse);
+}
+
 void Router::listens_on(int port) {
   for (const char* name : {"127.0.0.1", "localhost"}) hosts_.push_back(fmt::format("{}:{}", name, port));
 }
@@ -212,8 +228,8 @@ bool Router::lets_in(const httplib::Request& request, httplib::Response& respons
   const auto is_ours = [&](const std::string& host) {
     return std::find(hosts_.begin(), hosts_.end(), host) != hosts_.end();
   };
-  const auto refuse = [&](const char* where, const char* what, const char* hint) {
-    const Answer answer = refusal_answer(Refusal(403, where, what, "", hint));
+  const auto refuse = [&](int status, const char* where, const char* what, const char* hint = "") {
+    const Answer answer = refusal_answer(Refusal(status, where, what, "", hint));
     if (brings_a_body(request)) {
       write_and_close(answer, response);
     } else {
@@ -222,15 +238,23 @@ bool Router::lets_in(const httplib::Request& request, httplib::Response& respons
     return false;
   };
   if (!is_ours(request.get_header_value("Host")))
-    return refuse("Host", "this server has another name", "Use the address that it printed");
+    return refuse(403, "Host", "this server has another name", "Use the address that it printed");
   if (request.has_header("Origin")) {
     const std::string origin = request.get_header_value("Origin");
     if (!origin.starts_with("http://") || !is_ours(origin.substr(7)))
-      return refuse("Origin", "another page may not ask this server", "");
+      return refuse(403, "Origin", "another page may not ask this server");
   }
-  const bool is_api = request.path.starts_with("/api/") || request.path == "/api";
-  if (is_api && !session_.knows(request.get_header_value("Cookie")))
-    return refuse("", "this browser has no session here", "Open the address that `talus serve` printed");
+  // The way into a session, and the word that there is none.
+  const bool reads = request.method == "GET" || request.method == "HEAD";
+  const bool is_open = request.path == "/" && reads;
+  if (!is_open && !session_.knows(request.get_header_value("Cookie")))
+    return refuse(403, "", "this browser has no session here", "Open the address that `talus serve` printed");
+  const bool takes_a_body = request.method == "POST" || request.method == "PUT" || request.method == "PATCH";
+  if (!reads && !takes_a_body && request.method != "DELETE") return refuse(405, "", "there is no such method");
+  if (!takes_a_body && brings_a_body(request)) return refuse(400, "", "this request has no body");
+  if (request.has_header("Transfer-Encoding"))
+    return refuse(411, "Transfer-Encoding", "is not taken", "Send a Content-Length");
+  if (request.ranges.size() > 1) return refuse(416, "Range", "has several parts", "Ask for one at a time");
   return true;
 }
 

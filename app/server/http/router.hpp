@@ -54,6 +54,9 @@ class Router {
   /// A PUT whose body is read bit by bit.
   void upload(const std::string& pattern, UploadHandler handler);
 
+  /// Refuses bodies that no pattern takes. To be called when all patterns are there.
+  void refuse_the_rest();
+
   /// Under which names this server is asked, once its port is known.
   void listens_on(int port);
   [[nodiscard]] const Limits& limits() const { return limits_; }

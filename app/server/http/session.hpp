@@ -1,9 +1,7 @@
 #pragma once
 // Who may speak with the server: whoever came by an address with a token, which works once, and has the cookie since.
 
-#include <filesystem>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,16 +16,17 @@ namespace talus::server {
 
 class Session {
  public:
-  /// The key of the user's sessions is kept in a file that only the user can read, so that a page goes on when the
-  /// server is started again. Throws BadInput where it cannot be kept.
-  explicit Session(const std::filesystem::path& key_file, int port);
+  /// With a key of its own: a browser sends its cookies to whatever listens on the machine, on any port, and what one
+  /// server's cookie opens is to be that server alone, until it ends.
+  explicit Session(int port);
 
   /// A new token, which works once.
   [[nodiscard]] std::string new_token();
   /// Whether the token was one; it is none afterwards.
   [[nodiscard]] bool use_token(std::string_view token);
 
-  /// What a browser is given for its token, for the header Set-Cookie.
+  /// What a browser is given for its token, for the header Set-Cookie: until the browser ends. (Lax, since the page
+  /// that leads here may be a file.)
   [[nodiscard]] std::string cookie() const;
   /// Whether a header Cookie has it.
   [[nodiscard]] bool knows(std::string_view cookie_header) const;
@@ -37,8 +36,5 @@ class Session {
   std::mutex mutex_;
   std::set<std::string> tokens_;
 };
-
-/// Where the key is kept: in $XDG_STATE_HOME/talus, or ~/.local/state/talus.
-[[nodiscard]] std::filesystem::path usual_key_file();
 
 }  // namespace talus::server

@@ -18,8 +18,29 @@ namespace talus {
 namespace {
 
 struct Block {
-  RockRange rocks;
+  RockRange rocks;  // that observers are to see, or have seen
   std::vector<std::unique_ptr<ObserverPart>> parts;
+  bool is_cut = false;  // it was stopped before its last rock
+};
+
+/// How many rocks a block gets: as many as are done in a quarter of a second, by what those before them took.
+class BlockSize {
+ public:
+  explicit BlockSize(int threads) : threads_(threads) {}
+  void done(std::uint64_t rocks) { done_ += rocks; }
+  [[nodiscard]] std::uint64_t next() const {
+    constexpr double wanted = 0.25;      // [s]
+    constexpr std::uint64_t first = 16;  // as long as nothing is known of the rocks
+    if (done_ == 0) return first;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    const double rocks = wanted * static_cast<double>(done_) / std::max(seconds * threads_, 1e-9);
+    return static_cast<std::uint64_t>(std::clamp(rocks, 1.0, static_cast<double>(rocks_a_block)));
+  }
+
+ private:
+  int threads_;
+  std::uint64_t done_ = 0;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace
@@ -43,7 +64,7 @@ void throw_blocks(const Model& model, std::span<Observer* const> observers, int 
       return nullptr;
     }
     const std::lock_guard lock(under_way_mutex);
-    return under_way.emplace_back(std::make_unique<Block>(Block{*rocks, {}})).get();
+    return under_way.emplace_back(std::make_unique<Block>(Block{*rocks, {}, false})).get();
   };
   const auto compute = [&](Block* block) {
     try {
@@ -57,17 +78,28 @@ void throw_blocks(const Model& model, std::span<Observer* const> observers, int 
       order.see = [&](const RockRecord& record, const RockLog& log) {
         for (const auto& part : block->parts) part->see(record, log);
       };
-      simulators.local().simulate(order);
+      const StopScope scope(flow.stop);
+      order.stop = &scope;
+      const std::uint64_t next = simulators.local().simulate(order);
+      block->is_cut = next < block->rocks.last;
+      block->rocks.last = next;
+    } catch (const Stopped&) {  // an observer has left its work
+      block->is_cut = true;
+      block->rocks.last = block->rocks.first;
     } catch (...) {
       if (flow.failed) flow.failed();
       throw;
     }
     return block;
   };
+  bool is_cut = false;
   const auto commit = [&](Block* block) {
     try {
-      for (std::size_t k = 0; k < observers.size(); ++k) observers[k]->commit(*block->parts[k]);
-      flow.committed(block->rocks);
+      if (!is_cut && block->rocks.count() > 0) {
+        for (std::size_t k = 0; k < observers.size(); ++k) observers[k]->commit(*block->parts[k]);
+        flow.committed(block->rocks);
+      }
+      is_cut = is_cut || block->is_cut;
       const std::lock_guard lock(under_way_mutex);
       under_way.pop_front();
     } catch (...) {
@@ -88,19 +120,26 @@ CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> obse
   const RockRange range = options.rocks.value_or(RockRange{0, model.rocks()});
   std::uint64_t next = outcome.done = range.first;
   BlockFlow flow;
+  flow.stop = options.stop;
+  BlockSize size(outcome.threads);
+  std::mutex size_mutex;
   flow.next = [&]() -> std::optional<RockRange> {
-    if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed))
-      outcome.interrupted = next < range.last;
-    if (outcome.interrupted || next == range.last) return std::nullopt;
+    if (is_asked(options.stop) || next == range.last) return std::nullopt;
+    const std::lock_guard lock(size_mutex);
     const std::uint64_t first = next;
-    next = std::min(range.last, next + rocks_a_block);
+    next = std::min(range.last, next + std::min(size.next(), range.last - next));
     return RockRange{first, next};
   };
   flow.committed = [&](const RockRange& rocks) {
     outcome.done = rocks.last;
+    {
+      const std::lock_guard lock(size_mutex);
+      size.done(rocks.count());
+    }
     if (options.progress) options.progress(outcome.done);
   };
   throw_blocks(model, observers, outcome.threads, flow);
+  outcome.interrupted = outcome.done < range.last;
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return outcome;
 }

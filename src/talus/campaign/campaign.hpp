@@ -16,7 +16,7 @@ namespace talus {
 
 struct CampaignOptions {
   int threads = 0;                          // 0: as many as there are cores
-  const std::atomic<bool>* stop = nullptr;  // set from outside: blocks begun are finished, no more are begun
+  const std::atomic<bool>* stop = nullptr;  // set from outside: rocks on their way are left, no more are begun
   /// Called with the number that follows the last rock done, by one thread at a time and each time that all observers
   /// have seen exactly the rocks before it. What it throws ends the campaign.
   std::function<void(std::uint64_t)> progress;
@@ -33,19 +33,24 @@ struct CampaignOutcome {
 
 CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> observers, const CampaignOptions& options);
 
-/// Large enough that handing out and committing a block cost nothing, small enough that all paths of the blocks under
-/// way fit in memory (about 2 MB a block) and that a short campaign keeps every core busy to the end.
+/// At most: large enough that handing out and committing a block cost nothing, small enough that all paths of the
+/// blocks under way fit in memory (about 2 MB a block) and that a short campaign keeps every core busy to the end.
+/// Blocks of rocks that take long are smaller: what comes after a rock that is left on its way is lost with it, and a
+/// checkpoint waits for whole blocks.
 inline constexpr std::uint64_t rocks_a_block = 256;
 
 /// Blocks of rocks that come from elsewhere, in any order.
 struct BlockFlow {
   /// The next block; nothing if there will be no more. It may wait. Called by one thread at a time.
   std::function<std::optional<RockRange>()> next;
-  /// Observers have seen this block, and none other since the last call. Blocks come here in the order in which they
-  /// came from `next`. Called by one thread at a time.
+  /// Observers have seen these rocks, and none other since the last call. Blocks come here in the order in which they
+  /// came from `next`; the last one without the rocks that were left, where it was stopped. Called by one thread at a
+  /// time.
   std::function<void(const RockRange&)> committed;
   /// The work ends with an exception, for which `next` must not keep it waiting. By any thread, at any time.
   std::function<void()> failed;
+  /// Set from outside: rocks on their way are left, and nothing is committed that comes after one. Null: nobody asks.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// Throws blocks until there are no more.

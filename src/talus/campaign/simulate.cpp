@@ -123,9 +123,11 @@ class Party {
   Party(const Model& model, const Surface& surface)
       : model_(model), surface_(surface), lanes_(RockRun<Surface>::glide_laws(model.laws)) {}
 
-  void follow(const SimulationOrder& order) {
+  /// Gives the number that follows the last rock seen.
+  std::uint64_t follow(const SimulationOrder& order) {
     next_ = seen_ = order.rocks.first;
-    while (seen_ < order.rocks.last) {
+    while (seen_ < order.rocks.last && !was_stopped_) {
+      if (order.stop != nullptr && order.stop->is_asked()) break;
       if (!lanes_.is_full() && may_go_on_ > 0) {
         go_on(order, ready_[--may_go_on_]);
       } else if (!lanes_.is_full() && next_ < order.rocks.last && next_ - seen_ < walkers_.size()) {
@@ -137,15 +139,19 @@ class Party {
         is_done_[place] = false;
         go_on(order, place);
       } else {
-        lanes_.run([&](std::size_t place) { ready_[may_go_on_++] = place; });
+        lanes_.run(order.stop, [&](std::size_t place) { ready_[may_go_on_++] = place; });
       }
     }
+    return seen_;
   }
 
  private:
   void go_on(const SimulationOrder& order, std::size_t place) {
     RockRun<Surface>& run = walkers_[place].run();
-    if (run.go_on() == RockRun<Surface>::Pause::glides) {
+    const auto pause = run.go_on(order.stop);
+    was_stopped_ = pause == RockRun<Surface>::Pause::stopped;
+    if (was_stopped_) return;
+    if (pause == RockRun<Surface>::Pause::glides) {
       lanes_.add(run.glide(), run.glide_trace(), place);
       return;
     }
@@ -167,6 +173,7 @@ class Party {
   std::array<bool, side_by_side> is_done_{};
   std::array<std::size_t, side_by_side> ready_{};  // whose glide has ended
   std::size_t may_go_on_ = 0;
+  bool was_stopped_ = false;           // and is not to be used again
   std::uint64_t next_ = 0, seen_ = 0;  // the first rock not begun, not seen
 };
 
@@ -184,19 +191,27 @@ Vec3 start_of(const Model& model, std::uint64_t rock) {
 /// What a simulator has for the kind of surface that its model has.
 class Simulator::Rocks {
  public:
-  explicit Rocks(const Model& model) {
-    std::visit([&]<class Surface>(const Surface& surface) { party_.emplace<Party<Surface>>(model, surface); },
-               model.surface);
-  }
-  void follow(const SimulationOrder& order) {
-    std::visit(
+  explicit Rocks(const Model& model) : model_(model) { begin(); }
+  std::uint64_t follow(const SimulationOrder& order) {
+    const std::uint64_t next = std::visit(
         [&]<class Each>(Each& party) {
-          if constexpr (!std::is_same_v<Each, std::monostate>) party.follow(order);
+          if constexpr (std::is_same_v<Each, std::monostate>)
+            return order.rocks.first;
+          else
+            return party.follow(order);
         },
         party_);
+    if (next < order.rocks.last) begin();  // without the rocks that were left on their way
+    return next;
   }
 
  private:
+  void begin() {
+    std::visit([&]<class Surface>(const Surface& surface) { party_.emplace<Party<Surface>>(model_, surface); },
+               model_.surface);
+  }
+
+  const Model& model_;
   std::variant<std::monostate, Party<Profile>, Party<TriangleMesh>, Party<RasterSurface>> party_;
 };
 
@@ -204,17 +219,19 @@ Simulator::Simulator(const Model& model) : rocks_(std::make_unique<Rocks>(model)
 Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
 
-void Simulator::simulate(const SimulationOrder& order) { rocks_->follow(order); }
+std::uint64_t Simulator::simulate(const SimulationOrder& order) { return rocks_->follow(order); }
 
 RockRecord Simulator::simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces) {
   RockRecord record;
-  rocks_->follow({{rock, rock + 1},
-                  [keep_rows](std::uint64_t) { return keep_rows; },
-                  keep_pieces,
-                  [&](const RockRecord& seen, const RockLog& log) {
-                    record = seen;
-                    log_ = log;
-                  }});
+  const std::uint64_t next = rocks_->follow({{rock, rock + 1},
+                                             [keep_rows](std::uint64_t) { return keep_rows; },
+                                             keep_pieces,
+                                             [&](const RockRecord& seen, const RockLog& log) {
+                                               record = seen;
+                                               log_ = log;
+                                             },
+                                             StopScope::current()});
+  if (next == rock) throw Stopped{};
   return record;
 }
 

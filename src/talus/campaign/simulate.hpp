@@ -6,6 +6,7 @@
 
 #include "talus/campaign/model.hpp"
 #include "talus/campaign/shard.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/results/record.hpp"
 
 namespace talus {
@@ -17,6 +18,7 @@ struct SimulationOrder {
   bool keep_pieces = false;
   /// Called in the order of the rocks; the log is good until it returns.
   std::function<void(const RockRecord&, const RockLog&)> see;
+  const StopScope* stop = nullptr;  // once it is asked to end, rocks on their way are left; null: nobody asks
 };
 
 /// Where the centre of a rock is when it is released, for pictures of where rocks start; local [m]. Of a section whose
@@ -33,9 +35,11 @@ class Simulator {
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
-  /// Several rocks side by side, which is faster than one after the other and gives the same bits.
-  void simulate(const SimulationOrder& order);
-  /// One rock. Rows and pieces of the path are kept only if asked for; the log is good until the next rock.
+  /// Several rocks side by side, which is faster than one after the other and gives the same bits. Gives the number
+  /// that follows the last rock seen: any of the order's, where it was stopped.
+  std::uint64_t simulate(const SimulationOrder& order);
+  /// One rock. Rows and pieces of the path are kept only if asked for; the log is good until the next rock. Throws
+  /// Stopped at the request of the thread's StopScope.
   RockRecord simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces = false);
   [[nodiscard]] const RockLog& log() const { return log_; }
 

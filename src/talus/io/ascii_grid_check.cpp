@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/io/mesh_problems.hpp"
 
 namespace talus {
@@ -132,6 +133,7 @@ class GridCheck {
 
   /// Keeps what follows `from`, and reads on behind it.
   std::string_view fill(std::size_t from) {
+    stop_point();
     buffer_.resize(2 * chunk_bytes);
     std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(from), buffer_.begin() + static_cast<std::ptrdiff_t>(used_),
               buffer_.begin());

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "talus/core/stop.hpp"
 #include "talus/io/gdal_raster.hpp"
 #include "talus/io/raster_crs.hpp"
 
@@ -154,6 +155,7 @@ class ClassRaster::Reader {
       high = {std::max(high.column, cell->column), std::max(high.row, cell->row)};
     }
     if (high.column < 0) return;
+    stop_point();
     const int columns = high.column - low.column + 1, rows = high.row - low.row + 1;
     if (std::int64_t{columns} * rows > largest_window && cells.size() > 1) {
       const std::size_t half = cells.size() / 2;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/io/ordinary_file.hpp"
 
 namespace talus::io {
@@ -94,6 +95,7 @@ void CsvReader::split() {
 }
 
 bool CsvReader::next() {
+  stop_point(static_cast<std::size_t>(lines_read_));
   if (!read_record()) return false;
   split();
   if (fields_.size() != columns_.size()) {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "talus/core/stop.hpp"
 #include "talus/io/raster_file.hpp"
 #include "talus/terrain/mend.hpp"
 
@@ -209,6 +210,7 @@ class LasReader {
     std::uint64_t strange = 0, far_away = 0;
     double strangest = 0, farthest = 0;
     for (std::uint64_t done = 0; done < las_.declared; done += at_once) {
+      stop_point();
       const std::uint64_t count = std::min(at_once, las_.declared - done);
       const auto block = bytes(first_ + done * length_, count * length_);
       for (std::uint64_t k = 0; k < count; ++k) {

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/io/map_list.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/statistics/quantile_sketch.hpp"
@@ -122,6 +123,7 @@ std::optional<ColourRange> fill(GDALRasterBand& band, const Maps& maps, const Ma
   RangeFinder finder(kind.scale);
   std::vector<double> values;
   for (const Maps::Tile* tile : maps.tiles()) {
+    stop_point();
     const MapCell first{std::max(tile->first().column, extent.first.column),
                         std::max(tile->first().row, extent.first.row)};
     const MapCell last{std::min(tile->first().column + Maps::tile_side - 1, extent.last.column),
@@ -147,6 +149,7 @@ std::optional<ColourRange> fill(GDALRasterBand& band, const Maps& maps, const Ma
 GDALDataType type_of(const MapKind& kind, const Maps& maps) {
   if (!kind.is_count) return GDT_Float32;
   for (const Maps::Tile* tile : maps.tiles()) {
+    stop_point();
     for (std::int32_t k = 0; k < Maps::tile_side * Maps::tile_side; ++k) {
       const MapTally* tally = tile->find(k % Maps::tile_side, k / Maps::tile_side);
       if (tally != nullptr && kind.value(*tally) > 4294967295.0) return GDT_Float64;
@@ -199,10 +202,15 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
   std::error_code ignored;
   std::filesystem::remove(part, ignored);
   messages.clear();
+  const auto goes_on = [](double, const char*, void*) -> int {
+    return StopScope::current() == nullptr || !StopScope::current()->is_asked() ? TRUE : FALSE;
+  };
   const bool is_made =
       GDALDatasetUniquePtr(
-          driver("COG", file).CreateCopy(part.c_str(), raster.get(), FALSE, cloud_optimised, nullptr, nullptr)) !=
+          driver("COG", file).CreateCopy(part.c_str(), raster.get(), FALSE, cloud_optimised, goes_on, nullptr)) !=
       nullptr;
+  if (!goes_on(1, "", nullptr)) std::filesystem::remove(part, ignored);
+  stop_point();
   if (!is_made || messages.has_failure()) {  // what goes wrong while a file is closed is only said
     std::filesystem::remove(part, ignored);
     refuse(file, messages);
@@ -238,7 +246,12 @@ std::vector<std::string> write_maps(const Maps& maps, std::span<const double> pe
   const std::vector<MapKind> kinds = map_kinds(maps.rocks(), percentiles);
   for (const MapKind& kind : kinds) names.push_back(kind.name);
   make_lists_of_options();
-  tbb::parallel_for_each(kinds, [&](const MapKind& kind) { write_map(maps, kind, *extent, crs_wkt, folder); });
+  const StopScope* const here = StopScope::current();
+  tbb::parallel_for_each(kinds, [&](const MapKind& kind) {
+    const StopScope there(here);
+    stop_point();
+    write_map(maps, kind, *extent, crs_wkt, folder);
+  });
   return names;
 }
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "talus/core/stop.hpp"
+
 namespace talus::io {
 
 namespace {
@@ -41,6 +43,7 @@ bool halve(GDALRasterBand& from, GDALRasterBand& to, MapOverview what) {
   const double no_data = from.GetNoDataValue();
   std::vector<double> fine, coarse;
   for (int y = 0; y < to.GetYSize(); y += largest_side) {
+    stop_point();
     for (int x = 0; x < to.GetXSize(); x += largest_side) {
       const int columns = std::min(largest_side, to.GetXSize() - x), rows = std::min(largest_side, to.GetYSize() - y);
       const int fine_columns = std::min(2 * columns, from.GetXSize() - 2 * x);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "talus/core/stop.hpp"
 #include "talus/io/mesh_formats.hpp"
 #include "talus/io/mesh_polygons.hpp"
 #include "talus/io/mesh_text.hpp"
@@ -458,6 +459,7 @@ PolygonMesh read_body(Body body, const Header& header, MeshProblems& problems) {
     if (element.name == "vertex") mesh.vertices.reserve(element.count);
     if (element.name == "face") mesh.ends.reserve(element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
+      stop_point(i);
       body.begin(element, i);
       if (element.name == "vertex") {
         read_vertex(body, element, mesh);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "talus/core/stop.hpp"
 #include "talus/io/mesh_formats.hpp"
 #include "talus/io/mesh_text.hpp"
 
@@ -148,6 +149,7 @@ RawMesh read_binary(std::string_view bytes, MeshProblems& problems) {
   mesh.triangles.reserve(count);
   float largest = 0;
   for (std::uint64_t t = 0; t < count; ++t) {
+    stop_point(t);
     const char* const corners = bytes.data() + header_bytes + t * triangle_bytes + 12;
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     bool finite = true;

@@ -3,10 +3,13 @@
 #include <charconv>
 #include <cmath>
 
+#include "talus/core/stop.hpp"
+
 namespace talus {
 
 std::optional<std::string_view> Lines::next() {
   if (rest_.empty()) return std::nullopt;
+  stop_point(number_);
   const std::size_t end = rest_.find('\n');
   std::string_view line = rest_.substr(0, end);
   rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);

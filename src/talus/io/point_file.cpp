@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/io/first_problems.hpp"
 #include "talus/io/mesh_problems.hpp"
 #include "talus/io/mesh_text.hpp"
@@ -107,6 +108,7 @@ class PointReader {
     std::ifstream stream = opened();
     std::string line;
     while (next_line(stream, line)) {
+      stop_point(static_cast<std::size_t>(number_));
       std::string_view text = trimmed(line);
       if (number_ == 1 && text.starts_with("\xEF\xBB\xBF")) text = trimmed(text.substr(3));
       const bool is_comment = text.starts_with('#') || text.starts_with("//");

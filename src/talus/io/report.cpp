@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/report/assets.hpp"
 
@@ -49,6 +50,7 @@ Json endpoints_of(const RunFolder& run) {
 Json paths_of(const RunFolder& run) {
   auto rocks = Json::array();
   for (const Path& path : run.paths.items) {
+    stop_point();
     auto rows = Json::array();
     for (const PathRow& row : path.rows) {
       const auto& [x, y, z] = row.position_m;
@@ -168,6 +170,7 @@ Json map_colours() {
 }
 
 Json data_of(const RunFolder& run) {
+  stop_point();
   const auto whole = std::filesystem::absolute(run.folder).lexically_normal();
   const auto last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
   return {{"folder", last.string()},        {"date", run.date},

@@ -119,6 +119,7 @@ void TableFiles::append(std::span<const std::string> texts) {
 }
 
 std::vector<TableMark> TableFiles::sync() {
+  if (finished_) return *finished_;
   std::vector<TableMark> marks;
   for (const Entry& entry : entries_) {
     OutputFile& file = *entry.sink->file;
@@ -130,10 +131,12 @@ std::vector<TableMark> TableFiles::sync() {
 }
 
 void TableFiles::keep_parts() {
+  if (finished_) return;
   for (const Entry& entry : entries_) entry.sink->file->keep_part();
 }
 
 void TableFiles::finish() {
+  finished_ = sync();
   for (const Entry& entry : entries_) entry.sink->file->commit();
 }
 

@@ -56,7 +56,7 @@ class TableFiles {
   [[nodiscard]] std::vector<Observer*> observers() const;
   /// Rows of each table that were made elsewhere, in the order of the tables; they come after those before.
   void append(std::span<const std::string> texts);
-  /// What they hold now, all of it on the disk.
+  /// What they hold now, all of it on the disk; also once they are finished.
   [[nodiscard]] std::vector<TableMark> sync();
   /// From now on parts stay if they are not finished.
   void keep_parts();
@@ -75,6 +75,7 @@ class TableFiles {
 
   std::filesystem::path folder_;
   std::vector<Entry> entries_;
+  std::optional<std::vector<TableMark>> finished_;
 };
 
 }  // namespace talus::io

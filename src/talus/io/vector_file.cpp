@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "talus/core/stop.hpp"
 #include "talus/io/dxf_entities.hpp"
 #include "talus/io/dxf_file.hpp"
 #include "talus/io/gdal_raster.hpp"
@@ -116,6 +117,7 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
   std::uint64_t seen = 0, without_geometry = 0, not_utf8 = 0;
   layer.ResetReading();
   for (;; ++seen) {
+    stop_point(seen);
     const OGRFeatureUniquePtr from(layer.GetNextFeature());
     if (messages.has_failure() && entities && (from || is_whole_dxf(problems.file()))) {
       entities->note_unreadable(messages.failure());

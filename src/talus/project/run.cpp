@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "talus/core/stop.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/run_state.hpp"
 #include "talus/io/table_files.hpp"
@@ -76,12 +77,14 @@ CampaignOutcome throw_rocks(const Model& model, const RunOptions& options, const
   std::vector<Observer*> observers = tables.observers();
   for (SummingObserver* observer : sums.observers()) observers.push_back(observer);
   CampaignOptions campaign = options.campaign;
-  campaign.rocks = RockRange{next, all.last};
+  campaign.rocks = RockRange{next, options.only_results ? next : all.last};
   campaign.progress = [&](std::uint64_t done) {
     if (options.campaign.progress) options.campaign.progress(done - all.first);
     if (done < all.last) checkpoints.after(done);
   };
-  return run_campaign(model, observers, campaign);
+  CampaignOutcome outcome = run_campaign(model, observers, campaign);
+  outcome.interrupted = outcome.done < all.last;
+  return outcome;
 }
 
 }  // namespace
@@ -91,6 +94,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   make_output_folder(folder);
   std::optional<FolderLock> lock;
   if (options.lock == nullptr) lock.emplace(lock_output_folder(folder));
+  std::optional<StopScope> beginning(std::in_place, options.campaign.stop);
   const io::RunDescription description = describe_run(project, model, warnings, options.shard);
   const Start start = find_start(folder, description, options);
   const io::RunStateHeader& begun = start.state;
@@ -114,6 +118,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     tables.begin();
   }
   try {
+    beginning.reset();  // a stop is heard by the campaign
     RunCourse course{begun.range, begun.shard};
     if (options.campaign.progress) options.campaign.progress(begun.done - begun.range.first);
     const CampaignOutcome outcome =
@@ -129,8 +134,19 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     course.threads = outcome.threads;
     remove_finished_summary(folder);
     tables.finish();
-    RunResult result{outcome, sums.summary(), write_results(folder, description, sums, course), begun.range,
-                     begun.rocks().count()};
+    RunResult result{outcome, sums.summary(), {}, begun.range, begun.rocks().count()};
+    const bool was_asked = is_asked(options.campaign.stop);
+    const TimeLimit limit{std::chrono::duration<double>(options.closing_seconds)};
+    try {
+      const StopScope closing(was_asked ? nullptr : options.campaign.stop, was_asked ? &limit : nullptr);
+      result.warnings = write_results(folder, description, sums, course);
+    } catch (const Stopped&) {
+      checkpoints.write(outcome.done);
+      std::error_code ignored;
+      std::filesystem::remove(folder / "summary.json", ignored);  // of an earlier part of the run
+      result.has_results = false;
+      return result;
+    }
     if (!outcome.interrupted && !options.shard) remove_state(state_file);
     return result;
   } catch (const BadInput& bad) {

@@ -115,6 +115,7 @@ Json table_schema(const Table& table) {
   for (const Setting& setting : table.settings) {
     Json property = type_of(table, setting);
     property["description"] = std::string(setting.meaning);
+    if (setting.most_entries > 0) property["maxItems"] = setting.most_entries;
     if (!setting.unit.empty()) property["x-unit"] = std::string(setting.unit);
     if (auto value = default_of(table, setting); value && setting.without_it.empty() && *value != "inf") {
       property["default"] = std::move(*value);

@@ -33,6 +33,7 @@ constexpr double most_energy_kJ = 1e20;
 constexpr double most_drag_kg_s = 1e12;
 constexpr double most_factor = 1e6;  // of what has no unit, and of drags of the ground
 constexpr double most_exponent = 100;
+constexpr std::size_t most_percentiles = 20;  // each is a map a quantity, or a column
 
 constexpr std::string_view within_places = "places are given in metres";
 constexpr std::string_view too_fast = "no rock falls so fast";
@@ -207,7 +208,7 @@ Table analysis() {
                .unit = "s",
                .range = {.least = 1e-4,
                          .most = most_time_s,
-                         .too_low = "one slide would take billions of shorter steps, which nothing can interrupt"},
+                         .too_low = "one slide would take billions of shorter steps"},
                .meaning = "Time step of stepped sliding and of rolling.",
                .source = "RocFall3"},
               {.key = "normal_velocity_cutoff_m_s",
@@ -1055,7 +1056,8 @@ Table design() {
               {.key = "percentiles",
                .slot = member(&Design::percentiles),
                .range = between(0, 100),
-               .meaning = "Which percentiles of energy, velocity and height are given along the lines.",
+               .most_entries = most_percentiles,
+               .meaning = "Which percentiles of energy, velocity and height are given along the lines, 20 at most.",
                .source = "Talus"},
               {.key = "confidence",
                .slot = member(&Design::confidence),
@@ -1213,9 +1215,10 @@ Table output() {
               {.key = "percentiles",
                .slot = member(&Output::percentiles),
                .range = between(0, 100),
+               .most_entries = most_percentiles,
                .meaning =
                    "Which percentiles of energies, velocity and bounce height are mapped beside the greatest and "
-                   "the mean.",
+                   "the mean, 20 at most.",
                .source = "Talus"},
               {.key = "geopackage",
                .slot = rock_limit_slot(&Output::geopackage_limit),

@@ -103,6 +103,7 @@ struct Setting {
   Range range{};
   bool required = false;
   std::string_view without_it{};  // what holds where the key is absent and the struct's initial value does not say it
+  std::size_t most_entries = 0;   // of a list; 0: as many as anybody likes
   std::vector<std::string_view> excludes{};  // keys of the same table that may not stand beside this one
   std::string_view meaning{};                // one sentence
   std::string_view source{};

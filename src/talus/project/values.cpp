@@ -362,6 +362,10 @@ template <class Item>
 bool ValueReader::into(const Value& value, std::vector<Item>* member) {
   const toml::array* list = value.node.as_array();
   if (!list) return refuse_kind(value, "a list [...]");
+  if (const std::size_t most = value.setting.most_entries; most > 0 && list->size() > most) {
+    return refuse(value, fmt::format("{} has {} entries", value.name, list->size()),
+                  fmt::format("expected {} at most", most));
+  }
   std::vector<Item> items(list->size());
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < list->size(); ++i) {

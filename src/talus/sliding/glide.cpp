@@ -111,13 +111,15 @@ void GlideLanes::note_step(LaneSet lanes) {
   }
 }
 
-auto GlideLanes::run_until_one_ends() -> LaneSet {
+auto GlideLanes::run_until_one_ends(const StopScope* stop) -> LaneSet {
   TALUS_PROMISE(!is_empty(), "there is a glide to run");
+  constexpr unsigned often = 4096;  // steps between two looks: below a millisecond
   LaneSet staying;
+  unsigned steps = 0;
   do {
     staying = step_all();
     note_step(staying & traced_);
-  } while (staying == occupied_);
+  } while (staying == occupied_ && (++steps % often != 0 || stop == nullptr || !stop->is_asked()));
   return occupied_ & ~staying;
 }
 

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "talus/core/stop.hpp"
 #include "talus/core/vec.hpp"
 #include "talus/flight/touch.hpp"
 
@@ -79,10 +80,11 @@ class GlideLanes {
   /// Expects a free lane. The glide is written to when it has ended; `trace`, if there is one, gets its steps. `name`
   /// is the caller's.
   void add(Glide& glide, std::vector<GlideStep>* trace, std::size_t name);
-  /// Until one glide has ended at the least. Calls ended(name) for each that has. Expects one.
+  /// Until one glide has ended at the least, or until it is to stop; null: nobody asks. Calls ended(name) for each that
+  /// has ended. Expects a glide.
   template <class Ended>
-  void run(Ended&& ended) {
-    for (LaneSet lanes = run_until_one_ends(); lanes != 0; lanes &= lanes - 1) {
+  void run(const StopScope* stop, Ended&& ended) {
+    for (LaneSet lanes = run_until_one_ends(stop); lanes != 0; lanes &= lanes - 1) {
       ended(take(static_cast<std::size_t>(std::countr_zero(lanes))));
     }
   }
@@ -92,7 +94,7 @@ class GlideLanes {
   using LaneSet = std::uint64_t;  // a bit each
   static constexpr LaneSet all_lanes = (LaneSet{1} << width) - 1;
 
-  LaneSet run_until_one_ends();
+  LaneSet run_until_one_ends(const StopScope* stop);
   LaneSet step_all();
   void note_step(LaneSet lanes);
   std::size_t take(std::size_t lane);

@@ -5,6 +5,8 @@
 #include <memory>
 #include <numeric>
 
+#include "talus/core/stop.hpp"
+
 namespace talus {
 
 namespace {
@@ -131,7 +133,13 @@ struct Bvh::Builder {
       if (k < draft->count && draft->part[k].size() > leaf_size) draft->child[k] = build(draft->part[k], depth + 1);
     };
     if (range.size() > parallel_size) {
-      tbb::parallel_invoke([&] { descend(0); }, [&] { descend(1); }, [&] { descend(2); }, [&] { descend(3); });
+      stop_point();
+      const StopScope* const here = StopScope::current();
+      const auto apart = [&](std::size_t k) {
+        const StopScope there(here);
+        descend(k);
+      };
+      tbb::parallel_invoke([&] { apart(0); }, [&] { apart(1); }, [&] { apart(2); }, [&] { apart(3); });
     } else {
       for (std::size_t k = 0; k < 4; ++k) descend(k);
     }

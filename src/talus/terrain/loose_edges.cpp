@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "talus/core/stop.hpp"
 #include "talus/terrain/bvh.hpp"
 #include "talus/terrain/mend.hpp"
 
@@ -76,8 +77,11 @@ LooseEdges loose_edges(const std::vector<Vec3>& vertices, std::span<const std::a
 
   const Bvh tree{boxes};
   std::vector<std::atomic<bool>> is_crack(boundary.size()), is_below(boundary.size()), is_above(boundary.size());
+  const StopScope* const here = StopScope::current();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size()), [&](const auto& range) {
+    const StopScope there(here);
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      stop_point(i);
       const Facet other = facet(static_cast<std::uint32_t>(i));
       Box column;
       for (const Vec3& p : other.corner) column.grow(p);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/terrain/loose_edges.hpp"
 #include "talus/terrain/mesh_edges.hpp"
 #include "talus/terrain/side_corners.hpp"
@@ -256,6 +257,7 @@ class Orientation {
     closed_ = true;
     one_sided_ = false;
     for (std::size_t next = 0; next < component_.size(); ++next) {
+      stop_point(next);
       const std::uint32_t i = component_[next];
       for (std::size_t k = 0; k < 3; ++k) {
         const Neighbour neighbour = mesh_.neighbours[i][k];
@@ -362,11 +364,13 @@ MendedMesh mend(RawMesh raw, const MendOptions& options) {
     refusals.throw_if_any();
   }
   drop_duplicates(mesh);
+  stop_point();
   if (options.weld_tolerance_m > 0) join_along_sides(mesh, options.weld_tolerance_m);
   drop_unused_vertices(mesh, stands_for);
   const std::vector<MeshEdge> boundary = find_neighbours(mesh);
   mesh.report.crack_m = std::max(widest_crack_m, options.weld_tolerance_m);
   mesh.report.loose_edges = loose_edges(mesh.vertices, mesh.triangles, boundary, mesh.report.crack_m);
+  stop_point();
   Orientation orientation{mesh};
   orientation.find();
   orientation.apply();

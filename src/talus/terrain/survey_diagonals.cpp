@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "talus/core/stop.hpp"
+
 namespace talus {
 namespace {
 
@@ -28,6 +30,7 @@ class Turner {
   // Every turn makes the sum of the height differences along all sides smaller: it ends.
   std::size_t work() {
     for (std::uint32_t i = 0; i < t_.triangles().size(); ++i) {
+      stop_point(i);
       for (std::uint32_t k = 0; k < 3; ++k) {
         const Side side{i, k};
         if (t_.from(side) < t_.to(side) && is_to_be_turned(side)) turn(side);

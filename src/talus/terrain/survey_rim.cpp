@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "talus/core/stop.hpp"
+
 namespace talus {
 namespace {
 
@@ -19,6 +21,7 @@ class Rim {
 
   void peel() {
     for (std::uint32_t i = 0; i < kept_.size(); ++i) {
+      stop_point(i);
       for (std::uint32_t k = 0; k < 3; ++k) waiting_.push_back({i, k});
       work();
     }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/terrain/survey_departures.hpp"
 #include "talus/terrain/survey_diagonals.hpp"
 #include "talus/terrain/survey_places.hpp"
@@ -115,7 +116,10 @@ SurveySurface surface_of(const Survey& survey, const SurveyOptions& options) {
 
   ConstrainedTriangulation lines(triangulation, places.height, places.grid);
   for (const auto& line : places.lines) {
-    for (std::size_t k = 1; k < line.size(); ++k) lines.add(line[k - 1], line[k]);
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      stop_point(k - 1);
+      lines.add(line[k - 1], line[k]);
+    }
   }
   report.lines_laid = lines.report();
   for (auto v = static_cast<std::uint32_t>(places.at.size()); v < triangulation.vertex_count(); ++v) {

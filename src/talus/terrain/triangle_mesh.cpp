@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "talus/core/check.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/terrain/height_in_sight.hpp"
 
 namespace talus {
@@ -53,6 +54,7 @@ TriangleMesh::TriangleMesh(std::span<const Vec3> vertices, std::span<const Corne
 
   facets_.resize(triangles.size());
   for (std::size_t k = 0; k < facets_.size(); ++k) {
+    stop_point(k);
     const std::uint32_t source = bvh_.order()[k];
     Facet& facet = facets_[k];
     facet.source = source;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "talus/core/check.hpp"
+#include "talus/core/stop.hpp"
 
 namespace talus {
 namespace {
@@ -81,7 +82,9 @@ Triangulation::Triangulation(std::vector<GridPoint> points) : points_(std::move(
   } else {
     begin(0, *third, 1);
   }
+  std::size_t done = 0;
   for (const std::uint32_t v : order_of_insertion(points_)) {
+    stop_point(++done);
     if (v > 1 && v != *third) put_in(v);
   }
 }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "talus/barriers/crossing.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/flight/touch.hpp"
 #include "talus/impact/crsp.hpp"
 #include "talus/impact/plain.hpp"
@@ -53,10 +54,11 @@ class RockRun {
   /// What a run has come to.
   enum class Pause {
     glides,  // along a facet; to go on, the steps of glide() are to be taken
-    ended
+    ended,
+    stopped  // on request, on its way: it has no end, and is not to be gone on with
   };
-  /// Follows the rock until it glides or ends.
-  Pause go_on();
+  /// Follows the rock until it glides or ends, or until it is to stop; null: nobody asks for that.
+  Pause go_on(const StopScope* stop = nullptr);
   [[nodiscard]] Glide& glide() { return glide_; }
   /// Takes one of its steps; whether there was one to take.
   bool step_alone() {
@@ -315,7 +317,7 @@ void RockRun<Surface>::begin(Phase phase) {
 }
 
 template <class Surface>
-auto RockRun<Surface>::go_on() -> Pause {
+auto RockRun<Surface>::go_on(const StopScope* stop) -> Pause {
   if (std::exchange(is_gliding_, false)) {
     end_glide();
     if (const Next next = move_along(on_ground_)) begin(*next);
@@ -325,7 +327,9 @@ auto RockRun<Surface>::go_on() -> Pause {
     log_.row(PathState::projectile, motion_);
     begin(has_room_ ? Phase::flies : end(EndReason::at_rest));
   }
-  while (phase_ != Phase::ended) {
+  constexpr unsigned often = 64;  // legs and flights between two looks: well below a millisecond
+  for (unsigned passages = 1; phase_ != Phase::ended; ++passages) {
+    if (passages % often == 0 && stop != nullptr && stop->is_asked()) return Pause::stopped;
     if (phase_ == Phase::flies) {
       begin(fly());
       continue;

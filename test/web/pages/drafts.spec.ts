@@ -45,7 +45,7 @@ test('a server that is killed and started again finds the page, the draft and th
   await expect(page.getByRole('alert').filter({ hasText: 'The server does not answer' })).toBeVisible({ timeout: 30_000 });
   await page.getByLabel(roughness).fill('1.75');
   await page.getByLabel(roughness).press('Tab');
-  await server.start();
+  await server.startFor(page);
   await expect(page.getByRole('alert').filter({ hasText: 'The server does not answer' })).toBeHidden({ timeout: 30_000 });
   await page.getByRole('button', { name: 'Save', exact: true }).click();
   await expect(page.getByText(/^Saved/)).toBeVisible();

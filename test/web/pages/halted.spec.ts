@@ -12,7 +12,7 @@ test('a run whose server was killed shows what was done', async ({ workbench: pa
   const { runs } = await page.evaluate(async () => (await fetch('/api/runs')).json());
   await expect.poll(() => server.has(`${runs[0].folder}/run.state`), { timeout: 30_000 }).toBe(true);
   await server.end('SIGKILL');
-  await server.start();
+  await server.startFor(page);
   await expect(long).toContainText(/Interrupted, [\d,]+ of/, { timeout: 30_000 });
   await runIsShown(page);
   await page.getByRole('tab', { name: 'Overview' }).click();

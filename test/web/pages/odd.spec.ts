@@ -79,7 +79,7 @@ test('a run that failed can go on', async ({ workbench: page, server }) => {
   const names = readdirSync(server.folder, { recursive: true }).map(String);
   const path = join(server.folder, names.find((name) => name.endsWith('run.json'))!);
   writeFileSync(path, readFileSync(path, 'utf8').replace('"done",', '"failed",'));
-  await server.start();
+  await server.startFor(page);
   await page.getByRole('tab', { name: 'Runs' }).click();
   const run = page.locator('li.run');
   await expect(run).toContainText('Failed', { timeout: 30_000 });

@@ -16,12 +16,11 @@ export class Server {
 
   constructor(public port = 0) {}
 
-  /// Starts it; again on the port that it had, so that a page that is open goes on.
+  /// Starts it; again on the port that it had, where a page that is open goes on once its browser has come in again.
   async start(...more: string[]): Promise<string> {
     const arguments_ = ['serve', ...(more.length > 0 ? more : [this.folder]), '--port', String(this.port)];
     const child = spawn(program, arguments_, {
       cwd: this.folder,
-      env: { ...process.env, XDG_STATE_HOME: join(this.folder, '.state') },
       stdio: ['ignore', 'pipe', 'inherit'],
     });
     this.child = child;
@@ -37,6 +36,12 @@ export class Server {
       child.once('exit', (code) => reject(new Error(`talus serve ended with ${code}: ${said}`)));
     });
     return this.address;
+  }
+
+  /// Starts it again, and lets the browser of a page that is open come in: sessions end with their server.
+  async startFor(page: Page) {
+    await this.start();
+    await page.request.get(this.address);
   }
 
   /// SIGKILL is a crash, SIGTERM a request.

@@ -33,7 +33,7 @@ export class Refused extends Error {
 /// The server does not answer: it was stopped, or the connection broke.
 class Unreachable extends Error {
   constructor() {
-    super('The server does not answer. Start talus serve again; nothing here is lost.');
+    super('The server does not answer. Start talus serve again and open the address that it prints; nothing here is lost.');
   }
 }
 

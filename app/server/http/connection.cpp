@@ -1,0 +1,99 @@
+#include "http/connection.hpp"
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+namespace talus::server {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto patience_with_bodies = 5s, patience_with_readers = 30s;  // until the next byte moves
+
+}  // namespace
+
+Connection::~Connection() {
+  end();
+  close(socket_);
+}
+
+void Connection::end() const { shutdown(socket_, SHUT_RDWR); }
+
+Connection::Head Connection::head() const {
+  const std::string_view arrived = std::string_view(arrived_).substr(taken_);
+  // The library reads on until an empty line that ends so, whatever else stands before it.
+  const std::size_t end = arrived.find("\r\n\r\n");
+  const std::size_t bytes = end == std::string_view::npos ? arrived.size() : end;
+  if (bytes > limits_.head_bytes) return Head::too_large;
+  return end == std::string_view::npos ? Head::incomplete : Head::complete;
+}
+
+Connection::Head Connection::gather() {
+  std::array<char, 4096> bytes;
+  for (;;) {
+    const ssize_t got = recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return Head::incomplete;
+    if (got <= 0) return Head::closed;
+    if (arrived_.empty()) head_since_ = Clock::now();
+    arrived_.append(bytes.data(), static_cast<std::size_t>(got));
+    if (const Head now = head(); now != Head::incomplete) return now;
+  }
+}
+
+Connection::Clock::time_point Connection::deadline() const {
+  return arrived_.empty() ? silent_since_ + limits_.silent_time : head_since_ + limits_.head_time;
+}
+
+void Connection::begin_next() {
+  arrived_.erase(0, taken_);
+  taken_ = 0;
+  silent_since_ = head_since_ = Clock::now();
+}
+
+bool Connection::is_ready(short events, std::chrono::milliseconds patience) const {
+  pollfd waiting{.fd = socket_, .events = events, .revents = 0};
+  int found = 0;
+  do {
+    found = poll(&waiting, 1, static_cast<int>(patience.count()));
+  } while (found < 0 && errno == EINTR);
+  return found > 0 && (waiting.revents & events) != 0;
+}
+
+bool Connection::is_readable() const { return taken_ < arrived_.size() || is_ready(POLLIN, patience_with_bodies); }
+
+bool Connection::is_writable() const { return !has_gone && is_ready(POLLOUT, patience_with_readers); }
+
+ssize_t Connection::read(char* to, std::size_t size) {
+  if (taken_ < arrived_.size()) {
+    const std::size_t count = std::min(size, arrived_.size() - taken_);
+    std::memcpy(to, arrived_.data() + taken_, count);
+    taken_ += count;
+    return static_cast<ssize_t>(count);
+  }
+  if (!is_ready(POLLIN, patience_with_bodies)) return -1;
+  return recv(socket_, to, size, MSG_DONTWAIT);
+}
+
+ssize_t Connection::write(const char* from, std::size_t size) {
+  for (;;) {
+    const ssize_t sent = send(socket_, from, size, MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (sent >= 0 || (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR)) return sent;
+    if (errno != EINTR && !is_ready(POLLOUT, patience_with_readers)) return -1;
+  }
+}
+
+void Connection::get_remote_ip_and_port(std::string& ip, int& port) const {
+  ip = "127.0.0.1";  // the server listens there alone
+  port = -1;
+}
+void Connection::get_local_ip_and_port(std::string& ip, int& port) const { get_remote_ip_and_port(ip, port); }
+
+}  // namespace talus::server

@@ -1,0 +1,163 @@
+#include "http/web_server.hpp"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
+
+#include "talus/core/stop.hpp"
+
+namespace talus::server {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Of the library: what comes is given to the connections at once.
+class AtOnce : public httplib::TaskQueue {
+ public:
+  void enqueue(std::function<void()> work) override { work(); }
+  void shutdown() override {}
+};
+
+constexpr std::string_view too_large =
+    "HTTP/1.1 431 Request Header Fields Too Large\r\nConnection: close\r\nContent-Length: 0\r\n\r\n";
+
+}  // namespace
+
+WebServer::WebServer(const Limits& limits, std::size_t most_threads)
+    : limits_(limits), answering_(most_threads), wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+  new_task_queue = [] { return new AtOnce; };
+  watching_ = std::thread([this] { watch(); });
+}
+
+WebServer::~WebServer() {
+  end_connections();
+  wait();
+  close(wake_);
+}
+
+void WebServer::wait() {
+  if (!watching_.joinable()) return;
+  watching_.join();
+  answering_.shutdown();
+}
+
+void WebServer::end_connections() {
+  is_closed_ = true;
+  const std::lock_guard lock(mutex_);
+  for (const Held& connection : answered_) connection->end();
+  wake();
+}
+
+void WebServer::wake() const {
+  const std::uint64_t one = 1;
+  (void)!write(wake_, &one, sizeof one);
+}
+
+bool WebServer::process_and_close_socket(socket_t socket) {
+  const std::lock_guard lock(mutex_);
+  come_.push_back(std::make_shared<Connection>(socket, limits_));
+  wake();
+  return true;
+}
+
+/// The request is answered as soon as it is known; until then the connection is one of the silent ones.
+void WebServer::look_at(std::vector<Held>& silent, const Held& connection, Connection::Head head) {
+  switch (head) {
+    case Connection::Head::incomplete:
+      silent.push_back(connection);
+      return;
+    case Connection::Head::closed:
+      return;
+    case Connection::Head::too_large:
+      (void)!send(connection->descriptor(), too_large.data(), too_large.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+      return;
+    case Connection::Head::complete: {
+      {
+        const std::lock_guard lock(mutex_);
+        answered_.insert(connection);
+      }
+      try {
+        answering_.enqueue([this, connection] { answer(connection); });
+      } catch (const std::system_error&) {  // not one thread is to be had: the client may try again
+        const std::lock_guard lock(mutex_);
+        answered_.erase(connection);
+      }
+    }
+  }
+}
+
+void WebServer::watch() {
+  std::vector<Held> silent, before, busy, come;  // the silent ones by age
+  std::vector<pollfd> polled;
+  while (!is_closed_) {
+    busy.clear();
+    {
+      const std::lock_guard lock(mutex_);
+      come.swap(come_);
+      busy.assign(answered_.begin(), answered_.end());
+    }
+    for (const Held& connection : come) {
+      const Connection::Head head = connection->head();
+      look_at(silent, connection, head == Connection::Head::incomplete ? connection->gather() : head);
+    }
+    come.clear();
+    if (silent.size() > limits_.silent_connections)
+      silent.erase(silent.begin(), silent.end() - static_cast<std::ptrdiff_t>(limits_.silent_connections));
+
+    polled.assign(1, {.fd = wake_, .events = POLLIN, .revents = 0});
+    for (const Held& each : silent) polled.push_back({.fd = each->descriptor(), .events = POLLIN, .revents = 0});
+    for (const Held& each : busy) {
+      if (!each->has_gone) polled.push_back({.fd = each->descriptor(), .events = POLLRDHUP, .revents = 0});
+    }
+    constexpr int often = 250;  // [ms]: to see whose time is over
+    if (poll(polled.data(), polled.size(), often) < 0) continue;
+    std::uint64_t ignored = 0;
+    (void)!read(wake_, &ignored, sizeof ignored);
+
+    const auto now = Connection::Clock::now();
+    before.swap(silent);
+    silent.clear();
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      if (polled[1 + k].revents != 0) {
+        look_at(silent, before[k], before[k]->gather());
+      } else if (now < before[k]->deadline()) {
+        silent.push_back(before[k]);
+      }
+    }
+    std::size_t at = 1 + before.size();
+    before.clear();
+    for (const Held& each : busy) {
+      if (!each->has_gone && polled[at++].revents != 0) each->has_gone = true;
+    }
+  }
+}
+
+void WebServer::answer(const Held& connection) {
+  bool is_over = false, is_answered = false;
+  {
+    const StopScope ending(&is_closed_), leaving(&connection->has_gone);
+    try {
+      is_answered = process_request(*connection, false, is_over, nullptr);
+    } catch (...) {  // what fails while an answer is sent cannot be answered
+      is_answered = false;
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  answered_.erase(connection);
+  if (is_answered && !is_over && !is_closed_) {
+    connection->begin_next();
+    come_.push_back(connection);
+  } else {
+    connection->end();
+  }
+  wake();
+}
+
+}  // namespace talus::server

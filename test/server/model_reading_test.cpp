@@ -1,0 +1,196 @@
+// Models are read apart: one that does not end keeps nobody waiting, and the server ends without it.
+
+#include "model_reading.hpp"
+
+#include "server/served_runs.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <future>
+#include <thread>
+
+#include "http/answer.hpp"
+#include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
+
+namespace talus {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+using server::ModelReading;
+using testing_tools::Json;
+using testing_tools::Reply;
+using testing_tools::ServedRuns;
+
+/// What a file that lies where nothing answers does to its reader, until this goes.
+class Blockade {
+ public:
+  ~Blockade() { *over_ = true; }
+  [[nodiscard]] std::function<int()> reader() const {
+    return [over = over_] {
+      while (!*over) std::this_thread::sleep_for(5ms);
+      return 1;
+    };
+  }
+
+ private:
+  std::shared_ptr<std::atomic<bool>> over_ = std::make_shared<std::atomic<bool>>(false);
+};
+
+TEST(ModelsReadApart, GiveWhatIsRead) {
+  ModelReading reading(10min);
+  EXPECT_EQ(*reading.read<int>("a", [] { return 7; }), 7);
+  EXPECT_THROW((void)reading.read<int>("a", []() -> int { throw BadInput(Problem{.what = "damaged"}); }), BadInput);
+  for (int k = 0; k < 30'000 && reading.left_alone() > 0; ++k) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(reading.left_alone(), 0U);
+}
+
+TEST(ModelsReadApart, AreReadOnceForSeveralWhoAskForTheSame) {
+  ModelReading reading(10min);
+  std::atomic<int> readings{0};
+  std::atomic<bool> may_end{false};
+  std::atomic<int> asked{0};
+  const auto ask = [&] {
+    ++asked;
+    return reading.read<int>("same", [&] {
+      ++readings;
+      while (!may_end) std::this_thread::sleep_for(1ms);
+      return 5;
+    });
+  };
+  auto first = std::async(std::launch::async, ask), second = std::async(std::launch::async, ask);
+  while (asked < 2) std::this_thread::sleep_for(1ms);
+  std::this_thread::sleep_for(500ms);
+  may_end = true;
+  EXPECT_EQ(*first.get(), 5);
+  EXPECT_EQ(*second.get(), 5);
+  EXPECT_EQ(readings, 1);
+}
+
+TEST(ModelsReadApart, KeepNobodyWaitingLong) {
+  ModelReading reading(10min);
+  const Blockade blockade;
+  std::atomic<bool> stop{false};
+  std::vector<std::thread> waiting;
+  for (const char* key : {"a", "b", "c", "d"}) {
+    waiting.emplace_back([&, key] {
+      const StopScope scope(&stop);
+      EXPECT_THROW((void)reading.read<int>(key, blockade.reader()), Stopped);
+    });
+  }
+  std::this_thread::sleep_for(50ms);
+  const auto begin = Clock::now();
+  EXPECT_EQ(*reading.read<int>("quick", [] { return 1; }), 1);
+  EXPECT_LT(Clock::now() - begin, 1min);
+  // And whoever waits can leave at once.
+  stop = true;
+  const auto asked = Clock::now();
+  for (std::thread& each : waiting) each.join();
+  EXPECT_LT(Clock::now() - asked, 1min);
+  EXPECT_GE(reading.left_alone(), 2U);
+}
+
+TEST(ModelsReadApart, HaveALimitOfTime) {
+  ModelReading reading(200ms);
+  const Blockade blockade;
+  try {
+    (void)reading.read<int>("a", blockade.reader());
+    ADD_FAILURE() << "it came to an end";
+  } catch (const BadInput& bad) {
+    EXPECT_EQ(bad.problems().text(),
+              "the files of this project could not be read in time (it has taken more than 0.2 s). Look whether "
+              "one of them lies where nothing answers, or take a smaller one");
+  }
+}
+
+TEST(ModelsReadApart, AreStoppedWhenNobodyWaits) {
+  ModelReading reading(10min);
+  std::atomic<bool> stop{false}, was_left{false};
+  std::thread waiting([&] {
+    const StopScope scope(&stop);
+    EXPECT_THROW((void)reading.read<int>("a",
+                                         [&]() -> int {
+                                           try {
+                                             for (;;) {
+                                               stop_point();
+                                               std::this_thread::sleep_for(1ms);
+                                             }
+                                           } catch (const Stopped&) {
+                                             was_left = true;
+                                             throw;
+                                           }
+                                         }),
+                 Stopped);
+  });
+  std::this_thread::sleep_for(50ms);
+  stop = true;
+  waiting.join();
+  for (int k = 0; k < 30'000 && reading.left_alone() > 0; ++k) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(reading.left_alone(), 0U);
+  EXPECT_TRUE(was_left);
+}
+
+/// A file whose opening the system lets wait for half a minute: somebody has a lease on it.
+class Leased {
+ public:
+  explicit Leased(const std::filesystem::path& file) {
+    std::signal(SIGIO, SIG_IGN);  // by which the system asks for it back
+    file_ = open(file.c_str(), O_RDWR | O_CLOEXEC);
+    is_held_ = file_ >= 0 && fcntl(file_, F_SETLEASE, F_WRLCK) == 0;
+  }
+  ~Leased() {
+    if (is_held_) fcntl(file_, F_SETLEASE, F_UNLCK);
+    close(file_);
+  }
+  [[nodiscard]] bool is_held() const { return is_held_; }
+
+ private:
+  int file_ = -1;
+  bool is_held_ = false;
+};
+
+class Hanging : public ServedRuns {
+ protected:
+  void SetUp() override {
+    write("dem.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n9 1\n9 1\n");
+    leased_.emplace(path("dem.asc"));
+    if (!leased_->is_held()) GTEST_SKIP() << "this file system has no leases";
+  }
+  void TearDown() override { leased_.reset(); }
+  static std::string on_raster() {
+    return "[terrain]\nraster = \"dem.asc\"\n[[material]]\nname = \"A\"\n[[seeder]]\nposition = [5, 5, \"surface\"]\n"
+           "mass_kg = 1\n";
+  }
+  std::optional<Leased> leased_;
+};
+
+TEST_F(Hanging, ModelKeepsNoOtherWaitingAndNotTheServersEnd) {
+  std::thread hanging([&] {
+    httplib::Client client("127.0.0.1", port_);
+    client.set_read_timeout(60, 0);
+    const Json body{{"file", "a.toml"}, {"text", on_raster()}};
+    (void)client.Post("/api/model", {{"Cookie", cookie_}}, body.dump(), "application/json");
+  });
+  std::this_thread::sleep_for(300ms);
+  auto begin = Clock::now();
+  const Reply reply = post("/api/model", {{"file", "b.toml"}, {"text", section()}});
+  EXPECT_EQ(reply.status, 200);
+  EXPECT_FALSE(reply.json()["model"].is_null()) << reply.body;
+  EXPECT_LT(Clock::now() - begin, 30s);  // the system gives the file after 45 s
+  const std::string id = ServedRuns::begin(section(), {{"rocks", 10}});
+  EXPECT_EQ(wait_for(id, "done")["done"], 10);
+
+  begin = Clock::now();
+  stop();
+  EXPECT_LT(Clock::now() - begin, 30s);  // the system gives the file after 45 s
+  hanging.join();
+  EXPECT_LT(Clock::now() - begin, 30s);  // the system gives the file after 45 s
+}
+
+}  // namespace
+}  // namespace talus
