@@ -281,9 +281,22 @@ TEST(RefusedByTheProgram, ARasterThatTakesMoreMemoryThanThereIs) {
   const std::string file = place.write("slope.toml", on_raster);
   place.write("dem.vrt", vrt("40000", "30000"));
   EXPECT_EQ(said(place, "check " + file, "ulimit -v 4000000; "),
-            "2 slope.toml:2: [terrain]: raster dem.vrt: has 40000 x 30000 cells (they need 4.8 GB of memory, and there "
-            "are 4.1 GB). Cut it to the slope: "
+            "2 slope.toml:2: [terrain]: raster dem.vrt: has 40000 x 30000 cells (they need 4.8 GB of memory; of "
+            "the 4.1 GB that there are half may be taken). Cut it to the slope: "
             "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif\n");
+}
+
+// What takes much of the memory is said before anything is read.
+TEST(RefusedByTheProgram, NotALargeRasterThatFits) {
+  const Workplace place;
+  const std::string file = place.write("slope.toml", on_raster);
+  place.write("dem.vrt", vrt("8800", "8800"));
+  const std::string text = said(place, "check " + file, "ulimit -v 3000000; ");
+  EXPECT_NE(text.find("slope.toml:2: warning: [terrain]: raster dem.vrt: has 8800 x 8800 cells (they take 0.3 GB of "
+                      "memory). Cut it to the slope: "
+                      "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif"),
+            std::string::npos)
+      << text;
 }
 
 #endif

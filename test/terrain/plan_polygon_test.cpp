@@ -196,5 +196,33 @@ TEST(PointBuckets, GiveEveryPointOfABoxOnceAndFewOthers) {
   EXPECT_EQ(found, 1);
 }
 
+// A comb of so many teeth that a row of the grid is crossed more often than it has points.
+TEST(PlanPolygon, OfManyCrossingsHoldsTheSamePointsOneByOne) {
+  Dice dice(11);
+  Ring comb;
+  for (int k = 0; k < 4000; ++k)
+    comb.emplace_back(0.01 * k + dice.between(0, 0.009), dice.between(0, 1) + 20 * (k % 2), 0);
+  comb.emplace_back(41, -5, 0);
+  comb.emplace_back(-1, -5, 0);
+  const PlanPolygon polygon(std::vector<Ring>{comb});
+  const PlanGrid grid{{-3, -7}, 0.31, 0.27, 150, 120};
+  std::vector<std::vector<bool>> within(grid.rows, std::vector<bool>(grid.columns));
+  std::size_t runs = 0;
+  visit_points_within(polygon, grid, [&](std::uint32_t row, std::uint32_t from, std::uint32_t to) {
+    ++runs;
+    ASSERT_LT(from, to);
+    ASSERT_LE(to, grid.columns);
+    for (std::uint32_t column = from; column < to; ++column) {
+      EXPECT_FALSE(within[row][column]) << "twice";
+      within[row][column] = true;
+    }
+  });
+  EXPECT_GT(runs, 1000U);
+  for (std::uint32_t row = 0; row < grid.rows; ++row) {
+    for (std::uint32_t column = 0; column < grid.columns; ++column)
+      ASSERT_EQ(within[row][column], polygon.contains({grid.x(column), grid.y(row)})) << row << ' ' << column;
+  }
+}
+
 }  // namespace
 }  // namespace talus

@@ -15,6 +15,8 @@
 #include <optional>
 #include <string_view>
 
+#include "talus/core/memory.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/io/gdal_raster.hpp"
 #include "talus/io/raster_crs.hpp"
 #include "talus/terrain/mend.hpp"
@@ -114,17 +116,27 @@ void judge_place(GDALDataset& dataset, const Placing& at, const OGRSpatialRefere
   }
 }
 
+// Shares of the memory that there is: a terrain may take a half, since the maps of its rocks need some, too; of a tenth
+// it is said before.
+constexpr double share_of_memory = 0.5, much_memory = 0.1;
+
 /// Cells take memory before the first of them is read, however short the file is.
 void judge_memory(GDALDataset& dataset, RasterProblems& problems) {
   const double nodes = static_cast<double>(dataset.GetRasterXSize()) * dataset.GetRasterYSize();
   // The elevations, and a row or two in 64 bits.
   const double needed = nodes * sizeof(float) + 2.0 * sizeof(double) * dataset.GetRasterXSize();
-  const auto there = static_cast<double>(CPLGetUsablePhysicalRAM());
-  if (there <= 0 || needed <= there) return;
-  problems.refuse(
-      fmt::format("has {} x {} cells", dataset.GetRasterXSize(), dataset.GetRasterYSize()),
-      fmt::format("they need {:.1f} GB of memory, and there are {:.1f} GB", needed / 1e9, there / 1e9),
-      "Cut it to the slope: " + problems.command("gdal_translate -projwin WEST NORTH EAST SOUTH", "_slope.tif"));
+  const auto there = static_cast<double>(usable_memory());
+  const std::string cells = fmt::format("has {} x {} cells", dataset.GetRasterXSize(), dataset.GetRasterYSize());
+  const std::string cut =
+      "Cut it to the slope: " + problems.command("gdal_translate -projwin WEST NORTH EAST SOUTH", "_slope.tif");
+  if (needed > share_of_memory * there) {
+    problems.refuse(cells,
+                    fmt::format("they need {:.1f} GB of memory; of the {:.1f} GB that there are half may be taken",
+                                needed / 1e9, there / 1e9),
+                    cut);
+  } else if (needed > much_memory * there) {
+    problems.warn(cells, fmt::format("they take {:.1f} GB of memory", needed / 1e9), cut);
+  }
 }
 
 void judge_size(GDALDataset& dataset, RasterProblems& problems) {
@@ -279,6 +291,7 @@ class BandReader {
   }
 
   void fetch(GDALRasterBand& band, int first, int count, void* to, GDALDataType type) {
+    stop_point();
     messages_.clear();
     const int columns = band.GetXSize();
     const CPLErr result = band.RasterIO(GF_Read, 0, first, columns, count, to, columns, count, type, 0, 0, nullptr);

@@ -1,8 +1,13 @@
 #include "talus/terrain/plan_polygon.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "talus/core/stop.hpp"
 
 namespace talus {
 
@@ -40,7 +45,7 @@ PlanPolygon::PlanPolygon(std::span<const std::vector<Vec3>> rings)
       low_ = low_.cwiseMin(a);
       high_ = high_.cwiseMax(a);
       if (a.y() == b.y()) continue;  // a line along x does not cross it
-      edges_.push_back(a.y() < b.y() ? Edge{a, b} : Edge{b, a});
+      edges_.push_back(a.y() < b.y() ? Edge(a, b) : Edge(b, a));
       heights += std::abs(b.y() - a.y());
     }
   }
@@ -70,27 +75,78 @@ std::size_t PlanPolygon::band_of(double y) const {
 
 void PlanPolygon::crossings(double y, std::vector<double>& x) const {
   x.clear();
-  if (!(y >= low_.y() && y < high_.y())) return;
-  const std::size_t band = band_of(y);
-  for (std::uint32_t k = first_[band]; k < first_[band + 1]; ++k) {
-    const auto& [from, to] = edges_[entries_[k]];
-    if (y < from.y() || y >= to.y()) continue;
-    x.push_back(from.x() + (y - from.y()) * ((to.x() - from.x()) / (to.y() - from.y())));
-  }
+  visit_crossings(y, [&](double at) { x.push_back(at); });
   std::sort(x.begin(), x.end());
 }
 
 bool PlanPolygon::contains(const Vec2& place) const {
-  const double y = place.y();
-  if (!(y >= low_.y() && y < high_.y() && place.x() >= low_.x() && place.x() < high_.x())) return false;
-  const std::size_t band = band_of(y);
+  if (!(place.x() >= low_.x() && place.x() < high_.x())) return false;
   bool within = false;
-  for (std::uint32_t k = first_[band]; k < first_[band + 1]; ++k) {
-    const auto& [from, to] = edges_[entries_[k]];
-    if (y < from.y() || y >= to.y()) continue;
-    if (from.x() + (y - from.y()) * ((to.x() - from.x()) / (to.y() - from.y())) <= place.x()) within = !within;
-  }
+  visit_crossings(place.y(), [&](double x) { within = within != (x <= place.x()); });
   return within;
+}
+
+namespace {
+
+/// The first number n from 0 to count whose place first + n step is at or beyond `limit`.
+std::uint32_t first_at(double first, double step, std::uint32_t count, double limit) {
+  const double guess = std::ceil((limit - first) / step);
+  std::uint32_t n = guess <= 0 ? 0 : guess >= count ? count : static_cast<std::uint32_t>(guess);
+  while (n > 0 && first + (n - 1) * step >= limit) --n;
+  while (n < count && first + n * step < limit) ++n;
+  return n;
+}
+
+}  // namespace
+
+std::pair<std::uint32_t, std::uint32_t> PointsWithin::rows() const {
+  const std::uint32_t first = first_at(grid_.first.y(), grid_.dy, grid_.rows, polygon_.low().y());
+  return {first, std::max(first, first_at(grid_.first.y(), grid_.dy, grid_.rows, polygon_.high().y()))};
+}
+
+void PointsWithin::runs_in(std::uint32_t row, std::vector<Run>& runs) const {
+  runs.clear();
+  // The first point east of each crossing: there begins what is within, or ends.
+  std::vector<std::uint32_t> turns;
+  polygon_.visit_crossings(grid_.y(row),
+                           [&](double x) { turns.push_back(first_at(grid_.first.x(), grid_.dx, grid_.columns, x)); });
+  if (turns.size() <= grid_.columns) {
+    std::sort(turns.begin(), turns.end());
+    for (std::size_t k = 0; k + 1 < turns.size(); k += 2) {
+      if (turns[k] < turns[k + 1]) runs.push_back({turns[k], turns[k + 1]});
+    }
+    return;
+  }
+  // More crossings than points: what counts is whether an odd number of them lies before each.
+  std::vector<bool> is_odd(std::size_t{grid_.columns} + 1);
+  for (const std::uint32_t turn : turns) is_odd[turn] = !is_odd[turn];
+  bool within = false;
+  for (std::uint32_t column = 0; column <= grid_.columns; ++column) {
+    if (!is_odd[column]) continue;
+    if (within) {
+      runs.back().last = column;
+    } else {
+      runs.push_back({column, grid_.columns});
+    }
+    within = !within;
+  }
+  if (!runs.empty() && runs.back().first == grid_.columns) runs.pop_back();
+}
+
+void runs_in_rows(const PointsWithin& points, std::uint32_t first, std::size_t work_a_row,
+                  std::span<std::vector<PointsWithin::Run>> runs) {
+  const StopScope* const here = StopScope::current();
+  const auto find = [&](std::size_t k) {
+    const StopScope there(here);
+    stop_point();
+    points.runs_in(first + static_cast<std::uint32_t>(k), runs[k]);
+  };
+  constexpr std::size_t much = std::size_t{1} << 20;  // edges to look at: a millisecond or more
+  if (work_a_row * runs.size() > much) {
+    tbb::parallel_for(std::size_t{0}, runs.size(), find);
+  } else {
+    for (std::size_t k = 0; k < runs.size(); ++k) find(k);
+  }
 }
 
 std::optional<Vec2> self_crossing(std::span<const Vec2> ring) {

@@ -6,10 +6,11 @@
 // computed alike for the polygons on both sides of it, so that no place between two neighbours is lost or counted
 // twice.
 
-#include <cmath>
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "talus/core/vec.hpp"
@@ -27,10 +28,24 @@ class PlanPolygon {
   /// Where the border crosses a line along x, ascending, an even number of times: within is from the first to before
   /// the second, from the third to before the fourth and so on. Replaces what `x` held.
   void crossings(double y, std::vector<double>& x) const;
+  /// The same in any order: calls visit(x) for each.
+  template <class Visit>
+  void visit_crossings(double y, Visit&& visit) const {
+    if (!(y >= low_.y() && y < high_.y())) return;
+    const std::size_t band = band_of(y);
+    for (std::uint32_t k = first_[band]; k < first_[band + 1]; ++k) {
+      const Edge& edge = edges_[entries_[k]];
+      if (y >= edge.from.y() && y < edge.to.y()) visit(edge.x(y));
+    }
+  }
+  [[nodiscard]] std::size_t edge_count() const { return edges_.size(); }
 
  private:
   struct Edge {
+    Edge(const Vec2& a, const Vec2& b) : from(a), to(b), slope((b.x() - a.x()) / (b.y() - a.y())) {}
+    [[nodiscard]] double x(double y) const { return from.x() + (y - from.y()) * slope; }
     Vec2 from, to;  // upwards
+    double slope;   // of x over y
   };
   [[nodiscard]] std::size_t band_of(double y) const;
 
@@ -51,26 +66,43 @@ struct PlanGrid {
   [[nodiscard]] double y(std::uint32_t row) const { return first.y() + row * dy; }
 };
 
+/// The points of a grid within a polygon, row by row.
+class PointsWithin {
+ public:
+  PointsWithin(const PlanPolygon& polygon, const PlanGrid& grid) : polygon_(polygon), grid_(grid) {}
+
+  /// Rows that the polygon may reach: from the first to before the second.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> rows() const;
+  /// Points of a row, from the first column to before the last.
+  struct Run {
+    std::uint32_t first, last;
+  };
+  /// Of one row, from west to east. Replaces what `runs` held. In time that grows with the border's crossings of the
+  /// row, and no faster.
+  void runs_in(std::uint32_t row, std::vector<Run>& runs) const;
+
+ private:
+  const PlanPolygon& polygon_;
+  const PlanGrid& grid_;
+};
+
+/// The runs of several rows at a time, on all cores where there is much to do: of row first + k into runs[k].
+void runs_in_rows(const PointsWithin& points, std::uint32_t first, std::size_t work_a_row,
+                  std::span<std::vector<PointsWithin::Run>> runs);
+
 /// Calls visit(row, first column, column after the last) for each run of points of a grid within a polygon, from south
 /// to north.
 template <class Visit>
 void visit_points_within(const PlanPolygon& polygon, const PlanGrid& grid, Visit&& visit) {
-  // The first number n from 0 to count whose place first + n step is at or beyond `limit`.
-  const auto first_at = [](double first, double step, std::uint32_t count, double limit) {
-    const double guess = std::ceil((limit - first) / step);
-    std::uint32_t n = guess <= 0 ? 0 : guess >= count ? count : static_cast<std::uint32_t>(guess);
-    while (n > 0 && first + (n - 1) * step >= limit) --n;
-    while (n < count && first + n * step < limit) ++n;
-    return n;
-  };
-  std::vector<double> x;
-  for (std::uint32_t row = first_at(grid.first.y(), grid.dy, grid.rows, polygon.low().y());
-       row < grid.rows && grid.y(row) < polygon.high().y(); ++row) {
-    polygon.crossings(grid.y(row), x);
-    for (std::size_t k = 0; k + 1 < x.size(); k += 2) {
-      const std::uint32_t from = first_at(grid.first.x(), grid.dx, grid.columns, x[k]);
-      const std::uint32_t to = first_at(grid.first.x(), grid.dx, grid.columns, x[k + 1]);
-      if (from < to) visit(row, from, to);
+  const PointsWithin points(polygon, grid);
+  const auto [first, last] = points.rows();
+  constexpr std::uint32_t at_a_time = 256;
+  std::vector<std::vector<PointsWithin::Run>> runs(std::min(at_a_time, last - first));
+  for (std::uint32_t begin = first; begin < last; begin += at_a_time) {
+    const std::size_t count = std::min(at_a_time, last - begin);
+    runs_in_rows(points, begin, polygon.edge_count(), std::span(runs).first(count));
+    for (std::size_t k = 0; k < count; ++k) {
+      for (const PointsWithin::Run& run : runs[k]) visit(begin + static_cast<std::uint32_t>(k), run.first, run.last);
     }
   }
 }
