@@ -103,8 +103,7 @@ Speed talus_run(const Model& model, const char* what, int threads, MapObserver* 
 }
 
 Speed mapped_run(const Model& model, const RasterSurface& surface, const char* what) {
-  const auto ground = [&](double x, double y, double below) { return surface.elevation(x, y, below); };
-  MapObserver maps(MapGrid({0, 0}, 1, {}), RockModel::lumped_mass, ground);
+  MapObserver maps(MapGrid({0, 0}, 1, {}), greatest_height_over(surface, RockModel::lumped_mass));
   const Speed speed = talus_run(model, what, 1, &maps);
   const auto cells = static_cast<double>(maps.maps().touched_cells());
   fmt::print("  {:.0f} cells touched, {:.0f} bytes each\n", cells, static_cast<double>(maps.maps().bytes()) / cells);

@@ -83,6 +83,34 @@ TEST(MapWalk, ThroughACornerItGoesToTheCellBeyond) {
   EXPECT_EQ(list[1].cell, (MapCell{1, 1}));
 }
 
+TEST(MapWalk, WhatItOnlyTouchesIsNotVisited) {
+  const MapGrid grid({0, 0}, 1, {});
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      const MapCell ahead{x > 0 ? 4 : 3, y > 0 ? 7 : 6};
+      for (const double beside : {0.0, 1e-15, -1e-15, 1e-10, -1e-10}) {
+        const Vec3 corner(4 + beside, 7 - beside, 0), way(0.5 * x, 0.3 * y, 0);
+        const auto from_it = stays(grid, piece_of(corner, way, Vec3::Zero(), 1));
+        ASSERT_EQ(from_it.size(), 1U) << x << ' ' << y << ' ' << beside;
+        EXPECT_EQ(from_it[0].cell, ahead);
+        EXPECT_EQ(from_it[0].enter, 0);
+        const auto to_it = stays(grid, piece_of(corner + way, -way, Vec3::Zero(), 1));
+        ASSERT_EQ(to_it.size(), 1U) << x << ' ' << y << ' ' << beside;
+        EXPECT_EQ(to_it[0].cell, ahead);
+        EXPECT_EQ(to_it[0].leave, 1);
+        // Through it, braked or not.
+        for (const double braked : {0.0, -0.4}) {
+          const PathPiece piece = piece_of(corner - way, way, braked * way, 2);
+          const auto through = stays(grid, piece);
+          ASSERT_EQ(through.size(), 2U) << x << ' ' << y << ' ' << beside;
+          EXPECT_EQ(through[1].cell, ahead);
+          EXPECT_EQ(through[0].leave, through[1].enter);
+        }
+      }
+    }
+  }
+}
+
 TEST(MapWalk, ARockThatStandsOrFallsStraightDownStaysInItsCell) {
   const MapGrid grid({0, 0}, 1, {});
   const auto list = stays(grid, piece_of({1, 3, 5}, {0, 0, 2}, {0, 0, -9.81}, 1.5));

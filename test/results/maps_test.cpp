@@ -13,6 +13,7 @@
 #include "support/dice.hpp"
 #include "talus/results/map_observer.hpp"
 #include "talus/statistics/quantile.hpp"
+#include "talus/terrain/profile.hpp"
 
 namespace talus {
 namespace {
@@ -27,7 +28,13 @@ struct Seen {
 
 const MapGrid unit_grid({0, 0}, 1, {});
 
-std::optional<double> flat_ground(double, double, double) { return 0.0; }
+/// Level ground at z, from x = -1 km to `end`.
+Profile level_ground(double z = 0, double end = 1000) {
+  const Vec2 vertices[] = {{-1000, z}, {end, z}};
+  return Profile(vertices);
+}
+const Profile flat_ground = level_ground();
+const GreatestHeight over_flat_ground = greatest_height_over(flat_ground, RockModel::lumped_mass);
 
 /// A rock that goes through these pieces, one after the other wherever they are.
 Seen rock_of(std::vector<PathPiece> pieces, EndReason reason = EndReason::at_rest, double mass = 1000) {
@@ -44,7 +51,7 @@ PathPiece flight(const Vec3& p, const Vec3& v, double duration, const Vec3& spin
 }
 
 Maps maps_of(const std::vector<Seen>& rocks, RockModel model = RockModel::lumped_mass) {
-  MapObserver observer(unit_grid, model, flat_ground);
+  MapObserver observer(unit_grid, greatest_height_over(flat_ground, model));
   const auto part = observer.new_part();
   for (const Seen& seen : rocks) part->see(seen.record, seen.log);
   observer.commit(*part);
@@ -113,8 +120,8 @@ TEST(Maps, HeightIsAboveTheGroundBelow) {
   expect_single(tally_at(over_flat, {1, 0})->maximum(bounce_height), 3.25);
   expect_single(tally_at(over_flat, {0, 0})->maximum(bounce_height), 2 + 5 * 0.25 - 5 * 0.25 * 0.25);
 
-  MapObserver observer(unit_grid, RockModel::lumped_mass,
-                       [](double x, double, double) { return x < 1 ? std::optional(1.0) : std::nullopt; });
+  const Profile terrace = level_ground(1, 0.9);
+  MapObserver observer(unit_grid, greatest_height_over(terrace, RockModel::lumped_mass));
   const auto part = observer.new_part();
   const Seen seen = rock_of({flight({0.5, 0.5, 2}, {2, 0, 0}, 0.5)});
   part->see(seen.record, seen.log);
@@ -127,6 +134,7 @@ TEST(Maps, OnTheGroundALumpedMassHasNoHeightAndASphereItsRadius) {
   PathPiece leg = flight({0.5, 0.5, 0.7}, {1, 0, 0}, 1);
   leg.path.a = Vec3::Zero();
   leg.on_ground = true;
+  leg.ends = {leg.path.v, leg.path.v, leg.spin};
   EXPECT_EQ(tally_at(maps_of({rock_of({leg})}), {0, 0})->maximum(bounce_height), 0);
   const Maps sphere = maps_of({rock_of({leg})}, RockModel::rigid_sphere);
   expect_single(tally_at(sphere, {0, 0})->maximum(bounce_height), 0.7);
@@ -290,7 +298,7 @@ TEST(Maps, DoNotDependOnHowTheRocksAreSplit) {
     // Shards, each of several parts committed in any order, merged in any order.
     std::vector<std::unique_ptr<MapObserver>> shards;
     for (int k = 0; k < 3; ++k) {
-      shards.push_back(std::make_unique<MapObserver>(unit_grid, RockModel::lumped_mass, flat_ground));
+      shards.push_back(std::make_unique<MapObserver>(unit_grid, over_flat_ground));
     }
     std::vector<std::pair<std::size_t, std::unique_ptr<ObserverPart>>> parts;
     for (std::size_t k = 0; k < 9; ++k) parts.emplace_back(k % 3, shards[k % 3]->new_part());
@@ -320,7 +328,7 @@ TEST(Maps, SplitBySourceAddUpToThoseOfAllRocks) {
     const auto any = static_cast<std::uint32_t>(dice.below(sources - 1));
     rocks[k].record.source = SourceId{k < 300 ? k / 150 : any};
   }
-  MapObserver split(unit_grid, RockModel::lumped_mass, flat_ground, sources);
+  MapObserver split(unit_grid, over_flat_ground, sources);
   for (std::size_t first = 0; first < rocks.size(); first += 100) {
     const auto part = split.new_part();
     for (std::size_t k = first; k < first + 100; ++k) part->see(rocks[k].record, rocks[k].log);
@@ -341,7 +349,7 @@ TEST(Maps, SplitBySourceAddUpToThoseOfAllRocks) {
 }
 
 TEST(Maps, NotSplitHaveNoSources) {
-  MapObserver whole(unit_grid, RockModel::lumped_mass, flat_ground);
+  MapObserver whole(unit_grid, over_flat_ground);
   const auto part = whole.new_part();
   Seen seen = rock_of({flight({0.5, 0.5, 1}, {1, 0, 0}, 1)});
   seen.record.source = SourceId{7};

@@ -138,15 +138,16 @@ TEST(SavedResults, SummariesOfOtherRunsAreRefused) {
   EXPECT_TRUE(takes(mine, saved(mine)));
 }
 
-std::optional<double> flat_ground(double, double, double) { return 0.0; }
+/// On level ground at z = 0.
+double heights(const PathPiece& piece, double from, double to, double known) {
+  return std::max({known, piece.path.z(from), piece.path.z(to)});
+}
 
 TEST(SavedResults, Maps) {
   Dice dice(13);
   const std::vector<Seen> rocks = random_rocks(dice, 400);
   for (const auto& sources : {std::optional<std::size_t>(), std::optional<std::size_t>(3)}) {
-    const Make make = [&] {
-      return std::make_unique<MapObserver>(MapGrid({0, 0}, 1, {}), RockModel::lumped_mass, flat_ground, sources);
-    };
+    const Make make = [&] { return std::make_unique<MapObserver>(MapGrid({0, 0}, 1, {}), heights, sources); };
     expect_any_split_merges_to_the_whole(dice, rocks, make);
     expect_damage_is_survived<Handle>(
         dice, state_of(rocks, make), [&] { return Handle{make()}; },
@@ -164,7 +165,7 @@ TEST(SavedResults, Maps) {
 
 TEST(SavedResults, MapsOnAnotherGridOrOfOtherSourcesAreRefused) {
   const auto maps = [](double cell, std::optional<std::size_t> sources) {
-    return std::make_unique<MapObserver>(MapGrid({0, 0}, cell, {}), RockModel::lumped_mass, flat_ground, sources);
+    return std::make_unique<MapObserver>(MapGrid({0, 0}, cell, {}), heights, sources);
   };
   const auto mine = maps(1, 2);
   for (const auto& other : {maps(0.5, 2), maps(1, 3), maps(1, {})}) EXPECT_FALSE(takes(*other, saved(*mine)));

@@ -93,10 +93,9 @@ std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& m
   return std::visit(
       [&](const auto& surface) {
         const MapGrid grid = map_grid(project, model.frame, surface);
-        const auto ground = [&surface](double x, double y, double below) { return surface.elevation(x, y, below); };
         std::optional<std::size_t> sources;
         if (project.output.maps_by_source && !is_section) sources = model.sources.size();
-        return std::make_unique<MapObserver>(grid, model.laws.model, ground, sources);
+        return std::make_unique<MapObserver>(grid, greatest_height_over(surface, model.laws.model), sources);
       },
       model.surface);
 }
@@ -151,7 +150,7 @@ RunSums::RunSums(const io::RunDescription& description)
   if (description.design) design_.emplace(*description.design, description.rocks);
   if (!description.maps) return;
   const MapGrid grid(description.maps->origin, description.maps->cell, {});
-  maps_ = std::make_unique<MapObserver>(grid, talus::RockModel::lumped_mass, nullptr, split_by(description));
+  maps_ = std::make_unique<MapObserver>(grid, nullptr, split_by(description));
 }
 
 std::vector<SummingObserver*> RunSums::observers() {

@@ -89,9 +89,12 @@ struct Monotone {
 
 }  // namespace map_walk
 
+/// Ways shorter than this [m] are rounding: who is in a cell for no more has not been there.
+inline constexpr double no_way = 1e-9;
+
 /// Calls visit(cell, enter, leave) for each cell over which a piece leads, in the order of the path: from `enter` to
 /// `leave`, in the piece's time [s], its centre is over the cell. The intervals join, from 0 to the piece's duration.
-/// A cell that the path only touches at a corner may be visited for no time, or not at all.
+/// A cell that the path only touches, at a corner or where it begins or ends, is not visited, unless it goes nowhere.
 template <class Visit>
 void walk(const MapGrid& grid, const PathPiece& piece, Visit&& visit) {
   const Parabola& path = piece.path;
@@ -111,6 +114,8 @@ void walk(const MapGrid& grid, const PathPiece& piece, Visit&& visit) {
   for (std::size_t k = 0; k < parts; ++k) {
     const double end = part[k + 1];
     const Vec3 middle = path.velocity(0.5 * (part[k] + end));
+    const double moment = no_way / std::max(std::abs(middle.x()), std::abs(middle.y()));  // infinite where it stands
+    const double last = k + 1 == parts ? end - moment : end;
     std::array<map_walk::Monotone, 2> way;
     std::array<double, 2> next;  // when each coordinate leaves the cell
     const auto look_ahead = [&](std::size_t axis) {
@@ -123,12 +128,14 @@ void walk(const MapGrid& grid, const PathPiece& piece, Visit&& visit) {
       way[axis] = {path.p[axis], path.v[axis], path.a[axis], v > 0 ? 1 : v < 0 ? -1 : 0};
       look_ahead(axis);
     }
-    while (std::min(next[0], next[1]) < end) {
+    while (std::min(next[0], next[1]) < last) {
       const double t = std::min(next[0], next[1]);
-      visit(MapCell{cell[0], cell[1]}, since, t);
-      since = t;
+      if (t - since > moment) {
+        visit(MapCell{cell[0], cell[1]}, since, t);
+        since = t;
+      }
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        if (next[axis] != t) continue;
+        if (next[axis] > t) continue;
         cell[axis] += way[axis].toward;
         look_ahead(axis);
       }

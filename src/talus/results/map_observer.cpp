@@ -1,9 +1,6 @@
 #include "talus/results/map_observer.hpp"
 
 #include <algorithm>
-#include <bit>
-
-#include "talus/flight/touch.hpp"
 
 namespace talus {
 
@@ -15,6 +12,10 @@ namespace {
 class VisitedCells {
  public:
   void begin_rock(std::size_t visits_so_far) { before_ = visits_so_far; }
+
+  [[nodiscard]] bool has(MapCell cell, const std::vector<MapVisit>& visits) {
+    return !slots_.empty() && find(cell, visits) > before_;
+  }
 
   /// The visit of this rock to a cell, made if there is none.
   MapVisit& visit(MapCell cell, std::vector<MapVisit>& visits) {
@@ -88,20 +89,28 @@ float& greatest_of(MapVisit& visit, MapQuantity quantity) { return visit.greates
 /// Keeps the visits of a block's rocks: 32 bytes each, added to the maps when the block is committed.
 class MapObserver::Part : public ObserverPart {
  public:
-  Part(const MapGrid& grid, RockModel model, const GroundHeight& ground, bool is_split)
-      : grid_(grid), model_(model), ground_(ground), is_split_(is_split) {}
+  Part(const MapGrid& grid, const GreatestHeight& heights, bool is_split)
+      : grid_(grid), heights_(heights), is_split_(is_split) {}
 
   void see(const RockRecord& record, const RockLog& log) override {
     const std::size_t map = is_split_ ? record.source.index : 0;
     if (stretches.empty() || stretches.back().map != map) stretches.push_back({map, 0, visits.size(), visits.size()});
     cells_.begin_rock(visits.size());
-    height_here_.reset();
     for (const PathPiece& piece : log.pieces) {
-      piece.steps.count > 0 ? glide(log, piece, record.body) : follow(piece, record.body);
+      if (piece.steps.count > 0) {
+        glide(log, piece, record.body);
+      } else if (leads_anywhere(piece)) {
+        follow(piece, record.body);
+      }
     }
-    for (const Vec3& place : log.impacts) ++cells_.visit(grid_.cell_at(place), visits).impacts;
+    // What happens in a moment, in a cell where the rock was.
+    for (const PathPiece& piece : log.pieces) {
+      if (piece.steps.count > 0 || leads_anywhere(piece)) continue;
+      note(visit_at(piece.path.p), piece, record.body, 0, piece.duration);
+    }
+    for (const Vec3& place : log.impacts) ++visit_at(place).impacts;
     const EndReason reason = record.outcome.reason;
-    MapVisit& last = cells_.visit(grid_.cell_at(record.outcome.end.position), visits);
+    MapVisit& last = visit_at(record.outcome.end.position);
     last.is_deposit = reason == EndReason::at_rest || reason == EndReason::stopped_by_barrier;
     ++stretches.back().rocks;
     stretches.back().end_visit = visits.size();
@@ -111,25 +120,50 @@ class MapObserver::Part : public ObserverPart {
   std::vector<Stretch> stretches;
 
  private:
-  void follow(const PathPiece& piece, const Rock& rock) {
-    const double rotational = 0.5 * rock.inertia * piece.spin.squaredNorm();
-    if (is_step_within_cell(piece)) {
-      raise_motion(cells_.visit(cell_, visits), piece.path.v.squaredNorm(), rock, rotational);
-      height_here_ = 0;
-      return;
-    }
-    walk_over(piece, rock, rotational);
+  [[nodiscard]] static bool leads_anywhere(const PathPiece& piece) {
+    return (piece.path.at(piece.duration) - piece.path.p).squaredNorm() > no_way * no_way;
   }
 
-  void walk_over(const PathPiece& piece, const Rock& rock, double rotational) {
+  void follow(const PathPiece& piece, const Rock& rock) {
+    // Most pieces on the ground are steps, each a few centimetres long: they need no walk.
+    if (piece.on_ground && piece.path.a.isZero(0) && grid_.holds(cell_, piece.path.p) &&
+        grid_.holds(cell_, piece.path.at(piece.duration))) {
+      note(cells_.visit(cell_, visits), piece, rock, 0, piece.duration);
+    } else {
+      walk_over(piece, rock);
+    }
+  }
+
+  void walk_over(const PathPiece& piece, const Rock& rock) {
     walk(grid_, piece, [&](MapCell cell, double enter, double leave) {
-      MapVisit& visit = cells_.visit(cell, visits);
-      // The square of the velocity is convex in time.
-      raise_motion(visit, std::max(piece.velocity(enter).squaredNorm(), piece.velocity(leave).squaredNorm()), rock,
-                   rotational);
-      raise(greatest_of(visit, MapQuantity::bounce_height), greatest_height(piece, enter, leave));
+      note(cells_.visit(cell, visits), piece, rock, enter, leave);
       cell_ = cell;
     });
+  }
+
+  void note(MapVisit& visit, const PathPiece& piece, const Rock& rock, double enter, double leave) {
+    const GreatestMotion motion = greatest_motion(piece, rock, enter, leave);
+    raise(greatest_of(visit, MapQuantity::velocity), std::sqrt(motion.squared_velocity));
+    raise(greatest_of(visit, MapQuantity::energy_translational), motion.energy_translational);
+    raise(greatest_of(visit, MapQuantity::energy_total), motion.energy_total);
+    float& height = greatest_of(visit, MapQuantity::bounce_height);
+    raise(height, heights_(piece, enter, leave, height));
+  }
+
+  /// Of a place on a border: the visit to a cell beside it where the rock has been, if it has not been in the one that
+  /// holds the place.
+  MapVisit& visit_at(const Vec3& place) {
+    const MapCell own = grid_.cell_at(place);
+    const MapCell first = grid_.cell_at(place - Vec3(no_way, no_way, 0));
+    const MapCell last = grid_.cell_at(place + Vec3(no_way, no_way, 0));
+    if (first != last && !cells_.has(own, visits)) {
+      for (std::int32_t row = first.row; row <= last.row; ++row) {
+        for (std::int32_t column = first.column; column <= last.column; ++column) {
+          if (cells_.has({column, row}, visits)) return cells_.visit({column, row}, visits);
+        }
+      }
+    }
+    return cells_.visit(own, visits);
   }
 
   /// Most steps of a glide, each a few centimetres long, stay in the cell: of them only the fastest counts.
@@ -138,6 +172,7 @@ class MapObserver::Part : public ObserverPart {
     const auto steps = std::span(log.glide_steps).subspan(piece.steps.first, piece.steps.count);
     const GlideOnPlan plan(piece);
     MapGrid::Borders cell = grid_.borders(cell_);
+    double before = piece.ends.start_velocity.squaredNorm();
     double fastest = -1;  // squared [m2/s2], of the steps in this cell that are not in the maps yet
     const auto note_fastest = [&] {
       if (fastest >= 0) raise_motion(cells_.visit(cell_, visits), fastest, rock, rotational);
@@ -145,22 +180,23 @@ class MapObserver::Part : public ObserverPart {
     };
     bool is_within = cell.hold(piece.path.p.x(), piece.path.p.y());
     if (is_within && plan.stays_between_ends(steps) && plan.ends_in(cell, steps.back())) {
-      fastest = std::max(squared_speed(steps.front()), squared_speed(steps.back()));
+      fastest = std::max({before, squared_speed(steps.front()), squared_speed(steps.back())});
     } else {
       for (std::size_t k = 0; k < steps.size(); ++k) {
         const bool ends_within = plan.ends_in(cell, steps[k]);
+        const double after = squared_speed(steps[k]);
         if (is_within && ends_within) {
-          fastest = std::max(fastest, squared_speed(steps[k]));
-          continue;
+          fastest = std::max({fastest, before, after});
+        } else {
+          note_fastest();
+          walk_over(log.step_of(piece, k), rock);
+          cell = grid_.borders(cell_);
+          is_within = plan.ends_in(cell, steps[k]);
         }
-        note_fastest();
-        walk_over(log.step_of(piece, k), rock, rotational);
-        cell = grid_.borders(cell_);
-        is_within = plan.ends_in(cell, steps[k]);
+        before = after;
       }
     }
     note_fastest();
-    height_here_ = 0;
   }
 
   static void raise_motion(MapVisit& visit, double squared_velocity, const Rock& rock, double rotational) {
@@ -170,49 +206,20 @@ class MapObserver::Part : public ObserverPart {
     raise(greatest_of(visit, MapQuantity::energy_total), translational + rotational);
   }
 
-  /// Most pieces are steps of a slide, each a few centimetres long: they need no walk.
-  [[nodiscard]] bool is_step_within_cell(const PathPiece& piece) const {
-    if (!piece.on_ground || model_ != RockModel::lumped_mass || !piece.path.a.isZero(0)) return false;
-    return grid_.holds(cell_, piece.path.p) && grid_.holds(cell_, piece.path.at(piece.duration));
-  }
-
-  /// At the samples; 0 where there is no ground below any.
-  double greatest_height(const PathPiece& piece, double enter, double leave) {
-    if (piece.on_ground && model_ == RockModel::lumped_mass) {
-      height_here_ = 0;
-      return 0;
-    }
-    if (!height_here_) height_here_ = height(piece.path.at(enter));
-    double greatest = *height_here_;
-    if (!piece.on_ground) {
-      greatest = std::max(greatest, height(piece.path.at(0.5 * (enter + leave))));
-      const double top = -piece.path.v.z() / piece.path.a.z();
-      if (top > enter && top < leave) greatest = std::max(greatest, height(piece.path.at(top)));
-    }
-    height_here_ = height(piece.path.at(leave));
-    return std::max(greatest, *height_here_);
-  }
-  [[nodiscard]] double height(const Vec3& place) const {
-    const auto z = ground_(place.x(), place.y(), place.z() + contact_slack);
-    return z ? std::max(0.0, place.z() - *z) : 0;
-  }
-
   MapGrid grid_;
-  RockModel model_;
-  const GroundHeight& ground_;
+  const GreatestHeight& heights_;
   bool is_split_;
   VisitedCells cells_;
-  MapCell cell_;                       // the last one walked over
-  std::optional<double> height_here_;  // where the last piece, or its part in the last cell, ended
+  MapCell cell_;  // the last one walked over
 };
 
-MapObserver::MapObserver(const MapGrid& grid, RockModel model, GroundHeight ground, std::optional<std::size_t> sources)
-    : model_(model), ground_(std::move(ground)), is_split_(sources.has_value()) {
+MapObserver::MapObserver(const MapGrid& grid, GreatestHeight heights, std::optional<std::size_t> sources)
+    : heights_(std::move(heights)), is_split_(sources.has_value()) {
   for (std::size_t k = 0; k < std::max<std::size_t>(1, sources.value_or(1)); ++k) maps_.emplace_back(grid);
 }
 
 std::unique_ptr<ObserverPart> MapObserver::new_part() const {
-  return std::make_unique<Part>(maps_.front().grid(), model_, ground_, is_split_);
+  return std::make_unique<Part>(maps_.front().grid(), heights_, is_split_);
 }
 
 void MapObserver::commit(ObserverPart& part) {

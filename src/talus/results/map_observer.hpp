@@ -8,26 +8,34 @@
 
 #include "talus/results/maps.hpp"
 #include "talus/results/record.hpp"
+#include "talus/trajectory/piece_maxima.hpp"
 #include "talus/trajectory/scene.hpp"
 
 namespace talus {
 
-/// The height of the ground at (x, y), of what lies below `below`; all local [m]. Nothing where there is none.
-using GroundHeight = std::function<std::optional<double>(double x, double y, double below)>;
+/// The greatest bounce height [m] of a piece, which is no glide, from `from` to `to` of its parameter, if that is above
+/// `known`; else `known` (trajectory/piece_maxima.hpp).
+using GreatestHeight = std::function<double(const PathPiece& piece, double from, double to, double known)>;
 
-/// Energies and velocities are exact: along a piece of a path they are greatest where it enters or leaves a cell. Of
-/// the height above the ground, which need not be smooth, samples are taken: where a flight enters and leaves the cell,
-/// halfway between in time, and at its top if that is over the cell. On the ground a lumped mass has height 0; of a
-/// sphere's legs the ends are sampled.
+template <class Surface>
+[[nodiscard]] GreatestHeight greatest_height_over(const Surface& surface, RockModel model) {
+  return [&surface, is_sphere = model == RockModel::rigid_sphere](const PathPiece& piece, double from, double to,
+                                                                  double known) {
+    return greatest_height(surface, piece, is_sphere, from, to, known);
+  };
+}
+
+/// What a rock has in a cell are the maxima of trajectory/piece_maxima.hpp over its stays there: so the greatest of all
+/// cells is what the run itself has for the rock.
 ///
 /// Maps of all rocks are one set of maps. Split by source there is one for each, and that of all rocks is their sum,
 /// made when it is asked for: a run does the same work, and cells that rocks of several sources touch take memory for
 /// each.
 class MapObserver : public SummingObserver {
  public:
-  /// `ground` is called by many threads at the same time. `sources`: how many there are, to split the maps by; nothing
+  /// `heights` is called by many threads at the same time. `sources`: how many there are, to split the maps by; nothing
   /// where they are not to be split.
-  MapObserver(const MapGrid& grid, RockModel model, GroundHeight ground, std::optional<std::size_t> sources = {});
+  MapObserver(const MapGrid& grid, GreatestHeight heights, std::optional<std::size_t> sources = {});
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] bool wants_pieces() const override { return true; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
@@ -55,8 +63,7 @@ class MapObserver : public SummingObserver {
   void add_waiting();
   void settle();
 
-  RockModel model_;
-  GroundHeight ground_;
+  GreatestHeight heights_;
   bool is_split_;
   std::vector<Maps> maps_;     // one, or one a source
   std::optional<Maps> total_;  // of split maps, once it was asked for

@@ -22,8 +22,8 @@ struct PathRow {
 /// leg along the ground as was gone. The pieces of a path join end to end, but for what rounding moves a rock on the
 /// ground; the first begins at the release, the last ends where the path does. A piece may last no time at all.
 ///
-/// On the ground `path` is the way; velocity follows it except where a step's law has it otherwise: a stepped slide
-/// moves with the velocity of the step's end.
+/// On the ground `path` is the way, and velocity and spin change evenly with time between the piece's ends. (The way of
+/// a step of a slide has the velocity of the step's end.)
 ///
 /// Where drag brakes a flight, `path` is what it goes along and its parameter runs slower than time (flight/drag.hpp):
 /// ask the piece, and not its path, for velocities and times.
@@ -31,7 +31,7 @@ struct PathPiece {
   Parabola path;          // of the centre, from parameter 0 of the piece, which is time where there is no drag
   double duration = 0;    // in that parameter [s]
   double start_time = 0;  // since release [s]
-  Vec3 spin;              // at its start; constant in flight [rad/s]
+  Vec3 spin;              // at its start; constant in flight and in a slide's steps [rad/s]
   bool on_ground = false;
   LinearDrag drag;
 
@@ -43,9 +43,26 @@ struct PathPiece {
   };
   Steps steps;
 
-  [[nodiscard]] Vec3 velocity(double s) const { return drag.velocity(path, s); }
+  /// On the ground.
+  struct Ends {
+    Vec3 start_velocity = Vec3::Zero(), end_velocity = Vec3::Zero();  // [m/s]
+    Vec3 end_spin = Vec3::Zero();                                     // [rad/s]
+  };
+  Ends ends;
+
+  [[nodiscard]] Vec3 velocity(double s) const {
+    return on_ground ? between(ends.start_velocity, ends.end_velocity, s) : drag.velocity(path, s);
+  }
+  [[nodiscard]] Vec3 spin_at(double s) const { return on_ground ? between(spin, ends.end_spin, s) : spin; }
   /// Since release [s].
   [[nodiscard]] double time(double s) const { return start_time + drag.time(s); }
+
+ private:
+  /// To the bit what it is at the ends.
+  [[nodiscard]] Vec3 between(const Vec3& start, const Vec3& end, double s) const {
+    const double share = duration > 0 ? s / duration : 0;
+    return (1 - share) * start + share * end;
+  }
 };
 
 /// A rock passed above a barrier.
@@ -82,40 +99,49 @@ class RockLog {
   }
   /// The rock is at the piece's start in `motion`, and goes `duration` along `path`.
   void flight(const Parabola& path, double duration, const Motion& motion, const LinearDrag& drag = {}) {
-    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, drag, {}});
+    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, drag, {}, {}});
   }
-  void leg(const Parabola& path, double duration, const Motion& motion) {
-    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, true, {}, {}});
+  /// On the ground: at the piece's start in `motion`, and after `duration` along `path` in `then`.
+  void leg(const Parabola& path, double duration, const Motion& motion, const Motion& then) {
+    if (!keep_pieces_) return;
+    pieces.push_back(
+        {path, duration, motion.time, motion.spin, true, {}, {}, {motion.velocity, then.velocity, then.spin}});
   }
+  /// On the ground for no time: how it comes from an impact, of which the ground leaves it less to go on with.
+  void moment(const Motion& motion) { leg({motion.position, Vec3::Zero(), Vec3::Zero()}, 0, motion, motion); }
   /// The rock glided from where `motion` has it: the last steps of the list, from `first` on.
   void glide(const Motion& motion, std::size_t first, double timestep, const Vec3& down, const Vec3& aside) {
     const std::size_t count = glide_steps.size() - first;
     if (!keep_pieces_ || count == 0) return;
-    const Parabola path{motion.position, glide_steps[first].vx * down + glide_steps[first].vy * aside, Vec3::Zero()};
-    pieces.push_back({path,
+    const auto velocity = [&](const GlideStep& step) { return Vec3(step.vx * down + step.vy * aside); };
+    pieces.push_back({{motion.position, velocity(glide_steps[first]), Vec3::Zero()},
                       static_cast<double>(count) * timestep,
                       motion.time,
                       motion.spin,
                       true,
                       {},
-                      {first, count, timestep, down, aside}});
+                      {first, count, timestep, down, aside},
+                      {motion.velocity, velocity(glide_steps.back()), motion.spin}});
   }
   /// One step of a glide as a piece of its own.
   [[nodiscard]] PathPiece step_of(const PathPiece& glide, std::size_t number) const {
     const auto& [first, count, timestep, down, aside] = glide.steps;
     const GlideStep& step = glide_steps[first + number];
-    Vec3 start = glide.path.p;
+    const Vec3 velocity = step.vx * down + step.vy * aside;
+    Vec3 start = glide.path.p, start_velocity = glide.ends.start_velocity;
     if (number > 0) {
       const GlideStep& before = glide_steps[first + number - 1];
       start += before.x * down + before.y * aside;
+      start_velocity = before.vx * down + before.vy * aside;
     }
-    return {{start, step.vx * down + step.vy * aside, Vec3::Zero()},
+    return {{start, velocity, Vec3::Zero()},
             timestep,
             glide.start_time + static_cast<double>(number) * timestep,
             glide.spin,
             true,
             {},
-            {}};
+            {},
+            {start_velocity, velocity, glide.spin}};
   }
   /// Calls visit(piece) for each piece, with the steps of glides in their place.
   template <class Visit>

@@ -25,6 +25,7 @@
 #include "talus/sliding/supports.hpp"
 #include "talus/terrain/contact.hpp"
 #include "talus/trajectory/kept_outlines.hpp"
+#include "talus/trajectory/piece_maxima.hpp"
 #include "talus/trajectory/rock_path.hpp"
 
 namespace talus {
@@ -253,6 +254,11 @@ class RockRun {
     log_.row(state, motion_);
   }
   void note_energy() { outcome_.max_kinetic_energy = std::max(outcome_.max_kinetic_energy, kinetic_energy()); }
+  /// A part of a leg that it has gone, coming to `arrived`.
+  void note_leg(const Parabola& leg, double t, const Motion& before, const Motion& arrived) {
+    log_.leg(leg, t, before, arrived);
+    if (reach_ > 0) outcome_.max_bounce = greatest_height_of_leg(surface_, leg, t, 0, t, outcome_.max_bounce);
+  }
 
   const Surface& surface_;
   const Ground& ground_;
@@ -407,15 +413,16 @@ auto RockRun<Surface>::fly_along(const Parabola& path, const LinearDrag& drag, c
     }
     retime();
     log_.flight(path, crossing->t, before, drag);
-    outcome_.max_bounce = surface_.greatest_height(path, crossing->t, outcome_.max_bounce);
+    outcome_.max_bounce = greatest_height_of_flight(surface_, path, 0, crossing->t, outcome_.max_bounce);
     if (then == AtBarrier::held) return end(EndReason::stopped_by_barrier);
     log_.row(PathState::projectile, motion_);
     return fly_off();
   }
 
   retime();
-  outcome_.max_bounce = flight_end.greatest_height ? *flight_end.greatest_height
-                                                   : surface_.greatest_height(path, flight_end.t, outcome_.max_bounce);
+  outcome_.max_bounce = flight_end.greatest_height
+                            ? *flight_end.greatest_height
+                            : greatest_height_of_flight(surface_, path, 0, flight_end.t, outcome_.max_bounce);
   log_.flight(path, flight_end.t, motion_, drag);
   advance(path, drag, flight_end.t);
   if (flight_end.contact) return strike(*flight_end.contact);
@@ -519,6 +526,7 @@ auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
   }
   motion_.velocity = kept_outside(rebound.velocity, contact.normal);
   motion_.spin = rebound.spin;
+  note_energy();
 
   const bool leaves = motion_.velocity.dot(contact.normal) >= laws_.normal_velocity_cutoff;
   const bool carried = laws_.gravity.dot(contact.normal) < 0;

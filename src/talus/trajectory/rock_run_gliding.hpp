@@ -45,6 +45,7 @@ void RockRun<Surface>::end_glide() {
   motion_.position += glide_.x * down_ + glide_.y * aside_;
   motion_.velocity = glide_.vx * down_ + glide_.vy * aside_;
   motion_.time = glide_.time;
+  note_energy();
 }
 
 }  // namespace talus

@@ -38,6 +38,7 @@ auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& dr
   const Vec3 along = tangential(motion_.velocity, phase.normal);
   if (laws_.model == RockModel::lumped_mass && laws_.sliding == SlidingMethod::stepped) {
     log_.row(PathState::sliding, motion_);
+    log_.moment(motion_);
     motion_.velocity = along;
   } else {
     motion_.velocity = along;
@@ -329,8 +330,9 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
       pass_above(*crossing, std::exchange(motion_, before));
       continue;
     }
+    const Motion arrived = motion_;
     const AtBarrier then = meet_barrier(*crossing, motion_.time, footing.pull, &phase);
-    if (then != AtBarrier::untouched) log_.leg(leg.path, crossing->t, before);
+    if (then != AtBarrier::untouched) note_leg(leg.path, crossing->t, before, arrived);
     if (then == AtBarrier::held) return end(EndReason::stopped_by_barrier);
     met = then == AtBarrier::goes_on;
     if (met) break;
@@ -342,8 +344,10 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
     return std::nullopt;
   }
 
-  log_.leg(leg.path, t, motion_);
+  const Motion before = motion_;
   advance_along(leg, t);
+  note_leg(leg.path, t, before, motion_);
+  note_energy();
   if (rim) return leave_over_rim(rim->exit);
   stand_on(phase);
   if (ahead) {

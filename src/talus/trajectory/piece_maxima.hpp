@@ -1,0 +1,67 @@
+#pragma once
+// The greatest values of a rock over a part of one piece of its path: what a run's own maxima, envelopes and maps are
+// made of, so that they agree.
+//
+// Bounce height is the height of the rock's centre above the ground below it, vertically: in flight, and of a sphere on
+// the ground, too. A lumped mass on the ground has none. It is exact along a flight. A leg on the ground is taken as
+// straight: it is, but where a sphere curves on a facet; its ends are, and what lies below the chord is the same plane.
+//
+// Checked by test/trajectory/piece_maxima_test.cpp.
+
+#include <algorithm>
+
+#include "talus/rocks/rock.hpp"
+#include "talus/trajectory/rock_log.hpp"
+
+namespace talus {
+
+struct GreatestMotion {
+  double squared_velocity;      // [m2/s2]
+  double energy_translational;  // [J]
+  double energy_total;          // translational and rotational [J]
+};
+
+/// Of the piece's parameter from `from` to `to`. Velocity and spin are linear in it, so that all of these are convex
+/// and greatest at an end. Not of a glide: of its steps.
+[[nodiscard]] inline GreatestMotion greatest_motion(const PathPiece& piece, const Rock& rock, double from, double to) {
+  const double start = piece.velocity(from).squaredNorm(), end = piece.velocity(to).squaredNorm();
+  const double greatest = std::max(start, end), half_mass = 0.5 * rock.mass, half_inertia = 0.5 * rock.inertia;
+  if (!piece.on_ground) {
+    return {greatest, half_mass * greatest, half_mass * greatest + half_inertia * piece.spin.squaredNorm()};
+  }
+  return {greatest, half_mass * greatest,
+          std::max(half_mass * start + half_inertia * piece.spin_at(from).squaredNorm(),
+                   half_mass * end + half_inertia * piece.spin_at(to).squaredNorm())};
+}
+
+/// The greatest bounce height [m] of a flight from `from` to `to` of its parameter, if that is above `known`; else
+/// `known`.
+template <class Surface>
+[[nodiscard]] double greatest_height_of_flight(const Surface& surface, const Parabola& path, double from, double to,
+                                               double known) {
+  if (from == 0) return surface.greatest_height(path, to, known);
+  return surface.greatest_height({path.at(from), path.velocity(from), path.a}, to - from, known);
+}
+
+/// The same of a leg of a sphere, which is `duration` long.
+template <class Surface>
+[[nodiscard]] double greatest_height_of_leg(const Surface& surface, const Parabola& leg, double duration, double from,
+                                            double to, double known) {
+  const Vec3 chord = leg.at(duration) - leg.p;
+  const double squared_length = chord.squaredNorm();
+  const auto share = [&](double s) {
+    return squared_length > 0 ? std::clamp((leg.at(s) - leg.p).dot(chord) / squared_length, 0.0, 1.0) : 0.0;
+  };
+  const double first = share(from);
+  return surface.greatest_height({leg.p + first * chord, chord, Vec3::Zero()}, std::max(0.0, share(to) - first), known);
+}
+
+/// The same of any piece but a glide, of a sphere or of a lumped mass.
+template <class Surface>
+[[nodiscard]] double greatest_height(const Surface& surface, const PathPiece& piece, bool is_sphere, double from,
+                                     double to, double known) {
+  if (!piece.on_ground) return greatest_height_of_flight(surface, piece.path, from, to, known);
+  return is_sphere ? greatest_height_of_leg(surface, piece.path, piece.duration, from, to, known) : known;
+}
+
+}  // namespace talus

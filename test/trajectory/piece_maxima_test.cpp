@@ -1,0 +1,167 @@
+// What a piece of a path says of energies and heights is what the run says, and what closed forms say.
+
+#include "talus/trajectory/piece_maxima.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "support/meshes.hpp"
+#include "support/scenes.hpp"
+#include "talus/terrain/profile.hpp"
+#include "talus/terrain/raster_surface.hpp"
+
+namespace talus {
+namespace {
+
+using namespace testing_tools;
+
+template <class Surface>
+Followed follow_pieces(const Surface& surface, const Soil& soil, const Laws& laws, const Release& release) {
+  Followed result{{}, RockLog(true, true)};
+  const Ground ground = ground_of(soil);
+  const Draws draws(SamplingPlan{}, 0);
+  result.outcome = follow_rock(Scene<Surface>{surface, ground, {}, laws}, release, draws, result.log);
+  return result;
+}
+
+Release start_at(const Vec3& position, const Vec3& velocity, const Vec3& spin = Vec3::Zero()) {
+  Release release;
+  release.rock = sphere_of_mass(1000, 2700);
+  release.motion.position = position;
+  release.motion.velocity = velocity;
+  release.motion.spin = spin;
+  return release;
+}
+
+Profile slope_of_30_degrees() {
+  const Vec2 vertices[] = {{0, 0}, {100 * std::sqrt(3.0), -100}};
+  return Profile(vertices);
+}
+
+// What a sphere that rolls without resistance has at the end of every leg is what it has fallen, m g h.
+TEST(PieceMaxima, TheEnergyOfARollingSphereIsThatAtTheEndOfItsLegs) {
+  const Profile slope = slope_of_30_degrees();
+  Laws laws;
+  laws.model = RockModel::rigid_sphere;
+  const Vec3 normal(0.5, 0, std::sqrt(0.75));
+  Release release = start_at(Vec3(10, 0, -10 / std::sqrt(3.0)), Vec3::Zero());
+  release.motion.position += release.rock.radius * normal;
+  const Followed path = follow_pieces(slope, {.rn = 0, .mu = 10, .rolling = 0}, laws, release);
+  std::size_t legs = 0;
+  for (const PathPiece& piece : path.log.pieces) {
+    if (!piece.on_ground) continue;
+    const double fallen = release.motion.position.z() - piece.path.z(piece.duration);
+    const double energy = greatest_motion(piece, release.rock, 0, piece.duration).energy_total;
+    const double expected = release.rock.mass * standard_gravity * fallen;
+    ASSERT_NEAR(energy, expected, 1e-9 * expected + 1e-9);  // rounding, of a sum over some hundred legs
+    ++legs;
+  }
+  EXPECT_GT(legs, 300U);
+  EXPECT_NEAR(path.outcome.max_kinetic_energy,
+              release.rock.mass * standard_gravity * (release.motion.position.z() - path.outcome.end.position.z()),
+              1e-9 * path.outcome.max_kinetic_energy);
+}
+
+// Spin that turns into speed when the rock lands: it slides off faster than it came.
+TEST(PieceMaxima, ASlideHasTheSpeedWithWhichItBegins) {
+  const Vec2 level[] = {{0, 0}, {100, 0}};
+  Laws laws;
+  laws.timestep = 0.1;
+  const Followed path = follow_pieces(Profile(level), {.rn = 0.02, .rt = 0.9, .phi = 0.2}, laws,
+                                      start_at({10, 0, 1}, {1, 0, 0}, {0, 30, 0}));
+  const auto sliding = std::ranges::find(path.log.rows, PathState::sliding, &PathRow::state);
+  ASSERT_NE(sliding, path.log.rows.end());
+  const double began = sliding->motion.velocity.squaredNorm();
+  double greatest = 0;
+  std::size_t glides = 0;
+  for (const PathPiece& piece : every_piece(path.log)) {
+    if (!piece.on_ground) continue;
+    greatest =
+        std::max(greatest, greatest_motion(piece, sphere_of_mass(1000, 2700), 0, piece.duration).squared_velocity);
+    ++glides;
+  }
+  ASSERT_GT(glides, 3U);
+  EXPECT_EQ(greatest, began);
+}
+
+/// Everything in a rock's path that can be checked against its pieces.
+template <class Surface>
+void expect_agreement(const Surface& surface, const Followed& path, const Rock& rock, bool is_sphere, Dice& dice) {
+  double energy = 0, height = 0, energy_in_parts = 0, height_in_parts = 0;
+  for (const PathPiece& piece : every_piece(path.log)) {
+    energy = std::max(energy, greatest_motion(piece, rock, 0, piece.duration).energy_total);
+    height = greatest_height(surface, piece, is_sphere, 0, piece.duration, height);
+    double from = 0;
+    for (int part = 0; part < 4; ++part) {
+      const double to = part == 3 ? piece.duration : dice.between(from, piece.duration);
+      energy_in_parts = std::max(energy_in_parts, greatest_motion(piece, rock, from, to).energy_total);
+      height_in_parts = greatest_height(surface, piece, is_sphere, from, to, height_in_parts);
+      from = to;
+    }
+  }
+  double rows = 0;
+  for (const PathRow& row : path.log.rows) rows = std::max(rows, kinetic_energy(row.motion, rock));
+  // But for rounding, of places at 100 m and of energies.
+  EXPECT_NEAR(path.outcome.max_bounce, height, 1e-9);
+  EXPECT_NEAR(height_in_parts, height, 1e-9);
+  EXPECT_NEAR(path.outcome.max_kinetic_energy, energy, 1e-12 * energy);
+  EXPECT_NEAR(energy_in_parts, energy, 1e-12 * energy);
+  EXPECT_LE(rows, energy * (1 + 1e-12));
+}
+
+template <class MakeSurface>
+void expect_agreement_of_rocks(std::uint64_t seed, MakeSurface&& make_surface) {
+  Dice dice(seed);
+  std::size_t legs = 0;
+  for (int slope = 0; slope < 6; ++slope) {
+    const auto surface = make_surface(dice);
+    for (int k = 0; k < 40; ++k) {
+      Laws laws;
+      laws.model = k % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere;
+      laws.sliding = dice.chance(0.5) ? SlidingMethod::stepped : SlidingMethod::closed_form;
+      laws.timestep = dice.chance(0.5) ? 0.01 : 0.1;
+      const bool is_sphere = laws.model == RockModel::rigid_sphere;
+      const Soil soil{.rn = dice.between(0, 0.6),
+                      .rt = dice.between(0.5, 1),
+                      .phi = dice.between(0.1, 0.7),
+                      .mu = dice.between(0.05, 1),
+                      .rolling = dice.between(0, 0.3)};
+      Release release = start_at({dice.between(5, 50), dice.between(20, 40), 0}, dice.in_cube(5), dice.in_cube(10));
+      const Vec3& place = release.motion.position;
+      release.motion.position.z() = *surface.elevation(place.x(), place.y()) + 4 * release.rock.radius;
+      const Followed path = follow_pieces(surface, soil, laws, release);
+      expect_agreement(surface, path, release.rock, is_sphere, dice);
+      for (const PathPiece& piece : path.log.pieces) legs += piece.on_ground ? 1 : 0;
+      ASSERT_FALSE(testing::Test::HasFailure()) << "slope " << slope << " rock " << k;
+    }
+  }
+  EXPECT_GT(legs, 1000U);
+}
+
+TEST(PieceMaxima, AreTheRunsOwnOverAMesh) {
+  expect_agreement_of_rocks(
+      21, [](Dice& dice) { return random_slope(dice, 20, 60, dice.between(0.2, 0.8), dice.magnitude(0.1, 2)).mesh(); });
+}
+
+TEST(PieceMaxima, AreTheRunsOwnOverARaster) {
+  expect_agreement_of_rocks(22, [](Dice& dice) {
+    RasterGrid grid{.columns = 61, .rows = 61};
+    const double grade = dice.between(0.2, 0.8), relief = dice.magnitude(0.05, 0.5);
+    for (int k = 0; k < 61 * 61; ++k) grid.z.push_back(static_cast<float>(-grade * (k % 61) + dice.between(0, relief)));
+    return RasterSurface(grid);
+  });
+}
+
+TEST(PieceMaxima, AreTheRunsOwnOverASection) {
+  expect_agreement_of_rocks(23, [](Dice& dice) {
+    std::vector<Vec2> vertices;
+    const double grade = dice.between(0.2, 0.8);
+    for (int k = 0; k <= 40; ++k) vertices.emplace_back(1.5 * k, -grade * 1.5 * k + dice.between(0, 0.5));
+    return Profile(vertices);
+  });
+}
+
+}  // namespace
+}  // namespace talus
