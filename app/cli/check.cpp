@@ -3,12 +3,14 @@
 #include "commands.hpp"
 #include "load.hpp"
 #include "talus/campaign/thread_supply.hpp"
+#include "talus/project/check_releases.hpp"
 
 namespace talus::cli {
 
 int check(const ProjectOptions& options) {
   take_threads_that_there_are();
-  const Loaded loaded = load(options);
+  Loaded loaded = load(options);
+  project::warn_of_buried_releases(loaded.model, loaded.warnings);
   print_warnings(loaded.warnings);
   if (!loaded.model.terrain_report.empty()) fmt::print("{}\n", loaded.model.terrain_report);
   if (!loaded.model.seeder_report.empty()) fmt::print("{}\n", loaded.model.seeder_report);

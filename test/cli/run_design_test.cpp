@@ -210,7 +210,7 @@ heights_m = [1, 500]
     return [...table.querySelectorAll('tr')].map((tr) => [...tr.children].slice(-2).map((c) => c.textContent)
       .map((text, k) => k === 1 && Number(text.replace(/,/g, '')) > 0 ? 'number' : text).join(' ')).join('; ');
   )");
-  EXPECT_EQ(rows, "Catches enough Cost index; yes number; no number");
+  EXPECT_EQ(rows, "Catches enough Cost index; yes number; no: height number");
 }
 
 // All of 30 rocks are 88.4 to 100 % of those that may come: too few to be sure of 95 %.
@@ -238,7 +238,7 @@ heights_m = [1, 500]
     return [...table.querySelectorAll('tr')].map((tr) => [...tr.children].at(-2).textContent).join('; ') + '; ' + words;
   )");
   EXPECT_EQ(shown,
-            "Catches enough; yes, not sure; no; Not sure: the wanted 95 % lie within the 95 % confidence interval of "
+            "Catches enough; yes, not sure; no: height; Not sure: the wanted 95 % lie within the 95 % confidence interval of "
             "the share. Run more rocks to tell, or choose a kit that is sure.");
 }
 

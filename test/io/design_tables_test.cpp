@@ -68,8 +68,23 @@ TEST(DesignTables, AreWrittenToTheLetter) {
             "\"Road, lower\",2,10,15.5,0,0,0,0.25,,,,,,,,,,,,,,,,,,\n");
   EXPECT_EQ(ranking_table(small_plan(), small_result()),
             "rank,line,length_m,height_m,mel_kJ,class,suffices,sure,cost,rocks,caught,caught_share,caught_share_low,"
-            "caught_share_high,above,through,beside\n"
-            "1,\"Road, lower\",15.5,3,500,2,yes,no,1039.5,4,3,0.75,0.25,1,1,0,0\n");
+            "caught_share_high,above,through,beside,limit\n"
+            "1,\"Road, lower\",15.5,3,500,2,yes,no,1039.5,4,3,0.75,0.25,1,1,0,0,\n");
+}
+
+TEST(DesignTables, SayWhatHoldsAKitBack) {
+  KitChoice kit = small_result().ranking.front();
+  EXPECT_EQ(limit_text(small_plan(), kit), "");
+  kit.caught->of = 4501;
+  kit.beside = 890;
+  kit.limit = KitLimit::ends;
+  EXPECT_EQ(limit_text(small_plan(), kit), "890 of 4,501 pass beyond the ends of the line: lengthen it");
+  kit.above = 1234567;
+  kit.limit = KitLimit::height;
+  EXPECT_EQ(limit_text(small_plan(), kit), "1,234,567 of 4,501 pass above 3 m: give greater heights_m");
+  kit.through = 12;
+  kit.limit = KitLimit::energy;
+  EXPECT_EQ(limit_text(small_plan(), kit), "12 of 4,501 have more than 500 kJ: give greater energies_kJ");
 }
 
 TEST(DesignTables, ComeAndGo) {

@@ -103,6 +103,10 @@ rocks = 11)"}},
      {{"friction_angle_deg = 30", "friction_angle_deg = 30,5"}},
      "slope.toml:12: this is not TOML (Error while parsing key-value pair: expected a comment or whitespace, saw ','). "
      "Write 30.5: a number has no comma"},
+    {"WindowsPath",
+     {{"section = [[0, 0], [10, -10], [20, -10]]", R"(raster = "C:\data\dem.tif")"}},
+     "slope.toml:7: this is not TOML (Error while parsing string: unknown escape sequence '\\d'). In double quotes a "
+     "backslash begins an escape: write paths with /, or in single quotes"},
     {"DecimalCommaInQuotes",
      {{"friction_angle_deg = 30", "friction_angle_deg = \"30,5\""}},
      "slope.toml:12: material \"Rock\": friction_angle_deg is \"30,5\" (expected a number or { mean = ..., "
@@ -862,7 +866,7 @@ raster_cell_m = "terrain"
      {{"name = \"Rock\"", "name = \"Ro\\nck\""}},
      "slope.toml:10: material \"Ro\\nck\": name is \"Ro\\nck\" (expected a text without line breaks and other "
      "characters "
-     "that cannot be seen)"},
+     "that cannot be seen). In double quotes \\t and \\n are such characters: write paths with /, or in single quotes"},
     {"TwoMistakesAtOnce",
      {{"9.81", "-9.81"}, {"rocks = 10", "rocks = 0"}, {"height_m = 3", R"(height_m = "tall")"}},
      "slope.toml:4: [analysis]: gravity_m_s2 is -9.81 (gravity is given as a magnitude, it "
@@ -959,6 +963,61 @@ vtk = true
      {{"friction_angle_deg = 30", "friction_angle_deg = 0.5236"}},
      "slope.toml:12: warning: material \"Rock\": friction_angle_deg is 0.5236 (this is an angle "
      "in degrees, and such a ground would be almost frictionless). If it is in radians, write 30"},
+    {"DiameterOfAMountain",
+     {{"mass_kg = 1000", "diameter_m = 60"}},
+     "slope.toml:25: warning: seeder \"Crest\": diameter_m is 60 (this is more than a rockfall has; rock masses of "
+     "this "
+     "size move as rock avalanches). diameter_m is in metres"},
+    {"VolumeOfAMountain",
+     {{"mass_kg = 1000", "volume_m3 = 9000"}},
+     "slope.toml:25: warning: seeder \"Crest\": volume_m3 is 9000 (this is more than a rockfall has; rock masses of "
+     "this "
+     "size move as rock avalanches). volume_m3 is in cubic metres"},
+    {"MassOfAMountain",
+     {{"mass_kg = 1000", "mass_kg = 1e11"}},
+     "slope.toml:25: warning: seeder \"Crest\": mass_kg is 100000000000 (this is more than a rockfall has; rock masses "
+     "of "
+     "this size move as rock avalanches). mass_kg is in kilograms"},
+    {"BarrierOfAMountain",
+     {{"height_m = 3", "height_m = 4000"}},
+     "slope.toml:30: warning: barrier \"Fence\": height_m is 4000 (no barrier was built so high). A line that only "
+     "records is a [[collector]]"},
+    {"ReleaseHighAboveTheGround",
+     {{"position = [1, 5]", "position = [1]\nheight_above_m = 2000"}},
+     "slope.toml:24: warning: seeder \"Crest\": height_above_m is 2000 (a rock is released far above the ground). It "
+     "is a "
+     "height above the ground, not an elevation"},
+    {"DeviationBeyondWhatARestitutionIs",
+     {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 0.4, distribution = "normal", std_dev = 10 })"}},
+     "slope.toml:11: warning: material \"Rock\": normal_restitution has a std_dev of 10, of which its limits leave "
+     "little "
+     "(only 4 % of the normal distribution lie between 0 and 1: draws are spread almost evenly there, about 0.4999). "
+     "Give a "
+     "smaller std_dev, or distribution = \"uniform\""},
+    // A triangle with mean 1000 would have its mode at 600, below its lower limit: with the mode there its mean is
+    // (900 + 900 + 1500) / 3.
+    {"TriangleWhoseLimitsAreNotAboutItsMean",
+     {{"mass_kg = 1000", R"(mass_kg = { mean = 1000, distribution = "triangular", rel_min = 100, rel_max = 500 })"}},
+     "slope.toml:25: warning: seeder \"Crest\": mass_kg has the mean 1000, but its draws have 1100 (they lie between "
+     "900 and "
+     "1500, which is not even about the mean). Give limits that surround the mean evenly, or the mean that the draws "
+     "are to "
+     "have"},
+    {"UniformWhoseLimitsAreNotAboutItsMean",
+     {{"mass_kg = 1000", R"(mass_kg = { mean = 1000, distribution = "uniform", rel_min = 100, rel_max = 500 })"}},
+     "slope.toml:25: warning: seeder \"Crest\": mass_kg has the mean 1000, but its draws have 1200 (they lie between "
+     "900 and "
+     "1500, which is not even about the mean). Give limits that surround the mean evenly, or the mean that the draws "
+     "are to "
+     "have"},
+    {"NormalCutOnOneSide",
+     {{"mass_kg = 1000", R"(mass_kg = { mean = 1000, distribution = "normal", std_dev = 300, rel_min = 0 })"}},
+     // sqrt(2/pi) standard deviations above the mean: 1239.4
+     "slope.toml:25: warning: seeder \"Crest\": mass_kg has the mean 1000, but its draws have 1239 (they lie between "
+     "1000 and "
+     "3139, which is not even about the mean). Give limits that surround the mean evenly, or the mean that the draws "
+     "are to "
+     "have"},
     {"MassInTonnes",
      {{"mass_kg = 1000", "mass_kg = 1"}},
      "slope.toml:25: warning: seeder \"Crest\": mass_kg is 1 (this is a mass in kilograms, of a "
@@ -1097,6 +1156,23 @@ TEST(BadProject, NoRocksOnTheCommandLine) {
             "--rocks 0: this is no number of rocks (expected 1 to 1e12)");
 }
 
+TEST(BadProject, NoWarningRestsOnAValueThatWasRefused) {
+  const std::string bad_mass = R"(mass_kg = { mean = 1000, distribution = "normal", std_dev = -1 })";
+  EXPECT_EQ(
+      complaint_about(changed({"", {{"mass_kg = 1000", bad_mass}, {"rocks = 10", "rocks = 500"}}, ""})),
+      "slope.toml:25: seeder \"Crest\": mass_kg std_dev is -1 (a standard deviation is a width; expected 0 or more). "
+      "Did you mean 1?");
+}
+
+TEST(BadProject, CallsASeederWithoutANameByItsNumber) {
+  const std::string text = changed({"", {{"name = \"Crest\"\n", ""}, {"rocks = 10", "rocks = 500"}}, ""});
+  const Reading reading = read_project_text(text, "slope.toml");
+  EXPECT_EQ(reading.warnings.text(),
+            "slope.toml:23: warning: seeder 1: its 500 rocks are all the same (nothing is random of them or of the "
+            "ground, so "
+            "that they follow one path). Give restitution or friction a distribution, or the ground a roughness");
+}
+
 TEST(BadProject, WarningsStandBesideErrors) {
   EXPECT_EQ(complaint_about(changed({"", {{"mass_kg = 1000", "mass_kg = 2"}, {"rocks = 10", "rocks = 0"}}, ""})),
             "slope.toml:24: seeder \"Crest\": rocks is 0 (a seeder without rocks does nothing; expected 1 to "
@@ -1185,8 +1261,21 @@ TEST_F(BadProjectFile, Truncated) {
 }
 
 TEST_F(BadProjectFile, IsNoText) {
-  EXPECT_EQ(complaint(written("name = \"\xff\"")),
-            "FOLDER/slope.toml:1: this is not TOML (Encountered invalid utf-8 sequence)");
+  EXPECT_EQ(
+      complaint(written("name = \"\xff\"")),
+      "FOLDER/slope.toml:1: the byte 0xff is not UTF-8 (a project file is UTF-8; Latin-1 and Windows-1252 write "
+      "letters such as \u00e4 and \u00e9 as single bytes). Save it as UTF-8; editors offer that where they save under "
+      "another name");
+}
+
+TEST_F(BadProjectFile, IsUtf16) {
+  const std::string with_mark("\xff\xfen\0a\0", 6), without("n\0a\0m\0e\0", 8);
+  for (const std::string& text : {with_mark, without}) {
+    EXPECT_EQ(
+        complaint(written(text)),
+        "FOLDER/slope.toml: the file is UTF-16 (a project file is UTF-8). Save it as UTF-8; editors offer that where "
+        "they save under another name");
+  }
 }
 
 TEST_F(BadProjectFile, NamesAMeshThatIsNotThere) {

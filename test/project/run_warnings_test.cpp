@@ -93,5 +93,41 @@ TEST(WarningsOfCollectors, TellHowManyRocksPassedAbove) {
   EXPECT_EQ(told(10), "") << "one in a hundred";
 }
 
+DesignPlan two_lines() {
+  DesignPlan plan;
+  plan.lines = {{"Upper", 0, 25, 10, 3}, {"Lower", 1, 8, 10, 1}};
+  plan.catch_share = 0.95;
+  plan.energies = {10e3};
+  return plan;
+}
+
+TEST(WarningsOfDesign, SayWhatHoldsTheBestKitOfALineBack) {
+  DesignResult result;
+  result.lines.resize(2);
+  result.lines[0].whole.rocks = 3611;
+  KitChoice kit{.line = 0,
+                .height = 4,
+                .limit = KitLimit::ends,
+                .caught = RockShare{3500, 4501, 0.78, 0.77, 0.79},
+                .beside = 890};
+  result.ranking = {kit, kit};
+  const auto warned = [&] {
+    Problems warnings;
+    warn_of_design(two_lines(), result, warnings);
+    return warnings.text();
+  };
+  const std::string nobody =
+      "warning: design line \"Lower\": no rock crosses it (there is nothing to design a barrier for). Check where the "
+      "line "
+      "lies; with few rocks, run more";
+  EXPECT_EQ(warned(),
+            nobody +
+                "\nwarning: design line \"Upper\": no kit catches 95 % of the rocks (890 of 4,501 pass beyond the "
+                "ends of the line: lengthen it)");
+  result.ranking.front().suffices = true;
+  result.ranking.front().limit = KitLimit::none;
+  EXPECT_EQ(warned(), nobody);
+}
+
 }  // namespace
 }  // namespace talus::project

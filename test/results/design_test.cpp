@@ -214,6 +214,51 @@ TEST(Design, IsSureWhereTheWholeIntervalSaysTheSame) {
   EXPECT_EQ(sure_of(0.98), (Found{{false, false}, {false, true}}));
 }
 
+// Ten rocks reach the lower line, which is to be protected; six of them cross the upper one, five of those 1 m high,
+// one 3 m. The others pass beyond its ends: no kit there catches 75 %, and the smallest that catches 75 % of the six
+// leads.
+TEST(Design, SaysThatTheEndsHoldAKitBack) {
+  DesignPlan plan = plan_without_factors();
+  plan.protect = 2;
+  plan.lines.resize(1);
+  std::vector<Seen> rocks;
+  for (int k = 0; k < 10; ++k) {
+    Seen seen = rock_that({{2, 2, 12, 1.5, 4}});
+    if (k < 6) {
+      const Seen at_upper = rock_that({{0, 1, 10, k < 5 ? 1.0 : 3.0, 5, k == 5}});
+      seen.log.hits.insert(seen.log.hits.begin(), at_upper.log.hits.begin(), at_upper.log.hits.end());
+      seen.log.passed_above = at_upper.log.passed_above;
+    }
+    rocks.push_back(seen);
+  }
+  const DesignResult result = result_of(plan, rocks);
+  ASSERT_EQ(result.ranking.size(), 2u);
+  expect_kit(result.ranking[0], 0, 2, 10e3, false, 5, 1, 0, 25 * 2 * 10);
+  expect_kit(result.ranking[1], 0, 4, 10e3, false, 6, 0, 0, 25 * 4 * 10);
+  for (const KitChoice& kit : result.ranking) {
+    EXPECT_EQ(kit.limit, KitLimit::ends);
+    EXPECT_EQ(kit.beside, 4u);
+  }
+  // Of 60 % the ends let enough through: 4 m catch six of ten, 2 m only five.
+  plan.catch_share = 0.6;
+  const DesignResult lower = result_of(plan, rocks);
+  EXPECT_EQ(lower.ranking[0].height, 4);
+  EXPECT_EQ(lower.ranking[0].limit, KitLimit::none);
+  EXPECT_EQ(lower.ranking[1].limit, KitLimit::height);
+}
+
+// With 10 kJ at the most, seven of the eight at the upper line are caught: one has more energy.
+TEST(Design, SaysThatTheEnergyHoldsAKitBack) {
+  DesignPlan plan = plan_without_factors();
+  plan.lines.resize(1);
+  plan.catch_share = 0.95;
+  plan.energies = {10e3};
+  const DesignResult result = result_of(plan, eight_rocks());
+  EXPECT_EQ(result.ranking[0].height, 4);
+  EXPECT_EQ(result.ranking[0].limit, KitLimit::energy);
+  EXPECT_EQ(result.ranking[1].limit, KitLimit::height);
+}
+
 TEST(Design, PutsLastWhatCatchesTooFew) {
   DesignPlan plan = plan_without_factors();
   plan.catch_share = 0.95;

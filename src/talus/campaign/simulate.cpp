@@ -4,53 +4,12 @@
 #include <array>
 #include <variant>
 
-#include "talus/seeding/fall_line.hpp"
-#include "talus/seeding/lift.hpp"
+#include "talus/campaign/rock_release.hpp"
 #include "talus/trajectory/rock_run.hpp"
 
 namespace talus {
 
 namespace {
-
-/// A rock's release, and what the record says of the rock before it moves.
-template <class Surface>
-Release release_of(const Model& model, const Surface& surface, const Draws& draws, const Seeder& seeder,
-                   RockRecord& record) {
-  const ReleasePlace start = place_of(seeder, draws);
-  record.seeder = SeederId{static_cast<std::uint32_t>(&seeder - model.seeders.data())};
-  record.source = start.source;
-  Vec3 place = start.point;
-  if (seeder.above_surface) {
-    auto z = surface.elevation(place.x(), place.y());
-    if (!z && start.middle) {
-      place.head(2) = *start.middle;
-      z = surface.elevation(place.x(), place.y());
-    }
-    place.z() = z.value_or(place.z()) + *seeder.above_surface;
-  }
-  const Vec3 direction = seeder.direction ? *seeder.direction : fall_line(surface, place);
-  Release release = release_at(seeder, place, direction, draws);
-  const double reach = model.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0;
-  const ClearPlace clear = clear_place(surface, place, reach);
-  if (clear.fit != Fit::as_given) {
-    release.motion.position.z() = clear.z;
-    // A sphere put on the surface by its z or by its height above it is meant to touch it: no cause for a warning.
-    record.was_lifted = !seeder.above_surface;
-  }
-  if (clear.fit == Fit::no_room) {
-    release.has_room = false;
-    release.motion.velocity.setZero();
-    release.motion.spin.setZero();
-  }
-  record.body = release.rock;
-  return release;
-}
-
-const Seeder& seeder_of(const Model& model, std::uint64_t rock) {
-  const auto after = std::upper_bound(model.seeders.begin(), model.seeders.end(), rock,
-                                      [](std::uint64_t r, const Seeder& s) { return r < s.first_rock; });
-  return *std::prev(after);
-}
 
 /// The section of one rock, where it stands elsewhere for every rock, with the barriers on it.
 class OwnSection {

@@ -153,13 +153,35 @@ Json figures_json(const DesignPlan& plan, const DesignFigures& figures) {
           {"needs_at_upper_end", demand_json(figures.demand_at_upper_end)}};
 }
 
+/// 4501 as 4,501.
+std::string grouped(std::uint64_t count) {
+  return count < 1000 ? fmt::format("{}", count) : fmt::format("{},{:03}", grouped(count / 1000), count % 1000);
+}
+
+const char* limit_name(KitLimit limit) {
+  switch (limit) {
+    case KitLimit::none:
+      return nullptr;
+    case KitLimit::ends:
+      return "ends";
+    case KitLimit::height:
+      return "height";
+    case KitLimit::energy:
+      return "energy";
+  }
+  return nullptr;
+}
+
 Json choice_json(const DesignPlan& plan, const KitChoice& kit) {
+  const char* limit = limit_name(kit.limit);
   return {{"line", plan.lines[kit.line].name},
           {"height_m", kit.height},
           {"energy_J", kit.maximum_energy},
           {"class", optional_json(kit.kit_class)},
           {"suffices", kit.suffices},
           {"sure", kit.is_sure},
+          {"limited_by", limit != nullptr ? Json(limit) : Json(nullptr)},
+          {"limit", limit_text(plan, kit)},
           {"rocks", kit.caught ? kit.caught->of : 0},
           {"caught", kit.caught ? kit.caught->rocks : 0},
           {"caught_share", share_json(kit.caught)},
@@ -170,6 +192,24 @@ Json choice_json(const DesignPlan& plan, const KitChoice& kit) {
 }
 
 }  // namespace
+
+std::string limit_text(const DesignPlan& plan, const KitChoice& kit) {
+  const auto of_all = [&](std::uint64_t rocks) {
+    return fmt::format("{} of {}", grouped(rocks), grouped(kit.caught ? kit.caught->of : 0));
+  };
+  switch (kit.limit) {
+    case KitLimit::none:
+      break;
+    case KitLimit::ends:
+      return fmt::format("{} pass beyond the ends of the line: lengthen it", of_all(kit.beside));
+    case KitLimit::height:
+      return fmt::format("{} pass above {:g} m: give greater heights_m", of_all(kit.above), kit.height);
+    case KitLimit::energy:
+      return fmt::format("{} have more than {:g} kJ: give greater energies_kJ", of_all(kit.through),
+                         plan.energies.back() / 1000);
+  }
+  return "";
+}
 
 Json design_json(const DesignPlan& plan, const DesignResult& result) {
   Json lines = Json::array();

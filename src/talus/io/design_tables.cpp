@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "talus/io/csv_text.hpp"
+#include "talus/io/design_json.hpp"
 #include "talus/io/output_file.hpp"
 
 namespace talus::io {
@@ -92,7 +93,7 @@ std::string design_table(const DesignPlan& plan, const DesignResult& result) {
 std::string ranking_table(const DesignPlan& plan, const DesignResult& result) {
   std::string text =
       "rank,line,length_m,height_m,mel_kJ,class,suffices,sure,cost,rocks,caught,caught_share,caught_share_low,"
-      "caught_share_high,above,through,beside\n";
+      "caught_share_high,above,through,beside,limit\n";
   std::size_t rank = 0;
   for (const KitChoice& kit : result.ranking) {
     CsvRow row(text);
@@ -101,7 +102,7 @@ std::string ranking_table(const DesignPlan& plan, const DesignResult& result) {
         << (kit.is_sure ? "yes" : "no") << kit.cost << (kit.caught ? kit.caught->of : 0)
         << (kit.caught ? kit.caught->rocks : 0);
     put(row, kit.caught);
-    row << kit.above << kit.through << kit.beside;
+    row << kit.above << kit.through << kit.beside << limit_text(plan, kit);
     row.end();
   }
   return text;

@@ -420,6 +420,11 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
                   fmt::format("its cells are taken to be {:.6g} x {:.6g} m", place->dx, place->dy),
                   "Name it: crs = \"EPSG:XXXX\" in [terrain], or \"local\" for metres of no map");
   }
+  if (band.GetRasterDataType() == GDT_Byte) {
+    problems.warn("has elevations of 8 bits, whole numbers from 0 to 255",
+                  "so has a hillshade or another picture; few DEMs do",
+                  "Name the raster of elevations that it was made from");
+  }
   warn_of_further_bands(*dataset, problems);
   BandReader(band, *place, messages, problems).into(out);
   warnings.append(problems.warnings());

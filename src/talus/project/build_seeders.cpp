@@ -207,15 +207,17 @@ class SeederBuilder {
     const bool is_within =
         at.x() >= box.low.x() && at.x() <= box.high.x() && at.y() >= box.low.y() && at.y() <= box.high.y();
     const bool is_flat = project_.is_2d();
-    return complain(
-        s,
-        is_flat ? fmt::format("x = {:.10g} is off the terrain", p.x())
-                : fmt::format("{}({:.10g}, {:.10g}) is off the terrain", which, p.x(), p.y()),
-        is_flat     ? fmt::format("the section goes from x = {:.10g} to {:.10g}", low.x(), high.x())
-        : is_within ? std::string("the terrain has a hole there, without data or triangles")
-                    : fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
-                                  low.x(), high.x(), low.y(), high.y()),
-        project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders" : "");
+    return complain(s,
+                    is_flat ? fmt::format("x = {:.10g} is off the terrain", p.x())
+                            : fmt::format("{}({:.10g}, {:.10g}) is off the terrain", which, p.x(), p.y()),
+                    is_flat ? fmt::format("the section goes from x = {:.10g} to {:.10g}", low.x(), high.x())
+                    : is_within
+                        ? std::string("the terrain has a hole there, without data or triangles")
+                        : fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
+                                      low.x(), high.x(), low.y(), high.y()),
+                    project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders"
+                    : !is_flat && is_on_terrain(local({p.y(), p.x(), p.z()}).head(2)) ? exchanged_hint
+                                                                                      : "");
   }
 
   /// Of a section whose vertices vary there is ground for every rock.

@@ -9,6 +9,7 @@
 #include "talus/io/mesh_file.hpp"
 #include "talus/io/raster_file.hpp"
 #include "talus/project/build_survey.hpp"
+#include "talus/project/doubtful_terrain.hpp"
 #include "talus/terrain/extrude.hpp"
 #include "talus/terrain/mend.hpp"
 
@@ -81,6 +82,7 @@ SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {
   } else if (!terrain.mesh.empty()) {
     mesh = read_mesh_file(project.file.parent_path() / terrain.mesh, warnings);
     if (terrain.crs.empty()) refuse_degrees(mesh, project);
+    warn_of_steep_mesh(mesh, project, warnings);
   } else {
     for (const auto& [x, y, z] : terrain.vertices) mesh.vertices.emplace_back(x, y, z);
     for (const auto& [a, b, c] : terrain.triangles) {
@@ -142,6 +144,7 @@ BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
   RasterFile file =
       read_raster_file(project.file.parent_path() / project.terrain.raster, warnings, said_of_crs(project));
   RasterGrid& grid = file.grid;
+  warn_of_steep_raster(grid, project, warnings);
   BuiltTerrain built;
   const std::uint64_t cells = (std::uint64_t{grid.columns} - 1) * (grid.rows - 1);
   built.report = fmt::format("{}: {} x {} nodes, {:.6g} x {:.6g} m apart, {}, {} without data",

@@ -35,6 +35,9 @@ struct CertainStretch {
 /// Why a place beyond it is none to stand on, for a complaint.
 [[nodiscard]] std::string why_uncertain(const CertainStretch& stretch);
 
+/// A hint where a place is off the terrain, and on it with its coordinates the other way round.
+inline constexpr const char* exchanged_hint = "With x and y exchanged it would lie on the terrain";
+
 [[nodiscard]] BuiltTerrain build_terrain(const Project& project, Problems& warnings);
 
 }  // namespace talus::project

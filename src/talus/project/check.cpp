@@ -204,8 +204,17 @@ class Rules {
     });
   }
 
+  /// Whether an entry has a value that was refused: what it would have been is not known.
+  [[nodiscard]] bool has_refused(const toml::table* row) const {
+    return !row ||
+           std::any_of(row->begin(), row->end(), [&](const auto& part) { return refused_.contains(&part.second); });
+  }
+
   /// Rocks that nothing makes differ are one rock.
   void about_chance() {
+    const auto materials = rows("material");
+    if (std::any_of(materials.begin(), materials.end(), [&](const toml::table* row) { return has_refused(row); }))
+      return;
     Project copy = project_;  // the declaration leads to members that can be written to
     if (!copy.terrain.section_std_dev_m.empty()) return;
     for (Material& material : copy.materials) {
@@ -217,8 +226,8 @@ class Rules {
     for (std::size_t i = 0; i < copy.seeders.size(); ++i) {
       Seeder& seeder = copy.seeders[i];
       const bool is_one_rock = seeder.type == SeederType::point && !is_random(declaration("seeder"), &seeder);
-      if (!is_one_rock || seeder.rocks < many || !list[i] || !good(list[i], "rocks")) continue;
-      complain(list[i]->get("rocks"), fmt::format("seeder \"{}\"", seeder.name),
+      if (!is_one_rock || seeder.rocks < many || has_refused(list[i])) continue;
+      complain(list[i]->get("rocks"), name_of_row(declaration("seeder"), *list[i], i),
                fmt::format("its {} rocks are all the same", seeder.rocks),
                "nothing is random of them or of the ground, so that they follow one path",
                "Give restitution or friction a distribution, or the ground a roughness", Severity::warning);

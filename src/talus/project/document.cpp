@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "talus/core/utf8.hpp"
 #include "talus/project/decimal_comma.hpp"
 
 namespace talus::project {
@@ -34,6 +35,38 @@ std::string_view line_of(std::string_view text, std::size_t number) {
 std::string comma_hint(std::string_view line) {
   const std::string number = first_with_point(line);
   return number.empty() ? "" : fmt::format("Write {}: a number has no comma", number);
+}
+
+/// Where it has a backslash in double quotes, as a path of Windows does.
+std::string backslash_hint(std::string_view line) {
+  const std::size_t backslash = line.find('\\');
+  if (backslash == std::string_view::npos || line.substr(0, backslash).find('"') == std::string_view::npos) return "";
+  return "In double quotes a backslash begins an escape: write paths with /, or in single quotes";
+}
+
+std::string hint_at(std::string_view line) {
+  const std::string hint = backslash_hint(line);
+  return hint.empty() ? comma_hint(line) : hint;
+}
+
+/// A project file is UTF-8. Names the encoding that another one seems to have.
+void check_encoding(std::string_view text, const std::string& file) {
+  constexpr const char* how = "Save it as UTF-8; editors offer that where they save under another name";
+  const auto begins_with = [&](unsigned char a, unsigned char b) {
+    return text.size() >= 2 && static_cast<unsigned char>(text[0]) == a && static_cast<unsigned char>(text[1]) == b;
+  };
+  const bool has_zero = text.size() >= 2 && (text[0] == '\0' || text[1] == '\0');
+  if (begins_with(0xff, 0xfe) || begins_with(0xfe, 0xff) || has_zero) {
+    throw BadInput(about_file(file, "the file is UTF-16", "a project file is UTF-8", how));
+  }
+  const std::string read = as_utf8(text);
+  if (read == text) return;
+  const auto [before, after] = std::ranges::mismatch(text, read);
+  Problem problem = about_file(
+      file, fmt::format("the byte {:#04x} is not UTF-8", static_cast<unsigned char>(*before)),
+      "a project file is UTF-8; Latin-1 and Windows-1252 write letters such as \u00e4 and \u00e9 as single bytes", how);
+  problem.line = 1 + static_cast<int>(std::count(text.begin(), before, '\n'));
+  throw BadInput(std::move(problem));
 }
 
 /// The longest keys of a project have four parts. toml++ limits how deep values lie in one another (256), but not how
@@ -235,6 +268,7 @@ std::string text_of_file(const std::filesystem::path& file) {
 }
 
 Document::Document(std::string_view text, std::string file) : file_(std::move(file)) {
+  check_encoding(text, file_);
   if (const auto line = line_of_endless_key(text)) {
     Problem problem = about_file(file_, fmt::format("a key has more than {} parts", most_parts_of_a_key),
                                  "the longest of a project have three, as [material.normal_restitution] mean");
@@ -249,7 +283,7 @@ Document::Document(std::string_view text, std::string file) : file_(std::move(fi
                            .where = {},
                            .what = "this is not TOML",
                            .why = std::string(error.description()),
-                           .hint = comma_hint(line_of(text, error.source().begin.line))});
+                           .hint = hint_at(line_of(text, error.source().begin.line))});
   }
 }
 

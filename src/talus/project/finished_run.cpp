@@ -101,6 +101,15 @@ std::optional<std::string> difference_of_projects(const Json& then, const std::s
   return "all settings are the same, but not what the files hold that they name, of terrain, ground or releases";
 }
 
+std::optional<std::string> replaced_results(const std::filesystem::path& folder, const io::RunDescription& now) {
+  const auto summary = summary_in(folder);
+  if (!summary) return std::nullopt;
+  const Json& fingerprint = summary->at("fingerprint");
+  const auto difference = difference_of_projects(summary->value("project", Json::object()),
+                                                 fingerprint.is_string() ? fingerprint.get<std::string>() : "", now);
+  return fmt::format("{}{}", rocks_of(*summary), difference ? fmt::format(" ({})", *difference) : "");
+}
+
 FinishedRun find_finished_run(const std::filesystem::path& folder, const io::RunDescription& description,
                               const RockRange& range, const std::optional<Shard>& shard) {
   const auto summary = summary_in(folder);

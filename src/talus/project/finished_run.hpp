@@ -28,6 +28,11 @@ void remove_finished_summary(const std::filesystem::path& folder);
                                                                 const std::string& fingerprint_then,
                                                                 const io::RunDescription& now);
 
+/// What a run that begins anew will replace: the results of which rocks, and in what that run differs; nothing where
+/// there are none.
+[[nodiscard]] std::optional<std::string> replaced_results(const std::filesystem::path& folder,
+                                                          const io::RunDescription& now);
+
 /// "rocks 0 to 49", "shard 1/2 with rocks 0 to 24".
 [[nodiscard]] std::string name_of(const RockRange& range, const std::optional<Shard>& shard);
 

@@ -9,6 +9,7 @@
 #include "talus/project/build_ground.hpp"
 #include "talus/project/build_seeders.hpp"
 #include "talus/project/build_terrain.hpp"
+#include "talus/project/check_releases.hpp"
 #include "talus/project/drawn.hpp"
 #include "talus/project/named_files.hpp"
 
@@ -136,6 +137,7 @@ class Builder {
     add_seeders(project_, model_, problems_, warnings_);
     for (const Barrier& barrier : project_.barriers) add_barrier(barrier);
     if (problems_.has_errors()) throw BadInput(problems_.in_order_of(project_.file.string()));
+    warn_of_high_releases(model_, warnings_);
     return std::move(model_);
   }
 
@@ -160,7 +162,8 @@ class Builder {
       complain(b.source_line, called(b), fmt::format("its line is {:.3g} m long", foot.given),
                fmt::format("expected at least {:g} m", shortest), "");
     } else if (barrier.panels().empty()) {
-      complain(b.source_line, called(b), "its line does not touch the terrain", "a barrier stands on the ground", "");
+      complain(b.source_line, called(b), "its line does not touch the terrain", "a barrier stands on the ground",
+               is_on_ground_exchanged(b) ? exchanged_hint : "");
     } else {
       warn_of_gaps(b, foot);
       check_on_moved_slope(b);
@@ -170,6 +173,13 @@ class Builder {
 
   static std::string called(const Barrier& b) {
     return fmt::format("{} \"{}\"", b.is_collector ? "collector" : "barrier", b.name);
+  }
+
+  /// Whether a corner of the line lies on the terrain once its x and y are exchanged.
+  [[nodiscard]] bool is_on_ground_exchanged(const Barrier& b) const {
+    if (std::holds_alternative<Profile>(model_.surface)) return false;
+    const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
+    return std::ranges::any_of(b.line, [&](const auto& p) { return is_ground(Vec2(p[1], p[0]) - origin); });
   }
 
   void warn_of_gaps(const Barrier& b, const Foot& foot) {

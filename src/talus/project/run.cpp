@@ -99,6 +99,11 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   const Start start = find_start(folder, description, options);
   const io::RunStateHeader& begun = start.state;
   if (start.is_complete) return {.summary = Summary(0, 0), .range = begun.range, .was_complete = true};
+  if (!start.goes_on && options.say) {
+    if (const auto earlier = replaced_results(folder, description)) {
+      options.say(fmt::format("replacing the results in {}: {}", folder.string(), *earlier));
+    }
+  }
   // Before anything of an earlier run is touched.
   check_that_results_have_room(folder, description, options.shard);
   const std::vector<int> threads =

@@ -191,10 +191,13 @@ Problems write_results(const std::filesystem::path& folder, const io::RunDescrip
   if (course.interrupted && !course.shard && course.missing.empty()) {
     warn_of_sources(description, sums.summary().done, found);
   }
+  std::optional<DesignResult> design;
+  if (sums.design() != nullptr) {
+    design = evaluate(sums.design()->plan(), sums.design()->tally());
+    if (!course.shard) warn_of_design(sums.design()->plan(), *design, found);
+  }
   std::vector<std::string> warnings = description.warnings;
   for (const Problem& problem : found.list()) warnings.push_back(problem.text());
-  std::optional<DesignResult> design;
-  if (sums.design() != nullptr) design = evaluate(sums.design()->plan(), sums.design()->tally());
   OutputFile summary(folder / "summary.json");
   // Names of files, of which there may be some in the warnings, need not be UTF-8.
   constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "talus/io/design_json.hpp"
+
 namespace talus::project {
 
 namespace {
@@ -93,6 +95,29 @@ void warn_of_collectors(const io::RunDescription& description, const Summary& su
                   .what = fmt::format("{} of {} rocks passed above it", above, hit + above),
                   .why = "its figures of energy, height and velocity are those of the others only",
                   .hint = "Raise its height_m"});
+  }
+}
+
+void warn_of_design(const DesignPlan& plan, const DesignResult& result, Problems& warnings) {
+  const auto warn = [&](std::size_t line, std::string what, std::string why, std::string hint) {
+    warnings.add({.severity = Severity::warning,
+                  .where = fmt::format("design line \"{}\"", plan.lines[line].name),
+                  .what = std::move(what),
+                  .why = std::move(why),
+                  .hint = std::move(hint)});
+  };
+  for (std::size_t k = 0; k < result.lines.size(); ++k) {
+    if (result.lines[k].whole.rocks > 0) continue;
+    warn(k, "no rock crosses it", "there is nothing to design a barrier for",
+         "Check where the line lies; with few rocks, run more");
+  }
+  if (result.ranking.empty() || result.ranking.front().suffices) return;
+  std::vector<bool> has_kit(plan.lines.size());
+  for (const KitChoice& kit : result.ranking) {
+    if (kit.limit == KitLimit::none || result.lines[kit.line].whole.rocks == 0 || has_kit[kit.line]) continue;
+    has_kit[kit.line] = true;
+    warn(kit.line, fmt::format("no kit catches {:g} % of the rocks", 100 * plan.catch_share), io::limit_text(plan, kit),
+         "");
   }
 }
 

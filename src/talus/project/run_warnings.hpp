@@ -5,6 +5,7 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/io/run_description.hpp"
+#include "talus/results/design_result.hpp"
 #include "talus/results/summary.hpp"
 
 namespace talus::project {
@@ -18,5 +19,9 @@ void warn_of_sources(const io::RunDescription& description, std::uint64_t first_
 
 /// Adds which collectors many rocks passed above: their statistics are of the others.
 void warn_of_collectors(const io::RunDescription& description, const Summary& summary, Problems& warnings);
+
+/// Adds which lines of a design no rock crosses, and, where no kit catches the wanted share, what holds the best kit of
+/// each line back.
+void warn_of_design(const DesignPlan& plan, const DesignResult& result, Problems& warnings);
 
 }  // namespace talus::project

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "talus/core/check.hpp"
+#include "talus/project/check_releases.hpp"
 #include "talus/terrain/mend.hpp"
 
 namespace talus::project {
@@ -116,6 +117,21 @@ std::optional<Doubt> tonnes_doubt(double value) {
   if (value > pebble) return std::nullopt;
   return Doubt{"this is a mass in kilograms, of a stone that can be held in a hand",
                fmt::format("If it is in tonnes, write {}", value * 1000)};
+}
+
+/// What is larger than any that was documented, or built.
+std::function<std::optional<Doubt>(double)> beyond(double usual, std::string why, std::string hint) {
+  return [=](double value) { return value > usual ? std::optional(Doubt{why, hint}) : std::nullopt; };
+}
+
+constexpr double largest_block_m = 20;  // of 8000 m3 by volume, 11,000 t by mass at 2700 kg/m3
+constexpr const char* beyond_blocks =
+    "this is more than a rockfall has; rock masses of this size move as rock avalanches";
+
+std::optional<Doubt> mass_doubt(double value) {
+  constexpr double usual_kg = 1.2e7;  // of the largest block
+  if (const auto hand = tonnes_doubt(value)) return hand;
+  return beyond(usual_kg, beyond_blocks, "mass_kg is in kilograms")(value);
 }
 
 /// A share or a confidence given in percent.
@@ -755,7 +771,10 @@ Table seeder() {
                .range = place,
                .without_it = "required for a line",
                .excludes = {"position", "lines"},
-               .meaning = "Two or more positions, each as for a point.",
+               .meaning =
+                   "Two or more positions, each as for a point. Rocks start evenly along the line: by its length in "
+                   "space where z is given, by its length on plan where z is the surface or `height_above_m` is "
+                   "given.",
                .source = "Talus"},
               {.key = "lines",
                .slot = member(&Seeder::lines),
@@ -763,7 +782,9 @@ Table seeder() {
                .excludes = {"points"},
                .meaning = "3D: a file of lines (GeoPackage, Shapefile, GeoJSON, ...), in any coordinate system; with "
                           "heights of their own, or laid on the terrain where they have none or `height_above_m` is "
-                          "given. Its path is relative to the project file.",
+                          "given; rocks start evenly by its length in space or, laid on the terrain, on plan. Its path "
+                          "is relative to "
+                          "the project file.",
                .source = "Talus"},
               {.key = "polygons",
                .slot = member(&Seeder::polygons),
@@ -841,7 +862,9 @@ Table seeder() {
                .range = up_to(largest_coordinate_m, "a rock starts on the ground or above it", within_places),
                .without_it = "z says it",
                .meaning = "Height above the terrain, instead of z.",
-               .source = "Talus"},
+               .source = "Talus",
+               .doubt = beyond(highest_release_m, "a rock is released far above the ground",
+                               "It is a height above the ground, not an elevation")},
               {.key = "rocks",
                .slot = member(&Seeder::rocks),
                .range = {.least = 1, .most = most_rocks, .too_low = "a seeder without rocks does nothing"},
@@ -864,7 +887,7 @@ Table seeder() {
                .excludes = {"volume_m3", "diameter_m"},
                .meaning = "Mass of a rock.",
                .source = "the manual, table 1-1",
-               .doubt = tonnes_doubt},
+               .doubt = mass_doubt},
               {.key = "volume_m3",
                .slot = member(&Seeder::volume_m3),
                .unit = "m3",
@@ -875,7 +898,8 @@ Table seeder() {
                .without_it = one_size,
                .excludes = {"mass_kg", "diameter_m"},
                .meaning = "Volume of a rock; its mass follows from the density.",
-               .source = "Talus"},
+               .source = "Talus",
+               .doubt = beyond(8000, beyond_blocks, "volume_m3 is in cubic metres")},
               {.key = "diameter_m",
                .slot = member(&Seeder::diameter_m),
                .unit = "m",
@@ -886,7 +910,8 @@ Table seeder() {
                .without_it = one_size,
                .excludes = {"mass_kg", "volume_m3"},
                .meaning = "Diameter of the sphere with the rock's volume; its mass follows from the density.",
-               .source = "Talus"},
+               .source = "Talus",
+               .doubt = beyond(largest_block_m, beyond_blocks, "diameter_m is in metres")},
               {.key = "density_kg_m3",
                .slot = member(&Seeder::density_kg_m3),
                .unit = "kg/m3",
@@ -982,6 +1007,10 @@ Table barrier() {
       .add = [](Project& project) { return added_barrier(project, false); },
       .rows = [](Project& project) { return all_barriers(project, false); },
   };
+  // Nets are up to 10 m high, embankments up to some 25 m. (A collector may be as high as it takes.)
+  const auto height =
+      std::ranges::find_if(table.settings, [](const Setting& setting) { return setting.key == "height_m"; });
+  height->doubt = beyond(30, "no barrier was built so high", "A line that only records is a [[collector]]");
   table.settings.push_back({.key = "capacity_kJ",
                             .slot = member(&Barrier::capacity_kJ),
                             .unit = "kJ",
@@ -1249,7 +1278,9 @@ Table distribution() {
               {.key = "mean",
                .slot = member(&Distribution::mean),
                .required = true,
-               .meaning = "The mean before truncation, in the property's unit.",
+               .meaning =
+                   "The mean before truncation, in the property's unit. Limits that are not even about it move the "
+                   "mean of the draws, of `uniform` and `triangular` too; a warning then gives both numbers.",
                .source = "the manual, tables 1-1 and 1-2"},
               {.key = "distribution",
                .slot = member(&Distribution::kind),

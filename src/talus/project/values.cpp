@@ -10,6 +10,7 @@
 
 #include "talus/core/nearest.hpp"
 #include "talus/project/decimal_comma.hpp"
+#include "talus/project/doubtful_draws.hpp"
 #include "talus/project/material_library.hpp"
 
 namespace talus::project {
@@ -327,7 +328,8 @@ bool ValueReader::into(const Value& value, std::string* member) {
   if (!text) return refuse_kind(value, "a text in quotes");
   if (text->get().empty()) return refuse_kind(value, "a text that is not empty");
   if (std::any_of(text->get().begin(), text->get().end(), is_control)) {
-    return refuse_kind(value, "a text without line breaks and other characters that cannot be seen");
+    return refuse_kind(value, "a text without line breaks and other characters that cannot be seen",
+                       "In double quotes \\t and \\n are such characters: write paths with /, or in single quotes");
   }
   *member = text->get();
   return true;
@@ -427,6 +429,9 @@ bool ValueReader::into(const Value& value, Distribution* member) {
   }
   if (const auto why = why_unusable(read, bounds(range)))
     return refuse(value, fmt::format("{} {}", value.name, *why), "");
+  if (auto doubt = doubt_of_draws(value.name, read, bounds(range))) {
+    warn(value, std::move(doubt->what), std::move(doubt->why), std::move(doubt->hint));
+  }
   if (read.std_dev && is_told_by_its_limits(read)) {
     warn(value, fmt::format("std_dev of {} has no effect", value.name),
          fmt::format("the {} distribution takes its width from rel_min and rel_max",

@@ -38,9 +38,11 @@ class Evaluation {
       add_choices(k, result.ranking);
     }
     // What is equal in all this keeps the order of lines and heights.
-    std::ranges::stable_sort(result.ranking, {}, [](const KitChoice& kit) {
+    std::ranges::stable_sort(result.ranking, {}, [&](const KitChoice& kit) {
       const double missed = kit.caught ? 1 - kit.caught->value : 1;
-      return kit.suffices ? std::tuple(0, kit.cost, missed) : std::tuple(1, missed, kit.cost);
+      if (kit.suffices) return std::tuple(0, 0.0, kit.cost, missed);
+      if (!catches_wanted_of_crossing(kit)) return std::tuple(2, missed, kit.cost, 0.0);
+      return std::tuple(1, static_cast<double>(kit.beside) / static_cast<double>(kit.caught->of), kit.cost, missed);
     });
     return result;
   }
@@ -83,20 +85,38 @@ class Evaluation {
     ranking.insert(ranking.end(), kept.begin(), kept.end());
   }
 
+  [[nodiscard]] bool is_wanted(std::uint64_t rocks, std::uint64_t of) const {
+    return of > 0 && static_cast<double>(rocks) / static_cast<double>(of) >= plan_.catch_share;
+  }
+  [[nodiscard]] bool catches_wanted_of_crossing(const KitChoice& kit) const {
+    return kit.caught && is_wanted(kit.caught->rocks, kit.caught->of - kit.beside);
+  }
+
+  [[nodiscard]] KitLimit limit_of(const KitChoice& kit, std::uint64_t crossing, std::uint64_t all) const {
+    if (kit.suffices || all == 0) return KitLimit::none;
+    if (!is_wanted(crossing, all)) return KitLimit::ends;
+    return is_wanted(crossing - kit.above, all) ? KitLimit::energy : KitLimit::height;
+  }
+
   KitChoice choice(std::size_t line, std::size_t height) const {
     const DesignTally::Line& tally = tally_.lines[line];
     const std::uint64_t crossing = tally.demands.rocks(), all = crossing + tally.beside;
     KitChoice kit{.line = line, .height = plan_.heights[height], .beside = tally.beside};
     kit.above = tally.demands.above(height);
-    for (std::size_t e = 0; e < plan_.energies.size() && !kit.suffices; ++e) {
+    // Where even all that cross the line are too few, a kit is chosen for those.
+    const std::uint64_t counted = is_wanted(crossing, all) ? all : crossing;
+    bool is_enough = false;
+    for (std::size_t e = 0; e < plan_.energies.size() && !is_enough; ++e) {
       const std::uint64_t caught = tally.demands.caught(height, e);
       if (e > 0 && caught == crossing - kit.above - kit.through) continue;  // no more than with less energy
       kit.maximum_energy = plan_.energies[e];
       kit.kit_class = kit_class_of(kit.maximum_energy);
       kit.caught = share_of(caught, all, plan_.confidence);
       kit.through = crossing - kit.above - caught;
-      kit.suffices = kit.caught && kit.caught->value >= plan_.catch_share;
+      is_enough = is_wanted(caught, counted);
     }
+    kit.suffices = is_enough && counted == all;
+    kit.limit = limit_of(kit, crossing, all);
     if (kit.caught) {
       kit.is_sure = kit.suffices ? kit.caught->low >= plan_.catch_share : kit.caught->high < plan_.catch_share;
     }

@@ -36,8 +36,13 @@ struct DesignFigures {
   std::optional<KitDemand> demand, demand_at_upper_end;
 };
 
+/// What keeps a kit from catching the wanted share of the rocks: the first of these that alone does. Nothing else helps
+/// before it is removed: no kit stops a rock that passes beyond its ends, and no energy one that passes above.
+enum class KitLimit { none, ends, height, energy };
+
 /// A kit that may be chosen: on a line, of a height, and with the least of the energies with which it catches the
-/// wanted share; where none does, with which it catches the most.
+/// wanted share of the rocks; where the ends of the line leave too few for that, the wanted share of those that cross
+/// the line; where no energy does, with which it catches the most.
 struct KitChoice {
   std::size_t line = 0;
   double height = 0;          // [m]
@@ -45,6 +50,7 @@ struct KitChoice {
   std::optional<int> kit_class;
   bool suffices = false;            // the share that it catches is at least the wanted one
   bool is_sure = false;             // the whole confidence interval of that share says the same
+  KitLimit limit = KitLimit::none;  // none where it suffices, or no rock counts
   std::optional<RockShare> caught;  // of the rocks that count; nothing without any
   /// Why others are not caught: too high; low enough, but with too much energy; never at the line.
   std::uint64_t above = 0, through = 0, beside = 0;
@@ -57,8 +63,10 @@ struct DesignResult {
     std::vector<DesignFigures> sections;
   };
   std::vector<Line> lines;  // in the order of the plan
-  /// The best first: those that suffice by cost, then the others by what they catch. A height that catches no more, and
-  /// needs no less energy, than a lower one on the same line is left out.
+  /// The best first: those that suffice, by cost; then those that only the ends of their line hold back although they
+  /// catch the wanted share of the rocks that cross it, by the rocks that pass beyond the ends, then by cost; then the
+  /// others, by what they catch. A height that catches no more, and needs no less energy, than a lower one on the same
+  /// line is left out.
   std::vector<KitChoice> ranking;
 };
 

@@ -222,6 +222,26 @@ std::vector<Density> density_of(const Distribution& distribution, Bounds bounds,
   return list;
 }
 
+Truncation truncation_of(const Distribution& distribution, Bounds bounds) {
+  const Untruncated base = untruncated(distribution);
+  const Bounds limits = limits_of(distribution, bounds);
+  const Tails low = tails(base, limits.least), high = tails(base, limits.most);
+  const Sampler sampler(distribution, bounds);
+  constexpr int parts = 500;  // of equal probability
+  Truncation found{.kept = 1 - low.below - high.above,
+                   .least = low.below > 0 ? limits.least : sampler.draw(1e-12),
+                   .most = high.above > 0 ? limits.most : sampler.draw(1 - 1e-12)};
+  // What is all but uncut has its mean, which a sum over few parts of a long tail would miss.
+  const bool may_be_uneven =
+      base.kind == DistributionKind::uniform || base.kind == DistributionKind::triangular || found.kept < 0.999;
+  if (!may_be_uneven) {
+    found.mean = distribution.mean;
+    return found;
+  }
+  for (int k = 0; k < parts; ++k) found.mean += sampler.draw((k + 0.5) / parts) / parts;
+  return found;
+}
+
 namespace {
 
 const char* name_of(DistributionKind kind) {

@@ -80,6 +80,15 @@ struct Density {
 /// of up to a thousandth of all draws. Empty for a constant. Expects a distribution that `why_unusable` accepts.
 [[nodiscard]] std::vector<Density> density_of(const Distribution& distribution, Bounds bounds, std::size_t intervals);
 
+/// What limits and bounds make of a distribution.
+struct Truncation {
+  double kept = 1;             // share of the probability that lies within them
+  double least = 0, most = 0;  // of the draws
+  double mean = 0;             // of the draws, to some thousandths of their spread
+};
+/// Expects a distribution that `why_unusable` accepts, and no constant.
+[[nodiscard]] Truncation truncation_of(const Distribution& distribution, Bounds bounds);
+
 /// Whether its limits alone say how wide it is, whatever its standard deviation.
 [[nodiscard]] bool is_told_by_its_limits(const Distribution& distribution);
 

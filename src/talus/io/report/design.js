@@ -13,7 +13,7 @@ function rangeCell([value, low, high], per, digits = 4) {
   return {text: number(value / per, digits), below: `${end(low)} to ${end(high)}`};
 }
 const shareCell = (share) => share ? {text: shareText(share), below: `${number(100 * share.low, 3)} to ${number(100 * share.high, 3)} %`} : '–';
-const sufficesText = (kit) => (kit.suffices ? 'yes' : 'no') + (kit.sure === false ? ', not sure' : '');
+const sufficesText = (kit) => (kit.suffices ? 'yes' : kit.limited_by ? `no: ${kit.limited_by}` : 'no') + (kit.sure === false ? ', not sure' : '');
 const classText = (needs) => needs ? `${needs.class}` : '–';
 
 const energyWord = (design) => design.factors.of_total_energy ? 'total kinetic' : 'translational';
@@ -121,9 +121,13 @@ function designRanking(parent, run) {
   const of = (run.project.design || {}).protect ? `the rocks that reach ${run.project.design.protect}` : 'the rocks that reach its line';
   element(parent, 'p', best ? `Least cost that catches ${wanted} of ${of}: ${best.line}, ${number(best.height_m)} m high, ${number(best.energy_J / 1000)} kJ of ${energyWord(design)} energy${isNumber(best.class) ? ` (class ${best.class})` : ''}; it catches ${shareText(best.caught_share)}${best.sure === false ? ' (not sure)' : ''}.`
     : `No kit of those given catches ${wanted} of ${of}.`);
+  if (!best) {
+    const first = design.lines.map((line) => design.ranking.find((kit) => kit.line === line.name && kit.limit)).filter(Boolean);
+    for (const kit of first) element(parent, 'p', `${kit.line}: ${kit.limit}.`);
+  }
   table(parent, {
-    caption: `Kits to choose from, the best first; ${energyWord(design)} energy, beneath each share its ${number(100 * design.confidence)} % confidence interval`,
-    head: [['Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Too high', 'Too strong', 'Past the line', 'Catches enough', 'Cost index']],
+    caption: `${best ? 'Kits to choose from, the best first' : 'Kits to choose from, none of which suffices'}; ${energyWord(design)} energy, beneath each share its ${number(100 * design.confidence)} % confidence interval`,
+    head: [['Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Too high', 'Too strong', 'Beyond the ends', 'Catches enough', 'Cost index']],
     rows: shown.map((kit) => [kit.line, number(kit.height_m), number(kit.energy_J / 1000), isNumber(kit.class) ? String(kit.class) : '–', shareCell(kit.caught_share),
       number(kit.above), number(kit.through), number(kit.beside), sufficesText(kit), number(kit.cost, 4)]),
     numeric: (column) => column > 0,
