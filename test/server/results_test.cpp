@@ -156,6 +156,7 @@ TEST_F(Results, OfEveryRockAreThoseOfItsTables) {
                seeders = arrays.get<std::uint16_t>("seeders", "u16");
     const auto reasons = arrays.get<std::uint8_t>("reasons", "u8");
     const auto masses = arrays.get<float>("masses", "f32"), energies = arrays.get<float>("max_energies", "f32");
+    const auto radii = arrays.get<float>("radii", "f32");
     const auto barriers = arrays.get<std::uint32_t>("barriers", "u32");
     const std::vector<Texts> rows = endpoints(), all_hits = hits();
     ASSERT_EQ(rows.size(), masses.size());
@@ -166,6 +167,7 @@ TEST_F(Results, OfEveryRockAreThoseOfItsTables) {
       EXPECT_EQ(header["sources"][sources[k]], rows[k][1]) << "a seeder without another source is its own";
       EXPECT_EQ(header["reasons"][reasons[k]], rows[k][10]);
       EXPECT_EQ(masses[k], static_cast<float>(std::stod(rows[k][11])));
+      EXPECT_EQ(radii[k], static_cast<float>(std::stod(rows[k][12])));
       EXPECT_EQ(energies[k], static_cast<float>(std::stod(rows[k][13]) / 1000));
       std::uint32_t expected = 0;
       for (const Texts& hit : all_hits)

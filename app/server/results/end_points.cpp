@@ -34,6 +34,7 @@ void read_ends(const fs::path& file, const io::RunFacts& facts, const std::funct
     ends.seeders.push_back(static_cast<std::uint16_t>(ends.seeder_names.number(row.text(at("seeder")))));
     ends.reasons.push_back(reason_in(row, at("end_reason")));
     ends.masses.push_back(static_cast<float>(row.number(at("mass_kg"))));
+    ends.radii.push_back(static_cast<float>(row.number(at("radius_m"))));
     ends.max_energies.push_back(static_cast<float>(row.number(at("max_ke_J")) / 1000));
     ends.max_heights.push_back(static_cast<float>(row.number(at("max_bounce_m"))));
   }

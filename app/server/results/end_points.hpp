@@ -22,6 +22,7 @@ struct EndPoints {
   std::vector<std::uint16_t> sources, seeders;
   std::vector<std::uint8_t> reasons;
   std::vector<float> masses;            // [kg]
+  std::vector<float> radii;             // of the equivalent spheres [m]
   std::vector<float> max_energies;      // kinetic [kJ]
   std::vector<float> max_heights;       // above the ground [m]
   std::vector<std::uint32_t> barriers;  // bit k: it hit the k-th; so many words a rock as barriers need

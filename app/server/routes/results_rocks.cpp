@@ -43,6 +43,7 @@ void add_rocks(Arrays& arrays, const EndPoints& rocks) {
   add(arrays, "seeders", rocks.seeders);
   add(arrays, "reasons", rocks.reasons);
   add(arrays, "masses", rocks.masses);
+  add(arrays, "radii", rocks.radii);
   add(arrays, "max_energies", rocks.max_energies);
   add(arrays, "max_heights", rocks.max_heights);
   add(arrays, "barriers", rocks.barriers);

@@ -47,7 +47,7 @@ test('a filter is shared by the view and the figures', async ({ workbench: page,
   const runs = await page.evaluate(async () => (await fetch('/api/runs')).json());
   const lines = server.read(`${runs.runs[0].folder}/barriers.csv`).trim().split('\n').slice(1);
   const rocks = new Set(lines.map((line: string) => line.split(',')[1]));
-  await expect(page.getByText(`${rocks.size} rocks`)).toBeVisible();
+  await expect(page.getByText(`${rocks.size} of 50 rocks`)).toBeVisible();
   await page.getByRole('button', { name: 'All rocks' }).first().click();
   await expect(page.getByText('50 rocks', { exact: true })).toBeVisible();
 });

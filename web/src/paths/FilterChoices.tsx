@@ -5,6 +5,7 @@ import { everyRock, filter, isFiltering, type RockFilter } from '../state/filter
 import { counted } from '../ui/format';
 import { Popover } from '../view/Popover';
 import { shownPaths } from './drawnPaths';
+import { leftByFilter } from './shownPassing';
 
 type ListKey = 'reasons' | 'seeders' | 'sources' | 'barriers';
 const titles: Record<ListKey, string> = { reasons: 'Ended', seeders: 'Seeder', sources: 'Source', barriers: 'Hit' };
@@ -82,8 +83,10 @@ export function FilterChoices() {
   if (!paths) return null;
   const { reasons, seeders, sources, barriers } = paths.header;
   const ended = reasons.filter((_, k) => paths.reasons.includes(k));
+  const count = leftByFilter.value;
+  const left = count && `${count.left.toLocaleString('en')} of ${count.of.toLocaleString('en')}`;
   return (
-    <Popover title={isFiltering(filter.value) ? 'Filter (on)' : 'Filter'}>
+    <Popover title={left ? `Filter: ${left}` : 'Filter'}>
       <Names of="reasons" names={ended} />
       <Names of="seeders" names={seeders} />
       <Names of="sources" names={sources} />

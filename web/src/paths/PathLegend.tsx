@@ -5,8 +5,21 @@ import { compared, shown } from '../state/runs';
 import { cssGradient, markColours } from '../view/colours';
 import { KindsLegend, ScaleLegend } from '../view/Legend';
 import { layers } from '../view/settings';
+import { counted } from '../ui/format';
 import { colouring } from './colouring';
 import { comparedPaths } from './drawnPaths';
+import { leftByFilter } from './shownPassing';
+
+/// How many of the paths that are drawn the filter leaves.
+function FilterCount() {
+  const count = leftByFilter.value;
+  if (!count) return null;
+  return (
+    <p class="legend filtered" role="status">
+      {count.left.toLocaleString('en')} of {counted(count.of, 'path')}
+    </p>
+  );
+}
 
 export function PathLegend() {
   const how = colouring.value;
@@ -21,6 +34,7 @@ export function PathLegend() {
           kinds={how.names.map((name, k) => ({ name, colour: how.colours[k]! })).filter((_, k) => how.isThere[k])}
         />
       )}
+      <FilterCount />
       {isOutdated.value && <p class="legend outdated-paths">Paths of an earlier text of the project</p>}
       {comparedPaths.value && compared.value && (
         <KindsLegend title="Runs" kinds={[{ name: `${compared.value.name}, over ${shown.value?.name}`, colour: markColours.compared }]} />

@@ -39,6 +39,7 @@ export interface DrawnPaths {
   seeders: Uint16Array;
   reasons: Uint8Array;
   masses: Float32Array; // kg
+  radii: Float32Array; // of the equivalent spheres, m
   maxEnergies: Float32Array; // kJ
   maxHeights: Float32Array; // m
   barriers: Uint32Array; // so many words each as barriers need: bit k, it hit barrier k

@@ -3,7 +3,7 @@
 import { useMemo, useState } from 'preact/hooks';
 import { results } from '../api/results';
 import type { Run } from '../api/types';
-import { filter } from '../state/filter';
+import { filter, isFiltering } from '../state/filter';
 import { counted } from '../ui/format';
 import { ColumnChoice, endpointColumns } from './ColumnChoice';
 import { titleOf } from './columns';
@@ -32,8 +32,8 @@ export function Distributions({ run }: { run: Run }) {
     <div class="tab-page">
       <div class="tab-tools">
         <ColumnChoice columns={endpointColumns} now={column} choose={choose} />
-        <FilterNote />
-        {found && <span class="faint">{counted(found.statistics.count, 'rock')}</span>}
+        <FilterNote left={found?.statistics.count} of={run.done} />
+        {found && !isFiltering(now) && <span class="faint">{counted(found.statistics.count, 'rock')}</span>}
       </div>
       {!found ? (
         <Waiting of={answer} />

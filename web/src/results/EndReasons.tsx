@@ -1,10 +1,9 @@
-import type { Summary } from '../api/results';
+import type { NumberText } from '../api/exact';
 import { DataTable } from './DataTable';
 
-/// How the rocks of a run ended.
-export function EndReasons({ summary, file }: { summary: Summary; file: string }) {
-  const done = Number(summary.rocks.done);
-  const rows = Object.entries(summary.end_reasons).filter(([, count]) => Number(count) > 0);
+/// How rocks ended: how many for each reason, of so many.
+export function EndReasons({ reasons, of, file }: { reasons: Record<string, NumberText>; of: number; file: string }) {
+  const rows = Object.entries(reasons).filter(([, count]) => Number(count) > 0);
   return (
     <div class="end-reasons">
       <DataTable
@@ -20,7 +19,7 @@ export function EndReasons({ summary, file }: { summary: Summary; file: string }
       />
       <ul class="shares" aria-hidden="true">
         {rows.map(([reason, count]) => (
-          <li key={reason} title={reason} style={{ flexGrow: Number(count) / done }} />
+          <li key={reason} title={reason} style={{ flexGrow: Number(count) / of }} />
         ))}
       </ul>
     </div>

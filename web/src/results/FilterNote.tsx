@@ -1,7 +1,8 @@
 import { everyRock, filter, isFiltering } from '../state/filter';
+import { counted } from '../ui/format';
 
-/// That the filter leaves some rocks out, and a way to take it away.
-export function FilterNote() {
+/// That the filter leaves some rocks out, how many it leaves where that is known, and a way to take it away.
+export function FilterNote({ left, of }: { left?: number; of?: number }) {
   if (!isFiltering(filter.value)) return null;
   const { reasons, seeders, sources, barriers, minEnergy_kJ, maxEnergy_kJ } = filter.value;
   const parts = [
@@ -14,7 +15,8 @@ export function FilterNote() {
   ];
   return (
     <span class="mark filter-note">
-      Only rocks: {parts.filter(Boolean).join('; ')}
+      {left !== undefined && of !== undefined ? `${left.toLocaleString('en')} of ${counted(of, 'rock')}` : 'Only rocks'}
+      : {parts.filter(Boolean).join('; ')}
       <button class="button plain" onClick={() => (filter.value = everyRock)}>
         All rocks
       </button>

@@ -2,10 +2,12 @@
 
 import { results } from '../api/results';
 import type { Run } from '../api/types';
-import { everyRock } from '../state/filter';
+import type { NumberText } from '../api/exact';
+import { filter, isFiltering, type RockFilter } from '../state/filter';
 import { clockText, counted, numberText } from '../ui/format';
-import { titleOf, unitOf } from './columns';
+import { endpointColumnOf, titleOf, unitOf } from './columns';
 import { EndReasons } from './EndReasons';
+import { FilterNote } from './FilterNote';
 import { useRemote } from './remote';
 import { fileName } from './save';
 import { StatisticsTable } from './StatisticsTable';
@@ -13,18 +15,34 @@ import { Waiting } from './Waiting';
 
 const order = ['runout_xy_m', 'runout_total_m', 'max_ke_J', 'max_bounce_m', 'time_s'];
 
-async function overviewOf(run: Run, signal: AbortSignal) {
-  const [summary, time] = await Promise.all([
-    results.summary(run.id, signal),
-    results.statistics(run.id, 'time_s', everyRock, signal),
+/// Of all rocks as summary.json has it, of those that a filter leaves as the server counts them.
+async function overviewOf(run: Run, now: RockFilter, signal: AbortSignal) {
+  const summary = await results.summary(run.id, signal);
+  const figuresOf = async (column: string, of: RockFilter) => (await results.statistics(run.id, column, of, signal)).statistics;
+  if (!isFiltering(now)) {
+    const statistics = { ...summary.statistics, time_s: await figuresOf('time_s', now) };
+    return { summary, statistics, reasons: summary.end_reasons };
+  }
+  const columns = [...Object.keys(summary.statistics), 'time_s'];
+  const reasons = Object.keys(summary.end_reasons).filter(
+    (reason) => Number(summary.end_reasons[reason]) > 0 && (now.reasons?.includes(reason) ?? true),
+  );
+  const [figures, counts] = await Promise.all([
+    Promise.all(columns.map(async (key) => [key, await figuresOf(endpointColumnOf(key), now)] as const)),
+    Promise.all(reasons.map(async (reason) => [reason, (await figuresOf('time_s', { ...now, reasons: [reason] })).count as NumberText] as const)),
   ]);
-  return { summary, statistics: { ...summary.statistics, time_s: time.statistics } };
+  return { summary, statistics: Object.fromEntries(figures), reasons: Object.fromEntries(counts) };
 }
 
 export function Overview({ run }: { run: Run }) {
-  const answer = useRemote(run.id, `${run.state} ${run.done}`, (signal) => overviewOf(run, signal));
+  const now = filter.value;
+  const answer = useRemote(run.id, `${run.state} ${run.done} ${JSON.stringify(now)}`, async (signal) => ({
+    ...(await overviewOf(run, now, signal)),
+    isOfSome: isFiltering(now),
+  }));
   if (!answer.value) return <Waiting of={answer} />;
-  const { summary, statistics } = answer.value;
+  const { summary, statistics, reasons, isOfSome } = answer.value;
+  const left = Number(statistics.time_s!.count);
   const seconds = Number(summary.timings.seconds);
   const rank = (key: string) => (order.indexOf(key) + order.length + 1) % (order.length + 1);
   const columns = Object.entries(statistics)
@@ -33,7 +51,8 @@ export function Overview({ run }: { run: Run }) {
   return (
     <div class="overview">
       <div class="facts">
-        <EndReasons summary={summary} file={fileName(run.name, 'end reasons')} />
+        <FilterNote left={isOfSome ? left : undefined} of={Number(summary.rocks.done)} />
+        <EndReasons reasons={reasons} of={left} file={fileName(run.name, 'end reasons')} />
         <dl>
           <dt>Rocks</dt>
           <dd>
@@ -61,7 +80,11 @@ export function Overview({ run }: { run: Run }) {
           </p>
         ))}
       </div>
-      <StatisticsTable caption="Statistics over all rocks" file={fileName(run.name, 'statistics')} columns={columns} />
+      <StatisticsTable
+        caption={`Statistics over ${isOfSome ? `${left.toLocaleString('en')} of ${counted(Number(summary.rocks.done), 'rock')}` : 'all rocks'}`}
+        file={fileName(run.name, 'statistics')}
+        columns={columns}
+      />
     </div>
   );
 }

@@ -38,6 +38,10 @@ const titles: Record<string, string> = {
   height_m: 'Height',
 };
 
+/// The column of endpoints.csv over which a statistic of summary.json was taken.
+const endpointColumnsOfSummary: Record<string, string> = { end_x_m: 'x_m' };
+export const endpointColumnOf = (key: string): string => endpointColumnsOfSummary[key] ?? key;
+
 /// "max_ke_J" is in "J"; nothing for numbers without a unit.
 export function unitOf(column: string): string {
   return unitsByEnding.find(([ending]) => column.endsWith(ending))?.[1] ?? '';

@@ -44,7 +44,7 @@ export class ModelScene {
   private readonly drawings = new Group();
   private readonly ends: (() => void)[] = [];
   /// Called when the frame or the terrain is another one.
-  readonly onTerrain: (() => void)[] = [];
+  readonly onTerrain: (() => unknown)[] = [];
 
   constructor(host: HTMLElement) {
     this.stage = new Stage(host);

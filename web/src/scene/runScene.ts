@@ -1,11 +1,11 @@
 // What the scene shows of runs: paths, rocks in motion, and the rock that is chosen.
 
-import { effect, untracked } from '@preact/signals';
-import { Group, Vector3 } from 'three';
+import { effect, signal, type ReadonlySignal, type Signal } from '@preact/signals';
+import { Group, Vector3, type Object3D } from 'three';
 import { colouring } from '../paths/colouring';
 import { comparedPaths, indexOfRock, shownPaths, type DrawnPaths } from '../paths/drawnPaths';
 import { isWhole, time } from '../paths/playback';
-import { shownPassing } from '../paths/shownPassing';
+import { comparedPassing, shownPassing } from '../paths/shownPassing';
 import { chosenRock } from '../state/view';
 import { cssColour, shade } from '../view/theme';
 import { markColours } from '../view/colours';
@@ -22,6 +22,7 @@ class RunPaths {
   readonly group = new Group();
   readonly look: PathLook;
   readonly dots: RockDots;
+  readonly lines: Object3D;
 
   constructor(readonly paths: DrawnPaths, shift: ArrayLike<number>, width: number) {
     this.look = new PathLook(paths);
@@ -29,7 +30,8 @@ class RunPaths {
     const count = paths.rocks.length;
     this.look.uniforms.width.value = width;
     this.look.uniforms.opacity.value = count > 2000 ? 0.45 : count > 300 ? 0.7 : 0.95;
-    this.group.add(pathLines(paths, this.look, shift), this.dots.object);
+    this.lines = pathLines(paths, this.look, shift);
+    this.group.add(this.lines, this.dots.object);
   }
 
   dispose() {
@@ -39,65 +41,59 @@ class RunPaths {
 }
 
 export class RunScene {
-  private shown: RunPaths | null = null;
-  private compared: RunPaths | null = null;
+  // What is drawn; effects follow these, so that what is drawn later looks as is chosen, too.
+  private readonly shown = signal<RunPaths | null>(null);
+  private readonly compared = signal<RunPaths | null>(null);
+  /// Another number for each frame of the terrain: places are relative to it.
+  private readonly terrain = signal(0);
   private readonly all = new Group();
   private readonly chosen = new Group();
   private readonly ends: (() => void)[];
 
   constructor(private readonly scene: ModelScene) {
     const { stage } = scene;
+    const ratio = stage.renderer.getPixelRatio();
     scene.add(this.all);
     scene.add(this.chosen);
-    scene.onTerrain.push(() => this.place());
+    scene.onTerrain.push(() => (this.terrain.value = this.terrain.peek() + 1));
     stage.beforeFrame.push(() => this.measure());
     this.ends = [
+      this.keepPlaced(this.compared, comparedPaths, 1.4 * ratio),
+      this.keepPlaced(this.shown, shownPaths, 1.6 * ratio),
       effect(() => {
-        void shownPaths.value;
-        void comparedPaths.value;
-        untracked(() => this.place());
-      }),
-      effect(() => this.colour()),
-      effect(() => {
-        this.shown?.look.pass(shownPaths.value ? shownPassing.value : null);
-        stage.invalidate();
-      }),
-      effect(() => this.move(time.value, isWhole.value)),
-      effect(() => {
-        this.all.visible = layers.paths.value;
+        const how = colouring.value;
+        if (how) this.shown.value?.look.colourBy(how);
+        this.compared.value?.look.colourAll(markColours.compared);
         stage.invalidate();
       }),
       effect(() => {
-        void shownPaths.value;
-        void shade.value;
+        const [ofShown, ofCompared] = [shownPassing.value, comparedPassing.value];
+        this.shown.value?.look.pass(ofShown);
+        this.compared.value?.look.pass(ofCompared);
+        stage.invalidate();
+      }),
+      effect(() => this.move(time.value, isWhole.value, layers.paths.value, layers.ends.value)),
+      effect(() => {
+        void [shownPaths.value, this.terrain.value, shade.value];
         this.mark(chosenRock.value);
       }),
     ];
   }
 
-  private make(paths: DrawnPaths | null, width: number): RunPaths | null {
-    if (!paths || !this.scene.terrain) return null;
-    const made = new RunPaths(paths, this.scene.local(paths.header.origin).toArray(), width);
-    this.all.add(made.group);
-    return made;
-  }
-
-  /// Where the terrain is; places are relative to its frame.
-  private place() {
-    for (const old of [this.shown, this.compared]) {
-      if (!old) continue;
-      this.all.remove(old.group);
-      old.dispose();
-    }
-    const ratio = this.scene.stage.renderer.getPixelRatio();
-    this.compared = this.make(comparedPaths.peek(), 1.4 * ratio);
-    this.shown = this.make(shownPaths.peek(), 1.6 * ratio);
-    this.compared?.look.colourAll(markColours.compared);
-    untracked(() => {
-      this.shown?.look.pass(shownPassing.value);
-      this.colour();
-      this.move(time.value, isWhole.value);
-      this.mark(chosenRock.value);
+  /// Follows paths: what is drawn of them stands in the frame of the terrain.
+  private keepPlaced(drawn: Signal<RunPaths | null>, paths: ReadonlySignal<DrawnPaths | null>, width: number): () => void {
+    return effect(() => {
+      const [now, { terrain }] = [paths.value, this.scene];
+      void this.terrain.value;
+      if (!now || !terrain) return;
+      const made = new RunPaths(now, this.scene.local(now.header.origin).toArray(), width);
+      this.all.add(made.group);
+      drawn.value = made;
+      return () => {
+        this.all.remove(made.group);
+        made.dispose();
+        drawn.value = null;
+      };
     });
   }
 
@@ -110,17 +106,13 @@ export class RunScene {
     return rockNear(stage, paths, shownPassing.peek(), shift, clientX - box.left, clientY - box.top, 8);
   }
 
-  private colour() {
-    if (colouring.value) this.shown?.look.colourBy(colouring.value);
-    this.scene.stage.invalidate();
-  }
-
-  private move(now: number, whole: boolean) {
-    for (const run of [this.shown, this.compared]) {
+  private move(now: number, whole: boolean, withPaths: boolean, withEnds: boolean) {
+    for (const { value: run } of [this.shown, this.compared]) {
       if (!run) continue;
+      run.lines.visible = withPaths;
       run.look.uniforms.time.value = whole ? Infinity : now;
       // When all have stopped, they lie where they ended.
-      run.dots.object.visible = !whole || layers.ends.value;
+      run.dots.object.visible = !whole || withEnds;
       run.dots.at(whole ? Infinity : now);
     }
     this.scene.stage.invalidate();
@@ -143,14 +135,12 @@ export class RunScene {
   private measure() {
     const { width, height } = this.scene.stage.size;
     const ratio = this.scene.stage.renderer.getPixelRatio();
-    for (const run of [this.shown, this.compared])
+    for (const run of [this.shown.peek(), this.compared.peek()])
       if (run) run.look.uniforms.pixels.value = [width * ratio, height * ratio];
   }
 
   dispose() {
     this.ends.forEach((end) => end());
-    this.shown?.dispose();
-    this.compared?.dispose();
     clear(this.chosen);
   }
 }

@@ -7,10 +7,12 @@ import type { DrawnPaths } from '../paths/drawnPaths';
 import { nearestRock } from '../paths/nearestRock';
 import { pixelOf, type Frame } from './frame';
 
-export interface PathsToDraw {
+export interface ComparedToDraw {
   paths: DrawnPaths;
-  colouring: Colouring;
   passes: Uint8Array | null; // of each rock; null: all
+}
+export interface PathsToDraw extends ComparedToDraw {
+  colouring: Colouring;
 }
 
 const shades = 48; // a scale is drawn in so many colours
@@ -55,7 +57,7 @@ export class PathLayer {
   /// `progress`: called whenever more can be seen.
   constructor(private readonly progress: () => void) {}
 
-  draw(frame: Frame, shown: PathsToDraw | null, other: DrawnPaths | null) {
+  draw(frame: Frame, shown: PathsToDraw | null, other: ComparedToDraw | null) {
     this.stop();
     const scale = Math.min(devicePixelRatio, 2);
     Object.assign(this.canvas, { width: Math.round(frame.width * scale), height: Math.round(frame.height * scale) });
@@ -89,12 +91,12 @@ export class PathLayer {
     };
   }
 
-  private compared(pen: Pen, frame: Frame, paths: DrawnPaths): () => boolean {
+  private compared(pen: Pen, frame: Frame, { paths, passes }: ComparedToDraw): () => boolean {
     let rock = 0;
     return () => {
       if (rock >= paths.rocks.length) return false;
       pen.lineWidth = 1;
-      drawPath(pen, frame, paths, rock, () => markColours.compared);
+      if (!passes || passes[rock]) drawPath(pen, frame, paths, rock, () => markColours.compared);
       return ++rock < paths.rocks.length;
     };
   }

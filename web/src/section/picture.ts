@@ -7,7 +7,7 @@ import { colouring } from '../paths/colouring';
 import { comparedPaths, shownPaths } from '../paths/drawnPaths';
 import { isWhole, time } from '../paths/playback';
 import { RocksAtTime } from '../paths/rocksAtTime';
-import { shownPassing } from '../paths/shownPassing';
+import { comparedPassing, shownPassing } from '../paths/shownPassing';
 import { overlays } from '../scene/tool';
 import { equalAxes, layers } from '../view/settings';
 import { cssColour, shade } from '../view/theme';
@@ -47,11 +47,15 @@ const look = (): Look => ({
   accent: cssColour('--accent'),
 });
 
-/// What is seen of the run.
-export const pathsToDraw = computed<PathsToDraw | null>(() =>
-  shownPaths.value && colouring.value && layers.paths.value
+const rocksToDraw = computed<PathsToDraw | null>(() =>
+  shownPaths.value && colouring.value
     ? { paths: shownPaths.value, colouring: colouring.value, passes: shownPassing.value }
     : null,
+);
+/// What is seen of the runs' paths.
+export const pathsToDraw = computed(() => (layers.paths.value ? rocksToDraw.value : null));
+const comparedToDraw = computed(() =>
+  layers.paths.value && comparedPaths.value ? { paths: comparedPaths.value, passes: comparedPassing.value } : null,
 );
 const moving = computed(() => (shownPaths.value ? new RocksAtTime(shownPaths.value) : null));
 
@@ -60,7 +64,7 @@ function drawRun(pen: CanvasRenderingContext2D, now: Frame, paths: HTMLCanvasEle
   pen.globalAlpha = isWhole.value ? 1 : 0.3;
   if (layers.paths.value && paths.width > 0) pen.drawImage(paths, 0, 0, now.width, now.height);
   pen.globalAlpha = 1;
-  const seen = pathsToDraw.value;
+  const seen = rocksToDraw.value;
   if (!seen) return;
   if (chosenRock.value !== null) drawChosen(pen, now, seen.paths, chosenRock.value, colours);
   if (isWhole.value) {
@@ -111,14 +115,14 @@ export function keepDrawn(host: HTMLElement, canvas: HTMLCanvasElement): () => v
   const draws = signal(0);
   const layer = new PathLayer(() => (draws.value = draws.peek() + 1));
   const stopPaths = effect(() => {
-    const [now, seen, other] = [frame.value, pathsToDraw.value, comparedPaths.value];
-    if (now) untracked(() => layer.draw(now, seen, layers.paths.value ? other : null));
+    const [now, seen, other] = [frame.value, pathsToDraw.value, comparedToDraw.value];
+    if (now) untracked(() => layer.draw(now, seen, other));
   });
   const stopDrawing = effect(() => {
     const now = frame.value;
     void [shade.value, profile.value, model.value, chosen.value, chosenRock.value, overlays.value, draws.value];
     void [layers.terrain.value, layers.barriers.value, layers.seeders.value, layers.paths.value, layers.ends.value];
-    void [pathsToDraw.value, time.value, isWhole.value];
+    void [rocksToDraw.value, time.value, isWhole.value];
     if (!now) return;
     cancelAnimationFrame(waiting);
     waiting = requestAnimationFrame(() => draw(canvas, now, layer.canvas));

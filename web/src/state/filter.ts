@@ -1,6 +1,6 @@
 // Which rocks of the run are looked at, in the scene as in the results.
 
-import { signal } from '@preact/signals';
+import { ofProject } from './ofProject';
 
 /// Names of a list are joined by "or", the conditions by "and"; null: any.
 export interface RockFilter {
@@ -21,6 +21,6 @@ export const everyRock: RockFilter = {
   maxEnergy_kJ: null,
 };
 
-export const filter = signal<RockFilter>(everyRock);
+export const filter = ofProject<RockFilter>(everyRock);
 
 export const isFiltering = (now: RockFilter) => Object.values(now).some((condition) => condition !== null);

@@ -9,7 +9,6 @@ import { draftsAside, keepHere, keepNow, letGo, takeNote } from './drafts';
 import { sawFile } from './fileOnDisk';
 import { localDraftsOf } from './localDrafts';
 import { choiceOf, type LocalDraft } from './revisions';
-import { chosen, chosenRock } from './view';
 
 // A tab that is reloaded opens its project again.
 const ownKey = () => keptKey('project', 'this tab');
@@ -62,9 +61,5 @@ export function start(name: string, first: string) {
 export function close() {
   void keepNow();
   sessionStorage.removeItem(ownKey());
-  batch(() => {
-    leave();
-    chosen.value = null;
-    chosenRock.value = null;
-  });
+  leave();
 }

@@ -1,16 +1,10 @@
 // How the page is looked at: what is chosen, which panels are open, light or dark.
 
-import { effect, signal } from '@preact/signals';
+import { signal } from '@preact/signals';
+import { kept } from './kept';
+import { ofProject } from './ofProject';
 
 export type Theme = 'system' | 'light' | 'dark';
-
-/// A signal that the browser remembers.
-function kept<T>(key: string, first: T) {
-  const found = localStorage.getItem(key);
-  const value = signal<T>(found === null ? first : (JSON.parse(found) as T));
-  effect(() => localStorage.setItem(key, JSON.stringify(value.value)));
-  return value;
-}
 
 export const theme = kept<Theme>('theme', 'system');
 
@@ -26,10 +20,10 @@ export const resultsShare = kept('results share', 0.45);
 export const allDigits = kept('all digits', false);
 
 /// A thing of the project by its path, such as ["seeder", 0]: its form is open, and the scene marks it.
-export const chosen = signal<(string | number)[] | null>(null);
+export const chosen = ofProject<(string | number)[] | null>(null);
 /// The rock of the run that is looked at.
-export const chosenRock = signal<number | null>(null);
+export const chosenRock = ofProject<number | null>(null);
 /// The map of the run that lies on the terrain, by its name.
-export const drapedMap = signal<string | null>(null);
+export const drapedMap = ofProject<string | null>(null);
 export const helpOpen = signal(false);
 export const drapedOpacity = kept('opacity of the map', 0.85);
