@@ -1,23 +1,33 @@
-import { readingOf, titleOf, unitOf } from '../results/columns';
 import { cssOf } from '../view/colours';
-import { ScaleLegend } from '../view/Legend';
-import { shownMap } from './shownMap';
+import { ClassesLegend } from '../view/Legend';
+import { numberText } from '../ui/format';
+import { classOf, classText } from './classes';
+import { shownMap, type ShownMap } from './shownMap';
+
+export const mapTitle = ({ meaning, unit }: ShownMap) =>
+  `${meaning.charAt(0).toUpperCase()}${meaning.slice(1)}${unit && `, ${unit}`}`;
+
+export function mapRange({ least, greatest, unit }: ShownMap): string {
+  return least > greatest ? 'no rock anywhere' : `values from ${numberText(least, 3)} to ${numberText(greatest)} ${unit}`.trim();
+}
+
+/// Whether any value that is shown can be of a class.
+export const isThere = ({ classes, least, greatest }: ShownMap, k: number) =>
+  least <= greatest && k >= classOf(classes, least) && k <= classOf(classes, greatest);
 
 /// What the colours of the map on the terrain mean.
 export function MapLegend() {
   const map = shownMap.value;
   if (!map) return null;
-  const { unit, per } = readingOf(unitOf(map.name));
-  const { colours, limits, scale, is_open_upwards } = map.header;
-  const stops = colours.map(([, colour], k) => `${cssOf(colour)} ${(100 * k) / Math.max(colours.length - 1, 1)}%`);
   return (
-    <ScaleLegend
-      title={unit === unitOf(map.name) ? map.name : `${titleOf(map.name)}, ${unit}`}
-      gradient={`linear-gradient(to right, ${stops.join(', ')})`}
-      low={limits[0] / per}
-      high={limits[1] / per}
-      logarithmic={scale === 'log'}
-      isClipped={is_open_upwards}
+    <ClassesLegend
+      title={mapTitle(map)}
+      classes={map.classes.map((each, k) => ({
+        text: classText(each, k === 0),
+        colour: cssOf(each.colour),
+        isThere: isThere(map, k),
+      }))}
+      note={mapRange(map)}
     />
   );
 }

@@ -2,35 +2,43 @@
 
 import { effect, signal } from '@preact/signals';
 import { getArrays } from '../api/client';
-import type { Point2 } from '../api/types';
+import { results } from '../api/results';
+import type { RunMap } from '../api/types';
 import { sayFailure } from '../state/messages';
 import { hasResults, shown } from '../state/runs';
 import { drapedMap } from '../state/view';
-
-export interface MapHeader {
-  origin: Point2; // the south-western corner
-  cell: Point2;
-  columns: number;
-  rows: number;
-  scale: 'linear' | 'log';
-  limits: [number, number];
-  /// Greater values have the last colour.
-  is_open_upwards: boolean;
-  /// Colours at values; between two of them a mixture.
-  colours: [number, [number, number, number]][];
-}
+import { readingOf } from '../results/columns';
+import type { MapClass } from './classes';
+import { classesOf, type MapHeader } from './header';
 
 export interface ShownMap {
   name: string;
+  /// One phrase.
+  meaning: string;
   header: MapHeader;
-  /// Row by row from the south; NaN: no rock was there.
+  /// In the unit in which the map is read; empty: a number.
+  classes: MapClass[];
+  unit: string;
+  /// Row by row from the south, in that unit; NaN: no rock was there.
   values: Float32Array;
+  /// Of the values.
+  least: number;
+  greatest: number;
 }
 
 /// The longer side of the picture has at most so many cells.
 const pixels = 1024;
 
 export const shownMap = signal<ShownMap | null>(null);
+
+function mapOf({ name, meaning, unit: unitOfFile }: RunMap, header: MapHeader, inFile: Float32Array): ShownMap {
+  const { unit, per } = readingOf(unitOfFile);
+  const values = per === 1 ? inFile : inFile.map((value) => value / per);
+  let [least, greatest] = [Infinity, -Infinity];
+  for (const value of values)
+    if (!Number.isNaN(value)) [least, greatest] = [Math.min(least, value), Math.max(greatest, value)];
+  return { name, meaning, header, classes: classesOf(header, name, per), unit, values, least, greatest };
+}
 
 effect(() => {
   const [run, name] = [shown.value, drapedMap.value];
@@ -40,9 +48,10 @@ effect(() => {
   }
   const asking = new AbortController();
   const path = `/api/runs/${encodeURIComponent(run.id)}/maps/${encodeURIComponent(name)}?pixels=${pixels}`;
-  getArrays<MapHeader>(path, asking.signal).then(
-    ({ header, arrays }) => {
-      if (!asking.signal.aborted) shownMap.value = { name, header, values: arrays.values as Float32Array };
+  Promise.all([getArrays<MapHeader>(path, asking.signal), results.maps(run.id, asking.signal)]).then(
+    ([{ header, arrays }, maps]) => {
+      const map = maps.find((each) => each.name === name);
+      if (!asking.signal.aborted && map) shownMap.value = mapOf(map, header, arrays.values as Float32Array);
     },
     (error: unknown) => {
       if (asking.signal.aborted) return;
@@ -53,13 +62,11 @@ effect(() => {
   return () => asking.abort();
 });
 
-/// The colour of a value: that of the nearest place outside the scale, a mixture within.
-export function colourOfValue({ colours, scale }: MapHeader, value: number): [number, number, number] {
-  const at = (x: number) => (scale === 'log' ? Math.log(Math.max(x, Number.MIN_VALUE)) : x);
-  const after = colours.findIndex(([place]) => place >= value);
-  if (after === 0) return colours[0]![1];
-  if (after < 0) return colours.at(-1)![1];
-  const [[a, from], [b, to]] = [colours[after - 1]!, colours[after]!];
-  const share = (at(value) - at(a)) / (at(b) - at(a) || 1);
-  return from.map((part, k) => Math.round(part + share * (to[k]! - part))) as [number, number, number];
+/// At a place on plan; null: beside the map, or no rock was there.
+export function valueAt({ header, values }: ShownMap, [x, y]: readonly number[]): number | null {
+  const column = Math.floor((x! - header.origin[0]) / header.cell[0]);
+  const row = Math.floor((y! - header.origin[1]) / header.cell[1]);
+  if (column < 0 || row < 0 || column >= header.columns || row >= header.rows) return null;
+  const value = values[row * header.columns + column]!;
+  return Number.isNaN(value) ? null : value;
 }

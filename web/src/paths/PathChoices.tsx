@@ -1,5 +1,7 @@
 // How paths are drawn, in a small panel of each view's bar.
 
+import { OverMap } from '../maps/OverMap';
+import { shownMap } from '../maps/shownMap';
 import { layers, pathColour, type PathColour } from '../view/settings';
 import { Popover } from '../view/Popover';
 import { counted } from '../ui/format';
@@ -16,6 +18,7 @@ export function PathChoices() {
         <input type="checkbox" checked={layers.paths.value} onChange={(event) => (layers.paths.value = event.currentTarget.checked)} />
         Show paths
       </label>
+      {shownMap.value && <OverMap />}
       <fieldset>
         <legend>Coloured by</legend>
         {(Object.keys(pathColours) as PathColour[]).map((by) => (

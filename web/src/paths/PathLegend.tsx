@@ -1,10 +1,10 @@
 // What the colours of paths mean.
 
+import { arePathsShown } from '../maps/over';
 import { isOutdated } from '../runs/outdated';
 import { compared, shown } from '../state/runs';
 import { cssGradient, markColours } from '../view/colours';
 import { KindsLegend, ScaleLegend } from '../view/Legend';
-import { layers } from '../view/settings';
 import { counted } from '../ui/format';
 import { colouring } from './colouring';
 import { comparedPaths } from './drawnPaths';
@@ -23,7 +23,7 @@ function FilterCount() {
 
 export function PathLegend() {
   const how = colouring.value;
-  if (!how || !layers.paths.value) return null;
+  if (!how || !arePathsShown.value) return null;
   return (
     <>
       {how.kind === 'scale' ? (

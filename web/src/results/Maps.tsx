@@ -2,6 +2,7 @@
 
 import { fileAddress, results } from '../api/results';
 import type { Run, RunMap } from '../api/types';
+import { OverMap } from '../maps/OverMap';
 import { drapedMap, drapedOpacity } from '../state/view';
 import { numberText } from '../ui/format';
 import { readingOf } from './columns';
@@ -42,6 +43,7 @@ export function Maps({ run }: { run: Run }) {
     <div class="tab-page">
       <div class="tab-tools">
         <span class="faint">Choose a map to lay it on the terrain.</span>
+        <OverMap />
         <label class="choice">
           Opacity
           <input

@@ -2,6 +2,7 @@
 
 import { model } from '../state/model';
 import { MapLegend } from '../maps/MapLegend';
+import { shownMap } from '../maps/shownMap';
 import { PathLegend } from '../paths/PathLegend';
 import { cssGradient, elevationRamp, materialColour, slopeRamp } from '../view/colours';
 import { KindsLegend, ScaleLegend } from '../view/Legend';
@@ -12,7 +13,7 @@ import { elevations } from './picture';
 function GroundLegend() {
   const light = shade.value;
   const [low, high] = elevations.value;
-  if (!layers.terrain.value) return null;
+  if (!layers.terrain.value || shownMap.value) return null;
   switch (shading.value) {
     case 'elevation':
       return <ScaleLegend title="Elevation, m" gradient={cssGradient(elevationRamp[light])} low={low} high={high} />;

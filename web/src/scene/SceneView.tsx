@@ -10,7 +10,6 @@ import { Compass } from './Compass';
 import { SceneBar } from './SceneBar';
 import { SceneLegend } from './SceneLegend';
 import { StatusLine } from './StatusLine';
-import { ToolHint } from './ToolHint';
 import './scene.css';
 
 export function SceneView() {
@@ -49,7 +48,6 @@ export function SceneView() {
           <SceneBar open={open.value} />
           <Compass open={open.value} />
           <SceneLegend />
-          <ToolHint />
           <StatusLine />
         </>
       )}

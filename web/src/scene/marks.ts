@@ -11,12 +11,16 @@ import {
   MeshBasicMaterial,
   Points,
   ShaderMaterial,
+  Vector2,
   type Object3D,
   type Vector3,
 } from 'three';
 import { Line2 } from 'three/examples/jsm/lines/Line2.js';
+import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
+import { meanSpacing } from '../paths/rockSize';
 
 interface Look {
   colour: string;
@@ -39,42 +43,70 @@ export function line(points: Vector3[], { colour, size, above }: Look, closed = 
 }
 
 const dotVertex = /* glsl */ `
-uniform float size;
+uniform float size;    // CSS pixels, at the most
+uniform float apart;   // m between neighbours
+uniform vec2 pixels;   // of the picture, its own
+uniform float ratio;   // of those to CSS pixels
+out float diameter;
 void main() {
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  float seen = apart * projectionMatrix[1][1] * 0.5 * pixels.y / gl_Position.w;
   gl_Position.z -= 0.002 * gl_Position.w;
-  gl_PointSize = size;
+  diameter = clamp(0.72 * seen, 2.0 * ratio, size * ratio);
+  gl_PointSize = diameter;
 }`;
 const dotFragment = /* glsl */ `
 precision highp float;
 uniform vec3 colour;
-uniform float size;
-uniform float rimmed;
+uniform float ratio;
+in float diameter;
 out vec4 result;
 void main() {
-  float r = length(gl_PointCoord - 0.5) * size;
-  float edge = 0.5 * size;
+  float r = length(gl_PointCoord - 0.5) * diameter;
+  float edge = 0.5 * diameter;
   if (r > edge) discard;
-  float rim = rimmed * smoothstep(edge - 2.5, edge - 1.5, r);
-  result = vec4(mix(colour, vec3(1.0), rim), 1.0 - smoothstep(edge - 1.0, edge, r));
+  float wide = diameter >= 6.0 * ratio ? 1.6 * ratio : 0.0;
+  float rim = wide > 0.0 ? smoothstep(edge - wide - ratio, edge - wide, r) : 0.0;
+  result = vec4(mix(colour, vec3(1.0), rim), 1.0 - smoothstep(edge - ratio, edge, r));
 }`;
 
-/// Discs, with a white rim unless they are small.
+/// Discs with a white rim; many are so small that they do not run together.
 export function dots(points: Vector3[], { colour, size, above }: Look): Object3D {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(points.flatMap((point) => point.toArray())), 3));
   const { r, g, b } = new Color(colour).convertLinearToSRGB();
+  const apart = above ? Infinity : meanSpacing(points.map(({ x, y }) => [x, y]));
   const material = new ShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: dotVertex,
     fragmentShader: dotFragment,
-    uniforms: { size: { value: size * Math.min(devicePixelRatio, 2) }, colour: { value: [r, g, b] }, rimmed: { value: size < 8 ? 0 : 1 } },
+    uniforms: {
+      size: { value: size },
+      apart: { value: Math.min(apart, 1e9) },
+      colour: { value: [r, g, b] },
+      pixels: { value: new Vector2() },
+      ratio: { value: 1 },
+    },
     transparent: true,
     depthTest: !above,
     depthWrite: false,
   });
   const made = new Points(geometry, material);
+  made.onBeforeRender = (renderer) => {
+    renderer.getDrawingBufferSize(material.uniforms.pixels!.value as Vector2);
+    material.uniforms.ratio!.value = renderer.getPixelRatio();
+  };
   made.renderOrder = above ? 21 : 6;
+  made.frustumCulled = false;
+  return made;
+}
+
+/// All in one piece: a long collector has thousands.
+function posts(foot: Vector3[], top: Vector3[], { colour, size }: Look): Object3D {
+  const geometry = new LineSegmentsGeometry();
+  geometry.setPositions(foot.flatMap((low, k) => [...low.toArray(), ...top[k]!.toArray()]));
+  const made = new LineSegments2(geometry, new LineMaterial({ color: new Color(colour), linewidth: size, transparent: true }));
+  made.renderOrder = 5;
   made.frustumCulled = false;
   return made;
 }
@@ -93,7 +125,7 @@ export function band(foot: Vector3[], top: Vector3[], colour: string): Object3D 
   wall.renderOrder = 4;
   const group = new Group();
   group.add(wall, line(top, { colour, size: 2.5 }), line(foot, { colour, size: 1.5 }));
-  for (let k = 0; k < count; ++k) group.add(line([foot[k]!, top[k]!], { colour, size: 1.5 }));
+  group.add(posts(foot.slice(0, count), top.slice(0, count), { colour, size: 1.5 }));
   return group;
 }
 

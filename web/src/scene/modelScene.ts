@@ -9,12 +9,15 @@ import { model } from '../state/model';
 import { markColours } from '../view/colours';
 import { drapedOpacity } from '../state/view';
 import { shownMap } from '../maps/shownMap';
+import type { Box } from '../view/framing';
+import { watchOver } from '../view/over';
 import { contours, exaggeration, layers, shading } from '../view/settings';
 import { shade } from '../view/theme';
 import { roundStep } from '../view/ticks';
 import { Frame } from './frame';
 import { band, clear, dots, line, patch } from './marks';
 import { MeshTerrain } from './meshTerrain';
+import { NameLayer, type Name } from './nameLayer';
 import { look, type NamedView } from './namedViews';
 import { mapTexture } from './mapTexture';
 import * as picture from './picture';
@@ -22,7 +25,7 @@ import { Stage } from './stage';
 import { TerrainMaterial } from './terrainMaterial';
 import type { Terrain } from './terrain';
 import { TiledTerrain } from './tiledTerrain';
-import { overlays } from './tool';
+import { overlays, tool } from './tool';
 
 /// What the terrain depends on: other changes of the project leave it as it is.
 const terrainKey = ({ files, bounds, facets, kind, materials, project }: Model) =>
@@ -43,6 +46,11 @@ export class ModelScene {
   private readonly barriers = new Group();
   private readonly drawings = new Group();
   private readonly ends: (() => void)[] = [];
+  /// What stands over the picture.
+  private over: Box[] = [];
+  private standing: Vector3[] = [];
+  private seederNames: Name[] = [];
+  private barrierNames: Name[] = [];
   /// Called when the frame or the terrain is another one.
   readonly onTerrain: (() => unknown)[] = [];
 
@@ -52,6 +60,14 @@ export class ModelScene {
     this.stage.onLost = (lost) => (picture.failure.value = lost ? 'The graphics card let go of the picture. It comes back by itself as soon as it can; otherwise load the page again.' : null);
     this.stage.beforeFrame.push(() => this.prepare());
     this.stage.onResize = () => this.fitAgain();
+    this.ends.push(
+      watchOver(host.parentElement ?? host, (over) => {
+        this.over = over;
+        if (tool.peek() === null) this.fitAgain();
+      }),
+    );
+    const names = new NameLayer(host);
+    this.stage.afterFrame.push(() => names.draw(this.stage, this.names(), this.over));
     this.ends.push(
       effect(() => {
         if (model.value && model.value.dimension === 3) void this.show(model.value).catch(sayFailure);
@@ -135,7 +151,8 @@ export class ModelScene {
   }
 
   private paint() {
-    const [how, light] = [shading.value, shade.value];
+    // Under a map the ground is plain: its colours would be taken for the map's.
+    const [how, light] = [shownMap.value ? 'hillshade' : shading.value, shade.value];
     void contours.value;
     this.material?.paint(how, light, model.peek()?.materials.length ?? 1);
     this.stage.invalidate();
@@ -175,13 +192,23 @@ export class ModelScene {
     for (const { points, lines, type } of next.seeders) {
       const look = { colour: markColours.seeder, size: 3 };
       for (const each of lines) this.seeders.add(line(each.map(this.local), look, type === 'polygon'));
-      // Many would be a carpet that hides the ground.
-      const size = points.length > 100 ? 5 : 10;
-      if (points.length > 0) this.seeders.add(dots(points.map(this.local), { ...look, size }));
+      if (points.length > 0) this.seeders.add(dots(points.map(this.local), { ...look, size: 10 }));
     }
     for (const { foot, top, kind } of next.barriers)
       this.barriers.add(band(foot.map(this.local), top.map(this.local), markColours[kind]));
+    const named = (text: string, places: Point3[]): Name[] => {
+      const middle = places[Math.floor(places.length / 2)];
+      return middle ? [{ text, at: this.local(middle) }] : [];
+    };
+    this.seederNames = next.seeders.flatMap(({ name, points, lines }) => named(name, points.length > 0 ? points : (lines[0] ?? [])));
+    this.barrierNames = next.barriers.flatMap(({ name, top }) => named(name, top));
+    this.standing = [...next.barriers.flatMap(({ top }) => top), ...next.seeders.flatMap(({ points }) => points)].map(this.local);
     this.stage.invalidate();
+  }
+
+  /// Of what is shown.
+  names(): Name[] {
+    return [...(layers.barriers.peek() ? this.barrierNames : []), ...(layers.seeders.peek() ? this.seederNames : [])];
   }
 
   private draw(lists: typeof overlays.value) {
@@ -215,11 +242,12 @@ export class ModelScene {
 
   view(name: NamedView) {
     const { camera, controls } = this.stage;
-    look(this.stage, name, this.box, this.terrain?.places() ?? []);
+    look(this.stage, name, this.box, this.terrain?.places() ?? [], this.standing, this.over);
     this.viewed = { name, eye: camera.position.clone(), target: controls.target.clone() };
   }
 
-  /// A view that nobody moved since stays one of all the ground when the picture gets another size.
+  /// A view that nobody moved since stays one of all the ground when the picture gets another size, or what stands
+  /// over it another place.
   private fitAgain() {
     const { camera, controls } = this.stage;
     if (!this.viewed) return;

@@ -1,6 +1,8 @@
 // Views of the whole model from a side.
 
 import { Box3, Vector3 } from 'three';
+import { bestBox, heightOf, widthOf, type Box, type Placed } from '../view/framing';
+import type { Pixel } from '../view/nearness';
 import type { Stage } from './stage';
 
 export const namedViews = {
@@ -47,12 +49,56 @@ function oblique(ground: readonly Vector3[]): Vector3 {
 const corners = ({ min, max }: Box3) =>
   Array.from({ length: 8 }, (_, k) => new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z));
 
-/// Moves the camera so that the ground fills the picture. `ground`: places all over it; where there are few, its box
-/// stands for it.
-export function look(stage: Stage, name: NamedView, box: Box3, ground: readonly Vector3[]) {
+interface Aim extends Placed {
+  distance: number;
+  /// Where the camera looks, right and up of the middle of all [m].
+  right: number;
+  up: number;
+  middle: Pixel;
+}
+
+/// From where the places, as seen from far away, fill a box of the picture. `tan` is that of half the angle that the
+/// picture's height has.
+function aimFor(seen: readonly { toward: number; x: number; y: number }[], box: Box, height: number, tan: number): Aim {
+  const fill = 0.97;
+  const [tanX, tanY] = [(fill * tan * widthOf(box)) / height, (fill * tan * heightOf(box)) / height];
+  let [right, up, distance] = [0, 0, 0.1];
+  const depth = (toward: number) => Math.max(1e-3 * distance, distance - toward);
+  for (let turn = 0; turn < 4; ++turn) {
+    distance = 0.1;
+    for (const { toward, x, y } of seen)
+      distance = Math.max(distance, toward + Math.max(Math.abs(x - right) / tanX, Math.abs(y - up) / tanY));
+    // What is nearer looks larger: the middle of the picture is not that of the ground.
+    let [l, r, b, t] = [Infinity, -Infinity, Infinity, -Infinity];
+    for (const { toward, x, y } of seen) {
+      const [across, high] = [(x - right) / depth(toward), (y - up) / depth(toward)];
+      [l, r, b, t] = [Math.min(l, across), Math.max(r, across), Math.min(b, high), Math.max(t, high)];
+    }
+    right += ((l + r) / 2) * distance;
+    up += ((b + t) / 2) * distance;
+  }
+  const middle: Pixel = [(box.left + box.right) / 2, (box.top + box.bottom) / 2];
+  const pixels = height / (2 * tan);
+  const points = seen.map(({ toward, x, y }): Pixel => [
+    middle[0] + ((x - right) / depth(toward)) * pixels,
+    middle[1] - ((y - up) / depth(toward)) * pixels,
+  ]);
+  return { size: 1 / distance, points, distance, right, up, middle };
+}
+
+/// Moves the camera so that the model fills what nothing lies over of the picture. `ground`: places all over it; where
+/// there are few, its box stands for it. `standing`: places of what stands on it.
+export function look(
+  stage: Stage,
+  name: NamedView,
+  box: Box3,
+  ground: readonly Vector3[],
+  standing: readonly Vector3[],
+  over: readonly Box[],
+) {
   const { camera, controls } = stage;
   const stretch = new Vector3(1, 1, stage.world.scale.z);
-  const places = (ground.length < 30 ? corners(box) : ground).map((point) => point.clone().multiply(stretch));
+  const places = [...(ground.length < 30 ? corners(box) : ground), ...standing].map((point) => point.clone().multiply(stretch));
   const from = (
     name === 'fit'
       ? camera.position.clone().sub(controls.target)
@@ -63,25 +109,18 @@ export function look(stage: Stage, name: NamedView, box: Box3, ground: readonly 
   const right = new Vector3(0, 0, 1).cross(from).normalize();
   if (right.lengthSq() < 0.5) right.set(1, 0, 0);
   const up = from.clone().cross(right);
-  // Tools stand at the top, the scale at the bottom.
-  const tan = Math.tan((camera.fov * Math.PI) / 360);
-  const tanY = tan * Math.max(0.6, 1 - 84 / stage.size.height);
-  const tanX = 0.94 * tan * camera.aspect;
   const centre = box.getCenter(new Vector3()).multiply(stretch);
-  let distance = 0.1;
-  for (let turn = 0; turn < 4; ++turn) {
-    const seen = places.map((place) => {
-      const of = place.clone().sub(centre);
-      return { toward: of.dot(from), x: of.dot(right), y: of.dot(up) };
-    });
-    distance = Math.max(0.1, ...seen.map(({ toward, x, y }) => toward + Math.max(Math.abs(x) / tanX, Math.abs(y) / tanY)));
-    // What is nearer looks larger: the middle of the picture is not that of the ground.
-    const middle = (values: number[]) => ((Math.min(...values) + Math.max(...values)) / 2) * distance;
-    centre.addScaledVector(right, middle(seen.map(({ toward, x }) => x / Math.max(1e-3 * distance, distance - toward))));
-    centre.addScaledVector(up, middle(seen.map(({ toward, y }) => y / Math.max(1e-3 * distance, distance - toward))));
-  }
-  controls.target.copy(centre);
-  camera.position.copy(centre).addScaledVector(from, distance);
+  const seen = places.map((place) => {
+    const of = place.sub(centre);
+    return { toward: of.dot(from), x: of.dot(right), y: of.dot(up) };
+  });
+  const { width, height } = stage.size;
+  const tan = Math.tan((camera.fov * Math.PI) / 360);
+  const best = bestBox({ left: 0, top: 0, right: width, bottom: height }, over, (part) => aimFor(seen, part, height, tan));
+  if (!best) return;
+  stage.aimAt(best.middle);
+  controls.target.copy(centre).addScaledVector(right, best.right).addScaledVector(up, best.up);
+  camera.position.copy(controls.target).addScaledVector(from, best.distance);
   controls.update();
   stage.invalidate();
 }

@@ -26,8 +26,8 @@ in vec4 hereValues;
 #ifdef RIBBON
 in vec4 next;
 in vec4 nextValues;
-uniform vec2 pixels;
-uniform float width;
+uniform vec2 pixels;   // of the picture, CSS
+uniform float width;   // CSS pixels
 #endif
 uniform float time;
 out float place;

@@ -73,6 +73,8 @@ export class PathLook {
       single: { value: [0, 0, 0] },
       time: { value: Infinity },
       pixels: { value: [1, 1] },
+      ratio: { value: 1 },
+      isWhole: { value: false },
       width: { value: 1 },
       opacity: { value: 1 },
     };

@@ -2,34 +2,58 @@
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, GLSL3, Points, ShaderMaterial } from 'three';
 import type { DrawnPaths } from '../paths/drawnPaths';
+import { leastRadius, leastShare } from '../paths/rockSize';
 import { RocksAtTime } from '../paths/rocksAtTime';
+import { colourOf, restColour } from '../view/colours';
 import { colourGlsl, tableGlsl, type PathLook } from './pathShader';
 
 const vertex = /* glsl */ `
 ${colourGlsl}
 in vec4 values;
-uniform float size;
+in float radius;       // m
+uniform float largest; // of all radii
+uniform float least;   // CSS pixels: the radius that the largest rock has far away
+uniform vec2 pixels;   // of the picture, CSS
+uniform float ratio;   // of its own pixels to those
+uniform bool isWhole;  // all have stopped
 out float place;
+out float diameter;
+out float atRest;
 void main() {
   vec4 rock = rockOf(values);
   place = placeOf(values, rock);
+  // Where all have stopped, colours of what moves say nothing.
+  atRest = isWhole && quantity < 3 ? 1.0 : 0.0;
   vec4 at = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  float seen = radius * projectionMatrix[1][1] * 0.5 * pixels.y / at.w;
+  float share = largest > 0.0 ? radius / largest : 1.0;
+  diameter = 2.0 * ratio * max(seen, least * (${leastShare} + (1.0 - ${leastShare}) * share));
   at.z -= 0.002 * at.w;
   gl_Position = rock.w > 0.5 ? at : vec4(2.0, 2.0, 2.0, 1.0);
-  gl_PointSize = size;
+  gl_PointSize = diameter + 2.0 * ratio;
 }`;
 const fragment = /* glsl */ `
 precision highp float;
 ${tableGlsl}
-uniform float size;
-uniform vec3 rim;
+uniform vec3 rest;
+uniform float ratio;
 in float place;
+in float diameter;
+in float atRest;
 out vec4 colour;
 void main() {
-  float r = length(gl_PointCoord - 0.5) * size;
-  float edge = 0.5 * size;
-  if (r > edge) discard;
-  colour = vec4(mix(colourFor(place), rim, smoothstep(0.55 * edge, 0.7 * edge, r)), 1.0 - smoothstep(edge - 1.0, edge, r));
+  float size = diameter + 2.0 * ratio;
+  vec2 off = (gl_PointCoord - 0.5) * size;
+  float r = length(off);
+  float edge = 0.5 * diameter;
+  if (r > edge + ratio) discard;
+  vec3 fill = atRest > 0.5 ? rest : colourFor(place);
+  // An outline that is seen on the colour, and light from the upper left.
+  vec3 rim = dot(fill, vec3(0.2126, 0.7152, 0.0722)) < 0.43 ? vec3(1.0) : vec3(0.165, 0.149, 0.125);
+  vec2 n = off / edge;
+  float light = 1.0 - 0.28 * smoothstep(0.2, 1.0, dot(n, n)) + 0.14 * dot(n, vec2(-0.7, -0.7));
+  vec3 body = fill * min(light, 1.15);
+  colour = vec4(mix(body, rim, smoothstep(edge - 0.9 * ratio, edge - 0.2 * ratio, r)), 1.0 - smoothstep(edge, edge + 0.8 * ratio, r));
 }`;
 
 export class RockDots {
@@ -50,12 +74,18 @@ export class RockDots {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage));
     geometry.setAttribute('values', new BufferAttribute(values, 4).setUsage(DynamicDrawUsage));
-    const size = (count > 2000 ? 6 : 9) * Math.min(devicePixelRatio, 2);
+    geometry.setAttribute('radius', new BufferAttribute(paths.radii.slice(), 1));
+    const largest = paths.radii.reduce((most, radius) => Math.max(most, radius), 0);
+    const own = {
+      largest: { value: largest },
+      least: { value: leastRadius(count) },
+      rest: { value: colourOf(restColour).map((part) => part / 255) },
+    };
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: vertex,
       fragmentShader: fragment,
-      uniforms: { ...look.uniforms, size: { value: size }, rim: { value: [0.08, 0.08, 0.1] } },
+      uniforms: { ...look.uniforms, ...own },
       transparent: true,
       depthWrite: false,
     });

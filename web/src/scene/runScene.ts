@@ -2,6 +2,7 @@
 
 import { effect, signal, type ReadonlySignal, type Signal } from '@preact/signals';
 import { Group, Vector3, type Object3D } from 'three';
+import { areEndsShown, arePathsShown } from '../maps/over';
 import { colouring } from '../paths/colouring';
 import { comparedPaths, indexOfRock, shownPaths, type DrawnPaths } from '../paths/drawnPaths';
 import { isWhole, time } from '../paths/playback';
@@ -9,7 +10,6 @@ import { comparedPassing, shownPassing } from '../paths/shownPassing';
 import { chosenRock } from '../state/view';
 import { cssColour, shade } from '../view/theme';
 import { markColours } from '../view/colours';
-import { layers } from '../view/settings';
 import { clear, line } from './marks';
 import type { ModelScene } from './modelScene';
 import { pathLines } from './pathLines';
@@ -52,14 +52,13 @@ export class RunScene {
 
   constructor(private readonly scene: ModelScene) {
     const { stage } = scene;
-    const ratio = stage.renderer.getPixelRatio();
     scene.add(this.all);
     scene.add(this.chosen);
     scene.onTerrain.push(() => (this.terrain.value = this.terrain.peek() + 1));
     stage.beforeFrame.push(() => this.measure());
     this.ends = [
-      this.keepPlaced(this.compared, comparedPaths, 1.4 * ratio),
-      this.keepPlaced(this.shown, shownPaths, 1.6 * ratio),
+      this.keepPlaced(this.compared, comparedPaths, 1.4),
+      this.keepPlaced(this.shown, shownPaths, 1.6),
       effect(() => {
         const how = colouring.value;
         if (how) this.shown.value?.look.colourBy(how);
@@ -72,7 +71,7 @@ export class RunScene {
         this.compared.value?.look.pass(ofCompared);
         stage.invalidate();
       }),
-      effect(() => this.move(time.value, isWhole.value, layers.paths.value, layers.ends.value)),
+      effect(() => this.move(time.value, isWhole.value, arePathsShown.value, areEndsShown.value)),
       effect(() => {
         void [shownPaths.value, this.terrain.value, shade.value];
         this.mark(chosenRock.value);
@@ -100,7 +99,7 @@ export class RunScene {
   /// The rock whose path is meant by a place of the window.
   rockAt(clientX: number, clientY: number): number | null {
     const [{ stage }, paths] = [this.scene, shownPaths.peek()];
-    if (!paths || !layers.paths.peek()) return null;
+    if (!paths || !arePathsShown.peek()) return null;
     const box = stage.renderer.domElement.getBoundingClientRect();
     const shift = this.scene.local(paths.header.origin);
     return rockNear(stage, paths, shownPassing.peek(), shift, clientX - box.left, clientY - box.top, 8);
@@ -111,6 +110,7 @@ export class RunScene {
       if (!run) continue;
       run.lines.visible = withPaths;
       run.look.uniforms.time.value = whole ? Infinity : now;
+      run.look.uniforms.isWhole.value = whole;
       // When all have stopped, they lie where they ended.
       run.dots.object.visible = !whole || withEnds;
       run.dots.at(whole ? Infinity : now);
@@ -136,7 +136,10 @@ export class RunScene {
     const { width, height } = this.scene.stage.size;
     const ratio = this.scene.stage.renderer.getPixelRatio();
     for (const run of [this.shown.peek(), this.compared.peek()])
-      if (run) run.look.uniforms.pixels.value = [width * ratio, height * ratio];
+      if (run) {
+        run.look.uniforms.pixels.value = [width, height];
+        run.look.uniforms.ratio.value = ratio;
+      }
   }
 
   dispose() {

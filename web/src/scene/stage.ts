@@ -2,6 +2,7 @@
 
 import { Group, MOUSE, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer, type Ray } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { Pixel } from '../view/nearness';
 
 export class Stage {
   readonly scene = new Scene();
@@ -14,6 +15,10 @@ export class Stage {
   readonly extent = new Sphere(new Vector3(), 100);
   /// Before each frame; true asks for another one after it.
   readonly beforeFrame: (() => boolean | void)[] = [];
+  /// After each frame.
+  readonly afterFrame: (() => void)[] = [];
+  /// The place of the picture at which the camera looks, CSS pixels; null: its middle.
+  private aim: Pixel | null = null;
   onLost: (lost: boolean) => void = () => {};
   onResize: () => void = () => {};
   private frame = 0;
@@ -64,9 +69,18 @@ export class Stage {
     const { width, height } = this.size;
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.aimAt(this.aim);
     this.onResize();
     this.draw();
+  }
+
+  /// Moves what the camera looks at to a place of the picture, such as the middle of what nothing lies over.
+  aimAt(place: Pixel | null) {
+    this.aim = place;
+    const { width, height } = this.size;
+    if (place) this.camera.setViewOffset(width, height, width / 2 - place[0], height / 2 - place[1], width, height);
+    else this.camera.clearViewOffset();
+    this.camera.updateProjectionMatrix();
   }
 
   invalidate() {
@@ -84,6 +98,7 @@ export class Stage {
     let more = moving;
     for (const task of this.beforeFrame) more = task() === true || more;
     this.renderer.render(this.scene, this.camera);
+    for (const task of this.afterFrame) task();
     if (more) this.invalidate();
   }
 

@@ -100,7 +100,7 @@ void main() {
     if (all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)))) {
       vec4 value = texture(map, at);
       base = mix(base, value.rgb, value.a * mapOpacity);
-      light = mix(light, 0.25 + 0.75 * light, value.a * mapOpacity);
+      light = mix(light, 0.5 + 0.5 * light, value.a * mapOpacity);
     }
   }
   vec3 lit = base * light * tint;

@@ -9,7 +9,7 @@ import { LayerChoices } from '../view/LayerChoices';
 import { equalAxes } from '../view/settings';
 import { ViewBar } from '../view/ViewBar';
 import { zoomed } from './frame';
-import { fit, frame } from './picture';
+import { fit, frame } from './framed';
 
 function zoom(factor: number) {
   const now = frame.value;

@@ -7,7 +7,8 @@ import { model } from '../state/model';
 import { KindsLegend } from '../view/Legend';
 import { materialColour } from '../view/colours';
 import { chosenRock, resultsTab } from '../state/view';
-import { frame, keepDrawn, pathsToDraw, pointer } from './picture';
+import { frame } from './framed';
+import { keepDrawn, pathsToDraw, pointer } from './picture';
 import { listen } from './pointing';
 import { rockAt } from './pathLayer';
 import { SectionBar } from './SectionBar';
@@ -17,6 +18,7 @@ function Status() {
   const place = pointer.value;
   return (
     <div class="status-line">
+      <ToolHint />
       {place && (
         <span class="mono">
           x {place.x.toFixed(2)} z {place.z.toFixed(2)} m
@@ -63,7 +65,6 @@ export function SectionView() {
         <PathLegend />
         {kinds.length > 0 && <KindsLegend title="Material" kinds={kinds} />}
       </div>
-      <ToolHint />
       <Status />
     </div>
   );

@@ -1,6 +1,7 @@
 // The slope, its grid and axes, on a canvas whose unit is a CSS pixel.
 
 import { materialColour } from '../view/colours';
+import { overlap, type Box } from '../view/framing';
 import { roundStep, tickText, ticks } from '../view/ticks';
 import { pixelOf, placeOf, type Frame } from './frame';
 import type { Profile } from './profile';
@@ -39,34 +40,39 @@ export function drawGrid(pen: CanvasRenderingContext2D, frame: Frame, look: Look
   pen.globalAlpha = 1;
 }
 
-export function drawAxes(pen: CanvasRenderingContext2D, frame: Frame, look: Look) {
+/// Numbers along the left and the lower side, but where something stands over them; gives the boxes that they take.
+export function drawAxes(pen: CanvasRenderingContext2D, frame: Frame, look: Look, covered: readonly Box[]): Box[] {
   const [left, high] = placeOf(frame, 0, 0);
   const [right, low] = placeOf(frame, frame.width, frame.height);
   const stepX = roundStep(tickDistance / frame.along);
   const stepZ = roundStep((0.7 * tickDistance) / frame.up);
   const bottom = frame.height - 30;
   pen.font = '11px system-ui, sans-serif';
-  const label = (words: string, x: number, y: number) => {
-    pen.lineWidth = 3;
-    pen.strokeStyle = look.panel;
-    pen.strokeText(words, x, y);
-    pen.fillStyle = look.faint;
-    pen.fillText(words, x, y);
-  };
-  pen.textAlign = 'center';
-  pen.textBaseline = 'bottom';
-  for (const x of ticks(left, right, stepX)) {
-    const [at] = pixelOf(frame, x, 0);
-    if (at > 60 && at < frame.width - 40) label(tickText(x, stepX), at, bottom);
-  }
-  label('x, m', frame.width - 22, bottom);
   pen.textAlign = 'left';
   pen.textBaseline = 'middle';
-  for (const z of ticks(low, high, stepZ)) {
-    const [, at] = pixelOf(frame, 0, z);
-    if (at > 70 && at < bottom - 20) label(tickText(z, stepZ), 8, at);
-  }
-  label('z, m', 8, 58);
+  const taken: Box[] = [];
+  const label = (words: string, x: number, middle: number, isCentred: boolean) => {
+    const { width } = pen.measureText(words);
+    const from = isCentred ? x - width / 2 : x;
+    const box = { left: from - 2, top: middle - 7, right: from + width + 2, bottom: middle + 7 };
+    if (from < 2 || box.right > frame.width || [...covered, ...taken].some((other) => overlap(box, other))) return false;
+    taken.push(box);
+    pen.lineWidth = 3;
+    pen.strokeStyle = look.panel;
+    pen.strokeText(words, from, middle);
+    pen.fillStyle = look.faint;
+    pen.fillText(words, from, middle);
+    return true;
+  };
+  label('x, m', frame.width - 34, bottom - 7, false);
+  for (const x of ticks(left, right, stepX)) label(tickText(x, stepX), pixelOf(frame, x, 0)[0], bottom - 7, true);
+  const heights = ticks(low, high, stepZ).map((z) => ({ z, at: pixelOf(frame, 0, z)[1] }));
+  for (const { z, at } of heights) if (at < bottom - 20) label(tickText(z, stepZ), 8, at, false);
+  // The axis is named above its numbers or, where something stands there, below them.
+  const numbers = taken.filter((box) => box.left < 10);
+  const [top, foot] = [Math.min(...numbers.map((box) => box.top), bottom), Math.max(...numbers.map((box) => box.bottom), 0)];
+  if (!label('z, m', 8, top - 9, false)) label('z, m', 8, foot + 8, false);
+  return taken;
 }
 
 /// The ground as a body, and each segment in the colour of its material.

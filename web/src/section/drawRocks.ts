@@ -1,41 +1,63 @@
 // Single rocks over the paths: where they are at the moment that is shown, where they ended, the one that is chosen.
 
 import { indexOfRock, type DrawnPaths } from '../paths/drawnPaths';
+import { drawnRadius, leastRadius } from '../paths/rockSize';
 import type { RocksAtTime } from '../paths/rocksAtTime';
 import { pixelOf, type Frame } from './frame';
 import type { Look } from './drawGround';
-import { drawPath } from './pathLayer';
+import { colourOf, isDark } from '../view/colours';
+import { drawPath, rockColours, type PathsToDraw } from './pathLayer';
 
 type Pen = CanvasRenderingContext2D;
 
-function discs(pen: Pen, places: Float32Array, passes: Uint8Array | null, frame: Frame, size: number, fill: string, rim: string) {
-  pen.fillStyle = fill;
-  pen.strokeStyle = rim;
-  pen.lineWidth = 1;
+/// `places`: three numbers a rock; `pointOf`: the point of its path whose colour it has, or null.
+function discs(pen: Pen, frame: Frame, seen: PathsToDraw, places: Float32Array, pointOf: (rock: number) => number | null) {
+  const { paths, passes, colouring } = seen;
+  const colourOfRock = rockColours(colouring);
+  const least = leastRadius(paths.rocks.length);
+  const largest = paths.radii.reduce((most, radius) => Math.max(most, radius), 0);
+  const scale = Math.sqrt(frame.along * frame.up);
+  pen.lineWidth = 0.9;
   for (let k = 0; 3 * k < places.length; ++k) {
     if (passes && !passes[k]) continue;
     const [x, y] = pixelOf(frame, places[3 * k]!, places[3 * k + 2]!);
+    const fill = colourOfRock(pointOf(k), k);
+    pen.fillStyle = fill;
+    pen.strokeStyle = rimOf(fill);
     pen.beginPath();
-    pen.arc(x, y, size, 0, 2 * Math.PI);
+    pen.arc(x, y, drawnRadius(paths.radii[k]!, largest, scale, least), 0, 2 * Math.PI);
     pen.fill();
     pen.stroke();
   }
 }
 
-export function drawMovingRocks(pen: Pen, frame: Frame, paths: DrawnPaths, rocks: RocksAtTime, time: number, passes: Uint8Array | null, look: Look) {
+const rims = new Map<string, string>();
+/// Of an outline that is seen on a colour as CSS has it.
+function rimOf(fill: string): string {
+  const known = rims.get(fill);
+  if (known) return known;
+  const parts = fill.startsWith('#') ? colourOf(fill) : (fill.match(/\d+/g)!.map(Number) as [number, number, number]);
+  const rim = isDark(parts) ? '#ffffff' : '#2a2620';
+  rims.set(fill, rim);
+  return rim;
+}
+
+export function drawMovingRocks(pen: Pen, frame: Frame, seen: PathsToDraw, rocks: RocksAtTime, time: number) {
+  const { paths } = seen;
   const places = new Float32Array(3 * paths.rocks.length);
   rocks.find(time);
   rocks.read(paths.positions, 3, places, paths.header.origin);
-  discs(pen, places, passes, frame, 4, look.text, look.panel);
+  discs(pen, frame, seen, places, (k) => rocks.after[k]!);
 }
 
-export function drawEnds(pen: Pen, frame: Frame, paths: DrawnPaths, passes: Uint8Array | null, look: Look) {
+export function drawEnds(pen: Pen, frame: Frame, seen: PathsToDraw) {
+  const { paths } = seen;
   const places = new Float32Array(3 * paths.rocks.length);
   for (let k = 0; k < paths.rocks.length; ++k) {
     const last = paths.starts[k + 1]! - 1;
     for (let axis = 0; axis < 3; ++axis) places[3 * k + axis] = paths.header.origin[axis]! + paths.positions[3 * last + axis]!;
   }
-  discs(pen, places, passes, frame, 3, look.text, look.panel);
+  discs(pen, frame, seen, places, () => null);
 }
 
 export function drawChosen(pen: Pen, frame: Frame, paths: DrawnPaths, rock: number, look: Look) {

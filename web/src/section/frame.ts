@@ -1,5 +1,7 @@
 // Between metres of the section and pixels of its picture.
 
+import { heightOf, widthOf, type Box } from '../view/framing';
+
 export interface Frame {
   width: number;
   height: number;
@@ -26,19 +28,15 @@ export const placeOf = (frame: Frame, left: number, top: number): [number, numbe
   frame.z - (top - frame.height / 2) / frame.up,
 ];
 
-// Room for the numbers of the axes, the controls above and the line below.
-const margin = { left: 56, right: 40, top: 84, bottom: 64 };
-
-/// Shows all of the bounds, in the middle.
-export function fitted(bounds: Bounds, width: number, height: number, equal: boolean): Frame {
+/// Shows all of the bounds, in the middle of a box of the picture.
+export function fitted(bounds: Bounds, { width, height }: { width: number; height: number }, box: Box, equal: boolean): Frame {
   const span = ([low, high]: [number, number]) => Math.max(high - low, 1e-3);
-  const room = { width: Math.max(width - margin.left - margin.right, 40), height: Math.max(height - margin.top - margin.bottom, 40) };
-  const along = room.width / span(bounds.x);
-  const up = room.height / span(bounds.z);
+  const along = widthOf(box) / span(bounds.x);
+  const up = heightOf(box) / span(bounds.z);
   const both = Math.min(along, up);
   const frame = { width, height, x: 0, z: 0, along: equal ? both : along, up: equal ? both : up };
-  frame.x = (bounds.x[0] + bounds.x[1]) / 2 + (margin.right - margin.left) / 2 / frame.along;
-  frame.z = (bounds.z[0] + bounds.z[1]) / 2 + (margin.top - margin.bottom) / 2 / frame.up;
+  frame.x = (bounds.x[0] + bounds.x[1]) / 2 - ((box.left + box.right) / 2 - width / 2) / frame.along;
+  frame.z = (bounds.z[0] + bounds.z[1]) / 2 + ((box.top + box.bottom) / 2 - height / 2) / frame.up;
   return frame;
 }
 

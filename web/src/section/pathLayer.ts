@@ -1,7 +1,7 @@
 // The paths of the rocks on a picture of their own, which is drawn anew only when the view or the colours change, a few
 // milliseconds at a time, so that ten thousand of them never hold up the page.
 
-import { colourAt, cssOf, markColours } from '../view/colours';
+import { colourAt, cssOf, markColours, restColour } from '../view/colours';
 import type { Colouring } from '../paths/colouring';
 import type { DrawnPaths } from '../paths/drawnPaths';
 import { nearestRock } from '../paths/nearestRock';
@@ -30,6 +30,12 @@ function colourNumbers(colouring: Colouring): { of: (point: number, rock: number
     return Number.isNaN(share) ? 0 : Math.max(0, Math.min(shades - 1, Math.round(share * (shades - 1))));
   };
   return { of, css };
+}
+
+/// The colour of a rock, which is that of a point of its path; null: where it ended.
+export function rockColours(colouring: Colouring): (point: number | null, rock: number) => string {
+  const { of, css } = colourNumbers(colouring);
+  return (point, rock) => (point === null && colouring.kind === 'scale' ? restColour : css[of(point ?? 0, rock)]!);
 }
 
 export function drawPath(pen: Pen, frame: Frame, paths: DrawnPaths, rock: number, colour: (point: number) => string) {

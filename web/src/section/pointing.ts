@@ -5,7 +5,8 @@ import { finishTool, tool } from '../scene/tool';
 import { model } from '../state/model';
 import { chosen } from '../state/view';
 import { moved, pixelOf, placeOf, zoomed } from './frame';
-import { fit, frame, pointer } from './picture';
+import { fit, frame } from './framed';
+import { pointer } from './picture';
 import { groundBelow, nearestSegment, profile } from './profile';
 
 const drag = 4; // pixels that make a click a drag

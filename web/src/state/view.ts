@@ -15,7 +15,7 @@ export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'e
 export const resultsTab = kept<ResultsTab>('results tab', 'overview');
 export const resultsOpen = kept('results open', true);
 /// Of the window's height.
-export const resultsShare = kept('results share', 0.45);
+export const resultsShare = kept('results share', 0.34);
 /// Whether tables show numbers with all the digits that the files have.
 export const allDigits = kept('all digits', false);
 
@@ -26,4 +26,4 @@ export const chosenRock = ofProject<number | null>(null);
 /// The map of the run that lies on the terrain, by its name.
 export const drapedMap = ofProject<string | null>(null);
 export const helpOpen = signal(false);
-export const drapedOpacity = kept('opacity of the map', 0.85);
+export const drapedOpacity = kept('opacity of the map', 1);

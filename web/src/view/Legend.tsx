@@ -32,6 +32,26 @@ export function ScaleLegend({ title, gradient, low, high, logarithmic = false, i
   );
 }
 
+/// Classes of values, the greatest on top.
+export function ClassesLegend({ title, classes, note }: { title: string; classes: { text: string; colour: string; isThere: boolean }[]; note: string }) {
+  return (
+    <figure class="legend classes">
+      <figcaption>{title}</figcaption>
+      <ul>
+        {classes
+          .map(({ text, colour, isThere }) => (
+            <li key={text} class={isThere ? '' : 'faint'}>
+              <i style={{ background: colour }} />
+              <span class="mono">{text}</span>
+            </li>
+          ))
+          .reverse()}
+      </ul>
+      <p class="faint">{note}</p>
+    </figure>
+  );
+}
+
 export function KindsLegend({ title, kinds }: { title: string; kinds: { name: string; colour: string }[] }) {
   return (
     <figure class="legend">

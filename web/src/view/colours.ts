@@ -23,7 +23,7 @@ export const slopeRamp = {
   light: even('#f3f1e7', '#f4e0a6', '#f2b56b', '#e07b52', '#b2455a', '#6d2a63', '#351a4a'),
   dark: even('#5c605c', '#8f845c', '#b98850', '#c3684a', '#a04360', '#733a75', '#4a3480'),
 };
-export const groundColour: { light: Colour; dark: Colour } = { light: hex('#d8d2c6'), dark: hex('#85837c') };
+export const groundColour: { light: Colour; dark: Colour } = { light: hex('#d3d4d3'), dark: hex('#838484') };
 
 const materials = ['#c2a878', '#8fa8a0', '#b58a6c', '#9cb06a', '#8d93b3', '#c08a94', '#d2b95e', '#7fa9c4', '#a58fb0', '#a3a39a', '#6f9678', '#cf9d6a'];
 /// The colour of a material of the project, by its number; the same in every picture.
@@ -49,6 +49,11 @@ export const cssOf = ([r, g, b]: Colour) => `rgb(${r}, ${g}, ${b})`;
 export const colourOf = hex;
 export const cssGradient = (ramp: Ramp) =>
   `linear-gradient(to right, ${ramp.map(([at, colour]) => `${cssOf(colour)} ${(100 * at).toFixed(1)}%`).join(', ')})`;
+
+/// Whether white stands out from it better than black.
+export const isDark = ([r, g, b]: Colour) => 0.2126 * r + 0.7152 * g + 0.0722 * b < 110;
+/// A rock that lies where it ended, where colours are of what moves.
+export const restColour = '#efe9dc';
 
 /// 256 texels of a scale, RGBA.
 export function rampBytes(ramp: Ramp): Uint8Array<ArrayBuffer> {

@@ -1,0 +1,92 @@
+// What of the section is seen: all of it, in what the page leaves free of the picture, until somebody moves it.
+
+import { computed, effect, signal } from '@preact/signals';
+import { model } from '../state/model';
+import { alongLine, bestBox, type Box } from '../view/framing';
+import { watchOver } from '../view/over';
+import { equalAxes } from '../view/settings';
+import { tool } from '../scene/tool';
+import { fitted, pixelOf, type Bounds, type Frame } from './frame';
+import { profile } from './profile';
+
+/// Null until the picture has a size and something to show.
+export const frame = signal<Frame | null>(null);
+/// What stands over the picture.
+export const over = signal<Box[]>([]);
+
+/// Where names and the slope may be; beside it are the numbers of the axes.
+export const roomOf = ({ width, height }: Pick<Frame, 'width' | 'height'>): Box => ({
+  left: 46,
+  top: 8,
+  right: Math.max(width - 12, 66),
+  bottom: Math.max(height - 50, 28),
+});
+const nameHeight = 22; // of the name over the highest thing
+
+/// The slope, and what stands on it.
+const bounds = computed<Bounds | null>(() => {
+  const places = (profile.value?.vertices ?? []).map(([x, z]) => ({ x, z }));
+  const now = model.value;
+  if (places.length === 0 || !now) return null;
+  for (const [x, , z] of [...now.seeders.flatMap(({ points }) => points), ...now.barriers.flatMap(({ top }) => top)])
+    places.push({ x, z });
+  const range = (values: number[]): [number, number] => [
+    values.reduce((a, b) => Math.min(a, b)),
+    values.reduce((a, b) => Math.max(a, b)),
+  ];
+  return { x: range(places.map(({ x }) => x)), z: range(places.map(({ z }) => z)) };
+});
+
+/// All of the section in a picture of a size; `over`: what stands over it.
+export function wholeSection(size: { width: number; height: number }, room: Box, boxes: readonly Box[]): Frame | null {
+  const all = bounds.value;
+  if (!all) return null;
+  const standing = (model.value?.barriers ?? []).flatMap(({ foot, top }) => (foot[0] && top[0] ? [[foot[0], top[0]]] : []));
+  const place = (box: Box) => {
+    const made = fitted(all, size, { ...box, top: Math.min(box.top + nameHeight, box.bottom - 10) }, equalAxes.value);
+    const lines = [(profile.value?.vertices ?? []).map(([x, z]) => pixelOf(made, x, z)), ...standing.map((ends) => ends.map(([x, , z]) => pixelOf(made, x, z)))];
+    return { size: Math.sqrt(made.along * made.up), points: lines.flatMap((line) => [...alongLine(line)]), made };
+  };
+  return bestBox(room, boxes, place)?.made ?? null;
+}
+
+// What was fitted last: while it is the frame, nobody has moved it.
+let fittedLast: Frame | null = null;
+
+export function fit() {
+  const now = frame.peek();
+  const whole = now && wholeSection(now, roomOf(now), over.peek());
+  if (whole) frame.value = fittedLast = whole;
+}
+
+/// Keeps the picture's size and, unless it was moved, all of the section in it; ends when called.
+export function keepFramed(host: HTMLElement): () => void {
+  const watch = new ResizeObserver(() => {
+    const { clientWidth: width, clientHeight: height } = host;
+    const now = frame.peek();
+    if (width === 0 || height === 0 || (now?.width === width && now.height === height)) return;
+    const next = { ...(now ?? { x: 0, z: 0, along: 1, up: 1 }), width, height };
+    if (!now || now === fittedLast) fittedLast = next;
+    frame.value = next;
+  });
+  watch.observe(host);
+  const endWatching = watchOver(host, (boxes) => (over.value = boxes));
+  let [shown, sizeThen]: [string, string | null] = ['', null];
+  // Another slope, or other axes, are shown whole; else the view stays where the user has it.
+  const endFitting = effect(() => {
+    const [now, all, boxes] = [frame.value, bounds.value, over.value];
+    const state = `${model.value?.project.name ?? ''} ${all?.x} ${all?.z} ${equalAxes.value}`;
+    const isOther = state !== shown;
+    const size = now && `${now.width} ${now.height} ${JSON.stringify(boxes)}`;
+    if (!now || !all || (!isOther && (now !== fittedLast || size === sizeThen || tool.peek() !== null))) return;
+    [shown, sizeThen] = [state, size];
+    fit();
+  });
+  return () => {
+    watch.disconnect();
+    endWatching();
+    endFitting();
+    frame.value = fittedLast = null;
+    over.value = [];
+  };
+}

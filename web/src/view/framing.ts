@@ -1,0 +1,64 @@
+// Where in a picture a thing is shown: as large as it can be without lying under what stands over the picture.
+
+import type { Pixel } from './nearness';
+
+/// In CSS pixels from the picture's upper left corner.
+export interface Box {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+export const widthOf = ({ left, right }: Box) => right - left;
+export const heightOf = ({ top, bottom }: Box) => bottom - top;
+export const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+const holds = ({ left, top, right, bottom }: Box, [x, y]: Pixel) => x > left && x < right && y > top && y < bottom;
+
+/// All boxes between the edges of the room and of what stands over it.
+function boxesIn(room: Box, over: readonly Box[]): Box[] {
+  const edges = (low: number, high: number, at: number[]) =>
+    [...new Set([low, ...at.filter((edge) => edge > low && edge < high), high])].sort((a, b) => a - b);
+  const across = edges(room.left, room.right, over.flatMap(({ left, right }) => [left, right]));
+  const down = edges(room.top, room.bottom, over.flatMap(({ top, bottom }) => [top, bottom]));
+  const pairs = (list: number[]) => list.flatMap((low, k) => list.slice(k + 1).map((high) => [low, high] as const));
+  return pairs(across).flatMap(([left, right]) => pairs(down).map(([top, bottom]) => ({ left, top, right, bottom })));
+}
+
+/// Of a thing put into a box: how large (its length, whatever the unit) it is there, and some places of it in the picture.
+export interface Placed {
+  size: number;
+  points: Iterable<Pixel>;
+}
+
+const middle = ({ left, right }: Box) => (left + right) / 2;
+const sideCost = 0.35; // of its size: what a thing may lose to stand in the middle instead of at the side
+
+/// The box within the room in which a thing is largest, or nearly so and nearer to the middle, and no place of it lies under one of `over`: the thing may reach
+/// past what is over a corner of its box where it does not fill that corner. `place`: puts the thing into a box.
+export function bestBox<T extends Placed>(room: Box, over: readonly Box[], place: (box: Box) => T): T | null {
+  const found = boxesIn(room, over)
+    .filter((box) => widthOf(box) >= 20 && heightOf(box) >= 20)
+    .map((box) => {
+      const aside = Math.abs(middle(box) - middle(room)) / (0.5 * widthOf(room));
+      const placed = place(box);
+      return { box, placed, worth: placed.size * (1 - sideCost * aside) };
+    })
+    .sort((a, b) => b.worth - a.worth);
+  const isFree = ({ points }: Placed) => {
+    for (const point of points) if (over.some((box) => holds(box, point))) return false;
+    return true;
+  };
+  const free = found.find(({ box, placed }) => !over.some((each) => overlap(each, box)) || isFree(placed));
+  return (free ?? found[0])?.placed ?? null;
+}
+
+/// Places along lines, so near to each other that what is between two of them cannot hide.
+export function* alongLine(points: readonly Pixel[], step = 8): Iterable<Pixel> {
+  for (let k = 0; k < points.length; ++k) {
+    const [from, to] = [points[Math.max(0, k - 1)]!, points[k]!];
+    const parts = Math.max(1, Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / step));
+    for (let part = 1; part <= parts; ++part)
+      yield [from[0] + (part / parts) * (to[0] - from[0]), from[1] + (part / parts) * (to[1] - from[1])];
+  }
+}

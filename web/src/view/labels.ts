@@ -1,0 +1,94 @@
+// Where the names of things stand in a picture, so that none lies on another.
+
+import { overlap, type Box } from './framing';
+import type { Pixel } from './nearness';
+
+/// A name, how large it is, and the place that it names, which has a mark of so many pixels around it.
+export interface Label {
+  text: string;
+  width: number;
+  height: number;
+  at: Pixel;
+  reach: number;
+}
+
+export interface PlacedLabel extends Label {
+  box: Box;
+  /// It stands so far away that a line has to lead to its place.
+  isApart: boolean;
+}
+
+const gap = 3; // pixels between a mark and its name
+const directions: readonly (readonly [number, number])[] = [
+  [0, -1],
+  [1, 0],
+  [-1, 0],
+  [0, 1],
+  [1, -1],
+  [-1, -1],
+  [1, 1],
+  [-1, 1],
+];
+const distances = [0, 14, 30, 50, 76];
+
+function boxAt({ width, height, at: [x, y], reach }: Label, [right, down]: readonly [number, number], away: number): Box {
+  const off = reach + gap + away;
+  const left = x - width / 2 + right * (off + width / 2);
+  const top = y - height / 2 + down * (off + height / 2);
+  return { left, top, right: left + width, bottom: top + height };
+}
+
+const isWithin = (box: Box, room: Box) =>
+  box.left >= room.left && box.right <= room.right && box.top >= room.top && box.bottom <= room.bottom;
+
+/// Each name beside its place where there is room, the first ones first: above it, beside it, below it, then farther
+/// away. Left out are those for which there is no room, and those of places outside it. Marks keep names off, too.
+export function placeLabels(labels: readonly Label[], room: Box, over: readonly Box[]): PlacedLabel[] {
+  const inRoom = labels.filter(({ at: [x, y] }) => x >= room.left && x <= room.right && y >= room.top && y <= room.bottom);
+  const marks = inRoom.map(({ at: [x, y], reach: r }): Box => ({ left: x - r, top: y - r, right: x + r, bottom: y + r }));
+  const placed: PlacedLabel[] = [];
+  for (const label of inRoom) {
+    const taken = [...over, ...marks, ...placed.map(({ box }) => box)];
+    const tries = distances.flatMap((away) => directions.map((direction) => ({ away, box: boxAt(label, direction, away) })));
+    const found = tries.find(({ box }) => isWithin(box, room) && !taken.some((other) => overlap(box, other)));
+    if (found) placed.push({ ...label, box: found.box, isApart: found.away > 0 });
+  }
+  return placed;
+}
+
+type Pen = CanvasRenderingContext2D;
+const font = '600 12px system-ui, sans-serif';
+
+/// Names as they are measured before they are placed.
+export function labelOf(pen: Pen, text: string, at: Pixel, reach: number): Label {
+  pen.font = font;
+  const most = 40; // characters
+  const short = text.length > most ? `${text.slice(0, most - 1)}…` : text;
+  return { text: short, width: pen.measureText(short).width + 4, height: 15, at, reach };
+}
+
+export function drawLabels(pen: Pen, labels: readonly PlacedLabel[], colours: { text: string; halo: string }) {
+  pen.font = font;
+  pen.textAlign = 'left';
+  pen.textBaseline = 'middle';
+  pen.lineJoin = 'round';
+  for (const { text, at: [x, y], box, isApart } of labels) {
+    const [left, middle] = [box.left + 2, (box.top + box.bottom) / 2];
+    if (isApart) {
+      const [toX, toY] = [Math.max(box.left, Math.min(box.right, x)), Math.max(box.top, Math.min(box.bottom, y))];
+      for (const [width, colour] of [[3, colours.halo], [1, colours.text]] as const) {
+        pen.lineWidth = width;
+        pen.strokeStyle = colour;
+        pen.beginPath();
+        pen.moveTo(x, y);
+        pen.lineTo(toX, toY);
+        pen.stroke();
+      }
+    }
+    pen.lineWidth = 3.5;
+    pen.strokeStyle = colours.halo;
+    pen.strokeText(text, left, middle);
+    pen.fillStyle = colours.text;
+    pen.fillText(text, left, middle);
+  }
+}
