@@ -1,9 +1,6 @@
 #pragma once
-// One rock's run, phase by phase. Private to trajectory/: rock_path.hpp is the door.
-//
-// The life of a rock: it flies until it meets the ground, a barrier or the model's edge (fly); it strikes the ground
-// (strike) and either flies again or stays on it (slide, roll) until it rests, meets rising ground, or the ground falls
-// away.
+// One rock's run, phase by phase; private to trajectory/. It flies until it meets the ground, a barrier or the model's
+// edge (fly), strikes the ground (strike) and flies again or stays on it (move_along), to rest or where ground falls away.
 
 #include <algorithm>
 #include <limits>
@@ -34,8 +31,7 @@ class Profile;
 class RasterSurface;
 class TriangleMesh;
 
-/// One rock on its way. It can be left where it glides and taken up again, so that several rocks' glides are done
-/// together.
+/// One rock on its way. It can be left where it glides and taken up again: glides of several rocks are done together.
 template <class Surface>
 class RockRun {
  public:
