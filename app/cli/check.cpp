@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "load.hpp"
+#include "talus/campaign/campaign.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/project/check_releases.hpp"
 
@@ -14,6 +15,7 @@ int check(const ProjectOptions& options) {
   print_warnings(loaded.warnings);
   if (!loaded.model.terrain_report.empty()) fmt::print("{}\n", loaded.model.terrain_report);
   if (!loaded.model.seeder_report.empty()) fmt::print("{}\n", loaded.model.seeder_report);
+  print_if_large(loaded, {0, loaded.model.rocks()}, threads_for(0));
   fmt::print("{}: no errors; {} rocks from {} {}\n", options.file.string(), loaded.model.rocks(),
              loaded.model.seeders.size(), loaded.model.seeders.size() == 1 ? "seeder" : "seeders");
   return done;

@@ -1,8 +1,12 @@
 #include "load.hpp"
 
+#include <fmt/format.h>
+
 #include "standard_streams.hpp"
 #include "talus/project/model.hpp"
 #include "talus/project/read.hpp"
+#include "talus/project/run_results.hpp"
+#include "talus/project/run_size.hpp"
 
 namespace talus::cli {
 
@@ -11,6 +15,12 @@ Loaded load(const ProjectOptions& options) {
   Loaded loaded{std::move(reading.project), {}, std::move(reading.warnings)};
   loaded.model = project::build_model(loaded.project, loaded.warnings);
   return loaded;
+}
+
+void print_if_large(const Loaded& loaded, const RockRange& rocks, int threads, const std::atomic<bool>* stop) {
+  const io::TableRocks tables = project::table_rocks(loaded.project, loaded.model.rocks());
+  const project::RunSize size = project::expected_size(loaded.model, rocks, tables, stop);
+  if (const auto text = project::large_run_text(size, threads)) fmt::print("{}\n", *text);
 }
 
 void print_warnings(const Problems& warnings) {

@@ -18,10 +18,10 @@
 #include "outcome.hpp"
 #include "progress.hpp"
 #include "standard_streams.hpp"
+#include "talus/campaign/campaign.hpp"
 #include "talus/campaign/ranks.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/project/paths_size.hpp"
 #include "talus/project/run_on_ranks.hpp"
 
 namespace talus::cli {
@@ -107,20 +107,6 @@ project::RunOptions how_to_run(const RunOptions& options, const std::optional<Sh
           .checkpoint_every = options.checkpoint_every};
 }
 
-/// Where the table of paths will be large, which a user may not expect.
-void announce_paths(const Loaded& loaded, const RockRange& rocks) {
-  constexpr double large = 100e6;  // bytes
-  const auto& limit = loaded.project.output.path_limit;
-  constexpr std::int64_t few = 1000;
-  if (limit && *limit <= few) return;
-  const double bytes = project::expected_paths_bytes(loaded.model, rocks, limit);
-  if (bytes < large) return;
-  const std::string size =
-      bytes < 1e9 ? fmt::format("{:.0f} MB", 10 * std::round(bytes / 1e7)) : fmt::format("{:.1f} GB", bytes / 1e9);
-  fmt::print("paths.csv will have about {}, with the paths of {} (output.paths = {} keeps those of {})\n", size,
-             limit ? fmt::format("{} rocks", *limit) : "all rocks", few, few);
-}
-
 /// In this process alone, or as the first of several.
 int run_here(const RunOptions& options, Ranks* ranks) {
   const std::optional<Shard> shard = shard_of(options);
@@ -140,7 +126,7 @@ int run_here(const RunOptions& options, Ranks* ranks) {
     const std::uint64_t all = loaded.model.rocks();
     const RockRange rocks = shard ? rocks_of(*shard, all) : RockRange{0, all};
     const StopScope scope(&stop_wanted);
-    announce_paths(loaded, rocks);
+    print_if_large(loaded, rocks, threads_for(options.threads), &stop_wanted);
     progress.emplace(rocks.count());
     how.campaign.progress = [&](std::uint64_t done) { (*progress)(done); };
     how.say = [](const std::string& text) {

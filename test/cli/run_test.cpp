@@ -1,9 +1,11 @@
 // `talus run` as a user meets it: outputs, exit codes, threads, interruption, places that cannot be written to.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -97,22 +99,47 @@ TEST(TalusRun, GivesTheSameBytesOnOneTwoAndEightThreads) {
   }
 }
 
-TEST(TalusRun, SaysBeforehandThatTheTableOfPathsWillBeLarge) {
+TEST(TalusRun, SaysBeforehandThatItWillWriteMoreThanAGigabyte) {
   const Workplace place;
-  const auto said = [&](const std::string& paths) {
+  const std::string project = tutorial("3d") + " --rocks 2000000 ";
+  const auto said = [&](const std::string& settings) {
     // The run takes long; what is said before it is enough.
-    return talus_says("run " + tutorial("3d") + " --rocks 2000000 --set output.paths=" + paths + " -o " +
-                          (place / "out").string(),
-                      "timeout -s INT 3 ")
-        .text;
+    return talus_says("run " + project + settings + " -o " + (place / "out").string(), "timeout -s INT 3 ").text;
   };
-  const std::string all = said("all");
-  // 20,000 of these rocks fill 59.8 MB.
-  EXPECT_NE(all.find("paths.csv will have about 6.1 GB, with the paths of all rocks (output.paths = 1000 keeps those "
-                     "of 1000)\n"),
-            std::string::npos)
-      << all;
-  EXPECT_EQ(said("1000").find("paths.csv"), std::string::npos);
+  // 20,000 of these rocks fill 59.8 MB of paths, and 4.2 MB of ends.
+  const char* expected =
+      "The tables will take about 6\\.. GB \\(paths.csv 6\\.. GB, endpoints.csv 4.. MB, "
+      "barriers.csv 3.. MB\\), the run about [0-9]+ (s|min) on [0-9]+ threads? if the disk keeps up; "
+      "less with output.paths = 2000 or output.endpoints = \"none\"";
+  EXPECT_THAT(said("--set output.paths=all"), ::testing::ContainsRegex(expected));
+  EXPECT_THAT(talus_says("check " + project + "--set output.paths=all").text, ::testing::ContainsRegex(expected));
+  EXPECT_THAT(said(""), ::testing::Not(::testing::HasSubstr("The tables")));
+  EXPECT_THAT(talus_says("check " + project).text, ::testing::Not(::testing::HasSubstr("The tables")));
+}
+
+TEST(TalusRun, KeepsThePathsOfTwoThousandRocksAndTheEndsOfAll) {
+  const Workplace place;
+  const auto rows_of = [&](const char* table, const std::string& settings) {
+    EXPECT_EQ(
+        talus_says("run " + tutorial("2d") + " -q --rocks 5000 -o " + (place / "out").string() + settings).exit_code,
+        0);
+    std::set<std::string> rocks;
+    std::istringstream text(place.read(std::string("out/") + table));
+    std::string line;
+    std::getline(text, line);
+    while (std::getline(text, line)) rocks.insert(line.substr(0, line.find(',')));
+    return rocks;
+  };
+  const auto paths = rows_of("paths.csv", "");
+  EXPECT_EQ(paths.size(), 2000U);
+  EXPECT_EQ(rows_of("endpoints.csv", "").size(), 5000U);
+  const std::string off = " --set output.endpoints=none";
+  EXPECT_EQ(rows_of("endpoints.csv", off), paths) << "a rock with a path has its end there";
+  EXPECT_EQ(rows_of("endpoints.csv", off + " --set output.paths=none").size(), 0U);
+  const auto summary = nlohmann::json::parse(place.read("out/summary.json"));
+  EXPECT_EQ(summary["rocks"]["done"], 5000);
+  EXPECT_EQ(summary["rocks"]["with_endpoint"], 0);
+  EXPECT_EQ(summary["rocks"]["with_path"], 0);
 }
 
 TEST(TalusRun, DefaultsToTheProjectsNameBesideItsFile) {
@@ -179,10 +206,12 @@ TEST(TalusRun, SpreadsTheWantedPathsOverTheRocks) {
             0);
   std::istringstream rows(place.read("out/paths.csv"));
   std::string line;
-  std::set<std::string> rocks;
+  std::set<int> rocks, quarters;
   std::getline(rows, line);
-  while (std::getline(rows, line)) rocks.insert(line.substr(0, line.find(',')));
-  EXPECT_EQ(rocks, (std::set<std::string>{"24", "49", "74", "99"}));
+  while (std::getline(rows, line)) rocks.insert(std::stoi(line.substr(0, line.find(','))));
+  for (const int rock : rocks) quarters.insert(rock / 25);
+  EXPECT_EQ(rocks.size(), 4U);
+  EXPECT_EQ(quarters, (std::set<int>{0, 1, 2, 3}));
 }
 
 TEST(TalusReplay, RepeatsARockExactly) {

@@ -239,6 +239,16 @@ TEST(RunFolderRefuses, TablesThatWereCutShort) {
       "cut short; run the project again");
 }
 
+TEST(RunFolder, TakesASampleOfTheEndPoints) {
+  const sample_run::Folder folder("sample");
+  sample_run::write(folder);
+  folder.write("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0));
+  auto summary = sample_run::summary("Tutorial 1");
+  summary["rocks"]["with_endpoint"] = 1;
+  folder.write("summary.json", summary.dump());
+  EXPECT_EQ(read_run_folder(folder.path).endpoints.total, 1u);
+}
+
 TEST(RunFolderRefuses, PathsThatMakeNoSense) {
   std::string paths = sample_run::paths_head + sample_run::path_rows(0);
   paths.replace(paths.find("sliding"), 7, "flying");

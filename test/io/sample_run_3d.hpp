@@ -43,7 +43,7 @@ inline nlohmann::ordered_json summary_3d() {
            {{"barrier",
              Json::array({{{"name", "Fence"}, {"height_m", 3}, {"inclination_deg", -10}, {"capacity_kJ", 500}}})},
             {"collector", Json::array({{{"name", "Track"}, {"height_m", 6}, {"inclination_deg", 0}}})},
-            {"output", {{"paths", "all"}, {"geopackage", 10000}, {"vtk", true}}}}}};
+            {"output", {{"endpoints", "all"}, {"paths", "all"}, {"geopackage", 10000}, {"vtk", true}}}}}};
 }
 
 /// Six rocks, all with their paths.

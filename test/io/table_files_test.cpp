@@ -114,14 +114,14 @@ TEST(TableFiles, GoOnWhereTheyWere) {
   TableContext context;
   context.seeders = {"crest"};
   {
-    TableFiles files(work / "", context, 10, 0);
+    TableFiles files(work / "", context, TableRocks(10, {}, 0));
     files.begin();
     add_rock(files, 0);
     marks = files.sync();
     files.keep_parts();
     add_rock(files, 7);  // after the mark: not kept
   }
-  TableFiles files(work / "", context, 10, 0);
+  TableFiles files(work / "", context, TableRocks(10, {}, 0));
   files.go_on(marks);
   add_rock(files, 1);
   files.finish();

@@ -238,33 +238,49 @@ TEST(GeoPackage, HoldsBarriersWithWhatTheyAreDesignedFor) {
   EXPECT_FALSE(track->IsFieldSetAndNotNull(track->GetFieldIndex("velocity_max_m_s")));
 }
 
+/// The numbers of so many evenly chosen of these.
+std::vector<std::int64_t> chosen(std::uint64_t wanted, const std::vector<std::int64_t>& of) {
+  const EvenChoice choice(wanted, of.size());
+  std::vector<std::int64_t> rocks;
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    if (choice.contains(k)) rocks.push_back(of[k]);
+  }
+  return rocks;
+}
+
 TEST(GeoPackage, OfManyRocksHoldsThoseThatAreEvenlySpread) {
   const sample_run::Folder folder("gpkg");
+  const std::vector<std::int64_t> all{0, 1, 2, 3, 4, 5};
   Json summary = summary_3d();
+  const auto write = [&](const std::vector<std::int64_t>& ends, const std::vector<std::int64_t>& ways) {
+    write_3d(folder, summary);
+    std::string endpoints = endpoints_head, paths = paths_head;
+    for (const std::int64_t rock : ends) endpoints += endpoint_row(static_cast<std::uint64_t>(rock));
+    for (const std::int64_t rock : ways) paths += path_rows(static_cast<std::uint64_t>(rock));
+    folder.write("endpoints.csv", endpoints);
+    folder.write("paths.csv", paths);
+    EXPECT_EQ(complaint(folder.path), "was written");
+  };
+  const auto expect = [&](const std::vector<std::int64_t>& ends, const std::vector<std::int64_t>& ways) {
+    const Opened file(folder.path / "results.gpkg");
+    EXPECT_EQ(rocks_of(file.layer("endpoints")), ends);
+    EXPECT_EQ(rocks_of(file.layer("paths")), ways);
+  };
   summary["project"]["output"]["geopackage"] = 3;
-  write_3d(folder, summary);
-  EXPECT_EQ(complaint(folder.path), "was written");
-  {
-    const Opened file(folder.path / "results.gpkg");
-    EXPECT_THAT(rocks_of(file.layer("endpoints")), ElementsAre(1, 3, 5));
-    EXPECT_THAT(rocks_of(file.layer("paths")), ElementsAre(1, 3, 5));
-  }
+  write(all, all);
+  expect(chosen(3, all), chosen(3, all));
   // Of two paths, both are shown; of four, three.
-  summary["project"]["output"]["paths"] = 2;
-  write_3d(folder, summary);
-  folder.write("paths.csv", paths_head + path_rows(2) + path_rows(5));
-  EXPECT_EQ(complaint(folder.path), "was written");
-  {
-    const Opened file(folder.path / "results.gpkg");
-    EXPECT_THAT(rocks_of(file.layer("endpoints")), ElementsAre(1, 3, 5));
-    EXPECT_THAT(rocks_of(file.layer("paths")), ElementsAre(2, 5));
+  for (const std::uint64_t with_path : {2, 4}) {
+    const auto ways = chosen(with_path, all);
+    summary["project"]["output"]["paths"] = with_path;
+    write(all, ways);
+    expect(chosen(3, all), chosen(3, ways));
   }
-  summary["project"]["output"]["paths"] = 4;
-  write_3d(folder, summary);
-  folder.write("paths.csv", paths_head + path_rows(1) + path_rows(2) + path_rows(4) + path_rows(5));
-  EXPECT_EQ(complaint(folder.path), "was written");
-  const Opened file(folder.path / "results.gpkg");
-  EXPECT_THAT(rocks_of(file.layer("paths")), ElementsAre(2, 4, 5));
+  // Nor has the table the ends of all rocks.
+  summary["project"]["output"]["endpoints"] = 5;
+  const auto ends = chosen(5, all), ways = chosen(4, ends);
+  write(ends, ways);
+  expect(chosen(3, ends), chosen(3, ways));
 }
 
 TEST(GeoPackage, OfAnInterruptedRunHoldsWhatIsThere) {

@@ -180,7 +180,8 @@ TEST(ReadProject, FillsInDefaults) {
   EXPECT_EQ(project.seeders[0].rocks, 1);
   EXPECT_EQ(project.seeders[0].line, 6);
   EXPECT_EQ(project.seeders[0].points, (std::vector<std::array<double, 3>>{{1, 0, 5}}));
-  EXPECT_EQ(project.output.path_limit, std::nullopt);
+  EXPECT_EQ(project.output.endpoint_limit, std::nullopt);
+  EXPECT_EQ(project.output.path_limit, 2000);
 }
 
 TEST(ReadProject, NamesUnnamedBarriersAndCollectors) {
@@ -288,6 +289,8 @@ TEST(ReadProject, ReadsWhichPathsAreWritten) {
   EXPECT_EQ(read_with(smallest, {"output.paths=all"}).output.path_limit, std::nullopt);
   EXPECT_EQ(read_with(smallest, {"output.paths=none"}).output.path_limit, 0);
   EXPECT_EQ(read_with(smallest, {"output.paths=25"}).output.path_limit, 25);
+  EXPECT_EQ(read_with(smallest, {"output.endpoints=none"}).output.endpoint_limit, 0);
+  EXPECT_EQ(read_with(smallest, {"output.endpoints=7"}).output.endpoint_limit, 7);
 }
 
 TEST(ReadProject, AcceptsKeysOfLaterWorkThatAskForNothing) {

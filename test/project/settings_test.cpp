@@ -116,6 +116,7 @@ energies_kJ = [500, 8500.5]
 cost_height_exponent = 2
 cost_energy_exponent = 0
 [output]
+endpoints = 30
 paths = 3
 report = false
 )";

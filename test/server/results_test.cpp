@@ -255,6 +255,33 @@ TEST_F(Results, OfARockWithoutAPathInTheTableAreComputedAgain) {
   EXPECT_EQ(again, 70);
 }
 
+TEST_F(Results, OfASampleOfEndPointsSayThatTheyAre) {
+  const std::string few = begin(text_ + "\n[output]\nendpoints = 30\npaths = 5\n");
+  ASSERT_EQ(wait_for(few, "done")["state"], "done");
+  const auto of_few = [&](const std::string& what) { return get("/api/runs/" + few + what); };
+  const ArraysOf ends(of_few("/endpoints"));
+  EXPECT_EQ(ends.header["total"], 30);
+  const auto rocks = ends.get<std::uint32_t>("rocks", "u32");
+  EXPECT_EQ(rocks.size(), 30U);
+  for (const std::uint32_t rock : ArraysOf(of_few("/paths")).get<std::uint32_t>("rocks", "u32"))
+    EXPECT_TRUE(std::ranges::binary_search(rocks, rock)) << rock;
+  for (int rock = 0; rock < 75; ++rock) {
+    const std::string which = "/rocks/" + std::to_string(rock);
+    EXPECT_EQ(of_few(which).json()["endpoint"], of(which).json()["endpoint"]) << rock;
+  }
+  EXPECT_EQ(of_few("/rocks/75").status, 404);
+
+  const Json found = of_few("/statistics?of=x_m").json();
+  EXPECT_EQ(found["count"], 30);
+  EXPECT_EQ(found["sample"], (Json{{"rocks", 30}, {"of", 75}}));
+  EXPECT_EQ(of("/statistics?of=x_m").json()["sample"], Json());
+  // All hits are there; those of some rocks only where it is known of these rocks how they ended.
+  const std::string on_fence = "/barriers/0/statistics?of=time_s";
+  EXPECT_EQ(of_few(on_fence).json()["sample"], Json());
+  EXPECT_EQ(of_few(on_fence).json()["count"], of(on_fence).json()["count"]);
+  EXPECT_EQ(of_few(on_fence + "&min_energy_kJ=0").json()["sample"], (Json{{"rocks", 30}, {"of", 75}}));
+}
+
 // Of another project the paths would be others: then nothing is said rather than something wrong.
 TEST_F(Results, OfAChangedProjectAreNotComputedAgain) {
   const std::string few = begin(text_ + "\n[output]\npaths = 5\n");

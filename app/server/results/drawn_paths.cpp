@@ -37,10 +37,10 @@ DrawnPaths drawn_paths(const std::filesystem::path& folder, const Json& summary,
                        const Model* model) {
   constexpr double tolerance = 0.05;  // of the arcs [m]
   const io::RunFacts facts = io::read_run_facts(folder);
-  const std::uint64_t total = facts.with_path.count_before(rocks_done(summary));
+  const std::uint64_t total = facts.in_tables.paths_before(rocks_done(summary));
   const io::EvenChoice chosen(rocks, total);
   const auto wants = [&](std::uint64_t rock) {
-    return facts.with_path.contains(rock) && chosen.contains(facts.with_path.count_before(rock));
+    return facts.in_tables.has_path(rock) && chosen.contains(facts.in_tables.paths_before(rock));
   };
   DrawnPaths paths;
   paths.rocks = end_points(folder, summary, facts, wants);

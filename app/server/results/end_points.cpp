@@ -74,11 +74,13 @@ EndPoints end_points(const fs::path& folder, const Json& summary, const io::RunF
 }
 
 EndPoints end_points(const fs::path& folder, const Json& summary, std::uint64_t rocks) {
-  const std::uint64_t done = rocks_done(summary);
-  const io::EvenChoice chosen(rocks, done);
-  EndPoints ends = end_points(folder, summary, io::read_run_facts(folder),
-                              [&](std::uint64_t rock) { return chosen.contains(rock); });
-  ends.total = done;
+  const io::RunFacts facts = io::read_run_facts(folder);
+  const std::uint64_t total = facts.in_tables.endpoints_before(rocks_done(summary));
+  const io::EvenChoice chosen(rocks, total);
+  EndPoints ends = end_points(folder, summary, facts, [&](std::uint64_t rock) {
+    return chosen.contains(facts.in_tables.endpoints_before(rock));
+  });
+  ends.total = total;
   return ends;
 }
 

@@ -10,6 +10,7 @@
 #include "talus/io/path_reader.hpp"
 #include "talus/io/result_tables.hpp"
 #include "talus/io/rock_rows.hpp"
+#include "talus/io/run_facts.hpp"
 #include "talus/io/run_folder.hpp"
 #include "talus/io/table_columns.hpp"
 
@@ -26,27 +27,40 @@ Json by_column(std::span<const std::string_view> columns, const Texts& row) {
   return json;
 }
 
-/// A row of text without names, in which nothing is quoted.
+/// The texts of a row as the tables have it (csv_text.hpp), line's end included.
 Texts split(std::string_view row) {
-  Texts texts;
-  for (std::size_t comma = row.find(','); comma != std::string_view::npos; comma = row.find(',')) {
-    texts.emplace_back(row.substr(0, comma));
-    row.remove_prefix(comma + 1);
+  Texts texts(1);
+  bool is_quoted = false;
+  row.remove_suffix(1);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (row[k] == '"') {
+      if (!is_quoted && k > 0 && row[k - 1] == '"') texts.back() += '"';  // the second of two within quotes
+      is_quoted = !is_quoted;
+    } else if (row[k] == ',' && !is_quoted) {
+      texts.emplace_back();
+    } else {
+      texts.back() += row[k];
+    }
   }
-  texts.emplace_back(row);
   return texts;
 }
 
-std::vector<Texts> path_again(const Model& model, std::uint64_t rock) {
+/// What the tables say of a rock's end and of its path.
+struct RockRows {
+  std::vector<Texts> endpoint, path;
+};
+
+RockRows computed_again(const Model& model, std::uint64_t rock) {
   Simulator simulator(model);
   const RockRecord record = simulator.simulate(rock, true);
   const TableContext context = TableContext::of(model);
-  std::vector<Texts> rows;
+  std::string text;
+  append_endpoint_row(text, context, record);
+  RockRows rows{{split(text)}, {}};
   for (std::size_t k = 0; k < simulator.log().rows.size(); ++k) {
-    std::string text;
+    text.clear();
     append_path_row(text, context, record, k, simulator.log().rows[k]);
-    text.pop_back();  // the line's end
-    rows.push_back(split(text));
+    rows.path.push_back(split(text));
   }
   return rows;
 }
@@ -61,30 +75,31 @@ Json energies(const std::vector<Texts>& rows) {
 
 }  // namespace
 
-Json one_rock(const fs::path& folder, std::uint64_t rock,
+Json one_rock(const fs::path& folder, std::uint64_t rock, std::uint64_t done,
               const std::function<std::shared_ptr<const BuiltProject>()>& model) {
   const std::string name = std::to_string(rock);
-  const auto endpoint = io::rows_of_rock(folder / "endpoints.csv", io::endpoint_columns, rock);
-  if (endpoint.empty()) throw Refusal(404, name, "there is no such rock", "it was not thrown");
-  auto rows = io::rows_of_rock(folder / "paths.csv", io::path_columns, rock);
-  const bool is_in_table = !rows.empty();
+  RockRows rows{io::rows_of_rock(folder / "endpoints.csv", io::endpoint_columns, rock),
+                io::rows_of_rock(folder / "paths.csv", io::path_columns, rock)};
+  if (rows.endpoint.empty() && (rock >= done || io::read_run_facts(folder).in_tables.has_endpoint(rock)))
+    throw Refusal(404, name, "there is no such rock", "it was not thrown");
+  const bool is_in_table = !rows.path.empty();
   if (!is_in_table) {
     const auto built = model();
     if (!built || rock >= built->model.rocks())
       throw Refusal(404, name, "the path of this rock is not known",
                     "paths.csv does not have it, and the files of the project have changed since");
-    rows = path_again(built->model, rock);
+    rows = computed_again(built->model, rock);
   }
   Json hits = Json::array();
   for (const Texts& row : io::rows_of_rock(folder / "barriers.csv", io::barrier_columns, rock))
     hits.push_back(by_column(io::barrier_columns, row));
   return {{"rock", rock},
-          {"endpoint", by_column(io::endpoint_columns, endpoint.front())},
+          {"endpoint", by_column(io::endpoint_columns, rows.endpoint.front())},
           {"columns", io::path_columns},
-          {"rows", rows},
+          {"rows", rows.path},
           {"in_table", is_in_table},
           {"hits", std::move(hits)},
-          {"energy", energies(rows)}};
+          {"energy", energies(rows.path)}};
 }
 
 }  // namespace talus::server

@@ -11,10 +11,10 @@
 
 namespace talus::server {
 
-/// Its rows as they stand in the tables; those of its path are computed again where the table does not have it, with
-/// the model that is asked for then. Refuses (404) a rock that was not thrown, and a path that can no longer be
-/// computed (no model).
-[[nodiscard]] Json one_rock(const std::filesystem::path& folder, std::uint64_t rock,
+/// Its rows as they stand in the tables; those of its end and its path are computed again where the tables do not have
+/// them, with the model that is asked for then. Refuses (404) a rock that is none of the `done` first, and a path that
+/// can no longer be computed (no model).
+[[nodiscard]] Json one_rock(const std::filesystem::path& folder, std::uint64_t rock, std::uint64_t done,
                             const std::function<std::shared_ptr<const BuiltProject>()>& model);
 
 }  // namespace talus::server

@@ -83,7 +83,9 @@ void add_rock_routes(Router& router, RunStore& runs, RunModels& models) {
   });
   router.get(one_run + "/rocks/([0-9]{1,19})", [&](const Call& call) {
     const Run run = runs.find(call.part(1));
-    return json_answer(one_rock(results_folder(run), std::stoull(call.part(2)), [&] { return models.find(run); }));
+    const std::uint64_t done = rocks_done(read_summary(run));
+    return json_answer(
+        one_rock(results_folder(run), std::stoull(call.part(2)), done, [&] { return models.find(run); }));
   });
 }
 

@@ -61,7 +61,13 @@ const io::NumberColumn& column_in(const Call& call, const std::vector<io::Number
                 fmt::format("expected one of {}", fmt::join(names, ", ")));
 }
 
-Json statistics_answer(const Tally& tally, const io::NumberColumn& column) {
+/// How many rocks the filter has to choose from, of how many done; null: of all.
+Json sample_json(const io::RunFacts& facts, const Json& summary) {
+  const std::uint64_t done = rocks_done(summary), there = facts.in_tables.endpoints_before(done);
+  return there == done ? Json() : Json{{"rocks", there}, {"of", done}};
+}
+
+Json statistics_answer(const Tally& tally, const io::NumberColumn& column, Json sample) {
   Json edges = Json::array(), counts = Json::array(), cumulative = Json::array(), box;
   if (const auto histogram = tally.histogram(histogram_bins)) {
     const BinEdges& bins = histogram->edges();
@@ -78,6 +84,7 @@ Json statistics_answer(const Tally& tally, const io::NumberColumn& column) {
   return {{"of", column.name},
           {"unit", column.unit},
           {"count", tally.count()},
+          {"sample", std::move(sample)},
           {"statistics", statistics_json(tally)},
           {"histogram", {{"edges", std::move(edges)}, {"counts", std::move(counts)}}},
           {"cumulative", std::move(cumulative)},
@@ -112,9 +119,11 @@ void add_statistics_routes(Router& router, RunStore& runs) {
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
     const io::NumberColumn& column = column_in(call, io::endpoint_numbers());
-    const io::RockFilter filter = filter_in(call, read_summary(run));
-    const Tally tally = io::endpoint_statistics(folder, io::read_run_facts(folder), column.name, filter);
-    return json_answer(statistics_answer(tally, column));
+    const Json summary = read_summary(run);
+    const io::RockFilter filter = filter_in(call, summary);
+    const io::RunFacts facts = io::read_run_facts(folder);
+    const Tally tally = io::endpoint_statistics(folder, facts, column.name, filter);
+    return json_answer(statistics_answer(tally, column, sample_json(facts, summary)));
   });
   router.get(one_run + "/barriers", [&runs](const Call& call) {
     const Run run = runs.find(call.part(1));
@@ -137,7 +146,7 @@ void add_statistics_routes(Router& router, RunStore& runs) {
     const Json summary = read_summary(run);
     const io::RockFilter filter = filter_in(call, summary);
     const Tally tally = io::barrier_statistics(folder, facts, facts.barriers[number].name, column.name, filter);
-    Json answer = statistics_answer(tally, column);
+    Json answer = statistics_answer(tally, column, filter.is_empty() ? Json() : sample_json(facts, summary));
     // The summary squares the size of the velocity, the table adds squares up: their energies differ in the last bit.
     const Json::json_pointer known(fmt::format("/barriers/{}/statistics/{}", number, column.name));
     if (filter.is_empty() && summary.contains(known)) answer["statistics"] = summary.at(known);

@@ -13,7 +13,7 @@
 namespace talus {
 
 /// The numbers of the row before. One that comes again in its column is not turned into digits again: a rock leaves
-/// where and when it arrived, which is every other row of its path.
+/// where and when it arrived, which is every other row of its path, and rocks of one seeder often have one mass.
 class CsvMemory {
  public:
   /// The digits of a number that stands in a column.

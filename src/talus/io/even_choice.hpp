@@ -2,31 +2,51 @@
 // So many of all rocks, evenly spread over their numbers: whether a rock is one of them depends on nothing else.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace talus::io {
 
+/// The rocks are cut into as many stretches of equal length as rocks are wanted, and of each stretch one rock is taken,
+/// at a place that follows from the stretch's number as if by chance. So every run of rocks, which is to say every
+/// seeder, line and source, has its share to less than one rock (stratified sampling: Cochran, Sampling Techniques,
+/// chapter 5), and places that come back in a rhythm - cells released row by row - do not keep step with the choice.
 class EvenChoice {
  public:
-  /// `wanted` of `rocks`; all of them where more are wanted.
+  /// `wanted` of `rocks`; all of them where more are wanted. Of up to 1e12 rocks.
   EvenChoice(std::uint64_t wanted, std::uint64_t rocks) : wanted_(std::min(wanted, rocks)), rocks_(rocks) {}
 
   [[nodiscard]] bool contains(std::uint64_t rock) const {
     if (wanted_ == rocks_ || wanted_ == 0) return wanted_ != 0;
-    return before(rock + 1) > before(rock);
+    return chosen_in(stretch_of(rock)) == rock;
   }
   /// How many rocks of a smaller number are chosen.
   [[nodiscard]] std::uint64_t count_before(std::uint64_t rock) const {
-    return wanted_ == rocks_ ? rock : static_cast<std::uint64_t>(before(rock));
+    if (wanted_ == rocks_ || wanted_ == 0) return wanted_ == 0 ? 0 : rock;
+    if (rock >= rocks_) return wanted_;
+    const std::uint64_t stretch = stretch_of(rock);
+    return stretch + (chosen_in(stretch) < rock ? 1 : 0);
   }
   [[nodiscard]] std::uint64_t count() const { return wanted_; }
 
  private:
-  // In doubles, which hold such products for any campaign that ends.
-  [[nodiscard]] double before(std::uint64_t rock) const {
-    const double share = static_cast<double>(wanted_) / static_cast<double>(rocks_);
-    return std::floor(static_cast<double>(rock) * share + 1e-9);
+  __extension__ using Wide = unsigned __int128;  // products of two numbers of rocks
+
+  [[nodiscard]] std::uint64_t stretch_of(std::uint64_t rock) const {
+    return static_cast<std::uint64_t>(Wide{rock} * wanted_ / rocks_);
+  }
+  [[nodiscard]] std::uint64_t first_of(std::uint64_t stretch) const {
+    return static_cast<std::uint64_t>((Wide{stretch} * rocks_ + wanted_ - 1) / wanted_);
+  }
+  [[nodiscard]] std::uint64_t chosen_in(std::uint64_t stretch) const {
+    const std::uint64_t first = first_of(stretch), length = first_of(stretch + 1) - first;
+    return first + static_cast<std::uint64_t>(Wide{mixed(stretch)} * length >> 64U);
+  }
+  /// SplitMix64: Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
+  [[nodiscard]] static std::uint64_t mixed(std::uint64_t x) {
+    x = (x + 1) * 0x9E3779B97F4A7C15U;
+    x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
+    x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
+    return x ^ (x >> 31U);
   }
 
   std::uint64_t wanted_, rocks_;

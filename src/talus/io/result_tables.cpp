@@ -31,16 +31,12 @@ struct TextPart : ObserverPart {
 };
 
 struct EndpointsPart : TextPart {
-  using TextPart::TextPart;
+  EndpointsPart(const TableContext& c, const io::TableRocks& r) : TextPart(c), rocks(r) {}
   void see(const RockRecord& record, const RockLog&) override {
-    const RockOutcome& outcome = record.outcome;
-    const Runout way = runout(outcome);
-    CsvRow row(text);
-    row << record.rock << context.seeders[record.seeder.index] << context.frame.global_from_local(outcome.end.position)
-        << way.plan << way.drop << way.total << outcome.end.time << outcome.events << name(outcome.reason)
-        << record.body.mass << record.body.radius << outcome.max_kinetic_energy << outcome.max_bounce;
-    row.end();
+    if (rocks.has_endpoint(record.rock)) append_endpoint_row(text, context, record, &memory);
   }
+  const io::TableRocks& rocks;
+  CsvMemory memory;
 };
 
 struct PathsPart : TextPart {
@@ -59,7 +55,7 @@ struct BarriersPart : TextPart {
     for (const BarrierHit& hit : log.hits) {
       const double translational = translational_energy(record.body, hit.motion);
       const double rotational = rotational_energy(record.body, hit.motion);
-      CsvRow row(text);
+      CsvRow row(text, &memory);
       row << context.barriers[hit.barrier.index] << record.rock << hit.motion.time
           << context.frame.global_from_local(hit.motion.position) << hit.height << hit.motion.velocity
           << hit.angle * 180 / std::numbers::pi << translational << rotational << translational + rotational
@@ -67,9 +63,20 @@ struct BarriersPart : TextPart {
       row.end();
     }
   }
+  CsvMemory memory;
 };
 
 }  // namespace
+
+void append_endpoint_row(std::string& text, const TableContext& context, const RockRecord& record, CsvMemory* memory) {
+  const RockOutcome& outcome = record.outcome;
+  const Runout way = runout(outcome);
+  CsvRow row(text, memory);
+  row << record.rock << context.seeders[record.seeder.index] << context.frame.global_from_local(outcome.end.position)
+      << way.plan << way.drop << way.total << outcome.end.time << outcome.events << name(outcome.reason)
+      << record.body.mass << record.body.radius << outcome.max_kinetic_energy << outcome.max_bounce;
+  row.end();
+}
 
 void append_path_row(std::string& text, const TableContext& context, const RockRecord& record, std::size_t event,
                      const PathRow& row, CsvMemory* memory) {
@@ -88,14 +95,18 @@ std::string_view path_header() {
 
 void TableObserver::commit(ObserverPart& part) { sink_.write(static_cast<TextPart&>(part).text); }
 
-std::unique_ptr<ObserverPart> EndpointsTable::new_part() const { return std::make_unique<EndpointsPart>(context()); }
+EndpointsTable::EndpointsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks)
+    : TableObserver(std::move(context), sink), rocks_(rocks) {}
+std::unique_ptr<ObserverPart> EndpointsTable::new_part() const {
+  return std::make_unique<EndpointsPart>(context(), rocks_);
+}
 std::string_view EndpointsTable::header() const {
   return "rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,runout_total_m,time_s,events,end_reason,mass_kg,radius_m,"
          "max_ke_J,max_bounce_m\n";
 }
 
-PathsTable::PathsTable(TableContext context, TextSink& sink, std::uint64_t rocks, std::optional<std::uint64_t> limit)
-    : TableObserver(std::move(context), sink), choice_(limit.value_or(rocks), rocks) {}
+PathsTable::PathsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks)
+    : TableObserver(std::move(context), sink), rocks_(rocks) {}
 std::unique_ptr<ObserverPart> PathsTable::new_part() const { return std::make_unique<PathsPart>(context(), *this); }
 std::string_view PathsTable::header() const { return path_header(); }
 

@@ -8,7 +8,7 @@
 
 #include "talus/campaign/model.hpp"
 #include "talus/io/csv_text.hpp"
-#include "talus/io/even_choice.hpp"
+#include "talus/io/table_rocks.hpp"
 #include "talus/io/text_sink.hpp"
 #include "talus/results/record.hpp"
 
@@ -44,27 +44,30 @@ class TableObserver : public Observer {
   TextSink& sink_;
 };
 
-/// One row a rock.
+/// One row a rock, of those that have one.
 class EndpointsTable : public TableObserver {
  public:
-  using TableObserver::TableObserver;
+  EndpointsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks);
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
   [[nodiscard]] std::string_view file_name() const override { return "endpoints.csv"; }
   [[nodiscard]] std::string_view header() const override;
+
+ private:
+  io::TableRocks rocks_;
 };
 
-/// The rows of a path: of all rocks, or of `limit` of them, evenly spread over their numbers.
+/// The rows of a path, of the rocks that have one there.
 class PathsTable : public TableObserver {
  public:
-  PathsTable(TableContext context, TextSink& sink, std::uint64_t rocks, std::optional<std::uint64_t> limit);
-  [[nodiscard]] bool wants_rows(std::uint64_t rock) const override { return choice_.contains(rock); }
+  PathsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks);
+  [[nodiscard]] bool wants_rows(std::uint64_t rock) const override { return rocks_.has_path(rock); }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
   [[nodiscard]] std::string_view file_name() const override { return "paths.csv"; }
   [[nodiscard]] std::string_view header() const override;
 
  private:
-  io::EvenChoice choice_;
+  io::TableRocks rocks_;
 };
 
 /// One row a hit.
@@ -77,7 +80,10 @@ class BarriersTable : public TableObserver {
   [[nodiscard]] std::string_view header() const override;
 };
 
-/// A path's row as the table has it, for those who show a path elsewhere; `memory` (may be null) of the rows before.
+/// A rock's row of endpoints.csv, and a row of its path, for those who show a rock elsewhere; `memory` (may be null) of
+/// the rows before.
+void append_endpoint_row(std::string& text, const TableContext& context, const RockRecord& record,
+                         CsvMemory* memory = nullptr);
 void append_path_row(std::string& text, const TableContext& context, const RockRecord& record, std::size_t event,
                      const PathRow& row, CsvMemory* memory = nullptr);
 [[nodiscard]] std::string_view path_header();

@@ -92,6 +92,16 @@ Vec3 origin_of(const RunDescription& description) {
   return {origin.at(0).get<double>(), origin.at(1).get<double>(), origin.at(2).get<double>()};
 }
 
+TableRocks rocks_in_tables(const RunDescription& description) {
+  const auto limit = [&](const char* key) -> TableRocks::Limit {
+    const Json::json_pointer place(std::string("/output/") + key);
+    const Json value = description.project.contains(place) ? description.project.at(place) : Json("all");
+    if (value == "all") return std::nullopt;
+    return value == "none" ? 0 : value.get<std::uint64_t>();
+  };
+  return TableRocks(description.rocks, limit("endpoints"), limit("paths"));
+}
+
 RunDescription description_from(std::string_view json_text) {
   expect_bytes(depth_of_json(json_text) <= deepest_json, "the description of the run is damaged");
   try {

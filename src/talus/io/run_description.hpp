@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "talus/core/vec.hpp"
+#include "talus/io/table_rocks.hpp"
 #include "talus/results/design_plan.hpp"
 
 namespace talus::io {
@@ -41,6 +42,9 @@ struct RunDescription {
 
 /// Of the model's local frame, in the user's coordinates [m].
 [[nodiscard]] Vec3 origin_of(const RunDescription& description);
+
+/// Those that the tables hold one by one, as `output` in the project says; all where it does not.
+[[nodiscard]] TableRocks rocks_in_tables(const RunDescription& description);
 
 [[nodiscard]] nlohmann::ordered_json as_json(const RunDescription& description);
 /// Throws BadBytes where the text is not what as_json() gave.

@@ -49,11 +49,11 @@ class Values {
   [[nodiscard]] std::optional<double> number_if_any(const std::string& place) const {
     return at(place).is_null() ? std::nullopt : std::optional(number(place));
   }
-  /// "all", "none" or a number of rocks.
-  [[nodiscard]] EvenChoice choice(const std::string& place, std::uint64_t rocks) const {
-    if (at(place) == "all") return {rocks, rocks};
-    if (at(place) == "none") return {0, rocks};
-    return {count(place), rocks};
+  /// "all" (nothing), "none" (0) or a number of rocks.
+  [[nodiscard]] TableRocks::Limit limit(const std::string& place) const {
+    if (at(place) == "all") return std::nullopt;
+    if (at(place) == "none") return 0;
+    return count(place);
   }
 
  private:
@@ -214,9 +214,12 @@ RunFacts read_run_facts(const std::filesystem::path& folder, const char* summary
   for (std::size_t k = 0; k < 3 && values.has("/origin_m"); ++k) {
     facts.origin_m[k] = values.number(fmt::format("/origin_m/{}", k));
   }
-  facts.with_path = values.choice("/project/output/paths", facts.planned_rocks);
-  facts.in_geopackage = values.choice("/project/output/geopackage", facts.planned_rocks);
-  facts.wants_geopackage = !facts.is_section && facts.in_geopackage.count() > 0;
+  // (A run that says nothing of end points wrote all.)
+  const char* endpoints = "/project/output/endpoints";
+  facts.in_tables = TableRocks(facts.planned_rocks, values.has(endpoints) ? values.limit(endpoints) : std::nullopt,
+                               values.limit("/project/output/paths"));
+  facts.geopackage_rocks = values.limit("/project/output/geopackage").value_or(facts.planned_rocks);
+  facts.wants_geopackage = !facts.is_section && facts.geopackage_rocks > 0;
   facts.wants_vtk = values.flag("/project/output/vtk");
   BarriersOfProject project(values);
   for (std::size_t k = 0; k < values.list("/barriers").size(); ++k) {

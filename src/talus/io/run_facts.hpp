@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "talus/io/even_choice.hpp"
+#include "talus/io/table_rocks.hpp"
 
 namespace talus::io {
 
@@ -48,11 +48,11 @@ struct SourceStretch {
 
 struct RunFacts {
   bool is_section = false;
-  std::string crs_wkt;               // empty: not known
-  std::uint64_t planned_rocks = 0;   // of the whole campaign
-  std::array<double, 3> origin_m{};  // next to which positions are counted
-  EvenChoice with_path{0, 0};        // rocks that paths.csv holds, if they were done
-  EvenChoice in_geopackage{0, 0};    // rocks that results.gpkg is to hold
+  std::string crs_wkt;                 // empty: not known
+  std::uint64_t planned_rocks = 0;     // of the whole campaign
+  std::array<double, 3> origin_m{};    // next to which positions are counted
+  TableRocks in_tables{0};             // rocks that the tables hold, if they were done
+  std::uint64_t geopackage_rocks = 0;  // of how many of them results.gpkg is to hold the ends, or the paths
   bool wants_geopackage = false, wants_vtk = false;
   std::vector<BarrierFacts> barriers;
   std::vector<SourceStretch> sources;  // in the order of the rocks

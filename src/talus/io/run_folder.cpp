@@ -154,7 +154,8 @@ Json read_summary(const std::filesystem::path& path) {
   }
   for (const char* key : {"/barriers", "/warnings"}) expect_kind(summary, key, kind::array, file);
   for (const char* key : {"/name", "/date", "/talus/version"}) expect_kind(summary, key, kind::string, file);
-  for (const char* key : {"/rocks/planned", "/rocks/done"}) expect_kind(summary, key, kind::number_float, file);
+  for (const char* key : {"/rocks/planned", "/rocks/done", "/rocks/with_endpoint", "/rocks/with_path"})
+    expect_kind(summary, key, kind::number_float, file);
   expect_kind(summary, "/interrupted", kind::boolean, file);
   if (summary.contains("terrain")) check_terrain(summary.at("terrain"), file);
   if (summary.contains("histograms")) check_sketch(summary.at("histograms"), "histograms", file);
@@ -319,11 +320,12 @@ Kept<BarrierHit> read_hits(const std::filesystem::path& file, std::size_t limit)
 }
 
 void check_count(const RunFolder& run, const std::filesystem::path& endpoints) {
-  const Json::json_pointer done("/rocks/done");
-  if (!run.endpoints.has_file || !run.summary.contains(done)) return;
-  if (run.summary.at(done) == run.endpoints.total) return;
+  const Json::json_pointer with_endpoint("/rocks/with_endpoint"), done("/rocks/done");
+  const Json::json_pointer& counted = run.summary.contains(with_endpoint) ? with_endpoint : done;
+  if (!run.endpoints.has_file || !run.summary.contains(counted)) return;
+  if (run.summary.at(counted) == run.endpoints.total) return;
   refuse(endpoints, "", fmt::format("holds {} {}", run.endpoints.total, run.endpoints.total == 1 ? "rock" : "rocks"),
-         fmt::format("summary.json beside it counts {}", run.summary.at(done).dump()),
+         fmt::format("summary.json beside it counts {}", run.summary.at(counted).dump()),
          "The files are of different runs, or one was cut short; run the project again");
 }
 

@@ -70,6 +70,26 @@ Json statistics_json(const Tally& tally) {
 
 namespace {
 
+/// How many rocks the tables hold one by one, of those done.
+void add_rocks_in_tables(const io::RunDescription& description, const RunCourse& course, std::uint64_t done,
+                         Json& json) {
+  const io::TableRocks rocks = io::rocks_in_tables(description);
+  std::uint64_t endpoints = 0, paths = 0;
+  const auto add = [&](std::uint64_t first, std::uint64_t last) {
+    endpoints += rocks.endpoints_before(last) - rocks.endpoints_before(first);
+    paths += rocks.paths_before(last) - rocks.paths_before(first);
+  };
+  // The rocks done are all up to the first that was not, or those between the missing ones.
+  std::uint64_t next = course.range.first;
+  for (const RockRange& missing : course.missing) {
+    add(next, missing.first);
+    next = missing.last;
+  }
+  add(next, course.missing.empty() ? next + done : course.range.last);
+  json["with_endpoint"] = endpoints;
+  json["with_path"] = paths;
+}
+
 Json timings_json(const Summary& summary, const RunCourse& course) {
   return {{"seconds", course.seconds},
           {"rocks_per_second", course.seconds > 0 ? static_cast<double>(summary.done) / course.seconds : 0},
@@ -96,6 +116,7 @@ Json summary_json(const io::RunDescription& description, const std::vector<std::
   json["fingerprint"] = description.fingerprint;
   json["seed"] = model.at("seed");
   json["rocks"] = {{"planned", summary.planned}, {"done", summary.done}, {"lifted", summary.lifted}};
+  add_rocks_in_tables(description, course, summary.done, json["rocks"]);
   if (course.shard) {
     json["shard"] = {{"number", course.shard->number},
                      {"of", course.shard->of},

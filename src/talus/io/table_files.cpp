@@ -69,22 +69,21 @@ std::filesystem::path find_marked(const std::filesystem::path& folder, const Tab
   return file;
 }
 
-std::array<std::unique_ptr<TableObserver>, table_count> make_tables(const TableContext& context, std::uint64_t rocks,
-                                                                    std::optional<std::uint64_t> path_limit,
+std::array<std::unique_ptr<TableObserver>, table_count> make_tables(const TableContext& context,
+                                                                    const TableRocks& rocks,
                                                                     const std::array<TextSink*, table_count>& sinks) {
-  return {std::make_unique<EndpointsTable>(context, *sinks[0]), std::make_unique<BarriersTable>(context, *sinks[1]),
-          std::make_unique<PathsTable>(context, *sinks[2], rocks, path_limit)};
+  return {std::make_unique<EndpointsTable>(context, *sinks[0], rocks),
+          std::make_unique<BarriersTable>(context, *sinks[1]), std::make_unique<PathsTable>(context, *sinks[2], rocks)};
 }
 
-TableFiles::TableFiles(std::filesystem::path folder, const TableContext& context, std::uint64_t rocks,
-                       std::optional<std::uint64_t> path_limit)
+TableFiles::TableFiles(std::filesystem::path folder, const TableContext& context, const TableRocks& rocks)
     : folder_(std::move(folder)) {
   std::array<TextSink*, table_count> sinks{};
   for (TextSink*& sink : sinks) {
     entries_.push_back({std::make_unique<Sink>(), nullptr});
     sink = entries_.back().sink.get();
   }
-  auto tables = make_tables(context, rocks, path_limit, sinks);
+  auto tables = make_tables(context, rocks, sinks);
   for (std::size_t k = 0; k < table_count; ++k) entries_[k].table = std::move(tables[k]);
 }
 

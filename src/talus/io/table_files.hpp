@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,14 +39,12 @@ inline constexpr std::size_t table_count = 3;
 
 /// The tables of a run, always in the same order: who adds one adds it here.
 [[nodiscard]] std::array<std::unique_ptr<TableObserver>, table_count> make_tables(
-    const TableContext& context, std::uint64_t rocks, std::optional<std::uint64_t> path_limit,
-    const std::array<TextSink*, table_count>& sinks);
+    const TableContext& context, const TableRocks& rocks, const std::array<TextSink*, table_count>& sinks);
 
 /// The tables of one run folder as NAME.part, until they are finished.
 class TableFiles {
  public:
-  TableFiles(std::filesystem::path folder, const TableContext& context, std::uint64_t rocks,
-             std::optional<std::uint64_t> path_limit);
+  TableFiles(std::filesystem::path folder, const TableContext& context, const TableRocks& rocks);
 
   /// Makes new files; or goes on with those that were marked, cut to their marks. Throws BadInput.
   void begin();

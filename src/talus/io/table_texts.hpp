@@ -13,8 +13,8 @@ namespace talus::io {
 /// Gathers the rows of the tables, in the order of `make_tables`.
 class TableTexts {
  public:
-  TableTexts(const TableContext& context, std::uint64_t rocks, std::optional<std::uint64_t> path_limit)
-      : tables_(make_tables(context, rocks, path_limit, {&sinks_[0], &sinks_[1], &sinks_[2]})) {}
+  TableTexts(const TableContext& context, const TableRocks& rocks)
+      : tables_(make_tables(context, rocks, {&sinks_[0], &sinks_[1], &sinks_[2]})) {}
   TableTexts(const TableTexts&) = delete;
   TableTexts& operator=(const TableTexts&) = delete;
 

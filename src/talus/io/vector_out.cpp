@@ -187,8 +187,8 @@ class PathsInStep {
   PathsInStep(const std::filesystem::path& file, const RunFacts& facts)
       : file_(file),
         reader_(file),
-        with_path_(facts.with_path),
-        chosen_(facts.in_geopackage.count(), facts.with_path.count()) {
+        in_tables_(facts.in_tables),
+        chosen_(facts.geopackage_rocks, facts.in_tables.paths()) {
     go_on();
   }
 
@@ -199,7 +199,7 @@ class PathsInStep {
     return &reader_.path();
   }
   void go_on() {
-    has_path_ = reader_.next([&](std::uint64_t rock) { return chosen_.contains(with_path_.count_before(rock)); });
+    has_path_ = reader_.next([&](std::uint64_t rock) { return chosen_.contains(in_tables_.paths_before(rock)); });
   }
   /// Once all rocks are through.
   void finish() const {
@@ -216,7 +216,8 @@ class PathsInStep {
 
   std::filesystem::path file_;
   PathReader reader_;
-  EvenChoice with_path_, chosen_;
+  TableRocks in_tables_;
+  EvenChoice chosen_;
   bool has_path_ = false;
 };
 
@@ -228,9 +229,10 @@ void write_geopackage(const RunFacts& facts, const std::filesystem::path& folder
   GeoPackageFile file(folder / geopackage_name, facts.crs_wkt);
   Layers layers(file, facts);
   PathsInStep paths(folder / "paths.csv", facts);
+  const EvenChoice ends(facts.geopackage_rocks, facts.in_tables.endpoints());
   for (CsvReader row(folder / "endpoints.csv", endpoint_columns); row.next();) {
     const auto rock = static_cast<std::uint64_t>(row.whole_number(column("rock")));
-    if (facts.in_geopackage.contains(rock)) layers.add_endpoint(row, rock);
+    if (ends.contains(facts.in_tables.endpoints_before(rock))) layers.add_endpoint(row, rock);
     if (const Path* path = paths.of(rock)) {
       layers.add_path(*path, row);
       paths.go_on();

@@ -16,8 +16,9 @@ inline constexpr double geopackage_tolerance_m = 0.25;
 [[nodiscard]] bool can_write_geopackage();
 
 /// Makes FOLDER/results.gpkg of FOLDER/endpoints.csv, FOLDER/paths.csv and the facts of its summary.json: the layers
-/// `endpoints`, `paths`, `releases` (where paths begin) and `barriers`, whose columns docs/outputs.md lists. Of the
-/// rocks it holds those of `facts.in_geopackage`; of the rocks with a path as many, chosen the same way among them.
+/// `endpoints`, `paths`, `releases` (where paths begin) and `barriers`, whose columns docs/outputs.md lists. It
+/// holds the ends of `facts.geopackage_rocks` of the rocks in the one table, and the paths of as many of those in the
+/// other, evenly chosen.
 /// Tables are streamed, one path at a time is in memory. The file appears when it is whole, and its bytes
 /// depend on the tables alone. Throws BadInput where the tables are not what they should be, where the file cannot be
 /// written, and where the program was built without GDAL.

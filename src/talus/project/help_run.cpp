@@ -22,7 +22,7 @@ struct Dismissed {
 struct Work {
   Work(const io::RunDescription& description, const Project& project, const Model& model, int threads)
       : sums(description, project, model),
-        texts(TableContext::of(model), model.rocks(), path_limit(project)),
+        texts(TableContext::of(model), table_rocks(project, model.rocks())),
         worker(model, observers(), threads, [this] { return texts.take(); }) {}
 
   [[nodiscard]] std::vector<Observer*> observers() {

@@ -187,8 +187,10 @@ struct Barrier {
 
 /// [output]
 struct Output {
-  std::optional<std::int64_t> path_limit;  // key `paths`: nothing here is "all", 0 is "none", else a number of rocks
-  bool maps = true;                        // 3D only
+  // Keys `endpoints` and `paths`: nothing here is "all", 0 is "none", else a number of rocks.
+  std::optional<std::int64_t> endpoint_limit;
+  std::optional<std::int64_t> path_limit = 2000;
+  bool maps = true;  // 3D only
   bool maps_by_source = false;
   std::optional<double> raster_cell_m = 1;  // nothing here is "terrain": the cells of the terrain's raster
   std::vector<double> percentiles{50, 95, 99};

@@ -111,7 +111,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
 
   const std::filesystem::path state_file = folder / io::run_state_name;
   RunSums sums(description, project, model);
-  io::TableFiles tables(folder, TableContext::of(model), model.rocks(), path_limit(project));
+  io::TableFiles tables(folder, TableContext::of(model), table_rocks(project, model.rocks()));
   Checkpoints checkpoints(folder, begun, sums, tables, options.checkpoint_every);
   if (start.goes_on) {
     const auto observers = sums.observers();

@@ -201,7 +201,7 @@ CampaignOutcome throw_on_ranks(Ranks& ranks, std::span<const int> threads, const
                                const RunOptions& options, const io::RunStateHeader& begun, RunSums& sums,
                                io::TableFiles& tables, Checkpoints& checkpoints) {
   const auto begin = std::chrono::steady_clock::now();
-  io::TableTexts texts(TableContext::of(model), model.rocks(), path_limit(project));
+  io::TableTexts texts(TableContext::of(model), table_rocks(project, model.rocks()));
   CampaignOutcome outcome;
   outcome.done = Foreman(ranks, threads, model, options, begun, sums, tables, texts, checkpoints).run();
   outcome.interrupted = outcome.done < begun.range.last;

@@ -134,9 +134,8 @@ io::RunDescription describe_run(const Project& project, const Model& model, cons
   return description;
 }
 
-std::optional<std::uint64_t> path_limit(const Project& project) {
-  if (!project.output.path_limit) return std::nullopt;
-  return static_cast<std::uint64_t>(*project.output.path_limit);
+io::TableRocks table_rocks(const Project& project, std::uint64_t rocks) {
+  return io::TableRocks(rocks, project.output.endpoint_limit, project.output.path_limit);
 }
 
 RunSums::RunSums(const io::RunDescription& description, const Project& project, const Model& model)

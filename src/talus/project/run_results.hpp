@@ -12,6 +12,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/io/run_description.hpp"
 #include "talus/io/summary_json.hpp"
+#include "talus/io/table_rocks.hpp"
 #include "talus/project/project.hpp"
 #include "talus/results/design_tally.hpp"
 #include "talus/results/map_observer.hpp"
@@ -29,8 +30,8 @@ namespace talus::project {
 [[nodiscard]] io::RunDescription describe_run(const Project& project, const Model& model, const Problems& warnings,
                                               const std::optional<Shard>& shard);
 
-/// How many paths the tables have at most; nothing: all.
-[[nodiscard]] std::optional<std::uint64_t> path_limit(const Project& project);
+/// Of a campaign of so many rocks, those that the tables hold one by one.
+[[nodiscard]] io::TableRocks table_rocks(const Project& project, std::uint64_t rocks);
 
 /// All sums over rocks.
 class RunSums {

@@ -1214,13 +1214,20 @@ Table output() {
   auto [add, rows] = one_row(&Project::output);
   return {
       .key = "output",
-      .meaning = "What is written beside the summary, the end points and the barrier hits.",
+      .meaning = "What is written beside the summary and the barrier hits.",
       .settings =
           {
+              {.key = "endpoints",
+               .slot = rock_limit_slot(&Output::endpoint_limit),
+               .range = between(0, most_rocks),
+               .meaning = "Of which rocks `endpoints.csv` has the end: `\"all\"`, `\"none\"`, or so many, evenly "
+                          "spread. A rock whose path is written has its end there, too.",
+               .source = "Talus"},
               {.key = "paths",
                .slot = rock_limit_slot(&Output::path_limit),
                .range = between(0, most_rocks),
-               .meaning = "Of which rocks the whole path is written: `\"all\"`, `\"none\"`, or of so many.",
+               .meaning = "Of which rocks `paths.csv` has the whole path: `\"all\"`, `\"none\"`, or so many, "
+                          "evenly spread.",
                .source = "Talus"},
               {.key = "maps",
                .slot = member(&Output::maps),

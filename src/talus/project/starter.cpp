@@ -58,8 +58,8 @@ horizontal_velocity_m_s = { mean = 1.5, distribution = "normal", std_dev = 0.15,
 # height_m = 3.5
 # capacity_kJ = 500
 
-[output]
-paths = "all"
+# [output]
+# paths = "all"         # the whole paths of more than 2,000 rocks
 )";
 }
 

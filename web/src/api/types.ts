@@ -166,6 +166,8 @@ export interface Run {
 export interface Statistics {
   unit: string;
   count: number;
+  /// Where the table of end points holds a sample of the rocks: how many of how many.
+  sample: { rocks: number; of: number } | null;
   statistics: Record<string, number>;
   histogram: { edges: number[]; counts: number[] };
   cumulative: Point2[];

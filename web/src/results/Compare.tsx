@@ -13,6 +13,7 @@ import { comparedColour, shownColour, type Layer } from './distributionPlots';
 import { FilterNote } from './FilterNote';
 import { useRemote } from './remote';
 import { fileName } from './save';
+import { SampleNote } from './SampleNote';
 import { StatisticsTable } from './StatisticsTable';
 import { Waiting } from './Waiting';
 
@@ -46,6 +47,7 @@ function Figures({ run, other }: { run: Run; other: Run }) {
       <div class="tab-tools">
         <ColumnChoice columns={endpointColumns} now={column} choose={choose} />
         <FilterNote />
+        {found?.both.map((statistics, k) => <SampleNote key={k} of={statistics} />)}
       </div>
       {!found ? (
         <Waiting of={answer} />

@@ -13,6 +13,7 @@ import { FilterNote } from './FilterNote';
 import { GroupBoxes } from './GroupBoxes';
 import { useRemote } from './remote';
 import { fileName } from './save';
+import { SampleNote } from './SampleNote';
 import { StatisticsTable } from './StatisticsTable';
 import { Waiting } from './Waiting';
 
@@ -33,6 +34,7 @@ export function Distributions({ run }: { run: Run }) {
       <div class="tab-tools">
         <ColumnChoice columns={endpointColumns} now={column} choose={choose} />
         <FilterNote left={found?.statistics.count} of={run.done} />
+        {found && <SampleNote of={found.statistics} />}
         {found && !isFiltering(now) && <span class="faint">{counted(found.statistics.count, 'rock')}</span>}
       </div>
       {!found ? (

@@ -1,0 +1,80 @@
+#include "talus/project/run_size.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "cli/program.hpp"
+#include "talus/project/model.hpp"
+#include "talus/project/read.hpp"
+#include "talus/project/run.hpp"
+#include "talus/project/run_results.hpp"
+
+namespace talus::project {
+namespace {
+
+struct Built {
+  explicit Built(const std::string& paths, std::optional<std::int64_t> rocks = 3000)
+      : reading(read_project(test::tutorial("3d"), {{"output.paths=" + paths, "output.endpoints=\"none\"",
+                                                     "output.report=false", "output.maps=false"},
+                                                    rocks,
+                                                    {}})),
+        model(build_model(reading.project, reading.warnings)) {}
+  [[nodiscard]] RunSize expected(const RockRange& rocks) const {
+    return expected_size(model, rocks, table_rocks(reading.project, model.rocks()));
+  }
+  Reading reading;
+  Model model;
+};
+
+TEST(RunSize, IsAboutWhatIsWritten) {
+  const test::Workplace work;
+  for (const char* paths : {"\"all\"", "300"}) {
+    const Built built(paths);
+    run_into(work / "out", built.reading.project, built.model, built.reading.warnings, {});
+    const auto written = [&](const char* table) {
+      return static_cast<double>(std::filesystem::file_size(work / "out" / table));
+    };
+    const RunSize size = built.expected({0, built.model.rocks()});
+    EXPECT_GT(size.paths_bytes, 0.7 * written("paths.csv")) << paths;
+    EXPECT_LT(size.paths_bytes, 1.4 * written("paths.csv")) << paths;
+    // Rows of ends are alike; the header is not counted.
+    EXPECT_NEAR(size.endpoints_bytes / written("endpoints.csv"), 1, 0.05) << paths;
+    EXPECT_GT(size.processor_seconds, 0);
+    const RunSize part = built.expected({1500, 2250});
+    EXPECT_NEAR(part.paths_bytes / size.paths_bytes, 0.25, 0.1);
+    EXPECT_EQ(part.bytes(), built.expected({1500, 2250}).bytes()) << "bytes depend on the rocks alone";
+  }
+}
+
+TEST(RunSize, OfFewRocksIsNotAskedFor) {
+  const Built few("\"all\"", 63);
+  EXPECT_EQ(few.expected({0, 63}).bytes(), 0);
+  EXPECT_FALSE(large_run_text(few.expected({0, 63}), 1));
+  const std::atomic<bool> stop{true};
+  const Built many("\"all\"");
+  const auto tables = table_rocks(many.reading.project, many.model.rocks());
+  EXPECT_EQ(expected_size(many.model, {0, 3000}, tables, &stop).bytes(), 0);
+}
+
+TEST(RunSize, IsStatedBeforeMoreThanAGigabyte) {
+  EXPECT_FALSE(large_run_text({.endpoints_bytes = 9.9e8}, 1));
+  EXPECT_EQ(large_run_text(
+                {.endpoints_bytes = 1.7e8, .barriers_bytes = 1e6, .paths_bytes = 6.1e9, .processor_seconds = 260}, 2),
+            "The tables will take about 6.3 GB (paths.csv 6.1 GB), the run about 2 min on 2 threads if the disk "
+            "keeps up; less with output.paths = 2000");
+  EXPECT_EQ(
+      large_run_text({.endpoints_bytes = 9e8, .barriers_bytes = 4e8, .paths_bytes = 3e8, .processor_seconds = 0.2}, 1),
+      "The tables will take about 1.6 GB (paths.csv 300 MB, endpoints.csv 900 MB, barriers.csv 400 MB), the run "
+      "about 1 s on 1 thread if the disk keeps up; less with output.paths = 2000 or output.endpoints = \"none\"");
+  const RunSize long_one{.barriers_bytes = 2e9, .processor_seconds = 36000};
+  EXPECT_EQ(
+      large_run_text(long_one, 1),
+      "The tables will take about 2.0 GB (barriers.csv 2.0 GB), the run about 10 h on 1 thread if the disk keeps up");
+  EXPECT_EQ(
+      large_run_text(long_one, 2),
+      "The tables will take about 2.0 GB (barriers.csv 2.0 GB), the run about 5 h on 2 threads if the disk keeps up");
+}
+
+}  // namespace
+}  // namespace talus::project

@@ -1,0 +1,12 @@
+import type { Statistics } from '../api/types';
+import { counted } from '../ui/format';
+
+/// That figures are of a sample of the rocks, and which setting says so.
+export function SampleNote({ of: { sample } }: { of: Pick<Statistics, 'sample'> }) {
+  if (!sample) return null;
+  return (
+    <span class="mark" title="Setting output.endpoints">
+      A sample of {sample.rocks.toLocaleString('en')} of {counted(sample.of, 'rock')}
+    </span>
+  );
+}
