@@ -109,7 +109,7 @@ TEST(Report, HoldsPathsEndPointsHitsAndLosses) {
             R"([1,"seeder 1",5.25,0.0,-12.2,4.75,13.01,2.25,"at rest",120000.0,1.5])");
   EXPECT_EQ(run.at("hits").at("rows").at(0).dump(),
             R"(["Fence",1,1.9,4.5,0.0,-11.45,0.75,12.5,54000.0,60766.1,"stopped"])");
-  EXPECT_EQ(run.at("losses").at("rows").dump(), "[[0,1,3.1,60000.0,120766.1],[1,1,3.1,60000.0,120766.1]]");
+  EXPECT_EQ(run.at("losses").at("rows").dump(), "[[0,1,3.1,2.6,60000.0,120766.1],[1,1,3.1,2.6,60000.0,120766.1]]");
   EXPECT_EQ(run.at("losses").at("by_number").dump(), "[[1,2,60000.0,60000.0,60000.0]]");
 }
 
@@ -169,6 +169,34 @@ TEST(Report, LaysTwoRunsOverEachOther) {
     EXPECT_EQ(run.at("paths").at("rocks").size(), 2u);
     EXPECT_EQ(run.at("endpoints").at("rows").size(), 2u);
   }
+}
+
+TEST(Report, CountsTwoRunsInTheSameBins) {
+  using Json = nlohmann::ordered_json;
+  const sample_run::Folder first("report-first"), second("report-second"), out("report-out");
+  const auto write = [](const sample_run::Folder& folder, const Json& runout, const Json& energy) {
+    sample_run::write(folder);
+    auto summary = sample_run::summary("Run");
+    summary["histograms"]["runout_xy_m"] = runout;
+    summary["barriers"][0]["histograms"]["ke_translational_J"] = energy;
+    folder.write("summary.json", summary.dump());
+  };
+  const Json fine{{"low", 6.0}, {"width", 2.0}, {"counts", {1, 2, 3, 4, 5}}};  // to 16
+  const Json coarse{{"low", 0.0}, {"width", 5.0}, {"counts", {7, 8, 9, 1}}};   // to 20
+  write(first, fine, coarse);
+  write(second, coarse, fine);
+  write_report(std::vector{first.path, second.path}, out.path / "report.html");
+  const auto runs = data_in(out.read("report.html")).at("runs");
+  const Json both[]{{{"low", 0.0}, {"width", 10.0}, {"counts", {3, 12}}},
+                    {{"low", 0.0}, {"width", 10.0}, {"counts", {15, 10}}}};
+  for (const std::size_t k : {0u, 1u}) {
+    const auto& summary = runs.at(k).at("summary");
+    EXPECT_EQ(summary.at("histograms").at("runout_xy_m").dump(), both[k].dump());
+    EXPECT_EQ(summary.at("barriers").at(0).at("histograms").at("ke_translational_J").dump(), both[1 - k].dump());
+  }
+  // Alone, a run keeps its own.
+  const auto alone = data_in(page_of(first)).at("runs").at(0).at("summary");
+  EXPECT_EQ(alone.at("histograms").at("runout_xy_m").dump(), fine.dump());
 }
 
 TEST(Report, OfManyRocksIsTheSameEveryTimeAndNoLargerThanItsLimits) {

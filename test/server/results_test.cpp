@@ -73,6 +73,62 @@ TEST_F(Results, AreTheFilesOfTheRun) {
   EXPECT_TRUE(listed.empty()) << listed.begin()->first;
 }
 
+/// Numbers of a histogram and its edges.
+void expect_counts_of(const Json& histogram, const std::vector<double>& numbers) {
+  const auto edges = histogram["edges"].get<std::vector<double>>();
+  const auto counts = histogram["counts"].get<std::vector<std::uint64_t>>();
+  ASSERT_EQ(counts.size() + 1, edges.size());
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const bool is_last = k + 1 == counts.size();
+    const auto inside = std::ranges::count_if(
+        numbers, [&](double x) { return x >= edges[k] && (x < edges[k + 1] || (is_last && x == edges[k + 1])); });
+    EXPECT_EQ(counts[k], static_cast<std::uint64_t>(inside)) << edges[k];
+  }
+}
+
+TEST_F(Results, OfTwoRunsAreCountedInTheSameBins) {
+  std::string faster = text_;
+  const std::string name = "[[barrier]]\nname = \"";
+  ASSERT_NE(faster.find(name), std::string::npos);
+  faster.insert(faster.find(name) + name.size(), "Another ");
+  const std::string other = begin(faster + "\n[sampling]\nseed = 9\n");
+  ASSERT_EQ(wait_for(other, "done")["state"], "done");
+  const auto column_of = [&](const std::string& id, std::size_t column) {
+    std::vector<double> numbers;
+    io::CsvReader row(folder_of(id) / "endpoints.csv", io::endpoint_columns);
+    while (row.next()) numbers.push_back(row.number(column));
+    return numbers;
+  };
+  for (const char* quantity : {"runout_xy_m", "max_ke_J"}) {
+    const Json runs = of("/compared/" + other + "/statistics?of=" + quantity).json()["runs"];
+    ASSERT_EQ(runs.size(), 2u);
+    EXPECT_EQ(runs[0]["histogram"]["edges"], runs[1]["histogram"]["edges"]);
+    EXPECT_LE(runs[0]["histogram"]["counts"].size(), 50u);
+    const auto column =
+        static_cast<std::size_t>(std::ranges::find(io::endpoint_columns, quantity) - std::begin(io::endpoint_columns));
+    expect_counts_of(runs[0]["histogram"], column_of(id_, column));
+    expect_counts_of(runs[1]["histogram"], column_of(other, column));
+    // All else is as of each alone.
+    Json alone = of(std::string("/statistics?of=") + quantity).json(), beside = runs[0];
+    alone.erase("histogram");
+    beside.erase("histogram");
+    EXPECT_EQ(beside, alone);
+  }
+  // A filter may name what only one of them has; hits are of barriers by their names.
+  const Json barriers = get("/api/runs/" + other + "/barriers").json()["barriers"];
+  const auto found = std::ranges::find_if(
+      barriers, [](const Json& one) { return one["name"].get<std::string>().starts_with("Another "); });
+  ASSERT_NE(found, barriers.end());
+  const std::string barrier = "Another%20" + (*found)["name"].get<std::string>().substr(8);
+  const std::string here = "/compared/" + other + "/statistics?of=";
+  EXPECT_EQ(of(here + "x_m&barrier=" + barrier).json()["runs"][0]["count"], 0);
+  const Json hits = of(here + "ke_total_J&hits_on=" + barrier).json()["runs"];
+  EXPECT_EQ(hits[0]["count"], 0);
+  EXPECT_EQ(hits[1]["count"], (*found)["hits"]);
+  EXPECT_EQ(of(here + "nothing").status, 400);
+  EXPECT_EQ(of("/compared/nothing/statistics?of=x_m").status, 404);
+}
+
 TEST_F(Results, HaveNoFilesBesideThose) {
   std::filesystem::create_symlink("/etc/passwd", folder_ / "link.csv");
   for (const char* name : {"run.json", "../../../slope.toml", "%2e%2e/%2e%2e/slope.toml", "maps", "maps/",

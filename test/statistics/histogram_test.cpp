@@ -108,5 +108,73 @@ TEST(HistogramMerge, IsTheSameForAnySplit) {
   EXPECT_EQ(right.edges(), edges);
 }
 
+/// Numbers in about 40 bins of their own.
+Histogram of(const std::vector<double>& numbers) {
+  const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+  Histogram histogram(nice_bins(*least, *most, 40));
+  for (const double x : numbers) histogram.add(x);
+  return histogram;
+}
+
+TEST(HistogramCommonBins, AreThoseOfTheWiderStepOrTheLeastThatHoldsWholeBinsOfBoth) {
+  // Steps of 2 and of 5: of 10.
+  EXPECT_EQ(all_edges(common_bins({3, 2, 0, 5}, {0, 5, 0, 4}, 50)), (std::vector<double>{0, 10, 20}));
+  EXPECT_EQ(all_edges(common_bins({-3, 1, -1, 9}, {0, 5, -1, 1}, 50)), (std::vector<double>{-0.5, 0, 0.5, 1}));
+  EXPECT_EQ(common_bins({0, 1, 0, 10}, {0, 1, 0, 10}, 50), (BinEdges{0, 1, 0, 10})) << "equal ones stay";
+}
+
+TEST(HistogramCommonBins, CountEveryValueInTheBinThatHoldsIt) {
+  std::mt19937_64 bits(7);
+  std::uniform_real_distribution<double> exponent(-4, 6), part(-1, 1);
+  for (int i = 0; i < 500; ++i) {
+    const auto numbers = [&] {
+      const double middle = part(bits) * std::pow(10, exponent(bits)), width = std::pow(10, exponent(bits));
+      std::vector<double> list(1 + bits() % 50);
+      for (double& x : list) x = middle + part(bits) * width;
+      return list;
+    };
+    const std::vector<double> first = numbers(), second = numbers();
+    const Histogram a = of(first), b = of(second);
+    const BinEdges edges = common_bins(a.edges(), b.edges(), 50);
+    ASSERT_LE(edges.bins, 50u);
+    const auto expect_counted = [&](const Histogram& histogram, const std::vector<double>& list) {
+      const Histogram wide = histogram.regrouped(edges);
+      ASSERT_EQ(wide.total(), list.size());
+      for (std::uint64_t k = 0; k < edges.bins; ++k) {
+        const auto inside =
+            std::ranges::count_if(list, [&](double x) { return x >= edges.edge(k) && (x < edges.edge(k + 1)); });
+        ASSERT_EQ(wide.counts()[k], static_cast<std::uint64_t>(inside)) << k;
+      }
+    };
+    // A value on its histogram's last edge is counted below it: none of these is.
+    expect_counted(a, first);
+    expect_counted(b, second);
+  }
+}
+
+TEST(HistogramCommonBins, OfSingleValuesFarApartAreFew) {
+  const Histogram a = of({50.0, 50.0}), b = of({1e6});
+  const BinEdges edges = common_bins(a.edges(), b.edges(), 50);
+  EXPECT_LE(edges.bins, 50u);
+  EXPECT_GE(edges.bins, 20u);
+  EXPECT_EQ(a.regrouped(edges).counts().front(), 2u);
+  EXPECT_EQ(b.regrouped(edges).total(), 1u);
+}
+
+TEST(HistogramBinsFrom, FindsTheEdgesThatNiceBinsGave) {
+  std::mt19937_64 bits(3);
+  std::uniform_real_distribution<double> exponent(-6, 7), part(-1, 1);
+  for (int i = 0; i < 5000; ++i) {
+    double least = part(bits) * std::pow(10, exponent(bits)), most = part(bits) * std::pow(10, exponent(bits));
+    if (least > most) std::swap(least, most);
+    const BinEdges edges = nice_bins(least, most, 40);
+    const double low = edges.edge(0), width = (edges.edge(edges.bins) - low) / static_cast<double>(edges.bins);
+    ASSERT_EQ(bins_from(low, width, edges.bins), edges);
+  }
+  EXPECT_EQ(bins_from(0, 3, 5), std::nullopt);
+  EXPECT_EQ(bins_from(0, 0, 5), std::nullopt);
+  EXPECT_EQ(bins_from(std::nan(""), 1, 5), std::nullopt);
+}
+
 }  // namespace
 }  // namespace talus

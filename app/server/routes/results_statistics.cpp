@@ -16,6 +16,7 @@ namespace talus::server {
 namespace {
 
 constexpr std::uint64_t histogram_bins = 40;  // about; as in summary.json
+constexpr std::uint64_t compared_bins = 50;   // at most, of two runs side by side
 constexpr std::size_t cumulative_points = 400;
 
 /// All values of a parameter; refused where one is none of those that there are.
@@ -40,13 +41,22 @@ std::optional<double> energy_in(const Call& call, const std::string& key) {
   return energy * 1000;
 }
 
-io::RockFilter filter_in(const Call& call, const Json& summary) {
-  std::vector<std::string> reasons;
+/// Of one run, or of two, of which either may have a name.
+io::RockFilter filter_in(const Call& call, std::initializer_list<Json> summaries) {
+  std::vector<std::string> reasons, seeders, sources, barriers;
   for (int k = 0; k < end_reason_count; ++k) reasons.emplace_back(name(static_cast<EndReason>(k)));
+  const auto append = [](std::vector<std::string>& known, const std::vector<std::string>& more) {
+    known.insert(known.end(), more.begin(), more.end());
+  };
+  for (const Json& summary : summaries) {
+    append(seeders, seeders_of(summary));
+    append(sources, names_of(summary.value("sources", Json::array())));
+    append(barriers, names_of(summary.value("barriers", Json::array())));
+  }
   return {.end_reasons = names_in(call, "reason", reasons),
-          .seeders = names_in(call, "seeder", seeders_of(summary)),
-          .sources = names_in(call, "source", names_of(summary.value("sources", Json::array()))),
-          .barriers = names_in(call, "barrier", names_of(summary.value("barriers", Json::array()))),
+          .seeders = names_in(call, "seeder", seeders),
+          .sources = names_in(call, "source", sources),
+          .barriers = names_in(call, "barrier", barriers),
           .least_energy_J = energy_in(call, "min_energy_kJ"),
           .most_energy_J = energy_in(call, "max_energy_kJ")};
 }
@@ -67,9 +77,10 @@ Json sample_json(const io::RunFacts& facts, const Json& summary) {
   return there == done ? Json() : Json{{"rocks", there}, {"of", done}};
 }
 
-Json statistics_answer(const Tally& tally, const io::NumberColumn& column, Json sample) {
+Json statistics_answer(const Tally& tally, const io::NumberColumn& column, const std::optional<Histogram>& histogram,
+                       Json sample = {}) {
   Json edges = Json::array(), counts = Json::array(), cumulative = Json::array(), box;
-  if (const auto histogram = tally.histogram(histogram_bins)) {
+  if (histogram) {
     const BinEdges& bins = histogram->edges();
     for (std::uint64_t k = 0; k <= bins.bins; ++k) edges.push_back(bins.edge(k));
     counts = histogram->counts();
@@ -89,6 +100,26 @@ Json statistics_answer(const Tally& tally, const io::NumberColumn& column, Json 
           {"histogram", {{"edges", std::move(edges)}, {"counts", std::move(counts)}}},
           {"cumulative", std::move(cumulative)},
           {"box", std::move(box)}};
+}
+
+/// Of two runs, counted in the same bins.
+Json compared_answer(const Tally& here, const Tally& there, const io::NumberColumn& column) {
+  auto a = here.histogram(histogram_bins), b = there.histogram(histogram_bins);
+  if (a && b) {
+    const BinEdges edges = common_bins(a->edges(), b->edges(), compared_bins);
+    a = a->regrouped(edges);
+    b = b->regrouped(edges);
+  }
+  return {{"runs", Json::array({statistics_answer(here, column, a), statistics_answer(there, column, b)})}};
+}
+
+/// The hits on the barrier of this name; none where the run has no such barrier.
+Tally hits_in(const std::filesystem::path& folder, std::string_view barrier, std::string_view column,
+              const io::RockFilter& filter) {
+  const io::RunFacts facts = io::read_run_facts(folder);
+  if (std::ranges::find(facts.barriers, barrier, &io::BarrierFacts::name) == facts.barriers.end())
+    return Tally(facts.planned_rocks);
+  return io::barrier_statistics(folder, facts, barrier, column, filter);
 }
 
 /// What the summary says of a barrier, and how it is to be designed, if that was asked for.
@@ -120,10 +151,27 @@ void add_statistics_routes(Router& router, RunStore& runs) {
     const auto folder = results_folder(run);
     const io::NumberColumn& column = column_in(call, io::endpoint_numbers());
     const Json summary = read_summary(run);
-    const io::RockFilter filter = filter_in(call, summary);
+    const io::RockFilter filter = filter_in(call, {summary});
     const io::RunFacts facts = io::read_run_facts(folder);
     const Tally tally = io::endpoint_statistics(folder, facts, column.name, filter);
-    return json_answer(statistics_answer(tally, column, sample_json(facts, summary)));
+    return json_answer(statistics_answer(tally, column, tally.histogram(histogram_bins), sample_json(facts, summary)));
+    const io::RockFilter filter = filter_in(call, {read_summary(run)});
+    const Tally tally = io::endpoint_statistics(folder, io::read_run_facts(folder), column.name, filter);
+    return json_answer(statistics_answer(tally, column, tally.histogram(histogram_bins)));
+  });
+  router.get(one_run + "/compared/([A-Za-z0-9._-]+)/statistics", [&runs](const Call& call) {
+    const Run here = runs.find(call.part(1)), there = runs.find(call.part(2));
+    const auto folder = results_folder(here), other = results_folder(there);
+    const io::RockFilter filter = filter_in(call, {read_summary(here), read_summary(there)});
+    if (const std::string barrier = call.query("hits_on"); !barrier.empty()) {
+      const io::NumberColumn& column = column_in(call, io::barrier_numbers());
+      return json_answer(compared_answer(hits_in(folder, barrier, column.name, filter),
+                                         hits_in(other, barrier, column.name, filter), column));
+    }
+    const io::NumberColumn& column = column_in(call, io::endpoint_numbers());
+    return json_answer(compared_answer(io::endpoint_statistics(folder, io::read_run_facts(folder), column.name, filter),
+                                       io::endpoint_statistics(other, io::read_run_facts(other), column.name, filter),
+                                       column));
   });
   router.get(one_run + "/barriers", [&runs](const Call& call) {
     const Run run = runs.find(call.part(1));
@@ -144,9 +192,10 @@ void add_statistics_routes(Router& router, RunStore& runs) {
                     fmt::format("this run has {}, counted from 0", facts.barriers.size()));
     const io::NumberColumn& column = column_in(call, io::barrier_numbers());
     const Json summary = read_summary(run);
-    const io::RockFilter filter = filter_in(call, summary);
+    const io::RockFilter filter = filter_in(call, {summary});
     const Tally tally = io::barrier_statistics(folder, facts, facts.barriers[number].name, column.name, filter);
-    Json answer = statistics_answer(tally, column, filter.is_empty() ? Json() : sample_json(facts, summary));
+    Json answer = statistics_answer(tally, column, tally.histogram(histogram_bins),
+                                    filter.is_empty() ? Json() : sample_json(facts, summary));
     // The summary squares the size of the velocity, the table adds squares up: their energies differ in the last bit.
     const Json::json_pointer known(fmt::format("/barriers/{}/statistics/{}", number, column.name));
     if (filter.is_empty() && summary.contains(known)) answer["statistics"] = summary.at(known);

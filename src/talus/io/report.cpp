@@ -16,6 +16,7 @@
 #include "talus/core/stop.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/report/assets.hpp"
+#include "talus/io/report_histograms.hpp"
 
 namespace talus::io {
 namespace {
@@ -84,15 +85,20 @@ Json hits_of(const RunFolder& run) {
 Json losses_of(const RunFolder& run) {
   struct Loss {
     std::uint64_t rock, impact;
-    double x_m, lost_J, arrived_with_kinetic_J;
+    double x_m, travelled_m, lost_J, arrived_with_kinetic_J;
   };
   std::vector<Loss> losses;
   for (const Path& path : run.paths.items) {
     std::uint64_t impact = 0;
+    double travelled_m = 0;  // on plan
     for (std::size_t i = 0; i + 1 < path.rows.size(); ++i) {
       const PathRow& row = path.rows[i];
+      if (i > 0) {
+        const auto& before = path.rows[i - 1].position_m;
+        travelled_m += std::hypot(row.position_m[0] - before[0], row.position_m[1] - before[1]);
+      }
       if (row.state != PathState::impact) continue;
-      losses.push_back({path.rock, ++impact, row.position_m[0], row.total_J() - path.rows[i + 1].total_J(),
+      losses.push_back({path.rock, ++impact, row.position_m[0], travelled_m, row.total_J() - path.rows[i + 1].total_J(),
                         row.ke_translational_J + row.ke_rotational_J});
     }
   }
@@ -100,8 +106,8 @@ Json losses_of(const RunFolder& run) {
   auto rows = Json::array();
   for (std::size_t i = 0; i < losses.size(); i += step) {
     const Loss& loss = losses[i];
-    rows.push_back(
-        {loss.rock, loss.impact, drawn(loss.x_m), drawn_J(loss.lost_J), drawn_J(loss.arrived_with_kinetic_J)});
+    rows.push_back({loss.rock, loss.impact, drawn(loss.x_m), drawn(loss.travelled_m), drawn_J(loss.lost_J),
+                    drawn_J(loss.arrived_with_kinetic_J)});
   }
   auto by_number = Json::array();
   for (const ImpactLoss& loss : run.impact_losses) {
@@ -109,7 +115,7 @@ Json losses_of(const RunFolder& run) {
                          drawn_J(loss.least_J), drawn_J(loss.most_J)});
   }
   return {{"of_shown_paths", losses.size()},
-          {"columns", {"rock", "impact", "x", "lost", "kinetic_before"}},
+          {"columns", {"rock", "impact", "x", "travelled", "lost", "kinetic_before"}},
           {"rows", std::move(rows)},
           {"by_number_columns", {"impact", "rocks", "mean", "least", "most"}},
           {"by_number", std::move(by_number)}};
@@ -169,15 +175,20 @@ Json map_colours() {
   return colours;
 }
 
-Json data_of(const RunFolder& run) {
+Json data_of(const RunFolder& run, const Json& summary) {
   stop_point();
   const auto whole = std::filesystem::absolute(run.folder).lexically_normal();
   const auto last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
-  return {{"folder", last.string()},        {"date", run.date},
-          {"summary", run.summary},         {"endpoints", endpoints_of(run)},
-          {"paths", paths_of(run)},         {"hits", hits_of(run)},
-          {"losses", losses_of(run)},       {"maps", maps_of(run)},
-          {"envelopes", envelopes_of(run)}, {"notes", run.notes}};
+  return {{"folder", last.string()},
+          {"date", run.date},
+          {"summary", summary},
+          {"endpoints", endpoints_of(run)},
+          {"paths", paths_of(run)},
+          {"hits", hits_of(run)},
+          {"losses", losses_of(run)},
+          {"maps", maps_of(run)},
+          {"envelopes", envelopes_of(run)},
+          {"notes", run.notes}};
 }
 
 std::string escaped(std::string_view text) {
@@ -232,7 +243,10 @@ std::string title_of(std::span<const RunFolder> runs) {
 
 std::string report_page(std::span<const RunFolder> runs) {
   Json data{{"version", TALUS_VERSION}, {"map_colours", map_colours()}, {"runs", Json::array()}};
-  for (const RunFolder& run : runs) data["runs"].push_back(data_of(run));
+  std::vector<Json> summaries;
+  for (const RunFolder& run : runs) summaries.push_back(run.summary);
+  if (summaries.size() == 2) give_common_bins(summaries[0], summaries[1]);
+  for (std::size_t k = 0; k < runs.size(); ++k) data["runs"].push_back(data_of(runs[k], summaries[k]));
   const std::string title = escaped(title_of(runs)), json = json_for_script(data);
   return filled(
       assets::page,

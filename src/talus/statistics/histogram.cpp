@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "talus/core/check.hpp"
@@ -15,6 +16,33 @@ double decimal(std::int64_t steps, int digit, int exponent) {
   const auto number = static_cast<double>(steps * digit);
   return exponent < 0 ? number / std::pow(10.0, -exponent) : number * std::pow(10.0, exponent);
 }
+
+struct Step {
+  int digit, exponent;
+};
+
+Step step_of(const BinEdges& edges) { return {edges.step_digit, edges.step_exponent}; }
+bool is_less(const Step& a, const Step& b) {
+  return a.exponent != b.exponent ? a.exponent < b.exponent : a.digit < b.digit;
+}
+Step next_wider(const Step& step) {
+  return step.digit == 5 ? Step{1, step.exponent + 1} : Step{step.digit == 1 ? 2 : 5, step.exponent};
+}
+
+/// How many of the narrow steps make a wide one; nothing where they make none, and the greatest integer beyond it.
+std::optional<std::int64_t> times(const Step& wide, const Step& narrow) {
+  constexpr int most_exponent = 17;
+  const int exponent = wide.exponent - narrow.exponent;
+  if (exponent < 0) return std::nullopt;
+  if (exponent > most_exponent) return std::numeric_limits<std::int64_t>::max();
+  std::int64_t steps = wide.digit;
+  for (int k = 0; k < exponent; ++k) steps *= 10;
+  if (steps % narrow.digit != 0) return std::nullopt;
+  return steps / narrow.digit;
+}
+
+std::int64_t floor_divided(std::int64_t a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
+std::int64_t ceil_divided(std::int64_t a, std::int64_t b) { return a / b + (a % b > 0 ? 1 : 0); }
 
 }  // namespace
 
@@ -45,6 +73,45 @@ BinEdges nice_bins(double least, double most, std::uint64_t most_bins) {
       if (edges.bins <= most_bins) return edges;
     }
   }
+}
+
+BinEdges common_bins(const BinEdges& a, const BinEdges& b, std::uint64_t most_bins) {
+  TALUS_PROMISE(most_bins >= 2, "two values on either side of zero need two bins of any width");
+  const auto last = [](const BinEdges& edges) { return edges.first + static_cast<std::int64_t>(edges.bins); };
+  for (Step step = is_less(step_of(a), step_of(b)) ? step_of(b) : step_of(a);; step = next_wider(step)) {
+    const auto of_a = times(step, step_of(a)), of_b = times(step, step_of(b));
+    if (!of_a || !of_b) continue;
+    const std::int64_t from = std::min(floor_divided(a.first, *of_a), floor_divided(b.first, *of_b));
+    const std::int64_t to = std::max(ceil_divided(last(a), *of_a), ceil_divided(last(b), *of_b));
+    const auto bins = static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from);
+    if (bins <= most_bins) return {from, step.digit, step.exponent, bins};
+  }
+}
+
+std::optional<BinEdges> bins_from(double low, double width, std::uint64_t bins) {
+  constexpr double rounding = 1e-3;  // of a width that is the difference of edges a thousand billion times as large
+  if (!(width > 0) || !std::isfinite(width) || !std::isfinite(low) || bins == 0) return std::nullopt;
+  const int exponent = static_cast<int>(std::floor(std::log10(width * (1 + rounding))));
+  for (const int digit : {1, 2, 5}) {
+    const double step = decimal(1, digit, exponent);
+    const double first = std::round(low / step);
+    if (std::abs(width / step - 1) > rounding || std::abs(first) > 9e15) continue;
+    return BinEdges{static_cast<std::int64_t>(first), digit, exponent, bins};
+  }
+  return std::nullopt;
+}
+
+Histogram Histogram::regrouped(const BinEdges& wider) const {
+  const auto each = times(step_of(wider), step_of(edges_));
+  TALUS_PROMISE(each.has_value(), "a wider bin holds whole ones");
+  Histogram out(wider);
+  for (std::uint64_t k = 0; k < edges_.bins; ++k) {
+    const std::int64_t at = floor_divided(edges_.first + static_cast<std::int64_t>(k), *each) - wider.first;
+    out.add_to(static_cast<std::uint64_t>(at), counts_[k]);
+  }
+  out.underflow_ = underflow_;
+  out.overflow_ = overflow_;
+  return out;
 }
 
 void Histogram::add(double x, std::uint64_t count) {

@@ -2,6 +2,7 @@
 // Counts of values in bins of equal width.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace talus {
@@ -24,6 +25,13 @@ struct BinEdges {
 /// distinct doubles, the bins reach further.
 [[nodiscard]] BinEdges nice_bins(double least, double most, std::uint64_t most_bins);
 
+/// The narrowest bins that hold all of both and of which each holds whole bins of both, at most `most_bins` of them:
+/// two histograms counted in other bins can be counted again in these, exactly. Expects 2 bins or more.
+[[nodiscard]] BinEdges common_bins(const BinEdges& a, const BinEdges& b, std::uint64_t most_bins);
+
+/// Edges that start at `low` and lie `width` apart, where these are such as nice_bins() gives, but for rounding.
+[[nodiscard]] std::optional<BinEdges> bins_from(double low, double width, std::uint64_t bins);
+
 /// A bin has its lower edge and not its upper one; the last has both. Counts are integers: the order does not matter.
 class Histogram {
  public:
@@ -31,8 +39,13 @@ class Histogram {
 
   /// Expects a finite number.
   void add(double x, std::uint64_t count = 1);
+  /// Adds to a bin, by its place.
+  void add_to(std::uint64_t bin, std::uint64_t count) { counts_[bin] += count; }
   /// Expects the same edges.
   void merge(const Histogram& other);
+
+  /// The same counts in bins of which each holds whole ones of these, as common_bins() gives them.
+  [[nodiscard]] Histogram regrouped(const BinEdges& wider) const;
 
   [[nodiscard]] const BinEdges& edges() const { return edges_; }
   [[nodiscard]] const std::vector<std::uint64_t>& counts() const { return counts_; }
