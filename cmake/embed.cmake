@@ -3,8 +3,8 @@
 # (cmake -DFOLDER=... -DD3_SCRIPT=... -DOUTPUT=... -P embed.cmake) it writes the C++ file with one string a part.
 
 # In this order on the page: each may use what stands before it.
-set(TALUS_REPORT_SCRIPTS format figure run tables statistics overview terrain inputs slope maps envelopes energy
-  distributions impacts barriers design paper page)
+set(TALUS_REPORT_SCRIPTS format figure run tables statistics overview terrain inputs slope mapframe plan maps
+  envelopes energy distributions impacts barriers design paper page)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(code "// Made by cmake/embed.cmake; do not edit.\n")

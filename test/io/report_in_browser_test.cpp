@@ -58,7 +58,7 @@ std::string plan_of(double side_m) {
 
 TEST(ReportInBrowser, PlanOpensOnTheRocksWhereTheyFillLittleOfTheTerrain) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
-  EXPECT_EQ(plan_of(1000), "5.5 Show the whole terrain 500 Show the rocks");
+  EXPECT_EQ(plan_of(1000), "6 Show the whole terrain 400 Show the rocks");
 }
 
 TEST(ReportInBrowser, PlanShowsTheTerrainWhereRocksFillIt) {
@@ -280,7 +280,7 @@ TEST(ReportInBrowser, GivesHighPercentilesOfEndPointsAndHits) {
   summary["barriers"][0]["statistics"]["ke_translational_J"]["percentiles"] = {{"95", 99'500}, {"99", 99'900}};
   const std::string high = "return rows.filter((row) => row.startsWith('Percentile')).join('; ');";
   EXPECT_EQ(said_of(summary, rows_of("Descriptive statistics, one value a rock") + high),
-            "Percentile 95|–|28.25|–; Percentile 99|–|28.375|–");
+            "Percentile 95|–|28.25|–; Percentile 99|–|28.38|–");
   EXPECT_EQ(said_of(summary, rows_of("Descriptive statistics of the hits") + high),
             "Percentile 95|99.5; Percentile 99|99.9");
 }
@@ -318,15 +318,105 @@ TEST(ReportInBrowser, DrawsMapsOfWhatTheRocksDid) {
   EXPECT_EQ(said_in_page(folder.path / "report.html", R"(
     const figures = [...document.querySelectorAll('#maps figure')];
     const energy = figures[1];
-    const texts = [...energy.querySelectorAll('text')].map((t) => t.textContent).slice(-4).join('|');
+    const texts = [...energy.querySelectorAll('text')].map((t) => t.textContent).slice(-6).join('|');
     const has = (what) => figures.every((f) => f.querySelector(what)) ? what + ' ' : '';
     return figures.map((f) => f.querySelector('h4').textContent).join('|') + '; ' + texts + '; ' +
       has('image.relief') + has('image.cells') + has('.scale-bar') + has('.north') + has('.release') +
       '; ' + mapValues(runs[0].maps[1]).map((value) => number(value, 4)).join(' ') + ' kJ';
   )"),
             "Reach|Greatest total kinetic energy|Greatest height above the ground|Greatest velocity; "
-            "y|Total kinetic energy (translational and rotational), greatest of all rocks [kJ]|4|8; "
+            "y|Total kinetic energy, greatest of all rocks [kJ]|4|8|Scale 1:75 on A4, cells of 5 m, up to 8 "
+            "kJ|Coordinate system "
+            "not known; "
             "image.relief image.cells .scale-bar .north .release ; 4 8 kJ");
+}
+
+/// The style for paper, laid on a page that is as wide as A4 between its margins; `mm` of a length in pixels.
+constexpr auto on_paper = R"(
+  for (const sheet of document.styleSheets)
+    for (const rule of sheet.cssRules)
+      if (rule.media) rule.media.mediaText = rule.media.mediaText === 'print' ? 'all' : 'not all';
+  document.body.style.width = '184mm';
+  const mm = (pixels) => pixels * 184 / document.body.getBoundingClientRect().width;
+)";
+
+TEST(ReportInBrowser, MapsHaveTheScaleThatTheySayOnPaper) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  for (const double side_m : {5.0, 70.0, 1000.0}) {
+    // The scale bar is so many metres, and so many millimetres on paper.
+    EXPECT_EQ(said_of(on_terrain(side_m), std::string(on_paper) + R"(
+      const svg = document.querySelector('svg[aria-label^="Plan of the terrain"]');
+      const bar = svg.querySelector('.scale-bar');
+      const metres = Number(bar.querySelector('text').textContent.replace(/[ ,m]/g, ''));
+      const drawn = mm(bar.querySelector('path').getBoundingClientRect().width);
+      const note = [...svg.querySelectorAll('.map-note')].map((t) => t.textContent);
+      const said = Number(/1:([0-9,.]+) on A4/.exec(note[0])[1].replace(/,/g, ''));
+      return Math.abs(1000 * metres / drawn / said - 1) < 0.002 ? note[1] : metres + ' m in ' + drawn + ' mm at ' + note[0];
+    )"),
+              "Coordinate system not known")
+        << side_m;
+  }
+}
+
+TEST(ReportInBrowser, MapsNameTheirCoordinateSystem) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  auto summary = on_terrain(1000);
+  summary["terrain"]["crs_wkt"] = R"(PROJCRS["MGI / Austria Lambert",BASEGEOGCRS["MGI"],ID["EPSG",31287]])";
+  const std::string second = "return [...document.querySelectorAll('.map-note')].map((t) => t.textContent)[1];";
+  EXPECT_EQ(said_of(summary, second), "MGI / Austria Lambert (EPSG:31287)");
+  summary = on_terrain(1000);
+  summary["project"]["terrain"]["crs"] = "local";
+  EXPECT_EQ(said_of(summary, second), "Local coordinates");
+}
+
+TEST(ReportInBrowser, MapsAreAsWideAsThePageOrTwoAbreast) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  EXPECT_EQ(said_of(on_terrain(1000), std::string(on_paper) + R"(
+    const view = (x, y) => mapWidth({x: [0, x], y: [0, y]}) === drawing.wide ? 'wide' : 'half';
+    const box = document.createElement('div');
+    box.className = 'columns';
+    box.innerHTML = '<figure class="wide"><svg viewBox="0 0 900 9"></svg></figure><figure><svg viewBox="0 0 430 9"></svg></figure><figure></figure>';
+    document.querySelector('main').append(box);
+    const widths = [...box.querySelectorAll('svg')].map((svg) => mm(svg.getBoundingClientRect().width));
+    return [view(3, 1), view(1, 1), view(1, 3), (widths[0] / 900).toFixed(4), (widths[1] / 430).toFixed(4)].join(' ');
+  )"),
+            "wide half half 0.2044 0.2044");
+}
+
+TEST(ReportInBrowser, FiguresLeaveRoomForAnotherOnTheirPage) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  constexpr double half_a_page_mm = 133;  // of A4 between its margins
+  const std::string tallest = std::string(on_paper) + R"(
+    const figures = [...document.querySelectorAll('figure')];
+    return Math.max(...figures.map((figure) => mm(figure.getBoundingClientRect().height))).toFixed(0);
+  )";
+  for (const double side_m : {5.0, 1000.0}) {
+    EXPECT_LT(std::stod(said_of(on_terrain(side_m), tallest)), half_a_page_mm) << side_m;
+  }
+  EXPECT_LT(std::stod(said_of(sample_run::summary("Section"), tallest)), half_a_page_mm);
+}
+
+TEST(ReportInBrowser, InSpaceEnergyIsDrawnOverTheDistanceTravelledAndEndPointsAreRunouts) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  const std::string said = R"(
+    const labels = (title) => [...document.querySelectorAll('figure')].filter((f) => f.querySelector('h4').textContent.startsWith(title))
+      .map((f) => [...f.querySelectorAll('.axis-label')].map((t) => t.textContent)[0] + ' ' + [...f.querySelectorAll('option')].map((o) => o.textContent).filter((t) => !/^[0-9]+$/.test(t)).join('/'));
+    return ['Energy of one rock', 'End points', 'Runout', 'Total kinetic energy lost'].map((title) => labels(title).join()).join('; ');
+  )";
+  EXPECT_EQ(said_of(on_terrain(1000), said),
+            "Distance travelled on plan [m] distance travelled/time; ; Runout on plan [m] ; "
+            "Number of the impact number of the impact/distance travelled");
+  EXPECT_EQ(said_of(sample_run::summary("Section"), said),
+            "x [m] x/distance travelled/time; x of the end point [m] ; Runout on plan [m] ; "
+            "Number of the impact number of the impact/place (x)");
+}
+
+TEST(ReportInBrowser, NumbersHaveTheDigitsThatTheyDeserve) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  EXPECT_EQ(said_of(sample_run::summary("Digits"),
+                    "return [0.9822534, 375.9585, 1879792.2, 12.5, 4, 0.000293506, 1.3677e-14, -0.0338, null].map((x) "
+                    "=> measured(x)).join(' ');"),
+            "0.982 376 1,879,792 12.5 4 0.0003 0 −0.034 –");
 }
 
 }  // namespace

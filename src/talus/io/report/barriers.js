@@ -9,7 +9,7 @@ function hitFigure(parent, name) {
     title: 'Impact height and translational energy', label: `Impact height against translational energy at ${name}`,
     caption: shown.map((s) => `${single ? '' : s.run.label + ': '}${number(s.hits.length)} of ${number(isNumber(reached(s.run)) ? reached(s.run) : s.hits.length)} hits`).join('; ') + '.',
     draw(svg, width) {
-      const side = {left: 72, right: width - 14, top: 12, bottom: 262};
+      const side = {left: 62, right: width - 12, top: 12, bottom: 232};
       const walls = runs.flatMap((run) => barriersOf(run).filter((b) => b.name === name && isNumber(b.height_m)));
       const top = d3.max(walls, (b) => b.height_m);
       const toX = d3.scaleLinear().domain(extentOf([0, ...all.map((h) => h.ke_translational / 1000)])).range([side.left, side.right]);
@@ -23,7 +23,7 @@ function hitFigure(parent, name) {
         .attr('cx', (h) => toX(h.ke_translational / 1000)).attr('cy', (h) => toY(h.height)),
       (h) => `Rock ${h.rock}: ${h.outcome}` + (single ? '' : ` · ${h.run.label}`) +
         `\nheight ${metres(h.height)}, angle ${number(h.angle, 4)}°\ntranslational ${number(kJ(h.ke_translational), 5)} kJ, total ${number(kJ(h.ke_total), 5)} kJ\nat x ${metres(h.x)}, y ${metres(h.y)}, z ${metres(h.z)}`);
-      return single ? side.bottom + 44 : legend(svg, shown.map((s) => ({text: s.run.label, draw: sign.circle('dot', s.run.colour)})), side.left, side.bottom + 56, side.right) + 12;
+      return single ? side.bottom + 42 : legend(svg, shown.map((s) => ({text: s.run.label, draw: sign.circle('dot', s.run.colour)})), side.left, side.bottom + 54, side.right) + 12;
     },
     rows: () => [['run', 'rock', 'impact_height_m', 'angle_deg', 'ke_translational_kJ', 'ke_total_kJ', 'outcome'],
       ...all.map((h) => [h.run.label, h.rock, h.height, h.angle, h.ke_translational / 1000, h.ke_total / 1000, h.outcome])],
@@ -39,26 +39,33 @@ function passedAboveText(name) {
     (isBelow ? ': it is negative where the centre passed above the top and the lower side below it.' : '.');
 }
 
+// A collector stops nothing: rocks go on as if it were not there.
+function countRows(kind, of) {
+  const row = (words, value) => [words, ...runs.map((run) => number(value(of(run))))];
+  const outcomes = kind === 'collector' ? [] : [...new Set(runs.flatMap((run) => Object.keys(of(run).outcomes || {})))];
+  const [hits, rocks] = kind === 'collector' ? ['Passages', 'Rocks that passed'] : ['Hits', 'Rocks that hit'];
+  return [
+    row(hits, (b) => b.hits),
+    ...(runs.some((run) => isNumber(of(run).rocks_hit)) ? [row(rocks, (b) => b.rocks_hit)] : []),
+    ...outcomes.map((word) => row(`Hits: ${word}`, (b) => (b.outcomes || {})[word])),
+    row('Rocks that passed above', (b) => b.passed_above),
+    [{text: 'Least clearance above', unit: 'm'}, ...runs.map((run) => measured(of(run).least_clearance_m, 3))],
+  ];
+}
+
 function barrierSections(parent) {
   const names = [...new Set(runs.flatMap((run) => run.barriers.map((b) => b.name)))];
   for (const name of names) {
     const of = (run) => run.barriers.find((b) => b.name === name) || {};
     const kind = runs.map((run) => of(run).kind).find((k) => k) || 'barrier';
     element(parent, 'h3', `${kind.charAt(0).toUpperCase()}${kind.slice(1)}: ${name}`);
-    const outcomes = [...new Set(runs.flatMap((run) => Object.keys(of(run).outcomes || {})))];
-    const rows = [
-      ['Hits', ...runs.map((run) => number(of(run).hits))],
-      ...(runs.some((run) => isNumber(of(run).rocks_hit)) ? [['Rocks that hit', ...runs.map((run) => number(of(run).rocks_hit))]] : []),
-      ...outcomes.map((word) => [`Hits: ${word}`, ...runs.map((run) => number((of(run).outcomes || {})[word]))]),
-      ['Rocks that passed above', ...runs.map((run) => number(of(run).passed_above))],
-      [{text: 'Least clearance above', unit: 'm'}, ...runs.map((run) => number(of(run).least_clearance_m, 3))],
-    ];
-    table(parent, {head: [['', ...(single ? ['Number'] : runs.map((run) => ({text: run.label, run})))]], rows, numeric: (column) => column > 0});
-    if (runs.some((run) => of(run).passed_above > 0)) element(parent, 'p', passedAboveText(name), {class: 'quiet'});
     const box = element(parent, 'div', null, {class: 'columns'});
+    const facts = element(box, 'div');
+    table(facts, {head: [['', ...(single ? ['Number'] : runs.map((run) => ({text: run.label, run})))]], rows: countRows(kind, of), numeric: (column) => column > 0});
+    if (runs.some((run) => of(run).passed_above > 0)) element(facts, 'p', passedAboveText(name), {class: 'quiet'});
+    hitFigure(box, name);
     histogramFigure(box, {title: 'Translational energy at impact', quantity: 'Translational kinetic energy', unit: 'kJ', per: 1000, thing: 'hits', of: (run) => (of(run).histograms || {}).ke_translational_J});
     histogramFigure(box, {title: 'Impact height', quantity: 'Impact height', unit: 'm', thing: 'hits', of: (run) => (of(run).histograms || {}).impact_height_m});
-    hitFigure(box, name);
     statisticsTable(parent, runs, [
       {text: 'Translational energy', unit: 'kJ', per: 1000, of: (run) => (of(run).statistics || {}).ke_translational_J},
       {text: 'Total kinetic energy', unit: 'kJ', per: 1000, of: (run) => (of(run).statistics || {}).ke_total_J},

@@ -1,7 +1,8 @@
-// Histograms and box plots, made from the summary's counts and quartiles; two runs lie over each other.
+// Histograms and box plots, made from the summary's counts and quartiles. Two runs are counted in the same bins, and
+// shown side by side as shares of each.
 
 // `of(run)` gives {low, width, counts}; `per` turns the file's unit into the one shown, `thing` is what is counted.
-function histogramFigure(parent, {title, quantity, unit, per = 1, of, thing = 'rocks', width = drawing.half, domainOf}) {
+function histogramFigure(parent, {title, quantity, unit, per = 1, of, thing = 'rocks', width = drawing.half, tall = 200}) {
   const shown = runs.filter((run) => of(run) && of(run).counts.some((n) => n > 0));
   if (!shown.length) return false;
   const series = shown.map((run) => {
@@ -11,32 +12,31 @@ function histogramFigure(parent, {title, quantity, unit, per = 1, of, thing = 'r
     const used = bars.filter((bar) => bar.n > 0);
     return {run, total, step: step / per, bars: bars.filter((bar) => bar.low >= used[0].low && bar.high <= used[used.length - 1].high)};
   });
-  // Counts where they compare as they are; else shares, and where even the bins differ, shares per unit.
-  const sameStep = series.every((s) => Math.abs(s.step - series[0].step) <= 1e-9 * series[0].step);
-  const sameTotal = series.every((s) => s.total === series[0].total);
-  const measure = sameStep && sameTotal ? (bar) => bar.n : sameStep ? (bar) => bar.share : (bar) => bar.share / (bar.high - bar.low);
-  const yLabel = sameStep && sameTotal ? `Number of ${thing}` : sameStep ? `Share of ${thing} [%]` : `Share of ${thing} [% per ${unit}]`;
+  const measure = single ? (bar) => bar.n : (bar) => bar.share;
+  const yLabel = single ? `Number of ${thing}` : `Share of each run's ${thing} [%]`;
   const all = series.flatMap((s) => s.bars);
   figure(parent, {
     title, label: `${title}: histogram of ${quantity} in ${unit}`,
     caption: series.map((s) => `${single ? '' : s.run.label + ': '}${count(s.total, thing.replace(/s$/, ''), thing)}, ${areEqual(s.step, 0) ? 'all of one value' : `bins of ${number(s.step, 4)} ${unit}`}`).join('; ') + '.',
     width,
     draw(svg) {
-      const side = {left: 72, right: width - 14, top: 12, bottom: 262};
-      const toX = d3.scaleLinear().domain(domainOf ? domainOf() : extentOf(all.flatMap((bar) => [bar.low, bar.high]), 0.03)).range([side.left, side.right]);
+      const side = {left: 62, right: width - 12, top: 12, bottom: 12 + tall};
+      const toX = d3.scaleLinear().domain(extentOf(all.flatMap((bar) => [bar.low, bar.high]), 0.03)).range([side.left, side.right]);
       const toY = d3.scaleLinear().domain([0, d3.max(all, measure) * 1.06]).range([side.bottom, side.top]);
       axes(svg, toX, toY, side, {xLabel: `${quantity} [${unit}]`, yLabel});
-      for (const s of series) {
+      series.forEach((s, k) => {
+        // Its part of the bin.
+        const left = (bar) => toX(bar.low + (bar.high - bar.low) * k / series.length);
+        const width = (bar) => (toX(bar.high) - toX(bar.low)) / series.length;
         tip(svg.append('g').style('--run', s.run.colour).selectAll('rect').data(s.bars.filter((bar) => bar.n > 0)).enter().append('rect')
-          .attr('class', series.length > 1 ? 'bar over' : 'bar')
-          .attr('x', (bar) => toX(bar.low)).attr('width', (bar) => Math.max(toX(bar.high) - toX(bar.low) - 0.5, 2))
+          .attr('class', 'bar').attr('x', left).attr('width', (bar) => Math.max(width(bar) - 0.5, 1.5))
           .attr('y', (bar) => toY(measure(bar))).attr('height', (bar) => side.bottom - toY(measure(bar))),
         (bar) => (single ? '' : bar.run.label + '\n') + `${number(bar.low, 5)} to ${number(bar.high, 5)} ${unit}\n${number(bar.n)} of ${count(s.total, thing.replace(/s$/, ''), thing)} (${number(bar.share, 3)} %)`);
-      }
-      if (single) return side.bottom + 44;
-      return legend(svg, series.map((s) => ({text: s.run.label, draw: sign.box('bar over', s.run.colour)})), side.left, side.bottom + 56, side.right) + 12;
+      });
+      if (single) return side.bottom + 42;
+      return legend(svg, series.map((s) => ({text: s.run.label, draw: sign.box('bar', s.run.colour)})), side.left, side.bottom + 54, side.right) + 12;
     },
-    rows: () => [['run', `from_${unit}`, `to_${unit}`, thing], ...all.map((bar) => [bar.run.label, bar.low, bar.high, bar.n])],
+    rows: () => [['run', `from_${unit}`, `to_${unit}`, thing, 'share_percent'], ...all.map((bar) => [bar.run.label, bar.low, bar.high, bar.n, bar.share])],
   });
   return true;
 }
@@ -55,16 +55,16 @@ function boxFigure(parent, {title, quantity, unit, per = 1, of, width = drawing.
   });
   figure(parent, {
     title, label: `${title}: box and whiskers of ${quantity} in ${unit}`,
-    caption: 'Box: quartiles with the median; whiskers: least and greatest value; cross: mean.',
+    caption: '',
     width,
     draw(svg) {
-      const tall = boxes.length > 1 ? 60 : 76;
-      const side = {left: single ? 24 : 24, right: width - 14, top: 8, bottom: 8 + boxes.length * tall};
+      const tall = 56;
+      const side = {left: 24, right: width - 12, top: 8, bottom: 8 + boxes.length * tall};
       const toX = d3.scaleLinear().domain(extentOf(boxes.flatMap((b) => [b.low, b.high]), 0.05)).range([side.left, side.right]);
       axes(svg, toX, {}, side, {xLabel: `${quantity} [${unit}]`});
       boxes.forEach((b, i) => {
         const middle = side.top + (i + 0.5) * tall + (single ? 0 : 7);
-        const half = single ? 22 : 15;
+        const half = single ? 18 : 14;
         const g = svg.append('g').style('--run', b.run.colour);
         if (!single) g.append('text').attr('class', 'halo').attr('x', side.left + 4).attr('y', middle - half - 5).text(b.run.label);
         const line = (x1, x2, y1, y2, name) => g.append('line').attr('class', name).attr('x1', toX(x1)).attr('x2', toX(x2)).attr('y1', y1).attr('y2', y2);
@@ -78,7 +78,7 @@ function boxFigure(parent, {title, quantity, unit, per = 1, of, width = drawing.
         tip(g, () => (single ? '' : b.run.label + '\n') + [['greatest', b.high], ['upper quartile', b.q3], ['median', b.q2], ['lower quartile', b.q1], ['least', b.low], ['mean', b.mean]]
           .map(([word, value]) => `${word} ${number(value, 6)} ${unit}`).join('\n'));
       });
-      return side.bottom + 44;
+      return side.bottom + 42;
     },
     rows: () => [['run', 'minimum', 'quartile_1', 'median', 'quartile_3', 'maximum', 'mean', 'unit'], ...boxes.map((b) => [b.run.label, b.low, b.q1, b.q2, b.q3, b.high, b.mean, unit])],
   });
@@ -86,13 +86,18 @@ function boxFigure(parent, {title, quantity, unit, per = 1, of, width = drawing.
 }
 
 function distributionFigures(parent) {
+  const endX = {quantity: 'x of the end point', unit: 'm'}, runout = {quantity: 'Runout on plan', unit: 'm'};
+  const inSection = (of) => (run) => run.isSection ? of(run) : null;  // in space x says nothing of how far a rock came
   const box = element(parent, 'div', null, {class: 'columns'});
-  const quantities = [
-    {name: 'end_x_m', histogram: 'End points of the rocks', box: 'End points: box and whiskers', quantity: 'x of the end point', unit: 'm'},
-    {name: 'runout_xy_m', histogram: 'Runout', box: 'Runout: box and whiskers', quantity: 'Runout on plan', unit: 'm'},
-  ];
-  let any = false;
-  for (const q of quantities) any = histogramFigure(box, {...q, title: q.histogram, of: (run) => run.histograms[q.name]}) || any;
-  for (const q of quantities) any = boxFigure(box, {...q, title: q.box, of: (run) => run.statistics[q.name]}) || any;
-  if (!any) element(parent, 'p', 'The summary holds no histograms.', {class: 'quiet'});
+  const hasEnds = histogramFigure(box, {...endX, title: 'End points of the rocks', of: inSection((run) => run.histograms.end_x_m)});
+  // Boxes stand beneath the histograms of a section, and beside the only one of a terrain.
+  const hasRunout = histogramFigure(box, {...runout, title: 'Runout', tall: hasEnds ? 200 : 330, of: (run) => run.histograms.runout_xy_m});
+  const boxes = hasEnds ? box : element(box, 'div');
+  const hasBoxes = [
+    boxFigure(boxes, {...endX, title: 'Box plot of end points', of: inSection((run) => run.statistics.end_x_m)}),
+    boxFigure(boxes, {...runout, title: 'Box plot of runout', of: (run) => run.statistics.runout_xy_m}),
+    boxFigure(boxes, {title: 'Box plot of greatest energy', quantity: 'Greatest total kinetic energy of each rock', unit: 'kJ', per: 1000, of: (run) => run.statistics.max_ke_J}),
+    boxFigure(boxes, {title: 'Box plot of greatest bounce height', quantity: 'Greatest bounce height of each rock', unit: 'm', of: (run) => run.statistics.max_bounce_m}),
+  ].some(Boolean);
+  if (!hasEnds && !hasRunout && !hasBoxes) element(parent, 'p', 'The summary holds no histograms.', {class: 'quiet'});
 }

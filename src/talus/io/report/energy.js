@@ -2,8 +2,8 @@
 
 const energyAxes = {
   x: {text: 'x', label: 'x [m]', of: (rows) => rows.map((row) => row.x)},
-  plan: {
-    text: 'distance on plan', label: 'Distance travelled on plan [m]',
+  travelled: {
+    text: 'distance travelled', label: 'Distance travelled on plan [m]',
     of(rows) {
       let sum = 0;
       return rows.map((row, i) => i === 0 ? 0 : sum += Math.hypot(row.x - rows[i - 1].x, row.y - rows[i - 1].y));
@@ -26,7 +26,9 @@ function energyPath(rows, places, energyOf, slope, toX, toY) {
 }
 
 function energyFigure(parent, run, width) {
-  let axis = 'x';
+  // In space x says nothing of how far a rock came.
+  const axisNames = run.isSection ? ['x', 'travelled', 'time'] : ['travelled', 'time'];
+  let [axis] = axisNames;
   const kinetic = (row) => (row.ke_translational + row.ke_rotational) / 1000;
   const potential = (row) => row.pe / 1000;
   const mechanical = (row) => kinetic(row) + potential(row);
@@ -38,7 +40,7 @@ function energyFigure(parent, run, width) {
     draw(svg) {
       const rock = choice.rocks[run.index];
       const {rows} = rock;
-      const side = {left: 94, right: width - 14, top: 12, bottom: 12 + (width > 800 ? 300 : 260)};
+      const side = {left: 78, right: width - 14, top: 12, bottom: 252};
       const places = energyAxes[axis].of(rows);
       const values = rows.flatMap((row) => [mechanical(row), kinetic(row), potential(row)]);
       const toX = d3.scaleLinear().domain(extentOf(places, 0.02)).range([side.left, side.right]);
@@ -60,7 +62,7 @@ function energyFigure(parent, run, width) {
           `total kinetic ${number(kinetic(row), 6)} kJ\npotential ${number(potential(row), 6)} kJ`);
       }
       return legend(svg, [['mechanical', 'mechanical'], ['kinetic', 'total kinetic'], ['potential', 'potential']].map(([name, words]) => ({text: words + ' energy', draw: sign.line('energy ' + name)})),
-        side.left, side.bottom + 64) + 14;
+        side.left, side.bottom + 56, side.right) + 12;
     },
     rows: () => [['rock', 'state', 'time_s', 'x_m', 'y_m', 'z_m', 'total_kinetic_kJ', 'potential_kJ', 'mechanical_kJ'],
       ...choice.rocks[run.index].rows.map((row) => [choice.rocks[run.index].rock, row.state, row.time, row.x, row.y, row.z, kinetic(row), potential(row), mechanical(row)])],
@@ -74,7 +76,7 @@ function energyFigure(parent, run, width) {
   };
   const rocks = pick('Rock', run.rocks.map((rock, i) => [i, rock.rock]), run.rocks.indexOf(choice.rocks[run.index]), (i) => choose(run.rocks[i]));
   const chosen = made.head.insert('span', '.save').attr('class', 'quiet');
-  pick('along', Object.entries(energyAxes).map(([key, {text}]) => [key, text]), axis, (key) => { axis = key; made.redraw(); });
+  pick('along', axisNames.map((name) => [name, energyAxes[name].text]), axis, (key) => { axis = key; made.redraw(); });
   const follow = () => {
     rocks.property('value', run.rocks.indexOf(choice.rocks[run.index]));
     chosen.text(`(of ${number(run.rocks.length)} shown)`);

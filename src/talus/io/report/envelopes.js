@@ -45,15 +45,13 @@ function envelopeFigure(parent, {key, title, label, unit, per}) {
     return {run, cells: envelopeCells(run), curves: single ? curves : curves.slice(0, 1)};
   }).filter(({cells, curves}) => cells.length && curves.length);
   if (!shown.length) return;
-  const cellText = ({run}) => `${single ? '' : run.label + ': '}cells of ${metres(envelopeCellWidth(run))}` +
-    (run.envelopes.cells_each > 1 ? `, drawn is the greatest of every ${number(run.envelopes.cells_each)}` : '');
   const walls = shown.flatMap(({run}) => barriersOf(run).map((barrier) => ({name: barrier.name, x: (barrierLine(barrier)[0] || [])[0]})))
     .filter((wall, i, all) => isNumber(wall.x) && all.findIndex((w) => w.name === wall.name && w.x === wall.x) === i);
   figure(parent, {
     title, label: `${title}, in ${unit}`,
-    caption: startOfSentence(shown.map(cellText).join('; ')) + (key === 'reach_share' ? '.' : '; figures are of the rocks that come by.'),
+    caption: '',
     draw(svg, width) {
-      const side = {left: 78, right: width - 14, top: 12, bottom: 252};
+      const side = {left: 66, right: width - 12, top: 12, bottom: 212};
       const all = shown.flatMap(({cells, curves}) => curves.flatMap(({of}) => cells.map(of)));
       const toX = d3.scaleLinear().domain(extentOf(shown.flatMap(({cells}) => cells.flatMap(({from, to}) => [from, to])), 0.02)).range([side.left, side.right]);
       const toY = d3.scaleLinear().domain([0, (d3.max(all) || 1) * 1.06]).range([side.bottom, side.top]);
@@ -78,7 +76,7 @@ function envelopeFigure(parent, {key, title, label, unit, per}) {
         text: single ? curve.words : `${run.label}, ${curve.words}`,
         draw: (g) => g.append('line').attr('class', `envelope ${curve.style}`).attr('x2', 22).style('--run', run.colour).style('stroke-dasharray', curve.dash),
       })));
-      return signs.length > 1 ? legend(svg, signs, side.left, side.bottom + 56, side.right) + 12 : side.bottom + 44;
+      return signs.length > 1 ? legend(svg, signs, side.left, side.bottom + 54, side.right) + 12 : side.bottom + 42;
     },
     rows: () => [['run', 'from_x_m', 'to_x_m', ...shown[0].curves.map(({column}) => column)], ...shown.flatMap(({run, cells}) =>
       cells.map((cell) => [run.label, cell.from, cell.to, ...shown[0].curves.map(({column}) => cell[column])]))],
@@ -88,4 +86,8 @@ function envelopeFigure(parent, {key, title, label, unit, per}) {
 function envelopeFigures(parent) {
   const box = element(parent, 'div', null, {class: 'columns'});
   for (const quantity of alongSection) envelopeFigure(box, quantity);
+  const cellText = (run) => `${single ? '' : run.label + ': '}cells of ${metres(envelopeCellWidth(run))}` +
+    (run.envelopes.cells_each > 1 ? `, drawn is the greatest of every ${number(run.envelopes.cells_each)}` : '');
+  const cells = runs.filter((run) => run.envelopes.rows.length).map(cellText).join('; ');
+  element(parent, 'p', `${startOfSentence(cells)}. Energies, velocities and heights are those of the rocks that come by.`, {class: 'quiet'});
 }

@@ -1,10 +1,9 @@
 // A figure: heading, drawing, caption, buttons that save it, and the box that shows values under the pointer. All text
 // is set as text, never as markup: names in it are the user's.
 
-const drawing = {wide: 1180, half: 570};  // widths in the drawings' own units, about a pixel each at 1366 x 768
-
-// How much larger a drawing's letters may become: those of wide ones do on paper (style.css).
-const largestLetters = (svg) => svg.attr('data-width') > 800 ? 17 / 12 : 1;
+// Widths in the drawings' own units, about a pixel each on a screen. Two halves and the gap of .columns (style.css) make
+// a wide one, which is as wide as A4 between its margins: a unit is as long in both.
+const drawing = {wide: 900, half: 430, mmOnPaper: 184 / 900};
 
 function element(parent, tag, text, attributes = {}) {
   const made = parent.append(tag);
@@ -16,7 +15,7 @@ function element(parent, tag, text, attributes = {}) {
 // Returns {node, head, caption, redraw}. `draw(svg, width)` draws and returns the height it used; `rows()` gives the
 // table that the CSV button saves, its first row the column names.
 function figure(parent, {title, caption, label, width = drawing.half, draw, rows}) {
-  const node = parent.append('figure').attr('class', width > 800 ? 'wide' : '');
+  const node = parent.append('figure').attr('class', width === drawing.wide ? 'wide' : '');
   const head = element(node, 'div', null, {class: 'figure-head'});
   element(head, 'h4', title);
   const tools = element(head, 'span', null, {class: 'save'});
@@ -118,8 +117,7 @@ function extentOf(values, margin = 0.04) {
 
 // Draws grid, frame, axes and their labels into the rectangle given by its sides.
 function axes(svg, x, y, {left, top, right, bottom}, {xLabel, yLabel, xTicks, yTicks}) {
-  const larger = largestLetters(svg);
-  const widest = (scale, ticks) => 6.6 * larger * d3.max(scale.ticks(ticks), (v) => tickText(scale, ticks)(v).length);
+  const widest = (scale, ticks) => 6.6 * d3.max(scale.ticks(ticks), (v) => tickText(scale, ticks)(v).length);
   const nx = xTicks || Math.max(2, Math.floor((right - left) / Math.max(80, widest(x, 8) + 30)));
   const ny = yTicks || Math.max(3, Math.round((bottom - top) / 45));
   const grid = svg.append('g').attr('class', 'grid');
@@ -127,7 +125,7 @@ function axes(svg, x, y, {left, top, right, bottom}, {xLabel, yLabel, xTicks, yT
   if (y.ticks) grid.append('g').attr('transform', `translate(${left},0)`).call(d3.axisLeft(y).ticks(ny).tickSize(left - right).tickFormat(''));
   const below = svg.append('g').attr('class', 'axis').attr('transform', `translate(0,${bottom})`);
   below.call(d3.axisBottom(x).ticks(nx).tickSizeOuter(0).tickFormat(tickText(x, nx)));
-  svg.append('text').attr('class', 'axis-label').attr('x', (left + right) / 2).attr('y', bottom + (larger > 1 ? 42 : 36)).attr('text-anchor', 'middle').text(xLabel);
+  svg.append('text').attr('class', 'axis-label').attr('x', (left + right) / 2).attr('y', bottom + 34).attr('text-anchor', 'middle').text(xLabel);
   if (!y.ticks) return;
   const beside = svg.append('g').attr('class', 'axis').attr('transform', `translate(${left},0)`);
   beside.call(d3.axisLeft(y).ticks(ny).tickSizeOuter(0).tickFormat(tickText(y, ny)));
@@ -143,7 +141,7 @@ function legend(svg, entries, x, y, rightmost = Infinity) {
     const group = svg.append('g');
     entry.draw(group);
     const text = group.append('text').attr('x', 28).attr('y', 4).text(entry.text);
-    const length = 28 + (text.node().getComputedTextLength() || entry.text.length * 6.5) * largestLetters(svg) + 20;
+    const length = 28 + (text.node().getComputedTextLength() || entry.text.length * 6.5) + 20;
     if (at + length > rightmost && at > x) {
       at = x;
       line += 19;

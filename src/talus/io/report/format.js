@@ -31,6 +31,15 @@ function number(value, digits = 6) {
   return value.toLocaleString('en-US', {maximumFractionDigits: decimals}).replace('-', '−');
 }
 
+// A result, with as many digits as it deserves: four, and none beyond a thousandth of its unit but the first one. Less
+// than a millionth is what is left of rounding.
+function measured(value, digits = 4) {
+  if (!isNumber(value) || Number.isInteger(value)) return number(value);
+  const first = -Math.floor(Math.log10(Math.abs(value)));
+  const decimals = first > 6 ? 0 : first > 3 ? first : Math.min(Math.max(digits - 1 + first, 0), 3);
+  return (Number(value.toFixed(decimals)) || 0).toLocaleString('en-US', {maximumFractionDigits: decimals}).replace('-', '−');
+}
+
 const metres = (value) => number(value, 5) + ' m';
 const kJ = (joules) => joules === null || joules === undefined ? null : joules / 1000;
 const count = (n, one, many = one + 's') => `${number(n)} ${n === 1 ? one : many}`;

@@ -4,7 +4,9 @@ function impactFigure(parent) {
   const shown = runs.filter((run) => run.losses.length);
   if (!shown.length) return element(parent, 'p', 'No impact is recorded in the paths.', {class: 'quiet'});
   let axis = 'impact';
-  const words = {impact: 'Number of the impact', x: 'x of the impact [m]'};
+  // Where an impact was: at x along a section, in space after so much of the way.
+  const place = shown.every((run) => run.isSection) ? {key: 'x', text: 'place (x)', label: 'x of the impact [m]'} :
+    {key: 'travelled', text: 'distance travelled', label: 'Distance travelled on plan [m]'};
   const dotsText = shown.map((run) => `${single ? '' : run.label + ': '}dots are ${number(run.losses.length)} of ${count(run.lossTotal, 'impact')} of the rocks shown`).join('; ');
   const dots = shown.flatMap((run) => run.losses.map((loss) => ({...loss, run})));
   const most = d3.max(shown, (run) => d3.max(run.losses, (loss) => loss.impact));
@@ -13,18 +15,18 @@ function impactFigure(parent) {
     caption: startOfSentence(dotsText) +
       '; the line is the mean over all rocks with a path that came to that impact. Lost is the total kinetic energy, of translation and rotation, on arrival less that on leaving.',
     draw(svg, width) {
-      const side = {left: 94, right: width - 14, top: 12, bottom: 272};
-      const place = (dot) => axis === 'x' ? dot.x : dot.impact + (shown.length > 1 ? (dot.run === shown[0] ? -0.12 : 0.12) : 0);
-      const domain = axis === 'x' ? extentOf(dots.map((d) => d.x)) : [0.4, Math.max(most, 2) + 0.6];
+      const side = {left: 78, right: width - 14, top: 12, bottom: 232};
+      const placeOf = (dot) => axis === 'place' ? dot[place.key] : dot.impact + (shown.length > 1 ? (dot.run === shown[0] ? -0.12 : 0.12) : 0);
+      const domain = axis === 'place' ? extentOf(dots.map(placeOf)) : [0.4, Math.max(most, 2) + 0.6];
       const toX = d3.scaleLinear().domain(domain).range([side.left, side.right]);
-      const lines = axis === 'x' ? [] : shown.map((run) => ({run, points: run.lossByNumber.filter((m) => m.impact <= most)}));
+      const lines = axis === 'place' ? [] : shown.map((run) => ({run, points: run.lossByNumber.filter((m) => m.impact <= most)}));
       const toY = d3.scaleLinear().domain(extentOf([0, ...dots.map((d) => d.lost / 1000), ...lines.flatMap((l) => l.points.map((m) => m.mean / 1000))]))
         .range([side.bottom, side.top]);
-      axes(svg, toX, toY, side, {xLabel: words[axis], yLabel: 'Total kinetic energy lost [kJ]', xTicks: axis === 'impact' ? Math.min(most, 16) : undefined});
+      axes(svg, toX, toY, side, {xLabel: axis === 'place' ? place.label : 'Number of the impact', yLabel: 'Total kinetic energy lost [kJ]', xTicks: axis === 'impact' ? Math.min(most, 16) : undefined});
       tip(svg.append('g').selectAll('circle').data(dots).enter().append('circle').attr('class', 'dot').attr('r', 3).style('--run', (d) => d.run.colour)
-        .attr('cx', (d) => toX(place(d))).attr('cy', (d) => toY(d.lost / 1000)),
+        .attr('cx', (d) => toX(placeOf(d))).attr('cy', (d) => toY(d.lost / 1000)),
       (d) => `Rock ${d.rock}, impact ${d.impact}` + (single ? '' : ` · ${d.run.label}`) +
-        `\nlost ${number(kJ(d.lost), 5)} kJ of ${number(kJ(d.kinetic_before), 5)} kJ of total kinetic energy\nat x ${metres(d.x)}`);
+        `\nlost ${number(kJ(d.lost), 5)} kJ of ${number(kJ(d.kinetic_before), 5)} kJ of total kinetic energy\nat x ${metres(d.x)}, after ${metres(d.travelled)} on plan`);
       for (const {run, points} of lines) {
         svg.append('path').attr('class', 'mean-line').style('stroke', single ? null : run.colour)
           .attr('d', d3.line().x((m) => toX(m.impact)).y((m) => toY(m.mean / 1000))(points));
@@ -35,12 +37,12 @@ function impactFigure(parent) {
       return legend(svg, [
         ...shown.map((run) => ({text: single ? 'single impact' : run.label, draw: sign.circle('dot', run.colour)})),
         ...(axis === 'impact' ? [{text: 'mean over all rocks', draw: sign.line('mean-line')}] : []),
-      ], side.left, side.bottom + 64, side.right) + 14;
+      ], side.left, side.bottom + 56, side.right) + 12;
     },
-    rows: () => [['run', 'rock', 'impact', 'x_m', 'total_kinetic_lost_kJ', 'total_kinetic_before_kJ'], ...dots.map((d) => [d.run.label, d.rock, d.impact, d.x, d.lost / 1000, d.kinetic_before / 1000])],
+    rows: () => [['run', 'rock', 'impact', 'x_m', 'travelled_on_plan_m', 'total_kinetic_lost_kJ', 'total_kinetic_before_kJ'], ...dots.map((d) => [d.run.label, d.rock, d.impact, d.x, d.travelled, d.lost / 1000, d.kinetic_before / 1000])],
   });
   const select = made.head.insert('label', '.save').text('against ').append('select');
   element(select, 'option', 'number of the impact', {value: 'impact'});
-  element(select, 'option', 'place (x)', {value: 'x'});
+  element(select, 'option', place.text, {value: 'place'});
   select.on('change', function () { axis = this.value; made.redraw(); });
 }

@@ -1,12 +1,17 @@
 // What the run was given: settings, materials, seeders, barriers.
 
-const rigidOnly = new Set(['tangential_crsp_damping', 'dynamic_friction', 'rolling_friction', 'roughness_spacing_m', 'roughness_amplitude_m']);
+// As the project's settings are declared; a test holds this to it.
+const onlyFor = {
+  "lumped_mass": ["rotation", "sliding", "grazing_angle_deg", "friction_angle", "friction_angle_deg"],
+  "rigid_sphere": ["tangential_crsp_damping", "roughness_spacing_m", "roughness_amplitude_m", "dynamic_friction", "rolling_friction"]
+};
 const of3dOnly = new Set(['maps_by_source', 'geopackage', 'section_m']);
 
 // Whether a setting has any effect on a run.
 function applies(run, group, key) {
   const given = run.project[group] || {};
-  if (rigidOnly.has(key) && (run.project.analysis || {}).model === 'lumped_mass') return false;
+  const {model} = run.project.analysis || {};
+  if (Object.entries(onlyFor).some(([name, keys]) => model && name !== model && keys.includes(key))) return false;
   if (run.isSection && of3dOnly.has(key)) return false;
   if (key === 'rn_velocity_scale_m_s') return given.scale_rn_by_velocity !== false;
   if (key === 'rn_mass_scale_kg') return given.scale_rn_by_mass !== false;
@@ -23,11 +28,10 @@ function settings(parent) {
     return run.project[group] ? settingText(run.project[group][name]) : '–';
   };
   const differs = (key) => !single && valueOf(runs[0], key) !== valueOf(runs[1], key);
-  const box = element(parent, 'div', null, {class: single ? 'columns' : ''});
   for (const group of groups) {
     const part = keys.filter((key) => key.startsWith(group + '/'));
     if (!part.length) continue;
-    table(element(box, 'div'), {
+    table(parent, {
       caption: wordsOf(group),
       head: [[{text: 'Setting'}, ...(single ? [{text: 'Value'}] : runs.map((run) => ({text: run.label, run})))]],
       rows: part.map((key) => [{text: wordsOf(key.split('/')[1]), unit: unitOf(key)}, ...runs.map((run) => valueOf(run, key))]),
@@ -51,4 +55,12 @@ function inputs(parent) {
     if (collector) delete row.capacity_kJ;
     return row;
   }), (key, value) => settingText(value));
+}
+
+function modelTables(parent) {
+  const box = element(parent, 'div', null, {class: 'packed'});
+  factsTable(box, 'Terrain', terrainRows);
+  factsTable(box, 'Ground', groundRows);
+  settings(box);
+  inputs(parent);
 }

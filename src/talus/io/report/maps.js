@@ -3,8 +3,8 @@
 // `per` turns the file's unit into the one shown.
 const mapKinds = {
   reach_share: {title: 'Reach', quantity: 'Share of all rocks that were in the cell', unit: '%', per: 0.01},
-  energy_total_max_J: {title: 'Greatest total kinetic energy', quantity: 'Total kinetic energy (translational and rotational), greatest of all rocks', unit: 'kJ', per: 1000},
-  bounce_height_max_m: {title: 'Greatest height above the ground', quantity: 'Height of the centre above the ground, greatest of all rocks', unit: 'm', per: 1},
+  energy_total_max_J: {title: 'Greatest total kinetic energy', quantity: 'Total kinetic energy, greatest of all rocks', unit: 'kJ', per: 1000},
+  bounce_height_max_m: {title: 'Greatest height above the ground', quantity: 'Height of the centre, greatest of all rocks', unit: 'm', per: 1},
   velocity_max_m_s: {title: 'Greatest velocity', quantity: 'Velocity, greatest of all rocks', unit: 'm/s', per: 1},
 };
 
@@ -41,64 +41,41 @@ function mapPicture(map, values, scale) {
   return canvas.toDataURL('image/png');
 }
 
-// What all maps of a run show: their cells, the barriers and the releases.
-function mapView(run) {
+// What all maps show, those of two runs the same: their cells, the barriers and the releases.
+function mapView() {
   const xs = [], ys = [];
-  for (const {origin: [x, y], cell: [dx, dy], columns, rows} of run.maps) {
+  for (const {origin: [x, y], cell: [dx, dy], columns, rows} of runs.flatMap((run) => run.maps)) {
     xs.push(x, x + columns * dx);
     ys.push(y, y + rows * dy);
   }
-  for (const [x, y] of barriersOf(run).flatMap(barrierLine)) { xs.push(x); ys.push(y); }
-  for (const {rows: [{x, y}]} of run.rocks) { xs.push(x); ys.push(y); }
+  for (const [x, y] of runs.flatMap(barriersOf).flatMap(barrierLine)) { xs.push(x); ys.push(y); }
+  for (const {rows: [{x, y}]} of runs.flatMap((run) => run.rocks)) { xs.push(x); ys.push(y); }
   return {x: extentOf(xs, 0.04), y: extentOf(ys, 0.04)};
 }
 
-// The greatest 1, 2 or 5 times a power of ten.
-function roundLength(most) {
-  const power = 10 ** Math.floor(Math.log10(most));
-  return power * [5, 2, 1].find((times) => times * power <= most);
-}
-
-function drawScaleBar(group, side, scale) {
-  const length = roundLength((side.right - side.left) / scale / 3);
-  const x = side.left + 12, y = side.bottom - 14;
-  const bar = group.append('g').attr('class', 'scale-bar');
-  bar.append('path').attr('class', 'halo').attr('d', `M${x},${y - 5}v5h${length * scale}v-5`);
-  bar.append('path').attr('d', `M${x},${y - 5}v5h${length * scale}v-5`);
-  bar.append('text').attr('class', 'halo').attr('x', x + length * scale / 2).attr('y', y - 5).attr('text-anchor', 'middle').text(`${number(length)} m`);
-}
-
-// Upwards is the y axis: north where coordinates are those of a map.
-function drawNorthArrow(group, side, isNorth) {
-  const arrow = group.append('g').attr('class', 'north').attr('transform', `translate(${side.left + 20},${side.top + 10})`);
-  arrow.append('path').attr('class', 'halo').attr('d', 'M0,0l7,20l-7,-5l-7,5z');
-  arrow.append('path').attr('class', 'arrow').attr('d', 'M0,0l7,20l-7,-5l-7,5z');
-  arrow.append('text').attr('class', 'halo').attr('y', 33).attr('text-anchor', 'middle').text(isNorth ? 'N' : 'y');
-}
-
 // A bar of the colours with values beneath; returns the height at its end.
-function drawColours(svg, id, scale, {quantity, unit}, x, y) {
-  const width = 300, height = 12;
+function drawColours(svg, id, scale, {quantity, unit}, x, y, width) {
+  const height = 12;
   const gradient = svg.append('defs').append('linearGradient').attr('id', id);
   page.map_colours.forEach((rgb, i, all) => gradient.append('stop').attr('offset', i / (all.length - 1)).attr('stop-color', `rgb(${rgb})`));
   svg.append('text').attr('x', x).attr('y', y).text(`${quantity} [${unit}]`);
   svg.append('rect').attr('x', x).attr('y', y + 8).attr('width', width).attr('height', height).attr('fill', `url(#${id})`);
   const place = scale.toPart.copy().range([x, x + width]);
   const isOpen = scale.greatest > scale.top * 1.001;
-  const end = {value: scale.top, words: number(scale.top, 3) + (isOpen ? ` or more, at most ${number(scale.greatest, 3)}` : '')};
+  const end = {value: scale.top, words: (isOpen ? '≥ ' : '') + number(scale.top, 3)};
   let last = -Infinity;
   for (const value of place.domain()[0] > 0 ? powersOfTen(...place.domain()) : place.ticks(5)) {
     if (place(value) - last < 44 || x + width - place(value) < 44) continue;
     last = place(value);
-    drawTick(svg, place(value), y + 8 + height, number(value, 3), 'middle');
+    drawTick(svg, place(value), y + 8 + height, number(value, 3));
   }
-  drawTick(svg, place(end.value), y + 8 + height, end.words, isOpen ? 'start' : 'middle');
+  drawTick(svg, place(end.value), y + 8 + height, end.words);
   return y + 8 + height + 22;
 }
 
-function drawTick(svg, x, y, words, anchor) {
+function drawTick(svg, x, y, words) {
   svg.append('line').attr('class', 'tick-mark').attr('x1', x).attr('x2', x).attr('y1', y).attr('y2', y + 4);
-  svg.append('text').attr('x', anchor === 'start' ? x - 4 : x).attr('y', y + 16).attr('text-anchor', anchor).text(words);
+  svg.append('text').attr('x', x).attr('y', y + 16).attr('text-anchor', 'middle').text(words);
 }
 
 // The least value and powers of ten above it.
@@ -115,23 +92,13 @@ function mapFigure(parent, run, map, scale, view) {
   const cellText = number(dx, 4) === number(dy, 4) ? `${number(dx, 4)} m` : `${number(dx, 4)} × ${number(dy, 4)} m`;
   figure(parent, {
     title: single ? kind.title : `${kind.title} · ${run.label}`, label: `Map: ${kind.quantity} in ${kind.unit}`,
-    caption: `Cells of ${cellText}, coloured where rocks were; colours stand for values within some hundredths. Exact: maps/${map.name}.tif.`,
+    caption: '', width: single ? mapWidth(view) : drawing.half,
     draw(svg, width) {
-      const frame = equalFrame(width - 16, 84, view.x[1] - view.x[0], view.y[1] - view.y[0], 470);
-      const {side, room, height, scale: perMetre} = frame;
-      const middle = d3.mean(view.x), middleY = d3.mean(view.y);
-      const toX = d3.scaleLinear().domain([middle - room / perMetre / 2, middle + room / perMetre / 2]).range([side.left, side.right]);
-      const toY = d3.scaleLinear().domain([middleY - height / perMetre / 2, middleY + height / perMetre / 2]).range([side.bottom, side.top]);
-      axes(svg, toX, toY, side, {xLabel: 'x [m]', yLabel: 'y [m]'});
-      svg.append('clipPath').attr('id', id).append('rect').attr('x', side.left).attr('y', side.top).attr('width', room).attr('height', height);
-      const inside = svg.append('g').attr('clip-path', `url(#${id})`);
-      const lay = (href, name, low, size) => inside.append('image').attr('class', name).attr('href', href).attr('preserveAspectRatio', 'none')
-        .attr('x', toX(low[0])).attr('y', toY(low[1] + size[1])).attr('width', size[0] * perMetre).attr('height', size[1] * perMetre);
-      if (shade) {
-        const half = relief.cell_m / 2;
-        lay(shade, 'relief', [relief.x0 - half, relief.y0 - half], [relief.columns * relief.cell_m, relief.rows * relief.cell_m]);
-      }
-      tip(lay(picture, 'cells', map.origin, [map.columns * dx, map.rows * dy]), () => {
+      const frame = mapFrame(width, view, groundOf(runs, view));
+      const {side, toX, toY} = frame;
+      const inside = openMap(svg, id, frame);
+      if (shade) layRelief(inside, frame, relief, shade);
+      tip(layPicture(inside, frame, picture, 'cells', map.origin, [map.columns * dx, map.rows * dy]), () => {
         const [left, top] = d3.mouse(svg.node());
         const x = toX.invert(left), y = toY.invert(top);
         const value = values[Math.floor((y - y0) / dy) * map.columns + Math.floor((x - x0) / dx)];
@@ -139,20 +106,22 @@ function mapFigure(parent, run, map, scale, view) {
       });
       for (const barrier of barriersOf(run)) drawBarrierOnPlan(inside, barrier, toX, toY, side);
       drawReleases(inside, [run], toX, toY, (p) => p.x, (p) => p.y);
-      drawScaleBar(inside, side, perMetre);
+      drawScaleBar(inside, side, frame.scale);
       drawNorthArrow(inside, side, Boolean(run.terrain.crs_wkt));
-      return drawColours(svg, `colours-${id}`, scale, kind, side.left, side.bottom + 60);
+      const y = side.bottom + 56;
+      return noteMap(svg, width, frame, run, [`cells of ${cellText}`, `up to ${number(map.greatest / kind.per, 4)} ${kind.unit}`], y, drawColours(svg, `colours-${id}`, scale, kind, side.left, y, width === drawing.wide ? 320 : 230));
     },
   });
 }
 
 function mapFigures(parent) {
   const box = element(parent, 'div', null, {class: 'columns maps'});
+  const view = mapView();
   for (const name of Object.keys(mapKinds)) {
     const shown = runs.flatMap((run) => run.maps.filter((map) => map.name === name).map((map) => ({run, map})));
     if (!shown.length) continue;
     const scale = mapScale(shown.map(({map}) => map));
-    for (const {run, map} of shown) mapFigure(box, run, map, scale, mapView(run));
+    for (const {run, map} of shown) mapFigure(box, run, map, scale, view);
   }
-  element(parent, 'p', 'Lines are barriers and collectors, rings are releases of the paths shown. The relief is lit from the upper left.', {class: 'quiet'});
+  element(parent, 'p', 'Cells are coloured where rocks were, within some hundredths of their value; exact are the GeoTIFFs in the folder maps. Lines are barriers and collectors, rings are releases of the paths shown. The relief is lit from the upper left.', {class: 'quiet'});
 }

@@ -18,7 +18,7 @@ function cards(parent) {
     const value = (run.statistics[name] || {})[key];
     return isNumber(value) ? [number(value / per, digits), unit] : null;
   };
-  card('Rocks thrown', (run) => run.summary.rocks ? [number(run.summary.rocks.done), run.summary.interrupted ? `of ${number(run.summary.rocks.planned)}` : ''] : null);
+  card('Rocks', (run) => run.summary.rocks ? [number(run.summary.rocks.done), run.summary.interrupted ? `of ${number(run.summary.rocks.planned)}` : ''] : null);
   card('Mean runout (plan)', of('runout_xy_m', 'mean', 'm'));
   card('Longest runout (plan)', of('runout_xy_m', 'maximum', 'm'));
   card('Greatest total kinetic energy', of('max_ke_J', 'maximum', 'kJ', 1000));

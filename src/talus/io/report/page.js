@@ -34,13 +34,17 @@ function section(title, id, fill) {
 heading();
 cards(d3.select('#main'));
 warnings(d3.select('#main'));
-section('Slope and paths', 'slope', (node) => { planFigure(node); sectionFigure(node); });
+section('Slope and paths', 'slope', (node) => {
+  const box = element(node, 'div', null, {class: 'columns'});
+  sectionFigure(box, planFigure(box) || drawing.wide);
+});
 if (runs.some((run) => run.maps.length)) section('Maps', 'maps', mapFigures);
 if (runs.some((run) => run.envelopes.rows.length)) section('Along the section', 'envelopes', envelopeFigures);
 section('End points and runout', 'runout', (node) => {
   distributionFigures(node);
+  element(node, 'p', 'Boxes: quartiles with the median; whiskers: least and greatest value; cross: mean.', {class: 'quiet'});
   statisticsTable(node, runs, [
-    {text: 'End point x', unit: 'm', of: (run) => run.statistics.end_x_m},
+    {text: 'End point x', unit: 'm', of: (run) => run.isSection ? run.statistics.end_x_m : null},
     {text: 'Runout on plan', unit: 'm', of: (run) => run.statistics.runout_xy_m},
     {text: 'Runout in space', unit: 'm', of: (run) => run.statistics.runout_total_m},
     {text: 'Greatest total kinetic energy', unit: 'kJ', per: 1000, of: (run) => run.statistics.max_ke_J},
@@ -52,7 +56,7 @@ section('Why the rocks ended', 'reasons', endReasons);
 if (runs.some((run) => run.barriers.length)) section('Barriers and collectors', 'barriers', barrierSections);
 if (designsOf().length) section('Design of barriers', 'design', designSections);
 section('Energy', 'energy', (node) => { energyFigures(node); impactFigure(node); });
-section('Model', 'model', (node) => { terrainTables(node); inputs(node); settings(node); });
+section('Model', 'model', modelTables);
 fitTablesToPaper();
 {
   const foot = d3.select('#foot');

@@ -1,4 +1,4 @@
-// The slope with its rocks: a section for any run, and a plan where the terrain is one of three dimensions.
+// The slope with its rocks in section.
 
 // ---- the rock that is shown in red, one for each run
 
@@ -17,7 +17,7 @@ function equalFrame(width, left, du, dz, tallest) {
   const side = {left, top: 12, right: left + room, bottom: 12 + height};
   const beside = width - side.right > 190;
   const lastLine = (svg, entries) => {
-    if (!beside) return legend(svg, entries, side.left, side.bottom + 64, side.right) + 14;
+    if (!beside) return legend(svg, entries, side.left, side.bottom + 58, side.right) + 12;
     entries.forEach((entry, i) => legend(svg, [entry], side.right + 26, side.top + 12 + 23 * i));
     return Math.max(side.bottom + 46, side.top + 23 * entries.length + 12);
   };
@@ -42,7 +42,7 @@ const travel = (() => {
   const bearing = (Math.atan2(direction[0], direction[1]) * 180 / Math.PI + 360) % 360;
   return {
     along: (x, y) => (x - origin.x) * direction[0] + (y - origin.y) * direction[1],
-    label: `Distance along the mean direction of travel, ${bearing.toFixed(0).padStart(3, '0')}° from the y axis clockwise [m]`,
+    label: 'Distance along the mean direction of travel [m]', bearing: `${bearing.toFixed(0).padStart(3, '0')}°`,
     origin, direction, isX: false,
   };
 })();
@@ -191,7 +191,7 @@ function barrierLine(barrier) {
   return Array.isArray(line[0]) ? line : [[line[0], line[1] || 0]];
 }
 
-function sectionFigure(parent) {
+function sectionFigure(parent, width = drawing.wide) {
   const grounds = [];
   const us = [], zs = [];
   for (const run of runs) {
@@ -233,10 +233,10 @@ function sectionFigure(parent) {
     title: 'Section with the paths of the rocks',
     label: 'Section of the slope with the paths of the rocks as parabolas; both axes have the same scale',
     caption: '',
-    width: drawing.wide,
+    width,
     rows: shownRows,
-    draw(svg, width) {
-      const frame = equalFrame(width, 84, u1 - u0, z1 - z0, 600);
+    draw(svg) {
+      const frame = equalFrame(width, 68, u1 - u0, z1 - z0, 325);
       const {side, room, height, scale} = frame;
       const middleU = (u0 + u1) / 2, middleZ = (z0 + z1) / 2;
       const toX = d3.scaleLinear().domain([middleU - room / scale / 2, middleU + room / scale / 2]).range([side.left, side.right]);
@@ -284,193 +284,8 @@ function sectionFigure(parent) {
   if (grounds.some((g) => !g.section)) {
     notes.push(travel.isX ? 'The ground is drawn along the middle of the terrain.' : 'The ground is drawn on a line through the mean release point; rocks beside that line may seem to fly above the ground or sink into it.');
   }
+  if (!travel.isX) notes.push(`The mean direction of travel is ${travel.bearing} clockwise from the y axis.`);
   if (!grounds.length) notes.push('The summary holds no ground to draw.');
   made.caption.text(notes.join(' '));
   choice.listeners.push(made.redraw);
-}
-
-// ---- the plan
-
-// Shaded relief as a picture, lit from the north-west at 45 degrees, one pixel a grid point.
-function hillshade(relief) {
-  const {columns, rows, cell_m, z_m} = relief;
-  const canvas = document.createElement('canvas');
-  canvas.width = columns;
-  canvas.height = rows;
-  const context = canvas.getContext('2d');
-  const image = context.createImageData(columns, rows);
-  const at = (i, j) => z_m[Math.min(Math.max(j, 0), rows - 1) * columns + Math.min(Math.max(i, 0), columns - 1)];
-  for (let j = 0; j < rows; ++j) {
-    for (let i = 0; i < columns; ++i) {
-      const z = at(i, j);
-      const pixel = 4 * ((rows - 1 - j) * columns + i);
-      if (!isNumber(z)) continue;
-      const near = (a, b) => isNumber(at(a, b)) ? at(a, b) : z;
-      const sx = (near(i + 1, j) - near(i - 1, j)) / (2 * cell_m), sy = (near(i, j + 1) - near(i, j - 1)) / (2 * cell_m);
-      const lit = (sx * 0.5 - sy * 0.5 + Math.SQRT1_2) / Math.hypot(sx, sy, 1);
-      const grey = Math.round(150 + 100 * Math.min(Math.max(lit, 0), 1));
-      image.data.set([grey, grey, Math.max(grey - 6, 0), 255], pixel);
-    }
-  }
-  context.putImageData(image, 0, 0);
-  return canvas.toDataURL('image/png');
-}
-
-// Lines of equal height as lists of points [x, y]; where the relief has a hole or ends there is no line.
-function contourLines(relief, levels) {
-  const {columns, rows, cell_m, x0, y0, z_m} = relief;
-  const low = levels[0] - (levels[1] - levels[0] || 1) * 1000;
-  const values = z_m.map((z) => isNumber(z) ? z : low);
-  const known = (i, j) => i >= 0 && j >= 0 && i < columns && j < rows && isNumber(z_m[j * columns + i]);
-  const inside = ([a, b]) => [Math.floor(a), Math.ceil(a)].every((i) => [Math.floor(b), Math.ceil(b)].every((j) => known(i, j)));
-  return d3.contours().size([columns, rows]).thresholds(levels)(values).map((shape) => {
-    const lines = [];
-    for (const ring of shape.coordinates.flat()) {
-      let line = [];
-      for (const [a, b] of ring) {
-        const point = [a - 0.5, b - 0.5];  // the library puts grid points at halves
-        if (inside(point)) {
-          line.push([x0 + point[0] * cell_m, y0 + point[1] * cell_m]);
-        } else if (line.length) {
-          lines.push(line);
-          line = [];
-        }
-      }
-      if (line.length) lines.push(line);
-    }
-    return {level: shape.value, lines: lines.filter((line) => line.length > 1)};
-  });
-}
-
-// The relief's heights within a rectangle, and of all of it where none of its points lies there.
-function heightsWithin(relief, {x: [x0, x1], y: [y0, y1]}) {
-  const inside = relief.z_m.filter((z, k) => {
-    const x = relief.x0 + (k % relief.columns) * relief.cell_m, y = relief.y0 + Math.floor(k / relief.columns) * relief.cell_m;
-    return isNumber(z) && x >= x0 && x <= x1 && y >= y0 && y <= y1;
-  });
-  return inside.length ? inside : relief.z_m.filter(isNumber);
-}
-
-function contoursWithin(relief, view) {
-  const [low, high] = d3.extent(heightsWithin(relief, view));
-  const levels = high > low ? d3.ticks(low, high, 25) : [];
-  const interval = levels.length > 1 ? levels[1] - levels[0] : 0;
-  return {interval, lines: interval ? contourLines(relief, levels) : []};
-}
-
-// What the plan can show: the rocks with the barriers, and the whole terrain.
-function planViews(spatial, relief) {
-  const xs = [], ys = [];
-  for (const run of spatial) {
-    run.rocks.forEach((rock) => rock.rows.forEach((row) => { xs.push(row.x); ys.push(row.y); }));
-    run.endpoints.forEach((e) => { xs.push(e.x); ys.push(e.y); });
-    barriersOf(run).forEach((barrier) => barrierLine(barrier).forEach(([x, y]) => { xs.push(x); ys.push(y); }));
-  }
-  const view = (margin) => ({x: extentOf(xs, margin), y: extentOf(ys, margin)});
-  const rocks = xs.length ? view(0.15) : null;
-  for (const run of spatial) {
-    if (Array.isArray(run.terrain.bounds)) run.terrain.bounds.forEach(([x, y]) => { xs.push(x); ys.push(y); });
-  }
-  if (relief) {
-    xs.push(relief.x0, relief.x0 + (relief.columns - 1) * relief.cell_m);
-    ys.push(relief.y0, relief.y0 + (relief.rows - 1) * relief.cell_m);
-  }
-  return xs.length ? {rocks, terrain: view(0.01)} : null;
-}
-
-function planFrame(width, {x: [x0, x1], y: [y0, y1]}) { return equalFrame(width, 96, x1 - x0, y1 - y0, 660); }
-
-// Whether rocks fill so little of the terrain that they are better shown by themselves, so much larger.
-function fillsLittle({rocks, terrain}) {
-  const scale = (view) => planFrame(drawing.wide, view).scale;
-  return rocks !== null && scale(rocks) > 1.6 * scale(terrain);
-}
-
-function drawBarrierOnPlan(group, barrier, toX, toY, side) {
-  const line = barrierLine(barrier);
-  if (line.length < 2) return;
-  group.append('path').attr('class', 'barrier').attr('d', 'M' + line.map(([x, y]) => `${toX(x)},${toY(y)}`).join('L'));
-  const [x, y] = line[line.length - 1];
-  const atRight = toX(x) > (side.left + side.right) * 0.75;
-  group.append('text').attr('class', 'barrier-name halo').attr('x', toX(x) + (atRight ? -8 : 8)).attr('y', Math.max(toY(y) + 4, side.top + 14))
-    .attr('text-anchor', atRight ? 'end' : 'start').text(barrier.name);
-}
-
-function planFigure(parent) {
-  const spatial = runs.filter((run) => !run.isSection);
-  if (!spatial.length) return;
-  const reliefRun = spatial.find((run) => run.terrain.relief);
-  const relief = reliefRun && reliefRun.terrain.relief;
-  const views = planViews(spatial, relief);
-  if (!views) return;
-  const canZoom = fillsLittle(views);
-  let shown = canZoom ? 'rocks' : 'terrain';
-  const contoursOf = {};
-  const contours = () => contoursOf[shown] || (contoursOf[shown] = relief ? contoursWithin(relief, views[shown]) : {interval: 0, lines: []});
-  const captionText = () => shownText() + (relief ? `Contours every ${number(contours().interval)} m; relief lit from the upper left.` : 'The summary holds no relief to draw.') +
-    (spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and lies on y = 0.` : '');
-  const picture = relief ? hillshade(relief) : null;
-  const made = figure(parent, {
-    title: 'Plan with the paths of the rocks',
-    label: 'Plan of the terrain with contours, the paths of the rocks and where they ended',
-    caption: captionText(),
-    width: drawing.wide,
-    rows: shownRows,
-    draw(svg, width) {
-      const {x: [x0, x1], y: [y0, y1]} = views[shown];
-      const {interval, lines: contourSets} = contours();
-      const frame = planFrame(width, views[shown]);
-      const {side, room, height, scale} = frame;
-      const middle = (x0 + x1) / 2, middleY = (y0 + y1) / 2;
-      const toX = d3.scaleLinear().domain([middle - room / scale / 2, middle + room / scale / 2]).range([side.left, side.right]);
-      const toY = d3.scaleLinear().domain([middleY - height / scale / 2, middleY + height / scale / 2]).range([side.bottom, side.top]);
-      axes(svg, toX, toY, side, {xLabel: 'x [m]', yLabel: 'y [m]'});
-      svg.append('clipPath').attr('id', 'plan-frame').append('rect').attr('x', side.left).attr('y', side.top).attr('width', room).attr('height', height);
-      const inside = svg.append('g').attr('clip-path', 'url(#plan-frame)');
-      if (relief) {
-        const half = relief.cell_m / 2;
-        inside.append('image').attr('class', 'relief').attr('href', picture).attr('preserveAspectRatio', 'none')
-          .attr('x', toX(relief.x0 - half)).attr('y', toY(relief.y0 + relief.cell_m * relief.rows - half))
-          .attr('width', relief.columns * relief.cell_m * scale).attr('height', relief.rows * relief.cell_m * scale);
-        const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
-        const named = [];  // where contours have their heights written, so that none is written over another
-        const isShown = ([x, y]) => x > x0 && x < x1 && y > y0 && y < y1;
-        for (const {level, lines} of contourSets) {
-          const main = Math.round(level / interval) % 5 === 0;
-          tip(inside.append('path').attr('class', main ? 'contour main' : 'contour').attr('d', lines.map(line).join('')), () => `z = ${number(level)} m`);
-          const longest = lines.map((each) => each.filter(isShown)).reduce((a, b) => b.length > a.length ? b : a, []);
-          if (!main || longest.length < 8) continue;
-          const place = longest[Math.floor(longest.length * 0.12)];
-          const at = [toX(place[0]), toY(place[1])];
-          if (named.some((other) => Math.hypot(other[0] - at[0], other[1] - at[1]) < 46)) continue;
-          named.push(at);
-          inside.append('text').attr('class', 'contour-name halo').attr('x', at[0]).attr('y', at[1] + 4).attr('text-anchor', 'middle').text(`${number(level)} m`);
-        }
-      }
-      const flat = (rock) => 'M' + rock.rows.map((row) => `${toX(row.x).toFixed(2)},${toY(row.y).toFixed(2)}`).join('L');
-      drawRocks(inside, flat, toX, toY, (e) => e.x, (e) => e.y);
-      for (const run of spatial) {
-        for (const barrier of barriersOf(run)) {
-          drawBarrierOnPlan(inside, barrier, toX, toY, side);
-        }
-      }
-      return frame.legend(svg, [
-        ...runs.map((run) => ({text: single ? 'path' : run.label, draw: sign.line('path', run.colour)})),
-        {text: 'chosen rock', draw: sign.line('path chosen', 'var(--chosen)')},
-        {text: 'release', draw: sign.circle('release', '')},
-        ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
-        ...(interval ? [{text: 'contour', draw: sign.line('contour main')}] : []),
-      ]);
-    },
-  });
-  choice.listeners.push(made.redraw);
-  if (!canZoom) return;
-  const other = () => shown === 'rocks' ? 'Show the whole terrain' : 'Show the rocks';
-  const zoom = element(made.head.insert('span', '.save').attr('class', 'zoom'), 'button', other(), {type: 'button'});
-  zoom.on('click', () => {
-    shown = shown === 'rocks' ? 'terrain' : 'rocks';
-    zoom.text(other());
-    made.caption.text(captionText());
-    made.redraw();
-  });
 }

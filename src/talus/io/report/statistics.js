@@ -27,7 +27,7 @@ function statisticsTable(parent, shown, quantities, caption) {
     const value = statistic(q.of(run), place);
     if (!isNumber(value)) return '–';
     const scaled = value / (q.per || 1) ** power;
-    return {text: number(scaled, 7), full: String(scaled)};
+    return {text: measured(scaled), full: String(scaled)};
   }))));
   return table(parent, {caption, head, rows, numeric: (column) => column > 0});
 }

@@ -88,13 +88,6 @@ function groundRows(run) {
   return rows;
 }
 
-function terrainTables(parent) {
-  const box = element(parent, 'div', null, {class: 'columns'});
-  const [left, right] = [element(box, 'div'), element(box, 'div')];
-  factsTable(left, 'Terrain', terrainRows);
-  factsTable(right, 'Ground', groundRows);
-}
-
 // The file that the terrain comes from, if it is one.
 function terrainFile(run) {
   const {raster, mesh, points, lines, polygons} = run.project.terrain || {};

@@ -1,0 +1,147 @@
+// The plan of a terrain with contours, the paths of the rocks and where they ended.
+
+// Lines of equal height as lists of points [x, y]; where the relief has a hole or ends there is no line.
+function contourLines(relief, levels) {
+  const {columns, rows, cell_m, x0, y0, z_m} = relief;
+  const low = levels[0] - (levels[1] - levels[0] || 1) * 1000;
+  const values = z_m.map((z) => isNumber(z) ? z : low);
+  const known = (i, j) => i >= 0 && j >= 0 && i < columns && j < rows && isNumber(z_m[j * columns + i]);
+  const inside = ([a, b]) => [Math.floor(a), Math.ceil(a)].every((i) => [Math.floor(b), Math.ceil(b)].every((j) => known(i, j)));
+  return d3.contours().size([columns, rows]).thresholds(levels)(values).map((shape) => {
+    const lines = [];
+    for (const ring of shape.coordinates.flat()) {
+      let line = [];
+      for (const [a, b] of ring) {
+        const point = [a - 0.5, b - 0.5];  // the library puts grid points at halves
+        if (inside(point)) {
+          line.push([x0 + point[0] * cell_m, y0 + point[1] * cell_m]);
+        } else if (line.length) {
+          lines.push(line);
+          line = [];
+        }
+      }
+      if (line.length) lines.push(line);
+    }
+    return {level: shape.value, lines: lines.filter((line) => line.length > 1)};
+  });
+}
+
+// The relief's heights within a rectangle, and of all of it where none of its points lies there.
+function heightsWithin(relief, {x: [x0, x1], y: [y0, y1]}) {
+  const inside = relief.z_m.filter((z, k) => {
+    const x = relief.x0 + (k % relief.columns) * relief.cell_m, y = relief.y0 + Math.floor(k / relief.columns) * relief.cell_m;
+    return isNumber(z) && x >= x0 && x <= x1 && y >= y0 && y <= y1;
+  });
+  return inside.length ? inside : relief.z_m.filter(isNumber);
+}
+
+function contoursWithin(relief, view) {
+  const [low, high] = d3.extent(heightsWithin(relief, view));
+  const levels = high > low ? d3.ticks(low, high, 25) : [];
+  const interval = levels.length > 1 ? levels[1] - levels[0] : 0;
+  return {interval, lines: interval ? contourLines(relief, levels) : []};
+}
+
+// What the plan can show: the rocks with the barriers, and the whole terrain.
+function planViews(spatial, relief) {
+  const xs = [], ys = [];
+  for (const run of spatial) {
+    run.rocks.forEach((rock) => rock.rows.forEach((row) => { xs.push(row.x); ys.push(row.y); }));
+    run.endpoints.forEach((e) => { xs.push(e.x); ys.push(e.y); });
+    barriersOf(run).forEach((barrier) => barrierLine(barrier).forEach(([x, y]) => { xs.push(x); ys.push(y); }));
+  }
+  const view = (margin) => ({x: extentOf(xs, margin), y: extentOf(ys, margin)});
+  const rocks = xs.length ? view(0.15) : null;
+  for (const run of spatial) {
+    if (Array.isArray(run.terrain.bounds)) run.terrain.bounds.forEach(([x, y]) => { xs.push(x); ys.push(y); });
+  }
+  if (relief) {
+    xs.push(relief.x0, relief.x0 + (relief.columns - 1) * relief.cell_m);
+    ys.push(relief.y0, relief.y0 + (relief.rows - 1) * relief.cell_m);
+  }
+  return xs.length ? {rocks, terrain: view(0.01)} : null;
+}
+
+// Whether rocks fill so little of the terrain that they are better shown by themselves, so much larger.
+function fillsLittle({rocks, terrain}) {
+  return rocks !== null && metresPerUnit(drawing.wide, terrain) > 1.6 * metresPerUnit(drawing.wide, rocks);
+}
+
+// Returns its width; nothing where there is none.
+function planFigure(parent) {
+  const spatial = runs.filter((run) => !run.isSection);
+  if (!spatial.length) return null;
+  const reliefRun = spatial.find((run) => run.terrain.relief);
+  const relief = reliefRun && reliefRun.terrain.relief;
+  const views = planViews(spatial, relief);
+  if (!views) return null;
+  const canZoom = fillsLittle(views);
+  let shown = canZoom ? 'rocks' : 'terrain';
+  const frameNow = () => mapFrame(width, views[shown], groundOf(spatial, views[shown]));
+  const contoursOf = {};
+  const contours = () => contoursOf[shown] || (contoursOf[shown] = relief ? contoursWithin(relief, frameNow().shown) : {interval: 0, lines: []});
+  const captionText = () => shownText() + (relief ? `Contours every ${number(contours().interval)} m; relief lit from the upper left.` : 'The summary holds no relief to draw.') +
+    (spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and lies on y = 0.` : '');
+  const picture = relief ? hillshade(relief) : null;
+  const width = mapWidth(views[shown]);
+  const made = figure(parent, {
+    title: 'Plan with the paths of the rocks',
+    label: 'Plan of the terrain with contours, the paths of the rocks and where they ended',
+    caption: captionText(),
+    width,
+    rows: shownRows,
+    draw(svg) {
+      const {interval, lines: contourSets} = contours();
+      const frame = frameNow();
+      const {side, toX, toY, shown: {x: [x0, x1], y: [y0, y1]}} = frame;
+      const inside = openMap(svg, 'plan-frame', frame);
+      if (relief) {
+        layRelief(inside, frame, relief, picture);
+        const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
+        const named = [];  // where contours have their heights written, so that none is written over another
+        const isShown = ([x, y]) => x > x0 && x < x1 && y > y0 && y < y1;
+        for (const {level, lines} of contourSets) {
+          const main = Math.round(level / interval) % 5 === 0;
+          tip(inside.append('path').attr('class', main ? 'contour main' : 'contour').attr('d', lines.map(line).join('')), () => `z = ${number(level)} m`);
+          const longest = lines.map((each) => each.filter(isShown)).reduce((a, b) => b.length > a.length ? b : a, []);
+          if (!main || longest.length < 8) continue;
+          const place = longest[Math.floor(longest.length * 0.12)];
+          const at = [toX(place[0]), toY(place[1])];
+          if (named.some((other) => Math.hypot(other[0] - at[0], other[1] - at[1]) < 46)) continue;
+          named.push(at);
+          inside.append('text').attr('class', 'contour-name halo').attr('x', at[0]).attr('y', at[1] + 4).attr('text-anchor', 'middle').text(`${number(level)} m`);
+        }
+      }
+      const flat = (rock) => 'M' + rock.rows.map((row) => `${toX(row.x).toFixed(2)},${toY(row.y).toFixed(2)}`).join('L');
+      drawRocks(inside, flat, toX, toY, (e) => e.x, (e) => e.y);
+      for (const run of spatial) {
+        for (const barrier of barriersOf(run)) {
+          drawBarrierOnPlan(inside, barrier, toX, toY, side);
+        }
+      }
+      drawScaleBar(inside, side, frame.scale);
+      drawNorthArrow(inside, side, Boolean(spatial[0].terrain.crs_wkt));
+      const signs = [
+        ...runs.map((run) => ({text: single ? 'path' : run.label, draw: sign.line('path', run.colour)})),
+        {text: 'chosen rock', draw: sign.line('path chosen', 'var(--chosen)')},
+        {text: 'release', draw: sign.circle('release', '')},
+        ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
+        ...(interval ? [{text: 'contour', draw: sign.line('contour main')}] : []),
+      ];
+      const rightmost = width === drawing.wide ? 0.6 * width : width;
+      const y = side.bottom + 58;
+      return noteMap(svg, width, frame, spatial[0], [], y, legend(svg, signs, side.left, y, rightmost));
+    },
+  });
+  choice.listeners.push(made.redraw);
+  if (!canZoom) return width;
+  const other = () => shown === 'rocks' ? 'Show the whole terrain' : 'Show the rocks';
+  const zoom = element(made.head.insert('span', '.save').attr('class', 'zoom'), 'button', other(), {type: 'button'});
+  zoom.on('click', () => {
+    shown = shown === 'rocks' ? 'terrain' : 'rocks';
+    zoom.text(other());
+    made.caption.text(captionText());
+    made.redraw();
+  });
+  return width;
+}
