@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "talus/campaign/simulate.hpp"
 #include "talus/project/read.hpp"
+#include "talus/project/settings.hpp"
 #include "talus/results/summary.hpp"
 
 namespace talus::project {
@@ -288,6 +292,65 @@ TEST(BuildModel, VariesTheSectionFromRockToRock) {
   Simulator simulator(model);
   EXPECT_NE(simulator.simulate(0, false).outcome.end.position.z(),
             Simulator(model_of(flat_2d)).simulate(0, false).outcome.end.position.z());
+}
+
+/// Where some rocks end, and the greatest energy of each.
+std::vector<double> ends_of(const std::string& text) {
+  const Model model = model_of(text);
+  Simulator simulator(model);
+  std::vector<double> ends;
+  for (std::uint64_t rock = 0; rock < 20; ++rock) {
+    const auto outcome = simulator.simulate(rock, false).outcome;
+    for (const double x : {outcome.end.position.x(), outcome.end.position.z(), outcome.max_kinetic_energy})
+      ends.push_back(x);
+  }
+  return ends;
+}
+
+TEST(BuildModel, SettingsOfOneRockModelChangeNothingForTheOtherAndSomethingForTheirOwn) {
+  const std::map<std::string_view, std::string> others{
+      {"rotation", "false"},          {"sliding", "\"closed_form\""},   {"grazing_angle_deg", "40"},
+      {"friction_angle", "\"zero\""}, {"friction_angle_deg", "5"},      {"tangential_crsp_damping", "true"},
+      {"roughness_spacing_m", "0.5"}, {"roughness_amplitude_m", "0.3"}, {"dynamic_friction", "0.05"},
+      {"rolling_friction", "0.4"},
+  };
+  // Rough ground that a rock slides over, with a bend that it grazes.
+  const std::string ground =
+      replaced(replaced(replaced(flat_2d, "[10, -10], [20, -10]", "[10, -10], [12, -11.5], [20, -13], [60, -15]"),
+                        "name = \"Rock\"", "name = \"Rock\"\nnormal_restitution = 0.4\nroughness_deg = 3"),
+               "mass_kg = 100", "mass_kg = 100\nrocks = 20\nhorizontal_velocity_m_s = 2");
+  std::size_t tried = 0;
+  for (const Table& table : tables()) {
+    for (const Setting& setting : table.settings) {
+      if (!setting.only_for) continue;
+      ++tried;
+      ASSERT_TRUE(others.contains(setting.key)) << setting.key;
+      const std::string line = std::string(setting.key) + " = " + others.at(setting.key) + "\n";
+      // A bump has a height and a length.
+      const std::string bumps = "roughness_spacing_m = 1\nroughness_amplitude_m = 0.1\n";
+      const bool is_bump = setting.key.starts_with("roughness_");
+      for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
+        const std::string analysis =
+            "[analysis]\nmodel = \"" + std::string(words(model)[static_cast<std::size_t>(model)]) + "\"\n";
+        const auto project = [&](const std::string& more) {
+          if (table.key == "analysis") return analysis + more + ground;
+          return analysis + replaced(ground, "[[material]]\n", "[[material]]\n" + more);
+        };
+        const std::string with =
+            !is_bump
+                ? line
+                : replaced(bumps, std::string(setting.key) + (setting.key.ends_with("spacing_m") ? " = 1" : " = 0.1"),
+                           std::string(setting.key) + " = " + others.at(setting.key));
+        const auto before = ends_of(project(is_bump ? bumps : "")), after = ends_of(project(with));
+        if (model == *setting.only_for) {
+          EXPECT_NE(before, after) << setting.key;
+        } else {
+          EXPECT_EQ(before, after) << setting.key;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(tried, others.size());
 }
 
 }  // namespace

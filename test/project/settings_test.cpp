@@ -13,6 +13,7 @@
 #include <sstream>
 #include <string>
 
+#include "talus/io/report/assets.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/read.hpp"
 #include "talus/project/reference.hpp"
@@ -649,7 +650,7 @@ TEST(Schema, HasEverySettingWithItsDefault) {
     if (table.repeated) place = &(*place)["items"];
     for (const Setting& setting : table.settings) {
       const Json& property = (*place)["properties"][std::string(setting.key)];
-      EXPECT_EQ(property["description"], std::string(setting.meaning)) << row_name(table, setting);
+      EXPECT_EQ(property["description"], meaning_of(setting)) << row_name(table, setting);
       const auto value = default_of(table, setting);
       if (!value || !setting.without_it.empty() || *value == "inf") continue;
       EXPECT_EQ(property["default"], *value) << row_name(table, setting);
@@ -668,6 +669,36 @@ TEST(ReferencePage, NamesEverySettingAndItsMeaning) {
   };
   for (const Table& table : tables()) expect_named(table);
   expect_named(distribution_table());
+}
+
+/// The keys that have an effect on one rock model only, by that model's word.
+std::map<std::string, std::set<std::string>> keys_by_model() {
+  std::map<std::string, std::set<std::string>> keys;
+  for (const Table& table : tables())
+    for (const Setting& setting : table.settings)
+      if (setting.only_for)
+        keys[std::string(words(*setting.only_for)[static_cast<std::size_t>(*setting.only_for)])].emplace(setting.key);
+  return keys;
+}
+
+TEST(SettingsOfOneRockModel, AreSaidToBeInTheSchemaAndTheReference) {
+  const Json materials = schema()["properties"]["material"]["items"]["properties"];
+  EXPECT_EQ(materials["rolling_friction"]["x-only-for"], "rigid_sphere");
+  EXPECT_EQ(materials["friction_angle_deg"]["x-only-for"], "lumped_mass");
+  EXPECT_FALSE(materials["normal_restitution"].contains("x-only-for"));
+  EXPECT_EQ(materials["friction_angle_deg"]["description"], "Lumped mass: phi, the friction angle of sliding.");
+  EXPECT_NE(reference_page().find("Rigid sphere: mu, the coefficient of friction while the contact slips."),
+            std::string::npos);
+}
+
+TEST(SettingsOfOneRockModel, AreLeftOutOfReportsOfTheOther) {
+  // The report knows no settings: it has a list of its own.
+  const std::string_view script = io::assets::script;
+  const std::size_t begin = script.find('{', script.find("const onlyFor = ")), end = script.find('}', begin);
+  const Json list = Json::parse(script.substr(begin, end + 1 - begin));
+  std::map<std::string, std::set<std::string>> listed;
+  for (const auto& [model, keys] : list.items()) listed[model] = keys.get<std::set<std::string>>();
+  EXPECT_EQ(listed, keys_by_model());
 }
 
 TEST(ReferencePage, IsNotStale) {

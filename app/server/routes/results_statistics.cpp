@@ -155,9 +155,6 @@ void add_statistics_routes(Router& router, RunStore& runs) {
     const io::RunFacts facts = io::read_run_facts(folder);
     const Tally tally = io::endpoint_statistics(folder, facts, column.name, filter);
     return json_answer(statistics_answer(tally, column, tally.histogram(histogram_bins), sample_json(facts, summary)));
-    const io::RockFilter filter = filter_in(call, {read_summary(run)});
-    const Tally tally = io::endpoint_statistics(folder, io::read_run_facts(folder), column.name, filter);
-    return json_answer(statistics_answer(tally, column, tally.histogram(histogram_bins)));
   });
   router.get(one_run + "/compared/([A-Za-z0-9._-]+)/statistics", [&runs](const Call& call) {
     const Run here = runs.find(call.part(1)), there = runs.find(call.part(2));

@@ -19,15 +19,17 @@ namespace {
 
 constexpr double radians = std::numbers::pi / 180;
 
-talus::Material material_of(const Material& m) {
+talus::Material material_of(const Material& m, RockModel model) {
   talus::Material material;
   material.name = m.name;
   material.normal_restitution = sampler_of("normal_restitution", m.normal_restitution);
   material.tangential_restitution = sampler_of("tangential_restitution", m.tangential_restitution);
   material.friction_angle = sampler_of("friction_angle_deg", m.friction_angle_deg, radians);
   material.roughness = sampler_of("roughness_deg", m.roughness_deg, radians);
-  material.roughness_spacing = m.roughness_spacing_m;
-  material.roughness_amplitude = m.roughness_amplitude_m;
+  if (model == RockModel::rigid_sphere) {
+    material.roughness_spacing = m.roughness_spacing_m;
+    material.roughness_amplitude = m.roughness_amplitude_m;
+  }
   material.dynamic_friction = sampler_of("dynamic_friction", m.dynamic_friction);
   material.rolling_friction = sampler_of("rolling_friction", m.rolling_friction);
   if (m.forest_drag_kg_s) {
@@ -118,7 +120,7 @@ class Builder {
         naming_files(project_, "[terrain]", problems_, warnings_,
                      [&](Problems&, Problems& warnings) { return build_terrain(project_, warnings); });
     std::vector<talus::Material> materials;
-    for (const Material& material : project_.materials) materials.push_back(material_of(material));
+    for (const Material& material : project_.materials) materials.push_back(material_of(material, project_.analysis.model));
     model_.ground =
         naming_files(project_, "[ground]", problems_, warnings_, [&](Problems& problems, Problems& warnings) {
           return build_ground(project_, std::move(materials), terrain, problems, warnings);

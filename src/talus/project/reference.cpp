@@ -93,7 +93,7 @@ std::string rows_of(const Table& table) {
       "| --- | --- | --- | --- | --- | --- | --- |\n";
   for (const Setting& setting : table.settings) {
     out += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", setting.key, type_text(table, setting), setting.unit,
-                       range_text(setting.range), default_text(table, setting), setting.meaning, setting.source);
+                       range_text(setting.range), default_text(table, setting), meaning_of(setting), setting.source);
   }
   return out;
 }

@@ -114,7 +114,7 @@ Json table_schema(const Table& table) {
   Json required = Json::array();
   for (const Setting& setting : table.settings) {
     Json property = type_of(table, setting);
-    property["description"] = std::string(setting.meaning);
+    property["description"] = meaning_of(setting);
     if (setting.most_entries > 0) property["maxItems"] = setting.most_entries;
     if (!setting.unit.empty()) property["x-unit"] = std::string(setting.unit);
     if (auto value = default_of(table, setting); value && setting.without_it.empty() && *value != "inf") {
@@ -124,6 +124,8 @@ Json table_schema(const Table& table) {
     }
     if (setting.range.infinite_allowed) property["x-infinite"] = true;
     if (!setting.excludes.empty()) property["x-excludes"] = setting.excludes;
+    if (setting.only_for)
+      property["x-only-for"] = words(*setting.only_for)[static_cast<std::size_t>(*setting.only_for)];
     if (!setting.source.empty()) property["x-source"] = std::string(setting.source);
     if (setting.required) required.push_back(std::string(setting.key));
     properties[std::string(setting.key)] = std::move(property);

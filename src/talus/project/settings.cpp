@@ -202,7 +202,8 @@ Table analysis() {
                .source = "the manual, sections 2 and 7"},
               {.key = "rotation",
                .slot = member(&Analysis::rotation),
-               .meaning = "Lumped mass: impacts couple spin and velocity; without it they are plain restitution.",
+               .only_for = RockModel::lumped_mass,
+               .meaning = "impacts couple spin and velocity; without it they are plain restitution.",
                .source = "RocFall: \"consider rotational velocity\""},
               {.key = "gravity_m_s2",
                .slot = member(&Analysis::gravity_m_s2),
@@ -216,7 +217,8 @@ Table analysis() {
                .slip = sign_slip},
               {.key = "sliding",
                .slot = member(&Analysis::sliding),
-               .meaning = "Sliding is integrated in time steps as RocFall3 does (`stepped`) or solved exactly facet by "
+               .only_for = RockModel::lumped_mass,
+               .meaning = "sliding is integrated in time steps as RocFall3 does (`stepped`) or solved exactly facet by "
                           "facet as RocFall2 does (`closed_form`).",
                .source = "the manual, section 3"},
               {.key = "max_timestep_s",
@@ -238,8 +240,9 @@ Table analysis() {
                .slot = member(&Analysis::grazing_angle_deg),
                .unit = "deg",
                .range = up_to(45),
+               .only_for = RockModel::lumped_mass,
                .meaning =
-                   "A lumped mass that slides is not struck by ground that it meets at a smaller angle: it slides "
+                   "a rock that slides is not struck by ground that it meets at a smaller angle: it slides "
                    "on, with the friction of what it presses with. The default is for rounded heights; take 1 to "
                    "5 for fine grids of smooth ground, 0 for an impact at every bend, as in RocFall.",
                .source = "Talus"},
@@ -271,7 +274,8 @@ Table analysis() {
                .source = "the manual: 0 in sections 2, 3 and 7, the lowest vertex in sections 1 and 6"},
               {.key = "friction_angle",
                .slot = member(&Analysis::friction_angle),
-               .meaning = "The friction angle of sliding is the material's, follows from its tangential restitution, "
+               .only_for = RockModel::lumped_mass,
+               .meaning = "the friction angle of sliding is the material's, follows from its tangential restitution, "
                           "phi = arctan((1 - Rt) / Rt), or is zero.",
                .source = "RocFall"},
               {.key = "scale_rn_by_velocity",
@@ -296,7 +300,8 @@ Table analysis() {
                .source = "RocFall"},
               {.key = "tangential_crsp_damping",
                .slot = member(&Analysis::tangential_crsp_damping),
-               .meaning = "Rigid sphere: the tangential velocity after an impact is damped as by CRSP.",
+               .only_for = RockModel::rigid_sphere,
+               .meaning = "the tangential velocity after an impact is damped as by CRSP.",
                .source = "RocFall3"},
           },
       .add = add,
@@ -560,6 +565,7 @@ Table material() {
                          .most_excluded = true,
                          .too_low = "friction cannot push",
                          .too_high = "no rock could slide"},
+               .only_for = RockModel::lumped_mass,
                .meaning = "phi, the friction angle of sliding.",
                .source = "the manual, table 1-2",
                .doubt = radians_doubt},
@@ -573,23 +579,27 @@ Table material() {
                .slot = member(&Material::roughness_spacing_m),
                .unit = "m",
                .range = up_to(most_diameter_m),
-               .meaning = "Rigid sphere: distance of the bumps of a rough ground.",
+               .only_for = RockModel::rigid_sphere,
+               .meaning = "distance of the bumps of a rough ground.",
                .source = "RocFall: slope roughness"},
               {.key = "roughness_amplitude_m",
                .slot = member(&Material::roughness_amplitude_m),
                .unit = "m",
                .range = up_to(most_diameter_m),
-               .meaning = "Rigid sphere: height of the bumps of a rough ground.",
+               .only_for = RockModel::rigid_sphere,
+               .meaning = "height of the bumps of a rough ground.",
                .source = "RocFall: slope roughness"},
               {.key = "dynamic_friction",
                .slot = member(&Material::dynamic_friction),
                .range = up_to(most_factor, "friction cannot push"),
-               .meaning = "Rigid sphere: mu, the coefficient of friction while the contact slips.",
+               .only_for = RockModel::rigid_sphere,
+               .meaning = "mu, the coefficient of friction while the contact slips.",
                .source = "the manual, section 7; the default is a choice of Talus"},
               {.key = "rolling_friction",
                .slot = member(&Material::rolling_friction),
                .range = up_to(most_factor, "friction cannot push"),
-               .meaning = "Rigid sphere: mu_r, the moment against rolling over weight and radius.",
+               .only_for = RockModel::rigid_sphere,
+               .meaning = "mu_r, the moment against rolling over weight and radius.",
                .source = "RocFall; the default is a choice of Talus"},
               {.key = "forest",
                .slot = member(&Material::forest),
@@ -1401,6 +1411,12 @@ std::span<const std::string_view> words(DesignLevel) {
 std::span<const std::string_view> words(DesignEnergy) {
   static constexpr Words<2> list{"translational", "total"};
   return list;
+}
+
+std::string meaning_of(const Setting& setting) {
+  if (!setting.only_for) return std::string(setting.meaning);
+  const bool is_sphere = *setting.only_for == RockModel::rigid_sphere;
+  return fmt::format("{}: {}", is_sphere ? "Rigid sphere" : "Lumped mass", setting.meaning);
 }
 
 const Setting* Table::find(std::string_view setting) const {

@@ -105,11 +105,15 @@ struct Setting {
   std::string_view without_it{};  // what holds where the key is absent and the struct's initial value does not say it
   std::size_t most_entries = 0;   // of a list; 0: as many as anybody likes
   std::vector<std::string_view> excludes{};  // keys of the same table that may not stand beside this one
-  std::string_view meaning{};                // one sentence
+  std::optional<RockModel> only_for{};       // the only model that it has any effect on
+  std::string_view meaning{};                // one sentence; after its model's name and a colon where it has one
   std::string_view source{};
   std::function<std::optional<double>(double)> slip{};  // what a number out of range was probably meant to be
   std::function<std::optional<Doubt>(double)> doubt{};  // for a number inside the range
 };
+
+/// Its meaning, with the model that it is for in front: "Rigid sphere: height of the bumps of a rough ground."
+[[nodiscard]] std::string meaning_of(const Setting& setting);
 
 struct Table {
   std::string_view key;   // empty: the keys before the first table

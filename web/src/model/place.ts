@@ -26,6 +26,9 @@ export const is2d = computed(() => {
 /// What the view shows: the model as it was built last, or what the text is about to become.
 export const dimension = computed<2 | 3>(() => model.value?.dimension ?? (is2d.value ? 2 : 3));
 
+/// How the project's rocks move: "lumped_mass", "rigid_sphere".
+export const rockModel = computed(() => String(tableAt(['analysis']).model ?? 'lumped_mass'));
+
 /// What results and messages call an entry of a list: "Type One", "seeder 2".
 export function nameOf(key: string, index: number): string {
   const name = rowsOf(key)[index]?.name;

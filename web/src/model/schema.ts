@@ -43,6 +43,8 @@ export interface Field {
   /// `inf` is a value.
   infinite: boolean;
   excludes: string[];
+  /// The only rock model on which it has an effect; '': it has on all.
+  onlyFor: string;
 }
 
 export interface Table {
@@ -75,6 +77,7 @@ interface Node {
   'x-file'?: boolean;
   'x-infinite'?: boolean;
   'x-excludes'?: string[];
+  'x-only-for'?: string;
 }
 
 const rangeOf = (node: Node): Range => ({
@@ -158,6 +161,7 @@ function fieldsOf(table: Node, name = ''): Field[] {
     withoutIt: node['x-without-it'] ?? '',
     infinite: node['x-infinite'] ?? false,
     excludes: node['x-excludes'] ?? [],
+    onlyFor: node['x-only-for'] ?? '',
   }));
 }
 

@@ -6,7 +6,8 @@ import { valueAt } from '../../state/document';
 import { helpOpen } from '../../state/view';
 import type { Path } from '../../toml/edit';
 import { problemsOf, sentenceOf, toneOf } from '../awaited';
-import { pathText, put } from '../place';
+import { pathText, put, rockModel } from '../place';
+import { wordText } from '../words';
 import type { Field as Setting } from '../schema';
 import { Control } from './Control';
 import { Help } from './Help';
@@ -39,6 +40,7 @@ export function Field({ field, path, before }: FieldProps & { before?: Component
   const isWanted = isEmpty && problems.length > 0;
   const id = idOf(path);
   const isHelped = open || helpOpen.value;
+  const isIdle = field.onlyFor !== '' && field.onlyFor !== rockModel.value;
   const label = (
     <>
       {field.title}
@@ -47,7 +49,7 @@ export function Field({ field, path, before }: FieldProps & { before?: Component
   );
   return (
     <div
-      class={`field ${isWanted ? 'wanted' : ''} ${field.type.kind === 'boolean' ? 'beside' : ''}`}
+      class={`field ${isWanted ? 'wanted' : ''} ${isIdle ? 'idle' : ''} ${field.type.kind === 'boolean' ? 'beside' : ''}`}
       data-path={pathText(path)}
       role={isSingle(field) ? undefined : 'group'}
       aria-labelledby={isSingle(field) ? undefined : `${id}-label`}
@@ -83,7 +85,18 @@ export function Field({ field, path, before }: FieldProps & { before?: Component
           ?
         </button>
       </div>
-      <Control field={field} path={path} />
+      {isIdle ? (
+        <>
+          <fieldset disabled aria-describedby={`${id}-idle`}>
+            <Control field={field} path={path} />
+          </fieldset>
+          <p id={`${id}-idle`} class="faint">
+            Of a {wordText(field.onlyFor)} only; the rock model is {wordText(rockModel.value)}.
+          </p>
+        </>
+      ) : (
+        <Control field={field} path={path} />
+      )}
       {problems.length > 0 && (
         <div id={`${id}-problems`}>
           {problems.map((problem) => (
