@@ -96,6 +96,15 @@ export const results = {
   fileText: (id: string, name: string, signal?: AbortSignal) => getText(fileAddress(id, name), signal),
   statistics: (id: string, column: string, filter: RockFilter | null, signal?: AbortSignal) =>
     statisticsAt(`${at(id)}/statistics?of=${encodeURIComponent(column)}${queryOf(filter)}`, signal),
+  /// Of two runs, their histograms in the same bins; of the hits on a barrier by its name, or of the rocks.
+  compared: async (id: string, other: string, column: string, filter: RockFilter | null, barrier: string | null, signal?: AbortSignal) => {
+    const on = barrier === null ? '' : `&hits_on=${encodeURIComponent(barrier)}`;
+    const path = `${at(id)}/compared/${encodeURIComponent(other)}/statistics?of=${encodeURIComponent(column)}${on}`;
+    const text = await getText(`${path}${queryOf(filter)}`, signal);
+    const exact = parseExact<{ runs: { statistics: FigureTexts }[] }>(text);
+    const { runs } = JSON.parse(text) as { runs: [Statistics, Statistics] };
+    return runs.map((run, k) => ({ ...run, statistics: exact.runs[k]!.statistics })) as [ColumnStatistics, ColumnStatistics];
+  },
   barriers: async (id: string, signal?: AbortSignal) =>
     parseExact<{ barriers: BarrierAnswer[] }>(await getText(`${at(id)}/barriers`, signal)).barriers,
   barrierStatistics: (id: string, barrier: number, column: string, filter: RockFilter | null, signal?: AbortSignal) =>

@@ -6,7 +6,7 @@ import { layers, pathColour, type PathColour } from '../view/settings';
 import { Popover } from '../view/Popover';
 import { counted } from '../ui/format';
 import { pathColours } from './colouring';
-import { shownPaths } from './drawnPaths';
+import { comparedPaths, shownPaths } from './drawnPaths';
 
 export function PathChoices() {
   const paths = shownPaths.value;
@@ -19,8 +19,8 @@ export function PathChoices() {
         Show paths
       </label>
       {shownMap.value && <OverMap />}
-      <fieldset>
-        <legend>Coloured by</legend>
+      <fieldset disabled={comparedPaths.value !== null}>
+        <legend>{comparedPaths.value ? 'Coloured by run, while two are compared' : 'Coloured by'}</legend>
         {(Object.keys(pathColours) as PathColour[]).map((by) => (
           <label key={by}>
             <input type="radio" name="path colour" checked={pathColour.value === by} onChange={() => (pathColour.value = by)} />

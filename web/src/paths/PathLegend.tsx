@@ -3,11 +3,11 @@
 import { arePathsShown } from '../maps/over';
 import { isOutdated } from '../runs/outdated';
 import { compared, shown } from '../state/runs';
-import { cssGradient, markColours } from '../view/colours';
+import { cssGradient } from '../view/colours';
 import { KindsLegend, ScaleLegend } from '../view/Legend';
+import { runColour } from '../view/theme';
 import { counted } from '../ui/format';
 import { colouring } from './colouring';
-import { comparedPaths } from './drawnPaths';
 import { leftByFilter } from './shownPassing';
 
 /// How many of the paths that are drawn the filter leaves.
@@ -26,7 +26,15 @@ export function PathLegend() {
   if (!how || !arePathsShown.value) return null;
   return (
     <>
-      {how.kind === 'scale' ? (
+      {how.kind === 'run' ? (
+        <KindsLegend
+          title="Paths of two runs"
+          kinds={[
+            { name: shown.value?.name ?? '', colour: how.colour },
+            { name: compared.value?.name ?? '', colour: runColour('compared') },
+          ]}
+        />
+      ) : how.kind === 'scale' ? (
         <ScaleLegend title={how.title} gradient={cssGradient(how.ramp)} low={how.low} high={how.high} isClipped={how.isClipped} />
       ) : (
         <KindsLegend
@@ -36,9 +44,6 @@ export function PathLegend() {
       )}
       <FilterCount />
       {isOutdated.value && <p class="legend outdated-paths">Paths of an earlier text of the project</p>}
-      {comparedPaths.value && compared.value && (
-        <KindsLegend title="Runs" kinds={[{ name: `${compared.value.name}, over ${shown.value?.name}`, colour: markColours.compared }]} />
-      )}
     </>
   );
 }

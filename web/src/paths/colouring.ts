@@ -3,9 +3,9 @@
 import { computed } from '@preact/signals';
 import { categoryColour, pathRamp, type Ramp } from '../view/colours';
 import { pathColour, type PathColour } from '../view/settings';
-import { shade } from '../view/theme';
+import { runColour, shade } from '../view/theme';
 import { roundUp } from '../view/ticks';
-import { shownPaths, type DrawnPaths } from './drawnPaths';
+import { comparedPaths, shownPaths, type DrawnPaths } from './drawnPaths';
 
 export const pathColours: Record<PathColour, string> = {
   speed: 'Speed',
@@ -38,7 +38,12 @@ export interface KindsColouring {
   /// Whether any rock that is drawn is of the kind; others need no line in a legend.
   isThere: boolean[];
 }
-export type Colouring = ScaleColouring | KindsColouring;
+/// One colour for all: that of its run, where two are compared.
+export interface RunColouring {
+  kind: 'run';
+  colour: string;
+}
+export type Colouring = ScaleColouring | KindsColouring | RunColouring;
 
 /// What all but a few of the values stay below. A single fast rock would leave the others one colour.
 function topOf(values: Float32Array): { high: number; isClipped: boolean } {
@@ -82,6 +87,7 @@ function kinds({ header, sources, seeders, reasons }: DrawnPaths, by: KindsColou
 }
 
 function colouringOf(paths: DrawnPaths, by: PathColour): Colouring {
+  if (comparedPaths.value) return { kind: 'run', colour: runColour('shown') };
   switch (by) {
     case 'speed':
     case 'energy':

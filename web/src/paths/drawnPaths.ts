@@ -4,7 +4,7 @@
 import { effect, signal, type ReadonlySignal } from '@preact/signals';
 import { getArrays } from '../api/client';
 import type { Point3, Run } from '../api/types';
-import { sayFailure } from '../state/messages';
+import { sayFailure, settle } from '../state/messages';
 import { compared, hasResults, shown } from '../state/runs';
 
 export interface PathsHeader {
@@ -84,10 +84,11 @@ function pathsOf(run: ReadonlySignal<Run | null>): ReadonlySignal<DrawnPaths | n
     if (!now) return;
     fetched(now, own.signal).then(
       (found) => {
+        settle(`paths of ${now.id}`);
         if (!own.signal.aborted) paths.value = found.rocks.length > 0 ? found : null;
       },
       (error: unknown) => {
-        if (!own.signal.aborted) sayFailure(error);
+        if (!own.signal.aborted) sayFailure(error, `paths of ${now.id}`);
       },
     );
   });

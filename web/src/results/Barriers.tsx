@@ -5,9 +5,9 @@ import { results, type BarrierAnswer } from '../api/results';
 import type { Run } from '../api/types';
 import { filter } from '../state/filter';
 import { counted } from '../ui/format';
-import { ColumnChoice } from './ColumnChoice';
+import { BarrierCounts } from './BarrierCounts';
+import { ColumnChoice, hitColumns } from './ColumnChoice';
 import { titleOf } from './columns';
-import { DataTable } from './DataTable';
 import { DesignTable } from './DesignTable';
 import { DistributionFigures } from './DistributionFigures';
 import { shownColour, type Layer } from './distributionPlots';
@@ -16,50 +16,6 @@ import { useRemote } from './remote';
 import { fileName } from './save';
 import { StatisticsTable } from './StatisticsTable';
 import { Waiting } from './Waiting';
-
-const hitColumns = [
-  'ke_total_J',
-  'ke_translational_J',
-  'ke_rotational_J',
-  'impact_height_m',
-  'velocity_m_s',
-  'angle_deg',
-  'station_m',
-  'time_s',
-];
-
-function Counts({ run, barriers }: { run: Run; barriers: BarrierAnswer[] }) {
-  const count = (key: string, title: string) => ({ key, title });
-  return (
-    <DataTable
-      caption="Barriers and collectors"
-      file={fileName(run.name, 'barriers')}
-      hasHeads
-      columns={[
-        { key: 'barrier', title: 'Name', isText: true },
-        { key: 'kind', title: 'Kind', isText: true },
-        { key: 'height_m', title: 'Height', unit: 'm' },
-        { key: 'capacity_kJ', title: 'Capacity', unit: 'kJ' },
-        count('rocks_hit', 'Rocks that hit'),
-        count('stopped', 'Stopped'),
-        count('rebounded', 'Rebounded'),
-        count('passed_through', 'Passed through'),
-        count('passed_above', 'Passed above'),
-      ]}
-      rows={barriers.map((barrier) => [
-        barrier.name,
-        barrier.kind,
-        barrier.height_m,
-        barrier.kind === 'collector' ? '' : (barrier.capacity_kJ ?? 'unlimited'),
-        barrier.rocks_hit,
-        barrier.stopped,
-        barrier.rebounded,
-        barrier.passed_through,
-        barrier.passed_above,
-      ])}
-    />
-  );
-}
 
 /// Whose figures these are: only of what hit it.
 function populationOf({ passed_above }: BarrierAnswer, hits: number): string {
@@ -118,7 +74,7 @@ export function Barriers({ run }: { run: Run }) {
   return (
     <div class="tab-page">
       <div class="tab-block">
-        <Counts run={run} barriers={barriers} />
+        <BarrierCounts rows={barriers.map((one) => ({ barrier: one }))} file={run.name} />
       </div>
       <div class="tab-tools">
         <label class="choice">

@@ -38,3 +38,15 @@ export const endpointColumns = [
   'y_m',
   'z_m',
 ];
+
+/// Of the hits on a barrier.
+export const hitColumns = [
+  'ke_total_J',
+  'ke_translational_J',
+  'ke_rotational_J',
+  'impact_height_m',
+  'velocity_m_s',
+  'angle_deg',
+  'station_m',
+  'time_s',
+];

@@ -1,15 +1,20 @@
-// Two runs laid over each other: how a quantity is distributed in both, and what differs between their projects.
+// Two runs beside each other: how a quantity is distributed in both, what reached their barriers, and what differs
+// between their projects.
 
-import { useMemo, useState } from 'preact/hooks';
-import { results, type ColumnStatistics } from '../api/results';
+import type { ComponentChildren } from 'preact';
+import { useCallback, useMemo, useState } from 'preact/hooks';
+import { results, type BarrierAnswer, type ColumnStatistics } from '../api/results';
 import type { Run } from '../api/types';
 import { RunDifferences } from '../runs/Differences';
 import { filter } from '../state/filter';
 import { compared, comparedId, hasResults, ownRuns } from '../state/runs';
-import { ColumnChoice, endpointColumns } from './ColumnChoice';
-import { titleOf } from './columns';
+import { Chart } from './Chart';
+import type { Look } from './chartLook';
+import { ColumnChoice, endpointColumns, hitColumns } from './ColumnChoice';
+import { readingOf, savingOf, titleOf, withUnit } from './columns';
+import { BarrierCounts } from './BarrierCounts';
 import { DistributionFigures } from './DistributionFigures';
-import { comparedColour, shownColour, type Layer } from './distributionPlots';
+import { boxes, boxRows, firstColour, secondColour, type Layer } from './distributionPlots';
 import { FilterNote } from './FilterNote';
 import { useRemote } from './remote';
 import { fileName } from './save';
@@ -17,56 +22,135 @@ import { SampleNote } from './SampleNote';
 import { StatisticsTable } from './StatisticsTable';
 import { Waiting } from './Waiting';
 
-/// Two runs of a project often have one name.
-const nameOf = (run: Run, other: Run) =>
-  run.name === other.name ? `${run.name} (${new Date(run.begun).toLocaleTimeString()})` : run.name;
+/// Two runs of a project often have one name, and may have begun in one second.
+function nameOf(run: Run, other: Run): string {
+  if (run.name !== other.name) return run.name;
+  const [own, others] = [run, other].map(({ begun }) => new Date(begun).toLocaleTimeString());
+  return `${run.name} (${own === others ? run.id : own})`;
+}
 
-function Figures({ run, other }: { run: Run; other: Run }) {
-  const [column, choose] = useState('runout_xy_m');
-  const now = filter.value;
-  const answer = useRemote(`${run.id} ${other.id}`, `${run.done} ${other.done} ${column} ${JSON.stringify(now)}`, async (signal) => ({
-    column,
-    both: (await Promise.all([run, other].map(({ id }) => results.statistics(id, column, now, signal)))) as [
-      ColumnStatistics,
-      ColumnStatistics,
-    ],
-  }));
-  const found = answer.value;
-  const layers = useMemo<Layer[]>(
-    () =>
-      found
-        ? [
-            { name: nameOf(run, other), statistics: found.both[0], colour: shownColour },
-            { name: nameOf(other, run), statistics: found.both[1], colour: comparedColour },
-          ]
-        : [],
-    [found, run.id, other.id],
+interface Pair {
+  run: Run;
+  other: Run;
+}
+
+function Boxes({ layers, column, of }: { layers: readonly Layer[]; column: string; of: string }) {
+  const title = titleOf(column);
+  const draw = useCallback((look: Look) => boxes(layers, title, look), [layers, title]);
+  return (
+    <Chart
+      title="Box plots"
+      description={`Box plots of ${title.toLowerCase()} of both runs. The CSV button saves their numbers.`}
+      file={fileName(of, column, 'boxes')}
+      option={draw}
+      saving={savingOf(column)}
+      rows={() => boxRows(layers, column)}
+    />
   );
+}
+
+/// A quantity of the rocks, or of the hits on a barrier.
+interface FiguresProps extends Pair {
+  columns: readonly string[];
+  thing: string;
+  barrier: string | null;
+  /// What else is chosen, before the quantity.
+  tools: ComponentChildren;
+}
+
+function Figures({ run, other, columns, thing, barrier, tools }: FiguresProps) {
+  const [column, choose] = useState(columns[0]!);
+  const now = filter.value;
+  const answer = useRemote(
+    `${run.id} ${other.id} ${barrier}`,
+    `${run.done} ${other.done} ${column} ${JSON.stringify(now)}`,
+    async (signal) => ({ column, both: await results.compared(run.id, other.id, column, now, barrier, signal) }),
+  );
+  const found = answer.value;
+  const layers = useMemo<Layer[]>(() => {
+    const layer = (name: string, statistics: ColumnStatistics, colour: Layer['colour']) => ({ name, statistics, colour });
+    if (!found) return [];
+    return [layer(nameOf(run, other), found.both[0], firstColour), layer(nameOf(other, run), found.both[1], secondColour)];
+  }, [found, run.id, other.id]);
+  const of = [run.name, other.name, barrier].filter(Boolean).join(' ');
+  const unit = readingOf(layers[0]?.statistics.unit ?? '').unit;
   return (
     <>
       <div class="tab-tools">
-        <ColumnChoice columns={endpointColumns} now={column} choose={choose} />
+        {tools}
+        <ColumnChoice columns={columns} now={column} choose={choose} />
         <FilterNote />
         {found?.both.map((statistics, k) => <SampleNote key={k} of={statistics} />)}
       </div>
       {!found ? (
         <Waiting of={answer} />
+      ) : layers.every(({ statistics }) => statistics.count === 0) ? (
+        <div class="empty">No {thing.toLowerCase()} in either run.</div>
       ) : (
         <div class="figures">
-          <DistributionFigures layers={layers} column={found.column} thing="Rocks" of={`${run.name} ${other.name}`} />
-          <StatisticsTable
-            caption="Statistics"
-            file={fileName(run.name, other.name, found.column, 'statistics')}
-            columns={layers.map(({ name, statistics }) => ({
-              key: `${found.column} of ${name}`,
-              title: `${titleOf(found.column)}: ${name}`,
-              unit: statistics.unit,
-              figures: statistics.statistics,
-            }))}
-          />
+          <DistributionFigures layers={layers} column={found.column} thing={thing} of={of} />
+          <Boxes layers={layers} column={found.column} of={of} />
+          <div class="across">
+            <StatisticsTable
+              caption={`Statistics: ${withUnit(titleOf(found.column), unit)}`}
+              file={fileName(of, found.column, 'statistics')}
+              columns={layers.map(({ name, statistics }) => ({
+                key: `${found.column} of ${name}`,
+                title: name,
+                unit: statistics.unit,
+                figures: statistics.statistics,
+              }))}
+            />
+          </div>
         </div>
       )}
     </>
+  );
+}
+
+/// What reached each barrier in both runs; of one that only one of them has, in that one.
+function ComparedBarriers({ run, other }: Pair) {
+  const [chosen, choose] = useState<string | null>(null);
+  const answer = useRemote(`${run.id} ${other.id}`, `${run.done} ${other.done}`, (signal) =>
+    Promise.all([results.barriers(run.id, signal), results.barriers(other.id, signal)]),
+  );
+  if (!answer.value) return <Waiting of={answer} />;
+  const [here, there] = answer.value;
+  const names = [...new Set([...here, ...there].map(({ name }) => name))];
+  if (names.length === 0) return null;
+  const name = chosen !== null && names.includes(chosen) ? chosen : names[0]!;
+  const rowsOf = (list: BarrierAnswer[], of: string) => (barrier: string) =>
+    list.filter((one) => one.name === barrier).map((one) => ({ barrier: one, run: of }));
+  const rows = names.flatMap((barrier) => [
+    ...rowsOf(here, nameOf(run, other))(barrier),
+    ...rowsOf(there, nameOf(other, run))(barrier),
+  ]);
+  return (
+    <section aria-label="Barriers and collectors of both runs">
+      <div class="tab-block">
+        <BarrierCounts rows={rows} file={fileName(run.name, other.name)} />
+      </div>
+      <Figures
+        key={name}
+        run={run}
+        other={other}
+        columns={hitColumns}
+        thing="Hits"
+        barrier={name}
+        tools={
+          <label class="choice">
+            Hits on
+            <select value={name} onChange={(event) => choose(event.currentTarget.value)}>
+              {names.map((one) => (
+                <option key={one} value={one}>
+                  {one}
+                </option>
+              ))}
+            </select>
+          </label>
+        }
+      />
+    </section>
   );
 }
 
@@ -75,29 +159,32 @@ export function Compare({ run }: { run: Run }) {
   const other = compared.value && compared.value.id !== run.id ? compared.value : null;
   if (others.length === 0)
     return <div class="empty">There is no other run of this project. Change something, and compute again.</div>;
+  const choice = (
+    <label class="choice">
+      Compare with
+      <select value={other?.id ?? ''} onChange={(event) => (comparedId.value = event.currentTarget.value || null)}>
+        <option value="">none</option>
+        {others.map((one) => (
+          <option key={one.id} value={one.id}>
+            {nameOf(one, run)}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
   return (
     <div class="tab-page">
-      <div class="tab-tools">
-        <label class="choice">
-          Compare with
-          <select value={other?.id ?? ''} onChange={(event) => (comparedId.value = event.currentTarget.value || null)}>
-            <option value="">none</option>
-            {others.map((one) => (
-              <option key={one.id} value={one.id}>
-                {nameOf(one, run)}
-              </option>
-            ))}
-          </select>
-        </label>
-      </div>
-      {other && (
+      {other ? (
         <>
-          <Figures run={run} other={other} />
+          <Figures run={run} other={other} columns={endpointColumns} thing="Rocks" barrier={null} tools={choice} />
+          <ComparedBarriers run={run} other={other} />
           <div class="tab-block">
             <h3>Settings that differ</h3>
             <RunDifferences run={run} other={other} />
           </div>
         </>
+      ) : (
+        <div class="tab-tools">{choice}</div>
       )}
     </div>
   );

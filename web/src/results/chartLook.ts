@@ -7,9 +7,10 @@ export interface Look {
   faint: string;
   line: string;
   panel: string;
-  /// Of the run that is shown, and of the one compared with it.
+  /// Of what is shown.
   shown: string;
-  compared: string;
+  /// Of the run that is shown and of the one compared with it, side by side.
+  runs: { shown: string; compared: string };
   /// For several things in one plot; they differ in lightness, too.
   series: string[];
   font: string;
@@ -33,7 +34,7 @@ export function lookOfPage(): Look {
     line: value('--line'),
     panel: value('--panel'),
     shown: value('--accent'),
-    compared: value('--compared'),
+    runs: { shown: value('--run-shown'), compared: value('--run-compared') },
     series: isDark
       ? ['#6fc3e0', '#ffa45c', '#7fd39b', '#d9a7e8', '#f2e27a', '#ff9c92', '#a3afb5']
       : ['#1f5f78', '#c2570c', '#1d6b3a', '#7b3f98', '#8a6d00', '#b3261e', '#5a6468'],

@@ -1,4 +1,5 @@
-// Histogram, cumulative curve and box plots, drawn from what the server counted.
+// Histogram, cumulative curve and box plots, drawn from what the server counted. Of several layers, counted in the same
+// bins, a histogram shows shares of each, side by side.
 
 import type { EChartsOption } from 'echarts/types/dist/shared';
 import type { ColumnStatistics } from '../api/results';
@@ -17,7 +18,9 @@ export interface Layer {
 }
 
 export const shownColour = (look: Look) => look.shown;
-export const comparedColour = (look: Look) => look.compared;
+/// Of two runs beside each other.
+export const firstColour = (look: Look) => look.runs.shown;
+export const secondColour = (look: Look) => look.runs.compared;
 
 type Rectangle = { api: (k: number) => number };
 
@@ -32,6 +35,10 @@ const quantityAxis = (look: Look, title: string, ends: Ends | null) => ({ ...axi
 const leastWidth = 0.5; // of a bar, pixels
 const oneWidth = 6;
 
+/// What a bar shows of a bin.
+const heightOf = (count: number, { statistics }: Layer, layers: readonly Layer[]) =>
+  layers.length > 1 ? (100 * count) / Math.max(1, statistics.count) : count;
+
 export function histogram(layers: readonly Layer[], title: string, thing: string, look: Look): EChartsOption {
   const { unit, per } = readingOf(layers[0]?.statistics.unit ?? '');
   const common = several(layers, look);
@@ -42,8 +49,11 @@ export function histogram(layers: readonly Layer[], title: string, thing: string
     ...(layers.length > 1 && { legend: { ...(common.legend as object), data: legendEntries(layers, look) } }),
     tooltip: { ...tooltipOf(look), trigger: 'item' },
     xAxis: quantityAxis(look, withUnit(title, unit), ends),
-    yAxis: { ...axis(look, thing), min: 0, minInterval: 1 },
-    series: layers.map((layer) => {
+    yAxis:
+      layers.length > 1
+        ? { ...axis(look, `Share of each run's ${thing.toLowerCase()} [%]`), min: 0 }
+        : { ...axis(look, thing), min: 0, minInterval: 1 },
+    series: layers.map((layer, place) => {
       const { edges, counts } = layer.statistics.histogram;
       const colour = layer.colour(look);
       return {
@@ -51,24 +61,27 @@ export function histogram(layers: readonly Layer[], title: string, thing: string
         name: layer.name,
         itemStyle: { color: colour },
         encode: { x: [0, 1], y: 2 },
-        data: counts.map((count, k) => [edges[k]! / per, edges[k + 1]! / per, count]),
+        data: counts.map((count, k) => [edges[k]! / per, edges[k + 1]! / per, heightOf(count, layer, layers), count]),
         renderItem: (_params, api) => {
           const value = api.value as Rectangle['api'];
-          const [left, top] = api.coord([value(0), value(2)]) as [number, number];
-          const [right, base] = api.coord([value(1), 0]) as [number, number];
+          const [from, top] = api.coord([value(0), value(2)]) as [number, number];
+          const [to, base] = api.coord([value(1), 0]) as [number, number];
+          // Its part of the bin.
+          const [left, right] = [place, place + 1].map((k) => from + ((to - from) * k) / layers.length) as [number, number];
           const gap = right - left > 4 ? 1 : 0;
           const width = Math.max(right - left - gap, narrowest);
           return {
             type: 'rect',
-            shape: { x: ends ? left - width / 2 : left, y: top, width, height: base - top },
-            style: { fill: colour, fillOpacity: layers.length > 1 ? 0.45 : 0.85, stroke: colour, lineWidth: gap },
+            shape: { x: ends && layers.length === 1 ? left - width / 2 : left, y: top, width, height: base - top },
+            style: { fill: colour, fillOpacity: 0.85, stroke: colour, lineWidth: gap },
           };
         },
         tooltip: {
           formatter: (point: unknown) => {
-            const [from, to, count] = (point as { value: [number, number, number] }).value;
+            const [from, to, height, count] = (point as { value: [number, number, number, number] }).value;
+            const share = layers.length > 1 ? ` (${numberText(height, 3)} %)` : '';
             const name = layers.length > 1 ? `${layer.name}\n` : '';
-            return `${name}${numberText(from)} to ${numberText(to)} ${unit}\n${count.toLocaleString('en')} ${thing.toLowerCase()}`;
+            return `${name}${numberText(from)} to ${numberText(to)} ${unit}\n${count.toLocaleString('en')} ${thing.toLowerCase()}${share}`;
           },
         },
       };
@@ -78,9 +91,9 @@ export function histogram(layers: readonly Layer[], title: string, thing: string
 
 export function histogramRows(layers: readonly Layer[], column: string): Cell[][] {
   return [
-    ['of', `${column}_from`, `${column}_to`, 'count'],
-    ...layers.flatMap(({ name, statistics: { histogram: found } }) =>
-      found.counts.map((count, k) => [name, found.edges[k]!, found.edges[k + 1]!, count]),
+    ['of', `${column}_from`, `${column}_to`, 'count', 'share_percent'],
+    ...layers.flatMap(({ name, statistics: { histogram: found, count: all } }) =>
+      found.counts.map((count, k) => [name, found.edges[k]!, found.edges[k + 1]!, count, (100 * count) / all]),
     ),
   ];
 }

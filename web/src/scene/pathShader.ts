@@ -81,6 +81,7 @@ export class PathLook {
   }
 
   colourBy(how: Colouring) {
+    if (how.kind === 'run') return this.colourAll(how.colour);
     const { uniforms } = this;
     uniforms.table.value.dispose();
     uniforms.quantity.value = quantities.indexOf(how.by);

@@ -8,8 +8,7 @@ import { comparedPaths, indexOfRock, shownPaths, type DrawnPaths } from '../path
 import { isWhole, time } from '../paths/playback';
 import { comparedPassing, shownPassing } from '../paths/shownPassing';
 import { chosenRock } from '../state/view';
-import { cssColour, shade } from '../view/theme';
-import { markColours } from '../view/colours';
+import { cssColour, runColour, shade } from '../view/theme';
 import { clear, line } from './marks';
 import type { ModelScene } from './modelScene';
 import { pathLines } from './pathLines';
@@ -62,7 +61,7 @@ export class RunScene {
       effect(() => {
         const how = colouring.value;
         if (how) this.shown.value?.look.colourBy(how);
-        this.compared.value?.look.colourAll(markColours.compared);
+        this.compared.value?.look.colourAll(runColour('compared'));
         stage.invalidate();
       }),
       effect(() => {

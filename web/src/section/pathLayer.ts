@@ -1,7 +1,8 @@
 // The paths of the rocks on a picture of their own, which is drawn anew only when the view or the colours change, a few
 // milliseconds at a time, so that ten thousand of them never hold up the page.
 
-import { colourAt, cssOf, markColours, restColour } from '../view/colours';
+import { colourAt, cssOf, restColour } from '../view/colours';
+import { runColour } from '../view/theme';
 import type { Colouring } from '../paths/colouring';
 import type { DrawnPaths } from '../paths/drawnPaths';
 import { nearestRock } from '../paths/nearestRock';
@@ -22,6 +23,7 @@ type Pen = CanvasRenderingContext2D;
 
 /// Which colour a point has, as a number, and what colour that is.
 function colourNumbers(colouring: Colouring): { of: (point: number, rock: number) => number; css: string[] } {
+  if (colouring.kind === 'run') return { of: () => 0, css: [colouring.colour] };
   if (colouring.kind === 'kinds') return { of: (_, rock) => colouring.numbers[rock]!, css: colouring.colours };
   const { values, low, high, ramp } = colouring;
   const css = Array.from({ length: shades }, (_, k) => cssOf(colourAt(ramp, k / (shades - 1))));
@@ -98,11 +100,12 @@ export class PathLayer {
   }
 
   private compared(pen: Pen, frame: Frame, { paths, passes }: ComparedToDraw): () => boolean {
+    const colour = runColour('compared');
     let rock = 0;
     return () => {
       if (rock >= paths.rocks.length) return false;
       pen.lineWidth = 1;
-      if (!passes || passes[rock]) drawPath(pen, frame, paths, rock, () => markColours.compared);
+      if (!passes || passes[rock]) drawPath(pen, frame, paths, rock, () => colour);
       return ++rock < paths.rocks.length;
     };
   }

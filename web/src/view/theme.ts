@@ -14,5 +14,11 @@ effect(() => {
   shade.value = now; // after the colours, which are read when it changes
 });
 
+/// Of the run that is shown, and of the one that is compared with it.
+export function runColour(which: 'shown' | 'compared'): string {
+  void shade.value;
+  return cssColour(`--run-${which}`);
+}
+
 /// A colour of theme.css by its name, such as "--text". Read it again when `shade` changes.
 export const cssColour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();

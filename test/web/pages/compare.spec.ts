@@ -1,0 +1,95 @@
+// Two runs beside each other.
+
+import type { Page } from '@playwright/test';
+import { readFileSync } from 'node:fs';
+import { computeWith, fillField, openExample, openForm, runCard, runIsShown } from '../support/steps';
+import { cellsOf, rowsOf } from '../support/table';
+import { expect, test } from '../support/workbench';
+
+/// The example with 50 rocks, and a run of 300 that rebound more, shown beside it.
+async function compareTwo(page: Page, example: string) {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openExample(page, example);
+  await openForm(page, /^Type One/);
+  await fillField(page, 'Normal restitution: mean', '0.7');
+  await computeWith(page, 'Lively', 300);
+  await expect(runCard(page, 'Lively')).toContainText('Done');
+  await runIsShown(page);
+  await runCard(page, 'Tutorial 1').getByRole('button', { name: 'Compare' }).click();
+  await page.getByRole('tab', { name: 'Compare' }).click();
+  await expect(page.getByRole('img', { name: /^Histogram of runout on plan/ })).toBeVisible();
+}
+
+async function saved(page: Page, figure: string, nth = 0) {
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('group', { name: `Save: ${figure}` }).nth(nth).getByRole('button', { name: 'CSV' }).click(),
+  ]);
+  return rowsOf(readFileSync(await download.path(), 'utf8'));
+}
+
+test('histograms of two runs have the same bins, and show shares of each', async ({ workbench: page }) => {
+  await compareTwo(page, 'Tutorial 1, in 3D');
+  const check = (rows: Record<string, string>[], column: string, counts: number[]) => {
+    const names = [...new Set(rows.map(({ of }) => of))];
+    expect(names).toHaveLength(2);
+    const [first, second] = names.map((name) => rows.filter(({ of }) => of === name));
+    const edges = (list: typeof rows) => list.map((row) => [row[`${column}_from`], row[`${column}_to`]]);
+    expect(edges(first!)).toEqual(edges(second!));
+    [first!, second!].forEach((list, k) => {
+      if (counts[k]) expect(list.reduce((sum, { count }) => sum + Number(count), 0)).toBe(counts[k]);
+      expect(list.reduce((sum, row) => sum + Number(row.share_percent), 0)).toBeCloseTo(100, 9);
+    });
+  };
+  check(await saved(page, 'Histogram'), 'runout_xy_m', [300, 50]);
+  check(await saved(page, 'Histogram', 1), 'ke_total_J', []);
+  await expect(page.locator('.chart svg text', { hasText: /^Share of each run's rocks/ })).toBeVisible();
+});
+
+test('two runs are whole at 1366 pixels, with box plots and barriers', async ({ workbench: page }) => {
+  await compareTwo(page, 'Tutorial 1, in 3D');
+  await expect(page.getByRole('img', { name: /^Box plots of runout on plan of both runs/ })).toBeVisible();
+  const statistics = page.getByRole('region', { name: 'Statistics: Runout on plan [m]' });
+  await statistics.scrollIntoViewIfNeeded();
+  const heads = statistics.getByRole('columnheader');
+  await expect(heads).toHaveCount(3);
+  for (const head of await heads.all()) await expect(head).toBeInViewport({ ratio: 1 });
+  const isCutOff = (region: Element) => region.scrollWidth > region.clientWidth;
+  expect(await statistics.evaluate(isCutOff)).toBe(false);
+  const collectors = page.getByRole('region', { name: 'Collectors' });
+  const names = (await cellsOf(collectors)).map(([barrier, run]) => `${barrier}: ${run}`);
+  expect(names).toEqual(['Line at 15 m: Lively', 'Line at 15 m: Tutorial 1, extruded']);
+  expect(await collectors.evaluate(isCutOff)).toBe(false);
+});
+
+type Rgb = [number, number, number];
+
+/// How many points of the picture are near a colour.
+async function pixelsLike(page: Page, colours: Rgb[]): Promise<number[]> {
+  const picture = await page.locator('.picture canvas').first().screenshot();
+  return page.evaluate(
+    async ([bytes, wanted]) => {
+      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${bytes}`)).blob());
+      const pen = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
+      pen.drawImage(image, 0, 0);
+      const { data } = pen.getImageData(0, 0, image.width, image.height);
+      return wanted.map(([r, g, b]) => {
+        let found = 0;
+        for (let k = 0; k < data.length; k += 4)
+          if (Math.hypot(data[k]! - r, data[k + 1]! - g, data[k + 2]! - b) < 40) ++found;
+        return found;
+      });
+    },
+    [picture.toString('base64'), colours] as const,
+  );
+}
+
+test('paths of two runs are of two colours, whatever paths are coloured by', async ({ workbench: page }) => {
+  await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
+  await compareTwo(page, 'Tutorial 1, a section');
+  const legend = page.locator('.legend').filter({ hasText: 'Paths of two runs' });
+  await expect(legend.locator('li')).toHaveText([/Lively/, /Tutorial 1, section/]);
+  const [blue, vermilion, violet] = [[0, 114, 178], [213, 94, 0], [126, 3, 168]] as [Rgb, Rgb, Rgb];
+  await expect.poll(async () => (await pixelsLike(page, [blue, vermilion])).every((count) => count > 200)).toBe(true);
+  expect((await pixelsLike(page, [violet]))[0]).toBeLessThan(50);
+});
