@@ -4,6 +4,7 @@ import { useEffect } from 'preact/hooks';
 import { api } from './api/client';
 import { about } from './state/about';
 import { file } from './state/document';
+import { listenToHistory } from './state/history';
 import { sayFailure } from './state/messages';
 import { lastOpen, open } from './state/opening';
 import { follow } from './state/runs';
@@ -22,8 +23,11 @@ async function begin() {
 
 export function App() {
   useEffect(() => {
-    void begin().catch(sayFailure);
     const ends = [follow(), listenToKeys(), listenToTyping()];
+    // The project that a tab is reloaded with is where it begins.
+    void begin()
+      .catch(sayFailure)
+      .then(() => ends.push(listenToHistory()));
     return () => ends.forEach((end) => end());
   }, []);
   return (

@@ -74,7 +74,7 @@ test('what is wrong is tied to its field', async ({ workbench: page }) => {
   await openForm(page, /^Crest/);
   await expectSaid(page, 'Position, x', 'abc', /position, x is "abc"/);
   await expectSaid(page, 'Horizontal velocity: standard deviation', '-1', /std_dev is -1/);
-  await expectSaid(page, 'Horizontal velocity: relative minimum', '0,5', /rel_min is "0,5"/);
+  await expectSaid(page, 'Horizontal velocity: relative minimum', '0;5', /rel_min is "0;5"/);
   await fillField(page, 'Direction, x', '1');
   await expect(page.getByLabel('Direction, x', { exact: true })).toHaveAccessibleDescription(/Taken when z is given/);
   await backToModel(page);

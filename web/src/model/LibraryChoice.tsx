@@ -1,38 +1,73 @@
-import { useEffect } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
+import type { LibraryMaterial } from '../api/types';
+import { rowsOf } from '../state/document';
+import { Dialog } from '../ui/Dialog';
 import { library, loadLibrary } from './library';
 import { freshName } from './place';
-import { rowsOf } from '../state/document';
 import { add } from './things';
+import { valueText } from './words';
+
+const allColumns: [string, string][] = [
+  ['normal_restitution', 'Rn'],
+  ['tangential_restitution', 'Rt'],
+  ['friction_angle_deg', 'Friction angle, °'],
+];
+
+function take({ key, name }: LibraryMaterial) {
+  const isTaken = rowsOf('material').some((row) => row.name === name);
+  add('material', { name: isTaken ? freshName(['material'], name) : name, like: key }, `add ${name}`);
+}
 
 /// A new material with the values of one of the library.
 export function LibraryChoice() {
+  const [isOpen, open] = useState(false);
   useEffect(loadLibrary, []);
-  const take = (key: string) => {
-    const found = library.value.find((entry) => entry.key === key);
-    if (!found) return;
-    const isTaken = rowsOf('material').some(({ name }) => name === found.name);
-    add(
-      'material',
-      { name: isTaken ? freshName(['material'], found.name) : found.name, like: key },
-      `add ${found.name}`,
-    );
-  };
+  const columns = allColumns.filter(([key]) => library.value.some(({ values }) => values[key] !== undefined));
   return (
-    <select
-      class="plain"
-      aria-label="Add a material of the library"
-      value=""
-      onChange={(event) => {
-        take(event.currentTarget.value);
-        event.currentTarget.value = '';
-      }}
-    >
-      <option value="">+ From the library…</option>
-      {library.value.map(({ key, name }) => (
-        <option key={key} value={key}>
-          {name}
-        </option>
-      ))}
-    </select>
+    <>
+      <button class="button plain" aria-haspopup="dialog" onClick={() => open(true)}>
+        + From the library…
+      </button>
+      {isOpen && (
+        <Dialog title="Add a material of the library" close={() => open(false)}>
+          <div class="table-scroll">
+            <table>
+              <thead>
+                <tr>
+                  <th scope="col">Material</th>
+                  {columns.map(([key, title]) => (
+                    <th key={key} scope="col" class="number">
+                      {title}
+                    </th>
+                  ))}
+                  <th scope="col">
+                    <span class="visually-hidden">Add</span>
+                  </th>
+                </tr>
+              </thead>
+              <tbody>
+                {library.value.map((material) => (
+                  <tr key={material.key}>
+                    <th scope="row" title={material.source}>
+                      {material.name}
+                    </th>
+                    {columns.map(([key]) => (
+                      <td key={key} class="number">
+                        {valueText(material.values[key])}
+                      </td>
+                    ))}
+                    <td>
+                      <button class="button" aria-label={`Add ${material.name}`} onClick={() => take(material)}>
+                        Add
+                      </button>
+                    </td>
+                  </tr>
+                ))}
+              </tbody>
+            </table>
+          </div>
+        </Dialog>
+      )}
+    </>
   );
 }

@@ -15,6 +15,7 @@ import { Outline } from './Outline';
 import { problemsOfTable, sentenceOf, toneOf } from './awaited';
 import { DesignForm } from './DesignForm';
 import { GroundForm } from './GroundForm';
+import { LibraryNotice } from './LibraryNotice';
 import { followChosen } from './highlight';
 import { TerrainForm } from './TerrainForm';
 import { ProblemList } from './ProblemList';
@@ -85,6 +86,7 @@ function FormPage({ path }: { path: Path }) {
           {sentenceOf(problem)}
         </span>
       ))}
+      {key === 'material' && <LibraryNotice path={path} />}
       {isEntry ? (
         <TableForm table={key} path={path} />
       ) : key === 'terrain' ? (

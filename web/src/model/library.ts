@@ -3,7 +3,7 @@
 import { signal } from '@preact/signals';
 import { api } from '../api/client';
 import type { LibraryMaterial } from '../api/types';
-import { sayFailure } from '../state/messages';
+import { attempt } from '../state/messages';
 import type { Path } from '../toml/edit';
 import type { TomlValue } from '../toml/format';
 import { tableAt } from './place';
@@ -12,7 +12,7 @@ import { valueText } from './words';
 export const library = signal<LibraryMaterial[]>([]);
 
 export function loadLibrary() {
-  if (library.value.length === 0) void api.materials().then((list) => (library.value = list), sayFailure);
+  if (library.value.length === 0) void attempt('library', async () => (library.value = await api.materials()));
 }
 
 /// The value that a material of the project has of the library, where it names one.

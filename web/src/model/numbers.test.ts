@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { numberOf, typedList, typedValue } from './numbers';
+import { numberOf, typedList, typedNumber, typedValue } from './numbers';
 
 describe('numbers as they are typed', () => {
   test.each([
@@ -28,6 +28,27 @@ describe('numbers as they are typed', () => {
     expect(typedValue('0,8')).toBe('0,8');
     expect(typedValue('  ')).toBeUndefined();
   });
+});
+
+describe('the field of one number takes a decimal comma', () => {
+  test.each([
+    ['0,35', 0.35],
+    ['-0,8', -0.8],
+    ['\u22120,8', -0.8],
+    ['12,5', 12.5],
+    ['0,350', 0.35],
+    ['1234,5', 1234.5],
+    ['1,2345', 1.2345],
+    [',5', 0.5],
+    ['2,', 2],
+    ['1,5e3', 1500],
+    ['0.35', 0.35],
+    ['inf', Infinity],
+  ])('%s', (text, value) => expect(typedNumber(text)).toBe(value));
+  test.each(['1,250', '-1,250', '1,2,3', '1,234.5', '1.234,5', '0,5 0,6', ',', 'a,b'])('"%s" goes to the engine', (text) =>
+    expect(typedNumber(text)).toBe(text),
+  );
+  test('nothing is nothing', () => expect(typedNumber(' ')).toBeUndefined());
 });
 
 describe('lists as they are typed', () => {

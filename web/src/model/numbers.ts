@@ -34,6 +34,16 @@ export function typedValue(text: string): TomlValue | undefined {
   return bare === '' ? undefined : (numberOf(bare) ?? bare);
 }
 
+/// "1,250" may be little more than one, or a thousand and more.
+const mayPartThousands = /^[+-]?[1-9]\d{0,2},\d{3}$/;
+
+/// What is typed in the field of one number: a decimal comma is a point there.
+export function typedNumber(text: string): TomlValue | undefined {
+  const bare = withMinus(text);
+  const point = bare.replace(',', '.');
+  return typedValue(isNumeral(point) && !mayPartThousands.test(bare) ? point : text);
+}
+
 /// Numbers with commas, semicolons or blanks between them. Where something else parts them, too, a comma between digits
 /// is a decimal one: its number goes to the engine as it is, which says how to write it.
 export function typedList(text: string): TomlValue[] {

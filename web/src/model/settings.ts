@@ -2,7 +2,7 @@
 
 import { signal } from '@preact/signals';
 import { api } from '../api/client';
-import { sayFailure } from '../state/messages';
+import { sayFailure, settle } from '../state/messages';
 import { tablesOf, type Field, type Table } from './schema';
 
 export const tables = signal<Table[]>([]);
@@ -13,10 +13,13 @@ export function loadSettings() {
   asked = true;
   void api
     .settings()
-    .then((schema) => (tables.value = tablesOf(schema)))
+    .then((schema) => {
+      tables.value = tablesOf(schema);
+      settle('settings');
+    })
     .catch((error: unknown) => {
       asked = false;
-      sayFailure(error);
+      sayFailure(error, 'settings');
     });
 }
 

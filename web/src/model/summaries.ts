@@ -4,6 +4,8 @@ import { rowsOf, valueAt, values } from '../state/document';
 import { model } from '../state/model';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { counted } from '../ui/format';
+import { library } from './library';
+import { likeness } from './likeness';
 import { isTable, tableAt } from './place';
 import { valueText, wordText } from './words';
 
@@ -31,8 +33,13 @@ function seeder(row: TomlTable): string {
 }
 
 function material(row: TomlTable): string {
-  if (row.like !== undefined && row.normal_restitution === undefined) return wordText(String(row.like));
-  return `Rn ${number(row.normal_restitution) || '0.35'}, Rt ${number(row.tangential_restitution) || '0.85'}`;
+  const found = likeness(row, library.value);
+  const entry = library.value.find(({ key }) => key === row.like);
+  if (row.like !== undefined && (!found || found.changed.length === 0)) return wordText(String(row.like));
+  const valueOf = (key: string, absent: string) =>
+    number((row[key] ?? entry?.values[key]) as TomlValue | undefined) || absent;
+  const values = `Rn ${valueOf('normal_restitution', '0.35')}, Rt ${valueOf('tangential_restitution', '0.85')}`;
+  return found && found.changed.length > 0 ? `${values}, changed` : values;
 }
 
 function barrier(key: string, row: TomlTable): string {

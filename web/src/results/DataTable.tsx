@@ -1,7 +1,7 @@
 // A table of results, which can be saved and copied with all its digits.
 
 import type { ComponentChildren } from 'preact';
-import { numberText, shiftedText } from '../ui/format';
+import { decimalsOf, fixedText, numberText, shiftedText } from '../ui/format';
 import type { NumberText } from '../api/exact';
 import { allDigits } from '../state/view';
 import { asInFiles, readingOf } from './columns';
@@ -26,6 +26,8 @@ interface Props {
   /// Whether the first column heads the rows.
   hasHeads?: boolean;
   exact?: boolean;
+  /// Whether the numbers of a column are of one kind, and have as many decimals.
+  isSeries?: boolean;
   tools?: ComponentChildren;
   /// The unit of a number where it is not its column's.
   unitAt?: (row: number, column: number) => string | undefined;
@@ -38,17 +40,22 @@ function readText(text: NumberText, { isText, isUnit }: Column, unit: string): s
   return isText ? text : shiftedText(text, readingOf(unit).places);
 }
 
-function shownText(read: string, { isText }: Column, exact: boolean): string {
+/// `decimals`: of its column, where there are such.
+function shownText(read: string, { isText }: Column, exact: boolean, decimals: number | null): string {
   if (read === '') return '–';
   const value = Number(read);
   if (exact || isText || Number.isNaN(value)) return read;
-  return numberText(value, 4);
+  return decimals === null ? numberText(value, 4) : fixedText(value, decimals);
 }
 
 export function DataTable(props: Props) {
-  const { caption, file, columns, rows, hasHeads, exact = allDigits.value, tools, unitAt, rowClass } = props;
+  const { caption, file, columns, rows, hasHeads, exact = allDigits.value, isSeries, tools, unitAt, rowClass } = props;
   const isReadOtherwise = columns.some(({ unit = '', isUnit }) => isUnit || readingOf(unit).places !== 0);
   const saying = isReadOtherwise ? asInFiles : undefined;
+  const read = rows.map((row, k) => row.map((text, c) => readText(text, columns[c]!, unitAt?.(k, c) ?? columns[c]!.unit ?? '')));
+  const decimals = columns.map(({ isText }, c) =>
+    isSeries && !isText ? decimalsOf(read.flatMap((row) => (row[c] === '' ? [] : [Number(row[c])]))) : null,
+  );
   const all = () => [columns.map(({ key }) => key), ...rows.map((row) => [...row])];
   return (
     <div class="data-table">
@@ -77,10 +84,10 @@ export function DataTable(props: Props) {
           <tbody>
             {rows.map((row, k) => (
               <tr key={k} class={rowClass?.(k) ?? ''}>
-                {row.map((text, c) => {
+                {row.map((_, c) => {
                   const column = columns[c]!;
-                  const read = readText(text, column, unitAt?.(k, c) ?? column.unit ?? '');
-                  const shown = shownText(read, column, exact);
+                  const whole = read[k]![c]!;
+                  const shown = shownText(whole, column, exact, decimals[c]!);
                   return c === 0 && hasHeads ? (
                     <th key={column.key} scope="row">
                       {shown}
@@ -89,7 +96,7 @@ export function DataTable(props: Props) {
                     <td
                       key={column.key}
                       class={column.isText ? '' : 'number'}
-                      title={shown === read ? undefined : read}
+                      title={shown === whole ? undefined : whole}
                     >
                       {shown}
                     </td>

@@ -1,12 +1,9 @@
-import { signal } from '@preact/signals';
 import type { RockAnswer, Run } from '../api/types';
+import { allDigits } from '../state/view';
 import { numberText } from '../ui/format';
 import { DataTable, type Column } from './DataTable';
 import { DigitsSwitch } from './DigitsSwitch';
 import { fileName } from './save';
-
-/// The path table has them all unless somebody wishes otherwise.
-const pathDigits = signal(true);
 
 const column = (key: string, title: string, unit = ''): Column => ({ key, title, unit });
 
@@ -44,8 +41,8 @@ export function PathTable({ run, rock, path }: Props) {
     <DataTable
       caption={`Path of rock ${rock}`}
       file={fileName(run.name, `rock ${rock} path`)}
-      exact={pathDigits.value}
-      tools={<DigitsSwitch all={pathDigits} />}
+      isSeries
+      tools={<DigitsSwitch all={allDigits} />}
       columns={kept.map((k) => pathColumns[path.columns[k]!] ?? column(path.columns[k]!, path.columns[k]!))}
       rows={path.rows.map((row) => kept.map((k) => row[k]!))}
       rowClass={(k) => `state-${path.rows[k]![path.columns.indexOf('state')]}`}
@@ -70,7 +67,7 @@ export function HitsTable({ run, rock, path }: Props) {
     <DataTable
       caption="Barriers that it hit"
       file={fileName(run.name, `rock ${rock} hits`)}
-      exact={pathDigits.value}
+      isSeries
       columns={keys.map((key) => hitColumns[key] ?? column(key, key))}
       rows={path.hits.map((hit) => keys.map((key) => hit[key] ?? ''))}
     />

@@ -101,31 +101,48 @@ export function dots(points: Vector3[], { colour, size, above }: Look): Object3D
   return made;
 }
 
-/// All in one piece: a long collector has thousands.
-function posts(foot: Vector3[], top: Vector3[], { colour, size }: Look): Object3D {
+/// Pieces of line that need not hang together, two points each, drawn in one go.
+function pieces(points: Vector3[], { colour, size }: Look): Object3D {
   const geometry = new LineSegmentsGeometry();
-  geometry.setPositions(foot.flatMap((low, k) => [...low.toArray(), ...top[k]!.toArray()]));
-  const made = new LineSegments2(geometry, new LineMaterial({ color: new Color(colour), linewidth: size, transparent: true }));
+  geometry.setPositions(points.flatMap((point) => point.toArray()));
+  const material = new LineMaterial({ color: new Color(colour), linewidth: size, transparent: true });
+  const made = new LineSegments2(geometry, material);
   made.renderOrder = 5;
   made.frustumCulled = false;
   return made;
 }
 
-/// A wall between two lines of as many points.
-export function band(foot: Vector3[], top: Vector3[], colour: string): Object3D {
-  const count = Math.min(foot.length, top.length);
-  const geometry = new BufferGeometry();
-  const positions = [...foot.slice(0, count), ...top.slice(0, count)].flatMap((point) => point.toArray());
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
+/// A wall stands between two lines of as many points.
+export interface Wall {
+  foot: Vector3[];
+  top: Vector3[];
+}
+
+const along = (points: Vector3[]) => points.slice(1).flatMap((point, k) => [points[k]!, point]);
+
+/// Walls of one colour: three things to draw, however many there are and however long.
+export function walls(list: readonly Wall[], colour: string): Object3D {
+  const group = new Group();
+  const positions: Vector3[] = [];
   const index: number[] = [];
-  for (let k = 0; k + 1 < count; ++k) index.push(k, k + 1, count + k + 1, k, count + k + 1, count + k);
+  for (const { foot, top } of list) {
+    const [first, count] = [positions.length, Math.min(foot.length, top.length)];
+    positions.push(...foot.slice(0, count), ...top.slice(0, count));
+    for (let k = first; k + 1 < first + count; ++k) index.push(k, k + 1, count + k + 1, k, count + k + 1, count + k);
+  }
+  if (index.length === 0) return group;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions.flatMap((point) => point.toArray())), 3));
   geometry.setIndex(index);
   const material = new MeshBasicMaterial({ color: colour, side: DoubleSide, transparent: true, opacity: 0.45, depthWrite: false });
-  const wall = new Mesh(geometry, material);
-  wall.renderOrder = 4;
-  const group = new Group();
-  group.add(wall, line(top, { colour, size: 2.5 }), line(foot, { colour, size: 1.5 }));
-  group.add(posts(foot.slice(0, count), top.slice(0, count), { colour, size: 1.5 }));
+  const faces = new Mesh(geometry, material);
+  faces.renderOrder = 4;
+  const posts = list.flatMap(({ foot, top }) => foot.slice(0, top.length).flatMap((point, k) => [point, top[k]!]));
+  group.add(
+    faces,
+    pieces(list.flatMap(({ top }) => along(top)), { colour, size: 2.5 }),
+    pieces([...list.flatMap(({ foot }) => along(foot)), ...posts], { colour, size: 1.5 }),
+  );
   return group;
 }
 

@@ -15,7 +15,7 @@ import { contours, exaggeration, layers, shading } from '../view/settings';
 import { shade } from '../view/theme';
 import { roundStep } from '../view/ticks';
 import { Frame } from './frame';
-import { band, clear, dots, line, patch } from './marks';
+import { clear, dots, line, patch, walls } from './marks';
 import { MeshTerrain } from './meshTerrain';
 import { NameLayer, type Name } from './nameLayer';
 import { look, type NamedView } from './namedViews';
@@ -194,8 +194,11 @@ export class ModelScene {
       for (const each of lines) this.seeders.add(line(each.map(this.local), look, type === 'polygon'));
       if (points.length > 0) this.seeders.add(dots(points.map(this.local), { ...look, size: 10 }));
     }
-    for (const { foot, top, kind } of next.barriers)
-      this.barriers.add(band(foot.map(this.local), top.map(this.local), markColours[kind]));
+    for (const kind of ['barrier', 'collector'] as const) {
+      const list = next.barriers.filter((one) => one.kind === kind);
+      const local = list.map(({ foot, top }) => ({ foot: foot.map(this.local), top: top.map(this.local) }));
+      this.barriers.add(walls(local, markColours[kind]));
+    }
     const named = (text: string, places: Point3[]): Name[] => {
       const middle = places[Math.floor(places.length / 2)];
       return middle ? [{ text, at: this.local(middle) }] : [];

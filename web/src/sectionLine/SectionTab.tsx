@@ -8,7 +8,7 @@ import { Chart } from '../results/Chart';
 import type { Look, Size } from '../results/chartLook';
 import { copyRows, fileName } from '../results/save';
 import { fileStem } from '../state/document';
-import { say } from '../state/messages';
+import { say, settle } from '../state/messages';
 import { counted, numberText } from '../ui/format';
 import { equalAxes } from '../view/settings';
 import { gapsOf, nearest } from './groundSection';
@@ -116,9 +116,13 @@ function Missing({ places }: { places: number }) {
 export function SectionTab() {
   const line = sectionLine.value ?? [];
   const section = groundSection.value;
+  const takeSound = (places: Point2[]) => {
+    settle('section line');
+    takeLine(places);
+  };
   const take = (rows: unknown[][]) => {
-    if (rows.flat().every((value) => typeof value === 'number' && Number.isFinite(value))) takeLine(rows as Point2[]);
-    else say('error', 'Places of the line are numbers, x and y in metres.');
+    if (rows.flat().every((value) => typeof value === 'number' && Number.isFinite(value))) takeSound(rows as Point2[]);
+    else say('error', 'Places of the line are numbers, x and y in metres.', 'section line');
   };
   return (
     <div class="section-tab">

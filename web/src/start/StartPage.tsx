@@ -12,6 +12,7 @@ import { localDrafts } from '../state/localDrafts';
 import { sayFailure } from '../state/messages';
 import { open } from '../state/opening';
 import { compute, ownRuns } from '../state/runs';
+import { verifying } from '../state/view';
 import { allWritten } from '../state/writes';
 import { beginWith, NewProject } from './NewProject';
 import { VerificationPage } from './VerificationPage';
@@ -19,7 +20,6 @@ import './start.css';
 
 const examples = signal<Example[]>([]);
 const drafts = signal<string[]>([]);
-const verifying = signal(false);
 /// An address that was asked for, for another browser or a script.
 const given = signal<string | null>(null);
 

@@ -4,7 +4,7 @@
 import { batch, computed, effect, signal } from '@preact/signals';
 import { edited, valuesOf, type Edit, type Path } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
-import { say } from './messages';
+import { say, settle as settleMessages, settleAll } from './messages';
 
 interface Step {
   text: string;
@@ -49,6 +49,7 @@ effect(() => {
   try {
     valuesOf(text.value);
     syntaxError.value = null;
+    settleMessages('edit'); // could not be done to a text that was no TOML
   } catch (error) {
     const { lineNumber, message } = error as { lineNumber?: number; message: string };
     syntaxError.value = { line: lineNumber ?? 0, message };
@@ -97,13 +98,14 @@ export function endStep() {
 export function edit(what: string, edits: readonly Edit[], merge = ''): boolean {
   try {
     replaceText(edited(text.value, edits), what, merge);
+    settleMessages('edit');
     return true;
   } catch (error) {
     const wrong = syntaxError.value;
     const why = wrong
       ? `the text is no TOML (line ${wrong.line}: ${wrong.message}). Mend it under Text first`
       : (error as Error).message;
-    say('error', `Could not ${what}: ${why}`);
+    say('error', `Could not ${what}: ${why}`, 'edit');
     return false;
   }
 }
@@ -132,6 +134,7 @@ export function redo() {
 
 /// Takes up a project: its text as it is now and as it is in the file, and the file's hash.
 export function begin(name: string, now: string, saved: string, hash: string | null) {
+  settleAll();
   batch(() => {
     ++opening.value;
     file.value = name;
@@ -146,6 +149,7 @@ export function begin(name: string, now: string, saved: string, hash: string | n
 }
 
 export function leave() {
+  settleAll();
   batch(() => {
     ++opening.value;
     file.value = null;

@@ -5,7 +5,7 @@ import { api, Refused } from '../api/client';
 import type { Model, Problem } from '../api/types';
 import { withoutStandIns, withStandIns, withTerrainOf } from '../model/standIn';
 import { file, text } from './document';
-import { sayFailure } from './messages';
+import { sayFailure, settle } from './messages';
 
 /// The last one that could be built; while a change is looked at, or its terrain has errors, it is that of the text
 /// before. What has errors elsewhere is left out of it.
@@ -40,6 +40,7 @@ async function ask(isWanted: (next: Model) => boolean) {
       ? { model: answer.model, wrong: answer.problems }
       : await buildWithStandIns(name, text.value, answer.problems, own.signal);
     if (own.signal.aborted) return;
+    settle('model');
     lastTook = performance.now() - begun;
     batch(() => {
       problems.value = wrong;
@@ -50,7 +51,7 @@ async function ask(isWanted: (next: Model) => boolean) {
   } catch (error) {
     if (own.signal.aborted) return;
     if (error instanceof Refused) problems.value = error.problems;
-    else sayFailure(error);
+    else sayFailure(error, 'model');
   } finally {
     if (asking === own) isBuilding.value = false;
   }

@@ -6,7 +6,7 @@ import { leftOut } from '../model/leftOut';
 import type { Run } from '../api/types';
 import { file, text } from './document';
 import { lookAtFile } from './fileOnDisk';
-import { say, sayFailure } from './messages';
+import { attempt, say, sayFailure, settle } from './messages';
 import { lookAgain } from './model';
 import { hearNews } from './news';
 
@@ -61,20 +61,26 @@ export async function compute(more: { name?: string; rocks?: number; seed?: numb
   if (file.value === null) return;
   try {
     const run = await api.compute(file.value, text.value, more);
+    settle('compute');
     startedHere.add(run.id);
     takeAnswer(run);
     shownId.value = run.id;
     void lookAgain();
     if (leftOut()) say('note', `Computed${leftOut()}`);
   } catch (error) {
-    sayFailure(error);
+    sayFailure(error, 'compute');
   }
 }
+// What is said against a text holds for no other.
+effect(() => {
+  void text.value;
+  settle('compute');
+});
 
-export const stop = (id: string) => api.stopRun(id).then(takeAnswer, sayFailure);
-export const resume = (id: string) => api.resumeRun(id).then(takeAnswer, sayFailure);
-export const rename = (id: string, name: string) => api.renameRun(id, name).then(takeAnswer, sayFailure);
-export const remove = (id: string) => api.removeRun(id).then(() => forget(id), sayFailure);
+export const stop = (id: string) => attempt(`run ${id}`, () => api.stopRun(id).then(takeAnswer));
+export const resume = (id: string) => attempt(`run ${id}`, () => api.resumeRun(id).then(takeAnswer));
+export const rename = (id: string, name: string) => attempt(`run ${id}`, () => api.renameRun(id, name).then(takeAnswer));
+export const remove = (id: string) => attempt(`run ${id}`, () => api.removeRun(id).then(() => forget(id)));
 
 function forget(id: string) {
   runs.value = runs.value.filter((run) => run.id !== id);
@@ -84,10 +90,10 @@ function forget(id: string) {
 
 /// The runs as they are now, whatever was heard of them before.
 const catchUp = () =>
-  api.runs().then((list) => {
-    runs.value = list;
+  attempt('runs', async () => {
+    runs.value = await api.runs();
     areKnown.value = true;
-  }, sayFailure);
+  });
 
 /// Follows what the server tells; when it is gone, goes on trying.
 export function follow(): () => void {

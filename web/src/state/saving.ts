@@ -7,7 +7,7 @@ import { workplace } from './about';
 import { file, opening, replaceText, savedHash, settle, text } from './document';
 import { dropDraft, nextRevision } from './drafts';
 import { sawFile } from './fileOnDisk';
-import { say, sayFailure } from './messages';
+import { say, sayFailure, settle as settleMessages } from './messages';
 import { writeInTurn } from './writes';
 
 /// Why the file was not written: it is another one than was read. Until the user has said what to do.
@@ -24,6 +24,7 @@ function write(name: string, replaced: () => string | null | Promise<string | nu
     const { saved } = await api.saveProject(name, { text: now, saved: before }, nextRevision(name), workplace());
     sawFile(saved);
     if (opening.value === asked) settle(name, now, saved);
+    settleMessages('save');
     say('saved', `Saved ${name}${leftOut()}`);
   });
 }
@@ -37,7 +38,7 @@ export async function save() {
     await write(file.value, () => savedHash.value);
   } catch (error) {
     if (isConflict(error) && opening.value === asked) conflict.value = (error as Refused).message;
-    else sayFailure(error);
+    else sayFailure(error, 'save');
   }
 }
 

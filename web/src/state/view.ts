@@ -27,3 +27,5 @@ export const chosenRock = ofProject<number | null>(null);
 export const drapedMap = ofProject<string | null>(null);
 export const helpOpen = signal(false);
 export const drapedOpacity = kept('opacity of the map', 1);
+/// Whether the published cases are looked at, on the start page.
+export const verifying = signal(false);

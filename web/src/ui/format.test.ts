@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { counted, shiftedText } from './format';
+import { counted, decimalsOf, fixedText, shiftedText } from './format';
 
 test('one thing, or several', () => {
   expect(counted(1, 'rock')).toBe('1 rock');
@@ -17,4 +17,16 @@ test('a number of a file in another unit has the same digits', () => {
   expect(shiftedText('1.25e+09', 3)).toBe('1.25e6');
   expect(shiftedText('3.4', 0)).toBe('3.4');
   expect(shiftedText('unlimited', 3)).toBe('unlimited');
+});
+
+test('a column has the decimals that tell its values apart', () => {
+  expect(decimalsOf([0.5, 12.25, 19.875])).toBe(3);
+  expect(decimalsOf([2667891.2345, 2668591.9])).toBe(2); // 700 m apart
+  expect(decimalsOf([0, 152530.42507165897])).toBe(0);
+  expect(decimalsOf([1, 2, 3])).toBe(0);
+  expect(decimalsOf([0.25, 0.25])).toBe(4);
+  expect(decimalsOf([])).toBe(0);
+  expect(fixedText(2667891.2345, 2)).toBe('2,667,891.23');
+  expect(fixedText(3, 2)).toBe('3.00');
+  expect(fixedText(-1e-17, 2)).toBe('0.00');
 });

@@ -16,6 +16,21 @@ export function numberText(value: number, digits = 4): string {
   return size >= 10 ** digits ? Math.round(value).toLocaleString('en') : String(Number(value.toPrecision(digits)));
 }
 
+/// How many decimals tell the values of a column apart that are of one kind: five digits of their range, four at most.
+export function decimalsOf(values: readonly number[]): number {
+  const known = values.filter(Number.isFinite);
+  const [low, high] = known.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], [Infinity, -Infinity]);
+  if (known.every(Number.isInteger)) return 0;
+  const size = high > low ? high - low : Math.abs(high);
+  return Math.min(Math.max(4 - Math.floor(Math.log10(size)), 0), 4);
+}
+
+/// With so many decimals; nothing is not below zero.
+export function fixedText(value: number, decimals: number): string {
+  const rounded = Number(value.toFixed(decimals)) || 0;
+  return rounded.toLocaleString('en', { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+}
+
 /// A number as it is written, over 10 to the `places`, with the same digits: "152530.4" is "152.5304" over 1000.
 export function shiftedText(text: string, places: number): string {
   const parts = /^([+-]?)(\d+)(?:\.(\d*))?(?:e([+-]?\d+))?$/i.exec(text);

@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks';
 import type { TomlValue } from '../../toml/format';
-import { cellText, numberOf, typedValue } from '../numbers';
+import { cellText, typedNumber } from '../numbers';
 
 export interface TypedInputProps {
   id?: string;
@@ -21,7 +21,7 @@ export interface TypedInputProps {
 export function TypedInput(props: TypedInputProps) {
   const { value, take, isText = false } = props;
   const [typed, setTyped] = useState<string | null>(null);
-  const read = (text: string) => (isText ? (text.trim() === '' ? undefined : text) : typedValue(text));
+  const read = (text: string) => (isText ? (text.trim() === '' ? undefined : text) : typedNumber(text));
   const settle = (text: string) => {
     setTyped(null);
     if (text !== cellText(value)) take(read(text));
@@ -44,8 +44,8 @@ export function TypedInput(props: TypedInputProps) {
       onInput={(event) => {
         const text = event.currentTarget.value;
         setTyped(text);
-        const number = isText ? undefined : numberOf(text);
-        if (number !== undefined && number !== value) take(number);
+        const now = isText ? undefined : typedNumber(text);
+        if (typeof now !== 'string' && now !== undefined && now !== value) take(now);
       }}
       onChange={(event) => settle(event.currentTarget.value)}
       onBlur={() => setTyped(null)}

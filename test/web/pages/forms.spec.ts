@@ -1,0 +1,104 @@
+// Forms: what is typed, chosen and greyed out.
+
+import { fillField, openExample, openForm, backToModel, projectText } from '../support/steps';
+import { expect, test } from '../support/workbench';
+
+test('a decimal comma can be typed in the field of a number', async ({ workbench: page }) => {
+  await openExample(page, 'Tutorial 1, a section');
+  await openForm(page, /^Type One/);
+  const field = page.getByLabel('Normal restitution: mean', { exact: true });
+  await field.fill('');
+  await field.pressSequentially('0,35');
+  await field.press('Tab');
+  await expect(field).toHaveValue('0.35');
+  await expect(field).toHaveAttribute('aria-invalid', 'false');
+  expect(await projectText(page)).toContain('mean = 0.35');
+  // It may be a thousand and more: the engine says how to write it.
+  await backToModel(page);
+  await openForm(page, /^Crest/);
+  await fillField(page, 'Mass: mean', '1,000');
+  await expect(page.getByLabel('Mass: mean', { exact: true })).toHaveAttribute('aria-invalid', 'true');
+});
+
+test('keys in the library of materials add nothing until one is chosen', async ({ workbench: page }) => {
+  await openExample(page, 'Tutorial 1, a section');
+  const before = await projectText(page);
+  const library = page.getByRole('button', { name: '+ From the library…' });
+  await library.focus();
+  await page.keyboard.press('ArrowDown');
+  expect(await projectText(page)).toBe(before);
+  await library.press('Enter');
+  const dialog = page.getByRole('dialog', { name: 'Add a material of the library' });
+  await expect(dialog).toBeVisible();
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Escape');
+  await expect(dialog).toHaveCount(0);
+  expect(await projectText(page)).toBe(before);
+  await library.press('Enter');
+  await dialog.getByRole('button', { name: 'Add Talus cover', exact: true }).press('Enter');
+  await expect(page.getByRole('heading', { name: 'Talus cover' })).toBeFocused();
+  expect(await projectText(page)).toContain('like = "talus_cover"');
+});
+
+test('a material of the library with other values is said to be changed, and offered a name', async ({ workbench: page }) => {
+  await openExample(page, 'Tutorial 1, a section');
+  await page.getByRole('button', { name: '+ From the library…' }).click();
+  await page.getByRole('button', { name: 'Add Talus cover', exact: true }).click();
+  const notice = page.getByText('It has the name of “Talus cover” of the library, but other values: normal restitution.');
+  await expect(notice).toHaveCount(0);
+  await fillField(page, 'Normal restitution: mean', '0.6');
+  await expect(notice).toBeVisible();
+  await backToModel(page);
+  await expect(page.getByRole('navigation', { name: 'Model' }).getByRole('button', { name: /^Talus cover/ })).toContainText('changed');
+  await openForm(page, /^Talus cover/);
+  await page.getByRole('button', { name: 'Call it “Talus cover, changed”' }).click();
+  await expect(page.getByLabel('Name', { exact: true })).toHaveValue('Talus cover, changed');
+  await expect(notice).toHaveCount(0);
+});
+
+test('settings of the other rock model are greyed out, and say why', async ({ workbench: page }) => {
+  await openExample(page, 'Tutorial 1, a section');
+  await openForm(page, /^Type One/);
+  const [sphere, lumped] = [page.getByLabel('Rolling friction: mean'), page.getByLabel('Friction angle: mean')];
+  await expect(sphere).toBeDisabled();
+  await expect(lumped).toBeEnabled();
+  const group = page.getByRole('group', { name: /^Rolling friction/ });
+  await expect(group).toContainText('Of a rigid sphere only; the rock model is lumped mass.');
+  await backToModel(page);
+  await openForm(page, /^Project and analysis/);
+  await expect(page.getByLabel('Tangential CRSP damping')).toBeDisabled();
+  await page.getByLabel('Rock model', { exact: true }).selectOption('rigid sphere');
+  await expect(page.getByLabel('Tangential CRSP damping')).toBeEnabled();
+  await backToModel(page);
+  await openForm(page, /^Type One/);
+  await expect(sphere).toBeEnabled();
+  await expect(lumped).toBeDisabled();
+});
+
+test('an error goes when it holds no more', async ({ workbench: page }) => {
+  await openExample(page, 'Tutorial 1, a section');
+  const said = page.locator('.messages .error');
+  await page.getByRole('tab', { name: 'Text' }).click();
+  const text = page.getByLabel('Project file');
+  const sound = await text.inputValue();
+  await text.fill(`${sound}\n[`);
+  await page.getByRole('tab', { name: 'Model' }).click();
+  await page.getByRole('button', { name: '+ Add collector' }).click();
+  await expect(said).toContainText('Could not add a collector');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(said).toHaveCount(0);
+  // Refused for a text, which is then another one.
+  const isBroken = (url: URL) => url.pathname === '/api/runs';
+  await page.route(isBroken, (route) => route.abort());
+  await page.getByRole('button', { name: 'Compute', exact: true }).click();
+  await expect(said).toHaveCount(1);
+  await openForm(page, /^Crest/);
+  await fillField(page, 'Rocks', '5');
+  await expect(said).toHaveCount(0);
+  // Refused once, and taken the next time.
+  await page.getByRole('button', { name: 'Compute', exact: true }).click();
+  await expect(said).toHaveCount(1);
+  await page.unroute(isBroken);
+  await page.getByRole('button', { name: 'Compute', exact: true }).click();
+  await expect(said).toHaveCount(0);
+});
