@@ -66,9 +66,10 @@ test('settings of the other rock model are greyed out, and say why', async ({ wo
   await expect(group).toContainText('Of a rigid sphere only; the rock model is lumped mass.');
   await backToModel(page);
   await openForm(page, /^Project and analysis/);
-  await expect(page.getByLabel('Tangential CRSP damping')).toBeDisabled();
+  const rotation = page.getByLabel('Rotation', { exact: true });
+  await expect(rotation).toBeEnabled();
   await page.getByLabel('Rock model', { exact: true }).selectOption('rigid sphere');
-  await expect(page.getByLabel('Tangential CRSP damping')).toBeEnabled();
+  await expect(rotation).toBeDisabled();
   await backToModel(page);
   await openForm(page, /^Type One/);
   await expect(sphere).toBeEnabled();
