@@ -19,6 +19,15 @@ double energy(const Vec3& v, const Vec3& w, const Rock& r) {
 
 Vec3 contact_velocity(const Vec3& v, const Vec3& w, const Vec3& n, double radius) { return v - radius * w.cross(n); }
 
+// Rounding may have a sphere draw away already from what it touches.
+TEST(RigidSphere, AContactThatOpensTakesNoImpulse) {
+  const Rock rock = sphere_of_diameter(1.0, 2700);
+  const Vec3 v(3, 0, 1e-3), w(1, 2, 3);
+  const Rebound after = rigid_sphere_rebound(v, w, {0, 0, 1}, rock, {0.5, 0.3}, 0.5);
+  EXPECT_EQ(after.velocity, v);
+  EXPECT_EQ(after.spin, w);
+}
+
 // Section 7.3 of the manual, step by step, in its frame n, t1, t2.
 TEST(RigidSphere, SectionSevenThree) {
   const Rock rock = sphere_of_diameter(1.0, 2700);

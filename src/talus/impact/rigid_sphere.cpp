@@ -1,5 +1,6 @@
 #include "talus/impact/rigid_sphere.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "talus/impact/crsp.hpp"
@@ -20,7 +21,7 @@ Rebound rigid_sphere_rebound(const Vec3& velocity, const Vec3& spin, const Vec3&
   const Vec3 u = contact_point_velocity(velocity, spin, n, r);
   const double un = u.dot(n);
   const Vec3 ut = u - un * n;
-  const double jn = (1 + restitution.normal) * m * std::abs(un);
+  const double jn = (1 + restitution.normal) * m * std::max(-un, 0.0);
   Vec3 jt = -(1 - restitution.tangential) * ut / (1 / m + r * r / rock.inertia);
   const double wanted = jt.norm();
   if (wanted > mu * jn) jt *= mu * jn / wanted;

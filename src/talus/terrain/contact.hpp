@@ -1,11 +1,13 @@
 #pragma once
 // What a surface answers: a contact, the end of the model, the outline of a facet.
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
 #include "talus/core/id.hpp"
 #include "talus/core/vec.hpp"
+#include "talus/flight/touch.hpp"
 
 namespace talus {
 
@@ -24,20 +26,66 @@ struct Contact {
 /// other that rounding cannot confuse it, so near that no rock could tell.
 inline constexpr double same_plane = 1e-12;
 
-/// Planes that a rock has just slid off, or rolls on: it falls beneath such a plane at once, or stays on it, so that
-/// whatever lies in it is not ahead.
+/// What carries a rock, or has carried it until now: where a part of its path begins, the rock touches that, and what
+/// lies in the same plane, without meeting it.
+///
+/// On a leg along the ground nothing is ahead that lies in the planes, nor what is touched at the edge or the vertex
+/// that carries a sphere.
+///
+/// In flight it is what the rock has come to the end of. As long as it has not risen from the plane, it cannot meet the
+/// facet that it was on. Another facet of the plane it meets if it is over it when it has sunk in a trace: there the
+/// plane goes on.
 struct LeftPlanes {
+  static constexpr double touching = 1e-7;  // so near a plane a rock is in it; and a trace [m]
+
   std::array<Vec3, 2> normal;
+  std::array<FacetId, 2> facet;  // that it was on
   int count = 0;
+  bool has_facets = false;  // of a flight
+  // Of a leg of a sphere on an edge or a vertex: a point that carries it, and the edge's direction, or zero.
+  bool has_pivot = false;
+  Vec3 pivot = Vec3::Zero(), axis = Vec3::Zero();
 
   LeftPlanes() = default;
   explicit LeftPlanes(const Vec3& n) : normal{n, n}, count(1) {}
   LeftPlanes(const Vec3& first, const Vec3& second) : normal{first, second}, count(2) {}
+  void turn_about(const Vec3& point, const Vec3& edge) {
+    has_pivot = true;
+    pivot = point;
+    axis = edge;
+  }
+  void add(const Vec3& n, FacetId of) {
+    normal[static_cast<std::size_t>(count)] = n;
+    facet[static_cast<std::size_t>(count++)] = of;
+    has_facets = true;
+  }
   [[nodiscard]] bool contain(const Vec3& n, double tolerance) const {
     for (int i = 0; i < count; ++i) {
       if (n.dot(normal[static_cast<std::size_t>(i)]) > 1 - tolerance) return true;
     }
     return false;
+  }
+  /// Whether a place on the surface is where the sphere is carried. (Wider than a facet's outline ever is for a
+  /// contact, narrower than anything that could be ahead.)
+  [[nodiscard]] bool is_at_pivot(const Vec3& place) const {
+    constexpr double near = 1e-4;  // [m]
+    return has_pivot && tangential(place - pivot, axis).squaredNorm() < near * near;
+  }
+  /// Whether a rock does not meet a facet of unit normal `n` after all, whose plane it falls through, when it is h0 +
+  /// vn t
+  /// + an t^2/2 high over it. `is_over(t)`: whether it is over the facet at a time.
+  template <class IsOver>
+  [[nodiscard]] bool let_through(FacetId asked, const Vec3& n, double h0, double vn, double an,
+                                 IsOver&& is_over) const {
+    if (count == 0 || h0 > touching || !contain(n, same_plane)) return false;
+    const bool rises = vn > 0 && (an >= 0 || h0 - 0.5 * vn * vn / an > touching);
+    if (rises) return false;
+    if (!has_facets) return true;
+    for (int i = 0; i < count; ++i) {
+      if (facet[static_cast<std::size_t>(i)] == asked) return true;
+    }
+    const auto sunk = falling_root(touching + std::max(h0, 0.0), vn, an, 0);
+    return sunk && !is_over(*sunk);
   }
 };
 

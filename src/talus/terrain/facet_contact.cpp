@@ -15,21 +15,27 @@ void meet_point(const Parabola& path, const Triangle& corner, FacetName name, co
   if (!t || !best.beaten_by(*t, Feature::facet, name.source)) return;
 
   // Distances from the sides, times the lengths of n and of the side; they sum up to the square of n.
-  const Vec3 q = from_corner + *t * path.v + (0.5 * *t * *t) * path.a;
-  const double n2 = n.squaredNorm();
-  const double inside_first = n.dot(first.cross(q)), inside_last = n.dot(q.cross(last));
-  const double inside_middle = n2 - inside_first - inside_last;
-  const double n_length = std::sqrt(n2);
+  const double n2 = n.squaredNorm(), n_length = std::sqrt(n2);
+  const auto is_over = [&](double at, auto&& slack_there) {
+    const Vec3 q = from_corner + at * path.v + (0.5 * at * at) * path.a;
+    const double inside_first = n.dot(first.cross(q)), inside_last = n.dot(q.cross(last));
+    const double inside_middle = n2 - inside_first - inside_last;
+    if (std::min({inside_first, inside_middle, inside_last}) >= 0) return true;
+    const double slack = slack_there() * n_length;
+    return inside_first >= -slack * first.norm() && inside_last >= -slack * last.norm() &&
+           inside_middle >= -slack * (last - first).norm();
+  };
   const Vec3 unit = n / n_length;
-  if (std::min({inside_first, inside_middle, inside_last}) < 0) {
+  const bool is_met = is_over(*t, [&] {
     const Vec3 arriving = path.velocity(*t);
-    const double slack = outline_slack(arriving.norm(), -unit.dot(arriving)) * n_length;
-    if (inside_first < -slack * first.norm() || inside_last < -slack * last.norm() ||
-        inside_middle < -slack * (last - first).norm()) {
-      return;
-    }
+    return outline_slack(arriving.norm(), -unit.dot(arriving));
+  });
+  if (!is_met) return;
+  const double scale = 1 / n_length;
+  if (left.let_through(FacetId{name.facet}, unit, h0 * scale, vn * scale, an * scale,
+                       [&](double at) { return is_over(at, [] { return contact_slack; }); })) {
+    return;
   }
-  if (h0 <= 1e-7 * n_length && left.contain(unit, same_plane)) return;
   best = {*t, unit, name.facet, name.source, Feature::facet};
 }
 

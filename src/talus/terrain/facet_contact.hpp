@@ -75,6 +75,16 @@ void meet_sphere(const Parabola& path, SpherePath kind, double radius, const Tim
   return contact_slack * (1 + std::min(tangential_speed / std::max(normal_speed, 1e-300), 1e4));
 }
 
+/// Whether a sphere that touches a facet's plane where its path begins, beside the facet, goes further away from it: it
+/// leaves what it has been on. `inside` and `rate`: the distance from a side, and how fast that grows. (Not asked of a
+/// point, which may be beside a facet by rounding where a wall rises from it. A sphere keeps its distance from that.)
+[[nodiscard]] inline bool leaves_side(double t, double inside, double rate, double speed) {
+  constexpr double along = 1e-9;  // of the speed: so little of it is rounding
+  return t == 0 && inside < 0 && rate < -along * speed;
+}
+/// Which way a path begins: as it moves, or where it stands as it is driven.
+[[nodiscard]] inline const Vec3& first_way(const Parabola& path) { return path.v.isZero(0) ? path.a : path.v; }
+
 /// A triangle's sides, unit normal, and the height of a sphere over its plane, h0 + vn t + an t^2 / 2.
 struct SphereOverFacet {
   std::array<Vec3, 3> side;
@@ -92,15 +102,30 @@ struct SphereOverFacet {
 /// Lets a sphere meet the triangle's face, and neither its sides nor its corners.
 inline void meet_face(const Parabola& path, double radius, const Triangle& corner, const SphereOverFacet& over,
                       FacetName name, const LeftPlanes& left, ContactCandidate& best) {
-  const bool in_left_plane = over.h0 <= 1e-7 && left.contain(over.n, same_plane);
   // A sphere that is in the facet already (its centre still above it) is not let any deeper.
   const auto t = falling_root(over.h0, over.vn, over.an, radius);
-  if (!t || in_left_plane || !best.beaten_by(*t, Feature::facet, name.source)) return;
-  const Vec3 foot = path.at(*t) - radius * over.n;
+  if (!t || !best.beaten_by(*t, Feature::facet, name.source)) return;
+  const auto is_over = [&](double at, double slack) {
+    const Vec3 foot = path.at(at) - radius * over.n;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!(over.n.dot(over.side[c].cross(foot - corner[c])) >= -slack * over.side[c].norm())) return false;
+    }
+    return true;
+  };
   const Vec3 arriving = path.velocity(*t);
-  const double slack = outline_slack(arriving.norm(), -over.n.dot(arriving));
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (!(over.n.dot(over.side[c].cross(foot - corner[c])) >= -slack * over.side[c].norm())) return;
+  if (!is_over(*t, outline_slack(arriving.norm(), -over.n.dot(arriving)))) return;
+  if (*t == 0) {
+    const Vec3 foot = path.p - radius * over.n;
+    const Vec3& way = first_way(path);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vec3 inward = over.n.cross(over.side[c]);
+      if (leaves_side(0, inward.dot(foot - corner[c]), inward.dot(way), inward.norm() * way.norm())) return;
+    }
+  }
+  if (left.let_through(FacetId{name.facet}, over.n, over.h0, over.vn, over.an,
+                       [&](double at) { return is_over(at, contact_slack); }) ||
+      left.is_at_pivot(path.at(*t) - radius * over.n)) {
+    return;
   }
   best = {*t, over.n, name.facet, name.source, Feature::facet};
 }
@@ -138,7 +163,9 @@ void meet_sphere(const Parabola& path, SpherePath kind, double radius, const Tim
                  FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best) {
   const SphereOverFacet over(path, radius, corner);
   // What it rolls on carries it: at its face, and so at its sides and corners, there is nothing ahead.
-  if (kind == SpherePath::leg && std::abs(over.h0) <= 1e-7 && left.contain(over.n, same_plane)) return;
+  if (kind == SpherePath::leg && std::abs(over.h0) <= LeftPlanes::touching && left.contain(over.n, same_plane)) {
+    return;
+  }
   if (over.an <= 0) {
     // The height over the plane is a concave function of time: above it at both ends of the window, the sphere is above
     // it in between, and so above the sides and corners.

@@ -4,6 +4,7 @@
 
 #include "talus/core/check.hpp"
 #include "talus/flight/touch.hpp"
+#include "talus/terrain/facet_contact.hpp"
 #include "talus/terrain/height_in_sight.hpp"
 
 namespace talus {
@@ -103,13 +104,23 @@ void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t
   const Vec3& n = segment.normal;
   const double vn = n.dot(path.v), an = n.dot(path.a);
   const double h0 = n.dot(path.p - segment.a) - radius;
-  const bool in_left_plane = h0 <= 1e-7 && left.contain(n, same_plane);
   const auto t = falling_root(h0, vn, an, radius > 0 ? radius : contact_slack);
-  if (t && *t <= best.t && !in_left_plane) {
-    const double along = segment.along.dot(path.at(*t) - segment.a);
+  if (t && *t <= best.t) {
+    const auto is_over = [&](double at, double slack) {
+      const double along = segment.along.dot(path.at(at) - segment.a);
+      return along >= -slack && along <= segment.length + slack;
+    };
     const double normal_speed = std::max(-(vn + *t * an), 1e-300);
-    const double slack = contact_slack * (1 + std::min(path.velocity(*t).norm() / normal_speed, 1e4));
-    if (along >= -slack && along <= segment.length + slack) best.offer(*t, Feature::facet, k, n);
+    const double slack = outline_slack(path.velocity(*t).norm(), normal_speed);
+    const double along = segment.along.dot(path.at(*t) - segment.a);
+    const Vec3& way = first_way(path);
+    const double rate = segment.along.dot(way), speed = way.norm();
+    const bool leaves =
+        radius > 0 && (leaves_side(*t, along, rate, speed) || leaves_side(*t, segment.length - along, -rate, speed));
+    const bool is_met =
+        is_over(*t, slack) && !leaves && !left.is_at_pivot(path.at(*t) - radius * n) &&
+        !left.let_through(FacetId{k}, n, h0, vn, an, [&](double at) { return is_over(at, contact_slack); });
+    if (is_met) best.offer(*t, Feature::facet, k, n);
   }
   if (radius == 0) return;
   const auto corner = [&](const Vec3& q, std::uint32_t owner) {

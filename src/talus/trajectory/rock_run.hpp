@@ -45,6 +45,7 @@ class RockRun {
         rock_(release.rock),
         motion_(release.motion),
         reach_(scene.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0),
+        leaving_speed_(std::max(laws_.normal_velocity_cutoff, std::sqrt(2 * laws_.gravity.norm() * contact_slack))),
         has_forest_(scene.ground.has_forest()),
         has_room_(release.has_room) {}
 
@@ -86,7 +87,7 @@ class RockRun {
     double mu = 0;             // tan(phi), lumped mass
     ContactFriction friction;  // rigid sphere
     double drag = 0;           // of soft ground and of trees, over mass and velocity [1/s]
-    // In a valley of the second facet; otherwise of a facet that the rock touches yet but has left.
+    // In a valley of the second support; otherwise of a facet that the rock touches yet but has left.
     std::optional<Vec3> other_normal;
     bool is_guided = false;  // the next leg goes along both facets
     FacetId other_facet;
@@ -114,6 +115,7 @@ class RockRun {
   [[nodiscard]] double forest_border_between(const Parabola& path, double from, double to, double rate) const;
   Phase strike(const Contact& contact);
   void begin(Phase phase);
+  void take_leg();
   [[nodiscard]] Phase end(EndReason reason) {
     outcome_.reason = reason;
     return Phase::ended;
@@ -158,7 +160,18 @@ class RockRun {
   [[nodiscard]] Leg next_leg(const OnGround& phase, const Footing& footing) const;
   [[nodiscard]] Leg undragged_leg(const OnGround& phase, const Footing& footing, double timestep) const;
   [[nodiscard]] bool rests(const OnGround& phase, const Footing& footing) const;
-  [[nodiscard]] Footing footing(const OnGround& phase) const;
+  [[nodiscard]] Footing footing(const OnGround& phase);
+  [[nodiscard]] static bool is_on_edge(const OnGround& phase) { return !phase.on_facet && !phase.valley; }
+  [[nodiscard]] Vec3 edge_under(FacetId facet, const Vec3& normal);
+  [[nodiscard]] double pressure_on_edge(FacetId facet, const Vec3& normal);
+  [[nodiscard]] double longest_leg(const OnGround& phase, const Footing& footing) const;
+  bool settle_over_edge(OnGround& phase);
+  /// How long it takes at the least to go a way [m] at a speed that grows by no more than `acceleration` [s].
+  [[nodiscard]] static double time_for_way(double way, double speed, double acceleration) {
+    return 2 * way / (speed + std::sqrt(speed * speed + 2 * acceleration * way));
+  }
+  [[nodiscard]] LeftPlanes carrying(const OnGround& phase);
+  [[nodiscard]] LeftPlanes left_behind(const OnGround& phase) const;
   struct RollingPlane {
     Vec3 normal;
     Rock rock;
@@ -209,7 +222,8 @@ class RockRun {
     last_normal_ = normal;
     last_facet_ = facet;
   }
-  std::optional<OutlineEdge> side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg, double& t);
+  std::optional<OutlineEdge> side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg, double& t,
+                                          double from = 0);
   [[nodiscard]] const Outline& outline_of(FacetId facet) { return outlines_.of(surface_, facet); }
   std::optional<OutlineEdge> edge_ahead(OnGround& phase, const Parabola& leg, double& t);
   [[nodiscard]] bool is_level(const Vec3& n, const Vec3& velocity) const;
@@ -222,7 +236,7 @@ class RockRun {
   [[nodiscard]] MaterialId material_at(FacetId facet) const { return ground_.material_of(surface_.source(facet)); }
   void advance_along(const Leg& leg, double t);
   Phase leave_valley(OnGround& phase);
-  Phase take_off(const LeftPlanes& left);
+  Phase take_off(const LeftPlanes& left = {});
   void stand_on(const OnGround& phase);
   void draw_friction(OnGround& phase, const GroundDraw& draw, const Material& material, double rt);
   void redraw_friction(OnGround& phase);
@@ -265,18 +279,23 @@ class RockRun {
   const Rock rock_;
   Motion motion_;
   const double reach_;  // from the centre to the contact: the radius of a sphere, 0 for the lumped mass
+  // A rock that parts from the ground more slowly stays on it [m/s]: without a cutoff it is one that would not rise by
+  // the thickness within which it counts as being on the ground.
+  const double leaving_speed_;
   const bool has_forest_, has_room_;
 
   RockOutcome outcome_;
   Phase phase_ = Phase::flies;
-  LeftPlanes left_;         // where it flies: what it has just slid off
-  OnGround on_ground_;      // where it is
-  bool hops_ = false;       // it slid until it flew
-  std::int64_t steps_ = 0;  // phases so far
+  LeftPlanes left_;     // where it flies: what it has just slid off
+  OnGround on_ground_;  // where it is
+  bool hops_ = false;   // it slid until it flew
+  bool has_begun_ = false;
+  std::int64_t steps_ = 0;       // phases so far, and a part of the legs
+  std::int64_t short_legs_ = 0;  // so far
   // Of the stretch along the ground that lasts as long as the phase.
   struct Stretch {
     bool has_turned = false;
-    double past_edge = 0;  // time spent rolling over an edge or a vertex [s]
+    double past_edge = 0;  // time spent in a valley that is an edge on one side [s]
   };
   Stretch stretch_;
   // A glide under way, from where the motion is.
@@ -298,8 +317,8 @@ class RockRun {
 
 template <class Surface>
 RockOutcome RockRun<Surface>::follow() {
-  while (go_on() == Pause::glides) {
-    while (step_alone()) {
+  for (Pause pause = go_on(); pause != Pause::ended; pause = go_on()) {
+    while (pause == Pause::glides && step_alone()) {
     }
   }
   return outcome_;
@@ -311,36 +330,50 @@ void RockRun<Surface>::begin(Phase phase) {
   phase_ = phase;
   stretch_ = {};
   if (phase_ == Phase::ended) return;
-  if (steps_++ == laws_.max_steps) {
+  if (steps_++ >= laws_.max_steps) {
     phase_ = end(EndReason::maximum_steps);
   } else if (note_progress(); is_wedged()) {
     phase_ = come_to_rest();
   }
 }
 
+/// One leg. Legs that last as long as their timestep are limited by the time that a rock may take; of shorter ones a
+/// hundred count as a step, so that what takes no time has an end as well.
+template <class Surface>
+void RockRun<Surface>::take_leg() {
+  constexpr std::int64_t legs_a_step = 100;
+  const double start = motion_.time;
+  const Next next = move_along(on_ground_);
+  if (next) {
+    begin(*next);
+  } else if (motion_.time - start < 0.5 * laws_.timestep && ++short_legs_ % legs_a_step == 0 &&
+             steps_++ >= laws_.max_steps) {
+    phase_ = end(EndReason::maximum_steps);
+  }
+}
+
 template <class Surface>
 auto RockRun<Surface>::go_on(const StopScope* stop) -> Pause {
-  if (std::exchange(is_gliding_, false)) {
-    end_glide();
-    if (const Next next = move_along(on_ground_)) begin(*next);
-  } else {
+  if (!std::exchange(has_begun_, true)) {
     outcome_.start = motion_;
     outcome_.max_kinetic_energy = kinetic_energy();
     log_.row(PathState::projectile, motion_);
     begin(has_room_ ? Phase::flies : end(EndReason::at_rest));
+  } else if (std::exchange(is_gliding_, false)) {
+    end_glide();
+    take_leg();
   }
   constexpr unsigned often = 64;  // legs and flights between two looks: well below a millisecond
   for (unsigned passages = 1; phase_ != Phase::ended; ++passages) {
     if (passages % often == 0 && stop != nullptr && stop->is_asked()) return Pause::stopped;
     if (phase_ == Phase::flies) {
       begin(fly());
-      continue;
-    }
-    if (prepare_glide(on_ground_)) {
+    } else if (prepare_glide(on_ground_)) {
       is_gliding_ = true;
       return Pause::glides;
+    } else {
+      take_leg();
     }
-    if (const Next next = move_along(on_ground_)) begin(*next);
   }
   note_energy();
   outcome_.end = motion_;
@@ -370,7 +403,7 @@ auto RockRun<Surface>::first_contact(const Parabola& path, double t_max, const L
 
 template <class Surface>
 auto RockRun<Surface>::end_of_flight(const Parabola& path, double t_max, const LeftPlanes& left) const -> FlightEnd {
-  FlightEnd end = first_contact(path, t_max, left);
+  const FlightEnd end = first_contact(path, t_max, left);
   if (end.contact) {
     // A sphere may touch the rim once more when its centre has left already.
     const Vec3 there = path.at(end.t);
@@ -379,11 +412,6 @@ auto RockRun<Surface>::end_of_flight(const Parabola& path, double t_max, const L
     return before.t < end.t && !before.beneath ? FlightEnd{before.t, {}, before} : end;
   }
   const Exit edge = surface_.exit(path);
-  // Falling through where it took off means that the plane which it left goes on there after all.
-  if (edge.beneath && edge.t <= t_max && left.count > 0) {
-    end = first_contact(path, t_max, {});
-    if (end.contact) return end;
-  }
   return edge.t < t_max ? FlightEnd{edge.t, {}, edge} : end;
 }
 
@@ -475,71 +503,14 @@ std::optional<Vec3> RockRun<Surface>::thrown_back(const Crossing& crossing, cons
   return kept;
 }
 
-/// The rock meets the ground: the impact law, and whether the rock stays on the ground after it.
-template <class Surface>
-auto RockRun<Surface>::strike(const Contact& contact) -> Phase {
-  arrive(PathState::impact);
-  log_.impact(motion_.position);
-  const Material& material = ground_[material_at(contact.facet)];
-  const std::uint32_t number = contacts_;
-  const GroundDraw draw = draw_at(contact.facet);
-  if (hops_ && grazes(contact.normal, motion_.velocity)) {
-    const double rt = draw.restitution(material)[1];
-    draw_friction(on_ground_, draw, material, rt);
-    settle_onto(contact.normal, on_ground_.mu);
-    return enter_ground(contact, draw, material, rt);
-  }
-
-  Vec3 n = contact.normal;
-  if (material.is_rough()) {
-    const Vec3 vt = tangential(motion_.velocity, n);
-    const Vec3 down = tangential(laws_.gravity, n);
-    // Straight down on level ground it comes from anywhere.
-    const Vec3 across = vt.squaredNorm() > 0 ? vt : down.squaredNorm() > 0 ? down : tangential(Vec3::UnitX(), n);
-    auto [ahead, aside] = draw.roughness(material, number);
-    if (laws_.in_section) aside = 0;
-    const Vec3 tilted = tilted_normal(n, across.normalized(), ahead, aside);
-    if (motion_.velocity.dot(tilted) < 0) n = tilted;  // otherwise the bump is turned away from the rock
-  }
-
-  const bool is_crsp = laws_.model == RockModel::lumped_mass && laws_.rotation;
-  CrspImpact impact;  // before the draws, which take as long as it does and do not wait for it
-  if (is_crsp) impact = crsp_impact(motion_.velocity, motion_.spin, n, rock_.radius);
-  const auto [rn_drawn, rt] = draw.restitution(material);
-  const double vn = motion_.velocity.dot(n);
-  const Restitution restitution{laws_.restitution_scaling.scaled(rn_drawn, vn, rock_.mass), rt};
-  Rebound rebound;
-  if (laws_.model == RockModel::rigid_sphere) {
-    Restitution damped = restitution;
-    if (laws_.tangential_crsp_damping) {
-      damped.tangential = crsp_damped_tangential_restitution(motion_.velocity, motion_.spin, n, rock_, restitution);
-    }
-    rebound = rigid_sphere_rebound(motion_.velocity, motion_.spin, n, rock_, damped, draw.dynamic_friction(material));
-  } else if (is_crsp) {
-    rebound = crsp_rebound(impact, rock_, restitution);
-  } else {
-    rebound = plain_rebound(motion_.velocity, motion_.spin, n, restitution);
-  }
-  motion_.velocity = kept_outside(rebound.velocity, contact.normal);
-  motion_.spin = rebound.spin;
-  note_energy();
-
-  const bool leaves = motion_.velocity.dot(contact.normal) >= laws_.normal_velocity_cutoff;
-  const bool carried = laws_.gravity.dot(contact.normal) < 0;
-  if (leaves || !carried) {
-    remember_strike(contact.normal, contact.facet);
-    log_.row(PathState::projectile, motion_);
-    return fly_off();
-  }
-  return enter_ground(contact, draw, material, rt);
-}
-
 }  // namespace talus
 
 #include "talus/trajectory/rock_run_gliding.hpp"
 #include "talus/trajectory/rock_run_in_forest.hpp"
 #include "talus/trajectory/rock_run_in_valley.hpp"
+#include "talus/trajectory/rock_run_on_edge.hpp"
 #include "talus/trajectory/rock_run_on_ground.hpp"
+#include "talus/trajectory/rock_run_striking.hpp"
 
 namespace talus {
 

@@ -46,7 +46,6 @@ auto RockRun<Surface>::fly_where_forests_are() -> Phase {
     if (next) return *next;
     if (motion_.time >= laws_.max_time) return end(EndReason::maximum_time);
     note_energy();
-    left_ = {};
   }
 }
 
@@ -83,11 +82,7 @@ auto RockRun<Surface>::fly_among_trees(double rate) -> Next {
   if (forest_drag_at(path.at(length)) != rate) length = forest_border_between(path, 0, length, rate);
 
   FlightEnd end{length, {}, {}};
-  if (left_.count > 0) {
-    // Whether it falls through the plane that it left shows only further on.
-    const FlightEnd whole = end_of_flight(path, laws_.max_time, left_);
-    if (whole.t <= length) end = whole;
-  } else if (const FlightEnd met = first_contact(path, length, {}); met.contact) {
+  if (const FlightEnd met = first_contact(path, length, left_); met.contact) {
     end = met;
   } else if (!surface_.ground_below(path.at(length))) {
     const Exit exit = surface_.exit(path);

@@ -9,7 +9,7 @@ namespace talus {
 /// Where gravity holds the rock between its facet and the one that it has come to.
 template <class Surface>
 bool RockRun<Surface>::enter_valley(OnGround& phase, FacetId facet, const Vec3& n) {
-  const auto valley = caught_between(laws_.gravity, phase.normal, n, motion_.velocity, laws_.normal_velocity_cutoff);
+  const auto valley = caught_between(laws_.gravity, phase.normal, n, motion_.velocity, leaving_speed_);
   if (!valley) return false;
   phase.valley = valley;
   phase.other_normal = std::exchange(phase.normal, n);
@@ -115,7 +115,7 @@ auto RockRun<Surface>::leave_valley(OnGround& phase) -> Phase {
     if (phase.on_facet && carries(phase.other_facet, *phase.other_normal)) {
       // The same planes but for rounding, which would add up along the valley.
       const Vec3 n = surface_.normal(*first), m = surface_.normal(*second);
-      const auto valley = caught_between(laws_.gravity, m, n, motion_.velocity, laws_.normal_velocity_cutoff);
+      const auto valley = caught_between(laws_.gravity, m, n, motion_.velocity, leaving_speed_);
       if (valley) {
         phase.valley = valley;
         phase.normal = n;
@@ -154,7 +154,7 @@ auto RockRun<Surface>::leave_valley(OnGround& phase) -> Phase {
       return strike({0, n, *rising, Feature::facet});
     }
   }
-  return take_off(LeftPlanes(phase.normal, *phase.other_normal));
+  return take_off(left_behind(phase));
 }
 
 }  // namespace talus

@@ -20,8 +20,7 @@ auto RockRun<Surface>::enter_ground(const Contact& contact, const GroundDraw& dr
   constexpr double here = 1e-5;  // [m]: contacts so near each other are one contact with both facets
   const bool struck_here = (motion_.position - last_strike_).squaredNorm() < here * here;
   if (struck_here && last_normal_.dot(phase.normal) < 1 - 1e-9) {
-    phase.valley =
-        caught_between(laws_.gravity, last_normal_, phase.normal, motion_.velocity, laws_.normal_velocity_cutoff);
+    phase.valley = caught_between(laws_.gravity, last_normal_, phase.normal, motion_.velocity, leaving_speed_);
     if (phase.valley) {
       phase.other_normal = last_normal_;
       phase.other_facet = last_facet_;
@@ -96,13 +95,17 @@ PathState RockRun<Surface>::contact_state(const Vec3& normal) const {
 }
 
 template <class Surface>
-Footing RockRun<Surface>::footing(const OnGround& phase) const {
-  return phase.valley ? phase.valley->footing : Footing::on_plane(laws_.gravity, phase.normal);
+Footing RockRun<Surface>::footing(const OnGround& phase) {
+  if (phase.valley) return phase.valley->footing;
+  Footing footing = Footing::on_plane(laws_.gravity, phase.normal);
+  if (is_on_edge(phase)) footing.pressure = std::max(0.0, pressure_on_edge(phase.facet, phase.normal));
+  return footing;
 }
 
 template <class Surface>
 Leg RockRun<Surface>::next_leg(const OnGround& phase, const Footing& footing) const {
-  if (phase.drag == 0) return undragged_leg(phase, footing, laws_.timestep);
+  const double longest = longest_leg(phase, footing);
+  if (phase.drag == 0) return undragged_leg(phase, footing, longest);
   const bool is_sphere = laws_.model == RockModel::rigid_sphere;
   const bool rolls = is_sphere && contact_state(phase.normal) == PathState::rolling;
   const RollingPlane plane = rolling_plane(phase);
@@ -111,7 +114,7 @@ Leg RockRun<Surface>::next_leg(const OnGround& phase, const Footing& footing) co
                                                           : phase.mu);
   const double speed = motion_.velocity.norm();
   const Vec3 net = footing.pull - friction / std::max(speed, 1e-300) * motion_.velocity;
-  const double timestep = dragged_timestep(phase.drag, laws_.timestep, net, motion_.velocity);
+  const double timestep = dragged_timestep(phase.drag, longest, net, motion_.velocity);
   const double share = rolls ? rolling_share(plane.rock) : 1;
   return cut_short(undragged_leg(phase, dragged(footing, motion_.velocity, phase.drag, timestep, share), timestep),
                    timestep);
@@ -205,10 +208,11 @@ void RockRun<Surface>::stand_on(const OnGround& phase) {
   motion_.position += shift;
 }
 
-/// The first side of a facet that a leg crosses outwards before `t`, which becomes the time.
+/// The first side of a facet that a leg crosses outwards before `t`, which becomes the time; the leg comes to the facet
+/// at the time `from`.
 template <class Surface>
 std::optional<OutlineEdge> RockRun<Surface>::side_crossed(const OnGround& phase, FacetId facet, const Parabola& leg,
-                                                          double& t) {
+                                                          double& t, double from) {
   const Outline& outline = outline_of(facet);
   std::optional<int> crossed_side;
   for (int k = 0; k < outline.edge_count; ++k) {
@@ -220,7 +224,12 @@ std::optional<OutlineEdge> RockRun<Surface>::side_crossed(const OnGround& phase,
     // Most legs are short and stay far from all sides.
     const double nearest = distance + std::min(speed, 0.0) * t + 0.5 * std::min(acceleration, 0.0) * t * t;
     if (nearest > 0) continue;
-    const auto crossed = falling_root(distance, speed, acceleration, 1e300);
+    auto crossed = falling_root(distance, speed, acceleration, 1e300);
+    if (crossed && *crossed < from) {  // a bent way may have crossed the line of the side before it came here
+      crossed = falling_root(distance + from * (speed + 0.5 * from * acceleration), speed + from * acceleration,
+                             acceleration, 1e300);
+      if (crossed) *crossed += from;
+    }
     if (crossed && *crossed < t) {
       t = *crossed;
       crossed_side = k;
@@ -240,12 +249,14 @@ std::optional<OutlineEdge> RockRun<Surface>::edge_ahead(OnGround& phase, const P
     }
     return side;
   }
-  constexpr int most_facets_a_leg = 1000;  // no leg has more; what turns in circles at a vertex is cut off
+  constexpr int most_facets_a_leg = 1000;  // then the leg ends; what turns in circles at a vertex, a little beyond it
+  const Vec3 plane = phase.normal;
+  double t_edge = 0;
   for (int facets = 0; facets < most_facets_a_leg; ++facets) {
-    double t_edge = t;
-    const auto edge = side_crossed(phase, phase.facet, leg, t_edge);
+    const double from = std::exchange(t_edge, t);
+    const auto edge = side_crossed(phase, phase.facet, leg, t_edge, from);
     if (!edge) return std::nullopt;
-    const bool goes_on = edge->beyond && phase.normal.dot(outline_of(*edge->beyond).normal) > 1 - same_plane &&
+    const bool goes_on = edge->beyond && plane.dot(outline_of(*edge->beyond).normal) > 1 - same_plane &&
                          material_at(phase.facet) == material_at(*edge->beyond);
     if (!goes_on) {
       t = t_edge;
@@ -254,6 +265,8 @@ std::optional<OutlineEdge> RockRun<Surface>::edge_ahead(OnGround& phase, const P
     phase.facet = *edge->beyond;
     phase.normal = outline_of(phase.facet).normal;
   }
+  constexpr double beyond_it = 1e-6;  // [m]
+  t = std::min(t, std::max(t_edge, time_for_way(beyond_it, leg.v.norm(), leg.a.norm())));
   return std::nullopt;
 }
 
@@ -294,13 +307,13 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
   if (still && std::exchange(stretch_.has_turned, true) == false) log_.turn(motion_);
   Leg leg = next_leg(phase, footing);
   double t = std::min(leg.duration, laws_.max_time - motion_.time);
-  const LeftPlanes on = phase.other_normal ? LeftPlanes(phase.normal, *phase.other_normal) : LeftPlanes(phase.normal);
+  const LeftPlanes on = carrying(phase);
   if (phase.other_normal && !phase.valley) {
     if (phase.is_guided) {
       leg = guided(leg, phase.normal.cross(*phase.other_normal).normalized());
     } else {
       constexpr double past_the_end = 1e-3;  // how far it goes before that facet counts again [m]
-      t = std::min(t, past_the_end / std::max(motion_.velocity.norm(), 1e-3));
+      t = std::min(t, time_for_way(past_the_end, motion_.velocity.norm(), leg.path.a.norm()));
     }
     phase.other_normal.reset();
     phase.is_guided = false;
@@ -341,11 +354,15 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
   if (met) {
     motion_.velocity = kept_on_ground(phase, motion_.velocity);
     log_.row(contact_state(phase.normal), motion_);
-    return std::nullopt;
+    return Phase::on_ground;  // a stretch of its own, which counts
   }
 
+  const bool over_edge = is_on_edge(phase) && !rim && !ahead;
   const Motion before = motion_;
   advance_along(leg, t);
+  const bool stays = !over_edge || settle_over_edge(phase);
+  // Over an edge the way is bent to where the sphere has come.
+  if (over_edge && t > 0) leg.path.a = 2 / (t * t) * (motion_.position - leg.path.p - t * leg.path.v);
   note_leg(leg.path, t, before, motion_);
   note_energy();
   if (rim) return leave_over_rim(rim->exit);
@@ -355,11 +372,36 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
     return strike(*ahead);
   }
   if (edge) return leave_facet(phase, *edge);
-  // Over an edge or a vertex the ground curves away from a sphere: after a timestep it is in the air again, if
-  // barely. (Not after a leg: where slip ends at once and rolling begins, that would be for ever.)
-  stretch_.past_edge += t;
-  if (!phase.on_facet && stretch_.past_edge >= 0.5 * laws_.timestep) return take_off(LeftPlanes(phase.normal));
+  if (!stays) return take_off();
+  if (!phase.on_facet && phase.valley) {
+    // Between an edge and something else: after a while it is in the air again, if barely. (Not after a leg: where slip
+    // ends at once and rolling begins, that would be for ever.)
+    stretch_.past_edge += t;
+    const double while_ = std::min(laws_.timestep, time_for_way(edge_step * reach_, motion_.velocity.norm(), 0));
+    if (stretch_.past_edge >= 0.5 * while_) return take_off();
+  }
   return std::nullopt;
+}
+
+/// What lies in the planes that carry the rock, or touches it at the edge that does, is not ahead.
+template <class Surface>
+LeftPlanes RockRun<Surface>::carrying(const OnGround& phase) {
+  LeftPlanes on;
+  if (phase.other_normal)
+    on = {phase.normal, *phase.other_normal};
+  else if (phase.on_facet)
+    on = LeftPlanes(phase.normal);
+  if (is_on_edge(phase)) on.turn_about(motion_.position - reach_ * phase.normal, edge_under(phase.facet, phase.normal));
+  return on;
+}
+
+/// What the rock flies off: the facets that it was on. (The normal of an edge is none of a plane.)
+template <class Surface>
+LeftPlanes RockRun<Surface>::left_behind(const OnGround& phase) const {
+  LeftPlanes left;
+  if (phase.on_facet) left.add(phase.normal, phase.facet);
+  if (phase.valley && carries(phase.other_facet, *phase.other_normal)) left.add(*phase.other_normal, phase.other_facet);
+  return left;
 }
 
 /// Where a sphere leaves the model that goes along a leg until `t`, its centre being beside the terrain before its
@@ -419,7 +461,11 @@ auto RockRun<Surface>::leave_facet(OnGround& phase, const OutlineEdge& edge) -> 
       return strike({0, n, *edge.beyond, Feature::facet});
     }
   }
-  return take_off(LeftPlanes(phase.normal));
+  if (reach_ > 0 && pressure_on_edge(phase.facet, phase.normal) > 0) {
+    phase.on_facet = false;  // too slow to fly off, it turns about the edge
+    return Phase::on_ground;
+  }
+  return take_off(left_behind(phase));
 }
 
 /// A facet ahead is level, or only grazed: the rock goes on over it.
