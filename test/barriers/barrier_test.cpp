@@ -79,7 +79,8 @@ TEST(Crossing, HeightIsMeasuredUpTheFace) {
   EXPECT_NEAR(crossing->t, (10 + 2 * std::tan(lean)) / 5, 1e-12);
 }
 
-// The panel's equation alone, without bounds: a point meets a panel where it is in its plane and on its face.
+// The panel's equation alone, without bounds: a point meets a panel where it is in its plane and on its face, and
+// passes above it where it is upright above its top.
 TEST(Crossing, IsNotHiddenByBounds) {
   Dice dice(301);
   int crossed = 0;
@@ -99,8 +100,13 @@ TEST(Crossing, IsNotHiddenByBounds) {
       const double t = solution[2];
       const bool is_between_sides =
           solution[0] >= panel.start_at(solution[1]) && solution[0] <= panel.end_at(solution[1]);
-      const bool is_on_it = is_between_sides && solution[1] >= 0 && t >= 0 && t <= t_max;
+      const bool is_on_it = is_between_sides && solution[1] >= 0 && solution[1] <= panel.height && t >= 0 && t <= t_max;
       if (is_on_it) expected = std::min(expected.value_or(t), t);
+      const double top_start = panel.start_at(panel.height);
+      columns << panel.along, Vec3::UnitZ(), -path.v;
+      const Vec3 above = columns.inverse() * (path.p - panel.foot - top_start * panel.along - panel.height * panel.up);
+      const bool is_over_it = above[0] >= 0 && above[0] <= panel.end_at(panel.height) - top_start && above[1] >= 0;
+      if (is_over_it && above[2] >= 0 && above[2] <= t_max) expected = std::min(expected.value_or(above[2]), above[2]);
     }
     const auto crossing = first_crossing(barriers, path, 0, 0, t_max, {});
     if (!expected) continue;

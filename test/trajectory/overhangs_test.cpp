@@ -179,7 +179,7 @@ TEST(Overhang, ABarrierStandsAtTheFootOfAFaceToo) {
   ASSERT_EQ(panels.size(), 2U);
   EXPECT_EQ(panels[0].foot, foot[0]);
   EXPECT_EQ(panels[1].foot, foot[2]);
-  EXPECT_FALSE(panels[0].has_next);
+  EXPECT_FALSE(panels[1].has_previous);
   EXPECT_DOUBLE_EQ(panels[1].station, 3);
 }
 

@@ -35,13 +35,14 @@ std::optional<double> lean_of(const Panel& panel, const Vec3& direction) {
 
 /// One panel ends where the other begins: so do their sides, along the line in which their planes meet.
 void join(Panel& before, Panel& after) {
-  before.has_next = true;
   Vec3 line = before.normal.cross(after.normal);
   constexpr double flat = 1e-9;  // sine of the angle between planes that are one
+  after.has_previous = true;
   if (line.norm() < flat) return;
   if (line.dot(before.up) < 0) line = -line;
   const auto lean_before = lean_of(before, line), lean_after = lean_of(after, line);
-  if (!lean_before || !lean_after) return;  // of a hairpin, which leans away without end
+  after.has_previous = lean_before && lean_after;
+  if (!after.has_previous) return;  // of a hairpin, which leans away without end
   before.end_lean = *lean_before;
   after.start_lean = *lean_after;
 }
@@ -76,12 +77,11 @@ std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double
 }
 
 void Barrier::stand(std::vector<Panel> panels) {
-  constexpr double above = 1e4;  // [m]
   panels_ = std::move(panels);
   std::vector<PlanBounds> bounds(panels_.size());
   for (std::size_t k = 0; k < panels_.size(); ++k) {
     const Panel& panel = panels_[k];
-    for (const double up : {0.0, panel.height, panel.height + above}) {
+    for (const double up : {0.0, panel.height}) {
       for (const double along : {panel.start_at(up), panel.end_at(up)}) {
         bounds[k].grow(Vec2((panel.foot + along * panel.along + up * panel.up).head<2>()));
       }

@@ -31,7 +31,7 @@ struct Panel {
   // At a bend of the line, leaning panels meet where their planes do: by how much of the foot's direction their sides
   // go on with each metre up the face.
   double start_lean = 0, end_lean = 0;
-  bool has_next = false;  // another panel begins where it ends
+  bool has_previous = false;  // another panel ends where it begins, and its side is the same
 
   /// Where its sides are at a height up the face [m], measured along the foot; as at the top from there on, as at the
   /// foot below it.
@@ -52,7 +52,7 @@ class Barrier {
     for (Panel& panel : panels_) panel.foot.z() = z;
   }
   [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
-  /// Where on plan each panel can be met, or passed above by up to 10 km.
+  /// Where on plan each panel can be met or passed above.
   [[nodiscard]] const PlanIndex& on_plan() const { return on_plan_; }
 
  private:
@@ -76,7 +76,7 @@ inline constexpr int barrier_outcome_count = 4;
 struct BarrierHit {
   BarrierId barrier;
   Motion motion;      // as it arrives
-  double height = 0;  // of the contact point above the foot, along the face [m]
+  double height = 0;  // above the foot, along the face: of the contact point; at a collector, of the centre [m]
   double angle = 0;   // between the velocity and the face's normal, positive towards the foot [rad]
   BarrierOutcome outcome = BarrierOutcome::passed;
   double station = 0;  // where along the line, on plan [m]

@@ -10,6 +10,7 @@ namespace talus {
 namespace {
 
 constexpr double by_rounding = 1e-6;  // by which ranges are widened [m]
+constexpr double on_border = 1e-9;    // by which a place may lie beyond an end and still belongs to it [m]
 
 // A range that holds p + v t + a t^2 / 2 for all t in [0, t_max], widened by `margin`.
 struct Range {
@@ -48,35 +49,54 @@ Place place_on(const Panel& panel, const Vec3& q) {
   return {(x - c * y) / (1 - c * c), (y - c * x) / (1 - c * c)};
 }
 
+bool is_between_sides(const Panel& panel, const Place& place) {
+  return place.along >= panel.start_at(place.up) - on_border && place.along <= panel.end_at(place.up) + on_border;
+}
+
+Vec3 point_of(const Panel& panel, const Place& place) {
+  return panel.foot + place.along * panel.along + place.up * panel.up;
+}
+
+/// What neither comes nearer nor is drawn nearer, stays where it is. (Speeds below this are rounding.)
+bool draws_away(double speed, double acceleration) {
+  constexpr double none = 1e-9;  // [m/s]
+  return speed > none || (speed > -none && acceleration >= 0);
+}
+
 /// The first crossing of one rock's path.
 class Search {
  public:
   Search(const Parabola& path, double radius, double start, double t_max, const RecentCrossings& recent)
-      : path_(path),
-        radius_(radius),
-        margin_(radius + by_rounding),
-        start_(start),
-        t_max_(t_max),
-        recent_(recent),
-        barriers_{t_max, {}},
-        // Of a barrier that ends the path a collector on its line may lie a rounding beyond.
-        collectors_{t_max + same_crossing, {}} {}
+      : path_(path), radius_(radius), margin_(radius + by_rounding), start_(start), t_max_(t_max), recent_(recent) {}
 
   [[nodiscard]] PlanBounds bounds() const {
     const Range x(path_.p.x(), path_.v.x(), path_.a.x(), t_max_, margin_),
         y(path_.p.y(), path_.v.y(), path_.a.y(), t_max_, margin_);
     return {{x.low, y.low}, {x.high, y.high}};
   }
-  void ask(BarrierId barrier, bool is_collector, const Panel& panel) {
-    Earliest& earliest = is_collector ? collectors_ : barriers_;
-    ask_face(barrier, panel, earliest);
-    if (radius_ > 0 && panel.has_next) ask_joint(barrier, panel, earliest);
+
+  /// Whether the rock touches a barrier's panel, and where; and whether it passes above it.
+  void ask_barrier(BarrierId barrier, const Panel& panel) {
+    if (radius_ > 0) {
+      touch_face(barrier, panel);
+      touch_outline(barrier, panel);
+    }
+    cross_face(barrier, panel, first_barrier_);
+    pass_over(barrier, panel, first_barrier_);
   }
+
+  /// Whether its centre passes through a collector, or above it; a sphere that is kept from it by a barrier counts
+  /// where it is, if it touches the collector there. To be asked after all barriers.
+  void ask_collector(BarrierId barrier, const Panel& panel) {
+    cross_face(barrier, panel, first_collector_);
+    pass_over(barrier, panel, first_collector_);
+    if (radius_ > 0 && is_met()) reach_over(barrier, panel, first_barrier_->t);
+  }
+
   [[nodiscard]] const std::optional<Crossing>& first() const {
-    const auto &barrier = barriers_.crossing, &collector = collectors_.crossing;
+    const auto &barrier = first_barrier_, &collector = first_collector_;
     if (!collector) return barrier;
-    const bool is_met = barrier && !barrier->above;
-    if (is_met && collector->t < barrier->t + same_crossing) return collector;
+    if (is_met() && collector->t < barrier->t + same_crossing) return collector;
     if (collector->t > t_max_) return barrier;
     if (!barrier || collector->t < barrier->t) return collector;
     const bool is_before = collector->t == barrier->t && collector->barrier.index < barrier->barrier.index;
@@ -84,72 +104,157 @@ class Search {
   }
 
  private:
-  /// The earliest crossing of a kind up to t_max.
-  struct Earliest {
-    double t_max;
-    std::optional<Crossing> crossing;
-  };
-  void ask_face(BarrierId barrier, const Panel& panel, Earliest& earliest) {
-    const double h0 = panel.normal.dot(path_.p - panel.foot);
-    const double v = panel.normal.dot(path_.v), a = panel.normal.dot(path_.a);
-    const Range distance(h0, v, a, earliest.t_max, margin_);
-    if (distance.low > 0 || distance.high < 0) return;
-    // From either side, the side being where the rock comes from at that time.
+  using First = std::optional<Crossing>;
+
+  [[nodiscard]] bool is_met() const { return first_barrier_ && !first_barrier_->above; }
+  /// How long crossings of a kind are looked for. Of a barrier that ends the path a collector on its line may lie a
+  /// rounding beyond.
+  [[nodiscard]] double time_for(const First& first) const {
+    return &first == &first_collector_ ? t_max_ + same_crossing : t_max_;
+  }
+
+  /// Calls meets(t, side) for each time at which the path comes within `distance` of a plane: from either side, the
+  /// side being where it comes from at that time.
+  template <class Meets>
+  void come_near(const Vec3& point, const Vec3& normal, double distance, double t_max, Meets&& meets) const {
+    const double h0 = normal.dot(path_.p - point), v = normal.dot(path_.v), a = normal.dot(path_.a);
+    const Range range(h0, v, a, t_max, distance + by_rounding);
+    if (range.low > 0 || range.high < 0) return;
     for (const double side : {1.0, -1.0}) {
-      const Times times = zeros(h0 - side * radius_, v, a);
+      const Times times = zeros(h0 - side * distance, v, a);
       for (int i = 0; i < times.count; ++i) {
         // A rock that starts at the barrier, or a rounding beyond it, meets it.
         const double t = times.t[static_cast<std::size_t>(i)];
-        if (t < -0.5 * same_crossing || t > earliest.t_max) continue;
-        if (draws_away(side * (v + a * t), side * a)) continue;
-        const Place place = place_on(panel, path_.at(t) - side * radius_ * panel.normal);
-        // Panels of one barrier meet without a gap; a rounding's breadth beyond an end belongs to it, too.
-        if (place.along < panel.start_at(place.up) - 1e-9 || place.along > panel.end_at(place.up) + 1e-9) continue;
-        offer(earliest, barrier, panel, std::max(t, 0.0), place, side * panel.normal);
+        if (t < -0.5 * same_crossing || t > t_max) continue;
+        if (!draws_away(side * (v + a * t), side * a)) meets(std::max(t, 0.0), side);
       }
     }
   }
-  /// The side that a panel shares with the next one, over its top, too. From within a bend a sphere comes to one of the
-  /// panels first.
-  void ask_joint(BarrierId barrier, const Panel& panel, Earliest& earliest) {
-    constexpr double endless = 1e4;  // [m]
-    const Vec3 corner = panel.foot + panel.length * panel.along;
-    const Vec3 side = panel.up + panel.end_lean * panel.along, direction = side.normalized();
-    const auto t = touch_edge(path_, corner - margin_ * direction, direction, endless, radius_, {0, earliest.t_max});
+
+  /// A sphere comes to a panel's face, from its foot, or a little below, to its top.
+  void touch_face(BarrierId barrier, const Panel& panel) {
+    come_near(panel.foot, panel.normal, radius_, t_max_, [&](double t, double side) {
+      const Place place = place_on(panel, path_.at(t) - side * radius_ * panel.normal);
+      if (place.up < -margin_ || place.up > panel.height || !is_between_sides(panel, place)) return;
+      offer(first_barrier_, hit(barrier, panel, t, place, side));
+    });
+  }
+
+  /// It comes to the panel's top, to one of its sides or to where they meet. (Of sides that two panels share, to the
+  /// first one's.)
+  void touch_outline(BarrierId barrier, const Panel& panel) {
+    const double h0 = panel.normal.dot(path_.p - panel.foot);
+    const Range distance(h0, panel.normal.dot(path_.v), panel.normal.dot(path_.a), t_max_, margin_);
+    if (distance.low > 0 || distance.high < 0) return;
+    const double top_start = panel.start_at(panel.height), top_end = panel.end_at(panel.height);
+    touch_edge_of(barrier, panel, {top_start, panel.height}, {top_end, panel.height});
+    touch_edge_of(barrier, panel, {panel.length, 0}, {top_end, panel.height});
+    touch_corner(barrier, panel, {top_end, panel.height});
+    if (panel.has_previous) return;
+    touch_edge_of(barrier, panel, {0, 0}, {top_start, panel.height});
+    touch_corner(barrier, panel, {top_start, panel.height});
+  }
+  /// Sides go on below the foot.
+  void touch_edge_of(BarrierId barrier, const Panel& panel, const Place& from, const Place& to) {
+    const Vec3 start = point_of(panel, from), way = point_of(panel, to) - start;
+    const double length = way.norm(), below = from.up == 0 ? margin_ : 0;
+    if (!(length > 0)) return;
+    const Vec3 direction = way / length;
+    const auto t =
+        touch_edge(path_, start - below * direction, direction, length + below, radius_, {0, time_of_first()});
     if (!t) return;
-    const Vec3 away = tangential(path_.at(*t) - corner, direction);
+    const double share = (path_.at(*t) - start).dot(direction) / length;
+    const Place place{from.along + share * (to.along - from.along), from.up + share * (to.up - from.up)};
+    offer_edge(barrier, panel, *t, place);
+  }
+  void touch_corner(BarrierId barrier, const Panel& panel, const Place& corner) {
+    const auto t = touch_point(path_, point_of(panel, corner), radius_, {0, time_of_first()});
+    if (t) offer_edge(barrier, panel, *t, corner);
+  }
+  void offer_edge(BarrierId barrier, const Panel& panel, double t, const Place& place) {
+    const Vec3 away = path_.at(t) - point_of(panel, place);
+    // What begins within the outline is not held by it: its centre may yet come to the face.
     if (away.norm() < 0.5 * radius_) return;
-    const double up = (path_.at(*t) - corner).dot(direction) / side.norm();
-    offer(earliest, barrier, panel, *t, {panel.length, up}, away.normalized());
+    Crossing crossing = hit(barrier, panel, t, place, away.dot(panel.normal) < 0 ? -1 : 1);
+    crossing.normal = away.normalized();
+    offer(first_barrier_, crossing);
   }
-  /// What neither comes nearer nor is drawn nearer, stays where it is. (Speeds below this are rounding.)
-  static bool draws_away(double speed, double acceleration) {
-    constexpr double none = 1e-9;  // [m/s]
-    return speed > none || (speed > -none && acceleration >= 0);
+  [[nodiscard]] double time_of_first() const { return first_barrier_ ? first_barrier_->t : t_max_; }
+
+  /// The centre comes to a panel's face.
+  void cross_face(BarrierId barrier, const Panel& panel, First& first) {
+    come_near(panel.foot, panel.normal, 0, time_for(first), [&](double t, double side) {
+      const Place place = place_on(panel, path_.at(t));
+      if (place.up < -margin_ || place.up > panel.height || !is_between_sides(panel, place)) return;
+      offer(first, hit(barrier, panel, t, place, side));
+    });
   }
-  void offer(Earliest& earliest, BarrierId barrier, const Panel& panel, double t, const Place& place,
-             const Vec3& normal) {
-    auto& first = earliest.crossing;
-    if (place.up < -margin_ || (first && t >= first->t)) return;
-    const bool from_ahead = normal.dot(panel.normal) > 0;
-    if (recent_.contain(barrier, start_ + t, from_ahead)) return;
-    const bool above = place.up > panel.height;
+
+  /// The centre comes over a panel's top. What reaches down to it there meets it; a collector, what reaches down to it
+  /// anywhere on its way.
+  void pass_over(BarrierId barrier, const Panel& panel, First& first) {
+    const double top_start = panel.start_at(panel.height);
+    const Vec3 start = point_of(panel, {top_start, panel.height});
+    const Vec3 normal = panel.along.cross(Vec3::UnitZ()).normalized();
+    come_near(start, normal, 0, time_for(first), [&](double t, double side) {
+      const Vec3 from_start = path_.at(t) - start;
+      const Vec2 plan = panel.along.head<2>();
+      const double along = from_start.head<2>().dot(plan) / plan.squaredNorm();
+      const double over = from_start.z() - along * panel.along.z();
+      const double length = panel.end_at(panel.height) - top_start;
+      if (over < -on_border || along < -on_border || along > length + on_border) return;
+      const Place place{top_start + along, panel.height + std::max(over, 0.0) * panel.up.z()};
+      Crossing crossing = hit(barrier, panel, t, place, side);
+      const Vec3 distance = tangential(over * Vec3::UnitZ(), panel.along);
+      const Vec3 way = tangential(path_.velocity(t), panel.along);
+      const double nearest = &first == &first_collector_ ? distance.cross(way.normalized()).norm() : distance.norm();
+      crossing.above = nearest > radius_ + on_border;
+      if (crossing.above) {
+        crossing.clearance = over - radius_;
+        crossing.normal = side * normal;
+        crossing.way_over = std::max(0.0, panel.height * panel.up.dot(crossing.normal));
+      }
+      offer(first, crossing);
+    });
+  }
+
+  /// At a time, a sphere touches a collector or is above it, and its centre has not come to it.
+  void reach_over(BarrierId barrier, const Panel& panel, double t) {
+    const Vec3 centre = path_.at(t);
+    const double distance = panel.normal.dot(centre - panel.foot);
+    if (std::abs(distance) > margin_) return;
+    const double side = distance < 0 ? -1 : 1;
+    if (draws_away(side * panel.normal.dot(path_.velocity(t)), side * panel.normal.dot(path_.a))) return;
+    const Place place = place_on(panel, centre);
+    if (place.up < -margin_ || !is_between_sides(panel, place)) return;
+    Crossing crossing = hit(barrier, panel, t, place, side);
+    crossing.above = place.up > panel.height + radius_;
+    if (crossing.above) crossing.clearance = place.up - panel.height - radius_;
+    offer(first_collector_, crossing);
+  }
+
+  /// From a side: 1 ahead of the panel, -1 behind it.
+  [[nodiscard]] static Crossing hit(BarrierId barrier, const Panel& panel, double t, const Place& place, double side) {
     const double share = std::clamp(place.along / panel.length, 0.0, 1.0);
-    first = Crossing{t,
-                     barrier,
-                     std::max(place.up, 0.0),
-                     above ? place.up - panel.height - radius_ : 0,
-                     normal,
-                     panel.up,
-                     above,
-                     panel.station + share * panel.plan_length,
-                     from_ahead};
+    Crossing crossing;
+    crossing.t = t;
+    crossing.barrier = barrier;
+    crossing.height = std::max(place.up, 0.0);
+    crossing.normal = crossing.across = side * panel.normal;
+    crossing.up = panel.up;
+    crossing.station = panel.station + share * panel.plan_length;
+    crossing.from_ahead = side > 0;
+    return crossing;
+  }
+  void offer(First& first, const Crossing& crossing) const {
+    if (first && crossing.t >= first->t) return;
+    if (!recent_.contain(crossing, start_ + crossing.t)) first = crossing;
   }
 
   const Parabola& path_;
   const double radius_, margin_, start_, t_max_;
   const RecentCrossings& recent_;
-  Earliest barriers_, collectors_;
+  First first_barrier_, first_collector_;
 };
 
 }  // namespace
@@ -158,10 +263,15 @@ std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const 
                                        double start, double t_max, const RecentCrossings& recent) {
   Search search(path, radius, start, t_max, recent);
   const PlanBounds passed = search.bounds();
-  for (std::uint32_t b = 0; b < barriers.size(); ++b) {
-    const Barrier& barrier = barriers[b];
-    barrier.on_plan().visit(
-        passed, [&](std::size_t k) { search.ask(BarrierId{b}, barrier.is_collector, barrier.panels()[k]); });
+  for (const bool collectors : {false, true}) {
+    for (std::uint32_t b = 0; b < barriers.size(); ++b) {
+      const Barrier& barrier = barriers[b];
+      if (barrier.is_collector != collectors) continue;
+      barrier.on_plan().visit(passed, [&](std::size_t k) {
+        const Panel& panel = barrier.panels()[k];
+        collectors ? search.ask_collector(BarrierId{b}, panel) : search.ask_barrier(BarrierId{b}, panel);
+      });
+    }
   }
   return search.first();
 }

@@ -1,8 +1,12 @@
 #pragma once
-// How a rock comes to a barrier: it meets a panel when its centre comes within its radius of the panel's plane (the
-// lumped mass: when it reaches the plane) and the point of contact lies on the panel; where two panels meet, a sphere
-// may touch the side that they share before either of them.
+// How a rock comes to a barrier. A sphere meets a barrier when it touches a panel: its face, its top or one of its
+// sides; a lumped mass, when it comes to the face. Above a panel's top stands a wall without end, upright even where
+// the panel leans: a rock passes above when its centre goes through that, and nothing of it is in the panel's way. A
+// collector touches nothing: a rock comes to it when its centre does. What of a sphere stands in a collector when a
+// barrier stops it, or throws it back, has come to it, too.
+// Checked by test/barriers.
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -17,10 +21,13 @@ namespace talus {
 struct Crossing {
   double t = 0;
   BarrierId barrier;
-  double height = 0;     // of the contact point along the face; above the panel's height: it passes above
-  double clearance = 0;  // above the panel's top, along the face [m]; only where it passes above
-  Vec3 normal;           // across the face, against the rock
-  Vec3 up;               // along the face
+  double height = 0;  // along the face, of the contact, or of where the centre comes to the collector or passes above
+  double clearance = 0;  // of the underside above the panel's top [m]; only where it passes above
+  double way_over =
+      0;  // on plan, from there to beyond a panel that leans against the rock [m]; only where it passes above
+  Vec3 normal = Vec3::Zero();  // from where the rock touches the panel to its centre, unit; level where it passes above
+  Vec3 across = Vec3::Zero();  // across the face, against the rock; unit
+  Vec3 up = Vec3::Zero();      // along the face, unit
   bool above = false;
   double station = 0;      // where along the line, on plan [m]
   bool from_ahead = true;  // from the side to which the panels' normals point
@@ -39,7 +46,8 @@ class RecentCrossings {
     for (Noted& noted : noted_) {
       if (noted.is_passed_at(time)) noted.until = std::max(noted.until, through_until);
     }
-    note({crossing.barrier, time, std::max(time, through_until), false, crossing.from_ahead, crossing.normal});
+    note({crossing.barrier, time, std::max(time, through_until), false, crossing.from_ahead, crossing.above,
+          crossing.normal});
   }
   /// It was thrown back, and leaves at `velocity`: it can meet the barrier again from the same side, but not from
   /// beyond. So it can what it met in the same moment and has not passed after all, as a collector on the same line.
@@ -49,16 +57,22 @@ class RecentCrossings {
       noted.until = noted.time;
       noted.was_thrown_back = true;
     }
-    note({crossing.barrier, time, time, true, crossing.from_ahead, crossing.normal});
+    note({crossing.barrier, time, time, true, crossing.from_ahead, false, crossing.normal});
   }
-  [[nodiscard]] bool contain(BarrierId barrier, double time, bool from_ahead) const {
-    for (const Noted& noted : noted_) {
-      const bool is_same = time > noted.time - same_crossing && time < noted.until + same_crossing;
-      if (noted.barrier == barrier && is_same && !(noted.was_thrown_back && noted.from_ahead == from_ahead)) {
-        return true;
-      }
-    }
-    return false;
+  [[nodiscard]] bool contain(const Crossing& crossing, double time) const {
+    return std::ranges::any_of(noted_, [&](const Noted& noted) {
+      if (noted.barrier != crossing.barrier) return false;
+      if (time <= noted.time - same_crossing || time >= noted.until + same_crossing) return false;
+      // What has passed above may come down on the panel.
+      if (noted.above && !crossing.above) return false;
+      return !(noted.was_thrown_back && noted.from_ahead == crossing.from_ahead);
+    });
+  }
+  /// Whether it is over a barrier that it passes above.
+  [[nodiscard]] bool is_over(BarrierId barrier, double time) const {
+    return std::ranges::any_of(noted_, [&](const Noted& noted) {
+      return noted.above && noted.barrier == barrier && time >= noted.time && time <= noted.until;
+    });
   }
   /// What is over when a part of the path begins cannot be met again by it.
   void forget_before(double start) {
@@ -79,8 +93,8 @@ class RecentCrossings {
   struct Noted {
     BarrierId barrier;
     double time, until;
-    bool was_thrown_back, from_ahead;
-    Vec3 normal;  // across the face, against the rock as it came
+    bool was_thrown_back, from_ahead, above;
+    Vec3 normal;  // against the rock as it came
 
     [[nodiscard]] bool is_passed_at(double at) const { return !was_thrown_back && std::abs(time - at) < same_crossing; }
   };

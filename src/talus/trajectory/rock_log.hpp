@@ -70,7 +70,7 @@ struct PassedAbove {
   BarrierId barrier;
   double clearance;    // of the rock's underside above the top [m]
   Motion motion{};     // there
-  double height = 0;   // of the contact point above the foot, along the face [m]
+  double height = 0;   // of the centre above the foot, along the face [m]
   double station = 0;  // where along the line, on plan [m]
 };
 

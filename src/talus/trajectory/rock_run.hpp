@@ -151,9 +151,17 @@ class RockRun {
     constexpr double none = 1e-3;  // [m/s]
     crossed_.note_passage(crossing, time, time + 4 * reach_ / std::max(velocity.norm(), none));
   }
+  /// What comes to a barrier while it is over it, has not passed above.
+  void take_back_passage(BarrierId barrier) {
+    if (!crossed_.is_over(barrier, motion_.time)) return;
+    const auto last =
+        std::ranges::find(log_.passed_above.rbegin(), log_.passed_above.rend(), barrier, &PassedAbove::barrier);
+    if (last != log_.passed_above.rend()) log_.passed_above.erase(std::next(last).base());
+  }
   /// `there` is the rock where it passes.
   void pass_above(const Crossing& crossing, const Motion& there) {
-    note_passage(crossing, motion_.time + crossing.t, there.velocity);
+    const double time = motion_.time + crossing.t, speed = std::abs(there.velocity.dot(crossing.normal));
+    crossed_.note_passage(crossing, time, speed > 0 ? time + (reach_ + crossing.way_over) / speed : time);
     log_.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.height, crossing.station});
   }
 
@@ -458,6 +466,7 @@ template <class Surface>
 auto RockRun<Surface>::meet_barrier(const Crossing& crossing, double noted_time, const Vec3& pull,
                                     const OnGround* phase) -> AtBarrier {
   const Barrier& barrier = barriers_[crossing.barrier.index];
+  take_back_passage(crossing.barrier);
   BarrierResponse response = respond(barrier, motion_, crossing.normal, rock_);
   if (response.outcome == BarrierOutcome::rebounded) {
     const auto velocity = thrown_back(crossing, response.leaving->velocity, pull, phase);
@@ -465,7 +474,7 @@ auto RockRun<Surface>::meet_barrier(const Crossing& crossing, double noted_time,
                         : BarrierResponse{BarrierOutcome::stopped, std::nullopt};
   }
   const double speed = motion_.velocity.norm();
-  const double across = speed > 0 ? std::clamp(-motion_.velocity.dot(crossing.normal) / speed, -1.0, 1.0) : 1;
+  const double across = speed > 0 ? std::clamp(-motion_.velocity.dot(crossing.across) / speed, -1.0, 1.0) : 1;
   const double angle = std::copysign(std::acos(across), -motion_.velocity.dot(crossing.up));
   log_.hits.push_back({crossing.barrier, motion_, crossing.height, angle, response.outcome, crossing.station});
   if (response.outcome == BarrierOutcome::rebounded) {

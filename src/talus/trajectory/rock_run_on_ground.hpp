@@ -339,7 +339,7 @@ auto RockRun<Surface>::move_along(OnGround& phase) -> Next {
   while (const auto crossing = next_crossing(leg.path, t)) {
     const Motion before = motion_;
     advance_along(leg, crossing->t);
-    if (crossing->above) {  // a sphere on the ground may be above a low barrier
+    if (crossing->above) {  // whose foot lies under the ground here
       pass_above(*crossing, std::exchange(motion_, before));
       continue;
     }
