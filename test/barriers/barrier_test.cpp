@@ -117,6 +117,35 @@ TEST(Crossing, IsNotHiddenByBounds) {
   EXPECT_GT(crossed, 300);
 }
 
+// Barriers and collectors all over the place, of which an index says which are near.
+TEST(BarrierList, AnswersTheSameWithAnIndex) {
+  Dice dice(303);
+  std::vector<Barrier> barriers;
+  for (int k = 0; k < 400; ++k) {
+    const Vec3 from = dice.in_cube(100), to = from + dice.in_cube(dice.magnitude(1, 50));
+    barriers.push_back(fence(from, to, dice.between(1, 20), dice.between(-0.5, 0.5), infinite));
+    barriers.back().is_collector = dice.chance(0.5);
+  }
+  const PlanIndex index = index_of(barriers);
+  int crossed = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const Vec3 start = dice.in_cube(100);
+    const Parabola path{start, dice.in_cube(20), {0, 0, -9.81}};
+    const double radius = dice.chance(0.5) ? 0 : dice.between(0.1, 2);
+    const auto all = first_crossing(barriers, path, radius, 0, 1, {});
+    const auto near = first_crossing(BarrierList(barriers, index), path, radius, 0, 1, {});
+    ASSERT_EQ(all.has_value(), near.has_value()) << k;
+    if (all) {
+      ++crossed;
+      ASSERT_EQ(all->t, near->t) << k;
+      ASSERT_EQ(all->barrier, near->barrier) << k;
+      ASSERT_EQ(all->above, near->above) << k;
+    }
+    ASSERT_EQ(free_way(barriers, start, radius), free_way(BarrierList(barriers, index), start, radius)) << k;
+  }
+  EXPECT_GT(crossed, 300);
+}
+
 TEST(FreeWay, ReachesToTheNearestPanelOfAll) {
   const std::vector<Barrier> barriers{fence({12, -5, 0}, {12, 5, 0}, 4, 0, infinite),
                                       fence({0, 30, 0}, {5, 30, 0}, 4, 0, infinite)};

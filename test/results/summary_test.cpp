@@ -142,6 +142,30 @@ TEST(Summary, ABarrierCountsHitsAndTheRocksBehindThem) {
 }
 
 // Any split of the rocks into parts, committed in any order, gives the same bits.
+TEST(Summary, OfManyCollectorsTakesMemoryForThoseThatRocksCameTo) {
+  constexpr std::uint32_t collectors = 100'000;
+  static_assert(sizeof(BarrierTally) < 1000);
+  Seen seen = ended_at({0, 0, 1}, {2, 0, 0});
+  for (const std::uint32_t number : {77'777U, 3U, 77'777U}) {
+    BarrierHit hit;
+    hit.barrier = BarrierId{number};
+    hit.height = 2;
+    seen.log.hits.push_back(hit);
+  }
+  seen.log.passed_above.push_back({BarrierId{5}, 0.5});
+  seen.log.passed_above.push_back({BarrierId{5}, 0.25});
+  const Summary summary = summary_of({seen, seen}, collectors);
+  ASSERT_EQ(summary.barriers.size(), collectors);
+  EXPECT_EQ(summary.barriers[77'777].height.count(), 4U);
+  EXPECT_EQ(summary.barriers[77'777].rocks_hit, 2U);
+  EXPECT_EQ(summary.barriers[3].rocks_hit, 2U);
+  EXPECT_EQ(summary.barriers[5].rocks_passed_above, 2U);
+  EXPECT_EQ(summary.barriers[5].least_clearance, 0.25);
+  EXPECT_EQ(summary.barriers[5].rocks_hit, 0U);
+  EXPECT_EQ(summary.barriers[4].height.count(), 0U);
+  EXPECT_EQ(summary.barriers[4].height.describe().count, 0U);
+}
+
 TEST(Summary, DoesNotDependOnHowTheRocksAreSplit) {
   Dice dice(71);
   std::vector<Seen> rocks;

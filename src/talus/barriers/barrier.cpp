@@ -90,11 +90,26 @@ void Barrier::stand(std::vector<Panel> panels) {
   on_plan_ = PlanIndex(bounds);
 }
 
-double free_way(std::span<const Barrier> barriers, const Vec3& p, double radius) {
+PlanIndex index_of(std::span<const Barrier> barriers) {
+  std::vector<PlanBounds> bounds;
+  for (const Barrier& barrier : barriers) bounds.push_back(barrier.on_plan().bounds());
+  return PlanIndex(bounds);
+}
+
+double BarrierList::distance(const Vec2& p) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (on_plan_ != nullptr) {
+    return on_plan_->distance_to(
+        p, infinite, [&](std::size_t k, double, double known) { return barriers_[k].on_plan().distance(p, known); });
+  }
+  double nearest = infinite;
+  for (const Barrier& barrier : barriers_) nearest = barrier.on_plan().distance(p, nearest);
+  return nearest;
+}
+
+double free_way(const BarrierList& barriers, const Vec3& p, double radius) {
   constexpr double by_rounding = 1e-6;  // [m]
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Barrier& barrier : barriers) nearest = barrier.on_plan().distance(p.head<2>(), nearest);
-  return std::max(0.0, nearest - radius - by_rounding);
+  return std::max(0.0, barriers.distance(p.head<2>()) - radius - by_rounding);
 }
 
 BarrierResponse respond(const Barrier& barrier, const Motion& motion, const Vec3& normal, const Rock& rock) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <optional>
 #include <span>
 #include <string>
@@ -64,8 +65,40 @@ class Barrier {
 /// the line's direction on plan: a right-handed turn about the line.
 [[nodiscard]] std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination);
 
+/// Which of many barriers are near, for BarrierList.
+[[nodiscard]] PlanIndex index_of(std::span<const Barrier> barriers);
+
+/// Barriers, and an index of them where there is one: without it all are asked, every time.
+class BarrierList {
+ public:
+  BarrierList() = default;
+  /// Both are the caller's and stay.
+  BarrierList(std::span<const Barrier> barriers, const PlanIndex& on_plan) : barriers_(barriers), on_plan_(&on_plan) {}
+  template <class Range>
+  requires std::convertible_to<const Range&, std::span<const Barrier>> BarrierList(const Range& barriers)
+      : barriers_(barriers) {}  // NOLINT(google-explicit-constructor)
+
+  [[nodiscard]] bool empty() const { return barriers_.empty(); }
+  [[nodiscard]] const Barrier& operator[](std::size_t k) const { return barriers_[k]; }
+  /// Calls visit(k) for each barrier that may have a panel within `bounds`, in their order.
+  template <class Visit>
+  void visit(const PlanBounds& bounds, Visit&& visit) const {
+    if (on_plan_ != nullptr) {
+      on_plan_->visit(bounds, visit);
+    } else {
+      for (std::size_t k = 0; k < barriers_.size(); ++k) visit(k);
+    }
+  }
+  /// On plan from a point to the nearest panel; infinite without barriers [m].
+  [[nodiscard]] double distance(const Vec2& p) const;
+
+ private:
+  std::span<const Barrier> barriers_;
+  const PlanIndex* on_plan_ = nullptr;
+};
+
 /// How far on plan [m] a rock may go from `p` before any of it can be at or above a barrier; infinite without barriers.
-[[nodiscard]] double free_way(std::span<const Barrier> barriers, const Vec3& p, double radius);
+[[nodiscard]] double free_way(const BarrierList& barriers, const Vec3& p, double radius);
 
 /// What becomes of a rock at a barrier.
 enum class BarrierOutcome { stopped, rebounded, broke_through, passed };

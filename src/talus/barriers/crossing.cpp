@@ -259,19 +259,20 @@ class Search {
 
 }  // namespace
 
-std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const Parabola& path, double radius,
-                                       double start, double t_max, const RecentCrossings& recent) {
+std::optional<Crossing> first_crossing(const BarrierList& barriers, const Parabola& path, double radius, double start,
+                                       double t_max, const RecentCrossings& recent) {
   Search search(path, radius, start, t_max, recent);
   const PlanBounds passed = search.bounds();
   for (const bool collectors : {false, true}) {
-    for (std::uint32_t b = 0; b < barriers.size(); ++b) {
-      const Barrier& barrier = barriers[b];
-      if (barrier.is_collector != collectors) continue;
+    barriers.visit(passed, [&](std::size_t number) {
+      const Barrier& barrier = barriers[number];
+      if (barrier.is_collector != collectors) return;
+      const BarrierId b{static_cast<std::uint32_t>(number)};
       barrier.on_plan().visit(passed, [&](std::size_t k) {
         const Panel& panel = barrier.panels()[k];
-        collectors ? search.ask_collector(BarrierId{b}, panel) : search.ask_barrier(BarrierId{b}, panel);
+        collectors ? search.ask_collector(b, panel) : search.ask_barrier(b, panel);
       });
-    }
+    });
   }
   return search.first();
 }

@@ -106,8 +106,7 @@ class RecentCrossings {
 /// The first crossing up to t_max of a path that begins at the rock's time `start`, but for those that are recent. A
 /// collector comes before a barrier that the rock meets in the same moment: it records what arrives. Otherwise the
 /// barriers' order decides ties.
-[[nodiscard]] std::optional<Crossing> first_crossing(std::span<const Barrier> barriers, const Parabola& path,
-                                                     double radius, double start, double t_max,
-                                                     const RecentCrossings& recent);
+[[nodiscard]] std::optional<Crossing> first_crossing(const BarrierList& barriers, const Parabola& path, double radius,
+                                                     double start, double t_max, const RecentCrossings& recent);
 
 }  // namespace talus

@@ -46,6 +46,8 @@ class PlanIndex {
     }
   }
 
+  /// Of the whole row.
+  [[nodiscard]] PlanBounds bounds() const { return count_ > 0 ? nodes_[1] : PlanBounds(); }
   /// Calls visit(k) for each rectangle that meets `bounds`, in the order of the row.
   template <class Visit>
   void visit(const PlanBounds& bounds, Visit&& visit) const {
@@ -53,7 +55,13 @@ class PlanIndex {
   }
   /// From a point to the nearest rectangle, if that is less than `known`; otherwise `known` [m].
   [[nodiscard]] double distance(const Vec2& p, double known) const {
-    if (count_ > 0) look_below(1, p, known);
+    return distance_to(p, known, [](std::size_t, double rectangle, double) { return rectangle; });
+  }
+  /// The same to the nearest of things that lie within the rectangles: distance(k, rectangle, known) is how far it is
+  /// to that within the rectangle k, which is `rectangle` away, if that is less than `known`; otherwise `known`.
+  template <class Distance>
+  [[nodiscard]] double distance_to(const Vec2& p, double known, Distance&& distance) const {
+    if (count_ > 0) look_below(1, p, known, distance);
     return known;
   }
 
@@ -68,16 +76,17 @@ class PlanIndex {
     visit_below(2 * node, bounds, visit);
     visit_below(2 * node + 1, bounds, visit);
   }
-  void look_below(std::size_t node, const Vec2& p, double& known) const {
+  template <class Distance>
+  void look_below(std::size_t node, const Vec2& p, double& known, Distance& distance) const {
     const double here = nodes_[node].distance(p);
     if (!(here < known)) return;
     if (node >= leaves_) {
-      known = here;
+      known = distance(node - leaves_, here, known);
       return;
     }
     const bool second_is_nearer = nodes_[2 * node + 1].distance(p) < nodes_[2 * node].distance(p);
-    look_below(2 * node + (second_is_nearer ? 1 : 0), p, known);
-    look_below(2 * node + (second_is_nearer ? 0 : 1), p, known);
+    look_below(2 * node + (second_is_nearer ? 1 : 0), p, known, distance);
+    look_below(2 * node + (second_is_nearer ? 0 : 1), p, known, distance);
   }
 
   std::size_t count_ = 0, leaves_ = 0;

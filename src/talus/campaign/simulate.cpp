@@ -30,7 +30,7 @@ class OwnSection {
     }
   }
   [[nodiscard]] const Profile& profile() const { return profile_; }
-  [[nodiscard]] std::span<const Barrier> barriers() const { return barriers_; }
+  [[nodiscard]] std::span<const Barrier> barriers() const { return barriers_; }  // on plan where they were
 
  private:
   const VaryingSection& section_;
@@ -46,7 +46,8 @@ class Walker {
   RockLog log{false};
   RockRecord record;
 
-  void begin(const Model& model, const Surface& surface, std::uint64_t rock) {
+  /// `on_plan`: the index of the model's barriers.
+  void begin(const Model& model, const Surface& surface, const PlanIndex& on_plan, std::uint64_t rock) {
     record = {};
     record.rock = rock;
     log.clear();
@@ -56,16 +57,16 @@ class Walker {
       if (model.varying) {
         if (!section_) section_.emplace(model);
         section_->move_for(model, rock);
-        start(model, section_->profile(), section_->barriers(), seeder);
+        start(model, section_->profile(), {section_->barriers(), on_plan}, seeder);
         return;
       }
     }
-    start(model, surface, model.barriers, seeder);
+    start(model, surface, {model.barriers, on_plan}, seeder);
   }
   [[nodiscard]] RockRun<Surface>& run() { return *run_; }
 
  private:
-  void start(const Model& model, const Surface& surface, std::span<const Barrier> barriers, const Seeder& seeder) {
+  void start(const Model& model, const Surface& surface, const BarrierList& barriers, const Seeder& seeder) {
     const Release release = release_of(model, surface, *draws_, seeder, record);
     run_.emplace(Scene<Surface>{surface, model.ground, barriers, model.laws}, release, *draws_, log);
   }
@@ -80,7 +81,10 @@ template <class Surface>
 class Party {
  public:
   Party(const Model& model, const Surface& surface)
-      : model_(model), surface_(surface), lanes_(RockRun<Surface>::glide_laws(model.laws)) {}
+      : model_(model),
+        surface_(surface),
+        on_plan_(index_of(model.barriers)),
+        lanes_(RockRun<Surface>::glide_laws(model.laws)) {}
 
   /// Gives the number that follows the last rock seen.
   std::uint64_t follow(const SimulationOrder& order) {
@@ -94,7 +98,7 @@ class Party {
         Walker<Surface>& walker = walkers_[place];
         walker.log.keep_rows(order.keep_rows(next_));
         walker.log.keep_pieces(order.keep_pieces);
-        walker.begin(model_, surface_, next_++);
+        walker.begin(model_, surface_, on_plan_, next_++);
         is_done_[place] = false;
         go_on(order, place);
       } else {
@@ -127,6 +131,7 @@ class Party {
 
   const Model& model_;
   const Surface& surface_;
+  PlanIndex on_plan_;  // of the barriers
   GlideLanes lanes_;
   std::array<Walker<Surface>, side_by_side> walkers_;  // rock n has place n modulo their number
   std::array<bool, side_by_side> is_done_{};

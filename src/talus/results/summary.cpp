@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <span>
 #include <type_traits>
+#include <unordered_map>
 
 namespace talus {
 
@@ -25,14 +27,19 @@ std::optional<Histogram> Tally::histogram(std::uint64_t bins) const {
 }
 
 void Tally::save(ByteWriter& out) const {
-  moments_.save(out);
+  (moments_.empty() ? Moments() : moments_.front()).save(out);
   sketch_.save(out);
 }
 
 void Tally::merge_saved(ByteReader& in) {
-  moments_.merge_saved(in);
+  Moments saved;
+  saved.merge_saved(in);
+  if (saved.count() > 0) {
+    if (moments_.empty()) moments_.emplace_back();
+    moments_.front().merge(saved);
+  }
   sketch_.merge_saved(in);
-  expect_bytes(moments_.count() == sketch_.count(), "a quantity's counts disagree");
+  expect_bytes(count() == sketch_.count(), "a quantity's counts disagree");
 }
 
 namespace {
@@ -107,7 +114,7 @@ void Summary::merge(const Summary& other) {
   runout_total.merge(other.runout_total);
   max_kinetic_energy.merge(other.max_kinetic_energy);
   max_bounce.merge(other.max_bounce);
-  for (std::size_t k = 0; k < barriers.size(); ++k) barriers[k].merge(other.barriers[k]);
+  for (std::size_t k = 0; k < other.barriers.size(); ++k) barriers[k].merge(other.barriers[k]);
 }
 
 void Summary::save(ByteWriter& out) const {
@@ -153,8 +160,7 @@ namespace {
 
 class SummaryPart : public ObserverPart {
  public:
-  SummaryPart(std::uint64_t planned, std::size_t barriers, const LocalFrame& frame)
-      : summary(planned, barriers, frame.origin), frame_(frame) {}
+  SummaryPart(std::uint64_t planned, const LocalFrame& frame) : summary(planned, 0, frame.origin), frame_(frame) {}
 
   void see(const RockRecord& record, const RockLog& log) override {
     const RockOutcome& outcome = record.outcome;
@@ -172,43 +178,57 @@ class SummaryPart : public ObserverPart {
     see_barriers(record, log);
   }
 
-  Summary summary;
+  Summary summary;                                           // without barriers
+  std::unordered_map<std::uint32_t, BarrierTally> barriers;  // of those that a rock came to
 
  private:
   void see_barriers(const RockRecord& record, const RockLog& log) {
-    for (std::uint32_t b = 0; b < summary.barriers.size(); ++b) {
-      BarrierTally& tally = summary.barriers[b];
-      bool hit_it = false, passed_it = false;
-      for (const BarrierHit& hit : log.hits) {
-        if (hit.barrier.index != b) continue;
-        hit_it = true;
-        const double speed = hit.motion.velocity.norm();
-        const double translational = 0.5 * record.body.mass * speed * speed;
-        tally.translational_energy.add(translational);
-        tally.total_energy.add(translational + 0.5 * record.body.inertia * hit.motion.spin.squaredNorm());
-        tally.height.add(hit.height);
-        tally.velocity.add(speed);
-        ++tally.outcomes[static_cast<std::size_t>(hit.outcome)];
-      }
-      for (const PassedAbove& passed : log.passed_above) {
-        if (passed.barrier.index != b) continue;
-        passed_it = true;
-        tally.least_clearance = std::min(tally.least_clearance.value_or(passed.clearance), passed.clearance);
-      }
-      tally.rocks_hit += hit_it ? 1 : 0;
-      tally.rocks_passed_above += passed_it ? 1 : 0;
+    came_to_.clear();
+    for (const BarrierHit& hit : log.hits) {
+      BarrierTally& tally = tally_of(hit.barrier);
+      const double speed = hit.motion.velocity.norm();
+      const double translational = 0.5 * record.body.mass * speed * speed;
+      tally.translational_energy.add(translational);
+      tally.total_energy.add(translational + 0.5 * record.body.inertia * hit.motion.spin.squaredNorm());
+      tally.height.add(hit.height);
+      tally.velocity.add(speed);
+      ++tally.outcomes[static_cast<std::size_t>(hit.outcome)];
+      came_to_.push_back(hit.barrier.index);
     }
+    for (const std::uint32_t barrier : each_once()) ++tally_of({barrier}).rocks_hit;
+    for (const PassedAbove& passed : log.passed_above) {
+      BarrierTally& tally = tally_of(passed.barrier);
+      tally.least_clearance = std::min(tally.least_clearance.value_or(passed.clearance), passed.clearance);
+      came_to_.push_back(passed.barrier.index);
+    }
+    for (const std::uint32_t barrier : each_once()) ++tally_of({barrier}).rocks_passed_above;
+  }
+  BarrierTally& tally_of(BarrierId barrier) {
+    return barriers.try_emplace(barrier.index, summary.planned).first->second;
+  }
+  /// What the rock came to, which is forgotten.
+  std::span<const std::uint32_t> each_once() {
+    std::ranges::sort(came_to_);
+    once_.clear();
+    std::ranges::unique_copy(came_to_, std::back_inserter(once_));
+    came_to_.clear();
+    return once_;
   }
 
   LocalFrame frame_;
+  std::vector<std::uint32_t> came_to_, once_;
 };
 
 }  // namespace
 
 std::unique_ptr<ObserverPart> SummaryObserver::new_part() const {
-  return std::make_unique<SummaryPart>(summary_.planned, summary_.barriers.size(), frame_);
+  return std::make_unique<SummaryPart>(summary_.planned, frame_);
 }
 
-void SummaryObserver::commit(ObserverPart& part) { summary_.merge(static_cast<SummaryPart&>(part).summary); }
+void SummaryObserver::commit(ObserverPart& part) {
+  const auto& seen = static_cast<SummaryPart&>(part);
+  summary_.merge(seen.summary);
+  for (const auto& [barrier, tally] : seen.barriers) summary_.barriers[barrier].merge(tally);
+}
 
 }  // namespace talus

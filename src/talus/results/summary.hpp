@@ -21,23 +21,28 @@ class Tally {
   /// Values that lie far from zero and near each other, as positions do, take an origin near them.
   explicit Tally(std::uint64_t planned, double origin = 0) : sketch_(planned, origin) {}
   void add(double x) {
-    moments_.add(x);
+    if (moments_.empty()) moments_.emplace_back();
+    moments_.front().add(x);
     sketch_.add(x);
   }
   void merge(const Tally& other) {
-    moments_.merge(other.moments_);
+    if (other.moments_.empty()) return;
+    if (moments_.empty()) moments_.emplace_back();
+    moments_.front().merge(other.moments_.front());
     sketch_.merge(other.sketch_);
   }
   void save(ByteWriter& out) const;
   void merge_saved(ByteReader& in);
-  [[nodiscard]] std::uint64_t count() const { return moments_.count(); }
-  [[nodiscard]] Descriptive describe() const { return moments_.describe(sketch_.quantile(0.5)); }
+  [[nodiscard]] std::uint64_t count() const { return moments_.empty() ? 0 : moments_.front().count(); }
+  [[nodiscard]] Descriptive describe() const {
+    return (moments_.empty() ? Moments() : moments_.front()).describe(sketch_.quantile(0.5));
+  }
   [[nodiscard]] const QuantileSketch& sketch() const { return sketch_; }
   /// About `bins` bins with round edges over all values; nothing without values.
   [[nodiscard]] std::optional<Histogram> histogram(std::uint64_t bins) const;
 
  private:
-  Moments moments_;
+  std::vector<Moments> moments_;  // one, or none before the first value: they take 2 kB, and most collectors none
   QuantileSketch sketch_;
 };
 
@@ -61,6 +66,7 @@ struct BarrierTally {
 struct Summary {
   /// `origin`: a place near the terrain, for the quantiles of positions.
   Summary(std::uint64_t planned_rocks, std::size_t barriers, const Vec3& origin = Vec3::Zero());
+  /// Expects a summary of the same barriers, or of none.
   void merge(const Summary& other);
   void save(ByteWriter& out) const;
   /// Adds a saved summary; throws BadBytes on what is none, or not of as many planned rocks and barriers, or

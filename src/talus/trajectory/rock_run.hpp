@@ -136,11 +136,7 @@ class RockRun {
   Phase enter_ground(const Contact& contact, const GroundDraw& draw, const Material& material, double rt);
   /// How a rock goes on from a barrier.
   enum class AtBarrier { untouched, held, goes_on };
-  [[nodiscard]] std::optional<Crossing> next_crossing(const Parabola& path, double t_max) {
-    if (barriers_.empty()) return std::nullopt;
-    crossed_.forget_before(motion_.time);
-    return first_crossing(barriers_, path, reach_, motion_.time, t_max, crossed_);
-  }
+  [[nodiscard]] std::optional<Crossing> next_crossing(const Parabola& path, double t_max);
   /// `pull` is what draws the rock along its way [m/s2]; `phase` is given where it moves along the ground.
   AtBarrier meet_barrier(const Crossing& crossing, double noted_time, const Vec3& pull,
                          const OnGround* phase = nullptr);
@@ -151,19 +147,8 @@ class RockRun {
     constexpr double none = 1e-3;  // [m/s]
     crossed_.note_passage(crossing, time, time + 4 * reach_ / std::max(velocity.norm(), none));
   }
-  /// What comes to a barrier while it is over it, has not passed above.
-  void take_back_passage(BarrierId barrier) {
-    if (!crossed_.is_over(barrier, motion_.time)) return;
-    const auto last =
-        std::ranges::find(log_.passed_above.rbegin(), log_.passed_above.rend(), barrier, &PassedAbove::barrier);
-    if (last != log_.passed_above.rend()) log_.passed_above.erase(std::next(last).base());
-  }
-  /// `there` is the rock where it passes.
-  void pass_above(const Crossing& crossing, const Motion& there) {
-    const double time = motion_.time + crossing.t, speed = std::abs(there.velocity.dot(crossing.normal));
-    crossed_.note_passage(crossing, time, speed > 0 ? time + (reach_ + crossing.way_over) / speed : time);
-    log_.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.height, crossing.station});
-  }
+  void take_back_passage(BarrierId barrier);
+  void pass_above(const Crossing& crossing, const Motion& there);
 
   [[nodiscard]] Leg next_leg(const OnGround& phase, const Footing& footing) const;
   [[nodiscard]] Leg undragged_leg(const OnGround& phase, const Footing& footing, double timestep) const;
@@ -280,7 +265,7 @@ class RockRun {
 
   const Surface& surface_;
   const Ground& ground_;
-  std::span<const Barrier> barriers_;
+  BarrierList barriers_;
   const Laws& laws_;
   const Draws& draws_;
   RockLog& log_;
@@ -462,58 +447,9 @@ auto RockRun<Surface>::fly_along(const Parabola& path, const LinearDrag& drag, c
   return std::nullopt;
 }
 
-template <class Surface>
-auto RockRun<Surface>::meet_barrier(const Crossing& crossing, double noted_time, const Vec3& pull,
-                                    const OnGround* phase) -> AtBarrier {
-  const Barrier& barrier = barriers_[crossing.barrier.index];
-  take_back_passage(crossing.barrier);
-  BarrierResponse response = respond(barrier, motion_, crossing.normal, rock_);
-  if (response.outcome == BarrierOutcome::rebounded) {
-    const auto velocity = thrown_back(crossing, response.leaving->velocity, pull, phase);
-    response = velocity ? BarrierResponse{BarrierOutcome::rebounded, Rebound{*velocity, response.leaving->spin}}
-                        : BarrierResponse{BarrierOutcome::stopped, std::nullopt};
-  }
-  const double speed = motion_.velocity.norm();
-  const double across = speed > 0 ? std::clamp(-motion_.velocity.dot(crossing.across) / speed, -1.0, 1.0) : 1;
-  const double angle = std::copysign(std::acos(across), -motion_.velocity.dot(crossing.up));
-  log_.hits.push_back({crossing.barrier, motion_, crossing.height, angle, response.outcome, crossing.station});
-  if (response.outcome == BarrierOutcome::rebounded) {
-    crossed_.note_rebound(crossing, noted_time, response.leaving->velocity);
-  } else if (response.leaving) {
-    note_passage(crossing, noted_time, response.leaving->velocity);
-  }
-  if (barrier.is_collector) return AtBarrier::untouched;
-
-  arrive(PathState::barrier);
-  if (!response.leaving) return AtBarrier::held;
-  motion_.velocity = response.leaving->velocity;
-  motion_.spin = response.leaving->spin;
-  return AtBarrier::goes_on;
-}
-
-/// How a rock leaves a barrier that throws it back, `velocity` being what the barrier alone would make of it; nothing
-/// where it stays: where it is pressed against the barrier, and is as slow as what stops or would turn back within a
-/// step, to come again and again.
-template <class Surface>
-std::optional<Vec3> RockRun<Surface>::thrown_back(const Crossing& crossing, const Vec3& velocity, const Vec3& pull,
-                                                  const OnGround* phase) const {
-  const Vec3& n = crossing.normal;
-  Vec3 kept = phase ? kept_on_ground(*phase, velocity) : velocity;
-  if (phase && kept.dot(n) < 0) {
-    // What the ground leaves of the rebound leads into the barrier: the rock can go along both only.
-    const Vec3 along = phase->normal.cross(n);
-    const bool has_way = !phase->valley && along.squaredNorm() > 0;
-    kept = has_way ? Vec3(kept.dot(along) / along.squaredNorm() * along) : Vec3(Vec3::Zero());
-  }
-  constexpr double none = 1e-9;  // [m/s2]
-  const double pressing = -pull.dot(n);
-  const bool turns_in_a_step = kept.dot(n) < laws_.timestep * pressing;
-  if (pressing > none && (turns_in_a_step || kept.norm() < laws_.stopped_velocity)) return std::nullopt;
-  return kept;
-}
-
 }  // namespace talus
 
+#include "talus/trajectory/rock_run_at_barriers.hpp"
 #include "talus/trajectory/rock_run_gliding.hpp"
 #include "talus/trajectory/rock_run_in_forest.hpp"
 #include "talus/trajectory/rock_run_in_valley.hpp"

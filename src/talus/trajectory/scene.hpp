@@ -1,8 +1,6 @@
 #pragma once
 // Everything that the path of a rock depends on, besides its number: built once, shared by all rocks, never written to.
 
-#include <span>
-
 #include "talus/barriers/barrier.hpp"
 #include "talus/ground/material.hpp"
 #include "talus/impact/restitution.hpp"
@@ -40,7 +38,7 @@ template <class Surface>
 struct Scene {
   const Surface& surface;
   const Ground& ground;
-  std::span<const Barrier> barriers;
+  BarrierList barriers;
   const Laws& laws;
 };
 
