@@ -106,6 +106,7 @@ std::string time_now() { return iso(std::chrono::system_clock::now()); }
 
 bool has_results(const Run& run) {
   if (run.state == RunState::waiting || run.state == RunState::running || run.is_at_work) return false;
+  if (run.was_killed) return false;  // in the middle of its files
   // A link may lead out of the folder, a pipe has no end.
   std::error_code ignored;
   return fs::symlink_status(run.folder / "summary.json", ignored).type() == fs::file_type::regular;

@@ -33,7 +33,7 @@ struct Run {
   Json problems = Json::array();
   std::filesystem::path folder;
   bool is_at_work = false;    // files are being written in its folder
-  bool was_killed = false;    // it was under way, or waiting, when its server ended
+  bool was_killed = false;    // it was under way, or waiting, when its server ended, and nothing was written since
   bool is_damaged = false;    // its run.json cannot be read
   bool is_elsewhere = false;  // another server is throwing its rocks
 

@@ -123,11 +123,6 @@ void RunStore::find_runs() {
     const std::string id = entry->run.id;
     for (int k = 2; entries_.contains(entry->run.id); ++k) entry->run.id = fmt::format("{}-{}", id, k);
     entries_[entry->run.id] = entry;
-    if (!entry->run.was_killed) return;
-    std::error_code ignored;
-    const bool has_done_some =
-        fs::exists(folder / io::run_state_name, ignored) || fs::exists(folder / "summary.json", ignored);
-    if (has_done_some && entry->run.state == RunState::interrupted) queue_.push_back({entry, Task::write_what_is_done});
   };
   const auto look_in = [&](const auto& self, const fs::path& above, int depth) -> void {
     for (const fs::path& folder : folders_in(above)) {
@@ -249,6 +244,24 @@ Run RunStore::resume(const std::string& id) {
   return run;
 }
 
+Run RunStore::write_what_is_done(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  const auto entry = entry_of(id);
+  const Run& run = entry->run;
+  const char* what = "has nothing to be written";
+  if (is_closed_) throw Refusal(503, run.id, what, why_ending);
+  if (run.is_elsewhere) throw not_now(run, what, why_elsewhere);
+  std::error_code ignored;
+  if (run.state != RunState::interrupted) throw not_now(run, what, "it was not interrupted");
+  const bool has_done_some =
+      fs::exists(run.folder / io::run_state_name, ignored) || fs::exists(run.folder / "summary.json", ignored);
+  if (!has_done_some) throw not_now(run, what, "no rock was done");
+  unqueue(*entry);
+  queue_.push_back({entry, Task::write_what_is_done});
+  news_.notify_all();
+  return run;
+}
+
 void RunStore::remove(const std::string& id) {
   const std::lock_guard lock(mutex_);
   const auto entry = entry_of(id);
@@ -292,7 +305,7 @@ void RunStore::close() {
     is_closed_ = true;
     if (under_way_) under_way_->stop = true;
     for (const Job& job : queue_) {
-      if (job.task == Task::write_what_is_done) continue;  // the next server does
+      if (job.task == Task::write_what_is_done) continue;  // it stays as it is
       job.entry->run.state = RunState::stopped;
       changed(*job.entry);
     }
@@ -333,6 +346,7 @@ void RunStore::work() {
 void RunStore::finish(Entry& entry) {
   under_way_.reset();
   entry.run.is_at_work = false;
+  entry.run.was_killed = false;
   entry.run.rate.reset();
   changed(entry);
 }

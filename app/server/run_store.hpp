@@ -32,7 +32,8 @@ struct RunOrder {
 /// allow with 409.
 class RunStore {
  public:
-  /// Finds the runs of earlier servers. Of those that were killed the results are written as far as they had got.
+  /// Finds the runs of earlier servers. Nothing of them is read but what they say of themselves: a folder may come from
+  /// anywhere, and nobody has asked for its runs yet.
   RunStore(const Workplace& workplace, EventHub& events, ModelReading& reading);
   RunStore(const RunStore&) = delete;
   RunStore& operator=(const RunStore&) = delete;
@@ -52,6 +53,9 @@ class RunStore {
   Run stop(const std::string& id);
   /// Refuses (503) once the store is closed.
   Run resume(const std::string& id);
+  /// Writes the results of a run whose server was killed, as far as its last checkpoint. Refuses (503) once the store
+  /// is closed.
+  Run write_what_is_done(const std::string& id);
   /// Throws BadInput where its folder cannot be removed; if only a part of it can, the run is gone all the same.
   void remove(const std::string& id);
 

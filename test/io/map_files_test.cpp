@@ -24,6 +24,8 @@
 #ifdef TALUS_HAS_GDAL
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
+
+#include "talus/io/gdal_raster.hpp"
 #endif
 
 namespace talus::io {
@@ -58,10 +60,14 @@ struct Read {
   std::vector<double> values;  // from north to south
 };
 
+GDALDatasetUniquePtr opened(const std::filesystem::path& file) {
+  const GdalMessages gdal{GdalFiles(file)};
+  return GDALDatasetUniquePtr(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR));
+}
+
 Read read_back(const std::filesystem::path& file) {
-  GDALAllRegister();
   Read read;
-  const GDALDatasetUniquePtr raster(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR));
+  const GDALDatasetUniquePtr raster = opened(file);
   if (!raster) return read;
   read.columns = raster->GetRasterXSize();
   read.rows = raster->GetRasterYSize();
@@ -161,7 +167,7 @@ TEST(MapFiles, LargeOnesHaveOverviewsInWhichATrackStaysVisible) {
   EXPECT_EQ(read.values[749 * 1500], 1);  // south-west
   EXPECT_EQ(read.values[1499], 1);        // north-east
   EXPECT_EQ(read.values[0], -9999);
-  const GDALDatasetUniquePtr raster(GDALDataset::Open((work / "maps/velocity_max_m_s.tif").c_str()));
+  const GDALDatasetUniquePtr raster = opened(work / "maps/velocity_max_m_s.tif");
   GDALRasterBand& coarse = *raster->GetRasterBand(1)->GetOverview(1);
   std::vector<double> values(static_cast<std::size_t>(coarse.GetXSize()) * static_cast<std::size_t>(coarse.GetYSize()));
   ASSERT_EQ(coarse.RasterIO(GF_Read, 0, 0, coarse.GetXSize(), coarse.GetYSize(), values.data(), coarse.GetXSize(),
@@ -198,7 +204,7 @@ TEST(MapFiles, AnOverviewHoldsTheGreatestOfItsFourCells) {
   for (const char* name : {"passages", "deposits", "impacts", "reach_share", "energy_total_max_J", "velocity_p50_m_s",
                            "bounce_height_mean_m"}) {
     const bool is_mean = std::string_view(name).find("mean") != std::string_view::npos;
-    const GDALDatasetUniquePtr raster(GDALDataset::Open((work / "maps" / name).replace_extension(".tif").c_str()));
+    const GDALDatasetUniquePtr raster = opened((work / "maps" / name).replace_extension(".tif"));
     ASSERT_TRUE(raster) << name;
     GDALRasterBand* fine = raster->GetRasterBand(1);
     const double no_data = fine->GetNoDataValue();
@@ -248,7 +254,7 @@ TEST(MapFiles, WhereNoRockWasTheyTakeNoRoom) {
   (void)write_maps(maps, {}, "", work / "maps");
   const auto file = work / "maps/energy_total_max_J.tif";
   EXPECT_LT(std::filesystem::file_size(file), 20'000U);  // of 24 million cells
-  const GDALDatasetUniquePtr raster(GDALDataset::Open(file.c_str()));
+  const GDALDatasetUniquePtr raster = opened(file);
   GDALRasterBand& smallest = *raster->GetRasterBand(1)->GetOverview(raster->GetRasterBand(1)->GetOverviewCount() - 1);
   const std::vector<double> values = values_of(smallest);
   EXPECT_EQ(std::count(values.begin(), values.end(), -9999), static_cast<std::ptrdiff_t>(values.size()) - 2);

@@ -50,12 +50,6 @@ TEST_F(OrdinaryFile, IsToldFromWhatHasNoEnd) {
   EXPECT_EQ(not_an_ordinary_file(folder_.path / "link"), "it is a device");
 }
 
-TEST_F(OrdinaryFile, GdalOpensFoldersAndItsOwnFileSystems) {
-  EXPECT_EQ(nothing_for_gdal(folder_.path), std::nullopt);
-  EXPECT_EQ(nothing_for_gdal("/vsizip/dem.zip"), std::nullopt);
-  EXPECT_EQ(nothing_for_gdal(folder_.path / "pipe.csv"), "it is a pipe");
-}
-
 TEST_F(OrdinaryFile, NoReaderWaitsForAPipe) {
   const auto& folder = folder_.path;
   EXPECT_EQ(refusal([&] { (void)read_point_file(folder / "pipe.csv"); }),

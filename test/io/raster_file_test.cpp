@@ -449,9 +449,9 @@ TEST_F(RasterFileTest, FilesThatAreNoRastersAreRefused) {
             "none.tif: cannot be read (there is no such file). Paths are relative to the project file");
   write("text.tif", "this is no raster");
   EXPECT_EQ(refusal("text.tif"),
-            "text.tif: is no raster that GDAL can read (GDAL: `text.tif' not recognized as a supported file format)");
+            "text.tif: is no raster that Talus reads (GDAL: `text.tif' not recognized as a supported file format)");
   write("empty.tif", "");
-  EXPECT_THAT(refusal("empty.tif"), StartsWith("empty.tif: is no raster that GDAL can read (GDAL"));
+  EXPECT_THAT(refusal("empty.tif"), StartsWith("empty.tif: is no raster that Talus reads (GDAL"));
 }
 
 TEST_F(RasterFileTest, FilesThatAreCutShortAreRefusedAndNothingIsPrinted) {

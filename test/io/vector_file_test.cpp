@@ -172,7 +172,7 @@ TEST_F(VectorFileTest, FilesThatAreNoneAreRefused) {
   EXPECT_EQ(refusal({}, "none.gpkg"),
             "none.gpkg: cannot be read (there is no such file). Paths are relative to the project file");
   write("not.geojson", "hello");
-  EXPECT_THAT(refusal({}, "not.geojson"), StartsWith("not.geojson: is no vector file that GDAL can read (GDAL: "));
+  EXPECT_THAT(refusal({}, "not.geojson"), StartsWith("not.geojson: is no vector file that Talus reads (GDAL: "));
   make({});
   EXPECT_EQ(refusal(), "ground.gpkg: layer \"ground\" is empty (it has no features)");
   make({{"", "a"}, {"", "b"}});
@@ -227,18 +227,19 @@ TEST_F(VectorFileTest, OtherKindsAreRefused) {
 TEST_F(VectorFileTest, FilesCutShortAreRefused) {
   make(std::vector<WrittenFeature>(3000, {"LINESTRING (0 0, 1 1, 2 2, 3 3, 4 4, 5 5, 6 6)", "a"}));
   std::filesystem::resize_file(path("ground.gpkg"), std::filesystem::file_size(path("ground.gpkg")) / 2);
-  EXPECT_THAT(refusal(), AnyOf(StartsWith("ground.gpkg: is no vector file that GDAL can read (GDAL: "),
+  EXPECT_THAT(refusal(), AnyOf(StartsWith("ground.gpkg: is no vector file that Talus reads (GDAL: "),
                                StartsWith("ground.gpkg: cannot be read to its end (after ")));
 }
 
 TEST_F(VectorFileTest, HugeDeclaredSizesAreRefusedBeforeAnythingIsRead) {
   make({{"POINT (1 2)", "a"}});
-  write("huge.vrt",
-        "<OGRVRTDataSource><OGRVRTLayer name=\"ground\"><SrcDataSource relativeToVRT=\"1\">ground.gpkg</SrcDataSource>"
-        "<FeatureCount>9000000000</FeatureCount></OGRVRTLayer></OGRVRTDataSource>");
-  EXPECT_EQ(refusal({}, "huge.vrt"),
-            "huge.vrt: layer \"ground\" declares 9000000000 features (Talus takes at most 50000000). Cut it to the "
-            "slope: ogr2ogr -spat WEST SOUTH EAST NORTH huge_slope.gpkg huge.vrt");
+  {
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("ground.gpkg").c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+    file->ExecuteSQL("UPDATE gpkg_ogr_contents SET feature_count = 9000000000", nullptr, nullptr);
+  }
+  EXPECT_EQ(refusal(),
+            "ground.gpkg: layer \"ground\" declares 9000000000 features (Talus takes at most 50000000). Cut it to the "
+            "slope: ogr2ogr -spat WEST SOUTH EAST NORTH ground_slope.gpkg ground.gpkg");
 }
 
 TEST_F(VectorFileTest, PlacesThatAreNoneAreRefused) {

@@ -18,6 +18,8 @@
 
 #ifdef TALUS_HAS_GDAL
 #include <ogrsf_frmts.h>
+
+#include "talus/io/gdal_raster.hpp"
 #endif
 
 namespace talus::io {
@@ -46,7 +48,7 @@ using testing::ElementsAre;
 
 struct Opened {
   explicit Opened(const std::filesystem::path& file) {
-    GDALAllRegister();
+    const GdalMessages gdal{GdalFiles(file)};
     dataset.reset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR));
     EXPECT_TRUE(dataset);
   }

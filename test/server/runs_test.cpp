@@ -327,7 +327,11 @@ TEST_F(Runs, OfAServerThatWasKilledGoOnToTheSameBytes) {
   const Json killed = run(id);
   EXPECT_EQ(killed["state"], "interrupted");
   EXPECT_GE(killed["done"], at_stop);
-  // Its results come to be there, as far as its last checkpoint.
+  // Nothing is done with it until somebody asks.
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(run(id)["has_results"], false);
+  EXPECT_EQ(get("/api/runs/" + id + "/summary").status, 404);
+  EXPECT_EQ(ask(id, "write").status, 202);
   Reply summary;
   for (int k = 0; k < 2000 && summary.status != 200; ++k) {
     summary = get("/api/runs/" + id + "/summary");

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/gdal_raster.hpp"
 
 namespace talus::testing_tools {
 
@@ -35,7 +36,6 @@ struct RasterSpec {
 class RasterFolder : public ::testing::Test {
  protected:
   RasterFolder() {
-    GDALAllRegister();
     const auto* const info = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::path{::testing::TempDir()} /
               ("talus_raster_" + std::string{info->name()} + "_" + std::to_string(::getpid()));
@@ -97,6 +97,9 @@ class RasterFolder : public ::testing::Test {
   }
 
   std::filesystem::path folder_;
+
+ private:
+  GdalMessages gdal_{GdalFiles::in_folder(::testing::TempDir())};  // for what tests themselves do with GDAL
 };
 
 }  // namespace talus::testing_tools

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "talus/io/gdal_raster.hpp"
+
 namespace talus::testing_tools {
 
 /// A feature as well-known text and the value of the layer's attribute.
@@ -20,7 +22,7 @@ using WrittenFeature = std::pair<std::string, std::string>;
 /// is not there).
 inline void add_layer(const std::filesystem::path& file, const std::string& layer, const std::string& crs_name,
                       const std::string& attribute, const std::vector<WrittenFeature>& features) {
-  GDALAllRegister();
+  const GdalMessages gdal(GdalFiles::in_folder(file.parent_path()));
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
   ASSERT_NE(driver, nullptr);
   GDALDatasetUniquePtr dataset(std::filesystem::exists(file)

@@ -15,6 +15,8 @@ std::filesystem::path results_folder(const Run& run) {
   if (run.state == RunState::waiting) throw refuse("it waits for others");
   if (run.state == RunState::running) throw refuse("it is under way", "Stop it to see what is done");
   if (run.is_at_work) throw refuse("what was done before its server was killed is being written", "Ask again soon");
+  if (run.state == RunState::interrupted)
+    throw refuse("its server was killed", "Ask for what was done: POST .../write");
   std::error_code ignored;
   const bool is_there = std::filesystem::exists(run.folder / "summary.json", ignored);
   throw refuse(is_there ? "its summary.json is no ordinary file" : "it ended before they were written");

@@ -50,6 +50,10 @@ void add_run_routes(Router& router, RunStore& runs, EventHub& events) {
     call.only({});
     return json_answer(runs.told(runs.resume(call.part(1))), 202);
   });
+  router.post(one_run + "/write", [&runs](const Call& call) {
+    call.only({});
+    return json_answer(runs.told(runs.write_what_is_done(call.part(1))), 202);
+  });
   router.remove(one_run, [&runs](const Call& call) {
     runs.remove(call.part(1));
     return json_answer({{"id", call.part(1)}});

@@ -38,8 +38,9 @@ int transform_exactly(void* to_file, int, int count, double* x, double* y, doubl
 class ClassRaster::Reader {
  public:
   Reader(const std::filesystem::path& path, const std::string& terrain_crs_wkt, Problems& warnings) : problems_(path) {
-    const GdalMessages messages;
+    GdalMessages messages;
     dataset_ = open_raster(messages, problems_);
+    files_ = messages.files();
     band_ = dataset_->GetRasterBand(1);
     if (GDALDataTypeIsComplex(band_->GetRasterDataType())) {
       problems_.refuse("has complex numbers in band 1", "a class is a whole number",
@@ -77,7 +78,7 @@ class ClassRaster::Reader {
   }
 
   std::vector<Class> at(std::span<const Vec2> points) {
-    GdalMessages messages;
+    GdalMessages messages(files_);
     const auto cells = cells_of(points);
     std::vector<Class> classes(points.size());
     fill(cells, classes, messages);
@@ -197,6 +198,7 @@ class ClassRaster::Reader {
   }
 
   RasterProblems problems_;
+  GdalFiles files_;
   GDALDatasetUniquePtr dataset_;
   GDALRasterBand* band_ = nullptr;
   Transformation to_file_;  // from the terrain's coordinates; null where they are the file's own

@@ -14,7 +14,7 @@
 
 namespace talus {
 
-/// Band 1 of whatever GDAL opens, in any coordinate system, with cells of any size, turned or not.
+/// Band 1 of a raster file, in any coordinate system, with cells of any size, turned or not.
 class ClassRaster {
  public:
   /// `terrain_crs_wkt` is the coordinate system of the points that will be asked for; where it is empty, or where the

@@ -30,7 +30,7 @@ struct Pair {
 /// GDAL's files, as it may have opened this one in an archive.
 class DxfText {
  public:
-  explicit DxfText(const std::filesystem::path& file) : file_(VSIFOpenL(file.c_str(), "rb")) {}
+  explicit DxfText(const std::filesystem::path& file) : quiet_(GdalFiles(file)), file_(VSIFOpenL(file.c_str(), "rb")) {}
 
   std::optional<Pair> next() {
     const auto code = line(), value = line();

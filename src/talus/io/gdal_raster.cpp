@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
+#include <utility>
 
 #include "talus/io/ascii_grid_check.hpp"
-#include "talus/io/ordinary_file.hpp"
+#include "talus/io/gdal_open.hpp"
 
 namespace talus {
 
@@ -20,9 +20,8 @@ Problem problem(const std::filesystem::path& file, std::string what, std::string
   return {.file = file.string(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
 }
 
-GridNumbers numbers_of(GDALDataset* dataset) {
-  const bool is_whole =
-      dataset && dataset->GetRasterCount() > 0 && dataset->GetRasterBand(1)->GetRasterDataType() == GDT_Int32;
+GridNumbers numbers_of(GDALDataset& dataset) {
+  const bool is_whole = dataset.GetRasterCount() > 0 && dataset.GetRasterBand(1)->GetRasterDataType() == GDT_Int32;
   return is_whole ? GridNumbers::whole : GridNumbers::real;
 }
 
@@ -39,9 +38,8 @@ std::string shell_word(const std::string& text) {
   return out + "'";
 }
 
-GdalMessages::GdalMessages() {
-  static const bool registered = (GDALAllRegister(), true);
-  static_cast<void>(registered);
+GdalMessages::GdalMessages(GdalFiles files) : files_(std::move(files)) {
+  start_gdal();
   CPLPushErrorHandlerEx(&note, this);
 }
 
@@ -87,19 +85,15 @@ std::string RasterProblems::command(std::string_view before, std::string_view en
   return fmt::format("{} {} {}", before, shell_word(file_.string()), shell_word(made.string()));
 }
 
-GDALDatasetUniquePtr open_raster(const GdalMessages& messages, RasterProblems& problems) {
-  const std::string name = problems.file().string();
-  std::error_code error;
-  // GDAL's own file systems (/vsizip/ ...) are not the machine's.
-  if (!name.starts_with("/vsi") && !std::filesystem::exists(problems.file(), error)) {
-    problems.stop("cannot be read", error ? error.message() : "there is no such file",
-                  "Paths are relative to the project file");
+GDALDatasetUniquePtr open_raster(GdalMessages& messages, RasterProblems& problems) {
+  GDALDatasetUniquePtr dataset;
+  try {
+    dataset = open_with_gdal(GdalKind::raster, messages, problems);
+  } catch (const BadInput&) {
+    if (is_ascii_grid(problems.file())) check_ascii_grid(problems.file(), GridNumbers::real);
+    throw;
   }
-  if (const auto why = nothing_for_gdal(problems.file())) problems.stop("cannot be read", *why, "Name a file");
-  GDALDatasetUniquePtr dataset(
-      GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
-  if (is_ascii_grid(problems.file())) check_ascii_grid(problems.file(), numbers_of(dataset.get()));
-  if (!dataset) problems.stop("is no raster that GDAL can read", messages.failure());
+  if (is_ascii_grid(problems.file())) check_ascii_grid(problems.file(), numbers_of(*dataset));
   if (dataset->GetRasterCount() > 0) return dataset;
   char** parts = dataset->GetMetadata("SUBDATASETS");
   const char* first = CSLFetchNameValue(parts, "SUBDATASET_1_NAME");

@@ -9,17 +9,21 @@
 #include <string_view>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/gdal_files.hpp"
 
 namespace talus {
 
-/// While it lives, GDAL's messages of this thread come here and nowhere else.
+/// While it lives, GDAL's messages of this thread come here and nowhere else, and GDAL touches no files in this thread
+/// but those in reach.
 class GdalMessages {
  public:
-  GdalMessages();
+  explicit GdalMessages(GdalFiles files = {});
   GdalMessages(const GdalMessages&) = delete;
   GdalMessages& operator=(const GdalMessages&) = delete;
   ~GdalMessages();
 
+  /// What is in reach.
+  [[nodiscard]] GdalFiles& files() { return files_; }
   /// Forgets what failed so far.
   void clear() { failure_.clear(); }
   [[nodiscard]] bool has_failure() const { return !failure_.empty(); }
@@ -28,6 +32,8 @@ class GdalMessages {
 
  private:
   static void note(CPLErr severity, CPLErrorNum number, const char* message);
+  GdalFiles files_;
+  GdalReach reach_{files_};
   std::string failure_;
 };
 
@@ -58,7 +64,7 @@ class RasterProblems {
 };
 
 /// Opens a raster with at least one band to read from. Throws BadInput.
-[[nodiscard]] GDALDatasetUniquePtr open_raster(const GdalMessages& messages, RasterProblems& problems);
+[[nodiscard]] GDALDatasetUniquePtr open_raster(GdalMessages& messages, RasterProblems& problems);
 
 /// Warns where a raster has bands beyond the first, which alone is read; one that is a mask is no such band.
 void warn_of_further_bands(GDALDataset& dataset, RasterProblems& problems);

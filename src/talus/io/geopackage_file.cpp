@@ -41,7 +41,7 @@ std::string flushed(const std::filesystem::path& file) {
 }  // namespace
 
 GeoPackageFile::GeoPackageFile(std::filesystem::path path, const std::string& crs_wkt)
-    : path_(std::move(path)), part_(path_) {
+    : path_(std::move(path)), part_(path_), messages_(GdalFiles::in_folder(path_.parent_path())) {
   part_ += ".part";
   make_output_folder(path_.parent_path());
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");

@@ -163,7 +163,7 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
   const std::filesystem::path file = folder / (kind.name + ".tif");
   std::filesystem::path part = file;
   part += ".part";
-  GdalMessages messages;
+  GdalMessages messages(GdalFiles::in_folder(folder));
 
   // A raster in memory that keeps only those of its blocks that are written to.
   const std::string scratch = fmt::format("/vsimem/talus-{}.tif", static_cast<const void*>(&kind));

@@ -87,7 +87,7 @@ std::string style_of(const fs::path& map) {
 
 void read_head(const fs::path& folder, MapFile& map) {
   const fs::path file = file_of(folder, map.name);
-  const GdalMessages messages;
+  GdalMessages messages;
   RasterProblems problems(file);
   const GDALDatasetUniquePtr raster = open_raster(messages, problems);
   GDALRasterBand& band = *raster->GetRasterBand(1);
@@ -154,7 +154,7 @@ std::vector<MapFile> maps_of_run(const fs::path& folder) {
 }
 
 MapValues read_map(const fs::path& folder, const MapFile& map, int pixels) {
-  const GdalMessages messages;
+  GdalMessages messages;
   RasterProblems problems(file_of(folder, map.name));
   const GDALDatasetUniquePtr raster = open_raster(messages, problems);
   GDALRasterBand& whole = *raster->GetRasterBand(1);

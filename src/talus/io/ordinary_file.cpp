@@ -23,10 +23,4 @@ std::optional<std::string> not_an_ordinary_file(const fs::path& path) {
   }
 }
 
-std::optional<std::string> nothing_for_gdal(const fs::path& path) {
-  std::error_code error;
-  if (path.string().starts_with("/vsi") || fs::is_directory(path, error)) return std::nullopt;
-  return not_an_ordinary_file(path);
-}
-
 }  // namespace talus

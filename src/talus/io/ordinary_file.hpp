@@ -11,8 +11,4 @@ namespace talus {
 /// there is nothing of that name or nothing is known of it, of which opening it says more.
 [[nodiscard]] std::optional<std::string> not_an_ordinary_file(const std::filesystem::path& path);
 
-/// The same of what GDAL opens: a folder may hold a format's files, and GDAL has file systems of its own (/vsizip/
-/// ...).
-[[nodiscard]] std::optional<std::string> nothing_for_gdal(const std::filesystem::path& path);
-
 }  // namespace talus

@@ -1,5 +1,5 @@
 #pragma once
-// Terrain from raster files: band 1 of whatever GDAL opens (GeoTIFF, AAIGrid, VRT mosaics, ...).
+// Terrain from raster files: band 1 of a GeoTIFF, Esri grid, VRT mosaic ... (io/gdal_start.cpp lists the formats).
 
 #include <cstdint>
 #include <filesystem>

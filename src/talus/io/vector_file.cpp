@@ -8,15 +8,13 @@
 
 #include <algorithm>
 #include <string_view>
-#include <system_error>
 
 #include "talus/core/stop.hpp"
 #include "talus/io/dxf_entities.hpp"
 #include "talus/io/dxf_file.hpp"
-#include "talus/io/gdal_raster.hpp"
+#include "talus/io/gdal_open.hpp"
 #include "talus/io/mesh_problems.hpp"
 #include "talus/io/names_in_words.hpp"
-#include "talus/io/ordinary_file.hpp"
 #include "talus/io/raster_crs.hpp"
 #include "talus/io/vector_shapes.hpp"
 
@@ -28,26 +26,14 @@ constexpr std::int64_t most_features = 50'000'000;  // far beyond any survey; a 
 
 bool is_csv(const std::filesystem::path& file) { return file.extension() == ".csv" || file.extension() == ".CSV"; }
 
-GDALDatasetUniquePtr open_vectors(const GdalMessages& messages, RasterProblems& problems) {
-  const std::string name = problems.file().string();
-  std::error_code error;
-  // GDAL's own file systems (/vsizip/ ...) are not the machine's.
-  if (!name.starts_with("/vsi") && !std::filesystem::exists(problems.file(), error)) {
-    problems.stop("cannot be read", error ? error.message() : "there is no such file",
-                  "Paths are relative to the project file");
-  }
-  if (const auto why = nothing_for_gdal(problems.file())) problems.stop("cannot be read", *why, "Name a file");
+GDALDatasetUniquePtr open_vectors(GdalMessages& messages, RasterProblems& problems) {
   static const char* const columns_of_csv[] = {"GEOM_POSSIBLE_NAMES=WKT,geometry,geom,the_geom",
                                                "X_POSSIBLE_NAMES=x,x_m,east*,lon*",
                                                "Y_POSSIBLE_NAMES=y,y_m,north*,lat*",
                                                "Z_POSSIBLE_NAMES=z,z_m,height*,elev*",
                                                "KEEP_GEOM_COLUMNS=YES",
                                                nullptr};
-  GDALDatasetUniquePtr dataset(GDALDataset::Open(name.c_str(),
-                                                 GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
-                                                 is_csv(problems.file()) ? columns_of_csv : nullptr));
-  if (!dataset) problems.stop("is no vector file that GDAL can read", messages.failure());
-  return dataset;
+  return open_with_gdal(GdalKind::vector, messages, problems, is_csv(problems.file()) ? columns_of_csv : nullptr);
 }
 
 bool is_dxf(GDALDataset& dataset) { return std::string_view(dataset.GetDriverName()) == "DXF"; }

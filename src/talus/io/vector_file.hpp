@@ -1,6 +1,6 @@
 #pragma once
-// Points, lines and polygons from a vector file: one layer of whatever GDAL opens (GeoPackage, Shapefile, GeoJSON, DXF,
-// CSV with coordinates ...), brought to the coordinate system of the terrain.
+// Points, lines and polygons from a vector file: one layer of a GeoPackage, Shapefile, GeoJSON, DXF or CSV with
+// coordinates, brought to the coordinate system of the terrain.
 
 #include <cstdint>
 #include <filesystem>

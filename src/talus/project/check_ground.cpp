@@ -131,7 +131,7 @@ void GroundRules::about_file(std::string_view key, Node node, const std::filesys
   if (is_on("section")) {
     refuse(node, fmt::format("{} is given for a section", key), "a section has segments",
            "Use segments, with one name for each segment");
-  } else if (const std::string why = why_missing(project, file); !why.empty()) {
+  } else if (const std::string why = why_unreadable(project, file); !why.empty()) {
     refuse(node, fmt::format("{} is {}", key, quoted(*node)), why, "Its path is relative to the project file");
   }
 }

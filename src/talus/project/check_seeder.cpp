@@ -171,7 +171,7 @@ void SeederRules::about_heading() const {
 void SeederRules::about_files() const {
   const auto look = [&](std::string_view key, const std::filesystem::path& file) {
     if (!good(key)) return;
-    const std::string why = why_missing(project, file);
+    const std::string why = why_unreadable(project, file);
     if (why.empty()) return;
     refuse(key, fmt::format("{} is \"{}\"", key, file.string()), why, "Its path is relative to the project file");
   };

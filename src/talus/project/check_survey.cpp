@@ -79,7 +79,7 @@ void SurveyRules::about_files() const {
   for (const auto& [key, file] : files) {
     const auto* node = good(key);
     if (!node) continue;
-    const std::string why = why_missing(project, *file);
+    const std::string why = why_unreadable(project, *file);
     if (why.empty()) continue;
     complain(node, fmt::format("{} is {}", key, quoted(*node)), why, "Its path is relative to the project file",
              Severity::error);

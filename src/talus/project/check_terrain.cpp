@@ -76,7 +76,7 @@ void TerrainRules::check() const {
   }
   if (const Node mesh = good("mesh")) about_mesh_file(mesh);
   if (const Node raster = good("raster")) {
-    if (const std::string why = why_missing(project, project.terrain.raster); !why.empty()) {
+    if (const std::string why = why_unreadable(project, project.terrain.raster); !why.empty()) {
       refuse(raster, fmt::format("raster is {}", quoted(*raster)), why, "Its path is relative to the project file");
     }
   }
@@ -151,7 +151,7 @@ void TerrainRules::about_mesh_file(Node mesh) const {
   // A project that is only a text has no folder in which its mesh could lie.
   std::error_code error;
   const std::filesystem::path path = project.file.parent_path() / project.terrain.mesh;
-  std::string why = why_missing(project, project.terrain.mesh);
+  std::string why = why_unreadable(project, project.terrain.mesh);
   if (why.empty() && std::filesystem::exists(project.file, error) && !std::filesystem::is_regular_file(path, error)) {
     const bool is_folder = std::filesystem::is_directory(path, error);
     why = fmt::format("{} is {}", path.string(), is_folder ? "a folder" : "not an ordinary file");

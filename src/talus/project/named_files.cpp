@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace talus::project {
@@ -32,13 +34,29 @@ int line_of_mentioned(const Project& project, std::string_view where, const Prob
   return 0;
 }
 
+/// Where a link leads that is named as if it were in the project's folder; nothing where it stays there.
+std::optional<std::filesystem::path> elsewhere(const Project& project, const std::filesystem::path& file) {
+  const std::filesystem::path plain = file.lexically_normal();
+  if (plain.is_absolute() || *plain.begin() == "..") return std::nullopt;
+  std::error_code error;
+  const auto folder = std::filesystem::canonical(std::filesystem::absolute(project.file).parent_path(), error);
+  const auto real = std::filesystem::canonical(folder / plain, error);
+  if (error) return std::nullopt;
+  const bool is_below = std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first == folder.end();
+  return is_below ? std::nullopt : std::optional(real);
+}
+
 }  // namespace
 
-std::string why_missing(const Project& project, const std::filesystem::path& file) {
+std::string why_unreadable(const Project& project, const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::path path = project.file.parent_path() / file;
-  if (!std::filesystem::exists(project.file, error) || std::filesystem::exists(path, error)) return "";
-  if (path.string().starts_with("/vsi")) return "";
+  if (!std::filesystem::exists(project.file, error) || path.string().starts_with("/vsi")) return "";
+  if (std::filesystem::exists(path, error)) {
+    const auto real = elsewhere(project, file);
+    return real ? fmt::format("it is a link that leads out of the project's folder; name {} itself", real->string())
+                : "";
+  }
   if (error) return fmt::format("{} cannot be looked at: {}", path.string(), error.message());
   return fmt::format("there is no file {}", path.string());
 }

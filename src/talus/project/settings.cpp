@@ -401,16 +401,17 @@ Table terrain() {
                .excludes = {"section", "mesh", "vertices", "triangles", "points", "lines", "polylines", "polygons"},
                .meaning =
                    "A file of elevations in metres, on a grid in a projected coordinate system in metres: band 1 "
-                   "of whatever GDAL reads (GeoTIFF, AAIGrid, VRT, ...); its path is relative to the project "
-                   "file.",
+                   "of a GeoTIFF, an Esri grid (.asc, .flt, .bil), an Erdas Imagine or a VRT; its path is relative to "
+                   "the "
+                   "project file.",
                .source = "Talus"},
               {.key = "points",
                .slot = member(&Terrain::points),
                .without_it = one_terrain,
                .excludes = {"section", "mesh", "vertices", "triangles", "raster", "polylines", "polygons"},
                .meaning = "A file of surveyed points in metres, which are triangulated: text (.csv, .xyz, .txt, .pts, "
-                          ".dat), .las, or points in any vector file that GDAL reads; alone or with `lines`; its path "
-                          "is relative to the project file.",
+                          ".dat), .las, or points of a GeoPackage, Shapefile, GeoJSON or DXF; alone or with `lines`; "
+                          "its path is relative to the project file.",
                .source = "Talus"},
               {.key = "point_classes",
                .slot = member(&Terrain::point_classes),

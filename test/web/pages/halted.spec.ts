@@ -14,6 +14,7 @@ test('a run whose server was killed shows what was done', async ({ workbench: pa
   await server.end('SIGKILL');
   await server.startFor(page);
   await expect(long).toContainText(/Interrupted, [\d,]+ of/, { timeout: 30_000 });
+  await page.getByRole('button', { name: 'Write what is done' }).click();
   await runIsShown(page);
   await page.getByRole('tab', { name: 'Overview' }).click();
   await expect(page.getByText(/of 1000000000: the run was stopped/)).toBeVisible();

@@ -113,6 +113,7 @@ export const api = {
   compute: (file: string, text: string, more: { name?: string; rocks?: number; seed?: number } = {}) =>
     sendJson<Run>('POST', '/api/runs', { file, text, ...more }),
   stopRun: (id: string) => sendJson<Run>('POST', `/api/runs/${id}/stop`, {}),
+  writeRun: (id: string) => sendJson<Run>('POST', `/api/runs/${id}/write`, {}),
   resumeRun: (id: string) => sendJson<Run>('POST', `/api/runs/${id}/resume`, {}),
   renameRun: (id: string, newName: string) => sendJson<Run>('PATCH', `/api/runs/${id}`, { name: newName }),
   removeRun: (id: string) => ask('DELETE', `/api/runs/${id}`),

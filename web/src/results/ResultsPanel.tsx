@@ -2,7 +2,7 @@
 
 import { useId } from 'preact/hooks';
 import type { Run, RunState } from '../api/types';
-import { hasResults, ownRuns, resume, shown } from '../state/runs';
+import { hasResults, ownRuns, resume, shown, writeWhatIsDone } from '../state/runs';
 import { resultsOpen, resultsShare, resultsTab, sidePanel, type ResultsTab } from '../state/view';
 import { dimension } from '../model/place';
 import { sectionLine } from '../sectionLine/sectionLine';
@@ -54,6 +54,11 @@ function NoResults({ run }: { run: Run }) {
     return (
       <div class="empty">
         <p>{halts[run.state]}</p>
+        {run.state === 'interrupted' && run.done > 0 && (
+          <button class="button" style={{ justifySelf: 'center' }} onClick={() => void writeWhatIsDone(run.id)}>
+            Write what is done
+          </button>
+        )}
         <button class="button" style={{ justifySelf: 'center' }} onClick={() => void resume(run.id)}>
           Resume
         </button>

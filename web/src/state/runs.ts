@@ -78,6 +78,7 @@ effect(() => {
 });
 
 export const stop = (id: string) => attempt(`run ${id}`, () => api.stopRun(id).then(takeAnswer));
+export const writeWhatIsDone = (id: string) => attempt(`run ${id}`, () => api.writeRun(id).then(takeAnswer));
 export const resume = (id: string) => attempt(`run ${id}`, () => api.resumeRun(id).then(takeAnswer));
 export const rename = (id: string, name: string) => attempt(`run ${id}`, () => api.renameRun(id, name).then(takeAnswer));
 export const remove = (id: string) => attempt(`run ${id}`, () => api.removeRun(id).then(() => forget(id)));
