@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "standard_streams.hpp"
+#include "talus/core/memory_reserve.hpp"
 #include "talus/core/problems.hpp"
 
 namespace talus::cli {
@@ -26,6 +27,7 @@ int internal(const std::exception& error) {
 }  // namespace
 
 int answer(const std::function<int()>& work) {
+  keep_memory_reserve();
   try {
     return work();
   } catch (const BadInput& bad) {
@@ -39,9 +41,12 @@ int answer(const std::function<int()>& work) {
     if (std::ferror(stdout) == 0) return internal(error);
     output_error = error.code().value();
     return bad_input;  // output_taken() says more
+  } catch (const OutOfMemory& error) {
+    tell("talus: {}\n", error.what());
+    return internal_error;
   } catch (const std::bad_alloc&) {
     tell("talus: not enough memory for what was asked\n");
-    return bad_input;
+    return internal_error;
   } catch (const std::exception& error) {
     return internal(error);
   }

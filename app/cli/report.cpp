@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "earlier_output.hpp"
+#include "talus/io/file_record.hpp"
 #include "talus/io/folder_lock.hpp"
 #include "talus/io/output_file.hpp"
 
@@ -19,6 +20,7 @@ int report(const ReportOptions& options) {
   std::optional<FolderLock> lock;  // of a run's folder, which may be that of a run under way
   if (options.file.empty()) lock.emplace(lock_output_folder(options.folders.front()));
   io::write_report(options.folders, file);
+  if (options.file.empty()) io::renew_in_record(options.folders.front(), page);
   fmt::print("{}\n", file.string());
   return done;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "talus/core/memory_reserve.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/io/folder_lock.hpp"
 #include "talus/io/output_file.hpp"
@@ -365,6 +366,7 @@ std::shared_ptr<BuiltProject> RunStore::built(const std::string& text, const fs:
 }
 
 void RunStore::do_job(const Job& job, LowPriorityArena& arena) {
+  keep_memory_reserve();
   try {
     throw_rocks(job, arena);
   } catch (const BadInput& bad) {

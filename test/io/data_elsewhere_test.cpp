@@ -97,8 +97,8 @@ TEST_F(DataElsewhere, NamesOfFormatsAreNamesOfFiles) {
     EXPECT_EQ(read_raster_file(before + "/a.tif", warnings).grid.columns, 4U);
     fs::current_path(old);
   }
-  for (const std::string name : {"PG:host=127.0.0.1 port=" + listener_.host().substr(10), "WMS:" + listener_.address(),
-                                 listener_.address() + "/dem.tif", "vrt://" + listener_.address()}) {
+  for (const std::string& name : {"PG:host=127.0.0.1 port=" + listener_.host().substr(10), "WMS:" + listener_.address(),
+                                  listener_.address() + "/dem.tif", "vrt://" + listener_.address()}) {
     EXPECT_THAT(raster(name), HasSubstr("cannot be read (there is no such file)")) << name;
     EXPECT_THAT(vectors(name), HasSubstr("cannot be read (there is no such file)")) << name;
   }
@@ -123,14 +123,14 @@ TEST_F(DataElsewhere, AMosaicNamesNothingElse) {
   const std::string elsewhere = "(a VRT may name only rasters in its own folder or below it)";
   fs::create_symlink(path("secret.tif"), path("project/link.tif"));
   fs::create_symlink("/vsicurl/" + listener_.address() + "/a.tif", path("project/broken.tif"));
-  for (const std::string source :
+  for (const std::string& source :
        {std::string("../secret.tif"), path("secret.tif").string(), "/vsicurl/" + listener_.address() + "/a.tif",
         std::string("link.tif"), std::string("tiles/../../secret.tif"), std::string("/vsizip/a.zip/a.tif")}) {
     write("project/dem.vrt", mosaic(source));
     EXPECT_EQ(raster("dem.vrt"), without_folder("project/dem.vrt: names \"" + source + "\" " + elsewhere + hint));
   }
-  for (const std::string source : {listener_.address() + "/a.tif", "WMS:" + listener_.address(),
-                                   std::string("&lt;VRTDataset/&gt;"), std::string("none.tif")}) {
+  for (const std::string& source : {listener_.address() + "/a.tif", "WMS:" + listener_.address(),
+                                    std::string("&lt;VRTDataset/&gt;"), std::string("none.tif")}) {
     write("project/dem.vrt", mosaic(source));
     EXPECT_THAT(raster("dem.vrt"), HasSubstr("(there is no such file)")) << source;
   }
@@ -167,8 +167,8 @@ TEST_F(DataElsewhere, AVirtualRasterIsAMosaic) {
 }
 
 TEST_F(DataElsewhere, WhatLiesBesideARasterNamesNothing) {
-  for (const std::string other : {"/vsicurl/" + listener_.address() + "/a.tif", std::string("../secret.tif"),
-                                  std::string(":::BASE:::/../../secret.tif"), path("secret.tif").string()}) {
+  for (const std::string& other : {"/vsicurl/" + listener_.address() + "/a.tif", std::string("../secret.tif"),
+                                   std::string(":::BASE:::/../../secret.tif"), path("secret.tif").string()}) {
     make("project/dem.tif");
     write("project/dem.tif.aux.xml", "<PAMDataset><SRS>" + listener_.address() +
                                          "/crs</SRS><Metadata domain=\"OVERVIEWS\"><MDI "

@@ -211,7 +211,7 @@ wind = 3)"}},
     {"FrictionAngleTooLarge",
      {{"friction_angle_deg = 30", "friction_angle_deg = 90"}},
      "slope.toml:12: material \"Rock\": friction_angle_deg is 90 (no rock could slide; expected 0 "
-     "to less than 90)"},
+     "to 89.9)"},
     {"DensityInTonnes",
      {{"rocks = 10",
        R"(rocks = 10

@@ -9,6 +9,7 @@
 #include "cli/child.hpp"
 #include "cli/run_files.hpp"
 #include "run_store.hpp"
+#include "support/listener.hpp"
 #include "talus/io/folder_lock.hpp"
 
 namespace talus {
@@ -455,6 +456,32 @@ TEST_F(Runs, WhoseResultsAreDamagedSayWhatIsWrong) {
     EXPECT_EQ(get("/api/runs/" + id + what).status, 422) << what;
   std::filesystem::remove(path(folder + "summary.json"));
   EXPECT_EQ(get("/api/runs/" + id + "/paths").status, 404);
+}
+
+// A folder may come from anybody: a run in it that says that it is under way is no reason to open what it names.
+TEST_F(Runs, OfAFolderThatCameFromElsewhereAreLeftAloneUntilSomebodyAsks) {
+  const std::string id = begin(section());
+  (void)wait_for(id, "done");
+  stop();
+  const testing_tools::Listener listener;
+  const std::string folder = "runs/slope/" + id + "/";
+  Json file = Json::parse(read(folder + "run.json"));
+  file["state"] = "running";
+  write(folder + "run.json", file.dump());
+  std::string project = test::bytes_of(TALUS_SOURCE_DIR "/examples/maungawhau/maungawhau.toml");
+  const std::string raster = "maungawhau.asc";
+  write(folder + "project.toml",
+        project.replace(project.rfind(raster), raster.size(), "/vsicurl/" + listener.address() + "/dem.asc"));
+  const std::string summary = read(folder + "summary.json");
+  start();
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const Json waits = run(id);
+  EXPECT_EQ(waits["state"], "interrupted");
+  EXPECT_EQ(waits["problems"], Json::array());
+  EXPECT_EQ(read(folder + "summary.json"), summary);
+  EXPECT_EQ(ask(id, "write").status, 202);
+  EXPECT_FALSE(wait(id, [](const Json& now) { return !now["problems"].empty(); })["problems"].empty());
+  EXPECT_FALSE(listener.has_heard());
 }
 
 // Two servers in one folder: the second leaves alone what the first throws.

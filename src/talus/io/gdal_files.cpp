@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -132,6 +133,8 @@ GdalReach::~GdalReach() { reach = before_; }
 
 namespace {
 
+thread_local std::optional<std::string> failure;
+
 bool refused(int error) {
   errno = error;
   return false;
@@ -150,7 +153,11 @@ class GuardedDisk final : public VSIFilesystemHandler {
   VSIVirtualHandle* Open(const char* name, const char* how, bool says_errors, CSLConstList options) override {
     const bool is_written = std::string_view(how).find_first_of("wa+") != std::string_view::npos;
     if (is_written ? !may_write(name) : !may_read(name)) return nullptr;
-    return disk_->Open(name, how, says_errors, options);
+    VSIVirtualHandle* const file = disk_->Open(name, how, says_errors, options);
+    if (file == nullptr && errno != ENOENT && errno != ENOTDIR && !failure) {
+      failure = std::string(name) + ": " + std::strerror(errno);
+    }
+    return file;
   }
   int Stat(const char* name, VSIStatBufL* found, int flags) override {
     return may_read(name) ? disk_->Stat(name, found, flags) : -1;
@@ -187,6 +194,8 @@ class NoFiles final : public VSIFilesystemHandler {
 };
 
 }  // namespace
+
+std::optional<std::string> failure_of_disk() { return std::exchange(failure, std::nullopt); }
 
 void guard_gdal_files() {
   // GDAL forgets a handler that is replaced, and frees those that it has: what is kept here is never freed.

@@ -65,6 +65,10 @@ class GdalReach {
   const GdalFiles* before_;
 };
 
+/// Why a file in reach could not be opened though it is there - too many open files, no permission -, which GDAL takes
+/// for a file that is missing: "dem.prj: Too many open files". Of this thread, since the last time it was asked for.
+[[nodiscard]] std::optional<std::string> failure_of_disk();
+
 /// Puts GDAL's file systems under this guard: the disk as above, /vsimem/, /vsizip/ and /vsigzip/ (whose archives lie
 /// on the disk); all others - of networks, standard input, parts of files - open nothing. Once a program.
 void guard_gdal_files();

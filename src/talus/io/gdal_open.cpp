@@ -10,6 +10,7 @@
 
 #include "talus/io/gdal_files.hpp"
 #include "talus/io/ordinary_file.hpp"
+#include "talus/io/raster_crs.hpp"
 #include "talus/io/vrt_sources.hpp"
 
 namespace talus {
@@ -51,6 +52,11 @@ std::string first_element(const std::string& name) {
   return end == std::string::npos ? "XML" : head.substr(begin, end - begin) + ">";
 }
 
+/// What GDAL could not open it takes for missing, and goes on without.
+void expect_whole(RasterProblems& problems) {
+  if (const auto why = failure_of_disk()) problems.stop("cannot be read", *why);
+}
+
 }  // namespace
 
 std::string name_for_gdal(const std::filesystem::path& file) {
@@ -69,12 +75,15 @@ GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, Raste
   expect_file(problems);
   messages.files().add(problems.file());
   const std::string name = name_for_gdal(problems.file());
+  if (const auto fault = fault_of_proj(messages)) problems.stop(fault->what, fault->why, fault->hint);
+  (void)failure_of_disk();
   if (kind == GdalKind::raster && driver_of_raster(name) == "VRT") bring_sources_into_reach(messages, problems);
   messages.clear();
   const unsigned flags = GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR |
                          (kind == GdalKind::raster ? unsigned{GDAL_OF_RASTER} : unsigned{GDAL_OF_VECTOR});
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(name.c_str(), flags, drivers_that_read(kind).data(), options, nullptr));
+  expect_whole(problems);
   if (dataset) return dataset;
   const std::string element = first_element(name);
   problems.stop(kind == GdalKind::raster ? "is no raster that Talus reads" : "is no vector file that Talus reads",

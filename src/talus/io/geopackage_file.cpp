@@ -2,11 +2,6 @@
 
 #include "talus/io/geopackage_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <system_error>
 
 #include "talus/io/output_file.hpp"
@@ -26,16 +21,6 @@ namespace {
 
 [[noreturn]] void refuse_to_write(const std::filesystem::path& file, std::string why) {
   refuse(file, std::move(why), "Free some space, or choose another folder", "-o");
-}
-
-/// To the disk, whatever the machine still holds of it; empty where that worked, else why not.
-std::string flushed(const std::filesystem::path& file) {
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return std::strerror(errno);
-  const bool is_flushed = fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
-  const std::string why = is_flushed ? "" : std::strerror(errno);
-  close(descriptor);
-  return why;
 }
 
 }  // namespace
@@ -90,10 +75,7 @@ void GeoPackageFile::commit() {
   if (dataset_->CommitTransaction() != OGRERR_NONE) fail();
   dataset_.reset();
   if (messages_.has_failure()) fail();  // what goes wrong while a file is closed is only said
-  if (const std::string why = flushed(part_); !why.empty()) refuse_to_write(path_, why);
-  std::error_code error;
-  std::filesystem::rename(part_, path_, error);
-  if (error) refuse(path_, error.message(), "Choose another folder", "-o");
+  finish_file(part_, path_);
   is_committed_ = true;
 }
 

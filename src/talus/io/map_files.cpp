@@ -43,12 +43,16 @@ bool is_name_of_map(std::string_view name) {
 
 }  // namespace
 
+bool is_name_of_map_file(const std::filesystem::path& name) {
+  const std::string extension = name.extension().string();
+  return (extension == ".tif" || extension == ".qml") && is_name_of_map(name.stem().string());
+}
+
 void remove_maps(const std::filesystem::path& folder) {
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string extension = entry.path().extension().string();
     std::error_code ignored;
-    if ((extension == ".tif" || extension == ".qml") && is_name_of_map(entry.path().stem().string())) {
+    if (is_name_of_map_file(entry.path())) {
       std::filesystem::remove(entry.path(), ignored);
     }
   }
@@ -215,9 +219,7 @@ void write_map(const Maps& maps, const MapKind& kind, const Maps::Extent& extent
     std::filesystem::remove(part, ignored);
     refuse(file, messages);
   }
-  std::error_code error;
-  std::filesystem::rename(part, file, error);
-  if (error) refuse(file, error.message(), "Choose another folder", "-o");
+  finish_file(part, file);
 
   OutputFile style(folder / (kind.name + ".qml"));
   style.write(qgis_style(kind.scale, *range));

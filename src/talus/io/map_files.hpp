@@ -10,6 +10,9 @@
 
 namespace talus::io {
 
+/// Whether a run may have written a file of this name among its maps: a map, or the style beside it.
+[[nodiscard]] bool is_name_of_map_file(const std::filesystem::path& name);
+
 /// Whether this program was built with GDAL, which writes the files.
 [[nodiscard]] bool can_write_maps();
 

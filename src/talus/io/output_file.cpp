@@ -142,6 +142,23 @@ std::filesystem::path place_of_file(const std::filesystem::path& path) {
   return place;
 }
 
+void finish_file(const std::filesystem::path& part, const std::filesystem::path& path) {
+  const int descriptor = open(part.c_str(), O_RDONLY | O_CLOEXEC);
+  bool is_done = descriptor >= 0 && is_synchronised(descriptor);
+  int error = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (is_done) {
+    is_done = std::rename(part.c_str(), path.c_str()) == 0;
+    error = errno;
+  }
+  if (!is_done) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    refuse(path, "finish this file", error);
+  }
+  synchronise_folder_of(path);
+}
+
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
   if (std::rename(from.c_str(), to.c_str()) != 0) refuse(to, "finish this file", errno);
 }

@@ -52,6 +52,10 @@ class OutputFile : public TextSink {
 /// link names, which is then not replaced. Throws BadInput where a folder, a device or the like has that name.
 [[nodiscard]] std::filesystem::path place_of_file(const std::filesystem::path& path);
 
+/// Of a file that another library has written as `part`: to the disk, and then to its final name. Throws BadInput where
+/// that fails; the part is removed then.
+void finish_file(const std::filesystem::path& part, const std::filesystem::path& path);
+
 /// Gives a file another name, in the place of one that may have it; throws BadInput where that fails.
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
 

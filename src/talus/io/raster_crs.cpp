@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -133,6 +134,21 @@ void judge_place(const OGRSpatialReference& crs, const Vec2& centre, RasterProbl
 }
 
 }  // namespace
+
+std::optional<Problem> fault_of_proj(GdalMessages& messages) {
+  messages.clear();
+  OGRSpatialReference any;
+  if (any.importFromEPSG(4326) == OGRERR_NONE) return std::nullopt;
+  std::string hint = "PROJ's files belong to GDAL; on Debian they come with the package proj-data";
+  for (const char* variable : {"PROJ_DATA", "PROJ_LIB"}) {
+    const char* const folder = std::getenv(variable);
+    if (folder == nullptr) continue;
+    hint =
+        fmt::format("{} says that PROJ's files are in {}: unset it, or name the folder of proj.db", variable, folder);
+    break;
+  }
+  return Problem{.what = "coordinate systems cannot be looked up", .why = messages.failure(), .hint = std::move(hint)};
+}
 
 std::string wkt_of(const OGRSpatialReference& crs) {
   const char* const options[] = {"FORMAT=WKT2_2019", nullptr};

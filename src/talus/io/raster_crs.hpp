@@ -18,6 +18,10 @@ namespace talus {
 inline constexpr double doubtful_scale = 0.01;
 inline constexpr double refused_scale = 0.05;
 
+/// What is wrong where PROJ cannot look up coordinate systems: without its database it knows none, and every file would
+/// seem to have none. Nothing where it can.
+[[nodiscard]] std::optional<Problem> fault_of_proj(GdalMessages& messages);
+
 /// As WKT 2 (ISO 19162:2019).
 [[nodiscard]] std::string wkt_of(const OGRSpatialReference& crs);
 

@@ -79,8 +79,13 @@ bool seems_to_be_in_degrees(GDALDataset& dataset, const Placing& at) {
 }
 
 /// The file's own, or that which is said of files that name none.
-std::optional<OGRSpatialReference> crs_of(GDALDataset& dataset, const SaidOfCrs& said, RasterProblems& problems) {
+std::optional<OGRSpatialReference> crs_of(GDALDataset& dataset, const SaidOfCrs& said, GdalMessages& messages,
+                                          RasterProblems& problems) {
+  messages.clear();
   const OGRSpatialReference* own = dataset.GetSpatialRef();
+  if (own == nullptr && messages.has_failure()) {
+    problems.stop("has a coordinate system that cannot be read", messages.failure());
+  }
   if (own && !own->IsEmpty()) {
     const SurveyCrs of_file{wkt_of(*own), name_of(*own)};
     if (said.is_local || (said.crs.is_known() && !have_one_plan(of_file, said.crs))) {
@@ -396,7 +401,7 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
 
   judge_size(*dataset, problems);
   const auto place = placing(*dataset, problems);
-  const std::optional<OGRSpatialReference> named = crs_of(*dataset, said, problems);
+  const std::optional<OGRSpatialReference> named = crs_of(*dataset, said, messages, problems);
   const OGRSpatialReference* const crs = named ? &*named : nullptr;
   std::optional<Vec2> centre;
   double t[6];

@@ -33,10 +33,10 @@ Digest get_digest(ByteReader& in) {
   return digest;
 }
 
-std::string saved(const RunStateHeader& header) {
+std::string saved(const RunStateHeader& header, std::string_view description) {
   ByteWriter out;
   out.text(TALUS_VERSION);
-  out.text(as_json(header.description).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  out.text(description);
   out.put(header.range.first);
   out.put(header.range.last);
   out.put(header.done);
@@ -111,7 +111,16 @@ std::string read_bytes(const std::filesystem::path& file, std::uint64_t most) {
 
 }  // namespace
 
+std::string saved(const RunDescription& description) {
+  return as_json(description).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 void write_run_state(const std::filesystem::path& file, const RunStateHeader& header,
+                     std::span<SummingObserver* const> observers) {
+  write_run_state(file, header, saved(header.description), observers);
+}
+
+void write_run_state(const std::filesystem::path& file, const RunStateHeader& header, std::string_view description,
                      std::span<SummingObserver* const> observers) {
   OutputFile output(file);
   Checksum checksum;
@@ -119,7 +128,7 @@ void write_run_state(const std::filesystem::path& file, const RunStateHeader& he
     checksum.add(piece);
     output.write(piece);
   });
-  const std::string head = saved(header);
+  const std::string head = saved(header, description);
   for (const char c : magic) out.put(c);
   out.put(format);
   out.text(head);

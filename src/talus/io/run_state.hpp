@@ -37,9 +37,15 @@ struct RunStateHeader {
   [[nodiscard]] RockRange rocks() const { return {range.first, done}; }
 };
 
+/// What a state says of the run; the same in all states of one.
+[[nodiscard]] std::string saved(const RunDescription& description);
+
 /// Writes the file: it is there whole, and on the disk, or as it was before. In memory there is no more than a megabyte
 /// of it at a time. Throws BadInput where it cannot be written.
 void write_run_state(const std::filesystem::path& file, const RunStateHeader& header,
+                     std::span<SummingObserver* const> observers);
+/// The same with the description as it is saved, for those who write many.
+void write_run_state(const std::filesystem::path& file, const RunStateHeader& header, std::string_view description,
                      std::span<SummingObserver* const> observers);
 
 /// The header alone: quick, whatever was saved behind it. Throws BadInput that names the file and says what is wrong

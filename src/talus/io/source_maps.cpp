@@ -18,7 +18,6 @@ namespace talus::io {
 namespace {
 
 constexpr std::size_t longest_name = 100;  // bytes; file systems take 255
-constexpr const char* list_of_sources = "sources.csv";
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80; }  // of a character of UTF-8
 

@@ -11,6 +11,9 @@
 
 namespace talus::io {
 
+/// Beside the folders of all sources: which is whose.
+inline constexpr const char* list_of_sources = "sources.csv";
+
 /// A folder's name for each name of a list. Letters of any script, digits, spaces and most signs stay; what some system
 /// does not take in a name (/ \ : * ? " < > | and control characters) becomes _, as do dots and spaces at either end,
 /// where they are cut off. A name is at most 100 bytes long, is no device of Windows, and no two differ in capitals

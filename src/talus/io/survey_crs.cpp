@@ -62,7 +62,8 @@ OGRSpatialReference plan_of(const SurveyCrs& crs) {
 }  // namespace
 
 std::optional<SurveyCrs> crs_in_words(const std::string& words) {
-  const GdalMessages messages;
+  GdalMessages messages;
+  if (auto fault = fault_of_proj(messages)) throw BadInput(std::move(*fault));
   OGRSpatialReference crs;
   if (crs.SetFromUserInput(words.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE) {
     return std::nullopt;
@@ -71,7 +72,8 @@ std::optional<SurveyCrs> crs_in_words(const std::string& words) {
 }
 
 SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const SaidOfCrs& said, Problems& warnings) {
-  const GdalMessages messages;
+  GdalMessages messages;
+  if (auto fault = fault_of_proj(messages)) throw BadInput(std::move(*fault));
   OGRSpatialReference crs;
   bool is_known = !las.wkt.empty() && crs.importFromWkt(las.wkt.c_str()) == OGRERR_NONE;
   const std::optional<int> epsg = las.projected_epsg && !las.is_geographic ? las.projected_epsg : las.geographic_epsg;

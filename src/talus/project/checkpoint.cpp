@@ -22,10 +22,16 @@ bool is_there(const std::filesystem::path& file) {
 
 Checkpoints::Checkpoints(const std::filesystem::path& folder, io::RunStateHeader begun, RunSums& sums,
                          io::TableFiles& tables, double every)
-    : file_(folder / io::run_state_name), begun_(std::move(begun)), sums_(sums), tables_(tables), every_(every) {}
+    : file_(folder / io::run_state_name),
+      header_(std::move(begun)),
+      description_(io::saved(header_.description)),
+      seconds_before_(header_.seconds),
+      sums_(sums),
+      tables_(tables),
+      every_(every) {}
 
 double Checkpoints::seconds() const {
-  return begun_.seconds + std::chrono::duration<double>(Clock::now() - begin_).count();
+  return seconds_before_ + std::chrono::duration<double>(Clock::now() - begin_).count();
 }
 
 bool Checkpoints::is_due() const {
@@ -39,13 +45,12 @@ void Checkpoints::after(std::uint64_t next) {
 }
 
 void Checkpoints::write(std::uint64_t next, Clock::time_point begin) {
-  io::RunStateHeader header = begun_;
-  header.done = next;
-  header.seconds = seconds();
-  header.tables = tables_.sync();
+  header_.done = next;
+  header_.seconds = seconds();
+  header_.tables = tables_.sync();
   const auto observers = sums_.observers();
-  io::write_run_state(file_, header, observers);
-  last_ = std::move(header);
+  io::write_run_state(file_, header_, description_, observers);
+  last_ = header_.rocks();
   tables_.keep_parts();
   written_ = Clock::now();
   cost_ = written_ - begin;

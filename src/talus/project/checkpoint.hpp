@@ -29,21 +29,25 @@ class Checkpoints {
   [[nodiscard]] bool is_due() const;
   void write(std::uint64_t next, Clock::time_point begin = Clock::now());
 
-  /// The header of the last state that was written, or begun with: nothing where there is none to go on from.
-  [[nodiscard]] const std::optional<io::RunStateHeader>& last() const { return last_; }
+  /// How far the last state goes that was written, or begun with: nothing where there is none to go on from.
+  [[nodiscard]] const std::optional<RockRange>& last() const { return last_; }
   /// That there is a state from before.
-  void begin_with(const io::RunStateHeader& state) { last_ = state; }
+  void begin_with(const io::RunStateHeader& state) { last_ = state.rocks(); }
+  /// All rocks that the run was to do.
+  [[nodiscard]] const RockRange& range() const { return header_.range; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   /// Spent on the run so far, those before it included [s].
   [[nodiscard]] double seconds() const;
 
  private:
   std::filesystem::path file_;
-  io::RunStateHeader begun_;
+  io::RunStateHeader header_;  // of the next state; what it says of the run is copied once
+  std::string description_;    // as it is saved
+  double seconds_before_;      // of earlier runs
   RunSums& sums_;
   io::TableFiles& tables_;
   double every_;
-  std::optional<io::RunStateHeader> last_;
+  std::optional<RockRange> last_;
   Clock::time_point begin_ = Clock::now(), written_ = begin_;
   Clock::duration cost_{};
 };

@@ -25,10 +25,7 @@ constexpr std::array of_seeder{"mass_kg",
 Bounds bounds_of(std::string_view table, std::string_view key) {
   // That of roughness is a range of standard deviations: the tilt goes both ways.
   if (key == "roughness_deg") return {};
-  Bounds range = bounds(table, key);
-  constexpr double nearly_upright = 89.9;  // [deg]; the tangent of 90 is none
-  if (key == "friction_angle_deg") range.most = nearly_upright;
-  return range;
+  return bounds(table, key);
 }
 
 }  // namespace

@@ -61,6 +61,23 @@ std::string why_unreadable(const Project& project, const std::filesystem::path& 
   return fmt::format("there is no file {}", path.string());
 }
 
+std::string seen_from_project(std::string text, const Project& project) {
+  const std::string folder = (project.file.parent_path() / "").string();
+  if (folder.empty()) return text;
+  const auto begins_a_path = [&](std::size_t at) {
+    constexpr std::string_view before = " \t\n\"'`(=:,<";
+    return at == 0 || before.find(text[at - 1]) != std::string_view::npos;
+  };
+  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at)) {
+    if (begins_a_path(at)) {
+      text.erase(at, folder.size());
+    } else {
+      at += folder.size();
+    }
+  }
+  return text;
+}
+
 Problems said_of_project(const Problems& problems, const Project& project, std::string_view where) {
   Problems said;
   for (Problem problem : problems.list()) {

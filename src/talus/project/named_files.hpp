@@ -11,10 +11,14 @@
 namespace talus::project {
 
 /// Why a file to read is not opened: it is not there, or it is a link that leads out of the project's folder. A file
-/// elsewhere is read where the project names it plainly, by an absolute path or with dots, so that whoever was given the
-/// project sees it. Empty where it is there, or may be: what GDAL opens may be a folder, or lie in an archive, and a
-/// project that is only a text has no folder.
+/// elsewhere is read where the project names it plainly, by an absolute path or with dots, so that whoever was given
+/// the project sees it. Empty where it is there, or may be: what GDAL opens may be a folder, or lie in an archive, and
+/// a project that is only a text has no folder.
 [[nodiscard]] std::string why_unreadable(const Project& project, const std::filesystem::path& file);
+
+/// A text in which files beside the project are called as the project calls them, whatever the path by which it was
+/// named itself.
+[[nodiscard]] std::string seen_from_project(std::string text, const Project& project);
 
 /// Problems of files become problems of the row `where` ("[terrain]", `seeder "Cliff"`) that names them, with the file
 /// after the key. Those of files that it does not name, or names more than once, stay as they are. What is said of the

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <system_error>
 #include <utility>
 
+#include "talus/core/memory_reserve.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/run_state.hpp"
@@ -28,11 +30,30 @@ namespace {
     if (problem.severity == Severity::error) {
       const std::string hint = std::move(problem.hint);
       problem.hint = fmt::format("The first {} of {} rocks are kept: with --resume the run goes on from there{}{}",
-                                 last->rocks().count(), last->range.count(), hint.empty() ? "" : ". ", hint);
+                                 last->count(), checkpoints.range().count(), hint.empty() ? "" : ". ", hint);
     }
     problems.add(std::move(problem));
   }
   throw BadInput(std::move(problems));
+}
+
+/// Every sum and table is whole here: what is done is kept before there is no memory at all.
+void stop_where_memory_is_short(std::uint64_t done, const RunOptions& options, Checkpoints& checkpoints) {
+  if (!memory_is_short()) return;
+  if (options.checkpoint_every > 0 || options.shard) checkpoints.write(done);
+  throw std::bad_alloc();
+}
+
+/// The same where there is not enough memory.
+[[noreturn]] void throw_out_of_memory(const Checkpoints& checkpoints) {
+  std::error_code ignored;
+  const auto& last = checkpoints.last();
+  if (!last || !std::filesystem::exists(checkpoints.file(), ignored)) {
+    throw OutOfMemory("not enough memory for this run; none of its rocks are kept");
+  }
+  throw OutOfMemory(fmt::format(
+      "not enough memory for this run; the first {} of {} rocks are kept: with --resume it goes on from there",
+      last->count(), checkpoints.range().count()));
 }
 
 /// The state, and one that was being written when its run was killed.
@@ -80,7 +101,9 @@ CampaignOutcome throw_rocks(const Model& model, const RunOptions& options, const
   campaign.rocks = RockRange{next, options.only_results ? next : all.last};
   campaign.progress = [&](std::uint64_t done) {
     if (options.campaign.progress) options.campaign.progress(done - all.first);
-    if (done < all.last) checkpoints.after(done);
+    if (done == all.last) return;
+    stop_where_memory_is_short(done, options, checkpoints);
+    checkpoints.after(done);
   };
   CampaignOutcome outcome = run_campaign(model, observers, campaign);
   outcome.interrupted = outcome.done < all.last;
@@ -91,6 +114,7 @@ CampaignOutcome throw_rocks(const Model& model, const RunOptions& options, const
 
 RunResult run_into(const std::filesystem::path& folder, const Project& project, const Model& model,
                    const Problems& warnings, const RunOptions& options) {
+  check_that_inputs_are_kept(folder, project);
   make_output_folder(folder);
   std::optional<FolderLock> lock;
   if (options.lock == nullptr) lock.emplace(lock_output_folder(folder));
@@ -132,7 +156,8 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
             : throw_rocks(model, options, begun.range, begun.done, sums, tables, checkpoints);
     // The state has to be on the disk where somebody may need it: of a shard for merging, of a run that was stopped or
     // has taken long for going on.
-    const bool may_be_resumed = options.checkpoint_every > 0 && (outcome.interrupted || checkpoints.last());
+    const bool may_be_resumed =
+        options.checkpoint_every > 0 && (outcome.interrupted || checkpoints.last() || memory_is_short());
     if (options.shard || may_be_resumed) checkpoints.write(outcome.done);
     course.interrupted = outcome.interrupted;
     course.seconds = begun.seconds + outcome.seconds;
@@ -156,6 +181,8 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     return result;
   } catch (const BadInput& bad) {
     throw_with_way_on(bad, checkpoints);
+  } catch (const std::bad_alloc&) {
+    throw_out_of_memory(checkpoints);
   }
 }
 

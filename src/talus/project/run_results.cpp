@@ -9,6 +9,7 @@
 #include "talus/io/derived_files.hpp"
 #include "talus/io/design_tables.hpp"
 #include "talus/io/envelope_table.hpp"
+#include "talus/io/file_record.hpp"
 #include "talus/io/map_files.hpp"
 #include "talus/io/model_json.hpp"
 #include "talus/io/output_file.hpp"
@@ -18,6 +19,8 @@
 #include "talus/project/design_plan.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/fingerprint.hpp"
+#include "talus/project/named_files.hpp"
+#include "talus/project/result_files.hpp"
 #include "talus/project/run_warnings.hpp"
 
 namespace talus::project {
@@ -109,7 +112,8 @@ io::RunDescription describe(const Project& project, const Model& model, const Pr
   description.rocks = model.rocks();
   description.barriers = model.barriers.size();
   description.model = model_json(model);
-  for (const Problem& problem : warnings.list()) description.warnings.push_back(problem.text());
+  for (const Problem& problem : warnings.list())
+    description.warnings.push_back(seen_from_project(problem.text(), project));
   description.crs_wkt = model.crs_wkt;
   description.sources = model.sources;
   const bool is_section = std::holds_alternative<Profile>(model.surface);
@@ -202,10 +206,9 @@ Problems write_results(const std::filesystem::path& folder, const io::RunDescrip
   constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
   const auto json = summary_json(description, warnings, sums.summary(), course, design ? &*design : nullptr);
   summary.write(json.dump(1, ' ', false, replace) + "\n");
-  if (!course.shard) {
-    summary.sync();
-    write_what_follows(folder, description, design, OutputFile::part_of("summary.json"));
-  }
+  summary.sync();
+  if (!course.shard) write_what_follows(folder, description, design, OutputFile::part_of("summary.json"));
+  io::write_file_record(folder, written_files(folder, description, course.shard));
   summary.commit();
   return found;
 }

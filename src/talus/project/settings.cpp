@@ -402,8 +402,7 @@ Table terrain() {
                .meaning =
                    "A file of elevations in metres, on a grid in a projected coordinate system in metres: band 1 "
                    "of a GeoTIFF, an Esri grid (.asc, .flt, .bil), an Erdas Imagine or a VRT; its path is relative to "
-                   "the "
-                   "project file.",
+                   "the project file.",
                .source = "Talus"},
               {.key = "points",
                .slot = member(&Terrain::points),
@@ -562,8 +561,7 @@ Table material() {
                .slot = member(&Material::friction_angle_deg),
                .unit = "deg",
                .range = {.least = 0,
-                         .most = 90,
-                         .most_excluded = true,
+                         .most = 89.9,  // the tangent of 90 is none, and draws keep to this range
                          .too_low = "friction cannot push",
                          .too_high = "no rock could slide"},
                .only_for = RockModel::lumped_mass,
