@@ -97,7 +97,8 @@ std::filesystem::path default_folder(const Loaded& loaded, const std::optional<S
 /// SIGUSR1 is what reaches a program under mpirun, which takes the others for a wish to kill it, and what batch systems
 /// can send before the time is up.
 void catch_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGHUP}) catch_signal(signal, ask_to_stop);
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, ask_to_stop);
+  catch_hangup(ask_to_stop);
 }
 
 project::RunOptions how_to_run(const RunOptions& options, const std::optional<Shard>& shard) {

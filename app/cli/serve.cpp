@@ -110,7 +110,8 @@ int serve(const ServeOptions& options) {
     std::_Exit(done);
   };
   std::signal(SIGCHLD, SIG_IGN);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) catch_signal(signal, stop_serving);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, stop_serving);
+  catch_hangup(stop_serving);
   take_threads_that_there_are();
   server::serve(how);
   return done;

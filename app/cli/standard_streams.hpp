@@ -24,7 +24,7 @@ void make_streams_safe();
 /// Ends the program as others end that print into a pipe which nobody reads.
 [[noreturn]] void end_by_closed_pipe();
 
-/// Has a signal handled, but where the program was started with it ignored, as `nohup` does with SIGHUP.
-void catch_signal(int signal, void (*handler)(int));
+/// Has SIGHUP handled, but where the program was started with it ignored, as `nohup` does.
+void catch_hangup(void (*handler)(int));
 
 }  // namespace talus::cli
