@@ -67,8 +67,8 @@ TEST(Shards, HoldTheirRocksAndWhatMergingNeeds) {
   const auto files = files_of(work / "2-of-3");
   std::vector<std::string> names;
   for (const auto& [name, bytes] : files) names.push_back(name);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"barriers.csv", "endpoints.csv", "paths.csv", "run.state", "summary.json"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"barriers.csv", "endpoints.csv", "files.json", "paths.csv", "run.state",
+                                             "summary.json"}));
   const auto summary = nlohmann::json::parse(files.at("summary.json"));
   EXPECT_EQ(summary["shard"], nlohmann::json::parse(R"({"number": 2, "of": 3, "first_rock": 1000, "rocks": 1000})"));
   EXPECT_EQ(summary["rocks"]["done"], 1000);

@@ -197,11 +197,15 @@ TEST_F(ClassRasterTest, FilesThatCannotBeReadToTheirEndAreRefused) {
         "<VRTDataset rasterXSize=\"4\" rasterYSize=\"3\"><SRS>EPSG:31287</SRS>"
         "<GeoTransform>400000,10,0,300030,0,-10</GeoTransform><VRTRasterBand dataType=\"Byte\" band=\"1\">"
         "<SimpleSource><SourceFilename relativeToVRT=\"1\">gone.tif</SourceFilename><SourceBand>1</SourceBand>"
-        "</SimpleSource></VRTRasterBand></VRTDataset>");
+        "<SourceProperties RasterXSize=\"4\" RasterYSize=\"3\" DataType=\"Float32\" BlockXSize=\"4\" "
+        "BlockYSize=\"3\"/></SimpleSource></VRTRasterBand></VRTDataset>");
+  make("gone.tif");
+  Problems none;
+  ClassRaster classes(path("cut.vrt"), "", none);
+  std::filesystem::remove(path("gone.tif"));  // before it is first asked for
   EXPECT_THAT(refusal_of([&] {
-                Problems warnings;
                 const Vec2 point(400005, 300025);
-                static_cast<void>(ClassRaster(path("cut.vrt"), "", warnings).at({&point, 1}));
+                static_cast<void>(classes.at({&point, 1}));
               }),
               HasSubstr("cut.vrt: cannot be read to its end (GDAL: "));
 }

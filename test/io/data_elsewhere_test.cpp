@@ -20,7 +20,9 @@ namespace talus {
 namespace {
 
 using namespace testing_tools;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
@@ -135,7 +137,7 @@ TEST_F(DataElsewhere, AMosaicNamesNothingElse) {
     EXPECT_THAT(raster("dem.vrt"), HasSubstr("(there is no such file)")) << source;
   }
   write("project/dem.vrt", mosaic("broken.tif"));
-  EXPECT_THAT(raster("dem.vrt"), HasSubstr("names \"broken.tif\" (a VRT may name only rasters"));
+  EXPECT_THAT(raster("dem.vrt"), HasSubstr("names \"broken.tif\" (there is no such file)"));
   write("project/notes.txt", "not for you");
   write("project/dem.vrt", mosaic("notes.txt"));
   EXPECT_EQ(raster("dem.vrt"), "project/dem.vrt: names \"notes.txt\" (that is no raster that Talus reads)" + hint);
@@ -221,8 +223,9 @@ class GeoPackageElsewhere : public DataElsewhere {
     fs::remove(file);
     add_layer(file, "a", "EPSG:31287", "name", {{"POINT (1 2)", "x"}});
     const GDALDatasetUniquePtr opened(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
-    for (const std::string& each : {std::string("PRAGMA writable_schema = ON"),
-                                    "UPDATE sqlite_master SET " + sql + ", rootpage = 0 WHERE name = 'a'"}) {
+    for (const std::string& each :
+         {std::string("PRAGMA writable_schema = ON"), std::string("DELETE FROM sqlite_master WHERE type = 'trigger'"),
+          "UPDATE sqlite_master SET " + sql + ", rootpage = 0 WHERE name = 'a'"}) {
       opened->ReleaseResultSet(opened->ExecuteSQL(each.c_str(), nullptr, nullptr));
     }
   }
@@ -232,7 +235,7 @@ TEST_F(GeoPackageElsewhere, VirtualTablesReadNoOtherFiles) {
   write("secret.txt", "geom:fid\nsecret:1\n");
   make_table_of("sql = 'CREATE VIRTUAL TABLE a USING VirtualText(''" + path("secret.txt").string() +
                 "'', ''UTF-8'', 1, COLON)'");
-  EXPECT_THAT(vectors("a.gpkg"), HasSubstr("no such module: VirtualText"));
+  EXPECT_THAT(vectors("a.gpkg"), AllOf(StartsWith("project/a.gpkg: "), HasSubstr("GDAL: "), Not(HasSubstr("secret"))));
 }
 
 TEST_F(GeoPackageElsewhere, ViewsCallNobody) {

@@ -247,7 +247,7 @@ TEST_F(RasterFileTest, AMosaicOfTilesIsTheSameGridAsOneFile) {
   EXPECT_EQ(one.crs_wkt, many.crs_wkt);
   EXPECT_EQ(one.grid.z[one.grid.index(7, 0)], static_cast<float>(height(7, rows - 1)));
   std::filesystem::remove(path("tile11.tif"));
-  EXPECT_THAT(refusal("mosaic.vrt"), HasSubstr("tile11.tif: No such file or directory"));
+  EXPECT_THAT(refusal("mosaic.vrt"), HasSubstr("names \"tile11.tif\" (there is no such file)"));
 }
 
 TEST_F(RasterFileTest, ACompoundSystemInMetresIsRead) {
@@ -448,8 +448,10 @@ TEST_F(RasterFileTest, FilesThatAreNoRastersAreRefused) {
   EXPECT_EQ(refusal("none.tif"),
             "none.tif: cannot be read (there is no such file). Paths are relative to the project file");
   write("text.tif", "this is no raster");
-  EXPECT_EQ(refusal("text.tif"),
-            "text.tif: is no raster that Talus reads (GDAL: `text.tif' not recognized as a supported file format)");
+  EXPECT_EQ(
+      refusal("text.tif"),
+      "text.tif: is no raster that Talus reads (GDAL: `text.tif' not recognized as a supported file format). Talus "
+      "reads GeoTIFF, Esri ASCII grid (.asc), Esri float grid (.flt, .bil), Erdas Imagine (.img) and VRT");
   write("empty.tif", "");
   EXPECT_THAT(refusal("empty.tif"), StartsWith("empty.tif: is no raster that Talus reads (GDAL"));
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/io/checksum.hpp"
 #include "talus/io/json_file.hpp"
 #include "talus/io/ordinary_file.hpp"
@@ -35,6 +36,7 @@ std::optional<Json> record_of(const fs::path& file, const fs::path& name) {
   std::ifstream in(file, std::ios::binary);
   std::string piece(std::size_t{1} << 20, '\0');
   while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())), in.gcount() > 0) {
+    stop_point();
     checksum.add(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount())));
   }
   if (!in.eof()) return std::nullopt;
@@ -65,7 +67,9 @@ struct Entry {
 };
 
 void look_at_all(const fs::path& folder, std::vector<Entry>& entries, bool also_parts) {
+  const StopScope* const here = StopScope::current();
   tbb::parallel_for_each(entries, [&](Entry& entry) {
+    const StopScope there(here);
     const fs::path whole = folder / entry.name, part = OutputFile::part_of(whole);
     std::error_code ignored;
     entry.record = record_of(also_parts && fs::exists(part, ignored) ? part : whole, entry.name);

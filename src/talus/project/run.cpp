@@ -170,6 +170,9 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     try {
       const StopScope closing(was_asked ? nullptr : options.campaign.stop, was_asked ? &limit : nullptr);
       result.warnings = write_results(folder, description, sums, course);
+    } catch (const std::bad_alloc&) {
+      if (options.checkpoint_every > 0 || options.shard) checkpoints.write(outcome.done);
+      throw;
     } catch (const Stopped&) {
       checkpoints.write(outcome.done);
       std::error_code ignored;
