@@ -70,8 +70,8 @@ bool WebServer::process_and_close_socket(socket_t socket) {
 /// The request is answered as soon as it is known; until then the connection is one of the silent ones.
 void WebServer::look_at(std::vector<Held>& silent, const Held& connection, Connection::Head head) {
   switch (head) {
-    case Connection::Head::incomplete:
-      silent.push_back(connection);
+    case Connection::Head::incomplete:  // however often a byte comes
+      if (Connection::Clock::now() < connection->deadline()) silent.push_back(connection);
       return;
     case Connection::Head::closed:
       return;
@@ -121,15 +121,11 @@ void WebServer::watch() {
     std::uint64_t ignored = 0;
     (void)!read(wake_, &ignored, sizeof ignored);
 
-    const auto now = Connection::Clock::now();
     before.swap(silent);
     silent.clear();
     for (std::size_t k = 0; k < before.size(); ++k) {
-      if (polled[1 + k].revents != 0) {
-        look_at(silent, before[k], before[k]->gather());
-      } else if (now < before[k]->deadline()) {
-        silent.push_back(before[k]);
-      }
+      const bool says_something = polled[1 + k].revents != 0;
+      look_at(silent, before[k], says_something ? before[k]->gather() : Connection::Head::incomplete);
     }
     std::size_t at = 1 + before.size();
     before.clear();
