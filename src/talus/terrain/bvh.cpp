@@ -146,7 +146,7 @@ struct Bvh::Builder {
     return draft;
   }
 
-  static std::uint32_t flatten(const Draft& draft, std::vector<Node>& nodes) {
+  static std::uint32_t flatten(const Draft& draft, std::vector<Node, LargePages<Node>>& nodes) {
     const auto here = static_cast<std::uint32_t>(nodes.size());
     nodes.emplace_back();
     for (std::size_t k = 0; k < 4; ++k) {

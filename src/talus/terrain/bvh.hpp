@@ -4,7 +4,9 @@
 // hierarchies", RT 2007), each node split until it has four children; flattened depth-first, so that the same boxes
 // always give the same tree, whatever the threads do.
 //
-// The boxes are stored as floats rounded outwards; the tests are in double.
+// The boxes are stored as floats rounded outwards; the tests are in double. Ground that slopes fills its boxes badly: a
+// flight close above a slope is in them all the way. So a node may have a second bound, planes that lean as what is in
+// it does (add_leaning_bounds in leaning_bounds.hpp), which such a flight stays above.
 
 #include <algorithm>
 #include <array>
@@ -14,9 +16,18 @@
 #include <span>
 #include <vector>
 
+#include "talus/core/large_pages.hpp"
 #include "talus/terrain/flight_slabs.hpp"
 
 namespace talus {
+
+/// Asks for the cache lines of something that will be read soon.
+template <class Thing>
+inline void fetch_soon(const Thing& thing) {
+  constexpr std::size_t line = 64;
+  const auto* const begin = reinterpret_cast<const char*>(&thing);
+  for (std::size_t k = 0; k < sizeof(Thing); k += line) __builtin_prefetch(begin + k);
+}
 
 class Bvh {
  public:
@@ -25,13 +36,22 @@ class Bvh {
   explicit Bvh(std::span<const Box> boxes);
 
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
-  [[nodiscard]] std::size_t bytes() const { return nodes_.size() * sizeof(Node) + order_.size() * sizeof(order_[0]); }
+  [[nodiscard]] std::size_t bytes() const {
+    return nodes_.size() * sizeof(Node) + leans_.size() * sizeof(Lean) + order_.size() * sizeof(order_[0]);
+  }
 
-  /// Calls leaf(first, last) for the leaves whose boxes, grown by `pad` on all sides, the path may meet at times in
+  /// Calls leaf(first, last) for the leaves whose bounds, grown by `pad` on all sides, the path may meet at times in
   /// [0, t_max], the nearest in time first. `leaf` may lower t_max, which it gets by reference. The path's
   /// acceleration must be vertical.
+  ///
+  /// Large trees do not fit in a processor's caches: ahead(first, last) is called for leaves as soon as they are known
+  /// to come up, so that what they hold can be fetched meanwhile.
+  template <class Leaf, class Ahead>
+  void visit_flight(const Parabola& path, double pad, double& t_max, Leaf&& leaf, Ahead&& ahead) const;
   template <class Leaf>
-  void visit_flight(const Parabola& path, double pad, double& t_max, Leaf&& leaf) const;
+  void visit_flight(const Parabola& path, double pad, double& t_max, Leaf&& leaf) const {
+    visit_flight(path, pad, t_max, leaf, [](std::uint32_t, std::uint32_t) {});
+  }
 
   /// Calls leaf(first, last) for the leaves whose boxes meet [low, high].
   template <class Leaf>
@@ -50,6 +70,15 @@ class Bvh {
     std::array<std::uint32_t, 4> first;
     std::array<std::uint32_t, 4> count;
   };
+  // What lies in child k is nowhere above z = along_x x + along_y y + top[k], nor below bottom[k] on the same slope.
+  struct alignas(16) Lean {
+    float along_x = 0, along_y = 0;
+    float slant = 1;  // heights over such a plane to distances from it; rounded up
+    float unused = 0;
+    std::array<float, 4> top, bottom;
+  };
+  template <class CornersAt>
+  friend void add_leaning_bounds(Bvh& tree, CornersAt&& corners_at);
   struct Builder;
   struct Entry {
     std::uint32_t node;
@@ -57,12 +86,18 @@ class Bvh {
     double t;  // when the path enters it
   };
 
-  std::vector<Node> nodes_;
+  void fetch(std::uint32_t node) const {
+    fetch_soon(nodes_[node]);
+    if (!leans_.empty()) fetch_soon(leans_[node]);
+  }
+
+  std::vector<Node, LargePages<Node>> nodes_;
+  std::vector<Lean, LargePages<Lean>> leans_;  // a node each, or none at all
   std::vector<std::uint32_t> order_;
 };
 
-template <class Leaf>
-void Bvh::visit_flight(const Parabola& path, double pad, double& t_max, Leaf&& leaf) const {
+template <class Leaf, class Ahead>
+void Bvh::visit_flight(const Parabola& path, double pad, double& t_max, Leaf&& leaf, Ahead&& ahead) const {
   using namespace slabs_detail;
   if (nodes_.empty()) return;
   const FlightSlabs slabs(path);
@@ -79,15 +114,24 @@ void Bvh::visit_flight(const Parabola& path, double pad, double& t_max, Leaf&& l
     }
     const Node& node = nodes_[entry.node];
     const FlightSlabs::Passage passage = slabs.pass(node.bound, pad, t_max);
-    const FourMask met = at_most(passage.enter, passage.leave) &
-                         at_most(four(node.bound[2]) - four(pad), passage.highest) &
-                         at_most(passage.lowest, four(node.bound[5]) + four(pad));
+    FourMask met = at_most(passage.enter, passage.leave) & at_most(four(node.bound[2]) - four(pad), passage.highest) &
+                   at_most(passage.lowest, four(node.bound[5]) + four(pad));
+    if (!leans_.empty()) {
+      const Lean& lean = leans_[entry.node];
+      const auto over = slabs.over_slope(lean.along_x, lean.along_y, passage);
+      met = met & at_most(over.lowest, four(lean.top) + four(pad * lean.slant));
+    }
     // Pushed latest first, so that the nearest is taken next.
     const int base = depth;
     for (int k = 0; k < 4; ++k) {
       if (!met[k]) continue;
       const auto child = static_cast<std::size_t>(k);
       Entry next{node.first[child], node.count[child], passage.enter[k]};
+      if (next.count > 0) {
+        ahead(next.node, next.node + next.count);
+      } else {
+        fetch(next.node);
+      }
       int place = depth++;
       for (; place > base && stack[static_cast<std::size_t>(place - 1)].t < next.t; --place) {
         stack[static_cast<std::size_t>(place)] = stack[static_cast<std::size_t>(place - 1)];
@@ -127,10 +171,16 @@ void Bvh::visit_under(const Parabola& path, double t_end, Worth&& worth, Leaf&& 
   std::size_t depth = 0;
   stack[depth++] = 0;
   while (depth > 0) {
-    const Node& node = nodes_[stack[--depth]];
+    const std::uint32_t at = stack[--depth];
+    const Node& node = nodes_[at];
     const FlightSlabs::Passage passage = slabs.pass(node.bound, 1e-6, t_end);
-    const FourMask met =
-        at_most(passage.enter, passage.leave) & above(passage.highest - four(node.bound[2]), four(worth()));
+    const double least = worth();
+    FourMask met = at_most(passage.enter, passage.leave) & above(passage.highest - four(node.bound[2]), four(least));
+    if (!leans_.empty()) {
+      const Lean& lean = leans_[at];
+      const auto over = slabs.over_slope(lean.along_x, lean.along_y, passage);
+      met = met & above(over.highest - four(lean.bottom), four(least));
+    }
     for (std::size_t k = 0; k < 4; ++k) {
       if (!met[static_cast<int>(k)]) continue;
       if (node.count[k] > 0) {

@@ -79,6 +79,8 @@ class FlightSlabs {
       : px_(path.p.x()),
         py_(path.p.y()),
         pz_(path.p.z()),
+        vx_(path.v.x()),
+        vy_(path.v.y()),
         vz_(path.v.z()),
         half_az_(0.5 * path.a.z()),
         inverse_vx_(slabs_detail::reciprocal(path.v.x())),
@@ -105,6 +107,26 @@ class FlightSlabs {
     return passage;
   }
 
+  /// Heights of the flight over slopes z = along_x x + along_y y, less the slope's at the origin, in four passages. A
+  /// flight is above such a plane most of all between two times, and least of all at one of them.
+  struct OverSlope {
+    slabs_detail::Four lowest, highest;
+  };
+  [[nodiscard]] OverSlope over_slope(double along_x, double along_y, const Passage& passage) const {
+    using namespace slabs_detail;
+    const double start = pz_ - along_x * px_ - along_y * py_, speed = vz_ - along_x * vx_ - along_y * vy_;
+    const auto height = [&](Four t) { return four(start) + t * (four(speed) + four(half_az_) * t); };
+    const Four first = height(passage.enter), last = height(passage.leave);
+    OverSlope over{least(first, last), most(first, last)};
+    if (half_az_ < 0) {
+      const double top_t = -0.5 * speed / half_az_;
+      const FourMask inside = above(four(top_t), passage.enter) & above(passage.leave, four(top_t));
+      const double top = start + 0.5 * speed * top_t;
+      over.highest = chosen(inside, most(over.highest, four(top)), over.highest);
+    }
+    return over;
+  }
+
   /// A part of [0, t_max] that holds every time at which the flight is within `pad` of one box.
   [[nodiscard]] TimeWindow window(const Box& box, double pad, double t_max) const {
     const double x1 = (box.low.x() - pad - px_) * inverse_vx_, x2 = (box.high.x() + pad - px_) * inverse_vx_;
@@ -121,7 +143,7 @@ class FlightSlabs {
   }
 
  private:
-  double px_, py_, pz_, vz_, half_az_, inverse_vx_, inverse_vy_, top_t_, top_;
+  double px_, py_, pz_, vx_, vy_, vz_, half_az_, inverse_vx_, inverse_vy_, top_t_, top_;
 };
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 #include "talus/core/check.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/terrain/height_in_sight.hpp"
+#include "talus/terrain/leaning_bounds.hpp"
 
 namespace talus {
 
@@ -67,6 +68,7 @@ TriangleMesh::TriangleMesh(std::span<const Vec3> vertices, std::span<const Corne
     if (normal({static_cast<std::uint32_t>(k)}).z() <= 0) is_height_field_ = false;
   }
   find_sharp_features(triangles);
+  add_leaning_bounds(bvh_, [&](std::uint32_t place) -> const Triangle& { return facets_[place].corner; });
 }
 
 void TriangleMesh::find_sharp_features(std::span<const Corners> triangles) {
@@ -134,27 +136,37 @@ template <class EachFacet>
 std::optional<Contact> TriangleMesh::search_flight(const Parabola& path, double radius, double t_max,
                                                    const LeftPlanes& left, EachFacet&& each_facet) const {
   ContactCandidate best{t_max};
+  const auto fetch_facets = [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t k = first; k < last; ++k) fetch_soon(facets_[k].corner);
+  };
   if (radius == 0) {
-    bvh_.visit_flight(path, box_pad, best.t, [&](std::uint32_t first, std::uint32_t last, double&) {
-      for (std::uint32_t k = first; k < last; ++k) {
-        each_facet();
-        meet_point(path, facets_[k].corner, {k, facets_[k].source}, left, best);
-      }
-    });
+    bvh_.visit_flight(
+        path, box_pad, best.t,
+        [&](std::uint32_t first, std::uint32_t last, double&) {
+          for (std::uint32_t k = first; k < last; ++k) {
+            each_facet();
+            meet_point(path, facets_[k].corner, {k, facets_[k].source}, left, best);
+          }
+        },
+        fetch_facets);
     return best.contact();
   }
   const FlightSlabs slabs(path);
-  bvh_.visit_flight(path, radius + box_pad, best.t, [&](std::uint32_t first, std::uint32_t last, double&) {
-    for (std::uint32_t k = first; k < last; ++k) {
-      const Triangle& corner = facets_[k].corner;
-      const Box box{corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
-                    corner[0].cwiseMax(corner[1]).cwiseMax(corner[2])};
-      const TimeWindow window = slabs.window(box, radius + box_pad, best.t);
-      if (window.is_empty()) continue;
-      each_facet();
-      meet_sphere(path, SpherePath::flight, radius, window, corner, {k, facets_[k].source}, left, sharp_of(k), best);
-    }
-  });
+  bvh_.visit_flight(
+      path, radius + box_pad, best.t,
+      [&](std::uint32_t first, std::uint32_t last, double&) {
+        for (std::uint32_t k = first; k < last; ++k) {
+          const Triangle& corner = facets_[k].corner;
+          const Box box{corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
+                        corner[0].cwiseMax(corner[1]).cwiseMax(corner[2])};
+          const TimeWindow window = slabs.window(box, radius + box_pad, best.t);
+          if (window.is_empty()) continue;
+          each_facet();
+          meet_sphere(path, SpherePath::flight, radius, window, corner, {k, facets_[k].source}, left, sharp_of(k),
+                      best);
+        }
+      },
+      fetch_facets);
   return best.contact();
 }
 

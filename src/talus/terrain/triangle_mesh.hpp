@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "talus/core/large_pages.hpp"
 #include "talus/terrain/bvh.hpp"
 #include "talus/terrain/facet_contact.hpp"
 
@@ -103,7 +104,7 @@ class TriangleMesh {
   template <class Visit>
   void visit_column(double x, double y, double z_low, double z_high, Visit&& visit) const;
 
-  std::vector<Facet> facets_;
+  std::vector<Facet, LargePages<Facet>> facets_;
   Bvh bvh_;
   Box bounds_;
   bool is_height_field_ = true;
