@@ -5,6 +5,7 @@ import type { EChartsOption } from 'echarts/types/dist/shared';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { sayFailure } from '../state/messages';
+import { shown } from '../state/runs';
 import { shade } from '../view/theme';
 import { frame, lookOfPage, type Look, type Size } from './chartLook';
 import { savePng, saveSvg } from './picture';
@@ -83,6 +84,11 @@ export function Chart({ title, description, file, option, followsSize, rows, too
     isTold.current = false;
   }, [chart, pointed]);
 
+  const heading = () => {
+    const { panel, text } = lookOfPage();
+    const of = shown.peek()?.name;
+    return { title: of ? `${title}: ${of}` : title, ground: panel, text };
+  };
   const drawing = () => box.current?.querySelector('svg') ?? null;
   return (
     <figure class="chart">
@@ -90,10 +96,10 @@ export function Chart({ title, description, file, option, followsSize, rows, too
         <h3>{title}</h3>
         {tools}
         <span class="chart-buttons" role="group" aria-label={`Save: ${title}`}>
-          <button class="button plain" onClick={() => savePng(`${file}.png`, drawing(), lookOfPage().panel)}>
+          <button class="button plain" onClick={() => savePng(`${file}.png`, drawing(), heading())}>
             PNG
           </button>
-          <button class="button plain" onClick={() => saveSvg(`${file}.svg`, drawing(), lookOfPage().panel)}>
+          <button class="button plain" onClick={() => saveSvg(`${file}.svg`, drawing(), heading())}>
             SVG
           </button>
           <button class="button plain" title={saving} onClick={() => saveCsv(file, rows())}>

@@ -1,49 +1,63 @@
 // A drawing of the page as a file of its own.
 
 import { sayFailure } from '../state/messages';
+import { printPng, printRatio } from '../view/png';
 import { saveFile } from './save';
 
 const space = 'http://www.w3.org/2000/svg';
 
-function textOf(drawing: SVGSVGElement, ground: string): string {
-  const copy = drawing.cloneNode(true) as SVGSVGElement;
+/// What stands over a drawing in its file, where nothing of the page is around it.
+export interface Heading {
+  title: string;
+  /// Colours of the page.
+  ground: string;
+  text: string;
+}
+
+const headHeight = 30; // pixels
+
+const sizeOf = (drawing: SVGSVGElement) => {
   const { width, height } = drawing.getBoundingClientRect();
+  return { width, height: height + headHeight };
+};
+
+function textOf(drawing: SVGSVGElement, { title, ground, text }: Heading): string {
+  const copy = drawing.cloneNode(true) as SVGSVGElement;
+  const { width, height } = sizeOf(drawing);
   copy.setAttribute('xmlns', space);
   copy.setAttribute('width', String(width));
   copy.setAttribute('height', String(height));
-  copy.setAttribute('viewBox', `0 0 ${width} ${height}`);
+  copy.setAttribute('viewBox', `0 ${-headHeight} ${width} ${height}`);
   const sheet = document.createElementNS(space, 'rect');
-  sheet.setAttribute('width', '100%');
-  sheet.setAttribute('height', '100%');
-  sheet.setAttribute('fill', ground);
-  copy.prepend(sheet);
+  for (const [name, value] of Object.entries({ y: -headHeight, width, height, fill: ground })) sheet.setAttribute(name, String(value));
+  const head = document.createElementNS(space, 'text');
+  const place = { x: 12, y: -10, fill: text, 'font-size': 14, 'font-weight': 600, 'font-family': 'system-ui, sans-serif' };
+  for (const [name, value] of Object.entries(place)) head.setAttribute(name, String(value));
+  head.textContent = title;
+  copy.prepend(sheet, head);
   return new XMLSerializer().serializeToString(copy);
 }
 
-export function saveSvg(name: string, drawing: SVGSVGElement | null, ground: string) {
-  if (drawing) saveFile(name, new Blob([textOf(drawing, ground)], { type: 'image/svg+xml' }));
+export function saveSvg(name: string, drawing: SVGSVGElement | null, heading: Heading) {
+  if (drawing) saveFile(name, new Blob([textOf(drawing, heading)], { type: 'image/svg+xml' }));
 }
 
-const pixelsAPoint = 2; // sharp on paper
-
-export function savePng(name: string, drawing: SVGSVGElement | null, ground: string) {
-  if (drawing) paint(drawing, ground).then((content) => saveFile(name, content), sayFailure);
+export function savePng(name: string, drawing: SVGSVGElement | null, heading: Heading) {
+  if (drawing) paint(drawing, heading).then((content) => saveFile(name, content), sayFailure);
 }
 
-async function paint(drawing: SVGSVGElement, ground: string): Promise<Blob> {
-  const { width, height } = drawing.getBoundingClientRect();
-  const address = URL.createObjectURL(new Blob([textOf(drawing, ground)], { type: 'image/svg+xml' }));
+async function paint(drawing: SVGSVGElement, heading: Heading): Promise<Blob> {
+  const { width, height } = sizeOf(drawing);
+  const address = URL.createObjectURL(new Blob([textOf(drawing, heading)], { type: 'image/svg+xml' }));
   try {
     const picture = new Image(width, height);
     picture.src = address;
     await picture.decode();
     const canvas = document.createElement('canvas');
-    canvas.width = Math.round(width * pixelsAPoint);
-    canvas.height = Math.round(height * pixelsAPoint);
-    canvas.getContext('2d')!.drawImage(picture, 0, 0, canvas.width, canvas.height);
-    return await new Promise((done, fail) =>
-      canvas.toBlob((blob) => (blob ? done(blob) : fail(new Error('The picture could not be made.'))), 'image/png'),
-    );
+    canvas.width = Math.round(width * printRatio);
+    canvas.height = Math.round(height * printRatio);
+    canvas.getContext('2d', { alpha: false, willReadFrequently: true })!.drawImage(picture, 0, 0, canvas.width, canvas.height);
+    return await printPng(canvas);
   } finally {
     URL.revokeObjectURL(address);
   }

@@ -7,7 +7,7 @@ import { SectionButton } from '../sectionLine/SectionButton';
 import { DistanceButton } from '../view/DistanceButton';
 import { LayerChoices } from '../view/LayerChoices';
 import { Popover } from '../view/Popover';
-import { savePicture } from '../view/savePicture';
+import { saveSheet } from '../view/sheet';
 import { ViewBar } from '../view/ViewBar';
 import { namedViews, type NamedView } from './namedViews';
 import type { OpenScene } from './open';
@@ -63,11 +63,8 @@ export function SceneBar({ open }: { open: OpenScene }) {
       <SectionButton />
       <button
         class="button"
-        title="Save the picture as PNG"
-        onClick={() => {
-          open.scene.stage.draw(); // its pixels are gone after the task
-          savePicture(open.scene.stage.renderer.domElement);
-        }}
+        title="Save the picture for print: PNG, 300 dots an inch"
+        onClick={() => void saveSheet(() => open.picture())}
       >
         Picture
       </button>

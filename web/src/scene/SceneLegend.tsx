@@ -1,39 +1,33 @@
-// What the colours of the ground mean.
+// What the colours of the scene mean.
 
-import { model } from '../state/model';
-import { MapLegend } from '../maps/MapLegend';
+import { mapLegends } from '../maps/mapLegends';
 import { shownMap } from '../maps/shownMap';
-import { PathLegend } from '../paths/PathLegend';
-import { cssGradient, elevationRamp, materialColour, slopeRamp } from '../view/colours';
-import { KindsLegend, ScaleLegend } from '../view/Legend';
+import { pathLegends } from '../paths/pathLegends';
+import { model } from '../state/model';
+import { elevationRamp, materialColour, slopeRamp } from '../view/colours';
+import { Legends } from '../view/Legend';
+import { stopsOf, type LegendData } from '../view/legends';
 import { layers, shading } from '../view/settings';
 import { shade } from '../view/theme';
 import { elevations } from './picture';
 
-function GroundLegend() {
+function groundLegends(): LegendData[] {
   const light = shade.value;
   const [low, high] = elevations.value;
-  if (!layers.terrain.value || shownMap.value) return null;
+  if (!layers.terrain.value || shownMap.value) return [];
+  const scale = { kind: 'scale', isClipped: false } as const;
   switch (shading.value) {
     case 'elevation':
-      return <ScaleLegend title="Elevation, m" gradient={cssGradient(elevationRamp[light])} low={low} high={high} />;
+      return [{ ...scale, title: 'Elevation, m', stops: stopsOf(elevationRamp[light]), low, high }];
     case 'slope':
-      return <ScaleLegend title="Slope, degrees" gradient={cssGradient(slopeRamp[light])} low={0} high={70} />;
+      return [{ ...scale, title: 'Slope, degrees', stops: stopsOf(slopeRamp[light]), low: 0, high: 70 }];
     case 'material':
-      return (
-        <KindsLegend title="Material" kinds={(model.value?.materials ?? []).map((name, k) => ({ name, colour: materialColour(k) }))} />
-      );
+      return [{ kind: 'kinds', title: 'Material', kinds: (model.value?.materials ?? []).map((name, k) => ({ name, colour: materialColour(k) })) }];
     default:
-      return null;
+      return [];
   }
 }
 
-export function SceneLegend() {
-  return (
-    <div class="legends">
-      <PathLegend />
-      <MapLegend />
-      <GroundLegend />
-    </div>
-  );
-}
+export const sceneLegends = (): LegendData[] => [...pathLegends(), ...mapLegends(), ...groundLegends()];
+
+export const SceneLegend = () => <Legends list={sceneLegends()} />;

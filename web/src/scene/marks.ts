@@ -49,10 +49,13 @@ uniform vec2 pixels;   // of the picture, its own
 uniform float ratio;   // of those to CSS pixels
 out float diameter;
 void main() {
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  float seen = apart * projectionMatrix[1][1] * 0.5 * pixels.y / gl_Position.w;
-  gl_Position.z -= 0.002 * gl_Position.w;
-  diameter = clamp(0.72 * seen, 2.0 * ratio, size * ratio);
+  vec4 eye = modelViewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * eye;
+  float pixelsPerMetre = projectionMatrix[1][1] * 0.5 * pixels.y / gl_Position.w;
+  diameter = clamp(0.72 * apart * pixelsPerMetre, 2.0 * ratio, size * ratio);
+  // So much nearer that ground in front of it does not cut it.
+  vec4 front = projectionMatrix * (eye + vec4(0.0, 0.0, diameter / pixelsPerMetre, 0.0));
+  if (front.w > 0.0) gl_Position.z = front.z / front.w * gl_Position.w;
   gl_PointSize = diameter;
 }`;
 const dotFragment = /* glsl */ `

@@ -252,11 +252,42 @@ export class ModelScene {
   /// A view that nobody moved since stays one of all the ground when the picture gets another size, or what stands
   /// over it another place.
   private fitAgain() {
+    const name = this.unmovedView();
+    if (name) this.view(name);
+  }
+
+  /// The named view that was chosen last; null: it was moved since.
+  private unmovedView(): NamedView | null {
     const { camera, controls } = this.stage;
-    if (!this.viewed) return;
+    if (!this.viewed) return null;
     const { name, eye, target } = this.viewed;
     const moved = eye.distanceTo(camera.position) + target.distanceTo(controls.target);
-    if (moved < 1e-4 * eye.distanceTo(target)) this.view(name);
+    return moved < 1e-4 * eye.distanceTo(target) ? name : null;
+  }
+
+  /// Does something with what is seen in a picture of another size.
+  inSize<T>(size: { width: number; height: number }, task: () => T): T {
+    const [name, { stage, viewed, over }] = [this.unmovedView(), this];
+    const { width, height } = stage.size;
+    try {
+      return stage.inSize(size, () => {
+        this.over = [];
+        if (name) this.view(name);
+        // All that is seen across is seen there, too.
+        else stage.dolly(Math.max(1, (width * size.height) / (height * size.width)));
+        return task();
+      });
+    } finally {
+      [this.viewed, this.over] = [viewed, over];
+    }
+  }
+
+  /// How many parts of the ground would have to be fetched for a picture with so many pixels.
+  missing(pixels: number): number {
+    const { stage } = this;
+    stage.camera.updateMatrixWorld();
+    this.terrain?.look(stage.camera, pixels, stage.world.scale.z);
+    return this.terrain?.missing ?? 0;
   }
 
   add(object: Object3D) {

@@ -4,10 +4,14 @@ import { chosenRock, resultsTab } from '../state/view';
 import { ModelScene } from './modelScene';
 import { Pointing } from './pointing';
 import { RunScene } from './runScene';
+import { scenePicture } from './scenePrint';
+import type { SheetPicture } from '../view/sheet';
 
 export interface OpenScene {
   scene: ModelScene;
   pointing: Pointing;
+  /// For paper.
+  picture: () => Promise<SheetPicture>;
   dispose(): void;
 }
 
@@ -23,6 +27,7 @@ export function openScene(host: HTMLElement): OpenScene {
   return {
     scene,
     pointing,
+    picture: () => scenePicture(scene),
     dispose() {
       pointing.dispose();
       runs.dispose();

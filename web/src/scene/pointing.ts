@@ -114,8 +114,7 @@ export class Pointing {
   }
 
   zoom(factor: number) {
-    const { camera, controls } = this.scene.stage;
-    camera.position.sub(controls.target).multiplyScalar(factor).add(controls.target);
+    this.scene.stage.dolly(factor);
     this.scene.stage.invalidate();
   }
 

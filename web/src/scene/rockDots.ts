@@ -24,11 +24,15 @@ void main() {
   place = placeOf(values, rock);
   // Where all have stopped, colours of what moves say nothing.
   atRest = isWhole && quantity < 3 ? 1.0 : 0.0;
-  vec4 at = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  float seen = radius * projectionMatrix[1][1] * 0.5 * pixels.y / at.w;
+  vec4 eye = modelViewMatrix * vec4(position, 1.0);
+  vec4 at = projectionMatrix * eye;
+  float pixelsPerMetre = projectionMatrix[1][1] * 0.5 * pixels.y / at.w;
+  float seen = radius * pixelsPerMetre;
   float share = largest > 0.0 ? radius / largest : 1.0;
   diameter = 2.0 * ratio * max(seen, least * (${leastShare} + (1.0 - ${leastShare}) * share));
-  at.z -= 0.002 * at.w;
+  // So much nearer that ground in front of its lower half does not cut it.
+  vec4 front = projectionMatrix * (eye + vec4(0.0, 0.0, diameter / ratio / pixelsPerMetre, 0.0));
+  if (front.w > 0.0) at.z = front.z / front.w * at.w;
   gl_Position = rock.w > 0.5 ? at : vec4(2.0, 2.0, 2.0, 1.0);
   gl_PointSize = diameter + 2.0 * ratio;
 }`;
@@ -50,10 +54,11 @@ void main() {
   vec3 fill = atRest > 0.5 ? rest : colourFor(place);
   // An outline that is seen on the colour, and light from the upper left.
   vec3 rim = dot(fill, vec3(0.2126, 0.7152, 0.0722)) < 0.43 ? vec3(1.0) : vec3(0.165, 0.149, 0.125);
+  float wide = min(0.9 * ratio, 0.28 * edge);
   vec2 n = off / edge;
   float light = 1.0 - 0.28 * smoothstep(0.2, 1.0, dot(n, n)) + 0.14 * dot(n, vec2(-0.7, -0.7));
   vec3 body = fill * min(light, 1.15);
-  colour = vec4(mix(body, rim, smoothstep(edge - 0.9 * ratio, edge - 0.2 * ratio, r)), 1.0 - smoothstep(edge, edge + 0.8 * ratio, r));
+  colour = vec4(mix(body, rim, smoothstep(edge - wide, edge - 0.2 * wide, r)), 1.0 - smoothstep(edge, edge + 0.8 * ratio, r));
 }`;
 
 export class RockDots {

@@ -61,7 +61,14 @@ export class Stage {
     this.resize();
   }
 
+  /// Another size than that on the page, while it is drawn for paper.
+  private paper: { width: number; height: number } | null = null;
+
   get size(): { width: number; height: number } {
+    return this.paper ?? this.hostSize;
+  }
+
+  private get hostSize(): { width: number; height: number } {
     return { width: Math.max(1, this.host.clientWidth), height: Math.max(1, this.host.clientHeight) };
   }
 
@@ -81,6 +88,48 @@ export class Stage {
     if (place) this.camera.setViewOffset(width, height, width / 2 - place[0], height / 2 - place[1], width, height);
     else this.camera.clearViewOffset();
     this.camera.updateProjectionMatrix();
+  }
+
+  /// So many times as far away.
+  dolly(factor: number) {
+    this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
+  }
+
+  /// Does something as if the picture had another size, such as to look for what it would show.
+  inSize<T>(size: { width: number; height: number }, task: () => T): T {
+    const { camera, controls, aim } = this;
+    const [eye, target] = [camera.position.clone(), controls.target.clone()];
+    this.paper = size;
+    try {
+      camera.aspect = size.width / size.height;
+      this.aimAt(null);
+      return task();
+    } finally {
+      this.paper = null;
+      camera.position.copy(eye);
+      controls.target.copy(target);
+      camera.aspect = this.size.width / this.size.height;
+      this.aimAt(aim);
+      controls.update();
+    }
+  }
+
+  /// Draws it in that size, with so many pixels of its own for one of the page, and gives a copy.
+  copy(ratio: number): HTMLCanvasElement {
+    const { width, height } = this.size;
+    const before = this.renderer.getPixelRatio();
+    const made = document.createElement('canvas');
+    try {
+      this.renderer.setPixelRatio(ratio);
+      this.renderer.setSize(width, height, false);
+      this.draw();
+      Object.assign(made, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
+      made.getContext('2d', { willReadFrequently: true })!.drawImage(this.renderer.domElement, 0, 0, made.width, made.height);
+    } finally {
+      this.renderer.setPixelRatio(before);
+      this.renderer.setSize(this.hostSize.width, this.hostSize.height);
+    }
+    return made;
   }
 
   invalidate() {

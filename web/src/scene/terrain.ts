@@ -16,6 +16,8 @@ export interface Terrain {
   object: Object3D;
   /// Chooses what is drawn from here; `pixels` is the height of the picture.
   look(camera: Camera & { fov: number }, pixels: number, exaggeration: number): void;
+  /// So many parts that `look` chose are still to be fetched.
+  readonly missing?: number;
   /// The first place that a ray meets, in the scene's coordinates without exaggeration.
   pick(ray: Ray): Hit | null;
   /// Some hundreds of places of the ground, spread over all of it.

@@ -175,8 +175,10 @@ export class Tile {
   places(most: number): Vector3[] {
     const { x, y, dx, dy, columns, rows } = this.grid;
     const list: Vector3[] = [];
-    for (let j = 0; j <= rows; j += Math.max(1, Math.ceil(rows / most)))
-      for (let i = 0; i <= columns; i += Math.max(1, Math.ceil(columns / most))) {
+    // With both edges.
+    const some = (count: number) => Array.from({ length: Math.min(most, count) + 1 }, (_, k) => Math.round((k * count) / Math.min(most, count)));
+    for (const j of some(rows))
+      for (const i of some(columns)) {
         const height = this.heights[j * (columns + 1) + i]!;
         if (!Number.isNaN(height)) list.push(new Vector3(x + i * dx, y + j * dy, this.z + height));
       }

@@ -136,6 +136,10 @@ export class TiledTerrain implements Terrain {
     this.forget();
   }
 
+  get missing(): number {
+    return this.wanted.length;
+  }
+
   private fetchNext() {
     while (this.loading < requestsAtOnce) {
       const next = this.wanted.find((node) => !node.asked && !node.tile);

@@ -1,22 +1,22 @@
 // The row of controls above the section.
 
-import type { RefObject } from 'preact';
 import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
-import { savePicture } from '../view/savePicture';
+import { saveSheet } from '../view/sheet';
 import { DistanceButton } from '../view/DistanceButton';
 import { LayerChoices } from '../view/LayerChoices';
 import { equalAxes } from '../view/settings';
 import { ViewBar } from '../view/ViewBar';
 import { zoomed } from './frame';
 import { fit, frame } from './framed';
+import { sectionPicture } from './sectionPrint';
 
 function zoom(factor: number) {
   const now = frame.value;
   if (now) frame.value = zoomed(now, factor, now.width / 2, now.height / 2);
 }
 
-export function SectionBar({ canvas }: { canvas: RefObject<HTMLCanvasElement> }) {
+export function SectionBar() {
   return (
     <ViewBar>
       <button class="button" title="Show all (0)" onClick={fit}>
@@ -35,7 +35,7 @@ export function SectionBar({ canvas }: { canvas: RefObject<HTMLCanvasElement> })
       <FilterChoices />
       <LayerChoices />
       <DistanceButton />
-      <button class="button" title="Save the picture as PNG" onClick={() => savePicture(canvas.current)}>
+      <button class="button" title="Save the picture for print: PNG, 300 dots an inch" onClick={() => void saveSheet(sectionPicture)}>
         Picture
       </button>
     </ViewBar>

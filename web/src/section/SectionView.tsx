@@ -1,16 +1,15 @@
 // The section of a 2D model, with what is needed to look at it.
 
 import { useEffect, useRef } from 'preact/hooks';
-import { PathLegend } from '../paths/PathLegend';
 import { ToolHint } from '../scene/ToolHint';
 import { model } from '../state/model';
-import { KindsLegend } from '../view/Legend';
-import { materialColour } from '../view/colours';
+import { Legends } from '../view/Legend';
 import { chosenRock, resultsTab } from '../state/view';
 import { frame } from './framed';
 import { keepDrawn, pathsToDraw, pointer } from './picture';
 import { listen } from './pointing';
 import { rockAt } from './pathLayer';
+import { sectionLegends } from './sectionLegends';
 import { SectionBar } from './SectionBar';
 import '../scene/scene.css';
 
@@ -50,7 +49,6 @@ export function SectionView() {
     };
   }, []);
   const now = model.value;
-  const kinds = (now?.materials ?? []).map((name, k) => ({ name, colour: materialColour(k) }));
   return (
     <div class="scene" ref={host}>
       <canvas
@@ -60,11 +58,8 @@ export function SectionView() {
         role="img"
         aria-label={`The slope in section, ${now?.seeders.length ?? 0} seeders, ${now?.barriers.length ?? 0} barriers and collectors. Arrows move it, plus and minus zoom, 0 shows all.`}
       />
-      <SectionBar canvas={canvas} />
-      <div class="legends above">
-        <PathLegend />
-        {kinds.length > 0 && <KindsLegend title="Material" kinds={kinds} />}
-      </div>
+      <SectionBar />
+      <Legends list={sectionLegends()} isAbove />
       <Status />
     </div>
   );

@@ -59,6 +59,15 @@ export function fit() {
   if (whole) frame.value = fittedLast = whole;
 }
 
+/// What is seen now, in a picture of another size.
+export function framedIn(size: { width: number; height: number }): Frame | null {
+  const now = frame.peek();
+  if (!now) return null;
+  if (now === fittedLast) return wholeSection(size, roomOf(size), []);
+  const factor = Math.min(size.width / now.width, size.height / now.height);
+  return { ...now, ...size, along: now.along * factor, up: now.up * factor };
+}
+
 /// Keeps the picture's size and, unless it was moved, all of the section in it; ends when called.
 export function keepFramed(host: HTMLElement): () => void {
   const watch = new ResizeObserver(() => {

@@ -58,6 +58,41 @@ export function drawPath(pen: Pen, frame: Frame, paths: DrawnPaths, rock: number
   if (now) pen.stroke();
 }
 
+/// Draws one path a call; false when there are no more.
+type Task = () => boolean;
+
+function coloured(pen: Pen, frame: Frame, { paths, colouring, passes }: PathsToDraw): Task {
+  const { of, css } = colourNumbers(colouring);
+  let rock = 0;
+  return () => {
+    if (rock >= paths.rocks.length) return false;
+    pen.lineWidth = paths.rocks.length > 500 ? 0.8 : 1.4;
+    if (!passes || passes[rock]) drawPath(pen, frame, paths, rock, (point) => css[of(point, rock)]!);
+    return ++rock < paths.rocks.length;
+  };
+}
+
+function compared(pen: Pen, frame: Frame, { paths, passes }: ComparedToDraw): Task {
+  const colour = runColour('compared');
+  let rock = 0;
+  return () => {
+    if (rock >= paths.rocks.length) return false;
+    pen.lineWidth = 1;
+    if (!passes || passes[rock]) drawPath(pen, frame, paths, rock, () => colour);
+    return ++rock < paths.rocks.length;
+  };
+}
+
+function pathTasks(pen: Pen, frame: Frame, shown: PathsToDraw | null, other: ComparedToDraw | null): Task[] {
+  return [...(other ? [compared(pen, frame, other)] : []), ...(shown ? [coloured(pen, frame, shown)] : [])];
+}
+
+/// All at once, such as for paper.
+export function drawPaths(pen: Pen, frame: Frame, shown: PathsToDraw | null, other: ComparedToDraw | null) {
+  pen.lineJoin = 'round';
+  for (const task of pathTasks(pen, frame, shown, other)) while (task());
+}
+
 export class PathLayer {
   readonly canvas = document.createElement('canvas');
   private waiting = 0;
@@ -73,7 +108,7 @@ export class PathLayer {
     if (!pen) return;
     pen.setTransform(scale, 0, 0, scale, 0, 0);
     pen.lineJoin = 'round';
-    const tasks = [...(other ? [this.compared(pen, frame, other)] : []), ...(shown ? [this.coloured(pen, frame, shown)] : [])];
+    const tasks = pathTasks(pen, frame, shown, other);
     const go = () => {
       const until = performance.now() + budget;
       while (tasks[0] && performance.now() < until) if (!tasks[0]()) tasks.shift();
@@ -85,29 +120,6 @@ export class PathLayer {
 
   stop() {
     cancelAnimationFrame(this.waiting);
-  }
-
-  /// Draws one path a call; false when there are no more.
-  private coloured(pen: Pen, frame: Frame, { paths, colouring, passes }: PathsToDraw): () => boolean {
-    const { of, css } = colourNumbers(colouring);
-    let rock = 0;
-    return () => {
-      if (rock >= paths.rocks.length) return false;
-      pen.lineWidth = paths.rocks.length > 500 ? 0.8 : 1.4;
-      if (!passes || passes[rock]) drawPath(pen, frame, paths, rock, (point) => css[of(point, rock)]!);
-      return ++rock < paths.rocks.length;
-    };
-  }
-
-  private compared(pen: Pen, frame: Frame, { paths, passes }: ComparedToDraw): () => boolean {
-    const colour = runColour('compared');
-    let rock = 0;
-    return () => {
-      if (rock >= paths.rocks.length) return false;
-      pen.lineWidth = 1;
-      if (!passes || passes[rock]) drawPath(pen, frame, paths, rock, () => colour);
-      return ++rock < paths.rocks.length;
-    };
   }
 }
 

@@ -32,14 +32,14 @@ const look = (): Look => ({
   accent: cssColour('--accent'),
 });
 
-const rocksToDraw = computed<PathsToDraw | null>(() =>
+export const rocksToDraw = computed<PathsToDraw | null>(() =>
   shownPaths.value && colouring.value
     ? { paths: shownPaths.value, colouring: colouring.value, passes: shownPassing.value }
     : null,
 );
 /// What is seen of the runs' paths.
 export const pathsToDraw = computed(() => (layers.paths.value ? rocksToDraw.value : null));
-const comparedToDraw = computed(() =>
+export const comparedToDraw = computed(() =>
   layers.paths.value && comparedPaths.value ? { paths: comparedPaths.value, passes: comparedPassing.value } : null,
 );
 const moving = computed(() => (shownPaths.value ? new RocksAtTime(shownPaths.value) : null));
@@ -58,7 +58,7 @@ function drawRun(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () => voi
 }
 
 /// All of the picture, in CSS pixels. `covered`: what stands over it, where no name is to be.
-function paint(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () => void, covered: readonly Box[]) {
+export function paint(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () => void, covered: readonly Box[]) {
   const colours = look();
   const path = chosen.value?.join('.') ?? '';
   drawGrid(pen, now, colours);

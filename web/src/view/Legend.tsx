@@ -1,63 +1,31 @@
-// Legends: a scale with its ends and middle, or a list of kinds.
+// Legends beside a picture: a scale with its ends and middle, a list of kinds, or classes.
 
-import { numberText } from '../ui/format';
+import { endsOf, type ClassesOfValues, type KindsOfThings, type LegendData, type ScaleOfColours } from './legends';
 import './legend.css';
 
-interface Scale {
-  title: string;
-  gradient: string;
-  low: number;
-  high: number;
-  /// On a logarithmic scale the middle is the geometric mean.
-  logarithmic?: boolean;
-  /// Greater values have the last colour.
-  isClipped?: boolean;
-}
-
-export function ScaleLegend({ title, gradient, low, high, logarithmic = false, isClipped = false }: Scale) {
-  const middle = logarithmic ? Math.sqrt(low * high) : (low + high) / 2;
+function ScaleLegend({ of }: { of: ScaleOfColours }) {
+  const gradient = of.stops.map(([at, colour]) => `${colour} ${(100 * at).toFixed(1)}%`).join(', ');
   return (
     <figure class="legend">
-      <figcaption>{title}</figcaption>
-      <div class="ramp" style={{ background: gradient }} />
+      <figcaption>{of.title}</figcaption>
+      <div class="ramp" style={{ background: `linear-gradient(to right, ${gradient})` }} />
       <div class="ends mono">
-        <span>{numberText(low, 3)}</span>
-        <span>{numberText(middle, 3)}</span>
-        <span>
-          {isClipped && <span title="or more">≥ </span>}
-          {numberText(high, 3)}
-        </span>
+        {endsOf(of).map((text, k) => (
+          <span key={k} title={of.isClipped && k === 2 ? 'or more' : undefined}>
+            {text}
+          </span>
+        ))}
       </div>
     </figure>
   );
 }
 
-/// Classes of values, the greatest on top.
-export function ClassesLegend({ title, classes, note }: { title: string; classes: { text: string; colour: string; isThere: boolean }[]; note: string }) {
-  return (
-    <figure class="legend classes">
-      <figcaption>{title}</figcaption>
-      <ul>
-        {classes
-          .map(({ text, colour, isThere }) => (
-            <li key={text} class={isThere ? '' : 'faint'}>
-              <i style={{ background: colour }} />
-              <span class="mono">{text}</span>
-            </li>
-          ))
-          .reverse()}
-      </ul>
-      <p class="faint">{note}</p>
-    </figure>
-  );
-}
-
-export function KindsLegend({ title, kinds }: { title: string; kinds: { name: string; colour: string }[] }) {
+function KindsLegend({ of }: { of: KindsOfThings }) {
   return (
     <figure class="legend">
-      <figcaption>{title}</figcaption>
+      <figcaption>{of.title}</figcaption>
       <ul>
-        {kinds.map(({ name, colour }) => (
+        {of.kinds.map(({ name, colour }) => (
           <li key={name}>
             <i style={{ background: colour }} />
             <span title={name}>{name}</span>
@@ -65,5 +33,46 @@ export function KindsLegend({ title, kinds }: { title: string; kinds: { name: st
         ))}
       </ul>
     </figure>
+  );
+}
+
+/// The greatest on top.
+function ClassesLegend({ of }: { of: ClassesOfValues }) {
+  return (
+    <figure class="legend classes">
+      <figcaption>{of.title}</figcaption>
+      <ul>
+        {of.classes.toReversed().map(({ text, colour, isThere }) => (
+          <li key={text} class={isThere ? '' : 'faint'}>
+            <i style={{ background: colour }} />
+            <span class="mono">{text}</span>
+          </li>
+        ))}
+      </ul>
+      <p class="faint">{of.note}</p>
+    </figure>
+  );
+}
+
+function Legend({ of }: { of: LegendData }) {
+  switch (of.kind) {
+    case 'scale':
+      return <ScaleLegend of={of} />;
+    case 'kinds':
+      return <KindsLegend of={of} />;
+    case 'classes':
+      return <ClassesLegend of={of} />;
+    case 'remark':
+      return <p class={of.isWarning ? 'legend outdated-paths' : 'legend'} role="status">{of.text}</p>;
+  }
+}
+
+export function Legends({ list, isAbove = false }: { list: readonly LegendData[]; isAbove?: boolean }) {
+  return (
+    <div class={isAbove ? 'legends above' : 'legends'}>
+      {list.map((of) => (
+        <Legend key={of.kind === 'remark' ? of.text : of.title} of={of} />
+      ))}
+    </div>
   );
 }

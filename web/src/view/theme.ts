@@ -22,3 +22,19 @@ export function runColour(which: 'shown' | 'compared'): string {
 
 /// A colour of theme.css by its name, such as "--text". Read it again when `shade` changes.
 export const cssColour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+/// Does something in the light colours of paper, whatever the page has. The page is not seen meanwhile.
+export function inLight<T>(task: () => T): T {
+  const before = shade.peek();
+  const show = (next: 'light' | 'dark') => {
+    if (shade.peek() === next) return;
+    document.documentElement.dataset.theme = next;
+    shade.value = next;
+  };
+  try {
+    show('light');
+    return task();
+  } finally {
+    show(before);
+  }
+}

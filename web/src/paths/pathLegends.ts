@@ -1,0 +1,34 @@
+// What the colours of paths mean.
+
+import { arePathsShown } from '../maps/over';
+import { isOutdated } from '../runs/outdated';
+import { compared, shown } from '../state/runs';
+import { counted } from '../ui/format';
+import { stopsOf, type LegendData } from '../view/legends';
+import { runColour } from '../view/theme';
+import { colouring } from './colouring';
+import { leftByFilter } from './shownPassing';
+
+export function pathLegends(): LegendData[] {
+  const how = colouring.value;
+  if (!how || !arePathsShown.value) return [];
+  const list: LegendData[] = [];
+  if (how.kind === 'run') {
+    const kinds = [
+      { name: shown.value?.name ?? '', colour: how.colour },
+      { name: compared.value?.name ?? '', colour: runColour('compared') },
+    ];
+    list.push({ kind: 'kinds', title: 'Paths of two runs', kinds });
+  } else if (how.kind === 'scale') {
+    const { title, low, high, isClipped } = how;
+    list.push({ kind: 'scale', title, stops: stopsOf(how.ramp), low, high, isClipped });
+  } else {
+    const kinds = how.names.map((name, k) => ({ name, colour: how.colours[k]! })).filter((_, k) => how.isThere[k]);
+    list.push({ kind: 'kinds', title: how.title, kinds });
+  }
+  const count = leftByFilter.value;
+  const left = count && `${count.left.toLocaleString('en')} of ${counted(count.of, 'path')}`;
+  if (left) list.push({ kind: 'remark', text: left, isWarning: false });
+  if (isOutdated.value) list.push({ kind: 'remark', text: 'Paths of an earlier text of the project', isWarning: true });
+  return list;
+}

@@ -1,0 +1,11 @@
+// What the colours of the section mean.
+
+import { pathLegends } from '../paths/pathLegends';
+import { model } from '../state/model';
+import { materialColour } from '../view/colours';
+import type { LegendData } from '../view/legends';
+
+export function sectionLegends(): LegendData[] {
+  const kinds = (model.value?.materials ?? []).map((name, k) => ({ name, colour: materialColour(k) }));
+  return [...pathLegends(), ...(kinds.length > 0 ? [{ kind: 'kinds' as const, title: 'Material', kinds }] : [])];
+}

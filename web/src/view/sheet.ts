@@ -1,0 +1,138 @@
+// A picture on paper: with its title, what its colours mean, how long its metres are, where north is, and whence it came.
+
+import { about } from '../state/about';
+import { file, fileStem, values } from '../state/document';
+import { model } from '../state/model';
+import { sayFailure } from '../state/messages';
+import { hasResults, shown } from '../state/runs';
+import { saveFile } from '../results/save';
+import { counted, numberText } from '../ui/format';
+import { drawLegends, type LegendData } from './legends';
+import { printPng, printRatio } from './png';
+import { roundStep } from './ticks';
+
+/// An A4 page across, but for its margins: 267 mm by 180 mm, in CSS pixels.
+const sheet = { width: 1009, height: 680 };
+const margin = 14;
+const columnWidth = 190;
+const frame = { left: margin, top: 62, width: sheet.width - 3 * margin - columnWidth, height: sheet.height - 62 - 34 };
+/// Of the picture itself, in CSS pixels.
+export const pictureSize = { width: frame.width, height: frame.height };
+
+export interface SheetPicture {
+  /// As large as `pictureSize`, in pixels of the print.
+  canvas: HTMLCanvasElement;
+  legends: readonly LegendData[];
+  /// Metres that a CSS pixel covers; null: not the same everywhere.
+  metresPerPixel: number | null;
+  /// Degrees from north, clockwise, toward which one looks; null: there is no north.
+  heading: number | null;
+  /// What else is to be known of it.
+  remarks: readonly string[];
+}
+
+type Pen = CanvasRenderingContext2D;
+const [ink, faint] = ['#1d2326', '#5a6468'];
+const font = (size: number, weight = 400) => `${weight} ${size}px system-ui, 'Noto Sans', 'DejaVu Sans', sans-serif`;
+
+/// The length of a bar of so many pixels at the most, a round number of metres.
+export function barLength(metresPerPixel: number, most: number): number {
+  const metres = roundStep(0.4 * most * metresPerPixel);
+  return metres / metresPerPixel > most ? metres / 2 : metres;
+}
+
+function drawScaleBar(pen: Pen, metresPerPixel: number, x: number, y: number): number {
+  const metres = barLength(metresPerPixel, 170);
+  const length = metres / metresPerPixel;
+  for (let k = 0; k < 4; ++k) {
+    pen.fillStyle = k % 2 === 0 ? ink : '#ffffff';
+    pen.fillRect(x + (k * length) / 4, y, length / 4, 6);
+  }
+  pen.strokeStyle = ink;
+  pen.lineWidth = 0.8;
+  pen.strokeRect(x, y, length, 6);
+  pen.fillStyle = ink;
+  pen.font = font(10.5);
+  const unit = metres >= 1000 ? { per: 1000, name: 'km' } : { per: 1, name: 'm' };
+  for (const share of length > 110 ? [0, 0.5, 1] : [0, 1]) {
+    pen.textAlign = share === 0 ? 'left' : share === 1 ? 'right' : 'center';
+    const text = numberText((share * metres) / unit.per);
+    pen.fillText(share === 1 ? `${text} ${unit.name}` : text, x + share * length, y + 18);
+  }
+  pen.textAlign = 'left';
+  return y + 26;
+}
+
+/// An arrow of some 40 pixels around a place.
+function drawNorth(pen: Pen, heading: number, x: number, y: number) {
+  pen.save();
+  pen.translate(x, y);
+  pen.rotate((-heading * Math.PI) / 180);
+  for (const side of [-1, 1]) {
+    pen.beginPath();
+    pen.moveTo(0, -20);
+    pen.lineTo(8 * side, 9);
+    pen.lineTo(0, 4);
+    pen.closePath();
+    pen.fillStyle = side < 0 ? ink : '#ffffff';
+    pen.fill();
+    pen.lineWidth = 1;
+    pen.strokeStyle = ink;
+    pen.stroke();
+  }
+  pen.fillStyle = ink;
+  pen.font = font(12, 700);
+  pen.textAlign = 'center';
+  pen.fillText('N', 0, 23);
+  pen.restore();
+}
+
+function drawWords(pen: Pen, remarks: readonly string[]) {
+  pen.fillStyle = ink;
+  pen.textBaseline = 'alphabetic';
+  pen.font = font(19, 600);
+  const title = typeof values.peek().name === 'string' ? (values.peek().name as string) : fileStem();
+  pen.fillText(title, margin, 30, sheet.width - 2 * margin);
+  const run = shown.peek();
+  const ofRun = run && hasResults(run) ? [`Run ${run.name}: ${counted(run.done, 'rock')}`] : [];
+  pen.font = font(12);
+  pen.fillStyle = faint;
+  pen.fillText([...ofRun, ...remarks].join(' · '), margin, 50, sheet.width - 2 * margin);
+  const crs = model.peek()?.crs;
+  const facts = [file.peek() ?? '', ...(crs ? [`coordinates: ${crs}`] : []), new Date().toISOString().slice(0, 10), `Talus ${about.peek()?.version ?? ''}`];
+  pen.font = font(10.5);
+  pen.fillText(facts.join(' · '), margin, sheet.height - 12, sheet.width - 2 * margin);
+}
+
+/// The whole sheet, opaque.
+export function sheetOf({ canvas, legends, metresPerPixel, heading, remarks }: SheetPicture): HTMLCanvasElement {
+  const made = document.createElement('canvas');
+  Object.assign(made, { width: Math.round(sheet.width * printRatio), height: Math.round(sheet.height * printRatio) });
+  const pen = made.getContext('2d', { alpha: false, willReadFrequently: true })!;
+  pen.setTransform(printRatio, 0, 0, printRatio, 0, 0);
+  pen.fillStyle = '#ffffff';
+  pen.fillRect(0, 0, sheet.width, sheet.height);
+  drawWords(pen, remarks);
+  pen.drawImage(canvas, frame.left, frame.top, frame.width, frame.height);
+  pen.strokeStyle = ink;
+  pen.lineWidth = 0.8;
+  pen.strokeRect(frame.left, frame.top, frame.width, frame.height);
+
+  const x = frame.left + frame.width + margin;
+  let y = frame.top;
+  if (heading !== null) {
+    drawNorth(pen, heading, x + 22, y + 24);
+    y += 62;
+  }
+  if (metresPerPixel !== null) y = drawScaleBar(pen, metresPerPixel, x, y + 4) + 14;
+  drawLegends(pen, legends, x, y, columnWidth);
+  return made;
+}
+
+export async function saveSheet(picture: () => SheetPicture | Promise<SheetPicture>) {
+  try {
+    saveFile(`${fileStem() || 'view'}.png`, await printPng(sheetOf(await picture())));
+  } catch (error) {
+    sayFailure(error);
+  }
+}
