@@ -220,7 +220,7 @@ TEST_F(RunGis, ShardsGiveTheSameFilesWhenTheyAreMerged) {
   const Said said = talus_says("merge" + shards + " -o " + path("merged").string());
   EXPECT_EQ(said.exit_code, 0) << said.text;
   for (const char* file : {"results.gpkg", "paths.vtp", "maps/passages.tif", "maps/by_source/sources.csv",
-                           "maps/by_source/upper/passages.tif", "maps/by_source/lower/energy_total_p95_J.tif"}) {
+                           "maps/by_source/upper/passages.tif", "maps/by_source/lower/energy_total_p95_kJ.tif"}) {
     const std::string whole = bytes(std::string("whole/") + file);
     EXPECT_FALSE(whole.empty()) << file;
     EXPECT_TRUE(bytes(std::string("merged/") + file) == whole) << file;

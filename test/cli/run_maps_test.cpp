@@ -164,8 +164,8 @@ TEST(RunMaps, AgreeWithTheSummary) {
     double energy = 0, height = 0;
     for (const Maps::Tile* tile : maps->maps().tiles()) {
       for (std::int32_t k = 0; k < Maps::tile_side * Maps::tile_side; ++k) {
-        const MapTally* tally = tile->find(k % Maps::tile_side, k / Maps::tile_side);
-        if (tally == nullptr) continue;
+        const auto tally = tile->find(k % Maps::tile_side, k / Maps::tile_side);
+        if (!tally) continue;
         deposits += tally->deposits();
         energy = std::max(energy, tally->maximum(MapQuantity::energy_total));
         height = std::max(height, tally->maximum(MapQuantity::bounce_height));

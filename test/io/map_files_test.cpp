@@ -128,13 +128,13 @@ TEST(MapFiles, AreReadBackAsTheyWereMeant) {
   EXPECT_EQ(read_back(work / "maps/impacts.tif").values, (std::vector<double>{0, 0, 3, 0, 3, 0}));
   EXPECT_EQ(read_back(work / "maps/reach_share.tif").values, (std::vector<double>{-9999, -9999, 1, 0.5, 0.5, -9999}));
 
-  const Read energy = read_back(work / "maps/energy_total_max_J.tif");
+  const Read energy = read_back(work / "maps/energy_total_max_kJ.tif");
   EXPECT_EQ(energy.type, GDT_Float32);
   EXPECT_EQ(energy.nodata, -9999);
-  EXPECT_EQ(energy.unit, "J");
+  EXPECT_EQ(energy.unit, "kJ");
   EXPECT_EQ(energy.description, "kinetic energy, translational and rotational: greatest of all rocks");
-  EXPECT_EQ(energy.values, (std::vector<double>{-9999, -9999, 200, 40, 80, -9999}));
-  EXPECT_EQ(read_back(work / "maps/energy_translational_mean_J.tif").values[2], 120);
+  EXPECT_EQ(energy.values, (std::vector<double>{-9999, -9999, 0.2F, 0.04F, 0.08F, -9999}));
+  EXPECT_EQ(read_back(work / "maps/energy_translational_mean_kJ.tif").values[2], 0.12F);
   EXPECT_NEAR(read_back(work / "maps/velocity_p50_m_s.tif").values[2], 80, 0.8);
   EXPECT_NEAR(read_back(work / "maps/bounce_height_p99.5_m.tif").values[2], 49.9, 0.5);
 }
@@ -201,7 +201,7 @@ TEST(MapFiles, AnOverviewHoldsTheGreatestOfItsFourCells) {
   const std::span<const MapVisit> list(visits);
   maps.add(visits.size(), std::span(&list, 1));
   (void)write_maps(maps, percentiles, "", work / "maps");
-  for (const char* name : {"passages", "deposits", "impacts", "reach_share", "energy_total_max_J", "velocity_p50_m_s",
+  for (const char* name : {"passages", "deposits", "impacts", "reach_share", "energy_total_max_kJ", "velocity_p50_m_s",
                            "bounce_height_mean_m"}) {
     const bool is_mean = std::string_view(name).find("mean") != std::string_view::npos;
     const GDALDatasetUniquePtr raster = opened((work / "maps" / name).replace_extension(".tif"));
@@ -252,13 +252,13 @@ TEST(MapFiles, WhereNoRockWasTheyTakeNoRoom) {
   const std::span<const MapVisit> list(far_apart);
   maps.add(1, std::span(&list, 1));
   (void)write_maps(maps, {}, "", work / "maps");
-  const auto file = work / "maps/energy_total_max_J.tif";
+  const auto file = work / "maps/energy_total_max_kJ.tif";
   EXPECT_LT(std::filesystem::file_size(file), 20'000U);  // of 24 million cells
   const GDALDatasetUniquePtr raster = opened(file);
   GDALRasterBand& smallest = *raster->GetRasterBand(1)->GetOverview(raster->GetRasterBand(1)->GetOverviewCount() - 1);
   const std::vector<double> values = values_of(smallest);
   EXPECT_EQ(std::count(values.begin(), values.end(), -9999), static_cast<std::ptrdiff_t>(values.size()) - 2);
-  EXPECT_EQ(values[static_cast<std::size_t>(smallest.GetXSize()) - 1], 9);
+  EXPECT_EQ(values[static_cast<std::size_t>(smallest.GetXSize()) - 1], 0.009F);
 }
 
 TEST(MapFiles, LieOnTheCellsOfARasterThatAreNoSquares) {
@@ -294,26 +294,26 @@ TEST(MapFiles, AFullDiskIsRefusedAndNothingHalfWrittenStays) {
     EXPECT_NE(text.find("). Free some space, or choose another folder with -o"), std::string::npos) << text;
   }
   for (const std::string& file : files_in(work / "maps")) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
-  EXPECT_FALSE(files_in(work / "maps").contains("energy_total_max_J.tif"));
+  EXPECT_FALSE(files_in(work / "maps").contains("energy_total_max_kJ.tif"));
 }
 
-// A thousand cells with heights of up to 2 m, and under a cliff ten with one of 80 m.
-TEST(MapFiles, AFewCellsDoNotTakeAllColours) {
-  Maps maps(MapGrid({0, 0}, 1, {}));
-  std::vector<MapVisit> visits;
-  for (std::int32_t k = 0; k < 1010; ++k) {
-    const float height = k < 1000 ? 0.002F * static_cast<float>(k + 1) : 80;
-    visits.push_back({{k % 100, k / 100}, {1, 1, 10, height}, 0, false});
-  }
-  const std::span<const MapVisit> list(visits);
-  maps.add(1, std::span(&list, 1));
-  const Workplace work;
-  (void)write_maps(maps, {}, "", work / "maps");
-  const std::string style = work.read("maps/bounce_height_max_m.qml");
-  EXPECT_NE(style.find("greatestValue=\"80\""), std::string::npos) << style;
-  EXPECT_NE(style.find("label=\"1.98 or more, at most 80\" color=\"#b10026\""), std::string::npos) << style;
-  // Energies have a logarithmic scale, which reaches to the greatest.
-  EXPECT_NE(work.read("maps/passages.qml").find("classificationMax=\"1\" greatestValue=\"1\""), std::string::npos);
+// Of whatever values: the maps of two runs compare.
+TEST(MapFiles, OfOneKindHaveTheSameClasses) {
+  const auto style_of = [](const std::string& name, float value) {
+    Maps maps(MapGrid({0, 0}, 1, {}));
+    const std::vector<MapVisit> visits{{{0, 0}, {value, value, value, value}, 0, false}};
+    const std::span<const MapVisit> list(visits);
+    maps.add(1, std::span(&list, 1));
+    const Workplace work;
+    (void)write_maps(maps, percentiles, "", work / "maps");
+    const std::string style = work.read("maps/" + name + ".qml");
+    EXPECT_NE(style.find("greatestValue=\""), std::string::npos);
+    return style.substr(style.find("<rastershader>"));
+  };
+  for (const std::string name : {"energy_total_max_kJ", "velocity_mean_m_s", "bounce_height_p50_m", "passages"})
+    EXPECT_EQ(style_of(name, 4000), style_of(name, 4e6F)) << name;
+  EXPECT_EQ(style_of("energy_total_max_kJ", 1), style_of("energy_translational_p50_kJ", 1));
+  EXPECT_NE(style_of("energy_total_max_kJ", 1), style_of("velocity_max_m_s", 1));
 }
 
 TEST(MapFiles, WithoutARockThereAreNone) {
@@ -337,22 +337,13 @@ TEST(MapFiles, WithoutGdalTheyAreRefused) {
 
 #endif
 
-TEST(MapStyle, ColoursFromTheLeastValueToTheTop) {
-  const std::string logarithmic = qgis_style(ColourScale::logarithmic, {1, 1e6, 1e6});
-  EXPECT_NE(logarithmic.find("classificationMin=\"1\" classificationMax=\"1000000\""), std::string::npos);
-  EXPECT_NE(logarithmic.find("<item value=\"1000\" label=\"1e+03\" color=\"#fd8d3c\""), std::string::npos);
-  const std::string linear = qgis_style(ColourScale::linear, {3, 6, 6});
-  EXPECT_NE(linear.find("<item value=\"0\" label=\"0\" color=\"#ffffb2\""), std::string::npos);
-  EXPECT_NE(linear.find("<item value=\"6\" label=\"6\" color=\"#b10026\""), std::string::npos);
-  EXPECT_NE(linear.find("maximumLabel=\"\""), std::string::npos);
-}
-
-TEST(MapStyle, SaysThatGreaterValuesHaveTheLastColour) {
-  const std::string style = qgis_style(ColourScale::linear, {0.5, 79.4, 16.6});
-  EXPECT_NE(style.find("classificationMin=\"0\" classificationMax=\"16.6\" greatestValue=\"79.4\""), std::string::npos);
-  EXPECT_NE(style.find("<item value=\"16.6\" label=\"16.6 or more, at most 79.4\" color=\"#b10026\""),
-            std::string::npos);
-  EXPECT_NE(style.find("maximumLabel=\"16.6 or more, at most 79.4\""), std::string::npos);
+TEST(MapStyle, HasFixedClassesAndTheRangeOfTheValues) {
+  const std::string style = qgis_style({30, 100, 300, 1000, 3000}, "kJ", {0.5, 794});
+  EXPECT_NE(style.find("leastValue=\"0.5\" greatestValue=\"794\""), std::string::npos);
+  EXPECT_NE(style.find("colorRampType=\"DISCRETE\""), std::string::npos);
+  EXPECT_NE(style.find("<item value=\"30\" label=\"0 to 30 kJ\" color=\"#ffffb2\""), std::string::npos);
+  EXPECT_NE(style.find("<item value=\"300\" label=\"100 to 300 kJ\" color=\"#feb24c\""), std::string::npos);
+  EXPECT_NE(style.find("<item value=\"inf\" label=\"3000 kJ and more\" color=\"#bd0026\""), std::string::npos);
 }
 
 }  // namespace

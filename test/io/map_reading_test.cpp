@@ -54,13 +54,13 @@ TEST(MapsOfARun, AreListedWithWhatTheyShow) {
   EXPECT_EQ(found.front().meaning, "rocks that were in the cell");
   const MapFile velocity = named(found, "velocity_max_m_s");
   EXPECT_EQ(velocity.unit, "m/s");
-  EXPECT_EQ(velocity.scale, ColourScale::linear);
   EXPECT_EQ(velocity.range.greatest, 4);
   EXPECT_EQ(velocity.source, "");
-  const MapFile energy = named(found, "energy_total_max_J");
-  EXPECT_EQ(energy.scale, ColourScale::logarithmic);
-  EXPECT_EQ(energy.range.least, 4);
-  EXPECT_EQ(energy.range.greatest, 16);
+  const MapFile energy = named(found, "energy_total_max_kJ");
+  EXPECT_EQ(energy.unit, "kJ");
+  EXPECT_EQ(energy.limits, (ClassLimits{30, 100, 300, 1000, 3000}));
+  EXPECT_EQ(energy.range.least, 0.004);
+  EXPECT_EQ(energy.range.greatest, 0.016);
   // Percentiles ascend, whatever the order in which they were asked for.
   std::vector<std::string> of_velocity;
   for (const MapFile& map : found)
@@ -157,15 +157,14 @@ TEST(MapsOfARun, ThatHasNoneAreNone) {
   EXPECT_TRUE(maps_of_run(work.path).empty());
 }
 
-TEST(ColourRamp, EndsAtTheLimits) {
-  const auto linear = colour_ramp(ColourScale::linear, {3, 40, 12});
-  EXPECT_EQ(linear.front().value, 0);
-  EXPECT_EQ(linear.back().value, 12);
-  const auto logarithmic = colour_ramp(ColourScale::logarithmic, {1, 1e6, 1e6});
-  EXPECT_EQ(logarithmic.front().value, 1);
-  EXPECT_EQ(logarithmic.back().value, 1e6);
-  EXPECT_NEAR(logarithmic[3].value, 1000, 1e-9);
-  EXPECT_EQ(logarithmic.front().colour, (std::array<std::uint8_t, 3>{255, 255, 178}));
+TEST(MapClasses, FollowEachOtherFromZeroWithoutEnd) {
+  const auto classes = map_classes({30, 100, 300, 1000, 3000});
+  EXPECT_EQ(classes.front().from, 0);
+  EXPECT_EQ(classes.front().to, 30);
+  for (std::size_t k = 1; k < classes.size(); ++k) EXPECT_EQ(classes[k].from, classes[k - 1].to);
+  EXPECT_EQ(classes.back().from, 3000);
+  EXPECT_TRUE(std::isinf(classes.back().to));
+  EXPECT_EQ(classes.front().colour, (std::array<std::uint8_t, 3>{255, 255, 178}));
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ std::string complaint_about(const std::string& text) {
 
 TEST(ReportEnvelopes, AreOfTheColumnsThatAreDrawn) {
   const ReportEnvelopes read = envelopes_of(
-      "x_m,passages,reach_share,energy_total_max_J,energy_translational_max_J,velocity_p95_m_s\n"
+      "x_m,passages,reach_share,energy_total_max_kJ,energy_translational_max_kJ,velocity_p95_m_s\n"
       "0.5,2,1,200,150,3.5\n1.5,0,0,,,\n");
-  EXPECT_THAT(read.columns, ElementsAre("reach_share", "energy_total_max_J", "velocity_p95_m_s"));
+  EXPECT_THAT(read.columns, ElementsAre("reach_share", "energy_total_max_kJ", "velocity_p95_m_s"));
   ASSERT_EQ(read.cells.size(), 2U);
   EXPECT_EQ(read.cells_each, 1U);
   EXPECT_EQ(read.cells[0].from_x_m, 0.5);

@@ -105,8 +105,8 @@ TEST(ReportInBrowser, DrawsEnvelopesAsStepsThatEndWhereNoRockWas) {
   summary["project"]["barrier"] = {{{"name", "Fence"}, {"line", {2.5, 0}}, {"height_m", 3}}};
   folder.write("summary.json", summary.dump());
   folder.write("envelopes.csv",
-               "x_m,energy_total_max_J,energy_total_mean_J,energy_total_p95_J,energy_total_p99.5_J\n"
-               "0.5,4000,1000,2000,3000\n1.5,8000,1000,2000,3000\n2.5,,,,\n3.5,2000,1000,1500,1500\n");
+               "x_m,energy_total_max_kJ,energy_total_mean_kJ,energy_total_p95_kJ,energy_total_p99.5_kJ\n"
+               "0.5,4,1,2,3\n1.5,8,1,2,3\n2.5,,,,\n3.5,2,1,1.5,1.5\n");
   write_report(std::vector{folder.path}, folder.path / "report.html");
   const std::string said = said_in_page(folder.path / "report.html", R"(
     const svg = document.querySelector('svg[aria-label^="Total kinetic energy along the section"]');
@@ -318,14 +318,15 @@ TEST(ReportInBrowser, DrawsMapsOfWhatTheRocksDid) {
   EXPECT_EQ(said_in_page(folder.path / "report.html", R"(
     const figures = [...document.querySelectorAll('#maps figure')];
     const energy = figures[1];
-    const texts = [...energy.querySelectorAll('text')].map((t) => t.textContent).slice(-6).join('|');
+    const texts = [...energy.querySelectorAll('text')].map((t) => t.textContent).slice(-9).join('|');
     const has = (what) => figures.every((f) => f.querySelector(what)) ? what + ' ' : '';
     return figures.map((f) => f.querySelector('h4').textContent).join('|') + '; ' + texts + '; ' +
       has('image.relief') + has('image.cells') + has('.scale-bar') + has('.north') + has('.release') +
       '; ' + mapValues(runs[0].maps[1]).map((value) => number(value, 4)).join(' ') + ' kJ';
   )"),
             "Reach|Greatest total kinetic energy|Greatest height above the ground|Greatest velocity; "
-            "y|Total kinetic energy, greatest of all rocks [kJ]|4|8|Scale 1:75 on A4, cells of 5 m, up to 8 "
+            "y|Total kinetic energy, greatest of all rocks [kJ]|30|100|300|1,000|3,000|Scale 1:75 on A4, cells of 5 m, "
+            "up to 8 "
             "kJ|Coordinate system "
             "not known; "
             "image.relief image.cells .scale-bar .north .release ; 4 8 kJ");

@@ -46,7 +46,7 @@ TEST(ReportMaps, AreReachEnergyHeightAndVelocity) {
   const auto maps = read_report_maps(folder.path);
   ASSERT_EQ(maps.size(), 4u);
   EXPECT_EQ(maps[0].name, "reach_share");
-  EXPECT_EQ(maps[1].name, "energy_total_max_J");
+  EXPECT_EQ(maps[1].name, "energy_total_max_kJ");
   EXPECT_EQ(maps[2].name, "bounce_height_max_m");
   EXPECT_EQ(maps[3].name, "velocity_max_m_s");
   EXPECT_EQ(maps[1].origin, (std::array<double, 2>{2'600'000, 1'200'000}));
@@ -60,9 +60,10 @@ TEST(ReportMaps, HaveLevelsFromTheLeastToTheGreatestValue) {
   const Folder folder("report-maps");
   write_maps_of(folder, {1, 10, 100});
   const auto maps = read_report_maps(folder.path);
-  const ReportMap& energy = named(maps, "energy_total_max_J");
-  EXPECT_EQ(energy.range.least, 1);
-  EXPECT_EQ(energy.range.greatest, 100);
+  const ReportMap& energy = named(maps, "energy_total_max_kJ");
+  EXPECT_EQ(energy.range.least, 0.001F);
+  EXPECT_EQ(energy.range.greatest, 0.1F);
+  EXPECT_EQ(energy.limits, (ClassLimits{30, 100, 300, 1000, 3000}));
   EXPECT_EQ(energy.levels, (std::vector<std::uint8_t>{1, 128, 255}));  // 10 lies in the middle of its logarithms
   EXPECT_EQ(named(maps, "bounce_height_max_m").levels, (std::vector<std::uint8_t>{4, 26, 255}));
   EXPECT_EQ(named(maps, "velocity_max_m_s").levels, (std::vector<std::uint8_t>{255, 255, 255}));
@@ -76,10 +77,11 @@ TEST(ReportMaps, KeepValuesToHalfALevel) {
   for (int k = 0; k < 200; ++k) values.push_back(static_cast<float>(0.5 * std::pow(1.07, k)));
   write_maps_of(folder, values);
   const auto maps = read_report_maps(folder.path);
-  const auto& [name, scale, range, origin, cell, columns, rows, levels] = named(maps, "energy_total_max_J");
+  const auto& [name, is_logarithmic, range, limits, origin, cell, columns, rows, levels] =
+      named(maps, "energy_total_max_kJ");
   const double step = std::log(range.greatest / range.least) / 254;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const double shown = range.least * std::exp(step * (levels[k] - 1));
+    const double shown = 1000 * range.least * std::exp(step * (levels[k] - 1));
     EXPECT_LE(std::abs(std::log(shown / values[k])), step / 2 + 1e-6) << values[k];
   }
 }
@@ -91,10 +93,10 @@ TEST(ReportMaps, AreNoLargerThanAPageCanShow) {
   values[777] = 50;
   write_maps_of(folder, values);
   const auto maps = read_report_maps(folder.path);
-  const ReportMap& energy = named(maps, "energy_total_max_J");
+  const ReportMap& energy = named(maps, "energy_total_max_kJ");
   EXPECT_EQ(energy.columns, 375);
   EXPECT_EQ(energy.cell[0], 20);
-  EXPECT_EQ(energy.range.greatest, 50) << "the greatest value is kept";
+  EXPECT_EQ(energy.range.greatest, 0.05F) << "the greatest value is kept";
 }
 
 TEST(ReportMaps, AreNoneWhereTheRunLeftNone) {

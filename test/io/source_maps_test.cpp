@@ -75,8 +75,8 @@ TEST(SourceMaps, LieInAFolderForEachSourceThatHasRocks) {
   }
   EXPECT_THAT(found, ElementsAre("a, _b_", "a_b", "sources.csv"));
   EXPECT_EQ(work.read("by_source/sources.csv"), "folder,source,rocks\na_b,a/b,1\n\"a, _b_\",\"a, \"\"b\"\"\",1\n");
-  EXPECT_TRUE(std::filesystem::exists(work / "by_source/a_b/energy_total_mean_J.tif"));
-  EXPECT_TRUE(std::filesystem::exists(work / "by_source/a_b/energy_total_mean_J.qml"));
+  EXPECT_TRUE(std::filesystem::exists(work / "by_source/a_b/energy_total_mean_kJ.tif"));
+  EXPECT_TRUE(std::filesystem::exists(work / "by_source/a_b/energy_total_mean_kJ.qml"));
 }
 
 TEST(SourceMaps, OfAnEarlierRunAreRemovedAndNothingElse) {

@@ -23,8 +23,8 @@ Greatest greatest_of(const Maps& maps) {
   Greatest greatest;
   for (const Maps::Tile* tile : maps.tiles()) {
     for (std::int32_t k = 0; k < Maps::tile_side * Maps::tile_side; ++k) {
-      const MapTally* tally = tile->find(k % Maps::tile_side, k / Maps::tile_side);
-      if (tally == nullptr) continue;
+      const auto tally = tile->find(k % Maps::tile_side, k / Maps::tile_side);
+      if (!tally) continue;
       greatest.energy = std::max(greatest.energy, tally->maximum(energy_total));
       greatest.height = std::max(greatest.height, tally->maximum(bounce_height));
     }
@@ -71,13 +71,13 @@ TEST(MapsOfRuns, HaveTheGreatestHeightAndEnergyOfTheRun) {
   }
 }
 
-const MapTally* tally_at(const Maps& maps, MapCell cell) {
+std::optional<MapTally> tally_at(const Maps& maps, MapCell cell) {
   for (const Maps::Tile* tile : maps.tiles()) {
     const std::int32_t column = cell.column - tile->first().column, row = cell.row - tile->first().row;
     const bool inside = column >= 0 && row >= 0 && column < Maps::tile_side && row < Maps::tile_side;
     if (inside) return tile->find(column, row);
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 // On the ground at a node of a grid of cells, in whichever direction it goes: flights and impacts of no time first.
@@ -104,8 +104,8 @@ TEST(MapsOfRuns, ARockThatStartsOnACornerCountsInTheCellThatItGoesInto) {
         observer.commit(*part);
         const MapCell into{x > 0 ? 20 : 19, y > 0 ? 20 : 19};
         ASSERT_EQ(observer.maps().touched_cells(), 1U) << x << ' ' << y << ' ' << z;
-        const MapTally* tally = tally_at(observer.maps(), into);
-        ASSERT_NE(tally, nullptr);
+        const auto tally = tally_at(observer.maps(), into);
+        ASSERT_TRUE(tally);
         EXPECT_EQ(tally->impacts(), 1U);
         EXPECT_EQ(tally->deposits(), 1U);
         EXPECT_NEAR(tally->maximum(velocity), std::sqrt(0.25 + 0.16 + 2 * standard_gravity * z), 1e-6);
@@ -127,7 +127,7 @@ TEST(MapsOfRuns, ARockThatStaysOnACornerCountsInTheCellThatHoldsIt) {
   part->see(record_of(release, outcome), RockLog(false, true));
   observer.commit(*part);
   ASSERT_EQ(observer.maps().touched_cells(), 1U);
-  EXPECT_NE(tally_at(observer.maps(), {20, 20}), nullptr);
+  EXPECT_TRUE(tally_at(observer.maps(), {20, 20}));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ Profile level_ground(double z = 0, double end = 1000) {
   return Profile(vertices);
 }
 const Profile flat_ground = level_ground();
-const GreatestHeight over_flat_ground = greatest_height_over(flat_ground, RockModel::lumped_mass);
+const GreatestHeights over_flat_ground = greatest_height_over(flat_ground, RockModel::lumped_mass);
 
 /// A rock that goes through these pieces, one after the other wherever they are.
 Seen rock_of(std::vector<PathPiece> pieces, EndReason reason = EndReason::at_rest, double mass = 1000) {
@@ -60,13 +60,13 @@ Maps maps_of(const std::vector<Seen>& rocks, RockModel model = RockModel::lumped
   return maps;
 }
 
-const MapTally* tally_at(const Maps& maps, MapCell cell) {
+std::optional<MapTally> tally_at(const Maps& maps, MapCell cell) {
   for (const Maps::Tile* tile : maps.tiles()) {
     const std::int32_t column = cell.column - tile->first().column, row = cell.row - tile->first().row;
     const bool inside = column >= 0 && row >= 0 && column < Maps::tile_side && row < Maps::tile_side;
     if (inside) return tile->find(column, row);
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 // Cell by cell, to the last bit.
@@ -75,10 +75,10 @@ bool are_same(const Maps& a, const Maps& b) {
   for (const Maps::Tile* tile : a.tiles()) {
     for (std::int32_t k = 0; k < Maps::tile_side * Maps::tile_side; ++k) {
       const std::int32_t column = k % Maps::tile_side, row = k / Maps::tile_side;
-      const MapTally* mine = tile->find(column, row);
-      if (mine == nullptr) continue;
-      const MapTally* theirs = tally_at(b, {tile->first().column + column, tile->first().row + row});
-      if (theirs == nullptr || !(*mine == *theirs)) return false;
+      const auto mine = tile->find(column, row);
+      if (!mine) continue;
+      const auto theirs = tally_at(b, {tile->first().column + column, tile->first().row + row});
+      if (!theirs || !(*mine == *theirs)) return false;
     }
   }
   return true;
@@ -94,7 +94,7 @@ TEST(Maps, ARockCountsOnceInACellHoweverOftenItComes) {
   EXPECT_EQ(maps.rocks(), 1U);
   EXPECT_EQ(maps.touched_cells(), 4U);
   for (std::int32_t column = 0; column < 4; ++column) {
-    ASSERT_NE(tally_at(maps, {column, 0}), nullptr);
+    ASSERT_TRUE(tally_at(maps, {column, 0}));
     EXPECT_EQ(tally_at(maps, {column, 0})->passages(), 1U);
   }
 }
@@ -104,8 +104,8 @@ TEST(Maps, EnergiesAreTheGreatestOfTheStay) {
   const Seen seen = rock_of({flight({0.5, 0.5, 9}, {1, 0, 0}, 1.2, spin)});
   const Maps maps = maps_of({seen});
   // It leaves the first cell after half a second, with a vertical velocity of 5 m/s, and ends with 12 m/s.
-  const MapTally& first = *tally_at(maps, {0, 0});
-  const MapTally& second = *tally_at(maps, {1, 0});
+  const MapTally first = *tally_at(maps, {0, 0});
+  const MapTally second = *tally_at(maps, {1, 0});
   const double rotational = 0.5 * seen.record.body.inertia * 25;
   expect_single(first.maximum(velocity), std::sqrt(1 + 25.0));
   expect_single(first.maximum(energy_translational), 500 * 26);
@@ -265,8 +265,8 @@ TEST(Maps, AgreeWithKeepingEveryValue) {
   ASSERT_EQ(maps.touched_cells(), cells.size());
   std::size_t well_visited = 0;
   for (auto& [place, kept] : cells) {
-    const MapTally* tally = tally_at(maps, {place.first, place.second});
-    ASSERT_NE(tally, nullptr);
+    const auto tally = tally_at(maps, {place.first, place.second});
+    ASSERT_TRUE(tally);
     EXPECT_EQ(tally->passages(), kept.values[0].size());
     EXPECT_EQ(tally->deposits(), kept.deposits);
     EXPECT_EQ(tally->impacts(), kept.impacts);

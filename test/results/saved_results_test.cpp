@@ -139,8 +139,9 @@ TEST(SavedResults, SummariesOfOtherRunsAreRefused) {
 }
 
 /// On level ground at z = 0.
-double heights(const PathPiece& piece, double from, double to, double known) {
-  return std::max({known, piece.path.z(from), piece.path.z(to)});
+void heights(const PathPiece& piece, std::span<const double> borders, std::span<double> heights) {
+  for (std::size_t k = 0; k < heights.size(); ++k)
+    heights[k] = std::max({0.0, piece.path.z(borders[k]), piece.path.z(borders[k + 1])});
 }
 
 TEST(SavedResults, Maps) {
@@ -155,8 +156,8 @@ TEST(SavedResults, Maps) {
           const Maps& maps = static_cast<MapObserver&>(*handle.observer).maps();
           for (const Maps::Tile* tile : maps.tiles()) {
             for (std::int32_t k = 0; k < Maps::tile_side * Maps::tile_side; ++k) {
-              const MapTally* tally = tile->find(k % Maps::tile_side, k / Maps::tile_side);
-              if (tally != nullptr) (void)tally->percentile(MapQuantity::velocity, 95);
+              const auto tally = tile->find(k % Maps::tile_side, k / Maps::tile_side);
+              if (tally) (void)tally->percentile(MapQuantity::velocity, 95);
             }
           }
         });

@@ -443,11 +443,11 @@ TEST_F(Results, OfMapsAreThoseOfTheFiles) {
     float most = 0;
     for (const float value : cells) most = std::isnan(value) ? most : std::max(most, value);
     EXPECT_EQ(most, map["most"].get<float>()) << map["name"];
-    const double top = values.header["limits"][1];
-    EXPECT_LE(top, map["most"].get<double>());
-    EXPECT_EQ(values.header["is_open_upwards"], top < map["most"].get<double>());
-    EXPECT_TRUE(map["scale"] == "linear" || !values.header["is_open_upwards"].get<bool>());
-    EXPECT_DOUBLE_EQ(values.header["colours"].back()[0].get<double>(), top);
+    const Json& classes = values.header["classes"];
+    EXPECT_EQ(classes, map["classes"]);
+    EXPECT_EQ(classes[0]["from"], 0);
+    for (std::size_t k = 1; k < classes.size(); ++k) EXPECT_EQ(classes[k]["from"], classes[k - 1]["to"]);
+    EXPECT_TRUE(classes.back()["to"].is_null());
   }
   // Every rock that came to rest lies in a cell of the map.
   const ArraysOf deposits(of("/maps/deposits"));

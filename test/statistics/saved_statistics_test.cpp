@@ -2,14 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 #include "support/dice.hpp"
 #include "support/saved.hpp"
+#include "talus/statistics/bin_counts.hpp"
 #include "talus/statistics/descriptive.hpp"
 #include "talus/statistics/exact_sum.hpp"
 #include "talus/statistics/fixed_sum.hpp"
-#include "talus/statistics/log_bins.hpp"
 #include "talus/statistics/quantile_sketch.hpp"
 
 namespace talus {
@@ -64,27 +65,40 @@ TEST(SavedStatistics, FixedSums) {
   expect_merged_parts_are_the_whole<FixedSum>(dice, whole, parts, [] { return FixedSum(); });
 }
 
+/// Counts at one place, with one way to add, as the others have.
+struct Bins {
+  BinCounts counts{4};
+  Bins() { counts.new_place(); }
+  void add(float value) { counts.at(0).add(static_cast<std::uint32_t>(value) % 4, value); }
+  void save(ByteWriter& out) {
+    counts.settle();
+    counts.save(0, out);
+  }
+  std::array<std::uint64_t, 4> merge_saved(ByteReader& in) { return counts.merge_saved(0, in); }
+};
+
 TEST(SavedStatistics, Bins) {
-  struct Bins : LogBins {  // with one way to add, as the others have
-    void add(float value) { LogBins::add(static_cast<std::uint32_t>(value) % 4, value); }
-  };
   Dice dice(3);
   Bins whole;
   std::vector<Bins> parts(part_count);
   fill(dice, 3000, whole, parts, [&] { return static_cast<float>(dice.magnitude(1e-4, 1e9)); });
-  fill(dice, 200'000, whole, parts, [&] { return 5.0f; });  // more than one entry can count
+  fill(dice, 200'000, whole, parts, [&] { return 5.0f; });  // a count of many digits
   const std::function<Bins()> empty = [] { return Bins(); };
   expect_merged_parts_are_the_whole(dice, whole, parts, empty);
-  expect_damage_is_survived<Bins>(dice, saved(whole), empty, [](Bins&) {});
+  expect_damage_is_survived<Bins>(dice, saved(whole), empty, [](Bins& bins) {
+    bins.counts.settle();
+    double median = 0;
+    bins.counts.quantiles(0, 1, 1000, std::array{0.5}, {&median, 1});
+  });
 }
 
 TEST(SavedStatistics, BinsSayHowManyValuesTheyBring) {
-  LogBins bins;
-  for (int k = 0; k < 70'000; ++k) bins.add(1, 12);
-  bins.add(3, 0);
+  Bins bins;
+  for (int k = 0; k < 70'000; ++k) bins.counts.at(0).add(1, 12);
+  bins.counts.at(0).add(3, 0);  // in no bin
   const std::string bytes = saved(bins);
   ByteReader in(bytes);
-  EXPECT_EQ(LogBins().merge_saved(in), (std::array<std::uint64_t, 4>{0, 70'000, 0, 1}));
+  EXPECT_EQ(Bins().merge_saved(in), (std::array<std::uint64_t, 4>{0, 70'000, 0, 0}));
 }
 
 TEST(SavedStatistics, Moments) {

@@ -163,5 +163,28 @@ TEST(PieceMaxima, AreTheRunsOwnOverASection) {
   });
 }
 
+// All parts at once, walking along the surface once, or each alone: over borders of cells and within them.
+TEST(PieceMaxima, HeightsOfPartsAreThoseOfEachAlone) {
+  Dice dice(24);
+  RasterGrid grid{.columns = 31, .rows = 31};
+  for (int k = 0; k < 31 * 31; ++k) grid.z.push_back(static_cast<float>(dice.between(0, 2)));
+  const RasterSurface surface(grid);
+  for (int trial = 0; trial < 500; ++trial) {
+    PathPiece piece;
+    piece.path = {{dice.between(-3, 33), dice.between(-3, 33), dice.between(3, 9)}, dice.in_cube(8), {0, 0, -9.81}};
+    if (dice.chance(0.1)) piece.path.v.head<2>().setZero();
+    piece.duration = dice.between(0.1, 2);
+    std::vector<double> borders{0, piece.duration};
+    for (std::size_t k = dice.below(20); k > 0; --k) borders.push_back(piece.duration * dice.unit());
+    std::sort(borders.begin(), borders.end());
+    std::vector<double> heights(borders.size() - 1, -1);
+    greatest_heights(surface, piece, false, borders, heights);
+    for (std::size_t k = 0; k < heights.size(); ++k) {
+      const double alone = greatest_height_of_flight(surface, piece.path, borders[k], borders[k + 1], 0);
+      ASSERT_NEAR(heights[k], alone, 1e-9) << trial << ": part " << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace talus

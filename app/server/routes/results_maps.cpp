@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "http/arrays.hpp"
 #include "results/run_summary.hpp"
@@ -9,7 +10,15 @@ namespace talus::server {
 
 namespace {
 
-const char* name(io::ColourScale scale) { return scale == io::ColourScale::linear ? "linear" : "log"; }
+/// Where each class begins and ends (the last: null), and its colour.
+Json classes_of(const io::MapFile& map) {
+  Json classes = Json::array();
+  for (const io::MapClass& each : io::map_classes(map.limits)) {
+    classes.push_back(
+        {{"from", each.from}, {"to", std::isfinite(each.to) ? Json(each.to) : Json()}, {"colour", each.colour}});
+  }
+  return classes;
+}
 
 }  // namespace
 
@@ -20,9 +29,9 @@ void add_map_routes(Router& router, RunStore& runs) {
       list.push_back({{"name", map.name},
                       {"meaning", map.meaning},
                       {"unit", map.unit},
-                      {"scale", name(map.scale)},
                       {"least", map.range.least},
                       {"most", map.range.greatest},
+                      {"classes", classes_of(map)},
                       {"source", map.source.empty() ? Json() : Json(map.source)}});
     return json_answer({{"maps", std::move(list)}});
   });
@@ -35,16 +44,14 @@ void add_map_routes(Router& router, RunStore& runs) {
     const auto map = std::ranges::find(maps, call.part(2), &io::MapFile::name);
     if (map == maps.end()) throw Refusal(404, call.part(2), "there is no such map of this run");
     const io::MapValues values = io::read_map(folder, *map, std::max(pixels, io::least_pixels));
-    Json colours = Json::array();
-    for (const auto& [value, colour] : io::colour_ramp(map->scale, map->range)) colours.push_back({value, colour});
     Arrays arrays({{"origin", values.origin},
                    {"cell", values.cell},
                    {"columns", values.columns},
                    {"rows", values.rows},
-                   {"scale", name(map->scale)},
-                   {"limits", {map->range.least, map->range.top}},
-                   {"is_open_upwards", map->range.is_open_upwards()},
-                   {"colours", std::move(colours)}});
+                   {"unit", map->unit},
+                   {"least", map->range.least},
+                   {"most", map->range.greatest},
+                   {"classes", classes_of(*map)}});
     arrays.add("values", std::span<const float>(values.values));
     return arrays.answer();
   });

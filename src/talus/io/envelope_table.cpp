@@ -1,5 +1,6 @@
 #include "talus/io/envelope_table.hpp"
 
+#include <optional>
 #include <system_error>
 #include <vector>
 
@@ -10,31 +11,40 @@
 namespace talus::io {
 
 std::string envelope_table(const Maps& maps, std::span<const double> percentiles, bool has_heights) {
-  std::vector<MapKind> kinds = map_kinds(maps.rocks(), percentiles);
-  if (!has_heights) std::erase_if(kinds, [](const MapKind& kind) { return kind.name.starts_with("bounce_height"); });
+  std::vector<MapGroup> groups = map_groups(maps.rocks(), percentiles, maps.contents());
+  if (!has_heights) {
+    std::erase_if(groups, [](const MapGroup& group) { return group.kinds[0].name.starts_with("bounce_height"); });
+  }
   std::string text;
   CsvRow heading(text);
   heading << "x_m";
-  for (const MapKind& kind : kinds) heading << kind.name;
+  for (const MapGroup& group : groups) {
+    for (const MapKind& kind : group.kinds) heading << kind.name;
+  }
   heading.end();
 
   const auto extent = maps.extent();
   if (!extent) return text;
-  std::vector<const MapTally*> cells(static_cast<std::size_t>(extent->last.column - extent->first.column) + 1);
+  std::vector<std::optional<MapTally>> cells(static_cast<std::size_t>(extent->last.column - extent->first.column) + 1);
   for (const Maps::Tile* tile : maps.tiles()) {
     for (std::int32_t k = 0; k < Maps::tile_side; ++k) {
-      const MapTally* const tally = tile->find(k, extent->first.row - tile->first().row);
-      if (tally != nullptr) cells[static_cast<std::size_t>(tile->first().column + k - extent->first.column)] = tally;
+      const auto tally = tile->find(k, extent->first.row - tile->first().row);
+      if (tally) cells[static_cast<std::size_t>(tile->first().column + k - extent->first.column)] = tally;
     }
   }
+  std::vector<double> values;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     CsvRow row(text);
     row << maps.grid().origin().x() + (extent->first.column + static_cast<double>(k) + 0.5) * maps.grid().cell().x();
-    for (const MapKind& kind : kinds) {
-      if (cells[k] != nullptr) {
-        row << kind.value(*cells[k]);
-      } else {
-        row << (kind.is_count ? "0" : "");
+    for (const MapGroup& group : groups) {
+      values.assign(group.kinds.size(), 0);
+      if (cells[k]) group.values(*cells[k], values);
+      for (std::size_t n = 0; n < values.size(); ++n) {
+        if (cells[k]) {
+          row << values[n];
+        } else {
+          row << (group.kinds[n].is_count ? "0" : "");
+        }
       }
     }
     row.end();

@@ -12,7 +12,7 @@ namespace talus::io {
 inline constexpr const char* envelopes_name = "envelopes.csv";
 
 /// A row for each cell of a grid along x, from the first to the last that rocks touched: the x of its middle in the
-/// user's coordinates, then what map_kinds() lists. A cell that no rock touched has counts of 0 and nothing else.
+/// user's coordinates, then what map_groups() lists. A cell that no rock touched has counts of 0 and nothing else.
 /// `percentiles` in [0, 100]. Without heights those of bounces are left out. Expects maps of a section, in one row.
 [[nodiscard]] std::string envelope_table(const Maps& maps, std::span<const double> percentiles, bool has_heights);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which maps there are: what each is called, what it shows and what it is measured in.
+// Which maps there are: what each is called, what it shows, what it is measured in and in which classes it is shown.
 
 #include <functional>
 #include <span>
@@ -18,13 +18,23 @@ struct MapKind {
   std::string name;     // of the file, with its unit
   std::string meaning;  // one phrase, for who opens the file
   std::string unit;     // empty: a number
-  ColourScale scale = ColourScale::linear;
+  ClassLimits limits{};
   bool is_count = false;  // a whole number; where there is nothing to count it is 0, as where no rock was
   MapOverview overview = MapOverview::greatest;
-  std::function<double(const MapTally&)> value;
 };
 
-/// For maps of so many rocks; `percentiles` in [0, 100].
-[[nodiscard]] std::vector<MapKind> map_kinds(std::uint64_t rocks, std::span<const double> percentiles);
+/// Maps of which a cell's values are found together.
+struct MapGroup {
+  std::vector<MapKind> kinds;
+  /// One value for each kind.
+  std::function<void(const MapTally& cell, std::span<double> values)> values;
+};
+
+/// For maps of so many rocks with these contents; `percentiles` in [0, 100], of those quantities that have any.
+[[nodiscard]] std::vector<MapGroup> map_groups(std::uint64_t rocks, std::span<const double> percentiles,
+                                               const MapContents& contents = {});
+
+/// All kinds that there can be, in their order.
+[[nodiscard]] std::vector<MapKind> map_kinds(std::span<const double> percentiles);
 
 }  // namespace talus::io

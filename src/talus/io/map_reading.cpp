@@ -40,15 +40,15 @@ std::string kind_of(const std::string& name) {
 
 struct Known {
   std::size_t place;
-  ColourScale scale;
+  ClassLimits limits;
 };
 
 /// The kind of map that a file's name stands for; nothing where it is no map of a run.
 std::optional<Known> known(const std::string& stem) {
-  static const std::vector<MapKind> kinds = map_kinds(1, std::array{50.0});
+  static const std::vector<MapKind> kinds = map_kinds(std::array{50.0});
   const auto found = std::ranges::find(kinds, kind_of(stem), &MapKind::name);
   if (found == kinds.end()) return std::nullopt;
-  return Known{static_cast<std::size_t>(found - kinds.begin()), found->scale};
+  return Known{static_cast<std::size_t>(found - kinds.begin()), found->limits};
 }
 
 double percentile_in(const std::string& stem) {
@@ -94,9 +94,8 @@ void read_head(const fs::path& folder, MapFile& map) {
   map.meaning = band.GetDescription();
   map.unit = band.GetUnitType();
   const std::string text = style_of(file);
-  map.range.least = attribute(text, "classificationMin").value_or(0);
-  map.range.top = attribute(text, "classificationMax").value_or(0);
-  map.range.greatest = attribute(text, "greatestValue").value_or(map.range.top);
+  map.range.least = attribute(text, "leastValue").value_or(0);
+  map.range.greatest = attribute(text, "greatestValue").value_or(0);
 }
 
 /// The maps in one folder: `maps/` and the prefix of their names.
@@ -117,7 +116,7 @@ void add_maps(const fs::path& folder, const std::string& prefix, const std::stri
   for (const std::string& stem : stems) {
     MapFile& map = maps.emplace_back();
     map.name = prefix + stem;
-    map.scale = known(stem)->scale;
+    map.limits = known(stem)->limits;
     map.source = source;
     read_head(folder, map);
   }

@@ -14,8 +14,8 @@ struct MapFile {
   std::string name;  // of the file in the run's folder, without `maps/` and ending: passages, by_source/Crest/passages
   std::string meaning;  // one phrase
   std::string unit;     // empty: a number
-  ColourScale scale = ColourScale::linear;
-  ColourRange range;   // as in the style for QGIS
+  ClassLimits limits{};
+  ValueRange range;    // of the whole map
   std::string source;  // whose rocks it is of; empty: all
 };
 

@@ -1,39 +1,36 @@
 #pragma once
-// The style with which QGIS opens a map: a file of the map's name with the ending .qml beside it.
+// The classes in which maps are shown, and the style with which QGIS opens them: a file of the map's name with the
+// ending .qml beside it. Classes are fixed for each kind of map (map_list.cpp says them), so that the maps of two runs
+// compare.
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace talus::io {
 
-enum class ColourScale {
-  linear,      // from 0 to where most values end
-  logarithmic  // from the least value above 0 to the greatest
-};
+inline constexpr std::size_t map_class_count = 6;
 
-/// Of a map's values above 0; all 0 where there are none.
-struct ColourRange {
-  double least = 0, greatest = 0;
-  double top = 0;  // where the colours end; what is greater has the last of them
-  [[nodiscard]] bool is_open_upwards() const { return top < greatest; }
-};
+/// Where one class ends and the next begins; the first begins at 0, the last has no end.
+using ClassLimits = std::array<double, map_class_count - 1>;
 
-/// On a linear scale the colours end at this percentile: the few greatest values, of one rock that flew off a cliff,
-/// would take all colours from the others.
-inline constexpr double percentile_of_top = 98;
-
-/// Values and their colours, red, green and blue; between two of them colours are mixed.
-struct ColourStop {
-  double value;
-  std::array<std::uint8_t, 3> colour;
+/// Values from `from` up to, but not, `to`, and their colour: red, green and blue.
+struct MapClass {
+  double from = 0, to = std::numeric_limits<double>::infinity();
+  std::array<std::uint8_t, 3> colour{};
 };
 
 /// From pale yellow to dark red.
-[[nodiscard]] std::vector<ColourStop> colour_ramp(ColourScale scale, const ColourRange& range);
+[[nodiscard]] std::array<MapClass, map_class_count> map_classes(const ClassLimits& limits);
 
-/// The text of a style with these colours; cells without data stay clear.
-[[nodiscard]] std::string qgis_style(ColourScale scale, const ColourRange& range);
+/// The least and the greatest of a map's values above 0; both 0 where there are none.
+struct ValueRange {
+  double least = 0, greatest = 0;
+};
+
+/// The text of a style with these classes; cells without data stay clear. `unit` may be empty.
+[[nodiscard]] std::string qgis_style(const ClassLimits& limits, const std::string& unit, const ValueRange& range);
 
 }  // namespace talus::io

@@ -138,10 +138,10 @@ Json maps_of(const RunFolder& run) {
   auto maps = Json::array();
   for (const ReportMap& map : run.maps) {
     maps.push_back({{"name", map.name},
-                    {"logarithmic", map.scale == ColourScale::logarithmic},
+                    {"logarithmic", map.is_logarithmic},
                     {"least", map.range.least},
                     {"greatest", map.range.greatest},
-                    {"top", map.range.top},
+                    {"limits", map.limits},
                     {"origin", map.origin},
                     {"cell", map.cell},
                     {"columns", map.columns},
@@ -166,12 +166,10 @@ Json envelopes_of(const RunFolder& run) {
   return {{"cells_each", run.envelopes.cells_each}, {"columns", std::move(columns)}, {"rows", std::move(rows)}};
 }
 
-// Red, green and blue at equal steps of a map's scale.
+// Red, green and blue of the classes of maps.
 Json map_colours() {
   auto colours = Json::array();
-  for (const ColourStop& stop : colour_ramp(ColourScale::linear, {.least = 0, .greatest = 1, .top = 1})) {
-    colours.push_back(stop.colour);
-  }
+  for (const MapClass& each : map_classes({})) colours.push_back(each.colour);
   return colours;
 }
 

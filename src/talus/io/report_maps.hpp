@@ -12,11 +12,13 @@
 namespace talus::io {
 
 /// A map whose cells have levels instead of values: 0 where no rock was, else k from 1 to 255, which stands for
-/// least (greatest / least)^((k - 1) / 254) on a logarithmic scale and for greatest (k - 1) / 254 on a linear one.
+/// least (greatest / least)^((k - 1) / 254) where they are logarithmic and for greatest (k - 1) / 254 where they are
+/// not.
 struct ReportMap {
   std::string name;  // of its file: maps/NAME.tif
-  ColourScale scale = ColourScale::linear;
-  ColourRange range;               // of the cells below
+  bool is_logarithmic = false;
+  ValueRange range;  // of the cells below
+  ClassLimits limits{};
   std::array<double, 2> origin{};  // the south-western corner [m]
   std::array<double, 2> cell{};    // [m]
   int columns = 0, rows = 0;

@@ -192,7 +192,9 @@ struct Output {
   std::optional<std::int64_t> path_limit = 2000;
   bool maps = true;  // 3D only
   bool maps_by_source = false;
-  std::optional<double> raster_cell_m = 1;  // nothing here is "terrain": the cells of the terrain's raster
+  // Nothing here is "terrain", the cells of the terrain's raster; 0, until reading is done, that the file does not say
+  // it.
+  std::optional<double> raster_cell_m = 0;
   std::vector<double> percentiles{50, 95, 99};
   std::optional<std::int64_t> geopackage_limit = 10000;  // key `geopackage`, in words as `paths`; 3D only
   bool vtk = false;

@@ -49,6 +49,12 @@ MapGrid map_grid(const Project& project, const LocalFrame& frame, const Surface&
   return MapGrid::at_multiples(1, frame, low);
 }
 
+/// Percentiles are gathered where any are asked for.
+MapContents contents_with(const std::vector<double>& percentiles) {
+  const bool any = !percentiles.empty();
+  return {{true, true, true, true}, {any, any, any, any}};
+}
+
 std::optional<std::size_t> split_by(const io::RunDescription& description) {
   if (!description.maps->by_source) return std::nullopt;
   return description.sources.size();
@@ -98,7 +104,8 @@ std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& m
         const MapGrid grid = map_grid(project, model.frame, surface);
         std::optional<std::size_t> sources;
         if (project.output.maps_by_source && !is_section) sources = model.sources.size();
-        return std::make_unique<MapObserver>(grid, greatest_height_over(surface, model.laws.model), sources);
+        return std::make_unique<MapObserver>(grid, greatest_height_over(surface, model.laws.model), sources,
+                                             contents_with(project.output.percentiles));
       },
       model.surface);
 }
@@ -153,7 +160,8 @@ RunSums::RunSums(const io::RunDescription& description)
   if (description.design) design_.emplace(*description.design, description.rocks);
   if (!description.maps) return;
   const MapGrid grid(description.maps->origin, description.maps->cell, {});
-  maps_ = std::make_unique<MapObserver>(grid, nullptr, split_by(description));
+  maps_ =
+      std::make_unique<MapObserver>(grid, nullptr, split_by(description), contents_with(description.maps->percentiles));
 }
 
 std::vector<SummingObserver*> RunSums::observers() {

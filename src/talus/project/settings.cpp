@@ -1253,6 +1253,7 @@ Table output() {
                .range = {.least = 0.01,
                          .most = largest_coordinate_m,
                          .too_low = "nothing is known of the ground on that scale"},
+               .without_it = "`\"terrain\"` on a raster, else 1",
                .meaning =
                    "Side of a map's cell, or length of an envelope's, whose borders are at multiples of it; with "
                    "`\"terrain\"` the cells are those of the terrain's raster.",

@@ -1,53 +1,11 @@
 #include "talus/results/map_observer.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace talus {
 
 namespace {
-
-/// Finds the cells of one rock again, however often it comes back: a hash table by linear probing. A slot holds the
-/// place of a visit in the list of all rocks' visits, counted from 1; those of earlier rocks are smaller than the
-/// present rock's and count as empty, so that nothing is cleared between rocks.
-class VisitedCells {
- public:
-  void begin_rock(std::size_t visits_so_far) { before_ = visits_so_far; }
-
-  [[nodiscard]] bool has(MapCell cell, const std::vector<MapVisit>& visits) {
-    return !slots_.empty() && find(cell, visits) > before_;
-  }
-
-  /// The visit of this rock to a cell, made if there is none.
-  MapVisit& visit(MapCell cell, std::vector<MapVisit>& visits) {
-    if (visits.size() > before_ && visits[recent_].cell == cell) return visits[recent_];
-    if (2 * (visits.size() - before_) >= slots_.size()) grow(visits);
-    std::uint32_t& slot = find(cell, visits);
-    if (slot <= before_) {
-      visits.push_back({cell});
-      slot = static_cast<std::uint32_t>(visits.size());
-    }
-    recent_ = slot - 1;
-    return visits[recent_];
-  }
-
- private:
-  std::uint32_t& find(MapCell cell, const std::vector<MapVisit>& visits) {
-    const auto column = static_cast<std::uint32_t>(cell.column), row = static_cast<std::uint32_t>(cell.row);
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t k = ((column * 0x9E3779B1U) ^ (row * 0x85EBCA77U)) >> 7 & mask;
-    while (slots_[k] > before_ && visits[slots_[k] - 1].cell != cell) k = (k + 1) & mask;
-    return slots_[k];
-  }
-  void grow(const std::vector<MapVisit>& visits) {
-    slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), 0);
-    for (std::size_t k = before_; k < visits.size(); ++k) {
-      find(visits[k].cell, visits) = static_cast<std::uint32_t>(k + 1);
-    }
-  }
-
-  std::size_t before_ = 0, recent_ = 0;
-  std::vector<std::uint32_t> slots_;
-};
 
 void raise(float& greatest, double value) {
   // What a sum in fixed point can hold; no rock has more.
@@ -86,16 +44,15 @@ float& greatest_of(MapVisit& visit, MapQuantity quantity) { return visit.greates
 
 }  // namespace
 
-/// Keeps the visits of a block's rocks: 32 bytes each, added to the maps when the block is committed.
+/// Packs the visits of a block's rocks, which are added to the maps when the block is committed.
 class MapObserver::Part : public ObserverPart {
  public:
-  Part(const MapGrid& grid, const GreatestHeight& heights, bool is_split)
-      : grid_(grid), heights_(heights), is_split_(is_split) {}
+  Part(const Maps& maps, std::size_t number_of_maps, VisitMemory& memory, const GreatestHeights& heights)
+      : grid_(maps.grid()), heights_(heights), packer_(maps.contents(), memory), rocks_(number_of_maps) {}
 
   void see(const RockRecord& record, const RockLog& log) override {
-    const std::size_t map = is_split_ ? record.source.index : 0;
-    if (stretches.empty() || stretches.back().map != map) stretches.push_back({map, 0, visits.size(), visits.size()});
-    cells_.begin_rock(visits.size());
+    const std::uint32_t map = rocks_.size() > 1 ? record.source.index : 0;
+    cells_.begin_rock();
     for (const PathPiece& piece : log.pieces) {
       if (piece.steps.count > 0) {
         glide(log, piece, record.body);
@@ -106,18 +63,18 @@ class MapObserver::Part : public ObserverPart {
     // What happens in a moment, in a cell where the rock was.
     for (const PathPiece& piece : log.pieces) {
       if (piece.steps.count > 0 || leads_anywhere(piece)) continue;
-      note(visit_at(piece.path.p), piece, record.body, 0, piece.duration);
+      note(visit_at(piece.path.p), piece, record.body);
     }
     for (const Vec3& place : log.impacts) ++visit_at(place).impacts;
     const EndReason reason = record.outcome.reason;
     MapVisit& last = visit_at(record.outcome.end.position);
     last.is_deposit = reason == EndReason::at_rest || reason == EndReason::stopped_by_barrier;
-    ++stretches.back().rocks;
-    stretches.back().end_visit = visits.size();
+    ++rocks_[map];
+    packer_.add(map, cells_.list());
   }
 
-  std::vector<MapVisit> visits;
-  std::vector<Stretch> stretches;
+  [[nodiscard]] std::span<const std::uint64_t> rocks() const { return rocks_; }
+  [[nodiscard]] VisitBlock take() { return packer_.take(); }
 
  private:
   [[nodiscard]] static bool leads_anywhere(const PathPiece& piece) {
@@ -128,26 +85,38 @@ class MapObserver::Part : public ObserverPart {
     // Most pieces on the ground are steps, each a few centimetres long: they need no walk.
     if (piece.on_ground && piece.path.a.isZero(0) && grid_.holds(cell_, piece.path.p) &&
         grid_.holds(cell_, piece.path.at(piece.duration))) {
-      note(cells_.visit(cell_, visits), piece, rock, 0, piece.duration);
+      note(cells_.at(cell_), piece, rock);
     } else {
       walk_over(piece, rock);
     }
   }
 
   void walk_over(const PathPiece& piece, const Rock& rock) {
-    walk(grid_, piece, [&](MapCell cell, double enter, double leave) {
-      note(cells_.visit(cell, visits), piece, rock, enter, leave);
-      cell_ = cell;
+    stays_.clear();
+    borders_.assign(1, 0);
+    walk(grid_, piece, [&](MapCell cell, double, double leave) {
+      stays_.push_back(cell);
+      borders_.push_back(leave);
     });
+    heights_here_.resize(stays_.size());
+    heights_(piece, borders_, heights_here_);
+    for (std::size_t k = 0; k < stays_.size(); ++k)
+      note(cells_.at(stays_[k]), piece, rock, borders_[k], borders_[k + 1], heights_here_[k]);
+    cell_ = stays_.back();
   }
 
-  void note(MapVisit& visit, const PathPiece& piece, const Rock& rock, double enter, double leave) {
+  void note(MapVisit& visit, const PathPiece& piece, const Rock& rock) {
+    const std::array<double, 2> ends{0, piece.duration};
+    double height = 0;
+    heights_(piece, ends, {&height, 1});
+    note(visit, piece, rock, 0, piece.duration, height);
+  }
+  void note(MapVisit& visit, const PathPiece& piece, const Rock& rock, double enter, double leave, double height) {
     const GreatestMotion motion = greatest_motion(piece, rock, enter, leave);
     raise(greatest_of(visit, MapQuantity::velocity), std::sqrt(motion.squared_velocity));
     raise(greatest_of(visit, MapQuantity::energy_translational), motion.energy_translational);
     raise(greatest_of(visit, MapQuantity::energy_total), motion.energy_total);
-    float& height = greatest_of(visit, MapQuantity::bounce_height);
-    raise(height, heights_(piece, enter, leave, height));
+    raise(greatest_of(visit, MapQuantity::bounce_height), height);
   }
 
   /// Of a place on a border: the visit to a cell beside it where the rock has been, if it has not been in the one that
@@ -156,14 +125,14 @@ class MapObserver::Part : public ObserverPart {
     const MapCell own = grid_.cell_at(place);
     const MapCell first = grid_.cell_at(place - Vec3(no_way, no_way, 0));
     const MapCell last = grid_.cell_at(place + Vec3(no_way, no_way, 0));
-    if (first != last && !cells_.has(own, visits)) {
+    if (first != last && !cells_.has(own)) {
       for (std::int32_t row = first.row; row <= last.row; ++row) {
         for (std::int32_t column = first.column; column <= last.column; ++column) {
-          if (cells_.has({column, row}, visits)) return cells_.visit({column, row}, visits);
+          if (cells_.has({column, row})) return cells_.at({column, row});
         }
       }
     }
-    return cells_.visit(own, visits);
+    return cells_.at(own);
   }
 
   /// Most steps of a glide, each a few centimetres long, stay in the cell: of them only the fastest counts.
@@ -175,7 +144,7 @@ class MapObserver::Part : public ObserverPart {
     double before = piece.ends.start_velocity.squaredNorm();
     double fastest = -1;  // squared [m2/s2], of the steps in this cell that are not in the maps yet
     const auto note_fastest = [&] {
-      if (fastest >= 0) raise_motion(cells_.visit(cell_, visits), fastest, rock, rotational);
+      if (fastest >= 0) raise_motion(cells_.at(cell_), fastest, rock, rotational);
       fastest = -1;
     };
     bool is_within = cell.hold(piece.path.p.x(), piece.path.p.y());
@@ -207,48 +176,55 @@ class MapObserver::Part : public ObserverPart {
   }
 
   MapGrid grid_;
-  const GreatestHeight& heights_;
-  bool is_split_;
-  VisitedCells cells_;
+  const GreatestHeights& heights_;
+  VisitPacker packer_;
+  std::vector<std::uint64_t> rocks_;  // by map
+  RockVisits cells_;
   MapCell cell_;  // the last one walked over
+  // Of the piece that is walked along: the cells, where in its parameter it goes from one to the next, and heights.
+  std::vector<MapCell> stays_;
+  std::vector<double> borders_, heights_here_;
 };
 
-MapObserver::MapObserver(const MapGrid& grid, GreatestHeight heights, std::optional<std::size_t> sources)
+MapObserver::MapObserver(const MapGrid& grid, GreatestHeights heights, std::optional<std::size_t> sources,
+                         const MapContents& contents)
     : heights_(std::move(heights)), is_split_(sources.has_value()) {
-  for (std::size_t k = 0; k < std::max<std::size_t>(1, sources.value_or(1)); ++k) maps_.emplace_back(grid);
+  for (std::size_t k = 0; k < std::max<std::size_t>(1, sources.value_or(1)); ++k) maps_.emplace_back(grid, contents);
 }
 
 std::unique_ptr<ObserverPart> MapObserver::new_part() const {
-  return std::make_unique<Part>(maps_.front().grid(), heights_, is_split_);
+  return std::make_unique<Part>(maps_.front(), maps_.size(), memory_, heights_);
 }
 
 void MapObserver::commit(ObserverPart& part) {
   auto& seen = static_cast<Part&>(part);
   total_.reset();
-  waiting_visits_ += seen.visits.size();
-  waiting_.push_back({std::move(seen.visits), std::move(seen.stretches)});
-  if (waiting_visits_ >= enough_visits) add_waiting();
+  for (std::size_t k = 0; k < maps_.size(); ++k) maps_[k].add_rocks(seen.rocks()[k]);
+  waiting_.push_back(seen.take());
+  waiting_bytes_ += waiting_.back().bytes();
+  if (waiting_bytes_ >= enough_bytes_) add_waiting();
 }
 
 void MapObserver::add_waiting() {
-  std::vector<std::uint64_t> rocks(maps_.size());
-  std::vector<std::vector<std::span<const MapVisit>>> visits(maps_.size());
-  for (const Block& block : waiting_) {
-    for (const Stretch& stretch : block.stretches) {
-      rocks[stretch.map] += stretch.rocks;
-      visits[stretch.map].push_back(
-          std::span(block.visits).subspan(stretch.first_visit, stretch.end_visit - stretch.first_visit));
-    }
+  std::vector<MapTile*> tiles;
+  for (const VisitBlock& block : waiting_) {
+    for (const VisitRun& run : block.runs) maps_[run.map].wait(run, tiles);
   }
-  for (std::size_t k = 0; k < maps_.size(); ++k) {
-    if (rocks[k] > 0) maps_[k].add(rocks[k], visits[k]);
+  talus::add_waiting(tiles);
+  std::size_t bytes = 0;
+  for (VisitBlock& block : waiting_) {
+    for (const VisitBlock::MoreImpacts& more : block.more_impacts) maps_[more.map].add(more);
+    memory_.give_back(std::move(block.pieces));
   }
   waiting_.clear();
-  waiting_visits_ = 0;
+  waiting_bytes_ = 0;
+  for (const Maps& maps : maps_) bytes += maps.bytes();
+  enough_bytes_ = std::max(least_waiting, bytes / part_that_waits);
 }
 
 void MapObserver::settle() {
   add_waiting();
+  memory_.release();
   for (Maps& maps : maps_) maps.settle();
 }
 
@@ -269,7 +245,7 @@ const Maps& MapObserver::maps() {
   settle();
   if (!is_split_) return maps_.front();
   if (!total_) {
-    total_.emplace(maps_.front().grid());
+    total_.emplace(maps_.front().grid(), maps_.front().contents());
     for (const Maps& maps : maps_) total_->merge(maps);
     total_->settle();
   }

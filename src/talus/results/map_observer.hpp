@@ -13,15 +13,16 @@
 
 namespace talus {
 
-/// The greatest bounce height [m] of a piece, which is no glide, from `from` to `to` of its parameter, if that is above
-/// `known`; else `known` (trajectory/piece_maxima.hpp).
-using GreatestHeight = std::function<double(const PathPiece& piece, double from, double to, double known)>;
+/// The greatest bounce height [m] of each part of a piece, which is no glide, between two of `borders` of its parameter
+/// (trajectory/piece_maxima.hpp).
+using GreatestHeights =
+    std::function<void(const PathPiece& piece, std::span<const double> borders, std::span<double> heights)>;
 
 template <class Surface>
-[[nodiscard]] GreatestHeight greatest_height_over(const Surface& surface, RockModel model) {
-  return [&surface, is_sphere = model == RockModel::rigid_sphere](const PathPiece& piece, double from, double to,
-                                                                  double known) {
-    return greatest_height(surface, piece, is_sphere, from, to, known);
+[[nodiscard]] GreatestHeights greatest_height_over(const Surface& surface, RockModel model) {
+  return [&surface, is_sphere = model == RockModel::rigid_sphere](
+             const PathPiece& piece, std::span<const double> borders, std::span<double> heights) {
+    greatest_heights(surface, piece, is_sphere, borders, heights);
   };
 }
 
@@ -35,7 +36,8 @@ class MapObserver : public SummingObserver {
  public:
   /// `heights` is called by many threads at the same time. `sources`: how many there are, to split the maps by; nothing
   /// where they are not to be split.
-  MapObserver(const MapGrid& grid, GreatestHeight heights, std::optional<std::size_t> sources = {});
+  MapObserver(const MapGrid& grid, GreatestHeights heights, std::optional<std::size_t> sources = {},
+              const MapContents& contents = {});
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] bool wants_pieces() const override { return true; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
@@ -48,29 +50,21 @@ class MapObserver : public SummingObserver {
   [[nodiscard]] std::span<const Maps> by_source();
 
  private:
-  /// Rocks one after the other that belong to the same maps, and which of a block's visits are theirs.
-  struct Stretch {
-    std::size_t map = 0;
-    std::uint64_t rocks = 0;
-    std::size_t first_visit = 0, end_visit = 0;
-  };
-  struct Block {
-    std::vector<MapVisit> visits;
-    std::vector<Stretch> stretches;
-  };
   class Part;
 
   void add_waiting();
   void settle();
 
-  GreatestHeight heights_;
+  GreatestHeights heights_;
   bool is_split_;
-  std::vector<Maps> maps_;     // one, or one a source
-  std::optional<Maps> total_;  // of split maps, once it was asked for
-  // Committed blocks, until there are enough of them to share the work of adding them between threads.
-  std::vector<Block> waiting_;
-  static constexpr std::size_t enough_visits = 1U << 20;  // 32 MB
-  std::size_t waiting_visits_ = 0;
+  std::vector<Maps> maps_;      // one, or one a source
+  std::optional<Maps> total_;   // of split maps, once it was asked for
+  mutable VisitMemory memory_;  // outlives what waits, and parts
+  // Of committed blocks, until there are as many as make it worth the while to go through all tiles.
+  std::vector<VisitBlock> waiting_;
+  std::size_t waiting_bytes_ = 0, enough_bytes_ = least_waiting;
+  static constexpr std::size_t least_waiting = std::size_t{16} << 20;
+  static constexpr std::size_t part_that_waits = 8;  // of the bytes of the maps
 };
 
 }  // namespace talus

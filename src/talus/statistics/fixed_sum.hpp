@@ -28,6 +28,15 @@ class FixedSum {
     add(static_cast<std::uint64_t>(high),
         static_cast<std::uint64_t>(units - high * 0x1p64));  // the difference is exact
   }
+  /// Terms below `small_term` in units of 2^-24: of so many of them the sum is a number of 64 bits, so that it can be made
+  /// first and added at once.
+  static constexpr float small_term = 0x1p31F;
+  static constexpr std::uint32_t most_small_terms = 256;
+  [[nodiscard]] static std::uint64_t units_of(float small) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(static_cast<double>(small) * 0x1p24));
+  }
+  void add_units(std::uint64_t units) { add(0, units); }
+
   void merge(const FixedSum& other) { add(other.high_, other.low_); }
   void save(ByteWriter& out) const {
     out.put(high_);

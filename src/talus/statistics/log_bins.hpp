@@ -1,59 +1,65 @@
 #pragma once
-// Counts of values in bins of nearly equal relative width, kept only where there are any: quantiles of a few quantities
-// at each of very many places.
+// Bins of nearly equal relative width: which one holds a value, and what value stands for it.
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
-#include <vector>
 
-#include "talus/core/bytes.hpp"
+#include "talus/core/check.hpp"
 
-namespace talus {
+namespace talus::log_bins {
 
-/// Up to four quantities, `which` in [0, 4), of values that are not negative. Counts are integers: any split and any
-/// order of the values merges to the same bits.
-///
-/// A bin holds the values that agree in exponent and the first six bits of the fraction: its width is 1/128 to 1/64 of
-/// its values, its middle at most 1/128 = 0.78 % off. Values below 2^-10 count as zero; values from 2^80 (1.2e24) on
-/// fall into the last bin. A bin that holds values takes 4 bytes, 4 more for every 65535 values after the first as
-/// many, and all together a third more for growing.
-class LogBins {
- public:
-  void add(std::uint32_t which, float value) { append(key(which, value) << count_bits | 1); }
-  void merge(const LogBins& other);
-  /// Counts what was added lately among the rest. What is asked does so for itself, each time, where this was not done.
-  void settle();
+inline constexpr float least = 0x1p-10f;  // what is smaller counts as zero, and is in no bin
+inline constexpr float most = 0x1p80f;    // 1.2e24; what is greater falls into the last bin
 
-  void save(ByteWriter& out) const;
-  /// Adds saved bins, and gives how many values of each quantity they hold. Throws BadBytes on what are none.
-  std::array<std::uint64_t, 4> merge_saved(ByteReader& in);
-
-  /// The quantile p in [0, 1] of one of the quantities by definition 7 (quantile.hpp), each order statistic within
-  /// 0.78 %. `count`, at least 1, is how many values of this quantity were added: the caller knows it.
-  [[nodiscard]] double quantile(std::uint32_t which, double p, std::uint64_t count) const;
-
-  [[nodiscard]] std::size_t bytes() const { return entries_.capacity() * sizeof(std::uint32_t); }
-  friend bool operator==(const LogBins& a, const LogBins& b);
-
- private:
-  static constexpr std::uint32_t count_bits = 16;
-
-  /// Quantity and bin: 2 and 14 bits.
-  [[nodiscard]] static std::uint32_t key(std::uint32_t which, float value);
-  [[nodiscard]] LogBins settled() const;
-  [[nodiscard]] bool is_settled() const { return settled_ == entries_.size(); }
-  void append(std::uint32_t entry) {
-    if (entries_.size() == entries_.capacity()) make_room();
-    entries_.push_back(entry);
-  }
-  void make_room();
-
-  // The upper 16 bits of an entry are the key, the lower ones a count of 1 to 65535. The first entries are settled:
-  // ascending, and of those with one key all but the first are full, so that there is one representation of the same
-  // counts. After them come the latest in the order in which they were added, so that to add a value touches one place
-  // in memory; they are settled when there are half as many as before.
-  std::vector<std::uint32_t> entries_;
-  std::uint32_t settled_ = 0;
+/// How an octave is cut: borders lie at multiples of 1/256 of its beginning, as far apart as leaves what stands for a
+/// bin within 0.99 % of all its values.
+struct Octave {
+  static constexpr std::uint32_t steps = 256;
+  static constexpr std::uint32_t most_bins = 40;
+  std::uint32_t bins = 0;
+  std::array<std::uint8_t, steps> bin_of{};  // of each step
+  std::array<std::uint16_t, most_bins + 1>
+      border_of{};  // in steps: the lower border of each bin, and the last upper one
 };
 
-}  // namespace talus
+consteval Octave cut_octave() {
+  Octave octave;
+  std::uint32_t low = Octave::steps;
+  while (low < 2 * Octave::steps) {
+    std::uint32_t high = low + 1;
+    while (high < 2 * Octave::steps && (high + 1 - low) * 10000 <= 99 * (high + 1 + low)) ++high;
+    octave.border_of[octave.bins] = static_cast<std::uint16_t>(low - Octave::steps);
+    for (std::uint32_t step = low; step < high; ++step)
+      octave.bin_of[step - Octave::steps] = static_cast<std::uint8_t>(octave.bins);
+    ++octave.bins;
+    low = high;
+  }
+  octave.border_of[octave.bins] = Octave::steps;
+  return octave;
+}
+inline constexpr Octave octave = cut_octave();
+
+inline constexpr std::uint32_t step_bits = 8, dropped_bits = 23 - step_bits;  // of a float's fraction
+inline constexpr std::uint32_t first_octave = std::bit_cast<std::uint32_t>(least) >> 23;
+inline constexpr std::uint32_t count = ((std::bit_cast<std::uint32_t>(most) >> 23) - first_octave) * octave.bins + 1;
+
+/// The bin of a value from `least` on.
+[[nodiscard]] inline std::uint32_t bin_of(float value) {
+  TALUS_PROMISE(value >= least, "what is smaller is in no bin");
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(std::min(value, most)) >> dropped_bits;
+  return ((bits >> step_bits) - first_octave) * octave.bins + octave.bin_of[bits & (Octave::steps - 1)];
+}
+
+/// What is at most 0.99 % of it from each value of a bin: the harmonic mean of its borders, from which both are equally
+/// far in parts of themselves.
+[[nodiscard]] inline double middle_of(std::uint32_t bin) {
+  const std::uint32_t of_octave = bin % octave.bins, exponent = bin / octave.bins + first_octave;
+  const double begin = static_cast<double>(std::bit_cast<float>(exponent << 23));
+  const double low = Octave::steps + octave.border_of[of_octave],
+               high = Octave::steps + octave.border_of[of_octave + 1];
+  return begin * 2 * low * high / ((low + high) * Octave::steps);
+}
+
+}  // namespace talus::log_bins

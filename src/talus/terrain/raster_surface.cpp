@@ -166,7 +166,7 @@ auto RasterSurface::flight_of_point(const Parabola& path, double t_max, const Le
       if (!is_clear) meet_in_cell(path, at, left, best);
       height_entering = leaving;
     }
-    if (may_be_higher) known = greatest_height_in_cell(path, at, std::min(t1, best.t), known);
+    if (may_be_higher) known = greatest_height_in_cell(path, at, at.enter(), std::min(t1, best.t), known);
   }
   return {best.contact(), known};
 }
@@ -323,25 +323,39 @@ double RasterSurface::greatest_height(const Parabola& path, double t_end, double
     const double t0 = at.enter(), t1 = at.leave(), z1 = path.z(t1);
     // The flight's highest point over this cell, over the cell's lowest node.
     const double highest = top.between(t0, std::exchange(z0, z1), t1, z1);
-    if (highest - range_at(at.node()).first > known) known = greatest_height_in_cell(path, at, t1, known);
+    if (highest - range_at(at.node()).first > known) known = greatest_height_in_cell(path, at, t0, t1, known);
   }
   return known;
 }
 
-/// Over the cell where a flight is, until `t_end`.
-double RasterSurface::greatest_height_in_cell(const Parabola& path, const GridWalk& at, double t_end,
+void RasterSurface::greatest_heights(const Parabola& path, std::span<const double> borders,
+                                     std::span<double> heights) const {
+  std::fill(heights.begin(), heights.end(), 0);
+  std::size_t k = 0;
+  for (GridWalk at = walk(path, borders.back()); !at.is_over(); at.advance()) {
+    for (;; ++k) {
+      const double from = std::max(at.enter(), borders[k]), to = std::min(at.leave(), borders[k + 1]);
+      if (from < to || borders[k] == borders[k + 1])
+        heights[k] = greatest_height_in_cell(path, at, from, to, heights[k]);
+      if (borders[k + 1] >= at.leave() || k + 1 == heights.size()) break;
+    }
+  }
+}
+
+/// Over the cell where a flight is, of the time that it is over it.
+double RasterSurface::greatest_height_in_cell(const Parabola& path, const GridWalk& at, double from, double to,
                                               double known) const {
   const Cell here = cell_at(at.node());
   if (!here.has_data()) return known;
-  const double t0 = at.enter(), t1 = std::max(t0, t_end);
+  const double t0 = from, t1 = std::max(t0, to);
   const double side0 = here.side_of_diagonal(at.u(t0), at.v(t0)), side1 = here.side_of_diagonal(at.u(t1), at.v(t1));
   // Over a facet's plane the height is greatest when the flight is as steep as the plane.
-  const auto greatest_over = [&](double side, double from, double to) {
+  const auto greatest_over = [&](double side, double begin, double end) {
     const Plane plane = here.plane((side > 0) == here.cut_north_east() ? 0 : 1);
     const double rise = plane.along_u * at.u_speed() + plane.along_v * at.v_speed();
-    const double t = path.a.z() < 0      ? std::clamp((rise - path.v.z()) / path.a.z(), from, to)
-                     : path.v.z() > rise ? to
-                                         : from;
+    const double t = path.a.z() < 0      ? std::clamp((rise - path.v.z()) / path.a.z(), begin, end)
+                     : path.v.z() > rise ? end
+                                         : begin;
     return path.z(t) - plane.z - (at.u(t) - plane.corner) * plane.along_u - (at.v(t) - plane.corner) * plane.along_v;
   };
   if (!(side0 * side1 < 0)) return std::max(known, greatest_over(side0 + side1, t0, t1));

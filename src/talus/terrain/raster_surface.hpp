@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,8 @@ class RasterSurface {
                                                             const LeftPlanes& on) const;
   [[nodiscard]] Exit exit(const Parabola& path) const;
   [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
+  /// The same of each part of a flight between two of `borders`, which ascend: 0 where there is no ground below.
+  void greatest_heights(const Parabola& path, std::span<const double> borders, std::span<double> heights) const;
   [[nodiscard]] std::optional<double> elevation(double x, double y,
                                                 double below = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
@@ -160,7 +163,7 @@ class RasterSurface {
   };
   [[nodiscard]] HeightsOverLines heights_over_lines(const Parabola& path, const GridWalk& at) const;
   void meet_in_cell(const Parabola& path, const GridWalk& at, const LeftPlanes& left, ContactCandidate& best) const;
-  [[nodiscard]] double greatest_height_in_cell(const Parabola& path, const GridWalk& at, double t_end,
+  [[nodiscard]] double greatest_height_in_cell(const Parabola& path, const GridWalk& at, double from, double to,
                                                double known) const;
   [[nodiscard]] std::optional<double> height_in_cell(double x, double y, std::int64_t column, std::int64_t row) const;
 

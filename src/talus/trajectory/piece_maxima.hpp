@@ -9,6 +9,7 @@
 // Checked by test/trajectory/piece_maxima_test.cpp.
 
 #include <algorithm>
+#include <span>
 
 #include "talus/rocks/rock.hpp"
 #include "talus/trajectory/rock_log.hpp"
@@ -62,6 +63,18 @@ template <class Surface>
                                      double to, double known) {
   if (!piece.on_ground) return greatest_height_of_flight(surface, piece.path, from, to, known);
   return is_sphere ? greatest_height_of_leg(surface, piece.path, piece.duration, from, to, known) : known;
+}
+
+/// The same of each part of a piece between two of `borders` of its parameter, which ascend; 0 at the least.
+template <class Surface>
+void greatest_heights(const Surface& surface, const PathPiece& piece, bool is_sphere, std::span<const double> borders,
+                      std::span<double> heights) {
+  // Where the surface is walked along, it is walked along once.
+  if constexpr (requires { surface.greatest_heights(piece.path, borders, heights); }) {
+    if (!piece.on_ground) return surface.greatest_heights(piece.path, borders, heights);
+  }
+  for (std::size_t k = 0; k < heights.size(); ++k)
+    heights[k] = greatest_height(surface, piece, is_sphere, borders[k], borders[k + 1], 0);
 }
 
 }  // namespace talus

@@ -194,7 +194,7 @@ export interface RunMap {
   name: string;
   meaning: string;
   unit: string;
-  scale: 'linear' | 'log';
+  /// Of the values above 0.
   least: number;
   most: number;
   source: string | null;

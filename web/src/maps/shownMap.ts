@@ -9,7 +9,7 @@ import { hasResults, shown } from '../state/runs';
 import { drapedMap } from '../state/view';
 import { readingOf } from '../results/columns';
 import type { MapClass } from './classes';
-import { classesOf, type MapHeader } from './header';
+import type { MapHeader } from './header';
 
 export interface ShownMap {
   name: string;
@@ -37,7 +37,7 @@ function mapOf({ name, meaning, unit: unitOfFile }: RunMap, header: MapHeader, i
   let [least, greatest] = [Infinity, -Infinity];
   for (const value of values)
     if (!Number.isNaN(value)) [least, greatest] = [Math.min(least, value), Math.max(greatest, value)];
-  return { name, meaning, header, classes: classesOf(header, name, per), unit, values, least, greatest };
+  return { name, meaning, header, classes: header.classes, unit, values, least, greatest };
 }
 
 effect(() => {

@@ -29,8 +29,8 @@ export interface Quantity {
 }
 
 const measured: Omit<Quantity, 'figures'>[] = [
-  { key: 'energy_total', title: 'Energy, total', unit: 'kJ', per: 1000 },
-  { key: 'energy_translational', title: 'Energy, translational', unit: 'kJ', per: 1000 },
+  { key: 'energy_total', title: 'Energy, total', unit: 'kJ', per: 1 },
+  { key: 'energy_translational', title: 'Energy, translational', unit: 'kJ', per: 1 },
   { key: 'velocity', title: 'Velocity', unit: 'm/s', per: 1 },
   { key: 'bounce_height', title: 'Bounce height', unit: 'm', per: 1 },
 ];

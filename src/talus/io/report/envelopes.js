@@ -1,7 +1,7 @@
 // How much energy rocks have along a section, how fast and how high they come: envelopes.csv, drawn cell by cell.
 
 const alongSection = [
-  {key: 'energy_total', title: 'Total kinetic energy along the section', label: 'Total kinetic energy', unit: 'kJ', per: 1000},
+  {key: 'energy_total', title: 'Total kinetic energy along the section', label: 'Total kinetic energy', unit: 'kJ', per: 1},
   {key: 'velocity', title: 'Velocity along the section', label: 'Velocity', unit: 'm/s', per: 1},
   {key: 'bounce_height', title: 'Bounce height along the section', label: 'Bounce height', unit: 'm', per: 1},
   {key: 'reach_share', title: 'Share of rocks that get here', label: 'Share of rocks', unit: '%', per: 0.01},

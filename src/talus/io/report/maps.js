@@ -3,7 +3,7 @@
 // `per` turns the file's unit into the one shown.
 const mapKinds = {
   reach_share: {title: 'Reach', quantity: 'Share of all rocks that were in the cell', unit: '%', per: 0.01},
-  energy_total_max_J: {title: 'Greatest total kinetic energy', quantity: 'Total kinetic energy, greatest of all rocks', unit: 'kJ', per: 1000},
+  energy_total_max_kJ: {title: 'Greatest total kinetic energy', quantity: 'Total kinetic energy, greatest of all rocks', unit: 'kJ', per: 1},
   bounce_height_max_m: {title: 'Greatest height above the ground', quantity: 'Height of the centre, greatest of all rocks', unit: 'm', per: 1},
   velocity_max_m_s: {title: 'Greatest velocity', quantity: 'Velocity, greatest of all rocks', unit: 'm/s', per: 1},
 };
@@ -15,14 +15,12 @@ function mapValues(map) {
   return Array.from(atob(map.levels), (letter) => letter.charCodeAt(0) === 0 ? null : value((letter.charCodeAt(0) - 1) / 254));
 }
 
-// The colours of the maps of one kind, the same in both runs.
+// The classes of the maps of one kind, the same in every run: where each begins, and its colour.
 function mapScale(maps) {
   const {per} = mapKinds[maps[0].name];
-  const least = d3.min(maps, (map) => map.least) / per, top = d3.max(maps, (map) => map.top) / per;
-  const isLogarithmic = maps[0].logarithmic && least > 0 && top > least;
-  const toPart = (isLogarithmic ? d3.scaleLog().domain([least, top]) : d3.scaleLinear().domain([0, top || 1])).clamp(true);
-  const colour = d3.scaleLinear().domain(page.map_colours.map((rgb, i, all) => i / (all.length - 1))).range(page.map_colours.map((rgb) => d3.rgb(...rgb)));
-  return {toPart, colour: (value) => d3.rgb(colour(toPart(value))), greatest: d3.max(maps, (map) => map.greatest) / per, top};
+  const limits = maps[0].limits.map((limit) => limit / per);
+  const colours = page.map_colours.map((rgb) => d3.rgb(...rgb));
+  return {limits, colours, colour: (value) => colours[d3.bisectRight(limits, value)]};
 }
 
 function mapPicture(map, values, scale) {
@@ -53,23 +51,12 @@ function mapView() {
   return {x: extentOf(xs, 0.04), y: extentOf(ys, 0.04)};
 }
 
-// A bar of the colours with values beneath; returns the height at its end.
-function drawColours(svg, id, scale, {quantity, unit}, x, y, width) {
-  const height = 12;
-  const gradient = svg.append('defs').append('linearGradient').attr('id', id);
-  page.map_colours.forEach((rgb, i, all) => gradient.append('stop').attr('offset', i / (all.length - 1)).attr('stop-color', `rgb(${rgb})`));
+// A bar of the classes with their limits beneath; returns the height at its end.
+function drawColours(svg, scale, {quantity, unit}, x, y, width) {
+  const each = width / scale.colours.length, height = 12;
   svg.append('text').attr('x', x).attr('y', y).text(`${quantity} [${unit}]`);
-  svg.append('rect').attr('x', x).attr('y', y + 8).attr('width', width).attr('height', height).attr('fill', `url(#${id})`);
-  const place = scale.toPart.copy().range([x, x + width]);
-  const isOpen = scale.greatest > scale.top * 1.001;
-  const end = {value: scale.top, words: (isOpen ? '≥ ' : '') + number(scale.top, 3)};
-  let last = -Infinity;
-  for (const value of place.domain()[0] > 0 ? powersOfTen(...place.domain()) : place.ticks(5)) {
-    if (place(value) - last < 44 || x + width - place(value) < 44) continue;
-    last = place(value);
-    drawTick(svg, place(value), y + 8 + height, number(value, 3));
-  }
-  drawTick(svg, place(end.value), y + 8 + height, end.words);
+  scale.colours.forEach((colour, k) => svg.append('rect').attr('class', 'map-class').attr('x', x + k * each).attr('y', y + 8).attr('width', each).attr('height', height).attr('fill', colour));
+  scale.limits.forEach((limit, k) => drawTick(svg, x + (k + 1) * each, y + 8 + height, number(limit, 3)));
   return y + 8 + height + 22;
 }
 
@@ -77,9 +64,6 @@ function drawTick(svg, x, y, words) {
   svg.append('line').attr('class', 'tick-mark').attr('x1', x).attr('x2', x).attr('y1', y).attr('y2', y + 4);
   svg.append('text').attr('x', x).attr('y', y + 16).attr('text-anchor', 'middle').text(words);
 }
-
-// The least value and powers of ten above it.
-const powersOfTen = (least, top) => [least, ...d3.range(Math.ceil(Math.log10(least) + 1e-9), Math.log10(top)).map((power) => 10 ** power)];
 
 function mapFigure(parent, run, map, scale, view) {
   const kind = mapKinds[map.name];
@@ -109,7 +93,7 @@ function mapFigure(parent, run, map, scale, view) {
       drawScaleBar(inside, side, frame.scale);
       drawNorthArrow(inside, side, Boolean(run.terrain.crs_wkt));
       const y = side.bottom + 56;
-      return noteMap(svg, width, frame, run, [`cells of ${cellText}`, `up to ${number(map.greatest / kind.per, 4)} ${kind.unit}`], y, drawColours(svg, `colours-${id}`, scale, kind, side.left, y, width === drawing.wide ? 320 : 230));
+      return noteMap(svg, width, frame, run, [`cells of ${cellText}`, `up to ${number(map.greatest / kind.per, 4)} ${kind.unit}`], y, drawColours(svg, scale, kind, side.left, y, width === drawing.wide ? 320 : 230));
     },
   });
 }
@@ -123,5 +107,5 @@ function mapFigures(parent) {
     const scale = mapScale(shown.map(({map}) => map));
     for (const {run, map} of shown) mapFigure(box, run, map, scale, view);
   }
-  element(parent, 'p', 'Cells are coloured where rocks were, within some hundredths of their value; exact are the GeoTIFFs in the folder maps. Lines are barriers and collectors, rings are releases of the paths shown. The relief is lit from the upper left.', {class: 'quiet'});
+  element(parent, 'p', 'Cells are coloured by class where rocks were, of values within some hundredths; exact are the GeoTIFFs in the folder maps. Lines are barriers and collectors, rings are releases of the paths shown. The relief is lit from the upper left.', {class: 'quiet'});
 }

@@ -1,0 +1,227 @@
+#include "talus/results/map_tile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "talus/core/check.hpp"
+
+namespace talus {
+
+std::uint64_t MapTally::passages() const { return tile_->counts_[number_].passages; }
+std::uint64_t MapTally::deposits() const { return tile_->counts_[number_].deposits; }
+std::uint64_t MapTally::impacts() const { return tile_->counts_[number_].impacts; }
+
+double MapTally::maximum(MapQuantity quantity) const {
+  const auto place = tile_->contents_.place(quantity);
+  TALUS_PROMISE(place, "only what is gathered is asked for");
+  return tile_->greatest_[number_ * tile_->contents_.quantities() + *place];
+}
+
+double MapTally::mean(MapQuantity quantity) const {
+  const auto place = tile_->contents_.place(quantity);
+  TALUS_PROMISE(place, "only what is gathered is asked for");
+  return tile_->sums_[number_ * tile_->contents_.quantities() + *place].value() / static_cast<double>(passages());
+}
+
+void MapTally::percentiles(MapQuantity quantity, std::span<const double> percents, std::span<double> out) const {
+  const auto which = tile_->contents_.place_of_percentiles(quantity);
+  TALUS_PROMISE(which, "only what is gathered is asked for");
+  constexpr std::size_t at_once = 16;
+  std::array<double, at_once> probabilities;
+  const double greatest = maximum(quantity);
+  for (std::size_t first = 0; first < percents.size(); first += at_once) {
+    const std::size_t count = std::min(at_once, percents.size() - first);
+    for (std::size_t k = 0; k < count; ++k) probabilities[k] = percents[first + k] / 100;
+    const std::span<double> part = out.subspan(first, count);
+    tile_->bins_.quantiles(number_, *which, passages(), std::span(probabilities).first(count), part);
+    for (double& value : part) value = std::min(value, greatest);
+  }
+}
+
+bool operator==(const MapTally& a, const MapTally& b) {
+  const MapTile &left = *a.tile_, &right = *b.tile_;
+  if (!(left.contents_ == right.contents_) || !(left.counts_[a.number_] == right.counts_[b.number_])) return false;
+  const std::size_t quantities = left.contents_.quantities();
+  for (std::size_t k = 0; k < quantities; ++k) {
+    const std::size_t at_left = a.number_ * quantities + k, at_right = b.number_ * quantities + k;
+    if (left.greatest_[at_left] != right.greatest_[at_right]) return false;
+    if (!(left.sums_[at_left] == right.sums_[at_right])) return false;
+  }
+  if (left.contents_.with_percentiles() == 0) return true;
+  return BinCounts::are_same(left.bins_, a.number_, right.bins_, b.number_);
+}
+
+std::uint32_t MapTile::number_at(std::uint32_t place) {
+  std::uint16_t& there = places_[place];
+  if (there == 0) {
+    // By a quarter: of what is kept for each cell, doubling would waste too much.
+    const std::size_t cells = counts_.size(), more = cells + std::max<std::size_t>(16, cells / 4);
+    const std::size_t room = std::min<std::size_t>(map_tiles::cells, more);
+    if (cells == counts_.capacity()) {
+      counts_.reserve(room);
+      greatest_.reserve(room * contents_.quantities());
+      sums_.reserve(room * contents_.quantities());
+    }
+    counts_.emplace_back();
+    greatest_.resize(greatest_.size() + contents_.quantities());
+    sums_.resize(sums_.size() + contents_.quantities());
+    if (contents_.with_percentiles() > 0) bins_.new_place();
+    there = static_cast<std::uint16_t>(counts_.size());
+  }
+  return there - 1U;
+}
+
+template <std::uint32_t quantities>
+void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
+  Counts& counts = counts_[number];
+  counts.passages += visits.size();
+  std::array<float, quantities> greatest{};
+  std::array<std::uint64_t, quantities> units{};
+  FixedSum* const sums = sums_.data() + std::size_t{number} * quantities;
+  for (const PackedVisit& visit : visits) {
+    counts.deposits += visit.is_deposit() ? 1 : 0;
+    counts.impacts += visit.impacts();
+    for (std::uint32_t k = 0; k < quantities; ++k) {
+      const float value = visit.value(k);
+      greatest[k] = std::max(greatest[k], value);
+      if (value < FixedSum::small_term) {
+        units[k] += FixedSum::units_of(value);
+      } else {
+        sums[k].add(static_cast<double>(value));
+      }
+    }
+  }
+  for (std::uint32_t k = 0; k < quantities; ++k) {
+    float& known = greatest_[std::size_t{number} * quantities + k];
+    known = std::max(known, greatest[k]);
+    sums[k].add_units(units[k]);
+  }
+  if (contents_.with_percentiles() == 0) return;
+  BinCounts::Adder bins = bins_.at(number);
+  for (std::uint32_t k = 0; k < quantities; ++k) {
+    const auto which = contents_.place_of_percentiles(contents_.quantity(k));
+    if (!which) continue;
+    for (const PackedVisit& visit : visits) bins.add(*which, visit.value(k));
+  }
+}
+
+void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
+  switch (contents_.quantities()) {
+    case 0:
+      return add<0>(number, visits);
+    case 1:
+      return add<1>(number, visits);
+    case 2:
+      return add<2>(number, visits);
+    case 3:
+      return add<3>(number, visits);
+    default:
+      return add<4>(number, visits);
+  }
+}
+
+/// Cell by cell, so that what is known of a cell is fetched once: half the time of the order in which they came.
+void MapTile::add_waiting() {
+  const std::size_t words = 1 + contents_.quantities();
+  std::array<std::uint32_t, map_tiles::cells + 1> ends{};
+  std::size_t total = 0;
+  for (const VisitRun& run : waiting_) {
+    for (std::size_t k = 0; k < run.count; ++k) ++ends[PackedVisit{run.words + k * words}.place() + 1];
+    total += run.count;
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  thread_local std::vector<PackedVisit> sorted;
+  sorted.resize(total);
+  for (const VisitRun& run : waiting_) {
+    for (std::size_t k = 0; k < run.count; ++k) {
+      const PackedVisit visit{run.words + k * words};
+      sorted[ends[visit.place()]++] = visit;
+    }
+  }
+  waiting_ = std::vector<VisitRun>();
+  std::uint32_t first = 0;
+  for (std::uint32_t place = 0; place < map_tiles::cells; ++place) {
+    const std::uint32_t end = ends[place];
+    while (first < end) {
+      const std::uint32_t count = std::min<std::uint32_t>(end - first, FixedSum::most_small_terms);
+      add(number_at(place), std::span(sorted).subspan(first, count));
+      first += count;
+    }
+  }
+  bins_.settle_if_due();
+}
+
+void MapTile::merge(const MapTile& other) {
+  TALUS_PROMISE(contents_ == other.contents_, "tiles of the same contents are merged");
+  const std::size_t quantities = contents_.quantities();
+  for (std::uint32_t place = 0; place < map_tiles::cells; ++place) {
+    if (other.places_[place] == 0) continue;
+    const std::uint32_t from = other.places_[place] - 1U, to = number_at(place);
+    counts_[to].passages += other.counts_[from].passages;
+    counts_[to].deposits += other.counts_[from].deposits;
+    counts_[to].impacts += other.counts_[from].impacts;
+    for (std::size_t k = 0; k < quantities; ++k) {
+      float& known = greatest_[to * quantities + k];
+      known = std::max(known, other.greatest_[from * quantities + k]);
+      sums_[to * quantities + k].merge(other.sums_[from * quantities + k]);
+    }
+    if (contents_.with_percentiles() > 0) bins_.merge(to, other.bins_, from);
+  }
+  settle();
+}
+
+void MapTile::save(ByteWriter& out) const {
+  const std::size_t quantities = contents_.quantities();
+  out.count(counts_.size());
+  for (std::uint16_t place = 0; place < map_tiles::cells; ++place) {
+    if (places_[place] == 0) continue;
+    const std::uint32_t number = places_[place] - 1U;
+    out.put(place);
+    out.put(counts_[number].passages);
+    out.put(counts_[number].deposits);
+    out.put(counts_[number].impacts);
+    for (std::size_t k = 0; k < quantities; ++k) {
+      out.put(greatest_[number * quantities + k]);
+      sums_[number * quantities + k].save(out);
+    }
+    if (contents_.with_percentiles() > 0) bins_.save(number, out);
+  }
+}
+
+void MapTile::merge_saved(ByteReader& in, std::uint64_t rocks) {
+  constexpr const char* damaged = "a cell of maps is damaged";
+  const std::size_t quantities = contents_.quantities();
+  const std::size_t cells = in.count(least_saved);
+  expect_bytes(cells > 0, damaged);
+  std::optional<std::uint16_t> before;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const auto place = in.get<std::uint16_t>();
+    expect_bytes(place < map_tiles::cells && (!before || *before < place), damaged);
+    before = place;
+    const std::uint32_t number = number_at(place);
+    const auto passages = in.get<std::uint64_t>(), deposits = in.get<std::uint64_t>();
+    expect_bytes(passages > 0 && deposits <= passages, damaged);
+    Counts& counts = counts_[number];
+    counts.passages += passages;
+    counts.deposits += deposits;
+    counts.impacts += in.get<std::uint64_t>();
+    expect_bytes(counts.passages <= rocks, damaged);
+    for (std::size_t k = 0; k < quantities; ++k) {
+      const auto greatest = in.get<float>();
+      expect_bytes(greatest >= 0 && std::isfinite(greatest), damaged);
+      float& known = greatest_[number * quantities + k];
+      known = std::max(known, greatest);
+      sums_[number * quantities + k].merge_saved(in);
+    }
+    if (contents_.with_percentiles() == 0) continue;
+    for (const std::uint64_t values : bins_.merge_saved(number, in)) expect_bytes(values <= passages, damaged);
+  }
+}
+
+std::size_t MapTile::bytes() const {
+  return sizeof(*this) + counts_.capacity() * sizeof(Counts) + greatest_.capacity() * sizeof(float) +
+         sums_.capacity() * sizeof(FixedSum) + bins_.bytes() + waiting_.capacity() * sizeof(VisitRun);
+}
+
+}  // namespace talus

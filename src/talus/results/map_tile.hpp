@@ -1,0 +1,103 @@
+#pragma once
+// A square of cells of a map, of which some were touched by rocks.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "talus/results/map_visits.hpp"
+#include "talus/statistics/bin_counts.hpp"
+#include "talus/statistics/fixed_sum.hpp"
+
+namespace talus {
+
+class MapTile;
+
+/// All rocks in one cell: a view of what its tile holds. Of a quantity that is not gathered nothing may be asked.
+class MapTally {
+ public:
+  [[nodiscard]] std::uint64_t passages() const;  // rocks that were here
+  [[nodiscard]] std::uint64_t deposits() const;  // rocks that came to rest here, or were stopped
+  [[nodiscard]] std::uint64_t impacts() const;
+  [[nodiscard]] double maximum(MapQuantity quantity) const;
+  [[nodiscard]] double mean(MapQuantity quantity) const;
+  /// Percentiles of a quantity, `percents` in [0, 100], within 1 %; below 0.001 they may be given as 0.
+  void percentiles(MapQuantity quantity, std::span<const double> percents, std::span<double> out) const;
+  [[nodiscard]] double percentile(MapQuantity quantity, double percent) const {
+    double value = 0;
+    percentiles(quantity, {&percent, 1}, {&value, 1});
+    return value;
+  }
+  friend bool operator==(const MapTally& a, const MapTally& b);
+
+ private:
+  friend class MapTile;
+  MapTally(const MapTile& tile, std::uint32_t number) : tile_(&tile), number_(number) {}
+  const MapTile* tile_;
+  std::uint32_t number_;
+};
+
+/// A tile takes 2 KB, a touched cell 30 bytes, 20 for every quantity and, where percentiles are asked for, 30 to 80 for
+/// each of those at a few hundred rocks a cell.
+class MapTile {
+ public:
+  MapTile(MapCell first, const MapContents& contents)
+      : first_(first), contents_(contents), bins_(contents.with_percentiles()) {}
+
+  /// The cell of least column and row.
+  [[nodiscard]] MapCell first() const { return first_; }
+  /// Of the cell so many columns and rows from the first; nothing where no rock was.
+  [[nodiscard]] std::optional<MapTally> find(std::int32_t column, std::int32_t row) const {
+    const std::uint16_t place = places_[static_cast<std::size_t>(row * map_tiles::side + column)];
+    if (place == 0) return std::nullopt;
+    return MapTally(*this, place - 1U);
+  }
+  [[nodiscard]] std::size_t touched_cells() const { return counts_.size(); }
+
+  /// Visits that are added by add_waiting(), until when their words must stay.
+  void wait(const VisitRun& run) { waiting_.push_back(run); }
+  [[nodiscard]] bool has_waiting() const { return !waiting_.empty(); }
+  void add_waiting();
+  /// In a cell that was visited.
+  void add_impacts(std::uint32_t place, std::uint32_t impacts) { counts_[number_at(place)].impacts += impacts; }
+  /// Expects the same tile, settled, with the same contents.
+  void merge(const MapTile& other);
+  /// Before anything is asked or saved.
+  void settle() { bins_.settle(); }
+
+  void save(ByteWriter& out) const;
+  void merge_saved(ByteReader& in, std::uint64_t rocks);
+  /// Bytes that a saved cell takes at the least.
+  static constexpr std::size_t least_saved = sizeof(std::uint16_t) + 3 * sizeof(std::uint64_t);
+
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  friend class MapTally;
+  friend bool operator==(const MapTally& a, const MapTally& b);
+  struct Counts {
+    std::uint64_t passages = 0, deposits = 0, impacts = 0;
+    friend bool operator==(const Counts&, const Counts&) = default;
+  };
+
+  /// The number of a touched cell, made if there is none.
+  std::uint32_t number_at(std::uint32_t place);
+  template <std::uint32_t quantities>
+  void add(std::uint32_t number, std::span<const PackedVisit> visits);
+  void add(std::uint32_t number, std::span<const PackedVisit> visits);
+
+  MapCell first_;
+  MapContents contents_;
+  std::array<std::uint16_t, map_tiles::cells> places_{};  // 1 + number of a touched cell, or 0
+  // By number, and of each cell by the places of the contents' quantities.
+  std::vector<Counts> counts_;
+  std::vector<float> greatest_;
+  std::vector<FixedSum> sums_;
+  BinCounts bins_;
+  std::vector<VisitRun> waiting_;
+};
+
+}  // namespace talus
