@@ -1,6 +1,7 @@
 #pragma once
 // One rock's run, phase by phase; private to trajectory/. It flies until it meets the ground, a barrier or the model's
-// edge (fly), strikes the ground (strike) and flies again or stays on it (move_along), to rest or where ground falls away.
+// edge (fly), strikes the ground (strike) and flies again or stays on it (move_along), to rest or where ground falls
+// away.
 
 #include <algorithm>
 #include <limits>
@@ -310,8 +311,8 @@ class RockRun {
 
 template <class Surface>
 RockOutcome RockRun<Surface>::follow() {
-  for (Pause pause = go_on(); pause != Pause::ended; pause = go_on()) {
-    while (pause == Pause::glides && step_alone()) {
+  while (go_on() == Pause::glides) {
+    while (step_alone()) {
     }
   }
   return outcome_;
