@@ -47,12 +47,16 @@ bool is_name_of_map(std::string_view name) {
 
 }  // namespace
 
+bool is_name_of_map_file(const std::filesystem::path& name) {
+  const std::string extension = name.extension().string();
+  return (extension == ".tif" || extension == ".qml") && is_name_of_map(name.stem().string());
+}
+
 void remove_maps(const std::filesystem::path& folder) {
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string extension = entry.path().extension().string();
     std::error_code ignored;
-    if ((extension == ".tif" || extension == ".qml") && is_name_of_map(entry.path().stem().string())) {
+    if (is_name_of_map_file(entry.path())) {
       std::filesystem::remove(entry.path(), ignored);
     }
   }
