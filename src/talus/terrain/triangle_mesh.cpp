@@ -68,7 +68,7 @@ TriangleMesh::TriangleMesh(std::span<const Vec3> vertices, std::span<const Corne
     if (normal({static_cast<std::uint32_t>(k)}).z() <= 0) is_height_field_ = false;
   }
   find_sharp_features(triangles);
-  add_leaning_bounds(bvh_, [&](std::uint32_t place) -> const Triangle& { return facets_[place].corner; });
+  add_leaning_bounds(bvh_, [&](std::uint32_t facet) -> const Triangle& { return facets_[facet].corner; });
 }
 
 void TriangleMesh::find_sharp_features(std::span<const Corners> triangles) {
