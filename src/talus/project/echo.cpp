@@ -88,7 +88,11 @@ struct Writer {
     const auto& limit = *slot.limit;
     return !limit ? Json("all") : *limit == 0 ? Json("none") : Json(*limit);
   }
-  Written operator()(MapCellSlot slot) const { return *slot.size ? Json(**slot.size) : Json("terrain"); }
+  Written operator()(MapCellSlot slot) const {
+    if (!*slot.size) return Json("terrain");
+    if (**slot.size == 0) return std::nullopt;  // it follows from the terrain
+    return Json(**slot.size);
+  }
 };
 
 /// Of keys that exclude each other, the one with a default gives way to the one that was set.
