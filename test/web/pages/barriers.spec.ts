@@ -6,7 +6,7 @@ import { expect, test } from '../support/workbench';
 test('collectors stop nothing and have no capacity', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Barriers' }).click();
-  const collectors = page.getByRole('region', { name: 'Collectors' });
+  const collectors = page.getByRole('region', { name: 'Collectors', exact: true });
   await expect(collectors.getByRole('columnheader')).toHaveText([/^Name/, /^Height/, /^Rocks that passed/, /^Passed above/]);
   await expect(page.getByRole('region', { name: 'Barriers', exact: true })).toHaveCount(0);
 });

@@ -57,7 +57,7 @@ test('two runs are whole at 1366 pixels, with box plots and barriers', async ({ 
   for (const head of await heads.all()) await expect(head).toBeInViewport({ ratio: 1 });
   const isCutOff = (region: Element) => region.scrollWidth > region.clientWidth;
   expect(await statistics.evaluate(isCutOff)).toBe(false);
-  const collectors = page.getByRole('region', { name: 'Collectors' });
+  const collectors = page.getByRole('region', { name: 'Collectors', exact: true });
   const names = (await cellsOf(collectors)).map(([barrier, run]) => `${barrier}: ${run}`);
   expect(names).toEqual(['Line at 15 m: Lively', 'Line at 15 m: Tutorial 1, extruded']);
   expect(await collectors.evaluate(isCutOff)).toBe(false);
