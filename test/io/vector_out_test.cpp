@@ -340,7 +340,7 @@ TEST(GeoPackage, SaysWhereItCannotBeWritten) {
   write_3d(folder);
   std::filesystem::create_directories(folder.path / "results.gpkg/in the way");
   EXPECT_EQ(complaint(folder.path),
-            "results.gpkg: cannot write this file (Is a directory). Choose another folder with -o");
+            "results.gpkg: cannot finish this file (Is a directory). Choose another folder with -o");
   std::filesystem::remove_all(folder.path / "results.gpkg");
   std::filesystem::create_directories(folder.path / "results.gpkg.part/in the way");
   const std::string text = complaint(folder.path);
