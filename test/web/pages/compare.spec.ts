@@ -68,7 +68,9 @@ type Rgb = [number, number, number];
 /// How many points of the picture are near a colour.
 async function pixelsLike(page: Page, colours: Rgb[]): Promise<number[]> {
   const picture = await page.locator('.picture canvas').first().screenshot();
-  return page.evaluate(
+  // On a page of its own: the workbench may load nothing from elsewhere, data addresses included.
+  const reader = await page.context().newPage();
+  const counts = await reader.evaluate(
     async ([bytes, wanted]) => {
       const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${bytes}`)).blob());
       const pen = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
@@ -83,6 +85,8 @@ async function pixelsLike(page: Page, colours: Rgb[]): Promise<number[]> {
     },
     [picture.toString('base64'), colours] as const,
   );
+  await reader.close();
+  return counts;
 }
 
 test('paths of two runs are of two colours, whatever paths are coloured by', async ({ workbench: page }) => {

@@ -56,7 +56,7 @@ test('a terrain file is taken, a polygon and a barrier are drawn, and a map lies
   await runIsShown(page);
   await page.getByRole('tab', { name: 'Maps' }).click();
   await page.getByRole('button', { name: 'passages' }).click();
-  await expect(page.locator('.legend').filter({ hasText: 'passages' })).toBeVisible();
+  await expect(page.locator('.legend').filter({ hasText: 'Rocks that were in the cell' })).toBeVisible();
 });
 
 test('areas of the ground are drawn, listed, undone, and marked where they are wrong', async ({ workbench: page, server }) => {

@@ -51,7 +51,10 @@ const schema = {
     },
     output: {
       type: 'object',
-      properties: { paths: { anyOf: [{ enum: ['all', 'none'] }, { type: 'integer', minimum: 0 }], default: 'all' } },
+      properties: {
+        paths: { anyOf: [{ enum: ['all', 'none'] }, { type: 'integer', minimum: 0 }], default: 'all' },
+        percentiles: { type: 'array', items: { type: 'number' }, minItems: 0, maxItems: 20 },
+      },
     },
   },
 };
@@ -81,6 +84,7 @@ describe('tables and fields of the schema', () => {
       words: ['all', 'none'],
       whole: true,
     });
+    expect(field('output', 'percentiles').type).toEqual({ kind: 'list', of: 'number' });
   });
   test('a random property', () => {
     const friction = field('material', 'friction_angle_deg');

@@ -125,7 +125,8 @@ function arrayOf(node: Node): Kind {
       words: (inner.anyOf ?? []).flatMap(wordsOf),
     };
   }
-  if (node.maxItems !== undefined) return tupleOf(node, []);
+  // What may be empty is a list, however long at the most.
+  if (node.minItems && node.maxItems !== undefined) return tupleOf(node, []);
   return { kind: 'list', of: item.type === 'string' ? 'text' : item.type === 'integer' ? 'whole' : 'number' };
 }
 
