@@ -237,9 +237,10 @@ heights_m = [1, 500]
     const words = [...document.querySelectorAll('p')].map((p) => p.textContent).find((text) => text.startsWith('Not sure'));
     return [...table.querySelectorAll('tr')].map((tr) => [...tr.children].at(-2).textContent).join('; ') + '; ' + words;
   )");
-  EXPECT_EQ(shown,
-            "Catches enough; yes, not sure; no: height; Not sure: the wanted 95 % lie within the 95 % confidence interval of "
-            "the share. Run more rocks to tell, or choose a kit that is sure.");
+  EXPECT_EQ(
+      shown,
+      "Catches enough; yes, not sure; no: height; Not sure: the wanted 95 % lie within the 95 % confidence interval of "
+      "the share. Run more rocks to tell, or choose a kit that is sure.");
 }
 
 TEST(RunDesign, OfALineThatLeavesTheTerrainCountsFromItsFirstPoint) {

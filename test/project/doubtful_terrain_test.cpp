@@ -76,9 +76,10 @@ std::string warned_of(const RawMesh& mesh) {
 
 TEST(DoubtfulMesh, LiesOnItsSide) {
   EXPECT_EQ(warned_of(roof(2)), "");
-  EXPECT_EQ(warned_of(roof(1)),
-            "slope.toml: warning: [terrain]: \"slope.obj\" seems to lie on its side (as a whole it is 90 degrees steep and "
-            "faces along y). z points up: if y does in this file, exchange y and z");
+  EXPECT_EQ(
+      warned_of(roof(1)),
+      "slope.toml: warning: [terrain]: \"slope.obj\" seems to lie on its side (as a whole it is 90 degrees steep and "
+      "faces along y). z points up: if y does in this file, exchange y and z");
   EXPECT_NE(warned_of(roof(0)).find("exchange x and z"), std::string::npos);
 }
 
@@ -122,7 +123,8 @@ TEST(DoubtfulReleases, AreInTheGround) {
       "warning: seeders: 10 of 10 rocks are to start in the ground (a run lifts them onto it, or lowers them from a "
       "ceiling). Compare their z with the terrain, or let z be \"surface\"");
   // Half of a line that is level lies in the slope: five of ten strata.
-  EXPECT_EQ(warned("type = \"line\"\npoints = [[0, 10, 50], [199, 10, 50]]\n[sampling]\nmethod = \"latin_hypercube\"\n").substr(0, 29),
+  EXPECT_EQ(warned("type = \"line\"\npoints = [[0, 10, 50], [199, 10, 50]]\n[sampling]\nmethod = \"latin_hypercube\"\n")
+                .substr(0, 29),
             "warning: seeders: 5 of 10 roc");
   EXPECT_NE(warned("position = [20, 10, 80]\n[[seeder]]\nname = \"Many\"\nmass_kg = 10\nrocks = 1000000\n"
                    "position = [20, 10, 91]\n")

@@ -9,7 +9,7 @@ namespace talus {
 
 enum class GdalKind { raster, vector };
 
-/// A format that is read. Which one a file has is told by what it holds.
+/// A format that is read. The content of a file decides which one it has.
 struct GdalFormat {
   const char* driver;  // as GDAL calls it
   const char* name;    // as people do

@@ -166,7 +166,7 @@ class Scratch {
     const Options cloud_optimised{
         "COMPRESS=DEFLATE", "LEVEL=1",       "PREDICTOR=YES",   "OVERVIEWS=FORCE_USE_EXISTING",
         "SPARSE_OK=TRUE",   "BLOCKSIZE=256", "BIGTIFF=IF_SAFER"};
-    // Of a run that was killed: GDAL would look into it, and complain of what it finds.
+    // Left by a run that was killed: GDAL would open it, and report errors of what it holds.
     std::error_code ignored;
     std::filesystem::remove(part, ignored);
     messages.clear();

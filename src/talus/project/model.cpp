@@ -120,7 +120,8 @@ class Builder {
         naming_files(project_, "[terrain]", problems_, warnings_,
                      [&](Problems&, Problems& warnings) { return build_terrain(project_, warnings); });
     std::vector<talus::Material> materials;
-    for (const Material& material : project_.materials) materials.push_back(material_of(material, project_.analysis.model));
+    for (const Material& material : project_.materials)
+      materials.push_back(material_of(material, project_.analysis.model));
     model_.ground =
         naming_files(project_, "[ground]", problems_, warnings_, [&](Problems& problems, Problems& warnings) {
           return build_ground(project_, std::move(materials), terrain, problems, warnings);
