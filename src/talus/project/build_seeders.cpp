@@ -11,6 +11,7 @@
 #include "talus/project/drawn.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/settings.hpp"
+#include "talus/project/varied_section.hpp"
 
 namespace talus::project {
 

@@ -24,17 +24,6 @@ struct BuiltTerrain {
   std::vector<double> facet_areas;  // and their areas on plan [m2]; where a ground from polygons needs them
 };
 
-/// How many standard deviations a vertex of a varied section is moved at most, in x and in z.
-inline constexpr double most_deviations_of_vertex = 3;
-
-/// What of a section there is ground over for every rock, however its vertices are moved; x in the user's coordinates.
-struct CertainStretch {
-  double from, to;
-};
-[[nodiscard]] CertainStretch certain_stretch(const Terrain& terrain);
-/// Why a place beyond it is none to stand on, for a complaint.
-[[nodiscard]] std::string why_uncertain(const CertainStretch& stretch);
-
 /// A hint where a place is off the terrain, and on it with its coordinates the other way round.
 inline constexpr const char* exchanged_hint = "With x and y exchanged it would lie on the terrain";
 

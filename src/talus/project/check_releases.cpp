@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "talus/campaign/release_survey.hpp"
+#include "talus/seeding/release_height.hpp"
 
 namespace talus::project {
 

@@ -6,9 +6,6 @@
 
 namespace talus::project {
 
-/// Higher above the ground no rock is released, unless an elevation was taken for a height [m].
-inline constexpr double highest_release_m = 300;
-
 /// Adds a warning where a rock starts higher than that. Looks at a sample of rocks.
 void warn_of_high_releases(const Model& model, Problems& warnings);
 

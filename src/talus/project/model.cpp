@@ -12,6 +12,7 @@
 #include "talus/project/check_releases.hpp"
 #include "talus/project/drawn.hpp"
 #include "talus/project/named_files.hpp"
+#include "talus/project/varied_section.hpp"
 
 namespace talus::project {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "talus/core/check.hpp"
-#include "talus/project/check_releases.hpp"
+#include "talus/seeding/release_height.hpp"
 #include "talus/terrain/mend.hpp"
 
 namespace talus::project {

@@ -1,0 +1,31 @@
+#include "talus/project/varied_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace talus::project {
+
+CertainStretch certain_stretch(const Terrain& terrain) {
+  // Wherever the vertices go, one lies to the left of the least right end of where each may be, and one to the right of
+  // the greatest left end; the slope connects them.
+  CertainStretch stretch{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (std::size_t k = 0; k < terrain.section.size(); ++k) {
+    const double x = terrain.section[k][0];
+    const double moved =
+        terrain.section_std_dev_m.empty() ? 0 : most_deviations_of_vertex * terrain.section_std_dev_m[k][0];
+    stretch.from = std::min(stretch.from, x + moved);
+    stretch.to = std::max(stretch.to, x - moved);
+  }
+  return stretch;
+}
+
+std::string why_uncertain(const CertainStretch& stretch) {
+  return fmt::format(
+      "where section_std_dev_m moves its ends by {:g} standard deviations, the section goes from x = "
+      "{:.10g} to {:.10g}",
+      most_deviations_of_vertex, stretch.from, stretch.to);
+}
+
+}  // namespace talus::project
