@@ -9,8 +9,11 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -163,6 +166,53 @@ std::vector<fs::path> page_sources() {
   for (const auto& entry : fs::recursive_directory_iterator(root / "web" / "src"))
     if (entry.path().extension() == ".ts" || entry.path().extension() == ".tsx") files.push_back(entry.path());
   return files;
+}
+
+// The files of web/src that a file of it imports, as paths from there without their endings.
+std::vector<std::string> imports_of(const fs::path& file, const fs::path& source) {
+  static const std::regex pattern(R"(from '(\.[^']*)'|import\(?\s*'(\.[^']*)')");
+  std::ifstream in(file);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const fs::path folder = file.parent_path().lexically_relative(source);
+  std::vector<std::string> imports;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern); match != std::sregex_iterator(); ++match) {
+    const std::string name = (*match)[1].matched ? (*match)[1].str() : (*match)[2].str();
+    imports.push_back((folder / name).lexically_normal().generic_string());
+  }
+  return imports;
+}
+
+// A file that a walk along imports comes back to while it is still on the way; nothing where there is no such circle.
+std::optional<std::string> circle_in(const std::map<std::string, std::vector<std::string>>& imports) {
+  std::map<std::string, int> state;  // 1: on the way; 2: done
+  std::optional<std::string> found;
+  const std::function<void(const std::string&)> walk = [&](const std::string& name) {
+    state[name] = 1;
+    if (const auto entry = imports.find(name); entry != imports.end())
+      for (const std::string& next : entry->second) {
+        if (state[next] == 0) walk(next);
+        if (state[next] == 1 && !found) found = name + " -> " + next;
+      }
+    state[name] = 2;
+  };
+  for (const auto& [name, unused] : imports)
+    if (state[name] == 0) walk(name);
+  return found;
+}
+
+TEST(Architecture, FilesOfThePageImportNoCircle) {
+  const fs::path source = root / "web" / "src";
+  std::map<std::string, std::vector<std::string>> imports;
+  std::size_t seen = 0;
+  for (const fs::path& file : page_sources()) {
+    auto names = imports_of(file, source);
+    seen += names.size();
+    imports.emplace(file.lexically_relative(source).replace_extension().generic_string(), std::move(names));
+  }
+  EXPECT_GT(seen, 500U);
+  EXPECT_EQ(circle_in(imports), std::nullopt);
+  EXPECT_TRUE(circle_in({{"a", {"b"}}, {"b", {"c"}}, {"c", {"a"}}}));
+  EXPECT_FALSE(circle_in({{"a", {"b", "c"}}, {"b", {"c"}}, {"c", {}}}));
 }
 
 // Names in a project are the user's, and may be anybody's: the page shows them as text.

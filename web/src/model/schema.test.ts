@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { tablesOf } from './schema';
-import { absentText, rangeText, titleOf, unitText, valueText } from './words';
+import { titleOf, unitText } from './titles';
+import { absentText, rangeText, valueText } from './words';
 
 const distribution = {
   type: 'object',

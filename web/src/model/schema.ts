@@ -1,6 +1,6 @@
 // What a form needs to know of each setting, read from the schema that the engine gives of its project file.
 
-import { titleOf, unitText } from './words';
+import { titleOf, unitText } from './titles';
 
 export interface Range {
   least?: number;

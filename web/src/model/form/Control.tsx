@@ -6,7 +6,7 @@ import { pathText, put } from '../place';
 import { absentText, valueText, wordText } from '../words';
 import { Choice } from './Choice';
 import { DistributionControl } from './DistributionControl';
-import { idOf, sayingsId, type FieldProps } from './Field';
+import { idOf, sayingsId, type FieldProps } from './fieldProps';
 import { FileControl } from './FileControl';
 import { LineControl, RowsControl, TupleControl } from './geometry';
 import { LibraryControl } from './LibraryControl';

@@ -9,7 +9,7 @@ import { isTable, pathText, put, thingOf } from '../place';
 import { absentText, valueText } from '../words';
 import { Choice } from './Choice';
 import { Curve } from './Curve';
-import { idOf, sayingsId, type FieldProps } from './Field';
+import { idOf, sayingsId, type FieldProps } from './fieldProps';
 import { TypedInput } from './TypedInput';
 
 const kindTitles: Record<string, string> = { none: 'constant' };

@@ -4,29 +4,13 @@ import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import { valueAt } from '../../state/document';
 import { helpOpen } from '../../state/view';
-import type { Path } from '../../toml/edit';
 import { problemsOf, sentenceOf, toneOf } from '../awaited';
 import { pathText, put, rockModel } from '../place';
 import { wordText } from '../words';
 import type { Field as Setting } from '../schema';
 import { Control } from './Control';
+import { idOf, type FieldProps } from './fieldProps';
 import { Help } from './Help';
-
-export interface FieldProps {
-  field: Setting;
-  path: Path;
-}
-
-/// What a control of one value needs besides it.
-export interface Common {
-  id: string;
-  invalid: boolean;
-  describedBy?: string;
-}
-
-export const idOf = (path: Path) => `field-${path.join('-')}`;
-/// Where it stands what is said of a setting, for its controls to point at.
-export const sayingsId = (path: Path) => (problemsOf(path).length > 0 ? `${idOf(path)}-problems` : undefined);
 
 /// Whether a field is one control, whose label points at it; a group of controls has a name of its own.
 const isSingle = ({ type }: Setting) =>

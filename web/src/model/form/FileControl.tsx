@@ -9,7 +9,7 @@ import { MoreFiles } from '../MoreFiles';
 import { cellText } from '../numbers';
 import { pathText, put } from '../place';
 import { absentText } from '../words';
-import { idOf, sayingsId, type FieldProps } from './Field';
+import { idOf, sayingsId, type FieldProps } from './fieldProps';
 
 export function FileControl({ field, path }: FieldProps) {
   useEffect(() => void loadFiles(), []);

@@ -4,7 +4,7 @@ import { library, loadLibrary } from '../library';
 import { put } from '../place';
 import { absentText } from '../words';
 import { Choice } from './Choice';
-import type { Common, FieldProps } from './Field';
+import type { Common, FieldProps } from './fieldProps';
 
 /// The material of the library whose values hold where nothing is given, and where they are from.
 export function LibraryControl({ field, path, ...common }: FieldProps & Common) {

@@ -4,7 +4,7 @@ import { useState } from 'preact/hooks';
 import { edit, valueAt } from '../../state/document';
 import { isTable, thingOf } from '../place';
 import { Choice } from './Choice';
-import type { FieldProps } from './Field';
+import type { FieldProps } from './fieldProps';
 import { materialNames } from './references';
 
 export function NamesControl({ field, path }: FieldProps) {

@@ -11,7 +11,7 @@ import { pathText } from '../place';
 import { cellsOf, rowEdits } from '../rows';
 import { waitingAt } from '../unfinished';
 import { EditTable } from './EditTable';
-import type { FieldProps } from './Field';
+import type { FieldProps } from './fieldProps';
 import { tableProps } from './geometry';
 import { PolygonPreview } from './PolygonPreview';
 

@@ -7,7 +7,7 @@ import { counted } from '../../ui/format';
 import { cellText } from '../numbers';
 import { is2d, pathText, tableAt } from '../place';
 import { Choice } from './Choice';
-import { sayingsId, type FieldProps } from './Field';
+import { sayingsId, type FieldProps } from './fieldProps';
 import { materialNames } from './references';
 
 export function SegmentList({ field, path }: FieldProps) {

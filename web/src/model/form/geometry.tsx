@@ -16,7 +16,7 @@ import { isBlank, isSameRow, type Waiting } from '../waitingRows';
 import { Choice } from './Choice';
 import { DrawButton } from './DrawButton';
 import { EditTable } from './EditTable';
-import { idOf, sayingsId, type FieldProps } from './Field';
+import { idOf, sayingsId, type FieldProps } from './fieldProps';
 import { TypedInput } from './TypedInput';
 
 /// How many numbers a position has at the least: its height may be left out where `height_above_m` says it.

@@ -5,7 +5,7 @@ import { nameOf, put } from '../place';
 import { absentText } from '../words';
 import { cellText } from '../numbers';
 import { Choice } from './Choice';
-import type { Common, FieldProps } from './Field';
+import type { Common, FieldProps } from './fieldProps';
 
 const names = (key: string) => rowsOf(key).map((_, index) => nameOf(key, index));
 export const materialNames = () => names('material');
