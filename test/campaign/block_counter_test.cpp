@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 #include "support/dice.hpp"
@@ -29,7 +31,8 @@ TEST(BlockCounter, HandsOutEveryRockOnceInOrder) {
         under_way.push_back(rank);
       } else if (!under_way.empty()) {
         const std::size_t which = dice.below(under_way.size());
-        counter.came_back(under_way[which]);
+        counter.came_back(under_way[which], 20);
+        counter.is_in_order(under_way[which]);
         under_way.erase(under_way.begin() + static_cast<std::ptrdiff_t>(which));
       }
       EXPECT_EQ(counter.is_quiet(), under_way.empty());
@@ -46,9 +49,31 @@ TEST(BlockCounter, KeepsARankBusyAndNoMore) {
   while (counter.take(1)) ++second;
   EXPECT_EQ(first, 2);
   EXPECT_EQ(second, 6);
-  counter.came_back(1);
+  counter.came_back(1, 16);
   EXPECT_FALSE(counter.take(0));
   EXPECT_TRUE(counter.take(1));
+}
+
+// What a rank has done is held there while a block before it is under way on another: so much, and no more.
+TEST(BlockCounter, LetsARankGoAheadOfTheOthersByAFewBlocks) {
+  const int threads[] = {1, 1};
+  BlockCounter counter({0, 1'000'000}, threads);
+  ASSERT_TRUE(counter.take(0));
+  int ahead = 0;
+  for (; counter.take(1); ++ahead) counter.came_back(1, 16);
+  EXPECT_EQ(ahead, 4);
+  EXPECT_FALSE(counter.is_quiet());
+  counter.is_in_order(1);
+  EXPECT_TRUE(counter.take(1));
+}
+
+TEST(BlockCounter, GivesSmallBlocksOfRocksThatTakeLong) {
+  const int threads[] = {1, 1};
+  BlockCounter counter({0, 1'000'000}, threads);
+  EXPECT_EQ(counter.take(0)->count(), 16U);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  counter.came_back(0, 2);  // at most 5 rocks a second and thread: a quarter of a second has one
+  EXPECT_EQ(counter.take(0)->count(), 1U);
 }
 
 // The last blocks are small, so that no rank waits long for another.
@@ -60,15 +85,19 @@ TEST(BlockCounter, GivesSmallBlocksTowardsTheEnd) {
     const auto block = counter.take(rank);
     ASSERT_TRUE(block);
     sizes.push_back(block->count());
-    counter.came_back(rank);
+    counter.came_back(rank, 1'000'000'000);  // in no time: that is no reason for small ones
+    counter.is_in_order(rank);
   }
-  EXPECT_EQ(sizes.front(), rocks_a_block);
+  EXPECT_EQ(sizes.front(), 16U);  // nothing is known of the rocks
+  EXPECT_EQ(sizes[1], rocks_a_block);
   EXPECT_LE(sizes.back(), 16U);
-  for (std::size_t k = 1; k < sizes.size(); ++k) EXPECT_LE(sizes[k], sizes[k - 1]);
+  for (std::size_t k = 2; k < sizes.size(); ++k) EXPECT_LE(sizes[k], sizes[k - 1]);
   EXPECT_EQ(std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0}), 10000U);
 }
 
-DoneBlock block(std::uint64_t first, std::uint64_t last) { return {{first, last}, {std::to_string(first) + "\n", ""}}; }
+BlockOfRank block(std::uint64_t first, std::uint64_t last) {
+  return {first, {{first, last}, {std::to_string(first) + "\n", ""}}};
+}
 
 TEST(BlockOrder, GivesBlocksInTheOrderOfTheirRocks) {
   BlockOrder order(10);
@@ -80,10 +109,22 @@ TEST(BlockOrder, GivesBlocksInTheOrderOfTheirRocks) {
   EXPECT_EQ(order.next_rock(), 10U);
   order.add(block(10, 20));
   std::string text;
-  while (const auto next = order.next()) text += next->texts[0];
+  while (const auto next = order.next()) {
+    EXPECT_EQ(next->rank, next->block.rocks.first);
+    text += next->block.texts[0];
+  }
   EXPECT_EQ(text, "10\n20\n30\n");
   EXPECT_EQ(order.next_rock(), 35U);
   EXPECT_EQ(order.bytes(), 0U);
+}
+
+TEST(BlockOrder, EndsAtABlockThatWasCutShort) {
+  BlockOrder order(0);
+  order.add(block(20, 30));
+  order.add(block(0, 7));  // of 20 rocks
+  EXPECT_TRUE(order.next());
+  EXPECT_FALSE(order.next());
+  EXPECT_EQ(order.next_rock(), 7U);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "support/endless_slope.hpp"
 #include "talus/project/model.hpp"
 #include "talus/project/read.hpp"
 
@@ -48,7 +49,7 @@ TEST(BlockWorker, GivesTheRowsOfEachBlockApart) {
   const Model model = tutorial_model();
   for (const int threads : {1, 2, 8}) {
     Numbers numbers;
-    BlockWorker worker(model, {&numbers}, threads,
+    BlockWorker worker(model, {&numbers}, {}, threads,
                        [&] { return std::vector<std::string>{std::exchange(numbers.text, {})}; });
     std::vector<RockRange> given;
     std::vector<DoneBlock> done;
@@ -74,7 +75,7 @@ TEST(BlockWorker, SaysWhatWentWrong) {
   for (const int threads : {1, 4}) {
     Numbers numbers;
     numbers.bad_rock = 250;
-    BlockWorker worker(model, {&numbers}, threads, [&] { return std::vector<std::string>(1); });
+    BlockWorker worker(model, {&numbers}, {}, threads, [&] { return std::vector<std::string>(1); });
     for (std::uint64_t k = 0; k < 10; ++k) worker.give({100 * k, 100 * k + 100});
     std::string said;
     try {
@@ -89,9 +90,60 @@ TEST(BlockWorker, SaysWhatWentWrong) {
 TEST(BlockWorker, MayEndWithoutWork) {
   const Model model = tutorial_model();
   Numbers numbers;
-  BlockWorker worker(model, {&numbers}, 2, [] { return std::vector<std::string>(); });
+  BlockWorker worker(model, {&numbers}, {}, 2, [] { return std::vector<std::string>(); });
   EXPECT_TRUE(worker.take(0us).empty());
   EXPECT_TRUE(worker.take(100us).empty());
+}
+
+/// Counts the rocks that were committed.
+struct Count : SummingObserver {
+  struct Part : ObserverPart {
+    void see(const RockRecord&, const RockLog&) override { ++rocks; }
+    std::uint64_t rocks = 0;
+  };
+  [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
+  [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override { return std::make_unique<Part>(); }
+  void commit(ObserverPart& part) override { rocks += static_cast<Part&>(part).rocks; }
+  void save(ByteWriter&) override {}
+  void merge_saved(ByteReader&) override {}
+  std::uint64_t rocks = 0;
+};
+
+TEST(BlockWorker, LeavesSumsToWhoTakesItsBlocks) {
+  const Model model = tutorial_model();
+  Count count;
+  SummingObserver* const sums[] = {&count};
+  BlockWorker worker(model, {}, {&count}, 2, [] { return std::vector<std::string>(); });
+  worker.give({0, 50});
+  worker.give({50, 120});
+  std::vector<DoneBlock> done;
+  while (done.size() < 2) {
+    for (DoneBlock& block : worker.take(1s)) done.push_back(std::move(block));
+  }
+  EXPECT_EQ(count.rocks, 0U);
+  commit(done[0], sums);
+  EXPECT_EQ(count.rocks, 50U);
+  commit(done[1], sums);
+  EXPECT_EQ(count.rocks, 120U);
+}
+
+TEST(BlockWorker, StopsInTheMiddleOfABlock) {
+  Problems warnings;
+  const std::string text = testing_tools::endless_slope(100, 3);
+  const Model model = project::build_model(project::read_project_text(text, "endless.toml", {}).project, warnings);
+  Count count;
+  SummingObserver* const sums[] = {&count};
+  BlockWorker worker(model, {}, {&count}, 2, [] { return std::vector<std::string>(); });
+  for (std::uint64_t k = 0; k < 100; k += 20) worker.give({k, k + 20});
+  worker.give({100, 103});
+  while (count.rocks < 100) {
+    for (DoneBlock& block : worker.take(1s)) commit(block, sums);
+  }
+  EXPECT_FALSE(worker.has_ended());
+  const auto asked = std::chrono::steady_clock::now();
+  worker.stop();
+  while (!worker.has_ended()) EXPECT_TRUE(worker.take(1ms).empty());
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, 1min);  // each of the rocks takes minutes
 }
 
 }  // namespace

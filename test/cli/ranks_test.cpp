@@ -13,6 +13,7 @@
 #include "cli/mpirun.hpp"
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "support/endless_slope.hpp"
 #include "talus/io/run_state.hpp"
 
 namespace talus::test {
@@ -158,6 +159,18 @@ TEST_F(OnRanks, AreStoppedBySigusr1AndKeepWhatIsDone) {
   EXPECT_LT(done, 100000);
   const std::string endpoints = work.read("stopped/endpoints.csv");
   EXPECT_EQ(std::count(endpoints.begin(), endpoints.end(), '\n'), done + 1);
+}
+
+TEST_F(OnRanks, AreStoppedInTheMiddleOfLongRocks) {
+  const std::string project = work.write("endless.toml", testing_tools::endless_slope(650, 3, 947));
+  Child child({"run", project, "--threads", "1", "-q", "-o", (work / "out").string()}, work / "said", mpirun(2));
+  ASSERT_TRUE(appears(work / "out/endpoints.csv.part")) << work.read("said");
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  child.signal(SIGUSR1);
+  const auto asked = std::chrono::steady_clock::now();
+  EXPECT_EQ(child.wait(), 3);
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::minutes(1));  // each of the rocks takes minutes
+  EXPECT_EQ(count(work.read("said"), "stopped after 650 of 1600 rocks"), 1) << work.read("said");
 }
 
 TEST_F(OnRanks, SayOnceWhatIsWrongWithAProject) {

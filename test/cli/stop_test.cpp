@@ -9,6 +9,7 @@
 
 #include "cli/child.hpp"
 #include "cli/program.hpp"
+#include "support/endless_slope.hpp"
 
 namespace talus::test {
 namespace {
@@ -16,40 +17,11 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/// A rock that slides for days of its time, which takes minutes to compute.
-constexpr const char* endless = R"(
-name = "Endless"
-[analysis]
-rotation = false
-max_timestep_s = 1e-4
-max_time_s = 1e6
-max_steps = 1000000000
-[terrain]
-section = [[-1000, 100], [1e6, -100000]]
-[[material]]
-name = "Rock"
-normal_restitution = 0
-tangential_restitution = 1
-friction_angle_deg = 5.7105932
-[[seeder]]
-name = "short"
-position = [0, "surface"]
-rocks = SHORT
-mass_kg = 100
-[[seeder]]
-name = "long"
-position = [0, "surface"]
-horizontal_velocity_m_s = 1
-rocks = 5
-mass_kg = 100
-)";
-
 class CtrlC : public testing::Test {
  protected:
   /// What a run of so many rocks that rest at once and five that do not says when it is stopped, which it hears soon.
-  std::string said_when_stopped(const std::string& rocks_at_rest) {
-    std::string text = endless;
-    text.replace(text.find("SHORT"), 5, rocks_at_rest);
+  std::string said_when_stopped(int rocks_at_rest) {
+    const std::string text = testing_tools::endless_slope(rocks_at_rest, 5);
     Child child({"run", work.write("endless.toml", text), "--threads", "2", "-q", "-o", (work / "out").string()},
                 work / "said");
     std::this_thread::sleep_for(3s);
@@ -65,14 +37,14 @@ class CtrlC : public testing::Test {
 
 TEST_F(CtrlC, LeavesALongRockAndKeepsAllBefore) {
   // Of so many, none of the rocks of the sample that a run begins with is one of the last five.
-  const std::string said = said_when_stopped("17000");
+  const std::string said = said_when_stopped(17'000);
   EXPECT_NE(said.find("stopped after 17000 of 17005 rocks"), std::string::npos) << said;
   EXPECT_TRUE(said.ends_with(", and --resume goes on from there\n")) << said;
   EXPECT_TRUE(std::filesystem::exists(work / "out/run.state"));
 }
 
 TEST_F(CtrlC, IsHeardBeforeTheFirstRock) {
-  const std::string said = said_when_stopped("1");
+  const std::string said = said_when_stopped(1);
   EXPECT_TRUE(said.ends_with("stopped before the first rock was done\n")) << said;
 }
 

@@ -5,14 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "support/endless_slope.hpp"
 #include "support/thread_ranks.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/io/run_state.hpp"
 #include "talus/project/model.hpp"
 #include "talus/project/rank_messages.hpp"
@@ -234,6 +238,56 @@ TEST(RunOnRanks, AnySignalledRankStopsAll) {
       });
 }
 
+// Ranks that went ahead of the rock that was left keep nothing of what they did: as one process.
+TEST(RunOnRanks, AreStoppedInTheMiddleOfLongRocks) {
+  const Workplace work;
+  // None of the rocks of the sample that a run begins with is a long one.
+  const std::string file = work.write("endless.toml", testing_tools::endless_slope(650, 3, 947));
+  Reading reading = read_project(file, {{"output.paths=\"all\"", "output.report=false"}, {}, {}});
+  Loaded loaded{std::move(reading.project), std::move(reading.warnings), {}};
+  loaded.model = build_model(loaded.project, loaded.warnings);
+  const auto files_when_stopped = [&](int ranks) {
+    const std::string folder = std::to_string(ranks);
+    std::atomic<bool> stop{false};
+    std::chrono::steady_clock::time_point asked;
+    const std::jthread stopper([&] {
+      std::this_thread::sleep_for(std::chrono::seconds(3));
+      asked = std::chrono::steady_clock::now();
+      stop = true;
+    });
+    RunOptions options{.campaign = {.threads = 1, .stop = &stop}};
+    const RunResult result =
+        ranks == 1 ? run(loaded, work / folder, options) : run_on(ranks, loaded, work / folder, options);
+    EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::minutes(1));  // each of the rocks takes minutes
+    EXPECT_TRUE(result.outcome.interrupted);
+    EXPECT_EQ(result.outcome.done, 650U);
+    auto files = files_of(work / folder);
+    EXPECT_EQ(files.erase("run.state"), 1U);  // it holds timings
+    return files;
+  };
+  const auto alone = files_when_stopped(1);
+  EXPECT_EQ(differences(alone, files_when_stopped(3)), "");
+}
+
+TEST(RunOnRanks, AreStoppedBeforeTheFirstRockByAnyOfThem) {
+  const Workplace work;
+  const Loaded loaded = load(work);
+  const std::atomic<bool> stop{true};
+  with_ranks(
+      3,
+      [&](Ranks& mine) {
+        RunOptions options{.campaign = {.threads = 1}};
+        options.ranks = &mine;
+        EXPECT_THROW(run(loaded, work / "out", options), Stopped);
+        dismiss_ranks(mine, 3);
+      },
+      [&](Ranks& mine) {
+        RunOptions own{.campaign = {.stop = mine.rank() == 2 ? &stop : nullptr}};
+        EXPECT_EQ(help_run(mine, loaded.project, loaded.model, loaded.warnings, own), 3);
+      });
+  EXPECT_FALSE(fs::exists(work / "out/endpoints.csv.part"));
+}
+
 TEST(RankMessages, HoldWhatWasSaid) {
   const auto received = [](std::string bytes) { return Ranks::Message{3, std::move(bytes)}; };
   const auto block = received(message_of(DoneBlock{{7, 9}, {"rows\n", "", "more\n"}}));
@@ -242,6 +296,7 @@ TEST(RankMessages, HoldWhatWasSaid) {
   EXPECT_EQ(found.rocks, (RockRange{7, 9}));
   EXPECT_EQ(found.texts, (std::vector<std::string>{"rows\n", "", "more\n"}));
   EXPECT_EQ(rocks_from(content_of(received(message_of(RockRange{5, 6})))), (RockRange{5, 6}));
+  EXPECT_EQ(next_rock_from(content_of(received(done_message(77)))), 77U);
   EXPECT_EQ(exit_code_from(content_of(received(leave_message(3)))), 3);
   const auto cannot = received(message_of(Cannot{"node", "no", 2}));
   EXPECT_EQ(cannot_from(content_of(cannot)).text, "no");

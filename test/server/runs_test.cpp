@@ -9,6 +9,7 @@
 #include "cli/child.hpp"
 #include "cli/run_files.hpp"
 #include "run_store.hpp"
+#include "support/endless_slope.hpp"
 #include "support/listener.hpp"
 #include "talus/io/folder_lock.hpp"
 
@@ -218,30 +219,7 @@ TEST_F(Runs, BeginAndGoOnOnlyUntilTheServerEnds) {
 }
 
 TEST_F(Runs, AreStoppedInTheMiddleOfALongRock) {
-  // 17,000 rocks that rest at once, then some that each take minutes.
-  const std::string endless = R"([analysis]
-rotation = false
-max_timestep_s = 1e-4
-max_time_s = 1e6
-max_steps = 1000000000
-[terrain]
-section = [[-1000, 100], [1e6, -100000]]
-[[material]]
-name = "Rock"
-normal_restitution = 0
-tangential_restitution = 1
-friction_angle_deg = 5.7105932
-[[seeder]]
-position = [0, "surface"]
-rocks = 17000
-mass_kg = 100
-[[seeder]]
-position = [0, "surface"]
-horizontal_velocity_m_s = 1
-rocks = 5
-mass_kg = 100
-)";
-  const std::string id = begin(endless);
+  const std::string id = begin(testing_tools::endless_slope(17'000, 5));
   (void)wait(id, [](const Json& now) { return now["done"] > 16'700; });  // the last block has some of the long ones
   const auto asked = std::chrono::steady_clock::now();
   EXPECT_EQ(ask(id, "stop").status, 200);

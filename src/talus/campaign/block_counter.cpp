@@ -1,6 +1,7 @@
 #include "talus/campaign/block_counter.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "talus/core/check.hpp"
@@ -17,9 +18,10 @@ std::size_t bytes_of(const DoneBlock& block) {
 
 }  // namespace
 
-BlockCounter::BlockCounter(const RockRange& rocks, std::span<const int> threads) : left_(rocks) {
+BlockCounter::BlockCounter(const RockRange& rocks, std::span<const int> threads)
+    : left_(rocks), size_(std::accumulate(threads.begin(), threads.end(), 0)) {
   for (const int each : threads) {
-    ranks_.push_back({blocks_a_thread * static_cast<std::uint64_t>(std::max(1, each)), 0});
+    ranks_.push_back({blocks_a_thread * static_cast<std::uint64_t>(std::max(1, each)), 0, 0});
     most_under_way_ += ranks_.back().most;
   }
 }
@@ -27,9 +29,10 @@ BlockCounter::BlockCounter(const RockRange& rocks, std::span<const int> threads)
 std::optional<RockRange> BlockCounter::take(std::size_t rank) {
   Rank& asking = ranks_[rank];
   if (asking.has == asking.most || left_.count() == 0) return std::nullopt;
+  if (asking.waiting >= blocks_that_wait * asking.most) return std::nullopt;
   // Of what is left, a half is divided among all blocks that may be under way.
   const std::uint64_t share = left_.count() / (2 * most_under_way_);
-  const std::uint64_t count = std::min(left_.count(), std::clamp(share, least_rocks, rocks_a_block));
+  const std::uint64_t count = std::min({left_.count(), std::clamp(share, least_rocks, rocks_a_block), size_.next()});
   const RockRange block{left_.first, left_.first + count};
   left_.first = block.last;
   ++asking.has;
@@ -37,27 +40,34 @@ std::optional<RockRange> BlockCounter::take(std::size_t rank) {
   return block;
 }
 
-void BlockCounter::came_back(std::size_t rank) {
+void BlockCounter::came_back(std::size_t rank, std::uint64_t rocks) {
   TALUS_PROMISE(ranks_[rank].has > 0, "a block comes back that was not handed out");
   --ranks_[rank].has;
+  ++ranks_[rank].waiting;
   --under_way_;
+  size_.done(rocks);
 }
 
-void BlockOrder::add(DoneBlock block) {
-  TALUS_PROMISE(block.rocks.first >= next_, "a block comes that was given before");
-  bytes_ += bytes_of(block);
-  const std::uint64_t first = block.rocks.first;
-  waiting_.emplace(first, std::move(block));
+void BlockCounter::is_in_order(std::size_t rank) {
+  TALUS_PROMISE(ranks_[rank].waiting > 0, "a block is in order that did not come back");
+  --ranks_[rank].waiting;
 }
 
-std::optional<DoneBlock> BlockOrder::next() {
+void BlockOrder::add(BlockOfRank came) {
+  TALUS_PROMISE(came.block.rocks.first >= next_, "a block comes that was given before");
+  bytes_ += bytes_of(came.block);
+  const std::uint64_t first = came.block.rocks.first;
+  waiting_.emplace(first, std::move(came));
+}
+
+std::optional<BlockOfRank> BlockOrder::next() {
   const auto found = waiting_.find(next_);
   if (found == waiting_.end()) return std::nullopt;
-  DoneBlock block = std::move(found->second);
+  BlockOfRank came = std::move(found->second);
   waiting_.erase(found);
-  bytes_ -= bytes_of(block);
-  next_ = block.rocks.last;
-  return block;
+  bytes_ -= bytes_of(came.block);
+  next_ = came.block.rocks.last;
+  return came;
 }
 
 }  // namespace talus

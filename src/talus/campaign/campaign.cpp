@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 
+#include "talus/campaign/block_size.hpp"
 #include "talus/campaign/simulate.hpp"
 
 namespace talus {
@@ -21,26 +22,6 @@ struct Block {
   RockRange rocks;  // that observers are to see, or have seen
   std::vector<std::unique_ptr<ObserverPart>> parts;
   bool is_cut = false;  // it was stopped before its last rock
-};
-
-/// How many rocks a block gets: as many as are done in a quarter of a second, by what those before them took.
-class BlockSize {
- public:
-  explicit BlockSize(int threads) : threads_(threads) {}
-  void done(std::uint64_t rocks) { done_ += rocks; }
-  [[nodiscard]] std::uint64_t next() const {
-    constexpr double wanted = 0.25;      // [s]
-    constexpr std::uint64_t first = 16;  // as long as nothing is known of the rocks
-    if (done_ == 0) return first;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    const double rocks = wanted * static_cast<double>(done_) / std::max(seconds * threads_, 1e-9);
-    return static_cast<std::uint64_t>(std::clamp(rocks, 1.0, static_cast<double>(rocks_a_block)));
-  }
-
- private:
-  int threads_;
-  std::uint64_t done_ = 0;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace

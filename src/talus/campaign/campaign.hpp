@@ -33,12 +33,6 @@ struct CampaignOutcome {
 
 CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> observers, const CampaignOptions& options);
 
-/// At most: large enough that handing out and committing a block cost nothing, small enough that all paths of the
-/// blocks under way fit in memory (about 2 MB a block) and that a short campaign keeps every core busy to the end.
-/// Blocks of rocks that take long are smaller: what comes after a rock that is left on its way is lost with it, and a
-/// checkpoint waits for whole blocks.
-inline constexpr std::uint64_t rocks_a_block = 256;
-
 /// Blocks of rocks that come from elsewhere, in any order.
 struct BlockFlow {
   /// The next block; nothing if there will be no more. It may wait. Called by one thread at a time.

@@ -82,6 +82,15 @@ DoneBlock block_from(std::string_view content) {
   return block;
 }
 
+std::string done_message(std::uint64_t next_rock) {
+  ByteWriter out;
+  out.put(static_cast<std::uint8_t>(MessageKind::done));
+  out.put(next_rock);
+  return out.take();
+}
+
+std::uint64_t next_rock_from(std::string_view content) { return ByteReader(content).get<std::uint64_t>(); }
+
 std::string message_of(const Cannot& cannot) {
   ByteWriter out;
   out.put(static_cast<std::uint8_t>(MessageKind::cannot));

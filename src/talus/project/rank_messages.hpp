@@ -4,13 +4,19 @@
 //
 //   helper to rank 0     hello: it has read the project, and what it made of it
 //   rank 0 to helpers    rocks: a block to throw; each has a few before it (campaign/block_counter.hpp)
-//   helper to rank 0     block: the rows of its tables
+//   helper to rank 0     block: the rows of its tables; what it adds to the sums is kept until
+//   rank 0 to helpers    done: all rocks before this one are done, on all ranks
 //   rank 0 to helpers    gather: nothing is under way any more; what all summed up is added, along a tree of the ranks
 //   rank to rank         ask: send me your sums, and those that you were sent
 //   rank to rank         sums, in pieces, of which the last says so
+//   rank 0 to helpers    stop: leave the rocks on their way
+//   helper to rank 0     stopped: no more blocks will come
 //   rank 0 to helpers    leave: with this exit code, whatever is under way
 //
 // and, at any time, from a helper: stop (it was asked to by a signal), cannot (something is wrong there).
+//
+// What a stopped run keeps are the rocks before the first one that was left, wherever that was. So nothing of a block
+// is in the sums while one before it is under way.
 
 #include <chrono>
 #include <cstdint>
@@ -29,12 +35,14 @@ enum class MessageKind : std::uint8_t {
   hello,
   rocks,
   block,
+  done,
   gather,
   ask_for_sums,
   piece_of_sums,
   end_of_sums,
   leave,
   stop,
+  stopped,
   cannot
 };
 
@@ -56,8 +64,13 @@ struct Hello {
 [[nodiscard]] std::string message_of(const RockRange& rocks);
 [[nodiscard]] RockRange rocks_from(std::string_view content);
 
+/// Without what it adds to the sums.
 [[nodiscard]] std::string message_of(const DoneBlock& block);
 [[nodiscard]] DoneBlock block_from(std::string_view content);
+
+/// That all rocks before this one are done.
+[[nodiscard]] std::string done_message(std::uint64_t next_rock);
+[[nodiscard]] std::uint64_t next_rock_from(std::string_view content);
 
 /// What is wrong on a rank, and the exit code that it stands for.
 struct Cannot {

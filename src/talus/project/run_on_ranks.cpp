@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 
 #include "talus/campaign/block_counter.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/io/table_texts.hpp"
 #include "talus/project/rank_messages.hpp"
 
@@ -55,7 +57,8 @@ class Foreman {
         checkpoints_(checkpoints),
         counter_({begun.done, begun.range.last}, threads),
         order_(begun.done),
-        worker_(model, observers(texts, sums_), threads[0], [&texts] { return texts.take(); }) {}
+        worker_(model, texts.observers(), sums_, threads[0], [&texts] { return texts.take(); }),
+        helpers_at_work_(ranks.size() - 1) {}
 
   /// Gives the rock after the last one done.
   std::uint64_t run() {
@@ -69,11 +72,16 @@ class Foreman {
         came_back(0, std::move(block));
       }
       write_in_order();
-      stops_ = stops_ || (options_.campaign.stop != nullptr && options_.campaign.stop->load(std::memory_order_relaxed));
+      if (!is_stopping_ && (is_asked_to_stop_ || is_asked(options_.campaign.stop))) stop();
+      if (is_stopping_) {
+        if (!worker_.has_ended() || helpers_at_work_ > 0) continue;
+        gather();
+        return order_.next_rock();
+      }
       if (!pause_began_ && counter_.left() > 0 && checkpoints_.is_due()) pause_began_ = Checkpoints::Clock::now();
-      if (!stops_ && !pause_began_) hand_out();
+      if (!pause_began_) hand_out();
       if (!counter_.is_quiet()) continue;
-      const bool is_end = stops_ || counter_.left() == 0;
+      const bool is_end = counter_.left() == 0;
       if (!is_end && !pause_began_) continue;
       gather();
       if (is_end) return order_.next_rock();
@@ -87,19 +95,16 @@ class Foreman {
   /// way already.
   static constexpr std::size_t most_waiting_bytes = std::size_t{256} << 20;
 
-  static std::vector<Observer*> observers(const io::TableTexts& texts, const std::vector<SummingObserver*>& sums) {
-    std::vector<Observer*> list = texts.observers();
-    list.insert(list.end(), sums.begin(), sums.end());
-    return list;
-  }
-
   void handle(const Ranks::Message& message) {
     switch (kind_of(message)) {
       case MessageKind::block:
         came_back(message.from, block_from(content_of(message)));
         break;
       case MessageKind::stop:
-        stops_ = true;
+        is_asked_to_stop_ = true;
+        break;
+      case MessageKind::stopped:
+        --helpers_at_work_;
         break;
       case MessageKind::cannot:
         throw_what_is_wrong(message.from, cannot_from(content_of(message)));
@@ -108,16 +113,32 @@ class Foreman {
     }
   }
 
-  void came_back(int rank, DoneBlock block) {
-    counter_.came_back(static_cast<std::size_t>(rank));
-    order_.add(std::move(block));
+  void came_back(int from, DoneBlock block) {
+    const auto rank = static_cast<std::size_t>(from);
+    counter_.came_back(rank, block.rocks.count());
+    order_.add({rank, std::move(block)});
   }
 
   void write_in_order() {
-    while (const auto block = order_.next()) {
-      tables_.append(block->texts);
-      if (options_.campaign.progress) options_.campaign.progress(block->rocks.last - range_.first);
+    std::set<int> waiting;  // helpers whose blocks are part of the run now
+    while (auto next = order_.next()) {
+      auto& [rank, block] = *next;
+      tables_.append(block.texts);
+      counter_.is_in_order(rank);
+      if (rank == 0) {
+        commit(block, sums_);
+      } else {
+        waiting.insert(static_cast<int>(rank));
+      }
+      if (options_.campaign.progress) options_.campaign.progress(block.rocks.last - range_.first);
     }
+    for (const int rank : waiting) ranks_.send(rank, done_message(order_.next_rock()));
+  }
+
+  void stop() {
+    is_stopping_ = true;
+    worker_.stop();
+    for (int rank = 1; rank < ranks_.size(); ++rank) ranks_.send(rank, message_of(MessageKind::stop));
   }
 
   /// One block a rank and round, so that where there are few all have some.
@@ -153,9 +174,11 @@ class Foreman {
   BlockOrder order_;
   GatherInbox inbox_;
   Naps naps_;
-  bool stops_ = false;
+  bool is_asked_to_stop_ = false;  // by a helper
+  bool is_stopping_ = false;
   std::optional<Checkpoints::Clock::time_point> pause_began_;  // no more blocks are handed out, for a checkpoint
   BlockWorker worker_;
+  int helpers_at_work_;  // that have not said that they stopped
 };
 
 }  // namespace
@@ -166,13 +189,14 @@ std::vector<int> meet_ranks(Ranks& ranks, const io::RunDescription& description,
   std::map<int, Problems> problems;  // by rank, so that they come in an order
   Naps naps;
   for (int expected = ranks.size() - 1; expected > 0;) {
+    stop_point();
     const auto message = ranks.receive();
     if (!message) {
       std::this_thread::sleep_for(naps.next(ranks));
       continue;
     }
     const MessageKind kind = kind_of(*message);
-    if (kind == MessageKind::stop) continue;  // the signal comes to rank 0, too
+    if (kind == MessageKind::stop) throw Stopped{};
     --expected;
     if (kind == MessageKind::cannot) {
       const Cannot cannot = cannot_from(content_of(*message));

@@ -15,7 +15,8 @@
 namespace talus::project {
 
 /// For rank 0: waits until all others have read the project, and gives the threads of each. Throws BadInput with all
-/// that went wrong on them, or differs: everything has to be the same everywhere, to the bits of paths.
+/// that went wrong on them, or differs: everything has to be the same everywhere, to the bits of paths. Throws Stopped
+/// at the request of the thread's StopScope or of one of them.
 [[nodiscard]] std::vector<int> meet_ranks(Ranks& ranks, const io::RunDescription& description, int own_threads);
 
 /// For rank 0, after meeting: throws the rocks that `begun` leaves to be done, with the threads of each rank. Sums and
