@@ -18,16 +18,20 @@ struct Said {
   std::string text;  // standard output and standard error, in the order they came
 };
 
-inline Said talus_says(const std::string& arguments, const std::string& before = "") {
-  const std::string command = before + TALUS_PROGRAM " " + arguments + " 2>&1";
+/// Of a command of the shell.
+inline Said says(const std::string& command) {
   Said said;
-  std::FILE* pipe = popen(command.c_str(), "r");
+  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return said;
   std::array<char, 4096> buffer;
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) said.text.append(buffer.data(), n);
   const int status = pclose(pipe);
   said.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return said;
+}
+
+inline Said talus_says(const std::string& arguments, const std::string& before = "") {
+  return says(before + TALUS_PROGRAM " " + arguments);
 }
 
 /// A folder of its own for one test, removed with it.
