@@ -1,0 +1,184 @@
+// The glossary is in order, and whatever it names exists: settings in the schema, columns in the tables of a run, maps
+// in their list.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+#include "cli/run_files.hpp"
+#include "talus/barriers/barrier.hpp"
+#include "talus/io/map_list.hpp"
+#include "talus/motion/motion.hpp"
+#include "talus/project/schema.hpp"
+
+namespace talus::test {
+namespace {
+
+using nlohmann::ordered_json;
+using ::testing::IsEmpty;
+
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t from = text.find_first_not_of(' '), to = text.find_last_not_of(' ');
+  return from == std::string::npos ? "" : text.substr(from, to - from + 1);
+}
+
+struct Entry {
+  std::string term;
+  std::string meaning;
+  std::string where;
+};
+
+std::vector<Entry> glossary() {
+  std::vector<Entry> entries;
+  std::ifstream in(TALUS_SOURCE_DIR "/docs/glossary.md");
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("| ") || line.starts_with("| term ") || line.starts_with("| --- ")) continue;
+    const std::vector<std::string> cells = parts_of(line, '|');
+    EXPECT_EQ(cells.size(), 5U) << line;
+    if (cells.size() == 5U) entries.push_back({trimmed(cells[1]), trimmed(cells[2]), trimmed(cells[4])});
+  }
+  return entries;
+}
+
+/// The names in an entry's last cell.
+std::vector<std::string> names_in(const std::string& where) {
+  static const std::regex code("`([^`]*)`");
+  std::vector<std::string> names;
+  for (std::sregex_iterator it(where.begin(), where.end(), code), end; it != end; ++it) names.push_back((*it)[1]);
+  return names;
+}
+
+/// `table.key`, or of a random property `table.key.part`, with a word that it may be. What is wrong, or nothing.
+std::string wrong_setting(const std::string& name, const std::string& word) {
+  static const ordered_json schema = project::schema();
+  const std::vector<std::string> keys = parts_of(name, '.');
+  ordered_json node = schema;
+  for (const std::string& key : keys) {
+    if (node.contains("items")) node = ordered_json(node.at("items"));
+    if (node.contains("anyOf")) node = ordered_json(node.at("anyOf").back());
+    if (!node.contains("properties") || !node.at("properties").contains(key)) return name + ": no setting";
+    node = ordered_json(node.at("properties").at(key));
+  }
+  if (keys.size() < 2) return name + ": a table";
+  if (word.empty()) return {};
+  const bool known = node.contains("enum") && std::ranges::count(node.at("enum"), ordered_json(word)) > 0;
+  return known ? "" : name + " is never " + word;
+}
+
+/// The words of a column of words.
+std::set<std::string> words_of(const std::string& column) {
+  std::set<std::string> words;
+  if (column == "end_reason") {
+    for (int k = 0; k < end_reason_count; ++k) words.insert(name(static_cast<EndReason>(k)));
+  } else if (column == "state") {
+    for (const PathState state : {PathState::projectile, PathState::impact, PathState::sliding, PathState::rolling,
+                                  PathState::barrier, PathState::ended}) {
+      words.insert(name(state));
+    }
+  } else if (column == "outcome") {
+    for (const BarrierOutcome outcome :
+         {BarrierOutcome::stopped, BarrierOutcome::rebounded, BarrierOutcome::broke_through, BarrierOutcome::passed}) {
+      words.insert(name(outcome));
+    }
+  }
+  return words;
+}
+
+/// A run with every table.
+class RunWithTables {
+ public:
+  RunWithTables() {
+    const std::string project = folder_.write("project.toml", bytes_of(tutorial("2d")) + "\n[design]\n");
+    said_ = talus_says("run " + project + " --quiet -o " + (folder_ / "out").string());
+  }
+  [[nodiscard]] const Said& said() const { return said_; }
+  [[nodiscard]] std::string wrong_column(const std::string& file, const std::string& column,
+                                         const std::string& word) const {
+    std::ifstream in(folder_ / ("out/" + file));
+    std::string heading;
+    std::getline(in, heading);
+    if (std::ranges::count(parts_of(heading, ','), column) == 0) return file + " has no column " + column;
+    return word.empty() || words_of(column).contains(word) ? "" : column + " is never " + word;
+  }
+
+ private:
+  Workplace folder_;
+  Said said_;
+};
+
+bool is_map(const std::string& name) {
+  const std::vector<double> percentiles{50, 95, 99};
+  return std::ranges::any_of(io::map_kinds(percentiles), [&](const io::MapKind& kind) { return kind.name == name; });
+}
+
+/// What is wrong with a name in the glossary; empty if nothing.
+std::string wrong(const std::string& name, const RunWithTables& run) {
+  static const std::regex map(R"(maps/(\w+)\.tif)"), column(R"lit((\w+\.csv):(\w+)(?: = "([^"]*)")?)lit"),
+      setting(R"lit(([a-z]\w*(?:\.\w+)+)(?: = "([^"]*)")?)lit");
+  std::smatch match;
+  if (std::regex_match(name, match, map)) return is_map(match[1]) ? "" : name + ": no map";
+  if (std::regex_match(name, match, column)) return run.wrong_column(match[1], match[2], match[3]);
+  if (std::regex_match(name, match, setting)) return wrong_setting(match[1], match[2]);
+  return name + ": neither a setting nor a column nor a map";
+}
+
+TEST(Glossary, NamesWhatThereIs) {
+  const RunWithTables run;
+  ASSERT_EQ(run.said().exit_code, 0) << run.said().text;
+  const std::vector<Entry> entries = glossary();
+  EXPECT_GT(entries.size(), 40U);
+  for (const Entry& entry : entries) {
+    EXPECT_FALSE(entry.meaning.empty()) << entry.term;
+    const std::vector<std::string> names = names_in(entry.where);
+    if (entry.where.starts_with("see ")) {
+      const std::string other = entry.where.substr(4);
+      EXPECT_TRUE(std::ranges::any_of(entries, [&](const Entry& one) { return one.term == other; })) << entry.term;
+    } else {
+      EXPECT_FALSE(names.empty()) << entry.term << " says nowhere where it is found";
+    }
+    for (const std::string& name : names) EXPECT_EQ(wrong(name, run), "") << entry.term;
+  }
+}
+
+TEST(Glossary, IsAlphabetical) {
+  std::vector<std::string> terms;
+  for (const Entry& entry : glossary()) {
+    terms.push_back(entry.term);
+    std::ranges::transform(terms.back(), terms.back().begin(), [](unsigned char c) { return std::tolower(c); });
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(terms));
+  EXPECT_EQ(std::ranges::adjacent_find(terms), terms.end()) << "a term stands there twice";
+}
+
+TEST(Glossary, IsNotCheckedInVain) {
+  const RunWithTables run;
+  EXPECT_EQ(wrong("seeder.weight_kg", run), "seeder.weight_kg: no setting");
+  EXPECT_EQ(wrong("material.normal_restitution.median", run), "material.normal_restitution.median: no setting");
+  EXPECT_EQ(wrong("analysis.model = \"cube\"", run), "analysis.model is never cube");
+  EXPECT_EQ(wrong("endpoints.csv:speed", run), "endpoints.csv has no column speed");
+  EXPECT_EQ(wrong("paths.csv:state = \"asleep\"", run), "state is never asleep");
+  EXPECT_EQ(wrong("maps/energy.tif", run), "maps/energy.tif: no map");
+  EXPECT_EQ(wrong("runout", run), "runout: neither a setting nor a column nor a map");
+}
+
+}  // namespace
+}  // namespace talus::test
