@@ -170,8 +170,8 @@ GuidePage read_guide(const std::string& text) {
 }
 
 std::string as_shown(const std::string& output) {
-  static const std::regex timing(R"(in [0-9.]+ s \([0-9]+ rocks/s on [0-9]+ threads?\))");
-  return std::regex_replace(output, timing, "in ... s (... rocks/s on ... threads)");
+  static const std::regex timing(R"(in [0-9.]+ s \([0-9]+ rocks/s on [0-9]+ threads?( of [0-9]+ ranks)?\))");
+  return std::regex_replace(output, timing, "in ... s (... rocks/s on ... threads$1)");
 }
 
 std::vector<std::string> numbers_from_nowhere(const GuidePage& page) {

@@ -147,6 +147,8 @@ TEST(GuidePage, HasNoBlockThatIsNotChecked) {
 TEST(GuidePage, ShowsNoTimings) {
   EXPECT_EQ(as_shown("A: 50 rocks in 0.01 s (25416 rocks/s on 2 threads)\n"),
             "A: 50 rocks in ... s (... rocks/s on ... threads)\n");
+  EXPECT_EQ(as_shown("A: 50 rocks in 2 s (25 rocks/s on 1 thread of 2 ranks)\n"),
+            "A: 50 rocks in ... s (... rocks/s on ... threads of 2 ranks)\n");
 }
 
 TEST(GuidePage, FindsNumbersThatNothingOnItGives) {
