@@ -53,7 +53,7 @@ class GuideFolder {
     script +=
         "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl=self,vader "
         "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none "
-        "OMPI_MCA_btl_vader_single_copy_mechanism=none\n";
+        "OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_mpi_yield_when_idle=1\n";
     for (const std::string& setting : environment_of_mpi()) script += "export " + setting + "\n";
     (void)folder_.write("script", script + command.text());
     return says("sh '" + (folder_ / "script").string() + "'");
