@@ -11,14 +11,10 @@
 #include <limits>
 #include <optional>
 
+#include "talus/core/tolerances.hpp"
 #include "talus/flight/parabola.hpp"
 
 namespace talus {
-
-/// Thickness [m] within which a rock counts as being on a surface. Contacts are found as if every facet were this
-/// thick, so that no rock passes between two facets for want of digits: far above the rounding of coordinates in the
-/// local frame (1e-11 m at 100 km), far below anything a rock could notice.
-inline constexpr double contact_slack = 1e-9;
 
 /// The time at which h0 + vn t + an t^2/2 falls through zero: the root at which the derivative is negative.
 /// Numerically stable in both cases (no difference of nearly equal numbers). `slack` is how far below zero h0 may lie

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "talus/core/id.hpp"
+#include "talus/core/tolerances.hpp"
 #include "talus/core/vec.hpp"
 #include "talus/flight/touch.hpp"
 
@@ -22,10 +23,6 @@ struct Contact {
   Feature feature = Feature::facet;
 };
 
-/// Two facets whose normals have a greater cosine than 1 minus this are one plane (1.4e-6 rad apart): so far from each
-/// other that rounding cannot confuse it, so near that no rock could tell.
-inline constexpr double same_plane = 1e-12;
-
 /// What carries a rock, or has carried it until now: where a part of its path begins, the rock touches that, and what
 /// lies in the same plane, without meeting it.
 ///
@@ -33,11 +30,9 @@ inline constexpr double same_plane = 1e-12;
 /// that carries a sphere.
 ///
 /// In flight it is what the rock has come to the end of. As long as it has not risen from the plane, it cannot meet the
-/// facet that it was on. Another facet of the plane it meets if it is over it when it has sunk in a trace: there the
-/// plane goes on.
+/// facet that it was on. Another facet of the plane it meets if it is over it when it has sunk in a trace, which is
+/// `touching_plane`: there the plane goes on.
 struct LeftPlanes {
-  static constexpr double touching = 1e-7;  // so near a plane a rock is in it; and a trace [m]
-
   std::array<Vec3, 2> normal;
   std::array<FacetId, 2> facet;  // that it was on
   int count = 0;
@@ -65,11 +60,9 @@ struct LeftPlanes {
     }
     return false;
   }
-  /// Whether a place on the surface is where the sphere is carried. (Wider than a facet's outline ever is for a
-  /// contact, narrower than anything that could be ahead.)
+  /// Whether a place on the surface is where the sphere is carried.
   [[nodiscard]] bool is_at_pivot(const Vec3& place) const {
-    constexpr double near = 1e-4;  // [m]
-    return has_pivot && tangential(place - pivot, axis).squaredNorm() < near * near;
+    return has_pivot && tangential(place - pivot, axis).squaredNorm() < tolerance::at_pivot * tolerance::at_pivot;
   }
   /// Whether a rock does not meet a facet of unit normal `n` after all, whose plane it falls through, when it is h0 +
   /// vn t
@@ -77,14 +70,14 @@ struct LeftPlanes {
   template <class IsOver>
   [[nodiscard]] bool let_through(FacetId asked, const Vec3& n, double h0, double vn, double an,
                                  IsOver&& is_over) const {
-    if (count == 0 || h0 > touching || !contain(n, same_plane)) return false;
-    const bool rises = vn > 0 && (an >= 0 || h0 - 0.5 * vn * vn / an > touching);
+    if (count == 0 || h0 > tolerance::touching_plane || !contain(n, same_plane)) return false;
+    const bool rises = vn > 0 && (an >= 0 || h0 - 0.5 * vn * vn / an > tolerance::touching_plane);
     if (rises) return false;
     if (!has_facets) return true;
     for (int i = 0; i < count; ++i) {
       if (facet[static_cast<std::size_t>(i)] == asked) return true;
     }
-    const auto sunk = falling_root(touching + std::max(h0, 0.0), vn, an, 0);
+    const auto sunk = falling_root(tolerance::touching_plane + std::max(h0, 0.0), vn, an, 0);
     return sunk && !is_over(*sunk);
   }
 };

@@ -16,9 +16,6 @@ using Triangle = std::array<Vec3, 3>;
 
 inline constexpr std::array<std::size_t, 3> next_corner{1, 2, 0};
 
-/// By which boxes are grown, so that rounding hides no contact [m].
-inline constexpr double box_pad = 1e-6;
-
 /// Not of unit length: twice the area.
 [[nodiscard]] inline Vec3 area_normal(const Triangle& corner) {
   return (corner[1] - corner[0]).cross(corner[2] - corner[0]);
@@ -163,7 +160,7 @@ void meet_sphere(const Parabola& path, SpherePath kind, double radius, const Tim
                  FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best) {
   const SphereOverFacet over(path, radius, corner);
   // What it rolls on carries it: at its face, and so at its sides and corners, there is nothing ahead.
-  if (kind == SpherePath::leg && std::abs(over.h0) <= LeftPlanes::touching && left.contain(over.n, same_plane)) {
+  if (kind == SpherePath::leg && std::abs(over.h0) <= tolerance::touching_plane && left.contain(over.n, same_plane)) {
     return;
   }
   if (over.an <= 0) {

@@ -6,8 +6,11 @@
 #include "talus/flight/touch.hpp"
 #include "talus/terrain/facet_contact.hpp"
 #include "talus/terrain/height_in_sight.hpp"
+#include "talus/terrain/surface.hpp"
 
 namespace talus {
+
+static_assert(TerrainSurface<Profile>);
 
 namespace {
 

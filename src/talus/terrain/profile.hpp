@@ -24,11 +24,10 @@ class Profile {
 
   [[nodiscard]] std::size_t facet_count() const { return segments_.size(); }
   [[nodiscard]] const Box& bounds() const { return bounds_; }
-  /// Whether anywhere there may be ground above ground.
   [[nodiscard]] bool may_overhang() const { return !is_height_field_; }
   [[nodiscard]] std::uint32_t source(FacetId facet) const { return facet.index; }
 
-  /// See TriangleMesh; here a sphere is a disc in the plane y = 0, whose contacts are the sphere's.
+  // What TerrainSurface says (surface.hpp); here a sphere is a disc in the plane y = 0, whose contacts are the sphere's.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const LeftPlanes& left = {}) const;
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,

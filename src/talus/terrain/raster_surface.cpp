@@ -4,8 +4,11 @@
 #include <cmath>
 
 #include "talus/core/check.hpp"
+#include "talus/terrain/surface.hpp"
 
 namespace talus {
+
+static_assert(TerrainSurface<RasterSurface>);
 
 namespace {
 

@@ -40,7 +40,7 @@ class RasterSurface {
   /// Whether all four nodes have data.
   [[nodiscard]] bool has_data(std::size_t column, std::size_t row) const;
 
-  // The rest as in TriangleMesh.
+  // What TerrainSurface says (surface.hpp), and what a walk over the grid finds on its way.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const LeftPlanes& left = {}) const;
   /// The first contact, and where there is one, how high above the ground the centre is until then at the most, if that

@@ -6,8 +6,11 @@
 #include "talus/core/stop.hpp"
 #include "talus/terrain/height_in_sight.hpp"
 #include "talus/terrain/leaning_bounds.hpp"
+#include "talus/terrain/surface.hpp"
 
 namespace talus {
+
+static_assert(TerrainSurface<TriangleMesh>);
 
 namespace {
 

@@ -30,49 +30,33 @@ class TriangleMesh {
   /// Facets are numbered as the tree stores them; this is the number that the triangle had when the mesh was made.
   [[nodiscard]] std::uint32_t source(FacetId facet) const { return facets_[facet.index].source; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }
-  /// Whether anywhere there may be ground above ground.
   [[nodiscard]] bool may_overhang() const { return !is_height_field_; }
   /// Of everything that grows with the number of triangles.
   [[nodiscard]] std::size_t bytes() const;
 
-  /// The first time in [0, t_max] at which a sphere of this radius (0: a point), flying, touches the surface while
-  /// approaching it. `left` are planes that the rock has just slid off.
+  // What TerrainSurface says (surface.hpp).
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const LeftPlanes& left = {}) const;
   /// How many facets this search looks at, for benchmarks.
   [[nodiscard]] std::uint32_t facets_tested(const Parabola& path, double radius, double t_max) const;
-  /// The same for a short leg with any acceleration, of a rock that rolls on the planes `on`.
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
                                                             const LeftPlanes& on) const;
-
-  /// Where a flight that meets nothing leaves the model.
   [[nodiscard]] Exit exit(const Parabola& path) const;
-
-  /// The greatest height [m] of a flight over the ground below it in [0, t_end], if that is above `known`; else
-  /// `known`.
   [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
-
-  /// The highest point of the surface at a place on plan, or the highest below `below`.
   [[nodiscard]] std::optional<double> elevation(double x, double y,
                                                 double below = std::numeric_limits<double>::infinity()) const;
-  /// The highest point of the surface below a place, or at it.
   [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
-  /// How high the ground stands over a place that is in it: the facet above it, if that faces up. A place in the open,
-  /// be it under an overhang, has none.
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
   /// The highest surface along a straight line on plan, a point wherever it bends and two where it steps; pieces where
   /// there is no ground are missing.
   [[nodiscard]] std::vector<Vec3> draped(const Vec2& from, const Vec2& to) const;
 
   [[nodiscard]] Vec3 normal(FacetId facet) const;
-  /// Some point of a facet.
   [[nodiscard]] const Vec3& point_of(FacetId facet) const { return facets_[facet.index].corner[0]; }
   [[nodiscard]] Outline outline(FacetId facet) const;
   /// Its corners; those of neighbours are equal to the last bit.
   [[nodiscard]] const Triangle& triangle(FacetId facet) const { return facets_[facet.index].corner; }
 
-  /// Calls touch(normal, middle of the facet, distance, facet) for each facet within `radius` + `reach` of a centre:
-  /// what a rock there may rest against.
   template <class Touch>
   void supports(const Vec3& centre, double radius, double reach, Touch&& touch) const;
 

@@ -3,7 +3,7 @@
 
 #include "talus/barriers/barrier.hpp"
 #include "talus/ground/material.hpp"
-#include "talus/impact/restitution.hpp"
+#include "talus/impact/law.hpp"
 
 namespace talus {
 
@@ -32,6 +32,12 @@ struct Laws {
   bool tangential_crsp_damping = false;  // rigid sphere
   MaterialSampling material_sampling = MaterialSampling::per_impact;
   bool in_section = false;  // 2D: roughness tilts the ground about y only
+
+  [[nodiscard]] ImpactLaw impact_law() const {
+    if (model == RockModel::rigid_sphere) return RigidSphereImpact{tangential_crsp_damping};
+    if (rotation) return CrspLaw{};
+    return PlainImpact{};
+  }
 };
 
 template <class Surface>

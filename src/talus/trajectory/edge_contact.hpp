@@ -1,0 +1,41 @@
+#pragma once
+// A sphere on an edge or a vertex: which line carries it, and what presses it against that.
+
+#include "talus/trajectory/ground_friction.hpp"
+
+namespace talus {
+
+/// The direction of the edge that carries a sphere; zero at a vertex.
+template <class Surface>
+[[nodiscard]] Vec3 edge_under(MovingRock<Surface>& rock, const Support& on) {
+  const Vec3 point = rock.motion.position - rock.reach * on.normal;
+  const Outline& outline = rock.outline_of(on.facet);
+  Vec3 direction = Vec3::Zero();
+  int sides = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(outline.edge_count); ++k) {
+    const OutlineEdge& side = outline.edges[k];
+    if (std::abs((point - side.point).dot(side.inward)) > tolerance::on_edge_line) continue;
+    direction = side.inward.cross(outline.normal);
+    ++sides;
+  }
+  return sides == 1 ? direction : Vec3(Vec3::Zero());
+}
+
+/// N = -g.n - v^2/r, v being the speed across the edge: the normal force over the sphere's mass, less what the turn
+/// about the edge takes [m/s2]. Below 0 it flies off.
+template <class Surface>
+[[nodiscard]] double normal_acceleration_on_edge(MovingRock<Surface>& rock, const Support& on) {
+  const Vec3 across = tangential(tangential(rock.motion.velocity, on.normal), edge_under(rock, on));
+  return -rock.laws.gravity.dot(on.normal) - across.squaredNorm() / rock.reach;
+}
+
+/// How long a leg may be of a sphere that turns about an edge by no more than a small angle [s].
+template <class Surface>
+[[nodiscard]] double longest_leg_on_edge(const MovingRock<Surface>& rock, const GroundFriction& friction,
+                                         const Footing& footing) {
+  const double braking = friction.sphere.dynamic * std::max(footing.pressure, 0.0);
+  return std::min(rock.laws.timestep, time_for_way(tolerance::edge_step * rock.reach, rock.motion.velocity.norm(),
+                                                   footing.pull.norm() + braking));
+}
+
+}  // namespace talus

@@ -1,0 +1,99 @@
+#pragma once
+// A rock in the air: it flies until it meets the ground, a barrier or the model's end.
+
+#include "talus/trajectory/at_barriers.hpp"
+#include "talus/trajectory/striking.hpp"
+
+namespace talus {
+
+class RasterSurface;
+
+/// How a flight ends: on the ground, at the end of the model, or - where it has neither - only in time.
+struct FlightEnd {
+  double t;  // [s]
+  std::optional<Contact> contact;
+  std::optional<Exit> exit;
+  // How high above the ground the rock has been when it ends, in this flight or before [m]; known only where the search
+  // for the contact came by it.
+  std::optional<double> greatest_height = {};
+};
+
+/// With a contact, or as long as asked.
+template <class Surface>
+[[nodiscard]] FlightEnd first_contact(const MovingRock<Surface>& rock, const Parabola& path, double t_max,
+                                      const LeftPlanes& left) {
+  if constexpr (requires { rock.surface.flight(path, rock.reach, t_max, left, 0.0); }) {
+    const auto [contact, greatest_height] = rock.surface.flight(path, rock.reach, t_max, left, rock.outcome.max_bounce);
+    if (contact) return {contact->t, contact, {}, greatest_height};
+    return {t_max, {}, {}};
+  } else {
+    const auto contact = rock.surface.first_contact(path, rock.reach, t_max, left);
+    return {contact ? contact->t : t_max, contact, {}};
+  }
+}
+
+template <class Surface>
+[[nodiscard]] FlightEnd end_of_flight(const MovingRock<Surface>& rock, const Parabola& path, double t_max,
+                                      const LeftPlanes& left) {
+  const FlightEnd end = first_contact(rock, path, t_max, left);
+  if (end.contact) {
+    // A sphere may touch the rim once more when its centre has left already.
+    const Vec3 there = path.at(end.t);
+    if (rock.reach == 0 || rock.surface.elevation(there.x(), there.y(), there.z())) return end;
+    const Exit before = rock.surface.exit(path);
+    return before.t < end.t && !before.beneath ? FlightEnd{before.t, {}, before} : end;
+  }
+  const Exit edge = rock.surface.exit(path);
+  return edge.t < t_max ? FlightEnd{edge.t, {}, edge} : end;
+}
+
+/// Flies to the end, or to what a barrier makes of it before; nothing where the rock is still flying then.
+template <class Surface>
+[[nodiscard]] std::optional<RockState> fly_along(MovingRock<Surface>& rock, const Flying& state, const Parabola& path,
+                                                 const LinearDrag& drag, const FlightEnd& flight_end) {
+  Motion& motion = rock.motion;
+  double& max_bounce = rock.outcome.max_bounce;
+  const double start = motion.time;
+  // Barriers know the parabola's own clock.
+  const auto retime = [&] {
+    if (drag.rate > 0) rock.crossed.retime(start, [&](double t) { return drag.time(t); });
+  };
+  while (const auto crossing = next_crossing(rock, path, flight_end.t)) {
+    const Motion before = motion;
+    rock.fly_along(path, drag, crossing->t);
+    if (crossing->above) {
+      pass_above(rock, *crossing, std::exchange(motion, before));
+      continue;
+    }
+    const AtBarrier then = meet_barrier(rock, *crossing, start + crossing->t, rock.laws.gravity);
+    if (then == AtBarrier::untouched) {
+      motion = before;
+      continue;
+    }
+    retime();
+    rock.log.flight(path, crossing->t, before, drag);
+    max_bounce = greatest_height_of_flight(rock.surface, path, 0, crossing->t, max_bounce);
+    if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
+    rock.note_row(PathState::projectile);
+    return Flying{};
+  }
+
+  retime();
+  max_bounce = flight_end.greatest_height ? *flight_end.greatest_height
+                                          : greatest_height_of_flight(rock.surface, path, 0, flight_end.t, max_bounce);
+  rock.log.flight(path, flight_end.t, motion, drag);
+  rock.fly_along(path, drag, flight_end.t);
+  if (flight_end.contact) return strike(rock, *flight_end.contact, state.hops());
+  if (flight_end.exit) return Ended{reason_of(*flight_end.exit)};
+  return std::nullopt;
+}
+
+template <class Surface>
+[[nodiscard]] RockState fly(MovingRock<Surface>& rock, const Flying& state) {
+  const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
+  const FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, state.left);
+  const auto next = fly_along(rock, state, path, {}, end);
+  return next ? *next : Ended{EndReason::maximum_time};
+}
+
+}  // namespace talus

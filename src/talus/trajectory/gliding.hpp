@@ -1,0 +1,62 @@
+#pragma once
+// What most of a long slide goes through: many steps on one facet, with nothing near that could end them. Between the
+// glide that prepare_glide() gives and end_glide(), whoever drives the rock takes the steps, alone or with other
+// rocks'.
+
+#include "talus/sliding/glide.hpp"
+#include "talus/trajectory/on_facet.hpp"
+
+namespace talus {
+
+/// A glide under way, from where the rock's motion is.
+struct GlideOnFacet {
+  Glide glide;
+  Vec3 down = Vec3::Zero(), aside = Vec3::Zero();  // unit, on the facet
+  std::size_t first_step = 0;                      // in the log
+};
+
+/// The glide that there is to be taken from where the rock is.
+template <class Surface>
+[[nodiscard]] std::optional<GlideOnFacet> prepare_glide(MovingRock<Surface>& rock, const OnFacet& state) {
+  const Laws& laws = rock.laws;
+  if (rock.is_sphere() || laws.sliding != SlidingMethod::stepped || state.friction.drag != 0) return std::nullopt;
+  const Footing footing = footing_of(rock, state);
+  const double pull = footing.pull.norm();
+  if (pull == 0) return std::nullopt;
+  GlideOnFacet on;
+  on.down = footing.pull / pull;
+  on.aside = state.on.normal.cross(on.down);
+  const Motion& motion = rock.motion;
+  const Vec3& start = motion.position;
+
+  Glide& glide = on.glide;
+  glide.vx = motion.velocity.dot(on.down);
+  glide.vy = motion.velocity.dot(on.aside);
+  glide.speed = std::sqrt(glide.vx * glide.vx + glide.vy * glide.vy);
+  glide.time = motion.time;
+  glide.gain = laws.timestep * pull;
+  glide.braking = laws.timestep * state.friction.mu * footing.pressure;
+  const double way = free_way(rock.barriers, start, rock.reach);
+  glide.squared_way = way * way;
+  const Outline& outline = rock.outline_of(state.on.facet);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(outline.edge_count); ++k) {
+    const OutlineEdge& edge = outline.edges[k];
+    glide.sides[k] = {edge.inward.dot(start - edge.point), edge.inward.dot(on.down), edge.inward.dot(on.aside)};
+  }
+  on.first_step = rock.log.glide_steps.size();
+  return on;
+}
+
+template <class Surface>
+void end_glide(MovingRock<Surface>& rock, const GlideOnFacet& on) {
+  Motion& motion = rock.motion;
+  const Glide& glide = on.glide;
+  rock.log.glide(motion, on.first_step, rock.laws.timestep, on.down, on.aside);
+  if (glide.x == 0 && glide.y == 0) return;
+  motion.position += glide.x * on.down + glide.y * on.aside;
+  motion.velocity = glide.vx * on.down + glide.vy * on.aside;
+  motion.time = glide.time;
+  rock.note_energy();
+}
+
+}  // namespace talus

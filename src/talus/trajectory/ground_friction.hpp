@@ -1,0 +1,69 @@
+#pragma once
+// How the ground brakes a rock: what its material draws, and what two sides of a valley share.
+
+#include "talus/trajectory/moving_rock.hpp"
+
+namespace talus {
+
+/// `rt` is the tangential restitution of the same draw.
+template <class Surface>
+[[nodiscard]] GroundFriction friction_of(MovingRock<Surface>& rock, const GroundDraw& draw, const Material& material,
+                                         double rt) {
+  GroundFriction friction;
+  friction.drag = material.ground_drag;
+  if (material.has_forest() && rock.reach < material.forest_height) {
+    friction.drag += material.forest_drag / rock.rock.mass;
+  }
+  if (rock.is_sphere()) {
+    friction.sphere = {draw.dynamic_friction(material), draw.rolling_friction(material)};
+    return friction;
+  }
+  switch (rock.laws.friction_source) {
+    case FrictionSource::material:
+      friction.mu = rock.tangent_of(draw.friction_angle(material));
+      break;
+    case FrictionSource::tangential_restitution:
+      friction.mu = rt > 0 ? (1 - rt) / rt : 1e300;
+      break;
+    case FrictionSource::zero:
+      break;
+  }
+  return friction;
+}
+
+/// Of a facet that the rock comes to.
+template <class Surface>
+[[nodiscard]] GroundFriction friction_at(MovingRock<Surface>& rock, FacetId facet) {
+  const Material& material = rock.ground[rock.material_at(facet)];
+  const GroundDraw draw = rock.draw_at(facet);
+  return friction_of(rock, draw, material, draw.restitution(material)[1]);
+}
+
+/// Of two materials each brakes a rock in a valley by what its side carries of it. `own` is that of its facet.
+template <class Surface>
+[[nodiscard]] GroundFriction shared_friction(MovingRock<Surface>& rock, GroundFriction own, const InValley& state) {
+  if (rock.material_at(state.other.facet) == rock.material_at(state.on.facet)) return own;
+  const GroundFriction other = friction_at(rock, state.other.facet);
+  const auto take = [share = state.valley.first_share](double& mine, double others) {
+    mine += share * (others - mine);
+  };
+  take(own.mu, other.mu);
+  take(own.drag, other.drag);
+  take(own.sphere.dynamic, other.sphere.dynamic);
+  take(own.sphere.rolling, other.sphere.rolling);
+  return own;
+}
+
+/// For the two sides that carry the rock now.
+template <class Surface>
+[[nodiscard]] GroundFriction friction_in(MovingRock<Surface>& rock, const InValley& state) {
+  const GroundFriction own = friction_at(rock, state.on.facet);
+  return shared_friction(rock, own, state);
+}
+
+/// How long it takes at the least to go a way [m] at a speed that grows by no more than `acceleration` [s].
+[[nodiscard]] inline double time_for_way(double way, double speed, double acceleration) {
+  return 2 * way / (speed + std::sqrt(speed * speed + 2 * acceleration * way));
+}
+
+}  // namespace talus

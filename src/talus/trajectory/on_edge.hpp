@@ -1,0 +1,135 @@
+#pragma once
+// A sphere on an edge or a vertex: it rolls about the point that carries it, in steps of a small angle.
+//
+// The contact stays where it is while the normal turns, so that the laws of rolling and slipping hold as on a plane,
+// with the normal acceleration of edge_contact.hpp. A step goes along the tangent plane, which is outside of the circle
+// about the contact; at its end the sphere is let down onto what is nearest to it, and keeps the energy. That may be a
+// facet, and it rolls on there. Where nothing presses it any more it flies. Left out: what the way along the tangent
+// differs from the circle in time, second order in the angle of a step.
+
+#include "talus/trajectory/on_facet.hpp"
+
+namespace talus {
+
+template <class Surface>
+[[nodiscard]] Footing footing_of(MovingRock<Surface>& rock, const OnEdge& state) {
+  Footing footing = Footing::on_plane(rock.laws.gravity, state.on.normal);
+  footing.pressure = std::max(0.0, normal_acceleration_on_edge(rock, state.on));
+  return footing;
+}
+
+template <class Surface>
+[[nodiscard]] double longest_leg(const MovingRock<Surface>& rock, const OnEdge& state, const Footing& footing) {
+  return longest_leg_on_edge(rock, state.friction, footing);
+}
+
+template <class Surface>
+[[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const OnEdge& state) {
+  return {state.on.normal, rock.rock, state.friction.sphere};
+}
+
+[[nodiscard]] inline GroundConstraint constraint_of(const OnEdge& state) { return {state.on.normal, {}}; }
+
+template <class Surface>
+[[nodiscard]] LeftPlanes carrying(MovingRock<Surface>& rock, const OnEdge& state) {
+  LeftPlanes on;
+  if (const Vec3* const beside = normal_of(state.beside)) on = {state.on.normal, *beside};
+  on.turn_about(rock.motion.position - rock.reach * state.on.normal, edge_under(rock, state.on));
+  return on;
+}
+
+template <class Surface>
+void pass_beside(const MovingRock<Surface>& rock, OnEdge& state, Leg& leg, double& t) {
+  pass_beside(rock, state.on, state.beside, leg, t);
+}
+
+/// It is at the end of a facet already.
+template <class Surface>
+[[nodiscard]] std::optional<OutlineEdge> outline_ahead(const MovingRock<Surface>&, const OnEdge&, const Parabola&,
+                                                       double&) {
+  return std::nullopt;
+}
+
+/// Where a sphere is that went along a leg over its edge.
+enum class OverEdge { on_facet, on_edge, in_air };
+
+/// Lets the sphere down onto what is nearest to it.
+template <class Surface>
+[[nodiscard]] OverEdge settle_over_edge(MovingRock<Surface>& rock, OnEdge& state) {
+  Motion& motion = rock.motion;
+  Support& on = state.on;
+  // What is as near as the nearest, but for rounding, is the facet that it had, if that is among them.
+  struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    Support on{Vec3::Zero(), {}};
+  } nearest, same;
+  rock.surface.supports(motion.position, rock.reach, tolerance::edge_step * rock.reach,
+                        [&](const Vec3& n, const Vec3&, double distance, FacetId facet) {
+                          if (distance < nearest.distance) nearest = {distance, {n, facet}};
+                          if (facet == on.facet) same = {distance, {n, facet}};
+                        });
+  if (!std::isfinite(nearest.distance)) return OverEdge::in_air;
+  if (same.distance <= nearest.distance + contact_slack) nearest = same;
+
+  const Vec3& next = nearest.on.normal;
+  const double energy = rock.kinetic_energy();
+  const Vec3 shift = (rock.reach - nearest.distance) * next;
+  const double kept = energy + rock.rock.mass * rock.laws.gravity.dot(shift);
+  const bool rolls = rock.state_on(on.normal) == PathState::rolling;
+  const Vec3 between = on.normal + next;
+  const bool is_other_ground = rock.material_at(on.facet) != rock.material_at(nearest.on.facet);
+  on.facet = nearest.on.facet;
+  if (kept > 0) {
+    // The velocity turns with the tangent plane, and with it the spin of what rolls.
+    motion.position += shift;
+    const Vec3 along = tangential(motion.velocity, on.normal);
+    motion.velocity = along - next.dot(along) / (1 + on.normal.dot(next)) * between;
+    if (rolls) motion.spin = rolling_spin(motion.velocity, motion.spin, next, rock.rock.radius);
+    const double share = std::sqrt(kept / std::max(rock.kinetic_energy(), tolerance::least_speed));
+    if (energy > 0) {
+      motion.velocity *= share;
+      motion.spin *= share;
+    }
+    on.normal = next;
+  }
+  const Outline& outline = rock.outline_of(on.facet);
+  const Vec3 point = motion.position - rock.reach * on.normal;
+  double inside = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(outline.edge_count); ++k) {
+    inside = std::min(inside, (point - outline.edges[k].point).dot(outline.edges[k].inward));
+  }
+  const bool is_on_facet = inside > contact_slack && rock.is_facet(on);
+  if (is_on_facet) {
+    on.normal = outline.normal;
+    motion.velocity = tangential(motion.velocity, on.normal);
+  }
+  if (is_other_ground) state.friction = friction_at(rock, on.facet);
+  if (is_on_facet) return OverEdge::on_facet;
+  return normal_acceleration_on_edge(rock, on) >= 0 ? OverEdge::on_edge : OverEdge::in_air;
+}
+
+template <class Surface>
+[[nodiscard]] std::optional<NextState> finish_leg(MovingRock<Surface>& rock, OnEdge& state, Leg leg,
+                                                  const LegEnd& end) {
+  const double t = end.t;
+  if (end.rim || end.ahead) {
+    go_to_end(rock, leg, t);
+    if (end.rim) return NextState{leave_over_rim(rock, *end.rim)};
+    rock.remember_contact(state.on);
+    return NextState{strike(rock, *end.ahead)};
+  }
+  const Motion before = rock.motion;
+  go_along(rock, leg, t);
+  const OverEdge then = settle_over_edge(rock, state);
+  // The way is bent to where the sphere has come.
+  if (t > 0) leg.path.a = 2 / (t * t) * (rock.motion.position - leg.path.p - t * leg.path.v);
+  rock.note_leg(leg.path, t, before, rock.motion);
+  rock.note_energy();
+  if (then == OverEdge::in_air) return NextState{take_off(rock)};
+  if (then == OverEdge::on_edge) return std::nullopt;
+  const OnFacet facet{state.on, state.friction, {}};
+  stand_on(rock, facet);
+  return within_stretch(facet);
+}
+
+}  // namespace talus

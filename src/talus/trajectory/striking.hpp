@@ -1,0 +1,117 @@
+#pragma once
+// The rock strikes the ground: the impact law, and whether the rock stays on the ground after it.
+
+#include "talus/impact/roughness.hpp"
+#include "talus/trajectory/edge_contact.hpp"
+#include "talus/trajectory/ground_friction.hpp"
+#include "talus/trajectory/valley_contact.hpp"
+
+namespace talus {
+
+/// The normal of the ground as a rock meets it: that of the facet, tilted by the ground's roughness.
+template <class Surface>
+[[nodiscard]] Vec3 normal_met(const MovingRock<Surface>& rock, const Vec3& n, const Material& material,
+                              const GroundDraw& draw, std::uint32_t contact) {
+  if (!material.is_rough()) return n;
+  const Vec3 vt = tangential(rock.motion.velocity, n);
+  const Vec3 down = tangential(rock.laws.gravity, n);
+  // Straight down on level ground it comes from anywhere.
+  const Vec3 across = vt.squaredNorm() > 0 ? vt : down.squaredNorm() > 0 ? down : tangential(Vec3::UnitX(), n);
+  auto [ahead, aside] = draw.roughness(material, contact);
+  if (rock.laws.in_section) aside = 0;
+  const Vec3 tilted = tilted_normal(n, across.normalized(), ahead, aside);
+  return rock.motion.velocity.dot(tilted) < 0 ? tilted : n;  // otherwise the bump is turned away from the rock
+}
+
+/// The impact left the rock on the ground: on a facet, on an edge or, where it goes from one support to the other and
+/// back, between both.
+template <class Surface>
+[[nodiscard]] RockState stay_on_ground(MovingRock<Surface>& rock, const Contact& contact,
+                                       const GroundFriction& friction) {
+  const Support on{contact.normal, contact.facet};
+  const bool is_on_facet = contact.feature == Feature::facet;
+  const LastContact before = rock.last_contact;
+  const Vec3& n = on.normal;
+  std::optional<InValley> valley;
+  Beside beside;
+  const bool struck_here =
+      (rock.motion.position - before.position).squaredNorm() < tolerance::one_contact * tolerance::one_contact;
+  if (struck_here && before.with.normal.dot(n) < 1 - tolerance::facet_normal) {
+    const auto caught =
+        caught_between(rock.laws.gravity, before.with.normal, n, rock.motion.velocity, rock.leaving_speed);
+    if (caught) {
+      valley = InValley{on, is_on_facet, friction, before.with, *caught};
+    } else if (rock.progress.gets_nowhere(rock.motion.position)) {
+      // What drives it from one to the other is not gravity: friction, or a third contact. It goes along both.
+      beside = GuidingFacet{before.with.normal};
+    }
+  }
+  rock.remember_contact(on);
+
+  // RocFall3 lists the small normal velocity in the row in which a slide begins, RocFall2 does not (tables,
+  // row 14). Along the slope they agree, and that is what slides.
+  const Vec3 along = tangential(rock.motion.velocity, n);
+  if (!rock.is_sphere() && rock.laws.sliding == SlidingMethod::stepped) {
+    rock.note_row(PathState::sliding);
+    rock.log.moment(rock.motion);
+    rock.motion.velocity = along;
+  } else {
+    rock.motion.velocity = along;
+    rock.note_row(rock.state_on(n));
+  }
+  if (valley) {
+    valley->friction = shared_friction(rock, friction, *valley);
+    keep_along_valley(rock, *valley);
+    return *valley;
+  }
+  if (const auto* guide = std::get_if<GuidingFacet>(&beside)) {
+    const Vec3 e = n.cross(guide->normal).normalized();
+    rock.motion.velocity = rock.motion.velocity.dot(e) * e;
+  }
+  if (is_on_facet) return OnFacet{on, friction, beside};
+  return OnEdge{on, friction, beside};
+}
+
+/// `hops`: the rock slid until it flew to here.
+template <class Surface>
+[[nodiscard]] RockState strike(MovingRock<Surface>& rock, const Contact& contact, bool hops = false) {
+  Motion& motion = rock.motion;
+  rock.arrive(PathState::impact);
+  rock.log.impact(motion.position);
+  const Material& material = rock.ground[rock.material_at(contact.facet)];
+  const std::uint32_t number = rock.contacts();
+  const GroundDraw draw = rock.draw_at(contact.facet);
+  if (hops && rock.grazes(contact.normal)) {
+    const GroundFriction friction = friction_of(rock, draw, material, draw.restitution(material)[1]);
+    rock.settle_onto(contact.normal, friction.mu);
+    return stay_on_ground(rock, contact, friction);
+  }
+
+  const Vec3 n = normal_met(rock, contact.normal, material, draw, number);
+  double rt = 0;
+  const auto draw_restitution = [&] {
+    const auto [rn, tangential] = draw.restitution(material);
+    rt = tangential;
+    return Restitution{rock.laws.restitution_scaling.scaled(rn, motion.velocity.dot(n), rock.rock.mass), rt};
+  };
+  const auto draw_friction = [&] { return draw.dynamic_friction(material); };
+  const Approach approach{motion.velocity, motion.spin, n, rock.rock};
+  const Rebound rebound = std::visit(
+      [&](const auto& law) { return law.rebound(approach, draw_restitution, draw_friction); }, rock.impact_law);
+  motion.velocity = kept_outside(rebound.velocity, contact.normal);
+  motion.spin = rebound.spin;
+  rock.note_energy();
+
+  const Support with{contact.normal, contact.facet};
+  const bool leaves = motion.velocity.dot(contact.normal) >= rock.leaving_speed;
+  const bool is_carried = contact.feature == Feature::facet ? rock.laws.gravity.dot(contact.normal) < 0
+                                                            : normal_acceleration_on_edge(rock, with) > 0;
+  if (leaves || !is_carried) {
+    rock.remember_contact(with);
+    rock.note_row(PathState::projectile);
+    return Flying{};
+  }
+  return stay_on_ground(rock, contact, friction_of(rock, draw, material, rt));
+}
+
+}  // namespace talus

@@ -1,0 +1,36 @@
+#pragma once
+// A rock in the middle of its way, to be taken from one state to the next by a test.
+
+#include "support/scenes.hpp"
+#include "talus/trajectory/moving_rock.hpp"
+
+namespace talus::testing_tools {
+
+/// Everything that a MovingRock refers to. Its ground has one material.
+template <class Surface>
+class RockOn {
+ public:
+  RockOn(const Surface& surface, const Soil& soil, const Laws& laws, const Motion& motion,
+         const Rock& rock = sphere_of_mass(1000, 2700))
+      : laws_(laws), ground_(ground_of(soil)), moving_({surface, ground_, {}, laws_}, {motion, rock}, draws_, log_) {}
+
+  MovingRock<Surface>& operator*() { return moving_; }
+  MovingRock<Surface>* operator->() { return &moving_; }
+  [[nodiscard]] const RockLog& log() const { return log_; }
+
+ private:
+  Laws laws_;
+  Ground ground_;
+  Draws draws_{SamplingPlan{}, 0};
+  RockLog log_{true};
+  MovingRock<Surface> moving_;
+};
+
+[[nodiscard]] inline Laws laws_of(RockModel model, double timestep = 0.01) {
+  Laws laws;
+  laws.model = model;
+  laws.timestep = timestep;
+  return laws;
+}
+
+}  // namespace talus::testing_tools

@@ -1,0 +1,89 @@
+// What a flight ends in.
+
+#include "talus/trajectory/flying.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "support/moving_rocks.hpp"
+#include "talus/terrain/profile.hpp"
+
+namespace talus {
+namespace {
+
+using namespace testing_tools;
+
+constexpr double g = standard_gravity;
+constexpr double rounding = 1e-12;  // relative, of a few operations
+
+const Profile& level() {
+  static const Profile profile(std::vector<Vec2>{{0, 0}, {100, 0}});
+  return profile;
+}
+Motion thrown(const Vec3& position, const Vec3& velocity) { return {position, velocity}; }
+
+TEST(Flying, EndsOnTheGroundWhenAParabolaDoes) {
+  Laws laws = laws_of(RockModel::lumped_mass);
+  laws.rotation = false;
+  RockOn rock(level(), {.rn = 0.5, .rt = 0.8}, laws, thrown({10, 0, 5}, {3, 0, 0}));
+  const RockState next = fly(*rock, Flying{});
+  const double time = std::sqrt(2 * 5 / g), speed = g * time;
+  ASSERT_TRUE(std::holds_alternative<Flying>(next));
+  EXPECT_FALSE(std::get<Flying>(next).hops());
+  EXPECT_NEAR(rock->motion.time, time, rounding * time);
+  EXPECT_NEAR(rock->motion.position.x(), 10 + 3 * time, 20 * rounding);
+  EXPECT_NEAR(rock->motion.velocity.x(), 0.8 * 3, 3 * rounding);
+  EXPECT_NEAR(rock->motion.velocity.z(), 0.5 * speed, speed * rounding);
+  EXPECT_NEAR(rock->outcome.max_bounce, 5, 5 * rounding);
+}
+
+TEST(Flying, StaysOnAFacetThatTakesAllOfItsNormalVelocity) {
+  Laws laws = laws_of(RockModel::lumped_mass);
+  laws.rotation = false;
+  RockOn rock(level(), {.rn = 0, .rt = 0.8, .phi = 0.5}, laws, thrown({10, 0, 5}, {3, 0, 0}));
+  const RockState next = fly(*rock, Flying{});
+  ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
+  const OnFacet& state = std::get<OnFacet>(next);
+  EXPECT_EQ(state.on.normal, Vec3::UnitZ());
+  EXPECT_DOUBLE_EQ(state.friction.mu, std::tan(0.5));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(state.beside));
+  EXPECT_EQ(rock->motion.velocity.z(), 0);
+}
+
+// The sine of its angle is below that of `grazing`: no impact, and of its speed friction takes mu times what led in.
+TEST(Flying, SlidesOnWhereASlideThatFlewOnlyGrazesTheGround) {
+  const double into = 1e-3, along = 10, phi = 0.4;
+  for (const bool hops : {false, true}) {
+    Laws laws = laws_of(RockModel::lumped_mass);
+    laws.rotation = false;
+    RockOn rock(level(), {.rn = 0, .rt = 0.5, .phi = phi}, laws, thrown({10, 0, 0}, {along, 0, -into}));
+    Flying state;
+    if (hops) state.left.add(Vec3(0.6, 0, 0.8), FacetId{7});
+    const RockState next = fly(*rock, state);
+    ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
+    const double kept = hops ? along - std::tan(phi) * into : 0.5 * along;
+    EXPECT_NEAR(rock->motion.velocity.x(), kept, 10 * rounding) << hops;
+  }
+}
+
+TEST(Flying, EndsWhereTheModelOrItsTimeDoes) {
+  const Laws laws = laws_of(RockModel::lumped_mass);
+  RockOn leaves(level(), {}, laws, thrown({99, 0, 5}, {10, 0, 0}));
+  const RockState beyond = fly(*leaves, Flying{});
+  ASSERT_TRUE(std::holds_alternative<Ended>(beyond));
+  EXPECT_EQ(std::get<Ended>(beyond).reason, EndReason::left_model);
+  EXPECT_NEAR(leaves->motion.position.x(), 100, 100 * rounding);
+
+  Laws short_time = laws;
+  short_time.max_time = 0.25;
+  RockOn is_late(level(), {}, short_time, thrown({10, 0, 50}, {1, 0, 0}));
+  const RockState late = fly(*is_late, Flying{});
+  ASSERT_TRUE(std::holds_alternative<Ended>(late));
+  EXPECT_EQ(std::get<Ended>(late).reason, EndReason::maximum_time);
+  EXPECT_EQ(is_late->motion.time, 0.25);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,120 @@
+// A rock on a facet: its legs, and what comes at the end of its plane.
+
+#include "talus/trajectory/on_facet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "support/moving_rocks.hpp"
+#include "talus/terrain/profile.hpp"
+
+namespace talus {
+namespace {
+
+using namespace testing_tools;
+
+constexpr double g = standard_gravity;
+
+/// 3 down on 4 along to the origin, then on at `grade`.
+Profile bend(double grade) { return Profile(std::vector<Vec2>{{-40, 30}, {0, 0}, {40, 40 * grade}}); }
+const Vec3 down(0.8, 0, -0.6);  // the first plane's
+
+Laws closed_form() {
+  Laws laws = laws_of(RockModel::lumped_mass);
+  laws.sliding = SlidingMethod::closed_form;
+  laws.rotation = false;
+  return laws;
+}
+OnFacet first_facet(const Profile& profile, double mu) {
+  return {{profile.normal(FacetId{0}), FacetId{0}}, {.mu = mu}, {}};
+}
+
+/// From rest `way` above the bend, in one leg to its end.
+RockState slide_to_the_bend(RockOn<Profile>& rock, const Profile& profile, double mu) {
+  OnFacet state = first_facet(profile, mu);
+  const auto next = take_leg(*rock, state);
+  EXPECT_TRUE(next && !next->is_same_stretch);
+  return next ? next->state : Ended{EndReason::lost};
+}
+
+// v^2 = 2 s g (sin - mu cos).
+TEST(OnFacet, ComesToItsEndAsFastAsEnergySays) {
+  const double way = 20, mu = 0.25;
+  const Profile profile = bend(-2);
+  RockOn rock(profile, {}, closed_form(), {Vec3(-way * down), Vec3::Zero()});
+  const RockState next = slide_to_the_bend(rock, profile, mu);
+  const double speed = std::sqrt(2 * way * g * (0.6 - mu * 0.8));
+  EXPECT_NEAR(rock->motion.velocity.dot(down), speed, 1e-9);
+  EXPECT_NEAR(rock->motion.position.norm(), 0, 1e-9);
+  // The ground falls away: it flies, and has left its facet.
+  ASSERT_TRUE(std::holds_alternative<Flying>(next));
+  EXPECT_EQ(std::get<Flying>(next).left.count, 1);
+  EXPECT_TRUE(std::get<Flying>(next).hops());
+}
+
+TEST(OnFacet, StrikesGroundThatRisesAndSlidesOnOverThatOfOnePlane) {
+  const Profile rising = bend(0.5), straight = bend(-0.75);
+  RockOn strikes(rising, {.rn = 0.5, .rt = 1}, closed_form(), {Vec3(-20 * down), Vec3::Zero()});
+  const RockState flies = slide_to_the_bend(strikes, rising, 0.25);
+  ASSERT_TRUE(std::holds_alternative<Flying>(flies));
+  EXPECT_FALSE(std::get<Flying>(flies).hops());
+  EXPECT_EQ(strikes->last_contact.with.facet, FacetId{1});
+
+  // Of one plane and one material nothing happens at the bend: the leg goes on to the end of the model.
+  RockOn slides(straight, {}, closed_form(), {Vec3(-20 * down), Vec3::Zero()});
+  const RockState leaves = slide_to_the_bend(slides, straight, 0.25);
+  ASSERT_TRUE(std::holds_alternative<Ended>(leaves));
+  EXPECT_EQ(std::get<Ended>(leaves).reason, EndReason::left_model);
+  EXPECT_NEAR(slides->motion.position.x(), 40, 1e-9);
+}
+
+TEST(OnFacet, RestsWhereFrictionHoldsItAndNowhereElse) {
+  const Profile profile = bend(-2);
+  for (const double mu : {0.74, 0.76}) {  // tan of the slope: 0.75
+    RockOn rock(profile, {}, closed_form(), {Vec3(-20 * down), Vec3::Zero()});
+    OnFacet state = first_facet(profile, mu);
+    const auto next = take_leg(*rock, state);
+    ASSERT_TRUE(next);
+    const auto* const end = std::get_if<Ended>(&next->state);
+    EXPECT_EQ(end != nullptr && end->reason == EndReason::at_rest, mu > 0.75);
+  }
+}
+
+// a = 5/7 g sin: after a step of 0.01 s it has 0.01 a, and its spin is that of rolling.
+TEST(OnFacet, ASphereRollsAsItsInertiaLetsIt) {
+  const Profile profile = bend(-2);
+  const Rock ball = sphere_of_diameter(1, 2700);
+  const Vec3 n = profile.normal(FacetId{0});
+  RockOn rock(profile, {.mu = 10, .rolling = 0}, laws_of(RockModel::rigid_sphere),
+              {Vec3(-20 * down + ball.radius * n), Vec3::Zero()}, ball);
+  OnFacet state{{n, FacetId{0}}, {.sphere = {10, 0}}, {}};
+  ASSERT_FALSE(take_leg(*rock, state));
+  const double speed = 0.01 * 5.0 / 7 * g * 0.6;
+  EXPECT_NEAR(rock->motion.velocity.dot(down), speed, 1e-12);
+  EXPECT_NEAR(rock->motion.spin.y(), speed / ball.radius, 1e-12);
+  EXPECT_NEAR(height_over(*rock, n, profile.point_of(FacetId{0})), 0, 1e-12);
+}
+
+// What it has left is not struck for a millimetre, and counts again then.
+TEST(OnFacet, AFacetThatWasLeftLimitsTheNextLegOnly) {
+  const Profile profile = bend(-2);
+  const Rock ball = sphere_of_diameter(1, 2700);
+  const Vec3 n = profile.normal(FacetId{0});
+  RockOn rock(profile, {.mu = 10, .rolling = 0}, laws_of(RockModel::rigid_sphere),
+              {Vec3(-20 * down + ball.radius * n), Vec3(5 * down)}, ball);
+  rock->motion.spin = rolling_spin(rock->motion.velocity, Vec3::Zero(), n, ball.radius);
+  OnFacet state{{n, FacetId{0}}, {.sphere = {10, 0}}, LeftFacet{Vec3::UnitX()}};
+  const Vec3 start = rock->motion.position;
+  ASSERT_FALSE(take_leg(*rock, state));
+  EXPECT_NEAR((rock->motion.position - start).norm(), tolerance::past_the_end, 1e-6);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(state.beside));
+  const Vec3 then = rock->motion.position;
+  ASSERT_FALSE(take_leg(*rock, state));
+  EXPECT_GT((rock->motion.position - then).norm(), 0.04);
+}
+
+}  // namespace
+}  // namespace talus
