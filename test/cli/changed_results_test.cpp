@@ -69,6 +69,60 @@ TEST_F(ChangedResults, AreRebuilt) {
   EXPECT_THAT(after([&] { std::ofstream(out_ / "files.json") << "{\"files\": 3}"; }), begins_anew("files.json"));
 }
 
+// What a later version calls otherwise, or does not make at all, is told from what is somebody's by the record alone.
+TEST_F(ChangedResults, AreRemovedWhereThisRunDoesNotMakeThem) {
+  const fs::path outside = work_ / "elsewhere";
+  fs::create_directories(outside);
+  fs::create_directories(out_ / "maps/folder.tif");
+  fs::create_directory_symlink(outside, out_ / "link");
+  fs::create_symlink(outside / "theirs.csv", out_ / "link.csv");
+  const std::vector<std::string> stale{"maps/energy_total_max_J.tif", "old.csv", "tables/old.csv"};
+  const std::vector<std::string> not_listed{"mine.csv", "maps/energy_total_max_J.qml", "tables/mine.csv"};
+  const std::vector<std::string> refused{"../elsewhere/theirs.csv",
+                                         "link/theirs.csv",
+                                         "link.csv",
+                                         (outside / "theirs.csv").string(),
+                                         "./mine.csv",
+                                         "maps/../mine.csv",
+                                         "maps/folder.tif",
+                                         "",
+                                         "files.json"};
+  fs::create_directories(out_ / "tables");
+  work_.write("elsewhere/theirs.csv", "theirs");
+  auto record = nlohmann::json::parse(bytes_of(out_ / "files.json"));
+  for (const std::string& name : stale) record["files"][name] = {{"bytes", 5}};
+  for (const std::string& name : refused) record["files"][name] = {{"bytes", 6}};
+  for (const auto* names : {&stale, &not_listed}) {
+    for (const std::string& name : *names) work_.write("out/" + name, "rocks");
+  }
+  work_.write("out/files.json", record.dump());
+  ASSERT_EQ(talus_says(command_ + " --seed 7").exit_code, 0);
+  for (const std::string& name : stale) EXPECT_FALSE(fs::exists(out_ / name)) << name;
+  for (const std::string& name : not_listed) EXPECT_TRUE(fs::exists(out_ / name)) << name;
+  EXPECT_EQ(bytes_of(outside / "theirs.csv"), "theirs");
+  EXPECT_TRUE(fs::is_symlink(out_ / "link.csv"));
+  EXPECT_TRUE(fs::is_directory(out_ / "maps/folder.tif"));
+  EXPECT_TRUE(fs::exists(out_ / "files.json"));
+  // A run that is not taken over leaves all as it is.
+  work_.write("out/mine.csv", "rocks");
+  EXPECT_EQ(talus_says(command_ + " --resume").exit_code, 2);
+  EXPECT_TRUE(fs::exists(out_ / "mine.csv"));
+}
+
+TEST_F(ChangedResults, AreNotRemovedWhereTheyAreReadNow) {
+  auto record = nlohmann::json::parse(bytes_of(out_ / "files.json"));
+  record["files"]["old.toml"] = {{"bytes", 5}};
+  work_.write("out/files.json", record.dump());
+  fs::copy_file(work_ / "slope.toml", out_ / "old.toml");
+  const std::string before = bytes_of(out_ / "old.toml");
+  const Said said = talus_says("run " + (out_ / "old.toml").string() + " -o " + out_.string());
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_EQ(said.text, (out_ / "old.toml").string() + ": is in " + out_.string() +
+                           " (it is a result of the run before, which this one replaces). Give the file another name, "
+                           "or write elsewhere with -o\n");
+  EXPECT_EQ(bytes_of(out_ / "old.toml"), before);
+}
+
 TEST_F(ChangedResults, AReportMadeAgainIsNoChange) {
   EXPECT_EQ(talus_says("report " + out_.string()).exit_code, 0);
   EXPECT_THAT(talus_says(command_ + " --resume").text, HasSubstr("is already complete in"));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 #include "program.hpp"
@@ -144,6 +145,98 @@ TEST(RunMaps, AreWrittenOnlyWhereTheProjectWantsThem) {
   EXPECT_EQ(flat.exit_code, 0);
   EXPECT_EQ(flat.text.find("maps"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(work / "2d/maps"));
+}
+
+std::set<std::string> names_in(const Workplace& work, const std::string& folder) {
+  std::set<std::string> names;
+  for (const auto& [name, bytes] : contents(work, folder)) names.insert(name);
+  return names;
+}
+
+TEST(RunMaps, AreThoseThatAreNamedWithTheBytesThatTheyHaveAmongAll) {
+  if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
+  const Workplace work;
+  const std::string project = work.write("cliffs.toml", two_cliffs);
+  const auto run = [&](const std::string& folder, const std::string& settings) {
+    const Said said = talus_says("run " + project + " -q " + settings + " -o " + (work / folder).string());
+    EXPECT_EQ(said.exit_code, 0) << said.text;
+  };
+  run("all", "--set output.maps_by_source=true");
+  run("some", R"(--set output.maps_by_source=true --set 'output.maps=["bounce_height","reach_share"]')");
+  for (const std::string folder : {"maps", "maps/by_source/Lower"}) {
+    auto all = contents(work, "all/" + folder);
+    const auto some = contents(work, "some/" + folder);
+    std::set<std::string> expected{"reach_share.tif", "reach_share.qml"};
+    if (folder == "maps") expected.insert("by_source");
+    for (const char* part : {"max", "mean", "p50", "p95", "p99"}) {
+      for (const char* ending : {".tif", ".qml"}) expected.insert(std::string("bounce_height_") + part + "_m" + ending);
+    }
+    EXPECT_EQ(names_in(work, "some/" + folder), expected);
+    for (const auto& [name, bytes] : some) EXPECT_TRUE(all[name] == bytes) << name;
+  }
+  // In the folder of a run with more maps none of those stay; an empty list is no maps.
+  run("all", R"(--set 'output.maps=["impacts"]')");
+  EXPECT_EQ(names_in(work, "all/maps"), (std::set<std::string>{"impacts.tif", "impacts.qml"}));
+  run("all", "--set output.maps=[]");
+  EXPECT_EQ(names_in(work, "all/maps"), std::set<std::string>{});
+}
+
+TEST(RunMaps, ThatAreNamedAreMergedAndResumedAsThoseOfAWholeRun) {
+  if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
+  const Workplace work;
+  const std::string project = work.write("cliffs.toml", two_cliffs);
+  const std::string run = "run " + project + R"( -q --set 'output.maps=["velocity","deposits"]' )";
+  const auto into = [&](const std::string& folder) { return " -o " + (work / folder).string(); };
+  EXPECT_EQ(talus_says(run + into("whole")).exit_code, 0);
+  for (const char* shard : {"1", "2"}) {
+    const Said said = talus_says(run + "--shard " + shard + "/2" + into(std::string("part-") + shard));
+    EXPECT_EQ(said.exit_code, 0) << said.text;
+  }
+  const Said merged =
+      talus_says("merge " + (work / "part-1").string() + " " + (work / "part-2").string() + into("merged"));
+  EXPECT_EQ(merged.exit_code, 0) << merged.text;
+  EXPECT_TRUE(contents(work, "merged/maps") == contents(work, "whole/maps"));
+
+  std::filesystem::remove(work / "whole/maps/deposits.tif");
+  const Said again = talus_says(run + "--resume" + into("whole"));
+  EXPECT_EQ(again.exit_code, 0) << again.text;
+  EXPECT_TRUE(contents(work, "merged/maps") == contents(work, "whole/maps"));
+  const Said other = talus_says("run " + project + " -q --resume" + into("whole"));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_EQ(other.text, (work / "whole/summary.json").string() +
+                            ": these are the results of another project (output.maps was "
+                            "[\"deposits\",\"velocity\"] and is true). Undo the change to go on, or run without "
+                            "--resume to begin anew\n");
+}
+
+TEST(RunMaps, OfASectionAreItsColumns) {
+  const Workplace work;
+  const auto run = [&](const std::string& settings) {
+    const Said said = talus_says("run " + tutorial("2d") + " -q " + settings + " -o " + (work / "out").string());
+    EXPECT_EQ(said.exit_code, 0) << said.text;
+    const std::string text = work.read("out/envelopes.csv");
+    return text.substr(0, text.find('\n'));
+  };
+  EXPECT_EQ(run(R"(--set 'output.maps=["velocity","passages"]' --set output.percentiles=[95])"),
+            "x_m,passages,velocity_max_m_s,velocity_mean_m_s,velocity_p95_m_s");
+  EXPECT_EQ(run("--set output.maps=[]"), "");
+  EXPECT_FALSE(std::filesystem::exists(work / "out/envelopes.csv"));
+}
+
+TEST(RunMaps, GatherOnlyWhatIsNamed) {
+  const auto gathered = [](const std::string& maps, const std::string& percentiles) {
+    Problems warnings;
+    const auto project =
+        project::read_project(tutorial("3d"), {{"output.maps=" + maps, "output.percentiles=" + percentiles}, 5, {}})
+            .project;
+    const Model model = project::build_model(project, warnings);
+    return project::map_observer(project, model)->maps().contents();
+  };
+  EXPECT_EQ(gathered("true", "[50]"), MapContents());
+  EXPECT_EQ(gathered(R"(["passages"])", "[50]"), MapContents({}, {}));
+  EXPECT_EQ(gathered(R"(["velocity","impacts"])", "[50]"),
+            MapContents({false, false, true, false}, {false, false, true, false}));
+  EXPECT_EQ(gathered(R"(["velocity","energy_total"])", "[]"), MapContents({true, false, true, false}, {}));
 }
 
 // What the maps say of all rocks is what the summary says of them.

@@ -35,7 +35,7 @@ using test::Workplace;
 
 #ifdef TALUS_HAS_GDAL
 
-constexpr double percentiles[] = {50, 99.5};
+const MapSelection selection{.percentiles = {50, 99.5}};
 
 /// Two rocks on cells of 2 m: one goes from (0, 0) to (2, 1), the other is in (2, 1) only, on coordinates of a country.
 Maps two_rocks() {
@@ -100,7 +100,7 @@ TEST(MapFiles, WhatAKilledRunLeftIsNoHindrance) {
   std::filesystem::create_directories(work / "maps");
   // The head of a TIFF, and the number of entries of its first directory: none.
   work.write("maps/passages.tif.part", std::string("II*\0\x08\0\0\0\0\0", 10));
-  (void)write_maps(two_rocks(), percentiles, "", work / "maps");
+  (void)write_maps(two_rocks(), selection, "", work / "maps");
   EXPECT_EQ(read_back(work / "maps/passages.tif").values, (std::vector<double>{0, 0, 2, 1, 1, 0}));
   EXPECT_FALSE(std::filesystem::exists(work / "maps/passages.tif.part"));
 }
@@ -111,7 +111,7 @@ TEST(MapFiles, AreReadBackAsTheyWereMeant) {
   crs.importFromEPSG(2056);
   char* wkt = nullptr;
   crs.exportToWkt(&wkt);
-  (void)write_maps(two_rocks(), percentiles, wkt, work / "maps");
+  (void)write_maps(two_rocks(), selection, wkt, work / "maps");
   CPLFree(wkt);
 
   const Read passages = read_back(work / "maps/passages.tif");
@@ -141,7 +141,7 @@ TEST(MapFiles, AreReadBackAsTheyWereMeant) {
 
 TEST(MapFiles, AreTheListThatIsDocumented) {
   const Workplace work;
-  const auto names = write_maps(two_rocks(), percentiles, "", work / "maps");
+  const auto names = write_maps(two_rocks(), selection, "", work / "maps");
   std::set<std::string> expected;
   for (const std::string& name : names) {
     expected.insert(name + ".tif");
@@ -200,7 +200,7 @@ TEST(MapFiles, AnOverviewHoldsTheGreatestOfItsFourCells) {
   }
   const std::span<const MapVisit> list(visits);
   maps.add(visits.size(), std::span(&list, 1));
-  (void)write_maps(maps, percentiles, "", work / "maps");
+  (void)write_maps(maps, selection, "", work / "maps");
   for (const char* name : {"passages", "deposits", "impacts", "reach_share", "energy_total_max_kJ", "velocity_p50_m_s",
                            "bounce_height_mean_m"}) {
     const bool is_mean = std::string_view(name).find("mean") != std::string_view::npos;
@@ -305,7 +305,7 @@ TEST(MapFiles, OfOneKindHaveTheSameClasses) {
     const std::span<const MapVisit> list(visits);
     maps.add(1, std::span(&list, 1));
     const Workplace work;
-    (void)write_maps(maps, percentiles, "", work / "maps");
+    (void)write_maps(maps, selection, "", work / "maps");
     const std::string style = work.read("maps/" + name + ".qml");
     EXPECT_NE(style.find("greatestValue=\""), std::string::npos);
     return style.substr(style.find("<rastershader>"));
@@ -318,14 +318,14 @@ TEST(MapFiles, OfOneKindHaveTheSameClasses) {
 
 TEST(MapFiles, WithoutARockThereAreNone) {
   const Workplace work;
-  EXPECT_TRUE(write_maps(Maps(MapGrid({0, 0}, 1, {})), percentiles, "", work / "maps").empty());
+  EXPECT_TRUE(write_maps(Maps(MapGrid({0, 0}, 1, {})), selection, "", work / "maps").empty());
   EXPECT_FALSE(std::filesystem::exists(work / "maps"));
 }
 
 TEST(MapFiles, AFolderThatCannotBeMadeIsRefused) {
   const Workplace work;
   work.write("maps", "a file in the way");
-  EXPECT_THROW((void)write_maps(two_rocks(), percentiles, "", work / "maps"), BadInput);
+  EXPECT_THROW((void)write_maps(two_rocks(), selection, "", work / "maps"), BadInput);
 }
 
 #else

@@ -37,7 +37,7 @@ RunStateHeader full_header() {
   description.warnings = {"one", "two"};
   description.crs_wkt = "PROJCS[...]";
   description.sources = {"north", "south"};
-  description.maps = {Vec2(2.6e6 + 0.1, 1e-300), Vec2(0.5, 0.25), true, {50, 97.5}};
+  description.maps = {Vec2(2.6e6 + 0.1, 1e-300), Vec2(0.5, 0.25), true, {MapSubjects{0b10010001}, {50, 97.5}}};
   description.design.emplace().lines = {{"Fence", 0, 12.5, 5, 3}};
   description.design->heights = {2, 3};
   description.wants_maps = true;
@@ -102,6 +102,7 @@ TEST_F(RunStateFile, ComesBackAsItWas) {
   const RunStateHeader read = read_run_state_header(file);
   EXPECT_EQ(as_json(read.description).dump(), as_json(header.description).dump());
   EXPECT_EQ(read.description.maps->origin, header.description.maps->origin);
+  EXPECT_EQ(read.description.maps->selection.subjects, header.description.maps->selection.subjects);
   EXPECT_EQ(read.description.design, header.description.design);
   EXPECT_EQ(read.range, header.range);
   EXPECT_EQ(read.shard, header.shard);
@@ -222,8 +223,8 @@ TEST(RunDescription, IsRefusedWhereItIsNone) {
   EXPECT_TRUE(refused("name", 5));
   EXPECT_TRUE(refused("rocks", "many"));
   EXPECT_TRUE(refused("barriers", 2));  // the model tells of one
-  EXPECT_TRUE(refused("maps", {{"origin", {0, 0}}, {"cell", {0, 1}}, {"by_source", true}, {"percentiles", {50}}}));
-  EXPECT_TRUE(refused("maps", {{"origin", {0}}, {"cell", {1, 1}}, {"by_source", true}, {"percentiles", {50}}}));
+  EXPECT_TRUE(refused("maps", {{"origin", {0, 0}}, {"cell", {0, 1}}, {"by_source", true}, {"subjects", {"velocity"}}, {"percentiles", {50}}}));
+  EXPECT_TRUE(refused("maps", {{"origin", {0}}, {"cell", {1, 1}}, {"by_source", true}, {"subjects", {"velocity"}}, {"percentiles", {50}}}));
   EXPECT_TRUE(refused("project", nlohmann::ordered_json::array()));
   EXPECT_TRUE(refused("model", nlohmann::ordered_json::object()));
   auto model = full_header().description.model;

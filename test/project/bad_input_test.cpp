@@ -843,6 +843,53 @@ percentiles = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19
 
 [terrain])"}},
      "slope.toml:7: [output]: percentiles has 21 entries (expected 20 at most)"},
+    {"MapsAsOneName",
+     {{"[terrain]",
+       R"([output]
+maps = "velocity"
+
+[terrain])"}},
+     "slope.toml:7: [output]: maps is \"velocity\" (expected true, false or a list of "
+     "\"passages\", \"reach_share\", \"deposits\", \"impacts\", \"energy_total\", "
+     "\"energy_translational\", \"velocity\" and \"bounce_height\"). Write [\"velocity\"]"},
+    {"MapsInQuotes",
+     {{"[terrain]",
+       R"([output]
+maps = "true"
+
+[terrain])"}},
+     "slope.toml:7: [output]: maps is \"true\" (expected true, false or a list of "
+     "\"passages\", \"reach_share\", \"deposits\", \"impacts\", \"energy_total\", "
+     "\"energy_translational\", \"velocity\" and \"bounce_height\"). Leave out the quotes"},
+    {"MapsUnknown",
+     {{"[terrain]",
+       R"([output]
+maps = ["velocity", "energy_totl", 7, "velocity_max_m_s"]
+
+[terrain])"}},
+     "slope.toml:7: [output]: maps[1] is \"energy_totl\" (expected "
+     "\"passages\", \"reach_share\", \"deposits\", \"impacts\", \"energy_total\", "
+     "\"energy_translational\", \"velocity\" or \"bounce_height\"). Did you mean \"energy_total\"?\n"
+     "slope.toml:7: [output]: maps[2] is 7 (expected "
+     "\"passages\", \"reach_share\", \"deposits\", \"impacts\", \"energy_total\", "
+     "\"energy_translational\", \"velocity\" or \"bounce_height\")\n"
+     "slope.toml:7: [output]: maps[3] is \"velocity_max_m_s\" (expected "
+     "\"passages\", \"reach_share\", \"deposits\", \"impacts\", \"energy_total\", "
+     "\"energy_translational\", \"velocity\" or \"bounce_height\"). Did you mean \"velocity\"?"},
+    {"MapTwice",
+     {{"[terrain]",
+       R"([output]
+maps = ["velocity", "impacts", "velocity"]
+
+[terrain])"}},
+     "slope.toml:7: [output]: maps[2] is \"velocity\" (it was given before). Leave it out"},
+    {"TooManyMaps",
+     {{"[terrain]",
+       R"([output]
+maps = [1, 2, 3, 4, 5, 6, 7, 8, 9]
+
+[terrain])"}},
+     "slope.toml:7: [output]: maps has 9 entries (expected 8 at most)"},
     {"MapCellsInWords",
      {{"[terrain]",
        R"([output]
@@ -951,6 +998,15 @@ maps_by_source = true
 
 [terrain])"}},
      "slope.toml:8: warning: [output]: maps_by_source has no effect (maps is false). Let maps be true"},
+    {"PercentilesOfCounts",
+     {{"[terrain]",
+       R"([output]
+maps = ["passages", "reach_share"]
+percentiles = [95]
+
+[terrain])"}},
+     "slope.toml:8: warning: [output]: percentiles has no effect (maps names counts only). Name a quantity there, such "
+     "as \"energy_total\""},
     {"VtkWithoutPaths",
      {{"[terrain]",
        R"([output]

@@ -201,6 +201,7 @@ classes = { 1 = "Rock", -2 = "Scree" }
 position = [1, 1, 5]
 mass_kg = 10
 [output]
+maps = ["reach_share", "energy_total", "velocity"]
 raster_cell_m = "terrain"
 )";
 

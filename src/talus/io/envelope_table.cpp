@@ -10,11 +10,10 @@
 
 namespace talus::io {
 
-std::string envelope_table(const Maps& maps, std::span<const double> percentiles, bool has_heights) {
-  std::vector<MapGroup> groups = map_groups(maps.rocks(), percentiles, maps.contents());
-  if (!has_heights) {
-    std::erase_if(groups, [](const MapGroup& group) { return group.kinds[0].name.starts_with("bounce_height"); });
-  }
+std::string envelope_table(const Maps& maps, const MapSelection& selection, bool has_heights) {
+  MapSelection shown = selection;
+  if (!has_heights) shown.subjects.reset(static_cast<std::size_t>(MapSubject::bounce_height));
+  const std::vector<MapGroup> groups = map_groups(maps.rocks(), shown);
   std::string text;
   CsvRow heading(text);
   heading << "x_m";
@@ -52,10 +51,10 @@ std::string envelope_table(const Maps& maps, std::span<const double> percentiles
   return text;
 }
 
-void write_envelopes(const std::filesystem::path& folder, const Maps& maps, std::span<const double> percentiles,
+void write_envelopes(const std::filesystem::path& folder, const Maps& maps, const MapSelection& selection,
                      bool has_heights) {
   OutputFile file(folder / envelopes_name);
-  file.write(envelope_table(maps, percentiles, has_heights));
+  file.write(envelope_table(maps, selection, has_heights));
   file.commit();
 }
 

@@ -2,9 +2,9 @@
 // envelopes.csv: what maps show on plan, along a section.
 
 #include <filesystem>
-#include <span>
 #include <string>
 
+#include "talus/io/map_list.hpp"
 #include "talus/results/maps.hpp"
 
 namespace talus::io {
@@ -12,12 +12,12 @@ namespace talus::io {
 inline constexpr const char* envelopes_name = "envelopes.csv";
 
 /// A row for each cell of a grid along x, from the first to the last that rocks touched: the x of its middle in the
-/// user's coordinates, then what map_groups() lists. A cell that no rock touched has counts of 0 and nothing else.
-/// `percentiles` in [0, 100]. Without heights those of bounces are left out. Expects maps of a section, in one row.
-[[nodiscard]] std::string envelope_table(const Maps& maps, std::span<const double> percentiles, bool has_heights);
+/// user's coordinates, then the maps of the selection. A cell that no rock touched has counts of 0 and nothing else.
+/// Without heights those of bounces are left out. Expects maps of a section, in one row.
+[[nodiscard]] std::string envelope_table(const Maps& maps, const MapSelection& selection, bool has_heights);
 
 /// Writes it into a run's folder; throws BadInput where it cannot be written.
-void write_envelopes(const std::filesystem::path& folder, const Maps& maps, std::span<const double> percentiles,
+void write_envelopes(const std::filesystem::path& folder, const Maps& maps, const MapSelection& selection,
                      bool has_heights);
 void remove_envelopes(const std::filesystem::path& folder);
 

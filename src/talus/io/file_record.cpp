@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for_each.h>
 
+#include <algorithm>
 #include <fstream>
 #include <vector>
 
@@ -24,6 +25,12 @@ using Json = nlohmann::ordered_json;
 constexpr const char* files_key = "files";
 
 bool others_write_to(const fs::path& name) { return name.extension() == ".gpkg"; }
+
+/// Of a name that a record has, which may come from anybody.
+bool stays_in_folder(const fs::path& name) {
+  if (name.empty() || name.is_absolute()) return false;
+  return std::ranges::none_of(name, [](const fs::path& part) { return part.empty() || part == "." || part == ".."; });
+}
 
 /// Nothing where it is no ordinary file, or cannot be read.
 std::optional<Json> record_of(const fs::path& file, const fs::path& name) {
@@ -105,6 +112,27 @@ std::optional<std::string> changed_file(const fs::path& folder) {
     if (!entry.record || *entry.record != files->at(entry.name)) return entry.name;
   }
   return std::nullopt;
+}
+
+std::vector<std::string> recorded_files(const fs::path& folder) {
+  std::vector<std::string> names;
+  const auto files = read(folder);
+  if (!files) return names;
+  for (const auto& [name, record] : files->items()) {
+    if (stays_in_folder(name)) names.push_back(name);
+  }
+  return names;
+}
+
+void remove_recorded_files_but(const fs::path& folder, std::span<const std::string> kept) {
+  std::error_code error;
+  for (const std::string& name : recorded_files(folder)) {
+    if (std::ranges::find(kept, name) != kept.end() || name == file_record_name) continue;
+    const fs::path file = folder / name;
+    const fs::path parent = fs::canonical(file.parent_path(), error);
+    if (error || parent != (fs::canonical(folder, error) / fs::path(name).parent_path()).lexically_normal()) continue;
+    if (fs::symlink_status(file, error).type() == fs::file_type::regular) fs::remove(file, error);
+  }
 }
 
 void renew_in_record(const fs::path& folder, const std::string& name) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace talus::io {
 
@@ -17,6 +18,13 @@ void write_file_record(const std::filesystem::path& folder, std::span<const std:
 
 /// The first file that is not as it was recorded; the record itself where there is none. Nothing where all are.
 [[nodiscard]] std::optional<std::string> changed_file(const std::filesystem::path& folder);
+
+/// The names in the record, of those that stay in the folder; none where there is no record that can be read.
+[[nodiscard]] std::vector<std::string> recorded_files(const std::filesystem::path& folder);
+
+/// Removes the files of the record that are not among those `kept`: results of an earlier run that the present one does
+/// not make. Only plain files go, and none through a link to another folder; the record itself stays.
+void remove_recorded_files_but(const std::filesystem::path& folder, std::span<const std::string> kept);
 
 /// Records one file anew, where there is a record that has it.
 void renew_in_record(const std::filesystem::path& folder, const std::string& name);

@@ -32,7 +32,7 @@ namespace {
 
 /// Whether write_maps() could have given a map this name, with whatever percentile.
 bool is_name_of_map(std::string_view name) {
-  const std::vector<MapKind> kinds = map_kinds(std::array{50.0});
+  const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}});
   return std::any_of(kinds.begin(), kinds.end(), [&](const MapKind& kind) {
     if (kind.name == name) return true;
     const std::size_t at = kind.name.find("p50");
@@ -288,13 +288,13 @@ void make_lists_of_options() {
 
 bool can_write_maps() { return true; }
 
-std::vector<std::string> write_maps(const Maps& maps, std::span<const double> percentiles, const std::string& crs_wkt,
+std::vector<std::string> write_maps(const Maps& maps, const MapSelection& selection, const std::string& crs_wkt,
                                     const std::filesystem::path& folder) {
   std::vector<std::string> names;
   const auto extent = maps.extent();
   if (!extent) return names;
   make_output_folder(folder);
-  const std::vector<MapGroup> groups = map_groups(maps.rocks(), percentiles, maps.contents());
+  const std::vector<MapGroup> groups = map_groups(maps.rocks(), selection);
   for (const MapGroup& group : groups) {
     for (const MapKind& kind : group.kinds) names.push_back(kind.name);
   }
@@ -313,7 +313,7 @@ std::vector<std::string> write_maps(const Maps& maps, std::span<const double> pe
 
 bool can_write_maps() { return false; }
 
-std::vector<std::string> write_maps(const Maps&, std::span<const double>, const std::string&,
+std::vector<std::string> write_maps(const Maps&, const MapSelection&, const std::string&,
                                     const std::filesystem::path& folder) {
   throw BadInput(Problem{.file = folder.string(),
                          .what = "cannot write maps",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "talus/io/map_style.hpp"
+#include "talus/io/map_subjects.hpp"
 #include "talus/results/maps.hpp"
 
 namespace talus::io {
@@ -30,11 +31,19 @@ struct MapGroup {
   std::function<void(const MapTally& cell, std::span<double> values)> values;
 };
 
-/// For maps of so many rocks with these contents; `percentiles` in [0, 100], of those quantities that have any.
-[[nodiscard]] std::vector<MapGroup> map_groups(std::uint64_t rocks, std::span<const double> percentiles,
-                                               const MapContents& contents = {});
+/// Which maps are made.
+struct MapSelection {
+  MapSubjects subjects = all_map_subjects;
+  std::vector<double> percentiles{};  // in [0, 100], of the quantities among the subjects
+};
 
-/// All kinds that there can be, in their order.
-[[nodiscard]] std::vector<MapKind> map_kinds(std::span<const double> percentiles);
+/// What has to be gathered for them.
+[[nodiscard]] MapContents contents_of(const MapSelection& selection);
+
+/// For maps of so many rocks; groups without a map are left out.
+[[nodiscard]] std::vector<MapGroup> map_groups(std::uint64_t rocks, const MapSelection& selection);
+
+/// All of them, in their order.
+[[nodiscard]] std::vector<MapKind> map_kinds(const MapSelection& selection);
 
 }  // namespace talus::io

@@ -45,7 +45,7 @@ struct Known {
 
 /// The kind of map that a file's name stands for; nothing where it is no map of a run.
 std::optional<Known> known(const std::string& stem) {
-  static const std::vector<MapKind> kinds = map_kinds(std::array{50.0});
+  static const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}});
   const auto found = std::ranges::find(kinds, kind_of(stem), &MapKind::name);
   if (found == kinds.end()) return std::nullopt;
   return Known{static_cast<std::size_t>(found - kinds.begin()), found->limits};

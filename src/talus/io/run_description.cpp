@@ -10,6 +10,29 @@ namespace talus::io {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+Json names_of(const MapSubjects& subjects) {
+  Json names = Json::array();
+  for (std::size_t k = 0; k < subjects.size(); ++k) {
+    if (subjects[k]) names.push_back(map_subject_names[k]);
+  }
+  return names;
+}
+
+MapSubjects subjects_from(const Json& names) {
+  MapSubjects subjects;
+  for (const Json& name : names) {
+    const auto found = std::ranges::find(map_subject_names, name.get_ref<const std::string&>());
+    expect_bytes(found != map_subject_names.end(), "the description's maps show nothing known");
+    subjects.set(static_cast<std::size_t>(found - map_subject_names.begin()));
+  }
+  expect_bytes(subjects.any(), "the description's maps show nothing");
+  return subjects;
+}
+
+}  // namespace
+
 Json as_json(const RunDescription& description) {
   Json json;
   json["name"] = description.name;
@@ -30,7 +53,8 @@ Json as_json(const RunDescription& description) {
     json["maps"] = {{"origin", {maps->origin.x(), maps->origin.y()}},
                     {"cell", {maps->cell.x(), maps->cell.y()}},
                     {"by_source", maps->by_source},
-                    {"percentiles", maps->percentiles}};
+                    {"subjects", names_of(maps->selection.subjects)},
+                    {"percentiles", maps->selection.percentiles}};
   }
   if (description.design) json["design"] = plan_json(*description.design);
   return json;
@@ -78,7 +102,8 @@ RunDescription read(const Json& json) {
     maps.cell = pair("cell");
     expect_bytes((maps.cell.array() > 0).all(), "the description's maps have no cells");
     given.at("by_source").get_to(maps.by_source);
-    given.at("percentiles").get_to(maps.percentiles);
+    if (given.contains("subjects")) maps.selection.subjects = subjects_from(given.at("subjects"));
+    given.at("percentiles").get_to(maps.selection.percentiles);
   }
   if (json.contains("design")) description.design = plan_from(json.at("design"), description.barriers);
   check_model(description);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "talus/core/vec.hpp"
+#include "talus/io/map_list.hpp"
 #include "talus/io/table_rocks.hpp"
 #include "talus/results/design_plan.hpp"
 
@@ -17,7 +18,7 @@ namespace talus::io {
 struct MapPlan {
   Vec2 origin, cell;  // of the grid, as in results/map_grid.hpp
   bool by_source = false;
-  std::vector<double> percentiles;  // [%]
+  MapSelection selection{};
 };
 
 struct RunDescription {

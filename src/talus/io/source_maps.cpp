@@ -75,14 +75,13 @@ std::vector<std::string> folder_names(std::span<const std::string> names) {
 }
 
 void write_source_maps(std::span<const Maps> maps, std::span<const std::string> sources,
-                       std::span<const double> percentiles, const std::string& crs_wkt,
-                       const std::filesystem::path& folder) {
+                       const MapSelection& selection, const std::string& crs_wkt, const std::filesystem::path& folder) {
   TALUS_PROMISE(maps.size() == sources.size(), "every source has its maps");
   const std::vector<std::string> folders = folder_names(sources);
   std::string list = "folder,source,rocks\n";
   for (std::size_t k = 0; k < maps.size(); ++k) {
     if (maps[k].rocks() == 0) continue;
-    (void)write_maps(maps[k], percentiles, crs_wkt, folder / folders[k]);
+    (void)write_maps(maps[k], selection, crs_wkt, folder / folders[k]);
     CsvRow row(list);
     row << folders[k] << sources[k] << maps[k].rocks();
     row.end();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "talus/io/map_list.hpp"
 #include "talus/results/maps.hpp"
 
 namespace talus::io {
@@ -24,8 +25,7 @@ inline constexpr const char* list_of_sources = "sources.csv";
 /// which says whose maps are in which folder (`folder,source,rocks`). `maps` and `sources` go together. Throws BadInput
 /// as write_maps() does.
 void write_source_maps(std::span<const Maps> maps, std::span<const std::string> sources,
-                       std::span<const double> percentiles, const std::string& crs_wkt,
-                       const std::filesystem::path& folder);
+                       const MapSelection& selection, const std::string& crs_wkt, const std::filesystem::path& folder);
 
 /// Removes what write_source_maps() wrote there, and folders that are then empty. Other files stay.
 void remove_source_maps(const std::filesystem::path& folder);

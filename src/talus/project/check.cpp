@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "talus/io/map_list.hpp"
 #include "talus/project/check_design.hpp"
 #include "talus/project/check_ground.hpp"
 #include "talus/project/check_seeder.hpp"
@@ -303,8 +304,12 @@ class Rules {
         has_no_effect("geopackage", "a section lies nowhere on a map", "Give terrain.width_m for 3D");
       }
     }
-    if (is_2d(document_.root()) == false && good(row, "maps_by_source") && output.maps_by_source && !output.maps) {
+    if (is_2d(document_.root()) == false && good(row, "maps_by_source") && output.maps_by_source && output.maps.none()) {
       has_no_effect("maps_by_source", "maps is false", "Let maps be true");
+    }
+    if (good(row, "percentiles") && good(row, "maps") && output.maps.any() && !output.percentiles.empty() &&
+        io::contents_of({output.maps, {}}).quantities() == 0) {
+      has_no_effect("percentiles", "maps names counts only", "Name a quantity there, such as \"energy_total\"");
     }
     if (good(row, "vtk") && output.vtk && output.path_limit == 0) {
       has_no_effect("vtk", "paths is \"none\"", "Let paths be a number of rocks");

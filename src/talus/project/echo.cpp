@@ -55,6 +55,14 @@ struct Writer {
     for (const auto& [number, text] : *value) out[std::to_string(number)] = text;
     return out;
   }
+  Written operator()(const io::MapSubjects* value) const {
+    if (value->all() || value->none()) return value->all();
+    Json names = Json::array();
+    for (std::size_t k = 0; k < value->size(); ++k) {
+      if ((*value)[k]) names.push_back(io::map_subject_names[k]);
+    }
+    return names;
+  }
   template <class Item>
   Written operator()(const std::vector<Item>* value) const {
     return value->empty() ? Written() : Written(*value);

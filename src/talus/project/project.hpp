@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "talus/core/vec.hpp"
+#include "talus/io/map_subjects.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
 
@@ -190,7 +191,7 @@ struct Output {
   // Keys `endpoints` and `paths`: nothing here is "all", 0 is "none", else a number of rocks.
   std::optional<std::int64_t> endpoint_limit;
   std::optional<std::int64_t> path_limit = 2000;
-  bool maps = true;  // 3D only
+  io::MapSubjects maps = io::all_map_subjects;  // `true` is all of them, `false` none
   bool maps_by_source = false;
   // Nothing here is "terrain", the cells of the terrain's raster; 0, until reading is done, that the file does not say
   // it.

@@ -69,8 +69,8 @@ bool is_name_of_result(const std::filesystem::path& name) {
 std::vector<std::string> result_files(const io::RunDescription& description, const std::optional<Shard>& shard) {
   std::vector<std::string> names{"endpoints.csv", "barriers.csv", "paths.csv"};
   if (!shard) {
-    if (description.wants_maps && io::can_write_maps() && description.rocks > 0)
-      names.emplace_back("maps/passages.tif");
+    if (description.wants_maps && description.maps && io::can_write_maps() && description.rocks > 0)
+      names.push_back("maps/" + io::map_kinds(description.maps->selection).front().name + ".tif");
     if (description.wants_envelopes) names.emplace_back(io::envelopes_name);
     if (description.design) names.insert(names.end(), {"design.csv", "design_ranking.csv"});
     if (description.wants_geopackage && io::can_write_geopackage()) names.emplace_back(io::geopackage_name);
@@ -117,12 +117,16 @@ void check_that_inputs_are_kept(const std::filesystem::path& folder, const Proje
   const fs::path results = fs::weakly_canonical(fs::absolute(folder), error);
   if (error) return;
   Problems problems;
+  const std::vector<std::string> recorded = io::recorded_files(folder);
   const auto look = [&](const fs::path& file, Problem problem) {
     const fs::path real = fs::canonical(file, error);
     if (error) return;
     const fs::path within = real.lexically_relative(results);
-    if (within.empty() || *within.begin() == ".." || !is_name_of_result(within)) return;
-    problem.why = "a run writes its results there, and would take its place";
+    if (within.empty() || *within.begin() == "..") return;
+    const bool is_recorded = std::ranges::find(recorded, within.generic_string()) != recorded.end();
+    if (!is_name_of_result(within) && !is_recorded) return;
+    problem.why = is_name_of_result(within) ? "a run writes its results there, and would take its place"
+                                            : "it is a result of the run before, which this one replaces";
     problem.hint = "Give the file another name, or write elsewhere";
     problem.option = "-o";
     problems.add(std::move(problem));

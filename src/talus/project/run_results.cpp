@@ -49,11 +49,7 @@ MapGrid map_grid(const Project& project, const LocalFrame& frame, const Surface&
   return MapGrid::at_multiples(1, frame, low);
 }
 
-/// Percentiles are gathered where any are asked for.
-MapContents contents_with(const std::vector<double>& percentiles) {
-  const bool any = !percentiles.empty();
-  return {{true, true, true, true}, {any, any, any, any}};
-}
+io::MapSelection selection_of(const Project& project) { return {project.output.maps, project.output.percentiles}; }
 
 std::optional<std::size_t> split_by(const io::RunDescription& description) {
   if (!description.maps->by_source) return std::nullopt;
@@ -77,7 +73,7 @@ void write_section_envelopes(const std::filesystem::path& folder, const io::RunD
   io::remove_envelopes(folder);
   if (maps == nullptr || !description.wants_envelopes) return;
   const nlohmann::ordered_json::json_pointer deviations("/terrain/section_std_dev_m");
-  io::write_envelopes(folder, maps->maps(), description.maps->percentiles, !description.project.contains(deviations));
+  io::write_envelopes(folder, maps->maps(), description.maps->selection, !description.project.contains(deviations));
 }
 
 void write_all_maps(const std::filesystem::path& folder, const io::RunDescription& description, MapObserver* maps,
@@ -86,10 +82,10 @@ void write_all_maps(const std::filesystem::path& folder, const io::RunDescriptio
   io::remove_source_maps(folder / "by_source");
   if (maps == nullptr || !description.wants_maps || !io::can_write_maps()) return;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  const std::vector<double>& percentiles = description.maps->percentiles;
-  io::write_maps(maps->maps(), percentiles, description.crs_wkt, folder);
+  const io::MapSelection& selection = description.maps->selection;
+  io::write_maps(maps->maps(), selection, description.crs_wkt, folder);
   if (description.maps->by_source) {
-    io::write_source_maps(maps->by_source(), description.sources, percentiles, description.crs_wkt,
+    io::write_source_maps(maps->by_source(), description.sources, selection, description.crs_wkt,
                           folder / "by_source");
   }
 }
@@ -97,7 +93,7 @@ void write_all_maps(const std::filesystem::path& folder, const io::RunDescriptio
 }  // namespace
 
 std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model) {
-  if (!project.output.maps) return nullptr;
+  if (project.output.maps.none()) return nullptr;
   const bool is_section = std::holds_alternative<Profile>(model.surface);
   return std::visit(
       [&](const auto& surface) {
@@ -105,7 +101,7 @@ std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& m
         std::optional<std::size_t> sources;
         if (project.output.maps_by_source && !is_section) sources = model.sources.size();
         return std::make_unique<MapObserver>(grid, greatest_height_over(surface, model.laws.model), sources,
-                                             contents_with(project.output.percentiles));
+                                             io::contents_of(selection_of(project)));
       },
       model.surface);
 }
@@ -124,13 +120,13 @@ io::RunDescription describe(const Project& project, const Model& model, const Pr
   description.crs_wkt = model.crs_wkt;
   description.sources = model.sources;
   const bool is_section = std::holds_alternative<Profile>(model.surface);
-  description.wants_maps = project.output.maps && !is_section;
-  description.wants_envelopes = project.output.maps && is_section;
-  if (project.output.maps) {
+  description.wants_maps = project.output.maps.any() && !is_section;
+  description.wants_envelopes = project.output.maps.any() && is_section;
+  if (project.output.maps.any()) {
     const MapGrid grid =
         std::visit([&](const auto& surface) { return map_grid(project, model.frame, surface); }, model.surface);
     const bool by_source = project.output.maps_by_source && !is_section;
-    description.maps = {grid.origin(), grid.cell(), by_source, project.output.percentiles};
+    description.maps = {grid.origin(), grid.cell(), by_source, selection_of(project)};
   }
   if (project.design) description.design = design_plan(*project.design, model);
   description.wants_geopackage = !is_section && project.output.geopackage_limit != 0;
@@ -161,7 +157,7 @@ RunSums::RunSums(const io::RunDescription& description)
   if (!description.maps) return;
   const MapGrid grid(description.maps->origin, description.maps->cell, {});
   maps_ =
-      std::make_unique<MapObserver>(grid, nullptr, split_by(description), contents_with(description.maps->percentiles));
+      std::make_unique<MapObserver>(grid, nullptr, split_by(description), io::contents_of(description.maps->selection));
 }
 
 std::vector<SummingObserver*> RunSums::observers() {
@@ -216,7 +212,9 @@ Problems write_results(const std::filesystem::path& folder, const io::RunDescrip
   summary.write(json.dump(1, ' ', false, replace) + "\n");
   summary.sync();
   if (!course.shard) write_what_follows(folder, description, design, OutputFile::part_of("summary.json"));
-  io::write_file_record(folder, written_files(folder, description, course.shard));
+  const std::vector<std::string> written = written_files(folder, description, course.shard);
+  io::remove_recorded_files_but(folder, written);
+  io::write_file_record(folder, written);
   summary.commit();
   return found;
 }

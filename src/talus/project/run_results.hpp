@@ -54,8 +54,8 @@ class RunSums {
 };
 
 /// Writes maps, the design of barriers, what is made of the tables (which must be there whole), the report, as the
-/// description plans them, and last summary.json: where it is, all is. What an earlier run left of them is removed. Of
-/// a shard, summary.json alone. Gives the warnings that came with the rocks. Throws BadInput where a file cannot be
+/// description plans them, and last summary.json: where it is, all is. What an earlier run recorded among its files and
+/// this one does not make is removed. Of a shard, summary.json alone. Gives the warnings that came with the rocks. Throws BadInput where a file cannot be
 /// written.
 Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
                        const RunCourse& course);

@@ -77,6 +77,11 @@ struct Typed {
   Json operator()(const std::map<std::string, std::string>*) const {
     return {{"type", "object"}, {"additionalProperties", text()}, {"minProperties", 1}};
   }
+  Json operator()(const io::MapSubjects*) const {
+    Json names = list_of({{"enum", Json(words(io::MapSubject{}))}}, 0);
+    names["uniqueItems"] = true;
+    return {{"anyOf", Json::array({Json{{"type", "boolean"}}, std::move(names)})}};
+  }
   Json operator()(PlanPolygonSlot) const { return list_of(tuple_of(number(), 2, 2), 3); }
   Json operator()(LibrarySlot) const {
     Json keys = Json::array();

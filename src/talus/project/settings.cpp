@@ -1240,8 +1240,11 @@ Table output() {
                .source = "Talus"},
               {.key = "maps",
                .slot = member(&Output::maps),
+               .most_entries = io::map_subject_names.size(),
                .meaning = "Writes where rocks pass, how fast, how high and with how much energy: in 3D maps, as "
-                          "GeoTIFFs in the folder `maps`; in 2D the same along the section, `envelopes.csv`.",
+                          "GeoTIFFs in the folder `maps`; in 2D the same along the section, `envelopes.csv`. `true` "
+                          "stands for all; of a list only what it names is gathered and written; an empty one is "
+                          "`false`.",
                .source = "Talus"},
               {.key = "maps_by_source",
                .slot = member(&Output::maps_by_source),
@@ -1412,6 +1415,7 @@ std::span<const std::string_view> words(DesignEnergy) {
   static constexpr Words<2> list{"translational", "total"};
   return list;
 }
+std::span<const std::string_view> words(io::MapSubject) { return io::map_subject_names; }
 
 std::string meaning_of(const Setting& setting) {
   if (!setting.only_for) return std::string(setting.meaning);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "talus/core/problems.hpp"
+#include "talus/io/map_subjects.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/settings.hpp"
 
@@ -76,6 +77,7 @@ class ValueReader {
   bool into(const Value&, std::optional<Distribution>*);
   bool into(const Value&, std::map<std::int32_t, std::string>*);
   bool into(const Value&, std::map<std::string, std::string>*);
+  bool into(const Value&, io::MapSubjects*);
   bool into(const Value&, PositionSlot);
   bool into(const Value&, PointsSlot);
   bool into(const Value&, PlanLineSlot);

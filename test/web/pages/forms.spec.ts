@@ -76,6 +76,24 @@ test('settings of the other rock model are greyed out, and say why', async ({ wo
   await expect(lumped).toBeDisabled();
 });
 
+test('maps are chosen one by one', async ({ workbench: page }) => {
+  await openExample(page, 'Tutorial 1, in 3D');
+  await openForm(page, /^Output/);
+  const maps = page.getByRole('group', { name: 'Maps', exact: true });
+  const [velocity, energy] = [maps.getByLabel('velocity'), maps.getByLabel('energy total')];
+  await maps.getByRole('button', { name: 'None' }).click();
+  expect(await projectText(page)).toContain('maps = false');
+  await expect(velocity).not.toBeChecked();
+  await velocity.check();
+  await energy.check();
+  expect(await projectText(page)).toContain('maps = ["energy_total", "velocity"]');
+  await velocity.uncheck();
+  expect(await projectText(page)).toContain('maps = ["energy_total"]');
+  await maps.getByRole('button', { name: 'All' }).click();
+  expect(await projectText(page)).toContain('maps = true');
+  await expect(velocity).toBeChecked();
+});
+
 test('an error goes when it holds no more', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   const said = page.locator('.messages .error');

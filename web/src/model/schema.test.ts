@@ -55,6 +55,11 @@ const schema = {
       properties: {
         paths: { anyOf: [{ enum: ['all', 'none'] }, { type: 'integer', minimum: 0 }], default: 'all' },
         percentiles: { type: 'array', items: { type: 'number' }, minItems: 0, maxItems: 20 },
+        maps: {
+          anyOf: [{ type: 'boolean' }, { type: 'array', items: { enum: ['passages', 'velocity'] }, uniqueItems: true }],
+          default: true,
+          maxItems: 8,
+        },
       },
     },
   },
@@ -86,6 +91,7 @@ describe('tables and fields of the schema', () => {
       whole: true,
     });
     expect(field('output', 'percentiles').type).toEqual({ kind: 'list', of: 'number' });
+    expect(field('output', 'maps').type).toEqual({ kind: 'words', words: ['passages', 'velocity'] });
   });
   test('a random property', () => {
     const friction = field('material', 'friction_angle_deg');

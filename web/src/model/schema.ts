@@ -17,6 +17,8 @@ export type Kind =
   | { kind: 'distribution'; range: Range; parts: Field[] }
   /// One of a few words, or a number.
   | { kind: 'word or number'; words: string[]; whole: boolean; range: Range }
+  /// Some of a few words, all of them (true) or none (false).
+  | { kind: 'words'; words: string[] }
   | { kind: 'list'; of: 'number' | 'whole' | 'text' }
   /// A point or a vector of so many numbers; some may be words, such as "surface", or one word may stand for all.
   | { kind: 'tuple'; least: number; most: number; words: string[]; instead: string[] }
@@ -98,6 +100,8 @@ const tupleOf = ({ items, minItems = 1, maxItems = 3 }: Node, instead: string[])
 });
 
 function alternatives(nodes: Node[]): Kind {
+  const words = nodes.find(({ items }) => items?.enum)?.items?.enum;
+  if (words && nodes.some(({ type }) => type === 'boolean')) return { kind: 'words', words };
   const number = nodes.find(({ type }) => type === 'number' || type === 'integer');
   const parts = nodes.find(({ properties }) => properties?.distribution);
   if (number && parts) return { kind: 'distribution', range: rangeOf(number), parts: fieldsOf(parts) };

@@ -16,6 +16,7 @@ import { PolylinesControl } from './PolylinesControl';
 import { materialFields, NameChoice, NameList } from './references';
 import { SegmentList } from './SegmentList';
 import { TypedInput } from './TypedInput';
+import { WordsControl } from './WordsControl';
 
 export function Control({ field, path }: FieldProps) {
   const value = valueAt(path);
@@ -69,6 +70,8 @@ export function Control({ field, path }: FieldProps) {
           </datalist>
         </>
       );
+    case 'words':
+      return <WordsControl field={field} path={path} words={field.type.words} />;
     case 'list':
       if (field.type.of === 'text' && path[0] === 'ground') return <SegmentList field={field} path={path} />;
       if (field.type.of === 'text') return <NameList field={field} path={path} />;

@@ -1,0 +1,42 @@
+#pragma once
+// What can be mapped, by the names that users choose from.
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <string_view>
+
+namespace talus::io {
+
+/// Counts, of which each is one map, and then quantities, of which each has a map of its greatest, its mean and its
+/// percentiles.
+enum class MapSubject {
+  passages,
+  reach_share,
+  deposits,
+  impacts,
+  energy_total,
+  energy_translational,
+  velocity,
+  bounce_height
+};
+
+/// By MapSubject: of counts the names of the files, of quantities what the names of the files begin with.
+inline constexpr std::array<std::string_view, 8> map_subject_names{
+    "passages", "reach_share", "deposits", "impacts", "energy_total", "energy_translational", "velocity",
+    "bounce_height"};
+
+/// Some of them, by MapSubject.
+using MapSubjects = std::bitset<map_subject_names.size()>;
+
+inline constexpr MapSubjects all_map_subjects{(1U << map_subject_names.size()) - 1};
+
+[[nodiscard]] inline bool holds(const MapSubjects& subjects, MapSubject subject) {
+  return subjects[static_cast<std::size_t>(subject)];
+}
+
+[[nodiscard]] constexpr std::string_view name_of(MapSubject subject) {
+  return map_subject_names[static_cast<std::size_t>(subject)];
+}
+
+}  // namespace talus::io

@@ -1,0 +1,38 @@
+// Some of a few words: true stands for all of them, false for none.
+
+import { valueAt } from '../../state/document';
+import type { TomlValue } from '../../toml/format';
+import { cellText } from '../numbers';
+import { put } from '../place';
+import { chosenWords, wordsValue } from '../wordChoice';
+import { wordText } from '../words';
+import type { FieldProps } from './fieldProps';
+
+export function WordsControl({ field, path, words }: FieldProps & { words: string[] }) {
+  const value = valueAt(path) ?? (field.default as TomlValue | undefined);
+  const chosen = chosenWords(value, words);
+  const unknown = Array.isArray(value) ? value.map(cellText).filter((word) => !words.includes(word)) : [];
+  const take = (next: string[]) => put(path, wordsValue(next, words), field.title);
+  return (
+    <div>
+      <div class="row">
+        <button class="mini" onClick={() => take(words)}>
+          All
+        </button>
+        <button class="mini" onClick={() => take([])}>
+          None
+        </button>
+      </div>
+      {[...words, ...unknown].map((word) => (
+        <label key={word} class="check">
+          <input
+            type="checkbox"
+            checked={chosen.includes(word)}
+            onChange={(event) => take(event.currentTarget.checked ? [...chosen, word] : chosen.filter((other) => other !== word))}
+          />
+          {wordText(word)}
+        </label>
+      ))}
+    </div>
+  );
+}
