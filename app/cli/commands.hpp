@@ -26,8 +26,9 @@ struct RunOptions {
   bool quiet = false;
   std::string shard;  // "2/7"; empty: the whole campaign
   bool resume = false;
-  double checkpoint_every = 20;  // [s]; 0: never
-  bool alone = false;            // even if a launcher started others, too
+  double checkpoint_every = 20;   // [s]; 0: never
+  bool alone = false;             // even if a launcher started others, too
+  std::uint64_t maps_memory = 0;  // [bytes]; 0: half of what there is
 };
 int run(const RunOptions& options);
 
@@ -43,6 +44,7 @@ struct MergeOptions {
   std::filesystem::path folder;  // empty: the only one, or the project's name
   bool partial = false;
   int threads = 0;
+  std::uint64_t maps_memory = 0;  // as of a run
   bool quiet = false;
 };
 int merge(const MergeOptions& options);

@@ -18,8 +18,7 @@ Loaded load(const ProjectOptions& options) {
 }
 
 void print_if_large(const Loaded& loaded, const RockRange& rocks, int threads, const std::atomic<bool>* stop) {
-  const io::TableRocks tables = project::table_rocks(loaded.project, loaded.model.rocks());
-  const project::RunSize size = project::expected_size(loaded.model, rocks, tables, stop);
+  const project::RunSize size = project::expected_size(loaded.project, loaded.model, rocks, stop);
   if (const auto text = project::large_run_text(size, threads)) fmt::print("{}\n", *text);
 }
 

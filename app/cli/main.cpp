@@ -36,6 +36,14 @@ void add_project_options(CLI::App& command, ProjectOptions& options) {
       ->type_name("S");
 }
 
+void add_maps_memory(CLI::App& command, std::uint64_t& bytes) {
+  command
+      .add_option("--maps-memory", bytes,
+                  "Most memory that maps may take, for example 4GB (default: half of what there is)")
+      ->transform(memory_size())
+      ->type_name("SIZE");
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"Talus: where do the rocks go, how fast, how high, with what energy, and what barrier stops them?",
                "talus"};
@@ -72,6 +80,7 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str()
       ->type_name("SECONDS");
+  add_maps_memory(*run_command, run_options.maps_memory);
   run_command->add_flag("--alone", run_options.alone,
                         "Throw all rocks in this process, even if mpirun or srun started others, too");
 
@@ -105,6 +114,7 @@ int dispatch(int argc, char** argv) {
   merge_command->add_option("--threads", merge_options.threads, "Threads to write maps with (default: all cores)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
+  add_maps_memory(*merge_command, merge_options.maps_memory);
   merge_command->add_flag("--quiet,-q", merge_options.quiet, "Print nothing but warnings and errors");
 
   ProjectOptions check_options;

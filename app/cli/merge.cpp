@@ -12,7 +12,7 @@ namespace talus::cli {
 int merge(const MergeOptions& options) {
   take_threads(options.threads);
   const project::MergeResult result =
-      project::merge_runs({options.folders, options.folder, options.partial, options.threads});
+      project::merge_runs({options.folders, options.folder, options.partial, options.threads, options.maps_memory});
   print_warnings(result.warnings);
   if (!options.quiet) {
     fmt::print("{}: {} of {} rocks, from {} {}\n", result.description.name, result.summary.done,

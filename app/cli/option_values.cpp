@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -48,6 +51,23 @@ CLI::Validator number_of_rocks() {
             if (!read) return fmt::format("\"{}\" is no whole number", text);
             if (read->is_too_large) return fmt::format("{} is no number of rocks; expected 1 to 1e12", text);
             text = std::to_string(read->number);
+            return "";
+          },
+          ""};
+}
+
+CLI::Validator memory_size() {
+  return {[](std::string& text) -> std::string {
+            constexpr std::pair<std::string_view, double> units[] = {{"MB", 1e6}, {"GB", 1e9}, {"TB", 1e12}};
+            double number = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+            const std::string_view behind(end, static_cast<std::size_t>(text.data() + text.size() - end));
+            const auto unit = std::ranges::find(units, behind, &std::pair<std::string_view, double>::first);
+            if (error != std::errc() || unit == std::end(units) || !std::isfinite(number))
+              return fmt::format("\"{}\" is no size; expected a number with MB, GB or TB, for example 4GB", text);
+            const double bytes = number * unit->second;
+            if (bytes < 1e6 || bytes > 1e15) return fmt::format("{} is no memory; expected 1MB to 1000TB", text);
+            text = fmt::format("{:.0f}", bytes);
             return "";
           },
           ""};

@@ -14,6 +14,9 @@ namespace talus::cli {
 /// A whole number; of its range the project says more.
 [[nodiscard]] CLI::Validator number_of_rocks();
 
+/// "500MB", "4GB": becomes bytes.
+[[nodiscard]] CLI::Validator memory_size();
+
 /// An empty text is what an unset variable of a script becomes; it is no reason to do what is done without the option.
 [[nodiscard]] CLI::Validator not_empty(std::string complaint);
 

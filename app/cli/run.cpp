@@ -105,7 +105,8 @@ project::RunOptions how_to_run(const RunOptions& options, const std::optional<Sh
   return {.campaign = {options.threads, &stop_wanted, {}},
           .shard = shard,
           .resume = options.resume,
-          .checkpoint_every = options.checkpoint_every};
+          .checkpoint_every = options.checkpoint_every,
+          .maps_memory = options.maps_memory};
 }
 
 /// In this process alone, or as the first of several.

@@ -223,8 +223,12 @@ TEST(RunDescription, IsRefusedWhereItIsNone) {
   EXPECT_TRUE(refused("name", 5));
   EXPECT_TRUE(refused("rocks", "many"));
   EXPECT_TRUE(refused("barriers", 2));  // the model tells of one
-  EXPECT_TRUE(refused("maps", {{"origin", {0, 0}}, {"cell", {0, 1}}, {"by_source", true}, {"subjects", {"velocity"}}, {"percentiles", {50}}}));
-  EXPECT_TRUE(refused("maps", {{"origin", {0}}, {"cell", {1, 1}}, {"by_source", true}, {"subjects", {"velocity"}}, {"percentiles", {50}}}));
+  EXPECT_TRUE(refused(
+      "maps",
+      {{"origin", {0, 0}}, {"cell", {0, 1}}, {"by_source", true}, {"subjects", {"velocity"}}, {"percentiles", {50}}}));
+  EXPECT_TRUE(refused(
+      "maps",
+      {{"origin", {0}}, {"cell", {1, 1}}, {"by_source", true}, {"subjects", {"velocity"}}, {"percentiles", {50}}}));
   EXPECT_TRUE(refused("project", nlohmann::ordered_json::array()));
   EXPECT_TRUE(refused("model", nlohmann::ordered_json::object()));
   auto model = full_header().description.model;

@@ -20,9 +20,9 @@ namespace talus::io {
 void remove_maps(const std::filesystem::path& folder);
 
 /// Writes FOLDER/NAME.tif and FOLDER/NAME.qml for each map of the selection, of which the maps must hold the contents,
-/// all over the cells that rocks touched; docs/outputs.md lists the names. `crs_wkt` is the coordinate system of the user's coordinates, empty where
-/// it is not known. Files appear when they are whole. Without a rock nothing is written. Throws BadInput where the
-/// folder cannot be written to, and where the program was built without GDAL.
+/// all over the cells that rocks touched; docs/outputs.md lists the names. `crs_wkt` is the coordinate system of the
+/// user's coordinates, empty where it is not known. Files appear when they are whole. Without a rock nothing is
+/// written. Throws BadInput where the folder cannot be written to, and where the program was built without GDAL.
 ///
 /// Returns the names of the maps.
 std::vector<std::string> write_maps(const Maps& maps, const MapSelection& selection, const std::string& crs_wkt,

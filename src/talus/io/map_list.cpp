@@ -61,8 +61,8 @@ MapGroup counts_of(std::uint64_t rocks, const MapSubjects& subjects) {
   for (const Count& count : counted) {
     if (!holds(subjects, count.subject)) continue;
     chosen.push_back(&count);
-    group.kinds.push_back({std::string(name_of(count.subject)), count.meaning, "", count.limits, count.is_whole,
-                           MapOverview::greatest});
+    group.kinds.push_back(
+        {std::string(name_of(count.subject)), count.meaning, "", count.limits, count.is_whole, MapOverview::greatest});
   }
   group.values = [rocks, chosen = std::move(chosen)](const MapTally& cell, std::span<double> values) {
     for (std::size_t k = 0; k < chosen.size(); ++k) values[k] = chosen[k]->value(cell, static_cast<double>(rocks));

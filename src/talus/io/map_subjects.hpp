@@ -22,9 +22,9 @@ enum class MapSubject {
 };
 
 /// By MapSubject: of counts the names of the files, of quantities what the names of the files begin with.
-inline constexpr std::array<std::string_view, 8> map_subject_names{
-    "passages", "reach_share", "deposits", "impacts", "energy_total", "energy_translational", "velocity",
-    "bounce_height"};
+inline constexpr std::array<std::string_view, 8> map_subject_names{"passages", "reach_share",  "deposits",
+                                                                   "impacts",  "energy_total", "energy_translational",
+                                                                   "velocity", "bounce_height"};
 
 /// Some of them, by MapSubject.
 using MapSubjects = std::bitset<map_subject_names.size()>;

@@ -74,8 +74,8 @@ std::vector<std::string> folder_names(std::span<const std::string> names) {
   return out;
 }
 
-void write_source_maps(std::span<const Maps> maps, std::span<const std::string> sources,
-                       const MapSelection& selection, const std::string& crs_wkt, const std::filesystem::path& folder) {
+void write_source_maps(std::span<const Maps> maps, std::span<const std::string> sources, const MapSelection& selection,
+                       const std::string& crs_wkt, const std::filesystem::path& folder) {
   TALUS_PROMISE(maps.size() == sources.size(), "every source has its maps");
   const std::vector<std::string> folders = folder_names(sources);
   std::string list = "folder,source,rocks\n";

@@ -24,8 +24,8 @@ inline constexpr const char* list_of_sources = "sources.csv";
 /// Writes FOLDER/NAME of source/ with the maps of map_files.hpp for each source that has rocks, and FOLDER/sources.csv,
 /// which says whose maps are in which folder (`folder,source,rocks`). `maps` and `sources` go together. Throws BadInput
 /// as write_maps() does.
-void write_source_maps(std::span<const Maps> maps, std::span<const std::string> sources,
-                       const MapSelection& selection, const std::string& crs_wkt, const std::filesystem::path& folder);
+void write_source_maps(std::span<const Maps> maps, std::span<const std::string> sources, const MapSelection& selection,
+                       const std::string& crs_wkt, const std::filesystem::path& folder);
 
 /// Removes what write_source_maps() wrote there, and folders that are then empty. Other files stay.
 void remove_source_maps(const std::filesystem::path& folder);

@@ -304,7 +304,8 @@ class Rules {
         has_no_effect("geopackage", "a section lies nowhere on a map", "Give terrain.width_m for 3D");
       }
     }
-    if (is_2d(document_.root()) == false && good(row, "maps_by_source") && output.maps_by_source && output.maps.none()) {
+    if (is_2d(document_.root()) == false && good(row, "maps_by_source") && output.maps_by_source &&
+        output.maps.none()) {
       has_no_effect("maps_by_source", "maps is false", "Let maps be true");
     }
     if (good(row, "percentiles") && good(row, "maps") && output.maps.any() && !output.percentiles.empty() &&

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "talus/core/memory_reserve.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/io/table_texts.hpp"
 #include "talus/project/rank_messages.hpp"
@@ -44,8 +45,14 @@ struct Work {
 class Helper {
  public:
   Helper(Ranks& ranks, const io::RunDescription& description, const Project& project, const Model& model, int threads,
-         const std::atomic<bool>* stop)
-      : ranks_(ranks), description_(description), project_(project), model_(model), threads_(threads), stop_(stop) {}
+         const RunOptions& options)
+      : ranks_(ranks),
+        description_(description),
+        project_(project),
+        model_(model),
+        threads_(threads),
+        maps_memory_(options.maps_memory),
+        stop_(options.campaign.stop) {}
 
   [[noreturn]] void run() {
     while (true) {
@@ -61,6 +68,7 @@ class Helper {
           work_->held.push_back(std::move(block));
         }
         if (is_stopping_ && !has_said_stopped_ && work_->worker.has_ended()) say_stopped();
+        if (const auto lacks = work_->sums.lacking_memory()) throw OutOfMemory(*lacks);
       } else {
         std::this_thread::sleep_for(naps_.next(ranks_));
       }
@@ -106,7 +114,9 @@ class Helper {
   }
 
   Work& work() {
-    if (!work_) work_ = std::make_unique<Work>(description_, project_, model_, threads_);
+    if (work_) return *work_;
+    work_ = std::make_unique<Work>(description_, project_, model_, threads_);
+    work_->sums.limit_maps_memory(maps_memory_);
     return *work_;
   }
 
@@ -115,6 +125,7 @@ class Helper {
   const Project& project_;
   const Model& model_;
   int threads_;
+  std::uint64_t maps_memory_;
   const std::atomic<bool>* stop_;
   Naps naps_;
   bool has_said_stop_ = false;                           // that it was asked to, here
@@ -145,7 +156,7 @@ int help_run(Ranks& ranks, const Project& project, const Model& model, const Pro
     const io::RunDescription description = describe_run(project, model, warnings, options.shard);
     beginning.reset();
     ranks.send(rank_0, message_of(Hello{TALUS_VERSION, ranks.machine(), threads, description}));
-    Helper(ranks, description, project, model, threads, options.campaign.stop).run();
+    Helper(ranks, description, project, model, threads, options).run();
   } catch (const Stopped&) {
     ranks.send(rank_0, message_of(MessageKind::stop));
     return wait_for_leave(ranks);

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "talus/core/memory_reserve.hpp"
 #include "talus/io/folder_lock.hpp"
 #include "talus/io/output_file.hpp"
 #include "talus/io/run_state.hpp"
@@ -225,6 +226,7 @@ void merge_states(const std::vector<Part>& parts, RunSums& sums) {
     gather(problems, [&] {
       const std::uint64_t before = sums.summary().done;
       io::merge_run_state(part.file(), observers);
+      if (const auto lacks = sums.lacking_memory()) throw OutOfMemory(*lacks + "; nothing is merged");
       if (sums.summary().done - before == part.state.rocks().count()) return;
       throw BadInput(Problem{.file = part.file().string(),
                              .what = "cannot use this state of a run",
@@ -251,6 +253,7 @@ MergeResult merge_runs(const MergeOptions& options) {
   if (output.empty()) output = description.name;
   check_output(parts, output);
   RunSums sums(description);
+  sums.limit_maps_memory(options.maps_memory);
   merge_states(parts, sums);
 
   RunCourse course{.range = {0, description.rocks}, .interrupted = !missing.empty(), .missing = missing};

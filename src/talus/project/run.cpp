@@ -38,22 +38,32 @@ namespace {
 }
 
 /// Every sum and table is whole here: what is done is kept before there is no memory at all.
-void stop_where_memory_is_short(std::uint64_t done, const RunOptions& options, Checkpoints& checkpoints) {
-  if (!memory_is_short()) return;
+void stop_where_memory_is_short(std::uint64_t done, const RunOptions& options, const RunSums& sums,
+                                Checkpoints& checkpoints) {
+  if (!memory_is_short() && !sums.lacking_memory()) return;
   if (options.checkpoint_every > 0 || options.shard) checkpoints.write(done);
   throw std::bad_alloc();
 }
 
 /// The same where there is not enough memory.
-[[noreturn]] void throw_out_of_memory(const Checkpoints& checkpoints) {
+[[noreturn]] void throw_out_of_memory(const RunSums& sums, const Checkpoints& checkpoints) {
   std::error_code ignored;
   const auto& last = checkpoints.last();
+  const auto of_maps = sums.lacking_memory();
+  std::string text = of_maps.value_or("not enough memory for this run");
   if (!last || !std::filesystem::exists(checkpoints.file(), ignored)) {
-    throw OutOfMemory("not enough memory for this run; none of its rocks are kept");
+    text += "; none of its rocks are kept";
+  } else {
+    text += fmt::format("; the first {} of {} rocks are kept: with --resume it goes on from there", last->count(),
+                        checkpoints.range().count());
+    if (of_maps) text += ", given more";
   }
-  throw OutOfMemory(fmt::format(
-      "not enough memory for this run; the first {} of {} rocks are kept: with --resume it goes on from there",
-      last->count(), checkpoints.range().count()));
+  if (of_maps) {
+    text +=
+        ". Maps take less with larger cells (output.raster_cell_m), fewer quantities (output.maps) or no percentiles "
+        "(output.percentiles = [])";
+  }
+  throw OutOfMemory(text);
 }
 
 /// The state, and one that was being written when its run was killed.
@@ -102,7 +112,7 @@ CampaignOutcome throw_rocks(const Model& model, const RunOptions& options, const
   campaign.progress = [&](std::uint64_t done) {
     if (options.campaign.progress) options.campaign.progress(done - all.first);
     if (done == all.last) return;
-    stop_where_memory_is_short(done, options, checkpoints);
+    stop_where_memory_is_short(done, options, sums, checkpoints);
     checkpoints.after(done);
   };
   CampaignOutcome outcome = run_campaign(model, observers, campaign);
@@ -135,6 +145,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
 
   const std::filesystem::path state_file = folder / io::run_state_name;
   RunSums sums(description, project, model);
+  sums.limit_maps_memory(options.maps_memory);
   io::TableFiles tables(folder, TableContext::of(model), table_rocks(project, model.rocks()));
   Checkpoints checkpoints(folder, begun, sums, tables, options.checkpoint_every);
   if (start.goes_on) {
@@ -150,6 +161,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     beginning.reset();  // a stop is heard by the campaign
     RunCourse course{begun.range, begun.shard};
     if (options.campaign.progress) options.campaign.progress(begun.done - begun.range.first);
+    if (begun.done < begun.range.last && sums.lacking_memory()) throw std::bad_alloc();
     const CampaignOutcome outcome =
         options.ranks != nullptr
             ? throw_on_ranks(*options.ranks, threads, project, model, options, begun, sums, tables, checkpoints)
@@ -185,7 +197,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   } catch (const BadInput& bad) {
     throw_with_way_on(bad, checkpoints);
   } catch (const std::bad_alloc&) {
-    throw_out_of_memory(checkpoints);
+    throw_out_of_memory(sums, checkpoints);
   }
 }
 

@@ -28,6 +28,7 @@ struct RunOptions {
   std::function<void(const std::string&)> say;  // what the user should know before rocks are thrown
   Ranks* ranks = nullptr;                       // that throw rocks, too, this being rank 0; null: this process alone
   const FolderLock* lock = nullptr;             // of the folder, who calls having it; null: it is locked for the run
+  std::uint64_t maps_memory = 0;                // that maps may take [bytes]; 0: half of what this process may use
   bool only_results = false;                    // of the rocks done so far: no more are computed
   /// How long a run that was stopped among its rocks may take to write the results of what is done [s].
   double closing_seconds = 1;
@@ -49,7 +50,8 @@ struct RunResult {
 /// as the project asks; of a shard tables, summary.json and run.state, for merging (merge.hpp). While it runs,
 /// run.state is written now and then, and stays if the run does not come to its end: one that resumes goes on from
 /// there and gives the same bytes. A run that is stopped among its rocks writes what it has, as far as the time allows;
-/// one that is stopped while it writes keeps its state and leaves the results. Throws BadInput where the folder cannot
+/// one that is stopped while it writes keeps its state and leaves the results. Where maps come to take more memory than
+/// they may, or there is none, it keeps what is done and throws OutOfMemory. Throws BadInput where the folder cannot
 /// be written to, and then says from where it can be resumed, and where another program writes results there; files are
 /// there whole or not at all. Throws Stopped where it is stopped before its first rock.
 RunResult run_into(const std::filesystem::path& folder, const Project& project, const Model& model,

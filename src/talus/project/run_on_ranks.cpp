@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -52,6 +53,7 @@ class Foreman {
       : ranks_(ranks),
         options_(options),
         range_(begun.range),
+        all_sums_(sums),
         sums_(sums.observers()),
         tables_(tables),
         checkpoints_(checkpoints),
@@ -72,6 +74,7 @@ class Foreman {
         came_back(0, std::move(block));
       }
       write_in_order();
+      if (all_sums_.lacking_memory()) throw std::bad_alloc();
       if (!is_stopping_ && (is_asked_to_stop_ || is_asked(options_.campaign.stop))) stop();
       if (is_stopping_) {
         if (!worker_.has_ended() || helpers_at_work_ > 0) continue;
@@ -167,6 +170,7 @@ class Foreman {
   Ranks& ranks_;
   const RunOptions& options_;
   RockRange range_;
+  const RunSums& all_sums_;
   std::vector<SummingObserver*> sums_;
   io::TableFiles& tables_;
   Checkpoints& checkpoints_;

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "talus/core/check.hpp"
+#include "talus/core/memory.hpp"
 #include "talus/io/derived_files.hpp"
 #include "talus/io/design_tables.hpp"
 #include "talus/io/envelope_table.hpp"
@@ -21,6 +22,7 @@
 #include "talus/project/fingerprint.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/result_files.hpp"
+#include "talus/project/run_size.hpp"
 #include "talus/project/run_warnings.hpp"
 
 namespace talus::project {
@@ -85,8 +87,7 @@ void write_all_maps(const std::filesystem::path& folder, const io::RunDescriptio
   const io::MapSelection& selection = description.maps->selection;
   io::write_maps(maps->maps(), selection, description.crs_wkt, folder);
   if (description.maps->by_source) {
-    io::write_source_maps(maps->by_source(), description.sources, selection, description.crs_wkt,
-                          folder / "by_source");
+    io::write_source_maps(maps->by_source(), description.sources, selection, description.crs_wkt, folder / "by_source");
   }
 }
 
@@ -158,6 +159,17 @@ RunSums::RunSums(const io::RunDescription& description)
   const MapGrid grid(description.maps->origin, description.maps->cell, {});
   maps_ =
       std::make_unique<MapObserver>(grid, nullptr, split_by(description), io::contents_of(description.maps->selection));
+}
+
+void RunSums::limit_maps_memory(std::uint64_t bytes) {
+  if (maps_) maps_->limit_memory(bytes > 0 ? bytes : usable_memory() / 2);
+}
+
+std::optional<std::string> RunSums::lacking_memory() const {
+  if (!maps_ || !maps_->lacks_memory()) return std::nullopt;
+  return fmt::format(
+      "not enough memory for the maps of this run: they take {}, and {} is what they may (--maps-memory)",
+      size_text(static_cast<double>(maps_->memory_taken())), size_text(static_cast<double>(maps_->memory_limit())));
 }
 
 std::vector<SummingObserver*> RunSums::observers() {

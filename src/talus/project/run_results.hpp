@@ -45,6 +45,10 @@ class RunSums {
   [[nodiscard]] std::vector<SummingObserver*> observers();
   [[nodiscard]] const Summary& summary() const { return summary_.summary(); }
   [[nodiscard]] MapObserver* maps() { return maps_.get(); }  // null: none
+  /// How much memory maps may take [bytes]; 0: half of what this process may use.
+  void limit_maps_memory(std::uint64_t bytes);
+  /// Where maps take more, that in words; to be asked when sums are whole, that is after blocks.
+  [[nodiscard]] std::optional<std::string> lacking_memory() const;
   [[nodiscard]] const DesignObserver* design() const { return design_ ? &*design_ : nullptr; }
 
  private:
@@ -55,8 +59,8 @@ class RunSums {
 
 /// Writes maps, the design of barriers, what is made of the tables (which must be there whole), the report, as the
 /// description plans them, and last summary.json: where it is, all is. What an earlier run recorded among its files and
-/// this one does not make is removed. Of a shard, summary.json alone. Gives the warnings that came with the rocks. Throws BadInput where a file cannot be
-/// written.
+/// this one does not make is removed. Of a shard, summary.json alone. Gives the warnings that came with the rocks.
+/// Throws BadInput where a file cannot be written.
 Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
                        const RunCourse& course);
 

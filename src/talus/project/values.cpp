@@ -513,8 +513,8 @@ bool ValueReader::into(const Value& value, io::MapSubjects* member) {
     if (subjects[place]) {
       const Value entry{value.setting, value.node.as_array()->at(i), value.row, value.where,
                         fmt::format("{}[{}]", value.name, i)};
-      good = refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it was given before",
-                    "Leave it out");
+      good =
+          refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it was given before", "Leave it out");
     }
     subjects.set(place);
   }

@@ -202,7 +202,8 @@ void MapObserver::commit(ObserverPart& part) {
   for (std::size_t k = 0; k < maps_.size(); ++k) maps_[k].add_rocks(seen.rocks()[k]);
   waiting_.push_back(seen.take());
   waiting_bytes_ += waiting_.back().bytes();
-  if (waiting_bytes_ >= enough_bytes_) add_waiting();
+  if (waiting_bytes_ >= enough_bytes_) return add_waiting();
+  memory_taken_ = bytes_of_maps_ + waiting_bytes_;
 }
 
 void MapObserver::add_waiting() {
@@ -211,15 +212,30 @@ void MapObserver::add_waiting() {
     for (const VisitRun& run : block.runs) maps_[run.map].wait(run, tiles);
   }
   talus::add_waiting(tiles);
-  std::size_t bytes = 0;
   for (VisitBlock& block : waiting_) {
     for (const VisitBlock::MoreImpacts& more : block.more_impacts) maps_[more.map].add(more);
     memory_.give_back(std::move(block.pieces));
   }
   waiting_.clear();
   waiting_bytes_ = 0;
+  take_stock();
+}
+
+void MapObserver::take_stock() {
+  std::size_t bytes = 0;
   for (const Maps& maps : maps_) bytes += maps.bytes();
+  bytes_of_maps_ = is_split_ ? 2 * bytes : bytes;
+  memory_taken_ = bytes_of_maps_ + waiting_bytes_;
   enough_bytes_ = std::max(least_waiting, bytes / part_that_waits);
+  const std::size_t most_waiting = (memory_limit_ - std::min(memory_limit_, bytes_of_maps_)) / most_growth;
+  if (enough_bytes_ <= most_waiting) return;
+  enough_bytes_ = most_waiting;
+  memory_.release();
+}
+
+void MapObserver::limit_memory(std::size_t bytes) {
+  memory_limit_ = bytes;
+  take_stock();
 }
 
 void MapObserver::settle() {
@@ -239,6 +255,7 @@ void MapObserver::merge_saved(ByteReader& in) {
   total_.reset();
   expect_bytes(in.flag() == is_split_ && in.get<std::uint64_t>() == maps_.size(), "maps are split by other sources");
   for (Maps& maps : maps_) maps.merge_saved(in);
+  take_stock();
 }
 
 const Maps& MapObserver::maps() {

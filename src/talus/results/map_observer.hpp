@@ -2,6 +2,7 @@
 // Turns the paths of rocks into maps.
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,6 +45,14 @@ class MapObserver : public SummingObserver {
   void commit(ObserverPart& part) override;
   void save(ByteWriter& out) override;
   void merge_saved(ByteReader& in) override;
+  [[nodiscard]] bool is_split() const { return is_split_; }
+  /// How much memory the maps may take, with the visits that wait to be added to them [bytes]. The less is left, the
+  /// fewer visits wait; beyond that it is for whoever commits to look whether it is enough, and to end in good order.
+  void limit_memory(std::size_t bytes);
+  [[nodiscard]] std::size_t memory_limit() const { return memory_limit_; }
+  /// What is taken of it; maps that are split count twice, since those of all rocks are made of them in the end.
+  [[nodiscard]] std::size_t memory_taken() const { return memory_taken_; }
+  [[nodiscard]] bool lacks_memory() const { return memory_taken_ > memory_limit_; }
   /// Of all rocks committed so far; good until the next commit.
   [[nodiscard]] const Maps& maps();
   /// The same by source, in the order of their numbers; empty where maps are not split.
@@ -54,6 +63,8 @@ class MapObserver : public SummingObserver {
 
   void add_waiting();
   void settle();
+  /// After maps have changed: what they take, and how much may wait.
+  void take_stock();
 
   GreatestHeights heights_;
   bool is_split_;
@@ -65,6 +76,11 @@ class MapObserver : public SummingObserver {
   std::size_t waiting_bytes_ = 0, enough_bytes_ = least_waiting;
   static constexpr std::size_t least_waiting = std::size_t{16} << 20;
   static constexpr std::size_t part_that_waits = 8;  // of the bytes of the maps
+  // A visit of 20 bytes to a cell where no rock was makes one of up to 400.
+  static constexpr std::size_t most_growth = 20;
+  std::size_t bytes_of_maps_ = 0;
+  std::size_t memory_limit_ = std::numeric_limits<std::size_t>::max();
+  std::size_t memory_taken_ = 0;
 };
 
 }  // namespace talus
