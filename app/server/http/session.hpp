@@ -17,7 +17,10 @@ namespace talus::server {
 class Session {
  public:
   /// With a key of its own: a browser sends its cookies to whatever listens on the machine, on any port, and what one
-  /// server's cookie opens is to be that server alone, until it ends.
+  /// server's cookie opens is to be that server alone, until it ends. A key in a header of the page's own would not go
+  /// to other ports; but links to files, pictures, reports and the stream of events can carry a cookie only. What is
+  /// left: another user of the machine, to whose port the browser is led while this server runs (SameSite keeps pages
+  /// of other sites from fetching it unseen).
   explicit Session(int port);
 
   /// A new token, which works once.
