@@ -28,7 +28,7 @@ void add_project_options(CLI::App& command, ProjectOptions& options) {
       ->expected(1)
       ->allow_extra_args(false)  // or it takes the project, too
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--rocks", options.rocks, "Throw this many rocks in all")
+  command.add_option("--rocks", options.rocks, "Run this many rocks in all")
       ->transform(number_of_rocks())
       ->type_name("N");
   command.add_option("--seed", options.seed, "Start the random numbers elsewhere")
@@ -55,7 +55,7 @@ int dispatch(int argc, char** argv) {
       "`talus COMMAND --help` says more of each.");
 
   RunOptions run_options;
-  CLI::App* run_command = app.add_subcommand("run", "Throw the rocks of a project and write tables and a report");
+  CLI::App* run_command = app.add_subcommand("run", "Run a project, and write tables and a report");
   add_project_options(*run_command, run_options.project);
   run_command
       ->add_option("-o,--output", run_options.folder,
@@ -70,7 +70,7 @@ int dispatch(int argc, char** argv) {
   run_command->add_flag("--quiet,-q", run_options.quiet, "Print nothing but warnings and errors");
   run_command
       ->add_option("--shard", run_options.shard,
-                   "Throw the rocks of one of n parts of the campaign, i from 1; `talus merge` puts the parts together")
+                   "Run one of n parts of the campaign, i from 1; `talus merge` puts the parts together")
       ->check(names_shard)
       ->type_name("i/n");
   run_command->add_flag("--resume", run_options.resume, "Go on from the last checkpoint in the folder");
@@ -82,7 +82,7 @@ int dispatch(int argc, char** argv) {
       ->type_name("SECONDS");
   add_maps_memory(*run_command, run_options.maps_memory);
   run_command->add_flag("--alone", run_options.alone,
-                        "Throw all rocks in this process, even if mpirun or srun started others, too");
+                        "Run all rocks in this process, even if mpirun or srun started others, too");
 
   ServeOptions serve_options;
   CLI::App* serve_command =

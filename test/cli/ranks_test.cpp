@@ -261,7 +261,7 @@ TEST(Ranks, ThatDoNotFindEachOtherAreRefused) {
   const Said said = talus_says(run, first);
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_TRUE(contains(said.text, "mpirun: cannot share the rocks between 3 processes " + why +
-                                      "let each process throw all rocks of a run of its own (--alone)\n"))
+                                      "let each process do a run of its own (--alone)\n"))
       << said.text;
   EXPECT_EQ(talus_says(run, second).text, "");
   EXPECT_FALSE(fs::exists(work / "out"));

@@ -61,11 +61,11 @@ TEST(WarningsOfSources, TellWhichHaveNotThrownTheirRocks) {
   };
   const std::string hint = "). Go on with --resume; what there is says nothing of the whole";
   EXPECT_EQ(told(20),
-            "warning: rocks: the run was stopped before \"East\" threw any rock (rocks are thrown source after source; "
+            "warning: rocks: the run was stopped before \"East\" released any rock (rocks are run source after source; "
             "of \"West\", \"Middle\" not all were" +
                 hint);
   EXPECT_EQ(told(35),
-            "warning: rocks: the run was stopped before all sources had thrown their rocks (rocks are thrown source "
+            "warning: rocks: the run was stopped before all sources had released their rocks (rocks are run source "
             "after source; of \"West\", \"East\" not all were" +
                 hint);
   Problems warnings;

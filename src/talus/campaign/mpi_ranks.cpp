@@ -27,7 +27,7 @@ namespace {
       Problem{.where = "mpirun",
               .what = fmt::format("cannot share the rocks between {} processes", processes),
               .why = std::move(why),
-              .hint = std::move(hint) + ", or let each process throw all rocks of a run of its own (--alone)"});
+              .hint = std::move(hint) + ", or let each process do a run of its own (--alone)"});
 }
 
 }  // namespace

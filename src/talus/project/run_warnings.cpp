@@ -75,12 +75,12 @@ void warn_of_sources(const io::RunDescription& description, std::uint64_t first_
     names.resize(names.size() - more);
     return fmt::format("{}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
   };
-  std::string why = "rocks are thrown source after source";
+  std::string why = "rocks are run source after source";
   if (!some.empty()) why += fmt::format("; of {} not all were", list(some));
   warnings.add({.severity = Severity::warning,
                 .where = "rocks",
-                .what = none.empty() ? "the run was stopped before all sources had thrown their rocks"
-                                     : fmt::format("the run was stopped before {} threw any rock", list(none)),
+                .what = none.empty() ? "the run was stopped before all sources had released their rocks"
+                                     : fmt::format("the run was stopped before {} released any rock", list(none)),
                 .why = why,
                 .hint = "Go on with --resume; what there is says nothing of the whole"});
 }

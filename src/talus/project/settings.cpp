@@ -719,7 +719,7 @@ Table area() {
               {.key = "name",
                .slot = member(&Area::name),
                .without_it = "`area N`, N counted from 1",
-               .meaning = "What complaints call it; no other area has it.",
+               .meaning = "Its name in messages; no other area has it.",
                .source = "Talus"},
               {.key = "material",
                .slot = member(&Area::material),

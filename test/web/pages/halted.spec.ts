@@ -32,7 +32,7 @@ test('of a run that was stopped while it waited nothing is asked', async ({ work
   const next = runCard(page, 'Next');
   await expect(page.getByText('This run waits for others to end. Its results come then.')).toBeVisible();
   await next.getByRole('button', { name: 'Stop' }).click();
-  const why = page.getByText('This run was stopped before any of its rocks was thrown.');
+  const why = page.getByText('This run was stopped before its first rock was done.');
   await expect(why).toBeVisible();
   await expect(next).toContainText('Stopped');
   expect(missed).toEqual([]);

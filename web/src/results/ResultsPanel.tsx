@@ -41,14 +41,14 @@ function tabsNow(): ResultsTab[] {
 
 const halts: Partial<Record<RunState, string>> = {
   interrupted: 'The server was ended while this run was under way.',
-  stopped: 'This run was stopped before any of its rocks was thrown.',
+  stopped: 'This run was stopped before its first rock was done.',
 };
 
 /// Why there is nothing to look at, and what to do about it.
 function NoResults({ run }: { run: Run }) {
   if (run.state === 'waiting') return <div class="empty">This run waits for others to end. Its results come then.</div>;
   if (run.state === 'running')
-    return <div class="empty">The rocks are being thrown. Results come when all are done, or when the run is stopped.</div>;
+    return <div class="empty">The run is under way. Results appear when all rocks are done, or when the run is stopped.</div>;
   if (run.state === 'done') return <div class="empty">The results of this run are no longer in its folder.</div>;
   if (halts[run.state])
     return (
@@ -66,7 +66,7 @@ function NoResults({ run }: { run: Run }) {
     );
   return (
     <div class="answer-missing">
-      <p>This run failed. What is written below must be mended; then it can go on, or be computed again.</p>
+      <p>This run failed. Correct the errors below; then it can go on, or be computed again.</p>
       {run.problems.map((problem) => (
         <span key={problem.text} class={`problem ${problem.severity}`}>
           {problem.text}

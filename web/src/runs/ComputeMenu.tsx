@@ -86,7 +86,7 @@ export function ComputeMenu() {
         }
       }}
     >
-      <button class="button first" disabled={hasErrors} title={why ?? 'Throw the rocks (Ctrl+Enter)'} onClick={() => void compute()}>
+      <button class="button first" disabled={hasErrors} title={why ?? 'Run the project (Ctrl+Enter)'} onClick={() => void compute()}>
         Compute
       </button>
       <button

@@ -14,9 +14,9 @@ export function RunsPanel() {
     const hasErrors = problems.value.some(({ severity }) => severity === 'error');
     return (
       <div class="empty">
-        <p>No run yet. A run throws the rocks of the project and keeps what becomes of them.</p>
+        <p>No run yet. A run simulates the rocks of the project and keeps the results.</p>
         {hasErrors ? (
-          <p>The model has errors, listed under Model; mend them first.</p>
+          <p>The model has errors, listed under Model; correct them first.</p>
         ) : (
           <button class="button first" style={{ justifySelf: 'center' }} onClick={() => void compute()}>
             Compute

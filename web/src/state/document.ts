@@ -103,7 +103,7 @@ export function edit(what: string, edits: readonly Edit[], merge = ''): boolean 
   } catch (error) {
     const wrong = syntaxError.value;
     const why = wrong
-      ? `the text is no TOML (line ${wrong.line}: ${wrong.message}). Mend it under Text first`
+      ? `the text is no TOML (line ${wrong.line}: ${wrong.message}). Correct it under Text first`
       : (error as Error).message;
     say('error', `Could not ${what}: ${why}`, 'edit');
     return false;
