@@ -5,11 +5,17 @@
 
 #ifdef TALUS_HAS_GDAL
 
+#include <sqlite3.h>
+
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <fstream>
+#include <thread>
 
 #include "support/rasters.hpp"
 #include "support/vectors.hpp"
+#include "talus/core/stop.hpp"
 #include "talus/io/raster_crs.hpp"
 
 namespace talus {
@@ -267,6 +273,34 @@ TEST(VectorFile, IsRefusedWithoutGdal) {
                  "ground.gpkg: cannot be read (this build of Talus has no GDAL). Build it with GDAL: cmake --preset "
                  "release -DTALUS_GDAL=ON");
   }
+}
+
+// A view can be a query without end, of which GDAL gives no first feature.
+TEST_F(VectorFileTest, AViewWithoutEndIsLeftWhereItsReaderIsStopped) {
+  const std::filesystem::path file = path("endless.gpkg");
+  add_layer(file, "places", "EPSG:31287", "name", {{"POINT (1 2)", "a"}});
+  const auto run = [&](const std::string& sql) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
+    sqlite3_close(database);
+  };
+  run("CREATE VIEW v AS WITH RECURSIVE c(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM c) "
+      "SELECT i AS fid, i AS name, (SELECT geom FROM places) AS geom FROM c WHERE i < 0;"
+      "INSERT INTO gpkg_contents (table_name, identifier, data_type, srs_id) VALUES ('v', 'v', 'features', 31287);"
+      "INSERT INTO gpkg_geometry_columns VALUES ('v', 'geom', 'POINT', 31287, 0, 0);");
+  std::atomic<bool> stop{false};
+  const auto begin = std::chrono::steady_clock::now();
+  const std::jthread stopper([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    stop = true;
+  });
+  const StopScope scope(&stop);
+  Problems warnings;
+  EXPECT_THROW(
+      (void)read_vector_file(file, {.layer = "v", .attributes = {}, .kinds = {}, .terrain_crs_wkt = {}}, warnings),
+      Stopped);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::minutes(1));  // it would go on for ever
 }
 
 }  // namespace

@@ -7,9 +7,11 @@
 #include <gdal_frmts.h>
 #include <ogr_srs_api.h>
 #include <ogrsf_frmts.h>
+#include <sqlite3.h>
 
 #include <array>
 
+#include "talus/core/stop.hpp"
 #include "talus/io/gdal_files.hpp"
 
 namespace talus {
@@ -34,7 +36,18 @@ CPLHTTPResult* no_network(const char*, CSLConstList, GDALProgressFunc, void*, CP
   return result;
 }
 
+/// A view in a GeoPackage may run for ever: a query ends where its thread is to leave its work.
+int is_to_end(void*) { return StopScope::current() != nullptr && StopScope::current()->is_asked() ? 1 : 0; }
+
+int let_be_stopped(sqlite3* database, const char**, const sqlite3_api_routines*) {
+  constexpr int often = 10'000;  // steps of SQLite's machine: below a millisecond
+  sqlite3_progress_handler(database, often, &is_to_end, nullptr);
+  return SQLITE_OK;
+}
+
 void begin() {
+  // Of every database that GDAL opens from now on, before it asks it anything.
+  sqlite3_auto_extension(reinterpret_cast<void (*)()>(&let_be_stopped));
   CPLHTTPSetFetchCallback(&no_network, nullptr);
   OSRSetPROJEnableNetwork(FALSE);
   guard_gdal_files();

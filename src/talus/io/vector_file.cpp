@@ -105,6 +105,7 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
   for (;; ++seen) {
     stop_point(seen);
     const OGRFeatureUniquePtr from(layer.GetNextFeature());
+    if (!from) stop_point();  // a query that was ended is no end of the layer
     if (messages.has_failure() && entities && (from || is_whole_dxf(problems.file()))) {
       entities->note_unreadable(messages.failure());
       messages.clear();
