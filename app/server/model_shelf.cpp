@@ -7,6 +7,7 @@
 
 #include "http/answer.hpp"
 #include "http/session.hpp"
+#include "run_model.hpp"
 #include "talus/io/checksum.hpp"
 #include "talus/project/model.hpp"
 #include "talus/project/read.hpp"
@@ -48,18 +49,6 @@ std::optional<std::string> state_of(const fs::path& file) {
   return fmt::format("{}\n{}\n", name, fmt::join(states, "\n"));
 }
 
-std::size_t bytes_of(const Model& model) {
-  const std::size_t surface = std::visit(
-      []<class Surface>(const Surface& of) {
-        if constexpr (std::is_same_v<Surface, Profile>)
-          return of.facet_count() * sizeof(Outline);
-        else
-          return of.bytes();
-      },
-      model.surface);
-  return surface + model.ground.bytes() + model.parts.of_source.size() * sizeof(std::uint32_t);
-}
-
 }  // namespace
 
 ModelShelf::Held ModelShelf::kept(const std::string& id) const {
@@ -94,10 +83,7 @@ ModelShelf::Held ModelShelf::build(const fs::path& file, std::string_view text) 
   const std::lock_guard lock(shelf_);
   std::erase(models_, held);
   models_.push_front(held);
-  std::size_t bytes = 0, kept = 0;
-  while (kept < models_.size() && kept < most_kept && (kept == 0 || bytes + models_[kept]->bytes <= most_bytes_))
-    bytes += models_[kept++]->bytes;
-  models_.resize(kept);
+  models_.resize(std::min(most_kept, count_within(models_, most_bytes_)));
   return held;
 }
 

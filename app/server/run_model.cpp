@@ -1,5 +1,7 @@
 #include "run_model.hpp"
 
+#include <variant>
+
 #include "talus/project/model.hpp"
 
 namespace talus::server {
@@ -9,6 +11,22 @@ BuiltProject build(std::string_view text, const std::filesystem::path& file, con
   BuiltProject built{std::move(reading.project), {}, std::move(reading.warnings)};
   built.model = project::build_model(built.project, built.warnings);
   return built;
+}
+
+std::size_t bytes_of(const Model& model) {
+  const std::size_t surface = std::visit(
+      []<class Surface>(const Surface& of) {
+        if constexpr (std::is_same_v<Surface, Profile>)
+          return of.facet_count() * sizeof(Outline);
+        else
+          return of.bytes();
+      },
+      model.surface);
+  std::size_t panels = 0;
+  for (const Barrier& barrier : model.barriers) panels += barrier.panels().size();
+  constexpr std::size_t bytes_of_panel = sizeof(Panel) + 4 * sizeof(PlanBounds);
+  return surface + panels * bytes_of_panel + model.barriers.size() * sizeof(Barrier) + model.ground.bytes() +
+         model.parts.of_source.size() * sizeof(std::uint32_t);
 }
 
 Problems seen_from(const std::filesystem::path& folder, const Problems& problems) {

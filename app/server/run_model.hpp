@@ -1,6 +1,7 @@
 #pragma once
 // The model of a project's text, or of a run.
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 
@@ -16,6 +17,21 @@ struct BuiltProject {
   Model model;
   Problems warnings;
 };
+
+/// That a model takes, about.
+[[nodiscard]] std::size_t bytes_of(const Model& model);
+
+/// How many of a row take no more than so many bytes together, of which each has `bytes`; the first in any case.
+template <class Row>
+[[nodiscard]] std::size_t count_within(const Row& row, std::size_t most_bytes) {
+  std::size_t count = 0, bytes = 0;
+  for (const auto& each : row) {
+    bytes += each->bytes;
+    if (count > 0 && bytes > most_bytes) break;
+    ++count;
+  }
+  return count;
+}
 
 /// From a text that stands for a file. Throws BadInput with all problems.
 [[nodiscard]] BuiltProject build(std::string_view text, const std::filesystem::path& file,

@@ -30,21 +30,21 @@ std::shared_ptr<const BuiltProject> build_again(const Run& run, const fs::path& 
 }  // namespace
 
 std::shared_ptr<const BuiltProject> RunModels::find(const Run& run) {
-  const auto is_it = [&](const auto& kept) { return kept.first == run.id; };
+  const auto is_it = [&](const auto& kept) { return kept->run == run.id; };
   {
     const std::lock_guard lock(mutex_);
     const auto found = std::find_if(kept_.begin(), kept_.end(), is_it);
     if (found != kept_.end()) {
       std::rotate(kept_.begin(), found, found + 1);
-      return kept_.front().second;
+      return kept_.front()->built;
     }
   }
   auto built = build_again(run, workplace_.at(run.file), reading_);
   if (!built) return nullptr;  // the project's files may come back
   const std::lock_guard lock(mutex_);
   std::erase_if(kept_, is_it);
-  kept_.emplace_front(run.id, built);
-  if (kept_.size() > most_kept) kept_.pop_back();
+  kept_.push_front(std::make_shared<const Kept>(run.id, built, bytes_of(built->model)));
+  kept_.resize(count_within(kept_, most_bytes_));
   return built;
 }
 

@@ -5,7 +5,6 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <utility>
 
 #include "model_reading.hpp"
 #include "run.hpp"
@@ -16,19 +15,26 @@ namespace talus::server {
 
 class RunModels {
  public:
-  RunModels(const Workplace& workplace, ModelReading& reading) : workplace_(workplace), reading_(reading) {}
+  /// Keeps models of so many bytes, or one that is larger.
+  RunModels(const Workplace& workplace, ModelReading& reading, std::size_t most_bytes)
+      : workplace_(workplace), reading_(reading), most_bytes_(most_bytes) {}
 
   /// The model with which the run's rocks were thrown; nothing where it cannot be had any more: the project's files
   /// have changed since.
   [[nodiscard]] std::shared_ptr<const BuiltProject> find(const Run& run);
 
  private:
-  static constexpr std::size_t most_kept = 2;
+  struct Kept {
+    std::string run;  // its id
+    std::shared_ptr<const BuiltProject> built;
+    std::size_t bytes;
+  };
 
   const Workplace& workplace_;
   ModelReading& reading_;
   std::mutex mutex_;
-  std::deque<std::pair<std::string, std::shared_ptr<const BuiltProject>>> kept_;  // by id; the last used in front
+  std::size_t most_bytes_;
+  std::deque<std::shared_ptr<const Kept>> kept_;  // the last used in front
 };
 
 }  // namespace talus::server

@@ -33,7 +33,7 @@ using namespace std::chrono_literals;
 // not keep others waiting.
 constexpr std::size_t most_threads = 500;
 
-constexpr std::size_t share_of_models = 4;  // of the memory: a quarter for models that are looked at
+constexpr std::size_t share_of_models = 8;  // of the memory: for models that are looked at, and for those of runs
 constexpr auto time_to_end = 1s;            // for requests under way
 
 // The library lets five connections wait to be taken, and another server take the same port.
@@ -81,7 +81,7 @@ void serve(const ServeOptions& options) {
   Router router(server, session, options.limits);
   ModelReading reading(options.limits.reading_time);
   RunStore runs(workplace, events, reading);
-  RunModels run_models(workplace, reading);
+  RunModels run_models(workplace, reading, usable_memory() / share_of_models);
   router.listens_on(port);
   server.set_payload_max_length(std::max(router.limits().upload_bytes, router.limits().json_bytes));
 

@@ -11,9 +11,12 @@
 #include <chrono>
 #include <csignal>
 #include <future>
+#include <memory>
 #include <thread>
+#include <vector>
 
 #include "http/answer.hpp"
+#include "run_model.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/core/stop.hpp"
 
@@ -41,6 +44,36 @@ class Blockade {
  private:
   std::shared_ptr<std::atomic<bool>> over_ = std::make_shared<std::atomic<bool>>(false);
 };
+
+struct Heavy {
+  std::size_t bytes;
+};
+
+TEST(ModelsKept, AreThoseThatFitTogetherAndAlwaysTheLast) {
+  const auto within = [](const std::vector<std::size_t>& bytes, std::size_t most) {
+    std::vector<std::shared_ptr<const Heavy>> row;
+    for (const std::size_t each : bytes) row.push_back(std::make_shared<const Heavy>(each));
+    return server::count_within(row, most);
+  };
+  EXPECT_EQ(within({}, 10), 0U);
+  EXPECT_EQ(within({11}, 10), 1U);
+  EXPECT_EQ(within({11, 1}, 10), 1U);
+  EXPECT_EQ(within({4, 6, 1}, 10), 2U);
+  EXPECT_EQ(within({1, 1, 1, 1, 1}, 10), 5U);
+}
+
+TEST(ModelsKept, CountTheirBarriers) {
+  const auto bytes = [](int collectors) {
+    std::string text =
+        "[terrain]\nsection = [[0, 10], [10, 0]]\nwidth_m = 20\n[[material]]\nname = \"A\"\n[[seeder]]\n"
+        "position = [1, 5, \"surface\"]\nmass_kg = 1\n";
+    for (int k = 0; k < collectors; ++k) {
+      text += fmt::format("[[collector]]\nname = \"c{}\"\nline = [[5, {}], [5, {}]]\nheight_m = 1\n", k, k, k + 1);
+    }
+    return server::bytes_of(server::build(text, "slope.toml", {}).model);
+  };
+  EXPECT_GT(bytes(15), bytes(0) + 15 * 200);
+}
 
 TEST(ModelsReadApart, GiveWhatIsRead) {
   ModelReading reading(10min);
