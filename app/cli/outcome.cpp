@@ -2,7 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 namespace talus::cli {
+
+namespace {
+
+constexpr std::size_t most_printed = 20;  // barriers
+
+/// All in their order, or those that were hit most.
+std::vector<std::size_t> barriers_to_print(const Summary& summary) {
+  std::vector<std::size_t> numbers(summary.barriers.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  if (numbers.size() <= most_printed) return numbers;
+  std::ranges::stable_sort(numbers, std::ranges::greater(),
+                           [&](std::size_t b) { return summary.barriers[b].rocks_hit; });
+  numbers.resize(most_printed);
+  return numbers;
+}
+
+}  // namespace
 
 void print_summary(const Summary& summary, const std::vector<std::string>& barriers) {
   for (int k = 0; k < end_reason_count; ++k) {
@@ -13,12 +34,17 @@ void print_summary(const Summary& summary, const std::vector<std::string>& barri
   if (way.mean && way.maximum)
     fmt::print("  runout on plan: mean {:.2f} m, greatest {:.2f} m\n", *way.mean, *way.maximum);
   for (const std::string& note : notes_of(summary)) fmt::print("  note: {}\n", note);
-  for (std::size_t b = 0; b < summary.barriers.size(); ++b) {
+  for (const std::size_t b : barriers_to_print(summary)) {
     const BarrierTally& tally = summary.barriers[b];
     const Descriptive energy = tally.total_energy.describe(), height = tally.height.describe();
     fmt::print("  {}: {} rocks hit it, {} passed above", barriers[b], tally.rocks_hit, tally.rocks_passed_above);
     if (energy.maximum) fmt::print("; at most {:.1f} kJ, {:.2f} m high", *energy.maximum / 1000, *height.maximum);
     fmt::print("\n");
+  }
+  if (summary.barriers.size() > most_printed) {
+    const auto hit = std::ranges::count_if(summary.barriers, [](const auto& tally) { return tally.rocks_hit > 0; });
+    fmt::print("  these {} of {} barriers and collectors were hit most; {} were hit, and summary.json has all\n",
+               most_printed, summary.barriers.size(), hit);
   }
 }
 

@@ -66,6 +66,18 @@ TEST(RunFacts, AWallWithoutLimitHasNoCapacity) {
   EXPECT_EQ(facts_of(summary).barriers[0].capacity_kJ, std::nullopt);
 }
 
+TEST(RunFacts, OfABarrierThatNoRockHitHaveNoStatistics) {
+  Json summary = sample_run::summary_3d();
+  Json& fence = summary["barriers"][0];
+  fence["hits"] = 0;
+  fence.erase("statistics");
+  fence.erase("histograms");
+  const BarrierFacts facts = facts_of(summary).barriers[0];
+  EXPECT_EQ(facts.hits, 0U);
+  EXPECT_EQ(facts.height_m, 3);
+  EXPECT_EQ(facts.ke_total_J.greatest, std::nullopt);
+}
+
 TEST(RunFacts, TellTheSourceOfEachRock) {
   const RunFacts facts = facts_of(sample_run::summary_3d());
   const char* const expected[] = {"Wall", "Wall", "Tower, \"old\"", "Tower, \"old\"", "Wall", "Wall", ""};
@@ -117,6 +129,10 @@ TEST(RunFacts, RefuseWhatIsNoSummary) {
             "summary.json: project/output/geopackage: is of type string (expected a whole number, 0 or more)" + hint);
   EXPECT_EQ(complaint_about_value("/barriers/0/line_xyz/1/2", "high"),
             "summary.json: barriers/0/line_xyz/1/2: is of type string (expected a number)" + hint);
+  EXPECT_EQ(complaint_about_value("/barriers", 3),
+            "summary.json: barriers: is of type number (expected a list)" + hint);
+  EXPECT_EQ(complaint_about_value("/barriers/1", 3),
+            "summary.json: barriers/1/name: is missing (a run writes it)" + hint);
   EXPECT_EQ(complaint_about_value("/barriers/1/name", "Road"),
             "summary.json: project/collector/Road/height_m: is missing (a run writes it)" + hint);
   EXPECT_EQ(complaint_about_value("/sources", 3), "summary.json: sources: is of type number (expected a list)" + hint);

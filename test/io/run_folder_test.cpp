@@ -135,6 +135,23 @@ TEST(RunFolder, LeavesLongListsOutOfTheEchoedProject) {
 
 // ---- what is refused
 
+TEST(RunFolder, KeepsOfManyBarriersThoseWithTheMostHits) {
+  const sample_run::Folder folder("run-folder");
+  sample_run::write(folder);
+  auto summary = sample_run::summary("Tutorial 1");
+  auto& barriers = summary["barriers"] = nlohmann::ordered_json::array();
+  for (int k = 0; k < 1000; ++k) {
+    barriers.push_back({{"name", "c" + std::to_string(k)}, {"kind", "collector"}, {"hits", k % 10 == 3 ? k : 0}});
+  }
+  folder.write("summary.json", summary.dump());
+  const RunFolder run = read_run_folder(folder.path);
+  const auto& kept = run.summary.at("barriers");
+  ASSERT_EQ(kept.size(), 100U);
+  for (std::size_t k = 0; k < kept.size(); ++k) EXPECT_EQ(kept[k].at("hits"), 10 * k + 3);
+  EXPECT_THAT(run.notes, ElementsAre("Of 1000 barriers and collectors the 100 with the most hits are shown one by one; "
+                                     "summary.json has all of them."));
+}
+
 TEST(RunFolderRefuses, FoldersThatAreNone) {
   const sample_run::Folder folder("run-folder");
   EXPECT_EQ(complaint(folder.path / "absent"),

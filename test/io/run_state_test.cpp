@@ -100,7 +100,7 @@ TEST_F(RunStateFile, ComesBackAsItWas) {
   EXPECT_EQ(complaint(), "");
 
   const RunStateHeader read = read_run_state_header(file);
-  EXPECT_EQ(as_json(read.description).dump(), as_json(header.description).dump());
+  EXPECT_EQ(json_text(read.description), json_text(header.description));
   EXPECT_EQ(read.description.maps->origin, header.description.maps->origin);
   EXPECT_EQ(read.description.maps->selection.subjects, header.description.maps->selection.subjects);
   EXPECT_EQ(read.description.design, header.description.design);
@@ -207,8 +207,8 @@ TEST_F(RunStateFile, OfOtherObserversIsRefused) {
 }
 
 TEST(RunDescription, IsRefusedWhereItIsNone) {
-  const std::string good = as_json(full_header().description).dump();
-  EXPECT_EQ(as_json(description_from(good)).dump(), good);
+  const std::string good = json_text(full_header().description);
+  EXPECT_EQ(json_text(description_from(good)), good);
   const auto refused = [&](const char* key, nlohmann::ordered_json value) {
     auto json = nlohmann::ordered_json::parse(good);
     json[key] = std::move(value);

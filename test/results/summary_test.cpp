@@ -38,6 +38,12 @@ Summary summary_of(const std::vector<Seen>& rocks, std::size_t barriers = 0, con
   return observer.summary();
 }
 
+std::string bytes_of(const auto& sums) {
+  ByteWriter out;
+  sums.save(out);
+  return out.take();
+}
+
 TEST(Runout, IsTheWayFromStartToEnd) {
   const Runout way = runout(ended_at({1, 1, 50}, {4, 5, 38}).record.outcome);
   EXPECT_DOUBLE_EQ(way.plan, 5);
@@ -141,7 +147,6 @@ TEST(Summary, ABarrierCountsHitsAndTheRocksBehindThem) {
   EXPECT_NEAR(tally.total_energy.describe().mean.value(), 0.5 * 1000 * 58 + 0.5 * rock.inertia * 9, 1e-9);
 }
 
-// Any split of the rocks into parts, committed in any order, gives the same bits.
 TEST(Summary, OfManyCollectorsTakesMemoryForThoseThatRocksCameTo) {
   constexpr std::uint32_t collectors = 100'000;
   static_assert(sizeof(BarrierTally) < 1000);
@@ -166,6 +171,7 @@ TEST(Summary, OfManyCollectorsTakesMemoryForThoseThatRocksCameTo) {
   EXPECT_EQ(summary.barriers[4].height.describe().count, 0U);
 }
 
+// Any split of the rocks into parts, committed in any order, gives the same bits.
 TEST(Summary, DoesNotDependOnHowTheRocksAreSplit) {
   Dice dice(71);
   std::vector<Seen> rocks;
@@ -195,6 +201,29 @@ TEST(Summary, DoesNotDependOnHowTheRocksAreSplit) {
     EXPECT_EQ(bits(split.runout_total), bits(whole.runout_total));
     EXPECT_EQ(bits(split.max_kinetic_energy), bits(whole.max_kinetic_energy));
     EXPECT_EQ(bits(split.max_bounce), bits(whole.max_bounce));
+  }
+}
+
+// Few values are kept as they are, and their moments are made when somebody asks: of any number the same bits.
+TEST(Tally, OfFewValuesIsThatOfMoments) {
+  Dice dice(27);
+  for (const std::uint64_t count : {1U, 31U, 32U, 33U, 34U, 100U}) {
+    std::vector<double> values;
+    for (std::uint64_t k = 0; k < count; ++k) values.push_back(dice.between(-1, 1) * 1e6);
+    Moments moments;
+    for (const double x : values) moments.add(x);
+    for (std::uint64_t split = 0; split <= count; ++split) {
+      Tally first(count), second(count);
+      for (std::uint64_t k = 0; k < count; ++k) (k < split ? first : second).add(values[k]);
+      first.merge(second);
+      EXPECT_EQ(first.count(), count);
+      EXPECT_EQ(bytes_of(first).substr(0, bytes_of(moments).size()), bytes_of(moments)) << count << ' ' << split;
+      Tally restored(count);
+      const std::string bytes = bytes_of(first);
+      ByteReader in(bytes);
+      restored.merge_saved(in);
+      EXPECT_EQ(bytes_of(restored), bytes);
+    }
   }
 }
 

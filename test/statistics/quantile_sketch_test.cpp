@@ -136,6 +136,8 @@ TEST(QuantileSketchMerge, IsTheSameForAnySplitAndOrder) {
   // Exact; in bins from the first; in bins because more came than were planned; and just at the limit.
   for (const auto& [count, planned] : {std::pair<std::size_t, std::uint64_t>{20'000, 20'000},
                                        {20'000, many},
+                                       {300, many},
+                                       {2000, many},
                                        {150'000, 50'000},
                                        {QuantileSketch::most_exact, QuantileSketch::most_exact},
                                        {QuantileSketch::most_exact + 1, QuantileSketch::most_exact}}) {
@@ -155,6 +157,24 @@ TEST(QuantileSketchMerge, IsTheSameForAnySplitAndOrder) {
       expect_same(forwards, whole);
       expect_same(backwards, whole);
     }
+  }
+}
+
+// A few values wait for bins; what is answered is as if they were there.
+TEST(QuantileSketchOfMany, AnswersAlikeWhileItHasFew) {
+  for (const std::size_t count : {1U, 2U, 300U, 512U, 513U}) {
+    const QuantileSketch few = sketch_of(mixed_values(count), many);
+    EXPECT_FALSE(few.is_exact());
+    ByteWriter out;
+    few.save(out);
+    const std::string bytes = out.take();
+    ByteReader in(bytes);
+    QuantileSketch in_bins(many);
+    in_bins.merge_saved(in);
+    expect_same(few, in_bins);
+    ByteWriter again;
+    in_bins.save(again);
+    EXPECT_EQ(again.take(), bytes);
   }
 }
 

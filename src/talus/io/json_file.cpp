@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -29,12 +28,15 @@ std::string text_of_json_file(const std::filesystem::path& path, std::string_vie
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse("cannot be opened", "a run's folder holds it once the run is done");
   std::error_code error;
-  if (const auto bytes = std::filesystem::file_size(path, error); error || bytes > most_bytes) {
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (error || bytes > most_bytes) {
     refuse("cannot be read", error
                                  ? error.message()
                                  : fmt::format("it has {} MiB; expected at most {}", bytes >> 20U, most_bytes >> 20U));
   }
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text(bytes, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(bytes));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (const std::size_t depth = depth_of_json(text); depth > deepest_json) {
     refuse("is damaged", fmt::format("it holds lists within lists, {} deep; expected at most {}", depth, deepest_json));
   }

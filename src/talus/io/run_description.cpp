@@ -31,9 +31,8 @@ MapSubjects subjects_from(const Json& names) {
   return subjects;
 }
 
-}  // namespace
-
-Json as_json(const RunDescription& description) {
+/// All but what may be long.
+Json head_of(const RunDescription& description) {
   Json json;
   json["name"] = description.name;
   json["fingerprint"] = description.fingerprint;
@@ -47,8 +46,6 @@ Json as_json(const RunDescription& description) {
   json["wants_geopackage"] = description.wants_geopackage;
   json["wants_report"] = description.wants_report;
   json["warnings"] = description.warnings;
-  json["project"] = description.project;
-  json["model"] = description.model;
   if (const auto& maps = description.maps) {
     json["maps"] = {{"origin", {maps->origin.x(), maps->origin.y()}},
                     {"cell", {maps->cell.x(), maps->cell.y()}},
@@ -58,6 +55,16 @@ Json as_json(const RunDescription& description) {
   }
   if (description.design) json["design"] = plan_json(*description.design);
   return json;
+}
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
+
+std::string json_text(const RunDescription& description) {
+  std::string text = text_of(head_of(description));
+  text.back() = ',';
+  return text + R"("project":)" + text_of(description.project) + R"(,"model":)" + text_of(description.model) + '}';
 }
 
 namespace {

@@ -47,8 +47,9 @@ struct RunDescription {
 /// Those that the tables hold one by one, as `output` in the project says; all where it does not.
 [[nodiscard]] TableRocks rocks_in_tables(const RunDescription& description);
 
-[[nodiscard]] nlohmann::ordered_json as_json(const RunDescription& description);
-/// Throws BadBytes where the text is not what as_json() gave.
+/// As JSON.
+[[nodiscard]] std::string json_text(const RunDescription& description);
+/// Throws BadBytes where the text is not what json_text() gave.
 [[nodiscard]] RunDescription description_from(std::string_view json_text);
 
 }  // namespace talus::io

@@ -23,12 +23,14 @@ constexpr const char* hint = "Name a folder that `talus run` has written";
 /// Values by their place, "/rocks/planned"; refused where they are not there or not of the kind expected.
 class Values {
  public:
-  explicit Values(std::filesystem::path file) : file_(std::move(file)), json_(read_json_object<Json>(file_, hint)) {}
+  /// Of what stands at `beginning` in the file: places begin with it.
+  Values(std::filesystem::path file, Json json, std::string beginning = "")
+      : file_(std::move(file)), json_(std::move(json)), beginning_(std::move(beginning)) {}
 
-  [[nodiscard]] bool has(const std::string& place) const { return json_.contains(Json::json_pointer(place)); }
+  [[nodiscard]] bool has(const std::string& place) const { return json_.contains(within(place)); }
   [[nodiscard]] const Json& at(const std::string& place) const {
     if (!has(place)) refuse(place, "is missing", "a run writes it");
-    return json_.at(Json::json_pointer(place));
+    return json_.at(within(place));
   }
   [[nodiscard]] const Json& list(const std::string& place) const {
     return of_kind(place, at(place).is_array(), "a list");
@@ -57,6 +59,9 @@ class Values {
   }
 
  private:
+  [[nodiscard]] Json::json_pointer within(const std::string& place) const {
+    return Json::json_pointer(place.substr(beginning_.size()));
+  }
   const Json& of_kind(const std::string& place, bool is, const char* expected) const {
     const Json& value = at(place);
     if (!is) refuse(place, fmt::format("is of type {}", value.type_name()), fmt::format("expected {}", expected));
@@ -68,6 +73,7 @@ class Values {
 
   std::filesystem::path file_;
   Json json_;
+  std::string beginning_;
 };
 
 DesignValues design_values(const Values& values, const std::string& statistics) {
@@ -109,7 +115,8 @@ std::vector<double> stations(const Values& values, const std::string& place,
   return stations;
 }
 
-BarrierFacts barrier_facts(const Values& values, BarriersOfProject& project, const std::string& place) {
+/// What the list of barriers says of one.
+BarrierFacts barrier_facts(const Values& values, const std::string& place) {
   BarrierFacts facts;
   facts.name = values.text(place + "/name");
   facts.kind = values.text(place + "/kind");
@@ -118,12 +125,6 @@ BarrierFacts barrier_facts(const Values& values, BarriersOfProject& project, con
     facts.foot_m.push_back({values.number(point + "/0"), values.number(point + "/1"), values.number(point + "/2")});
   }
   facts.stations_m = stations(values, place, facts.foot_m);
-  const std::string given = project.place(facts);
-  facts.height_m = values.number(given + "/height_m");
-  facts.inclination_deg = values.number(given + "/inclination_deg");
-  if (facts.kind == "barrier" && values.at(given + "/capacity_kJ") != "inf") {
-    facts.capacity_kJ = values.number(given + "/capacity_kJ");
-  }
   facts.hits = values.count(place + "/hits");
   facts.rocks_hit = values.count(place + "/rocks_hit");
   facts.passed_above = values.count(place + "/passed_above");
@@ -132,11 +133,22 @@ BarrierFacts barrier_facts(const Values& values, BarriersOfProject& project, con
   facts.broke_through = values.count(place + "/outcomes/broke through");
   facts.passed = values.count(place + "/outcomes/passed");
   facts.least_clearance_m = values.number_if_any(place + "/least_clearance_m");
+  if (facts.hits == 0) return facts;
   facts.ke_total_J = design_values(values, place + "/statistics/ke_total_J");
   facts.ke_translational_J = design_values(values, place + "/statistics/ke_translational_J");
   facts.impact_height_m = design_values(values, place + "/statistics/impact_height_m");
   facts.velocity_m_s = design_values(values, place + "/statistics/velocity_m_s");
   return facts;
+}
+
+/// What the project says of it.
+void add_given(const Values& values, BarriersOfProject& project, BarrierFacts& facts) {
+  const std::string given = project.place(facts);
+  facts.height_m = values.number(given + "/height_m");
+  facts.inclination_deg = values.number(given + "/inclination_deg");
+  if (facts.kind == "barrier" && values.at(given + "/capacity_kJ") != "inf") {
+    facts.capacity_kJ = values.number(given + "/capacity_kJ");
+  }
 }
 
 std::vector<SourceStretch> source_stretches(const Values& values) {
@@ -206,8 +218,15 @@ const std::string& RunFacts::source_of(std::uint64_t rock) const {
 }
 
 RunFacts read_run_facts(const std::filesystem::path& folder, const char* summary) {
-  const Values values(folder / summary);
+  const std::filesystem::path file = folder / summary;
   RunFacts facts;
+  const auto add_barrier = [&](Json barrier) {
+    const std::string place = fmt::format("/barriers/{}", facts.barriers.size());
+    facts.barriers.push_back(barrier_facts(Values(file, std::move(barrier), place), place));
+  };
+  Json json = parse_without_list<Json>(text_of_json_file(file, hint, most_json_bytes), "barriers", add_barrier);
+  if (!json.is_object()) refuse_json_file(file, "", "is damaged", "it holds no JSON object", hint);
+  const Values values(file, std::move(json));
   facts.is_section = values.text("/terrain/kind") == "section";
   if (values.has("/terrain/crs_wkt")) facts.crs_wkt = values.text("/terrain/crs_wkt");
   facts.planned_rocks = values.count("/rocks/planned");
@@ -222,9 +241,8 @@ RunFacts read_run_facts(const std::filesystem::path& folder, const char* summary
   facts.wants_geopackage = !facts.is_section && facts.geopackage_rocks > 0;
   facts.wants_vtk = values.flag("/project/output/vtk");
   BarriersOfProject project(values);
-  for (std::size_t k = 0; k < values.list("/barriers").size(); ++k) {
-    facts.barriers.push_back(barrier_facts(values, project, fmt::format("/barriers/{}", k)));
-  }
+  (void)values.list("/barriers");  // whose entries were taken
+  for (BarrierFacts& barrier : facts.barriers) add_given(values, project, barrier);
   facts.sources = source_stretches(values);
   if (values.has("/design")) read_design(values, facts);
   return facts;

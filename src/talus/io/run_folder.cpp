@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 #include "talus/core/problems.hpp"
 #include "talus/io/csv_reader.hpp"
 #include "talus/io/envelope_table.hpp"
+#include "talus/io/json_file.hpp"
 #include "talus/io/json_text.hpp"
 #include "talus/io/ordinary_file.hpp"
 #include "talus/io/path_reader.hpp"
@@ -37,7 +38,7 @@ constexpr std::size_t most_impacts = 100;  // for which losses are kept by numbe
                          .hint = std::move(hint)});
 }
 
-constexpr std::uintmax_t most_summary_bytes = std::uintmax_t{256} << 20;  // far beyond any; it is read whole
+constexpr std::size_t most_barriers = 100;  // that a report shows one by one
 
 constexpr auto cut_short = "The file was cut short or damaged; run the project again to get it whole";
 constexpr auto name_a_run = "Name a folder that `talus run` has written";
@@ -51,15 +52,17 @@ std::string date_of(const std::filesystem::path& file) {
 // ---- summary.json
 
 // The shape of what the page reads: a wrong type is refused here, once, and what is missing is left to the page.
-void expect_kind(const Json& summary, const std::string& pointer, Json::value_t kind, const std::string& file) {
+// `within`: where in the summary the part stands, if it is not the whole.
+void expect_kind(const Json& part, const std::string& pointer, Json::value_t kind, const std::string& file,
+                 const std::string& within = "") {
   const Json::json_pointer place(pointer);
-  if (!summary.contains(place)) return;
-  const Json& value = summary.at(place);
+  if (!part.contains(place)) return;
+  const Json& value = part.at(place);
   const bool fits = kind == Json::value_t::number_float ? value.is_number() : value.type() == kind;
   if (fits) return;
   const Json example(kind);  // for the kind's name
-  refuse(file, pointer.substr(1), fmt::format("the value is of type {}", value.type_name()),
-         fmt::format("expected {}", example.type_name()));
+  refuse(file, within + (within.empty() ? pointer.substr(1) : pointer),
+         fmt::format("the value is of type {}", value.type_name()), fmt::format("expected {}", example.type_name()));
 }
 
 void check_sketch(const Json& node, const std::string& where, const std::string& file) {
@@ -111,29 +114,63 @@ void shorten_long_lists(Json& node) {
   }
 }
 
-Json read_summary(const std::filesystem::path& path) {
+/// Of all barriers those that a report shows: the ones with the most hits.
+class BarriersWithMostHits {
+ public:
+  void add(Json barrier) {
+    const bool is_known = barrier.is_object() && barrier.contains("hits") && barrier.at("hits").is_number_unsigned();
+    kept_.push_back({is_known ? barrier.at("hits").get<std::uint64_t>() : std::numeric_limits<std::uint64_t>::max(),
+                     total_++, std::move(barrier)});
+    if (kept_.size() == 2 * most_barriers) leave_out();
+  }
+  [[nodiscard]] std::size_t total() const { return total_; }
+  struct Kept {
+    std::uint64_t hits;
+    std::size_t number;  // in the summary, from 0
+    Json barrier;
+  };
+  /// In the order of the summary.
+  [[nodiscard]] std::vector<Kept> take() {
+    leave_out();
+    std::ranges::sort(kept_, {}, &Kept::number);
+    return std::move(kept_);
+  }
+
+ private:
+  void leave_out() {
+    if (kept_.size() <= most_barriers) return;
+    std::ranges::stable_sort(kept_, std::ranges::greater(), &Kept::hits);
+    kept_.resize(most_barriers);
+  }
+
+  std::vector<Kept> kept_;
+  std::size_t total_ = 0;
+};
+
+/// `all_barriers`: how many the summary has.
+Json read_summary(const std::filesystem::path& path, std::size_t& all_barriers) {
   const std::string file = path.string();
   if (const auto why = not_an_ordinary_file(path)) refuse(path, "", "cannot be opened", *why, name_a_run);
   std::error_code error_code;
-  if (const auto bytes = std::filesystem::file_size(path, error_code); !error_code && bytes > most_summary_bytes) {
+  if (const auto bytes = std::filesystem::file_size(path, error_code); !error_code && bytes > most_json_bytes) {
     refuse(path, "", fmt::format("the file has {} MiB", bytes >> 20U),
-           fmt::format("a summary has at most {} MiB", most_summary_bytes >> 20U), cut_short);
+           fmt::format("a summary has at most {} MiB", most_json_bytes >> 20U), cut_short);
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
     refuse(path, "", std::filesystem::exists(path, error_code) ? "cannot be opened" : "there is no such file",
            "a run's folder holds it once the run is done", name_a_run);
   }
-  std::stringstream text;
-  text << stream.rdbuf();
-  const std::string all = std::move(text).str();
+  const std::string all{std::istreambuf_iterator<char>(stream), {}};
   if (const std::size_t depth = depth_of_json(all); depth > deepest_json) {
     refuse(path, "", fmt::format("holds lists within lists, {} deep", depth),
            fmt::format("a summary has at most {}", deepest_json), name_a_run);
   }
   Json summary;
+  BarriersWithMostHits barriers;
   try {
-    summary = Json::parse(all);
+    summary = parse_without_list<Json>(
+        all, "barriers", [&](Json barrier) { barriers.add(std::move(barrier)); }, true);
   } catch (const Json::parse_error& error) {
     const auto before = std::min(error.byte, all.size());
     const bool at_end = all.find_first_not_of(" \t\r\n", before) == std::string::npos;
@@ -166,16 +203,15 @@ Json read_summary(const std::filesystem::path& path) {
       refuse(path, "statistics/" + name, fmt::format("the value is of type {}", node.type_name()), "expected object");
     }
   }
-  if (summary.contains("barriers")) {
-    for (std::size_t i = 0; i < summary.at("barriers").size(); ++i) {
-      const std::string where = fmt::format("/barriers/{}", i);
-      expect_kind(summary, where, kind::object, file);
-      expect_kind(summary, where + "/name", kind::string, file);
-      for (const char* key : {"/outcomes", "/statistics", "/histograms"})
-        expect_kind(summary, where + key, kind::object, file);
-      const auto& barrier = summary.at("barriers").at(i);
-      if (barrier.contains("histograms")) check_sketch(barrier.at("histograms"), where.substr(1) + "/histograms", file);
-    }
+  all_barriers = barriers.total();
+  for (auto& [hits, number, barrier] : barriers.take()) {
+    const std::string where = fmt::format("barriers/{}", number);
+    expect_kind(barrier, "", kind::object, file, where);
+    expect_kind(barrier, "/name", kind::string, file, where);
+    for (const char* key : {"/outcomes", "/statistics", "/histograms"})
+      expect_kind(barrier, key, kind::object, file, where);
+    if (barrier.contains("histograms")) check_sketch(barrier.at("histograms"), where + "/histograms", file);
+    summary["barriers"].push_back(std::move(barrier));
   }
   if (summary.contains("project")) shorten_long_lists(summary.at("project"));
   return summary;
@@ -365,7 +401,14 @@ RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& lim
     }
   };
   attempt(summary, false, [&](const auto& file) {
-    run.summary = read_summary(file);
+    std::size_t barriers = 0;
+    run.summary = read_summary(file, barriers);
+    if (barriers > most_barriers) {
+      run.notes.push_back(
+          fmt::format("Of {} barriers and collectors the {} with the most hits are shown one by one; "
+                      "summary.json has all of them.",
+                      barriers, most_barriers));
+    }
     run.date = run.summary.value("date", date_of(file));
   });
   attempt("endpoints.csv", true, [&](const auto& file) {

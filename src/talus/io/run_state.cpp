@@ -111,9 +111,7 @@ std::string read_bytes(const std::filesystem::path& file, std::uint64_t most) {
 
 }  // namespace
 
-std::string saved(const RunDescription& description) {
-  return as_json(description).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
+std::string saved(const RunDescription& description) { return json_text(description); }
 
 void write_run_state(const std::filesystem::path& file, const RunStateHeader& header,
                      std::span<SummingObserver* const> observers) {

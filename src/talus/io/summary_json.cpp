@@ -28,22 +28,42 @@ Json barrier_json(const Json& barrier, const BarrierTally& tally) {
     const auto kind = static_cast<BarrierOutcome>(k);
     outcomes[name(kind)] = tally.outcomes[static_cast<std::size_t>(k)];
   }
-  const Json found{{"hits", tally.translational_energy.count()},
-                   {"rocks_hit", tally.rocks_hit},
-                   {"passed_above", tally.rocks_passed_above},
-                   {"outcomes", outcomes},
-                   {"least_clearance_m", number(tally.least_clearance)},
-                   {"statistics",
-                    {{"ke_translational_J", statistics_json(tally.translational_energy)},
-                     {"ke_total_J", statistics_json(tally.total_energy)},
-                     {"impact_height_m", statistics_json(tally.height)},
-                     {"velocity_m_s", statistics_json(tally.velocity)}}},
-                   {"histograms",
-                    {{"ke_translational_J", histogram_json(tally.translational_energy)},
-                     {"impact_height_m", histogram_json(tally.height)}}}};
   Json json = barrier;
-  json.update(found);
+  json["hits"] = tally.translational_energy.count();
+  json["rocks_hit"] = tally.rocks_hit;
+  json["passed_above"] = tally.rocks_passed_above;
+  json["outcomes"] = std::move(outcomes);
+  json["least_clearance_m"] = number(tally.least_clearance);
+  if (tally.translational_energy.count() == 0) return json;
+  json["statistics"] = {{"ke_translational_J", statistics_json(tally.translational_energy)},
+                        {"ke_total_J", statistics_json(tally.total_energy)},
+                        {"impact_height_m", statistics_json(tally.height)},
+                        {"velocity_m_s", statistics_json(tally.velocity)}};
+  json["histograms"] = {{"ke_translational_J", histogram_json(tally.translational_energy)},
+                        {"impact_height_m", histogram_json(tally.height)}};
   return json;
+}
+
+/// As dump(1) has it so many levels deep; a text within it has no line ends.
+std::string text_of(const Json& value, std::size_t depth) {
+  // Names of files, of which there may be some in the warnings, need not be UTF-8.
+  const std::string text = value.dump(1, ' ', false, Json::error_handler_t::replace);
+  std::string indented;
+  indented.reserve(text.size() + text.size() / 8);
+  for (const char c : text) {
+    indented += c;
+    if (c == '\n') indented.append(depth, ' ');
+  }
+  return indented;
+}
+
+void write_barriers(TextSink& out, const Json& barriers, const Summary& summary) {
+  out.write("[");
+  for (std::size_t b = 0; b < summary.barriers.size(); ++b) {
+    out.write(b == 0 ? "\n  " : ",\n  ");
+    out.write(text_of(barrier_json(barriers.at(b), summary.barriers[b]), 2));
+  }
+  out.write(summary.barriers.empty() ? "]" : "\n ]");
 }
 
 }  // namespace
@@ -98,18 +118,26 @@ Json timings_json(const Summary& summary, const RunCourse& course) {
 
 }  // namespace
 
-Json summary_json(const io::RunDescription& description, const std::vector<std::string>& warnings,
-                  const Summary& summary, const RunCourse& course, const DesignResult* design) {
+void write_summary(TextSink& out, const io::RunDescription& description, const std::vector<std::string>& warnings,
+                   const Summary& summary, const RunCourse& course, const DesignResult* design) {
   Json ends = Json::object();
   for (int k = 0; k < end_reason_count; ++k) {
     const std::uint64_t count = summary.ended(static_cast<EndReason>(k));
     if (count > 0) ends[name(static_cast<EndReason>(k))] = count;
   }
   const Json& model = description.model;
-  Json barriers = Json::array();
-  for (std::size_t b = 0; b < summary.barriers.size(); ++b) {
-    barriers.push_back(barrier_json(model.at("barriers").at(b), summary.barriers[b]));
-  }
+  bool is_first = true;
+  const auto begin = [&](const std::string& key) {
+    out.write(is_first ? "{\n " : ",\n ");
+    out.write(text_of(key, 1) + ": ");
+    is_first = false;
+  };
+  const auto write = [&](const Json& entries) {
+    for (const auto& [key, value] : entries.items()) {
+      begin(key);
+      out.write(text_of(value, 1));
+    }
+  };
   Json json;
   json["talus"] = {{"version", TALUS_VERSION}};
   json["name"] = description.name;
@@ -137,17 +165,23 @@ Json summary_json(const io::RunDescription& description, const std::vector<std::
                         {"max_bounce_m", statistics_json(summary.max_bounce)}};
   json["histograms"] = {{"end_x_m", histogram_json(summary.end_x)},
                         {"runout_xy_m", histogram_json(summary.runout_plan)}};
-  json["barriers"] = barriers;
+  write(json);
+  begin("barriers");
+  write_barriers(out, model.at("barriers"), summary);
+  json = Json::object();
   if (description.design && design != nullptr) json["design"] = io::design_json(*description.design, *design);
   json["sources"] = model.at("sources");
   json["warnings"] = warnings;
   json["notes"] = notes_of(summary);
   json["energy_datum_m"] = model.at("energy_datum_m");
   json["origin_m"] = model.at("origin_m");
-  json["terrain"] = model.at("terrain");
-  json["project"] = description.project;
-  json["timings"] = timings_json(summary, course);
-  return json;
+  write(json);
+  begin("terrain");
+  out.write(text_of(model.at("terrain"), 1));
+  begin("project");
+  out.write(text_of(description.project, 1));
+  write({{"timings", timings_json(summary, course)}});
+  out.write("\n}\n");
 }
 
 }  // namespace talus

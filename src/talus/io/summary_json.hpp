@@ -8,6 +8,7 @@
 
 #include "talus/campaign/shard.hpp"
 #include "talus/io/run_description.hpp"
+#include "talus/io/text_sink.hpp"
 #include "talus/results/design_result.hpp"
 #include "talus/results/summary.hpp"
 
@@ -24,10 +25,11 @@ struct RunCourse {
 };
 
 /// Everything but `timings` depends on the project, the seed and the rocks done, and on nothing else. `warnings` are
-/// all of the run, those of the description among them. `design`: where the description has a plan for it.
-[[nodiscard]] nlohmann::ordered_json summary_json(const io::RunDescription& description,
-                                                  const std::vector<std::string>& warnings, const Summary& summary,
-                                                  const RunCourse& course, const DesignResult* design = nullptr);
+/// all of the run, those of the description among them. `design`: where the description has a plan for it. Written
+/// piece by piece, since there may be very many barriers; of those that no rock hit there are no statistics and
+/// histograms.
+void write_summary(TextSink& out, const io::RunDescription& description, const std::vector<std::string>& warnings,
+                   const Summary& summary, const RunCourse& course, const DesignResult* design = nullptr);
 
 /// The thirteen rows of a spreadsheet's descriptive statistics, and the quartiles.
 [[nodiscard]] nlohmann::ordered_json statistics_json(const Tally& tally);

@@ -20,11 +20,11 @@ bool is_there(const std::filesystem::path& file) {
 
 }  // namespace
 
-Checkpoints::Checkpoints(const std::filesystem::path& folder, io::RunStateHeader begun, RunSums& sums,
-                         io::TableFiles& tables, double every)
+Checkpoints::Checkpoints(const std::filesystem::path& folder, io::RunStateHeader begun,
+                         const io::RunDescription& description, RunSums& sums, io::TableFiles& tables, double every)
     : file_(folder / io::run_state_name),
       header_(std::move(begun)),
-      description_(io::saved(header_.description)),
+      description_(io::saved(description)),
       seconds_before_(header_.seconds),
       sums_(sums),
       tables_(tables),

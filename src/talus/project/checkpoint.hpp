@@ -17,10 +17,10 @@ class Checkpoints {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `begun` is the header as it is before the first rock of this run, `every` the time between two checkpoints [s], 0
-  /// for none. All of them must outlive it.
-  Checkpoints(const std::filesystem::path& folder, io::RunStateHeader begun, RunSums& sums, io::TableFiles& tables,
-              double every);
+  /// `begun` is the header as it is before the first rock of this run, without its description, `every` the time
+  /// between two checkpoints [s], 0 for none. Sums and tables must outlive it.
+  Checkpoints(const std::filesystem::path& folder, io::RunStateHeader begun, const io::RunDescription& description,
+              RunSums& sums, io::TableFiles& tables, double every);
 
   /// To be called when exactly the rocks before `next` are in the sums and tables. Writes if it is time: no sooner than
   /// asked for, and so that writing takes at most a twentieth of the time.
@@ -41,8 +41,8 @@ class Checkpoints {
 
  private:
   std::filesystem::path file_;
-  io::RunStateHeader header_;  // of the next state; what it says of the run is copied once
-  std::string description_;    // as it is saved
+  io::RunStateHeader header_;  // of the next state
+  std::string description_;    // of the run, as it is saved
   double seconds_before_;      // of earlier runs
   RunSums& sums_;
   io::TableFiles& tables_;

@@ -29,7 +29,7 @@ std::string message_of(const Hello& hello) {
   out.text(hello.version);
   out.text(hello.machine);
   out.put(static_cast<std::int32_t>(hello.threads));
-  out.text(as_json(hello.description).dump());
+  out.text(json_text(hello.description));
   return out.take();
 }
 

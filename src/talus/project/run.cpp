@@ -83,7 +83,6 @@ struct Start {
 Start find_start(const std::filesystem::path& folder, const io::RunDescription& description,
                  const RunOptions& options) {
   Start start;
-  start.state.description = description;
   start.state.shard = options.shard;
   start.state.range = options.shard ? rocks_of(*options.shard, description.rocks) : RockRange{0, description.rocks};
   start.state.done = start.state.range.first;
@@ -92,6 +91,7 @@ Start find_start(const std::filesystem::path& folder, const io::RunDescription& 
   start.is_complete = found.is_complete;
   start.goes_on = found.state.has_value();
   if (found.state) start.state = *found.state;
+  start.state.description = {};  // it is the same
   if (start.is_complete || !options.say) return start;
   if (start.goes_on) {
     options.say(fmt::format("going on after {} of {} rocks", start.state.rocks().count(), start.state.range.count()));
@@ -147,7 +147,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   RunSums sums(description, project, model);
   sums.limit_maps_memory(options.maps_memory);
   io::TableFiles tables(folder, TableContext::of(model), table_rocks(project, model.rocks()));
-  Checkpoints checkpoints(folder, begun, sums, tables, options.checkpoint_every);
+  Checkpoints checkpoints(folder, begun, description, sums, tables, options.checkpoint_every);
   if (start.goes_on) {
     const auto observers = sums.observers();
     io::merge_run_state(state_file, observers);

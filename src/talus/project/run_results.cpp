@@ -218,10 +218,7 @@ Problems write_results(const std::filesystem::path& folder, const io::RunDescrip
   std::vector<std::string> warnings = description.warnings;
   for (const Problem& problem : found.list()) warnings.push_back(problem.text());
   OutputFile summary(folder / "summary.json");
-  // Names of files, of which there may be some in the warnings, need not be UTF-8.
-  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  const auto json = summary_json(description, warnings, sums.summary(), course, design ? &*design : nullptr);
-  summary.write(json.dump(1, ' ', false, replace) + "\n");
+  write_summary(summary, description, warnings, sums.summary(), course, design ? &*design : nullptr);
   summary.sync();
   if (!course.shard) write_what_follows(folder, description, design, OutputFile::part_of("summary.json"));
   const std::vector<std::string> written = written_files(folder, description, course.shard);

@@ -26,20 +26,39 @@ std::optional<Histogram> Tally::histogram(std::uint64_t bins) const {
   return histogram;
 }
 
+void Tally::merge(const Tally& other) {
+  for (const double x : other.first_) add_moments(x);
+  if (!other.moments_.empty()) moments_of_first().merge(other.moments_.front());
+  sketch_.merge(other.sketch_);
+}
+
+Moments& Tally::moments_of_first() {
+  if (moments_.empty()) {
+    moments_.push_back(moments());
+    first_ = {};
+  }
+  return moments_.front();
+}
+
+Moments Tally::moments() const {
+  if (!moments_.empty()) return moments_.front();
+  Moments moments;
+  for (const double x : first_) moments.add(x);
+  return moments;
+}
+
 void Tally::save(ByteWriter& out) const {
-  (moments_.empty() ? Moments() : moments_.front()).save(out);
+  moments().save(out);
   sketch_.save(out);
 }
 
 void Tally::merge_saved(ByteReader& in) {
   Moments saved;
   saved.merge_saved(in);
-  if (saved.count() > 0) {
-    if (moments_.empty()) moments_.emplace_back();
-    moments_.front().merge(saved);
-  }
+  const std::uint64_t before = sketch_.count();
   sketch_.merge_saved(in);
-  expect_bytes(count() == sketch_.count(), "a quantity's counts disagree");
+  expect_bytes(saved.count() == sketch_.count() - before, "a quantity's counts disagree");
+  if (saved.count() > 0) moments_of_first().merge(saved);
 }
 
 namespace {

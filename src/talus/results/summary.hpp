@@ -21,28 +21,34 @@ class Tally {
   /// Values that lie far from zero and near each other, as positions do, take an origin near them.
   explicit Tally(std::uint64_t planned, double origin = 0) : sketch_(planned, origin) {}
   void add(double x) {
-    if (moments_.empty()) moments_.emplace_back();
-    moments_.front().add(x);
+    add_moments(x);
     sketch_.add(x);
   }
-  void merge(const Tally& other) {
-    if (other.moments_.empty()) return;
-    if (moments_.empty()) moments_.emplace_back();
-    moments_.front().merge(other.moments_.front());
-    sketch_.merge(other.sketch_);
-  }
+  void merge(const Tally& other);
   void save(ByteWriter& out) const;
   void merge_saved(ByteReader& in);
-  [[nodiscard]] std::uint64_t count() const { return moments_.empty() ? 0 : moments_.front().count(); }
-  [[nodiscard]] Descriptive describe() const {
-    return (moments_.empty() ? Moments() : moments_.front()).describe(sketch_.quantile(0.5));
-  }
+  [[nodiscard]] std::uint64_t count() const { return sketch_.count(); }
+  [[nodiscard]] Descriptive describe() const { return moments().describe(sketch_.quantile(0.5)); }
   [[nodiscard]] const QuantileSketch& sketch() const { return sketch_; }
   /// About `bins` bins with round edges over all values; nothing without values.
   [[nodiscard]] std::optional<Histogram> histogram(std::uint64_t bins) const;
 
  private:
-  std::vector<Moments> moments_;  // one, or none before the first value: they take 2 kB, and most collectors none
+  static constexpr std::size_t most_first = 32;
+
+  void add_moments(double x) {
+    if (moments_.empty() && first_.size() < most_first) {
+      first_.push_back(x);
+    } else {
+      moments_of_first().add(x);
+    }
+  }
+  Moments& moments_of_first();
+  [[nodiscard]] Moments moments() const;
+
+  // Moments take 2 kB: a few values are kept as they are until there are more. The sums are exact, so it is the same.
+  std::vector<double> first_;
+  std::vector<Moments> moments_;  // one, or none; then first_ is empty
   QuantileSketch sketch_;
 };
 

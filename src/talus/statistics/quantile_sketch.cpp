@@ -54,10 +54,25 @@ void QuantileSketch::count_in_bins(double x) {
   }
 }
 
-void QuantileSketch::become_binned() {
+void QuantileSketch::fill_bins() {
   for (const double x : values_) count_in_bins(x);
   values_ = {};
-  is_exact_ = false;
+  is_binned_ = true;
+}
+
+void QuantileSketch::put(double x) {
+  if (is_binned_) {
+    count_in_bins(x);
+  } else {
+    values_.push_back(x);
+    if (!is_exact_ && values_.size() > most_waiting) fill_bins();
+  }
+}
+
+QuantileSketch QuantileSketch::binned() const {
+  QuantileSketch copy = *this;
+  copy.fill_bins();
+  return copy;
 }
 
 void QuantileSketch::add(double x) {
@@ -66,12 +81,8 @@ void QuantileSketch::add(double x) {
   minimum_ = count_ == 0 ? x : std::min(minimum_, x);
   maximum_ = count_ == 0 ? x : std::max(maximum_, x);
   ++count_;
-  if (is_exact_ && count_ > most_exact) become_binned();
-  if (is_exact_) {
-    values_.push_back(x);
-  } else {
-    count_in_bins(x);
-  }
+  is_exact_ = is_exact_ && count_ <= most_exact;
+  put(x);
 }
 
 void QuantileSketch::merge(const QuantileSketch& other) {
@@ -81,12 +92,10 @@ void QuantileSketch::merge(const QuantileSketch& other) {
   minimum_ = count_ == 0 ? other.minimum_ : std::min(minimum_, other.minimum_);
   maximum_ = count_ == 0 ? other.maximum_ : std::max(maximum_, other.maximum_);
   count_ += other.count_;
-  if (is_exact_ && count_ > most_exact) become_binned();
-  if (is_exact_) {
-    values_.insert(values_.end(), other.values_.begin(), other.values_.end());
-    return;
-  }
-  for (const double x : other.values_) count_in_bins(x);
+  is_exact_ = is_exact_ && count_ <= most_exact;
+  for (const double x : other.values_) put(x);
+  if (!other.is_binned_) return;
+  if (!is_binned_) fill_bins();
   for (const auto& [mine, theirs] :
        {std::pair{&positive_, &other.positive_}, std::pair{&negative_, &other.negative_}}) {
     for (std::uint32_t i = 0; i < theirs->counts.size(); ++i) {
@@ -133,6 +142,13 @@ void QuantileSketch::save(ByteWriter& out) const {
     out.numbers(std::span<const double>(sorted));
     return;
   }
+  if (!is_binned_) {
+    const QuantileSketch copy = binned();
+    copy.negative_.save(out);
+    out.put(copy.zeros_);
+    copy.positive_.save(out);
+    return;
+  }
   negative_.save(out);
   out.put(zeros_);
   positive_.save(out);
@@ -158,6 +174,7 @@ void QuantileSketch::merge_saved(ByteReader& in) {
       expect_bytes(saved.values_[k - 1] <= saved.values_[k], damaged);  // neither is not a number, then
     }
   } else {
+    saved.is_binned_ = true;
     const std::uint64_t below = saved.negative_.read(in);
     saved.zeros_ = in.get<std::uint64_t>();
     const std::uint64_t above = saved.positive_.read(in);
@@ -177,6 +194,7 @@ std::vector<QuantileSketch::Counted> QuantileSketch::ascending() const {
     }
     return counted;
   }
+  if (!is_binned_) return binned().ascending();
   const auto put = [&](double distance, std::uint64_t count) {
     if (count > 0) counted.push_back({std::clamp(origin_ + distance, minimum_, maximum_), count});
   };

@@ -62,15 +62,20 @@ class QuantileSketch {
     std::uint64_t read(ByteReader& in);
   };
 
+  static constexpr std::size_t most_waiting = 512;  // values that wait for bins, of which the first take 8 kB
+
   void count_in_bins(double x);
-  void become_binned();
+  void fill_bins();
+  void put(double x);
+  [[nodiscard]] QuantileSketch binned() const;
 
   std::uint64_t planned_;
   double origin_;
   bool is_exact_;
+  bool is_binned_ = false;  // never where it is exact
   std::uint64_t count_ = 0;
   double minimum_ = 0, maximum_ = 0;  // where count is not 0
-  std::vector<double> values_;        // as they came; empty once in bins
+  std::vector<double> values_;        // as they came, also if few that bins are to count; empty once in bins
   Bins positive_, negative_;          // by distance from the origin
   std::uint64_t zeros_ = 0;
 };
