@@ -46,6 +46,20 @@ TEST(OutputFile, DoesNotWriteThroughWhatLiesInItsWay) {
   EXPECT_TRUE(write("c"));
 }
 
+TEST(OutputFile, GathersSmallPiecesForTheDisk) {
+  const io::sample_run::Folder folder{"output_gathered"};
+  const auto written = [&] { return fs::file_size(folder.path / "table.part"); };
+  const std::string row(99, 'x');
+  for (const bool goes_on : {false, true}) {
+    if (goes_on) folder.write("table.part", "");
+    auto file = goes_on ? OutputFile(folder.path / "table", 0) : OutputFile(folder.path / "table");
+    for (int k = 0; k < 2000; ++k) file.write(row);
+    EXPECT_EQ(written(), 0U);
+    file.sync();
+    EXPECT_EQ(written(), 2000 * row.size());
+  }
+}
+
 TEST_F(PlaceOfFile, IsThatOfAnOrdinaryFileOrOfNone) {
   folder_.write("file", "");
   EXPECT_EQ(place("file"), "file");

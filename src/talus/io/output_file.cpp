@@ -61,7 +61,7 @@ OutputFile::OutputFile(std::filesystem::path path, std::filesystem::path part)
   if (unlink(part_.c_str()) != 0 && errno == EISDIR) fail("create this file");
   file_ = opened(part_, O_WRONLY | O_CREAT | O_EXCL, "wb");
   if (file_ == nullptr) fail("create this file");
-  std::setvbuf(file_, nullptr, _IOFBF, 1 << 20);
+  gather();
 }
 
 OutputFile::OutputFile(std::filesystem::path path, std::uint64_t bytes)
@@ -78,7 +78,7 @@ OutputFile::OutputFile(std::filesystem::path path, std::uint64_t bytes)
   }
   file_ = opened(part_, O_RDWR, "r+b");
   if (file_ == nullptr) fail("go on with this file");
-  std::setvbuf(file_, nullptr, _IOFBF, 1 << 20);
+  gather();
   if (ftruncate(fileno(file_), static_cast<off_t>(bytes)) != 0 || std::fseek(file_, 0, SEEK_END) != 0) {
     const int error = errno;
     std::fclose(file_);
@@ -92,6 +92,13 @@ OutputFile::~OutputFile() {
   std::fclose(file_);
   std::error_code ignored;
   if (!keeps_part_) std::filesystem::remove(part_, ignored);
+}
+
+void OutputFile::gather() {
+  constexpr std::size_t bytes = 1 << 18;
+  gathered_ = std::make_unique_for_overwrite<char[]>(bytes);
+  // (Without an array of one's own glibc takes no notice of the size.)
+  std::setvbuf(file_, gathered_.get(), _IOFBF, bytes);
 }
 
 void OutputFile::fail(const char* doing) const { refuse(path_, doing, errno); }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 #include "talus/io/text_sink.hpp"
@@ -41,8 +42,11 @@ class OutputFile : public TextSink {
 
  private:
   [[noreturn]] void fail(const char* doing) const;
+  /// Of the file that has just been opened: gathers what is written to it.
+  void gather();
 
   std::filesystem::path path_, part_;
+  std::unique_ptr<char[]> gathered_;  // the file's own, until it is closed
   std::FILE* file_ = nullptr;
   std::uint64_t position_ = 0;
   bool keeps_part_ = false;
