@@ -1,11 +1,13 @@
 // The rough slope (rough_slope.hpp) as a raster, beside a bare loop (bare_loop.hpp) in the same run: what sampling and
 // sliding cost, maps with their percentiles, a second core, a raster sixteen times as large, the same ground as a mesh,
-// a sphere; and a slope of waves, where rocks run far. Usage: bench_raster [rocks]
+// a sphere; and a slope of waves, where rocks run far. Usage: bench_raster [rocks] [sphere]: with that word only the
+// lumped mass and the sphere.
 //
 // The bare loop has no sliding: a rock whose bounces die away on the spot falls through the ground, and nine in ten of
 // the cells that it counts on the rough slope are crossed below that.
 
 #include <cstdlib>
+#include <cstring>
 
 #include "bare_loop.hpp"
 #include "common.hpp"
@@ -134,16 +136,28 @@ Model slope_model(RasterSurface surface, std::uint64_t rocks) {
   return bench::model_on(std::move(surface), rocks, RockModel::lumped_mass, width);
 }
 
+void sphere_run(const RasterGrid& grid, std::uint64_t rocks, const Speed& lumped_mass) {
+  const Model model = bench::model_on(RasterSurface(grid), rocks, RockModel::rigid_sphere, bench::side);
+  const Speed sphere = talus_run(model, "rigid sphere", 1);
+  fmt::print("  {:.1f} times the lumped mass's time an impact (wanted: at most 4)\n",
+             sphere.seconds_per_impact / lumped_mass.seconds_per_impact);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::uint64_t rocks = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 200'000;
+  const bool spheres_only = argc > 2 && std::strcmp(argv[2], "sphere") == 0;
   const RasterGrid grid = rough_grid(bench::side);
   Model model = slope_model(RasterSurface(grid), rocks);
   const auto& surface = std::get<RasterSurface>(model.surface);
   fmt::print("rough slope: {} x {} nodes, {:.1f} bytes a cell\n", grid.columns, grid.rows,
              static_cast<double>(surface.bytes()) / static_cast<double>(surface.cell_count()));
 
+  if (spheres_only) {
+    sphere_run(grid, rocks / 20, talus_run(model, "lumped mass", 1));
+    return 0;
+  }
   const double bare_rate = bare_run(grid, surface, rocks);
   const Speed one = talus_run(model, "lumped mass", 1);
   fmt::print("  {:.2f} of the bare loop (wanted: 1)\n", one.rocks_per_second / bare_rate);
@@ -162,10 +176,7 @@ int main(int argc, char** argv) {
   const Model mesh = bench::model_on(mesh_of(surface), rocks / 2, RockModel::lumped_mass, bench::side);
   const Speed meshed = talus_run(mesh, "the same as a mesh", 1);
   fmt::print("  {:.1f} times the raster's time (wanted: at most 3)\n", one.rocks_per_second / meshed.rocks_per_second);
-  const Model spheres = bench::model_on(RasterSurface(grid), rocks / 20, RockModel::rigid_sphere, bench::side);
-  const Speed sphere = talus_run(spheres, "rigid sphere", 1);
-  fmt::print("  {:.1f} times the lumped mass's time an impact (wanted: at most 4)\n",
-             sphere.seconds_per_impact / one.seconds_per_impact);
+  sphere_run(grid, rocks / 20, one);
 
   const RasterGrid wavy = grid_of(bench::side, bench::waves);
   const Model running = slope_model(RasterSurface(wavy), rocks / 4);

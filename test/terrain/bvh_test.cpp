@@ -165,5 +165,39 @@ TEST(FlightSlabs, EveryMomentNearABoxIsInItsWindow) {
   EXPECT_GT(far, 200);
 }
 
+TEST(Bvh, FromTheEndTheLastComesFirstAndNothingIsMissed) {
+  Dice dice(125);
+  const auto boxes = random_boxes(dice, 2000);
+  const Bvh bvh(boxes);
+  std::size_t visited = 0;
+  for (int i = 0; i < 500; ++i) {
+    Parabola path{dice.in_cube(60), dice.direction(), {0, 0, -9.81}};
+    path.v *= dice.between(5, 30);
+    path.p.z() = 60;
+    const double t_end = dice.between(1, 6);
+    // A box counts where the path is over it on plan, and nowhere below it, until that time.
+    const auto last_over = [&](const Box& box) {
+      double last = -1;
+      for (int k = 0; k <= 400; ++k) {
+        const Vec3 q = path.at(t_end * k / 400);
+        const bool is_over = q.x() >= box.low.x() && q.x() <= box.high.x() && q.y() >= box.low.y() &&
+                             q.y() <= box.high.y() && q.z() > box.low.z();
+        if (is_over) last = t_end * k / 400;
+      }
+      return last;
+    };
+    double expected = -1, last = -1;
+    for (const Box& box : boxes) expected = std::max(expected, last_over(box));
+    bvh.visit_under_from_the_end(path, last, t_end, 0, [&](std::uint32_t first, std::uint32_t end, double& t_from) {
+      for (const std::uint32_t k : numbers(bvh, first, end)) {
+        t_from = std::max(t_from, last_over(boxes[k]));
+        ++visited;
+      }
+    });
+    ASSERT_EQ(last, expected);
+  }
+  EXPECT_LT(visited, 500U * 40);  // what the path is over before, is left out
+}
+
 }  // namespace
 }  // namespace talus

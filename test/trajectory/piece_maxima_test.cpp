@@ -186,5 +186,47 @@ TEST(PieceMaxima, HeightsOfPartsAreThoseOfEachAlone) {
   }
 }
 
+// A facet below the whole leg answers for the surface; one that is not leaves it to the surface.
+TEST(PieceMaxima, OfALegOverOneFacetAreThoseOfTheSurface) {
+  Dice dice(25);
+  int over_one = 0;
+  const auto expect = [&](const auto& surface, double size) {
+    for (int trial = 0; trial < 4000; ++trial) {
+      const double x = dice.between(0, size), y = dice.between(0, size);
+      const Vec3 start(x, y, surface.elevation(x, y).value() + dice.between(0.1, 2));
+      const Parabola leg{start, dice.magnitude(1e-3, 3) * dice.direction(), Vec3::Zero()};
+      const auto below = surface.ground_below(start);
+      ASSERT_TRUE(below);
+      const FacetId facet =
+          dice.chance(0.9) ? below->facet : FacetId{static_cast<std::uint32_t>(dice.below(surface.facet_count()))};
+      const Outline outline = surface.outline(facet);
+      const double known = dice.chance(0.5) ? 0 : dice.between(0, 2);
+      const double from = dice.between(0, 0.5), to = dice.between(0.5, 1);
+      over_one += height_over(outline, leg.at(from)) && height_over(outline, leg.at(to)) ? 1 : 0;
+      const double found = greatest_height_of_leg(surface, outline, leg, 1, from, to, known);
+      const double expected = surface.greatest_height({leg.at(from), leg.v, Vec3::Zero()}, to - from, known);
+      ASSERT_NEAR(found, expected, 1e-9) << trial;
+    }
+  };
+  expect(random_slope(dice, 10, 20, 0.5, 1).mesh(), 20);
+  RasterGrid grid{.columns = 21, .rows = 21};
+  for (int k = 0; k < 21 * 21; ++k) grid.z.push_back(static_cast<float>(dice.between(0, 1)));
+  expect(RasterSurface(grid), 20);
+  EXPECT_GT(over_one, 2000);
+}
+
+// A roof between a facet and the way over it is the ground below.
+TEST(PieceMaxima, OfALegAboveARoofAreMeasuredFromTheRoof) {
+  Shape shape = box({4, 4, 1}, {6, 6, 1.5});
+  const auto first = static_cast<std::uint32_t>(shape.vertices.size());
+  shape.vertices.insert(shape.vertices.end(), {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}});
+  shape.triangles.push_back({first, first + 1, first + 2});
+  const TriangleMesh mesh = shape.mesh();
+  const Parabola leg{{4.5, 5, 4}, {1, 0, 0}, Vec3::Zero()};
+  const auto floor = mesh.ground_below({1, 1, 1});
+  ASSERT_TRUE(floor);
+  EXPECT_NEAR(greatest_height_of_leg(mesh, mesh.outline(floor->facet), leg, 1, 0, 1, 0), 2.5, 1e-9);
+}
+
 }  // namespace
 }  // namespace talus

@@ -57,10 +57,10 @@ Vec3 point_of(const Panel& panel, const Place& place) {
   return panel.foot + place.along * panel.along + place.up * panel.up;
 }
 
-/// What neither comes nearer nor is drawn nearer, stays where it is. (Speeds below this are rounding.)
+/// What neither comes nearer nor is drawn nearer, stays where it is. (Less than this is rounding.)
 bool draws_away(double speed, double acceleration) {
-  constexpr double none = 1e-9;  // [m/s]
-  return speed > none || (speed > -none && acceleration >= 0);
+  constexpr double none = 1e-9;  // [m/s], [m/s2]
+  return speed > none || (speed > -none && acceleration >= -none);
 }
 
 /// The first crossing of one rock's path.

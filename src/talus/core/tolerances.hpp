@@ -70,6 +70,8 @@ inline constexpr double edge_step = 0.01;
 
 /// A rock that has not gone further than this since is where it was [m].
 inline constexpr double same_place = 1e-3;
+/// And it spins as it did, if the speed of its surface by spin has not changed by more than this [m/s].
+inline constexpr double same_spin = 0.1;
 /// Contacts in one place after which a rock gets nowhere: forty, by which a bouncing rock has moved on (a restitution
 /// of 0.9 leaves a hundredth of its speed), and which fit 250 times into the usual limit of steps.
 inline constexpr double contacts_to_nowhere = 40;
@@ -91,7 +93,7 @@ inline constexpr double forest_border = 1e-3;
 
 // ---- barriers ----
 
-/// What presses a rock less than this against a barrier is rounding [m/s2].
+/// What presses a rock against a barrier by less than this is rounding [m/s2], and so is a speed below it [m/s].
 inline constexpr double no_pressing = 1e-9;
 /// What comes to a barrier more slowly counts as this fast when its passage is timed [m/s].
 inline constexpr double least_passing_speed = 1e-3;

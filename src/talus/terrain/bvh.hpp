@@ -62,6 +62,10 @@ class Bvh {
   template <class Leaf, class Worth>
   void visit_under(const Parabola& path, double t_end, Worth&& worth, Leaf&& leaf) const;
 
+  /// The same in [t_from, t_end], the last in time first. `leaf` may raise t_from, which it gets by reference.
+  template <class Leaf>
+  void visit_under_from_the_end(const Parabola& path, double& t_from, double t_end, double worth, Leaf&& leaf) const;
+
  private:
   struct alignas(64) Node {
     FlightSlabs::Bounds bound;  // a column per child
@@ -83,8 +87,28 @@ class Bvh {
   struct Entry {
     std::uint32_t node;
     std::uint32_t count;
-    double t;  // when the path enters it
+    double t;  // when the path enters it, or leaves it
   };
+
+  /// When a path is over a node's children on plan, and over which of them it is more than `least` above their lowest
+  /// points [m].
+  struct Under {
+    FlightSlabs::Passage passage;
+    slabs_detail::FourMask met;
+  };
+  [[nodiscard]] Under under(const FlightSlabs& slabs, std::uint32_t node, double t_end, double least) const {
+    using namespace slabs_detail;
+    const FlightSlabs::Bounds& bound = nodes_[node].bound;
+    Under under{slabs.pass(bound, 1e-6, t_end), {}};
+    const auto& passage = under.passage;
+    under.met = at_most(passage.enter, passage.leave) & above(passage.highest - four(bound[2]), four(least));
+    if (!leans_.empty()) {
+      const Lean& lean = leans_[node];
+      const auto over = slabs.over_slope(lean.along_x, lean.along_y, passage);
+      under.met = under.met & above(over.highest - four(lean.bottom), four(least));
+    }
+    return under;
+  }
 
   void fetch(std::uint32_t node) const {
     fetch_soon(nodes_[node]);
@@ -164,7 +188,6 @@ void Bvh::visit_box(const Vec3& low, const Vec3& high, Leaf&& leaf) const {
 
 template <class Leaf, class Worth>
 void Bvh::visit_under(const Parabola& path, double t_end, Worth&& worth, Leaf&& leaf) const {
-  using namespace slabs_detail;
   if (nodes_.empty()) return;
   const FlightSlabs slabs(path);
   std::array<std::uint32_t, 192> stack;
@@ -173,14 +196,7 @@ void Bvh::visit_under(const Parabola& path, double t_end, Worth&& worth, Leaf&& 
   while (depth > 0) {
     const std::uint32_t at = stack[--depth];
     const Node& node = nodes_[at];
-    const FlightSlabs::Passage passage = slabs.pass(node.bound, 1e-6, t_end);
-    const double least = worth();
-    FourMask met = at_most(passage.enter, passage.leave) & above(passage.highest - four(node.bound[2]), four(least));
-    if (!leans_.empty()) {
-      const Lean& lean = leans_[at];
-      const auto over = slabs.over_slope(lean.along_x, lean.along_y, passage);
-      met = met & above(over.highest - four(lean.bottom), four(least));
-    }
+    const slabs_detail::FourMask met = under(slabs, at, t_end, worth()).met;
     for (std::size_t k = 0; k < 4; ++k) {
       if (!met[static_cast<int>(k)]) continue;
       if (node.count[k] > 0) {
@@ -188,6 +204,35 @@ void Bvh::visit_under(const Parabola& path, double t_end, Worth&& worth, Leaf&& 
       } else {
         stack[depth++] = node.first[k];
       }
+    }
+  }
+}
+
+template <class Leaf>
+void Bvh::visit_under_from_the_end(const Parabola& path, double& t_from, double t_end, double worth,
+                                   Leaf&& leaf) const {
+  if (nodes_.empty()) return;
+  const FlightSlabs slabs(path);
+  std::array<Entry, 192> stack;
+  std::size_t depth = 0;
+  stack[depth++] = {0, 0, t_end};
+  while (depth > 0) {
+    const Entry entry = stack[--depth];
+    if (entry.t < t_from) continue;
+    if (entry.count > 0) {
+      leaf(entry.node, entry.node + entry.count, t_from);
+      continue;
+    }
+    const Node& node = nodes_[entry.node];
+    const auto [passage, met] = under(slabs, entry.node, t_end, worth);
+    // Pushed earliest first, so that the last is taken next.
+    const std::size_t base = depth;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!met[static_cast<int>(k)]) continue;
+      const Entry next{node.first[k], node.count[k], passage.leave[static_cast<int>(k)]};
+      std::size_t place = depth++;
+      for (; place > base && stack[place - 1].t > next.t; --place) stack[place] = stack[place - 1];
+      stack[place] = next;
     }
   }
 }

@@ -233,6 +233,13 @@ std::optional<double> Profile::elevation(double x, double, double below) const {
   return highest;
 }
 
+bool Profile::has_ground_below(const Vec3& place, FacetId near) const {
+  const Segment& segment = segments_[near.index];
+  const double along = place.x() - segment.a.x(), reach = segment.length * segment.along.x();
+  const bool is_over = reach > 0 && along >= 0 && along <= reach && segment.normal.dot(place - segment.a) >= 0;
+  return is_over || elevation(place.x(), 0, place.z()).has_value();
+}
+
 std::optional<GroundBelow> Profile::ground_below(const Vec3& place) const {
   std::optional<GroundBelow> below;
   const auto look = [&](const Segment& segment) {

@@ -36,7 +36,7 @@ class Profile {
   [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
   [[nodiscard]] std::optional<double> elevation(double x, double y = 0,
                                                 double below = std::numeric_limits<double>::infinity()) const;
-
+  [[nodiscard]] bool has_ground_below(const Vec3& place, FacetId near) const;
   [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
 

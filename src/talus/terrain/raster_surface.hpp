@@ -61,6 +61,9 @@ class RasterSurface {
   void greatest_heights(const Parabola& path, std::span<const double> borders, std::span<double> heights) const;
   [[nodiscard]] std::optional<double> elevation(double x, double y,
                                                 double below = std::numeric_limits<double>::infinity()) const;
+  [[nodiscard]] bool has_ground_below(const Vec3& place, FacetId) const {
+    return elevation(place.x(), place.y(), place.z()).has_value();
+  }
   [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
   [[nodiscard]] std::vector<Vec3> draped(const Vec2& from, const Vec2& to) const;

@@ -31,6 +31,9 @@ concept TerrainSurface = requires(const Ground& ground, const Parabola& path, do
   { ground.elevation(number, number, number) } -> std::same_as<std::optional<double>>;
   /// The highest point of the ground below a place, or at it.
   { ground.ground_below(place) } -> std::same_as<std::optional<GroundBelow>>;
+  /// has_ground_below(place, near): whether some ground lies straight below a place, or at it; `near` is a facet
+  /// somewhere near.
+  { ground.has_ground_below(place, facet) } -> std::same_as<bool>;
   /// How high the ground stands over a place that is in it: the facet above it, if that faces up. A place in the open,
   /// be it under an overhang, has none.
   { ground.ground_over(place) } -> std::same_as<std::optional<double>>;

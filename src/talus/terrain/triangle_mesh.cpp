@@ -198,18 +198,22 @@ std::optional<Contact> TriangleMesh::first_contact_on_leg(const Parabola& leg, d
 }
 
 template <class Visit>
+void TriangleMesh::visit_under_among(std::uint32_t first, std::uint32_t last, const Parabola& path, double t_end,
+                                     double slack, Visit&& visit) const {
+  for (std::uint32_t k = first; k < last; ++k) {
+    const Vec3 n = area_normal(facets_[k].corner);
+    if (n.z() <= 0) continue;
+    const OverPlane over = over_facet(facets_[k].corner, n, path, t_end, slack);
+    if (!over.window.is_empty()) visit(over, k);
+  }
+}
+
+template <class Visit>
 void TriangleMesh::visit_under(const Parabola& path, double t_end, double slack, Visit&& visit) const {
   static constexpr double any = -1e300;
   bvh_.visit_under(
       path, t_end, [] { return any; },
-      [&](std::uint32_t first, std::uint32_t last) {
-        for (std::uint32_t k = first; k < last; ++k) {
-          const Vec3 n = area_normal(facets_[k].corner);
-          if (n.z() <= 0) continue;
-          const OverPlane over = over_facet(facets_[k].corner, n, path, t_end, slack);
-          if (!over.window.is_empty()) visit(over, k);
-        }
-      });
+      [&](std::uint32_t first, std::uint32_t last) { visit_under_among(first, last, path, t_end, slack, visit); });
 }
 
 Exit TriangleMesh::exit(const Parabola& path) const {
@@ -221,7 +225,7 @@ Exit TriangleMesh::exit(const Parabola& path) const {
   constexpr double beneath = 1e-6;  // [m]
   double last = -1;
   bool falls_through = false;
-  visit_under(path, t_end, contact_slack, [&](const OverPlane& over, std::uint32_t k) {
+  const auto look = [&](const OverPlane& over, std::uint32_t k) {
     if (greatest_over(over, half_g) < -beneath) return;  // the facet is above the path
     double end = over.window.leave;
     const bool crosses = over.h0 + end * (over.h1 + half_g * end) < -beneath;
@@ -233,8 +237,13 @@ Exit TriangleMesh::exit(const Parabola& path) const {
       if (without >= 0) end = std::min(end, without);
     }
     if (end < last) return;
+    falls_through = crosses || (end == last && falls_through);
     last = end;
-    falls_through = crosses;
+  };
+  // (Within the slack beside a steep facet its plane may be lower than the facet: by less than this.)
+  constexpr double worth = -1;
+  bvh_.visit_under_from_the_end(path, last, t_end, worth, [&](std::uint32_t first, std::uint32_t end, double&) {
+    visit_under_among(first, end, path, t_end, contact_slack, look);
   });
   if (last < 0) return ground_over(path.p) ? Exit{t_floor, true} : Exit{0, false};
   return falls_through ? Exit{t_floor, true} : Exit{last, false};
@@ -299,6 +308,33 @@ std::optional<double> TriangleMesh::elevation(double x, double y, double below) 
   visit_column(x, y, bounds_.low.z() - 1, top,
                [&](double z, double, std::uint32_t) { highest = std::max(highest.value_or(z), z); });
   return highest;
+}
+
+bool TriangleMesh::has_ground_below(const Vec3& place, FacetId near) const {
+  // The facet over which it is, is a step or two from there, over sides.
+  constexpr int most_steps = 8;
+  std::uint32_t k = near.index;
+  for (int step = 0; step < most_steps && k != no_neighbour; ++step) {
+    const Facet& facet = facets_[k];
+    const Vec3 n = area_normal(facet.corner);
+    if (n.z() <= 0) break;
+    double least = 0;
+    std::size_t side = 3;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vec3 along = facet.corner[next_corner[c]] - facet.corner[c];
+      const Vec3 from = place - facet.corner[c];
+      const double inside = along.x() * from.y() - along.y() * from.x();
+      if (inside >= least) continue;
+      least = inside;
+      side = c;
+    }
+    if (side == 3) {
+      if (n.dot(place - facet.corner[0]) >= 0) return true;
+      break;
+    }
+    k = facet.neighbour[side];
+  }
+  return elevation(place.x(), place.y(), place.z()).has_value();
 }
 
 std::optional<GroundBelow> TriangleMesh::ground_below(const Vec3& place) const {

@@ -45,6 +45,7 @@ class TriangleMesh {
   [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
   [[nodiscard]] std::optional<double> elevation(double x, double y,
                                                 double below = std::numeric_limits<double>::infinity()) const;
+  [[nodiscard]] bool has_ground_below(const Vec3& place, FacetId near) const;
   [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
   /// The highest surface along a straight line on plan, a point wherever it bends and two where it steps; pieces where
@@ -81,6 +82,10 @@ class TriangleMesh {
   /// t_end].
   template <class Visit>
   void visit_under(const Parabola& path, double t_end, double slack, Visit&& visit) const;
+  /// The same among some of them.
+  template <class Visit>
+  void visit_under_among(std::uint32_t first, std::uint32_t last, const Parabola& path, double t_end, double slack,
+                         Visit&& visit) const;
   /// Of a flight over one facet in a part of its time, while no other ground lies between.
   [[nodiscard]] double greatest_in_sight(const Parabola& path, double flight, const TimeWindow& window,
                                          std::uint32_t facet) const;

@@ -5,10 +5,13 @@
 
 namespace talus {
 
-/// What the ground leaves of a velocity while it carries the rock.
-struct GroundConstraint {
+/// The ground that carries a rock when it comes to a barrier.
+struct GroundBeneath {
   Vec3 normal;                 // of what carries it
   std::optional<Vec3> valley;  // unit, the only direction that there is in a valley
+  ContactFriction friction;    // rigid sphere
+  Footing footing;
+  /// What it leaves of a velocity.
   [[nodiscard]] Vec3 kept(const Vec3& velocity) const {
     return valley ? Vec3(velocity.dot(*valley) * *valley) : tangential(velocity, normal);
   }
@@ -41,14 +44,15 @@ void take_back_passage(MovingRock<Surface>& rock, BarrierId barrier) {
   if (last != passed.rend()) passed.erase(std::next(last).base());
 }
 
-/// How a rock leaves a barrier that throws it back, `velocity` being what the barrier alone would make of it; nothing
+/// How a rock leaves a barrier that throws it back, `rebound` being what the barrier alone would make of it; nothing
 /// where it stays: where it is pressed against the barrier, and is as slow as what stops or would turn back within a
-/// step, to come again and again. `pull` is what draws it along its way [m/s2]; `on`, what it moves along, if it does.
+/// step, to come again and again. What only the spin of a sphere would turn back stays at the barrier as long as that
+/// lasts (is_driven_onto). `pull` is what draws it along its way [m/s2]; `on`, what it moves along, if it does.
 template <class Surface>
 [[nodiscard]] std::optional<Vec3> thrown_back(const MovingRock<Surface>& rock, const Crossing& crossing,
-                                              const Vec3& velocity, const Vec3& pull, const GroundConstraint* on) {
+                                              const Rebound& rebound, const Vec3& pull, const GroundBeneath* on) {
   const Vec3& n = crossing.normal;
-  Vec3 kept = on ? on->kept(velocity) : velocity;
+  Vec3 kept = on ? on->kept(rebound.velocity) : rebound.velocity;
   if (on && kept.dot(n) < 0) {
     // What the ground leaves of the rebound leads into the barrier: the rock can go along both only.
     const Vec3 along = on->normal.cross(n);
@@ -59,19 +63,39 @@ template <class Surface>
   const bool turns_in_a_step = kept.dot(n) < rock.laws.timestep * pressing;
   if (pressing > tolerance::no_pressing && (turns_in_a_step || kept.norm() < rock.laws.stopped_velocity))
     return std::nullopt;
+  if (on && rock.reach > 0 && !on->valley) {
+    const Leg leg = rolling_leg(rock.motion.position, kept, rebound.spin, on->normal, on->footing, rock.rock,
+                                on->friction, rock.laws.timestep);
+    const double driving = -leg.path.a.dot(n), parting = kept.dot(n);
+    if (driving > tolerance::no_pressing && parting < rock.laws.timestep * driving) {
+      const Vec3 along = on->normal.cross(n).normalized();
+      kept = kept.dot(along) * along;
+    }
+  }
   return kept;
+}
+
+/// Whether a sphere, where a leg begins, touches a barrier without coming to it, and its spin alone drives it there. It
+/// does not meet the barrier once more: it goes along it and the ground until there is no slip, or gravity draws it
+/// away.
+template <class Surface>
+[[nodiscard]] bool is_driven_onto(const MovingRock<Surface>& rock, const Crossing& crossing, const GroundBeneath& on) {
+  const Vec3& n = crossing.normal;
+  return rock.reach > 0 && !on.valley && !crossing.above && crossing.t < same_crossing &&
+         !rock.barriers[crossing.barrier.index].is_collector && rock.motion.velocity.dot(n) > -tolerance::no_pressing &&
+         on.footing.pull.dot(n) > -tolerance::no_pressing;
 }
 
 /// The rock has come to a barrier; `noted_time` is when, on the clock of its path. The rest as in thrown_back().
 template <class Surface>
 [[nodiscard]] AtBarrier meet_barrier(MovingRock<Surface>& rock, const Crossing& crossing, double noted_time,
-                                     const Vec3& pull, const GroundConstraint* on = nullptr) {
+                                     const Vec3& pull, const GroundBeneath* on = nullptr) {
   Motion& motion = rock.motion;
   const Barrier& barrier = rock.barriers[crossing.barrier.index];
   take_back_passage(rock, crossing.barrier);
   BarrierResponse response = respond(barrier, motion, crossing.normal, rock.rock);
   if (response.outcome == BarrierOutcome::rebounded) {
-    const auto velocity = thrown_back(rock, crossing, response.leaving->velocity, pull, on);
+    const auto velocity = thrown_back(rock, crossing, *response.leaving, pull, on);
     response = velocity ? BarrierResponse{BarrierOutcome::rebounded, Rebound{*velocity, response.leaving->spin}}
                         : BarrierResponse{BarrierOutcome::stopped, std::nullopt};
   }

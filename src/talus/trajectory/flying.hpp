@@ -38,8 +38,7 @@ template <class Surface>
   const FlightEnd end = first_contact(rock, path, t_max, left);
   if (end.contact) {
     // A sphere may touch the rim once more when its centre has left already.
-    const Vec3 there = path.at(end.t);
-    if (rock.reach == 0 || rock.surface.elevation(there.x(), there.y(), there.z())) return end;
+    if (rock.reach == 0 || rock.surface.has_ground_below(path.at(end.t), end.contact->facet)) return end;
     const Exit before = rock.surface.exit(path);
     return before.t < end.t && !before.beneath ? FlightEnd{before.t, {}, before} : end;
   }

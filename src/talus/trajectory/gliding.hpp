@@ -12,7 +12,8 @@ namespace talus {
 struct GlideOnFacet {
   Glide glide;
   Vec3 down = Vec3::Zero(), aside = Vec3::Zero();  // unit, on the facet
-  std::size_t first_step = 0;                      // in the log
+  FacetId facet;
+  std::size_t first_step = 0;  // in the log
 };
 
 /// The glide that there is to be taken from where the rock is.
@@ -43,6 +44,7 @@ template <class Surface>
     const OutlineEdge& edge = outline.edges[k];
     glide.sides[k] = {edge.inward.dot(start - edge.point), edge.inward.dot(on.down), edge.inward.dot(on.aside)};
   }
+  on.facet = state.on.facet;
   on.first_step = rock.log.glide_steps.size();
   return on;
 }
@@ -51,7 +53,7 @@ template <class Surface>
 void end_glide(MovingRock<Surface>& rock, const GlideOnFacet& on) {
   Motion& motion = rock.motion;
   const Glide& glide = on.glide;
-  rock.log.glide(motion, on.first_step, rock.laws.timestep, on.down, on.aside);
+  rock.log.glide(motion, on.first_step, rock.laws.timestep, on.down, on.aside, on.facet);
   if (glide.x == 0 && glide.y == 0) return;
   motion.position += glide.x * on.down + glide.y * on.aside;
   motion.velocity = glide.vx * on.down + glide.vy * on.aside;

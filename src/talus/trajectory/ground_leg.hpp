@@ -29,9 +29,11 @@ concept GroundState = requires(MovingRock<Surface>& rock, State& state, Leg& leg
   /// How long a leg may be at the most [s].
   { longest_leg(rock, state, footing) } -> std::same_as<double>;
   { rolling_plane(rock, state) } -> std::same_as<RollingPlane>;
-  { constraint_of(state) } -> std::same_as<GroundConstraint>;
+  { ground_beneath(state, footing) } -> std::same_as<GroundBeneath>;
   /// What carries the rock is not ahead of it.
   { carrying(rock, state) } -> std::same_as<LeftPlanes>;
+  /// The next leg goes along something else, too.
+  { be_guided(state, Guide{}) } -> std::same_as<void>;
   /// What the rock touches for this leg only.
   { pass_beside(rock, state, leg, t) } -> std::same_as<void>;
   /// The end of the plane, if the leg comes to it before `t`, which becomes the time.
@@ -98,8 +100,10 @@ template <class Surface, class State>
   return supports.count() > 1 && is_held(footing_on(rock.laws.gravity, supports));
 }
 
+/// Along a leg until `t`, where the rock crosses something: `back` points to where it comes from across that, and is
+/// zero where there is nothing to cross.
 template <class Surface>
-void go_along(MovingRock<Surface>& rock, const Leg& leg, double t) {
+void go_along(MovingRock<Surface>& rock, const Leg& leg, double t, const Vec3& back) {
   Motion& motion = rock.motion;
   motion.position = leg.path.at(t);
   motion.time += t;
@@ -112,24 +116,22 @@ void go_along(MovingRock<Surface>& rock, const Leg& leg, double t) {
     motion.velocity = leg.path.velocity(t);
     return;
   }
-  // A step that is cut short changes the velocity by its share only: it must not gain speed for ground not covered.
+  // A step that is cut short changes the velocity by its share only: it must neither gain speed nor turn for ground not
+  // covered.
   const double share = t / leg.duration;
-  const Vec3 reached = motion.velocity + share * (leg.end_velocity - motion.velocity);
-  // A step moves along its last velocity. The rock leaves it that way, so that it does not seem to come back over an
-  // edge that it has just crossed.
-  const Vec3 way = leg.path.velocity(t);
-  motion.velocity = way.squaredNorm() > 0 ? Vec3(reached.norm() * way.normalized()) : reached;
+  motion.velocity += share * (leg.end_velocity - motion.velocity);
   motion.spin += share * (leg.end_spin - motion.spin);
+  // A step of a slide moves along its last velocity, and so may cross what the velocity leads away from yet: it goes
+  // along that then.
+  motion.velocity -= std::max(0.0, motion.velocity.dot(back)) * back;
 }
 
 /// Where a sphere leaves the model that goes along a leg until `t`, its centre being beside the terrain before its
 /// facet ends.
 template <class Surface>
-[[nodiscard]] std::optional<Exit> rim_ahead(const MovingRock<Surface>& rock, const Parabola& leg, double& t) {
-  const auto is_beside = [&](double at) {
-    const Vec3 centre = leg.at(at);
-    return !rock.surface.elevation(centre.x(), centre.y(), centre.z());
-  };
+[[nodiscard]] std::optional<Exit> rim_ahead(const MovingRock<Surface>& rock, FacetId facet, const Parabola& leg,
+                                            double& t) {
+  const auto is_beside = [&](double at) { return !rock.surface.has_ground_below(leg.at(at), facet); };
   if (rock.reach == 0 || !is_beside(t)) return std::nullopt;
   double inside = 0, beside = t;
   for (double middle = 0.5 * beside; middle > inside && middle < beside; middle = 0.5 * (inside + beside)) {
@@ -154,7 +156,7 @@ template <class Surface, class State>
       end.edge.reset();
     }
   }
-  end.rim = rim_ahead(rock, leg.path, t);
+  end.rim = rim_ahead(rock, state.on.facet, leg.path, t);
   if (end.rim) {
     end.edge.reset();
     end.ahead.reset();
@@ -163,26 +165,33 @@ template <class Surface, class State>
   return end;
 }
 
-/// Whether a barrier holds the rock on this leg, or it goes on from one; untouched if there is none in its way.
+/// What barriers make of a leg: untouched if there is none in its way, or the rock is held by one, or goes on from it;
+/// or it does not begin, because the rock is driven onto one along which it is to go.
+struct LegAtBarriers {
+  AtBarrier then = AtBarrier::untouched;
+  std::optional<Guide> guide;
+};
+
 template <class Surface>
-[[nodiscard]] AtBarrier meet_barriers(MovingRock<Surface>& rock, const Leg& leg, double t, const Footing& footing,
-                                      const GroundConstraint& on) {
+[[nodiscard]] LegAtBarriers meet_barriers(MovingRock<Surface>& rock, FacetId facet, const Leg& leg, double t,
+                                          const GroundBeneath& on) {
   while (const auto crossing = next_crossing(rock, leg.path, t)) {
+    if (is_driven_onto(rock, *crossing, on)) return {AtBarrier::untouched, Guide{crossing->normal}};
     const Motion before = rock.motion;
-    go_along(rock, leg, crossing->t);
+    go_along(rock, leg, crossing->t, crossing->normal);
     if (crossing->above) {  // whose foot lies under the ground here
       pass_above(rock, *crossing, std::exchange(rock.motion, before));
       continue;
     }
     const Motion arrived = rock.motion;
-    const AtBarrier then = meet_barrier(rock, *crossing, rock.motion.time, footing.pull, &on);
+    const AtBarrier then = meet_barrier(rock, *crossing, rock.motion.time, on.footing.pull, &on);
     if (then != AtBarrier::untouched) {
-      rock.note_leg(leg.path, crossing->t, before, arrived);
-      return then;
+      rock.note_leg(facet, leg.path, crossing->t, before, arrived);
+      return {then, {}};
     }
     rock.motion = before;
   }
-  return AtBarrier::untouched;
+  return {};
 }
 
 /// One leg; gives what comes after it, or nothing where the rock goes on as before.
@@ -191,7 +200,7 @@ requires GroundState<State, Surface>
 [[nodiscard]] std::optional<NextState> take_leg(MovingRock<Surface>& rock, State& state) {
   Motion& motion = rock.motion;
   const Footing footing = footing_of(rock, state);
-  rock.progress.note(motion.position, std::min(1.0, rock.laws.timestep / 0.01));
+  rock.progress.note(motion, std::min(1.0, rock.laws.timestep / 0.01));
   if (rests(rock, state, footing) || rock.is_wedged()) return NextState{come_to_rest(rock)};
   if (motion.time >= rock.laws.max_time) return NextState{Ended{EndReason::maximum_time}};
   const bool still = motion.velocity.squaredNorm() == 0;
@@ -202,16 +211,17 @@ requires GroundState<State, Surface>
   const LeftPlanes on = carrying(rock, state);
   pass_beside(rock, state, leg, t);
   const LegEnd end = end_of_leg(rock, state, leg, t, on);
-  const GroundConstraint constraint = constraint_of(state);
-  switch (meet_barriers(rock, leg, end.t, footing, constraint)) {
-    case AtBarrier::held:
-      return NextState{Ended{EndReason::stopped_by_barrier}};
-    case AtBarrier::goes_on:
-      motion.velocity = constraint.kept(motion.velocity);
-      rock.note_row(rock.state_on(state.on.normal));
-      return NextState{state};  // a stretch of its own, which counts
-    case AtBarrier::untouched:
-      break;
+  const GroundBeneath beneath = ground_beneath(state, footing);
+  const LegAtBarriers barriers = meet_barriers(rock, state.on.facet, leg, end.t, beneath);
+  if (barriers.then == AtBarrier::held) return NextState{Ended{EndReason::stopped_by_barrier}};
+  if (barriers.then == AtBarrier::goes_on) {
+    motion.velocity = beneath.kept(motion.velocity);
+    rock.note_row(rock.state_on(state.on.normal));
+    return NextState{state};  // a stretch of its own, which counts
+  }
+  if (barriers.guide) {
+    be_guided(state, *barriers.guide);
+    return std::nullopt;
   }
   return finish_leg(rock, state, leg, end);
 }
@@ -220,10 +230,10 @@ requires GroundState<State, Surface>
 
 /// Goes along a leg to its end on the ground.
 template <class Surface>
-void go_to_end(MovingRock<Surface>& rock, const Leg& leg, double t) {
+void go_to_end(MovingRock<Surface>& rock, FacetId facet, const Leg& leg, const LegEnd& end) {
   const Motion before = rock.motion;
-  go_along(rock, leg, t);
-  rock.note_leg(leg.path, t, before, rock.motion);
+  go_along(rock, leg, end.t, end.edge ? end.edge->inward : Vec3(Vec3::Zero()));
+  rock.note_leg(facet, leg.path, end.t, before, rock.motion);
   rock.note_energy();
 }
 
@@ -283,7 +293,7 @@ template <class Surface>
 /// the next bit of way.
 template <class Surface>
 void pass_beside(const MovingRock<Surface>& rock, const Support& on, Beside& beside, Leg& leg, double& t) {
-  if (const auto* guide = std::get_if<GuidingFacet>(&beside)) {
+  if (const auto* guide = std::get_if<Guide>(&beside)) {
     leg = guided(leg, on.normal.cross(guide->normal).normalized());
   } else if (std::holds_alternative<LeftFacet>(beside)) {
     t = std::min(t, time_for_way(tolerance::past_the_end, rock.motion.velocity.norm(), leg.path.a.norm()));
@@ -293,7 +303,7 @@ void pass_beside(const MovingRock<Surface>& rock, const Support& on, Beside& bes
 
 [[nodiscard]] inline const Vec3* normal_of(const Beside& beside) {
   if (const auto* left = std::get_if<LeftFacet>(&beside)) return &left->normal;
-  if (const auto* guide = std::get_if<GuidingFacet>(&beside)) return &guide->normal;
+  if (const auto* guide = std::get_if<Guide>(&beside)) return &guide->normal;
   return nullptr;
 }
 

@@ -15,9 +15,12 @@ template <class Surface>
   return state.is_on_facet ? rock.laws.timestep : longest_leg_on_edge(rock, state.friction, footing);
 }
 
-[[nodiscard]] inline GroundConstraint constraint_of(const InValley& state) {
-  return {state.on.normal, state.valley.direction};
+[[nodiscard]] inline GroundBeneath ground_beneath(const InValley& state, const Footing& footing) {
+  return {state.on.normal, state.valley.direction, state.friction.sphere, footing};
 }
+
+/// It is guided by its other side already.
+inline void be_guided(const InValley&, const Guide&) {}
 
 template <class Surface>
 [[nodiscard]] LeftPlanes carrying(const MovingRock<Surface>&, const InValley& state) {
@@ -188,7 +191,7 @@ template <class Surface>
 template <class Surface>
 [[nodiscard]] std::optional<NextState> finish_leg(MovingRock<Surface>& rock, InValley& state, const Leg& leg,
                                                   const LegEnd& end) {
-  go_to_end(rock, leg, end.t);
+  go_to_end(rock, state.on.facet, leg, end);
   if (end.rim) return NextState{leave_over_rim(rock, *end.rim)};
   stand_on(rock, state);
   if (end.ahead) return NextState{strike(rock, *end.ahead)};

@@ -17,31 +17,37 @@
 
 namespace talus {
 
-/// Whether a rock gets anywhere: where it was for its last contacts, and how many these were.
+/// Whether a rock gets anywhere: where it was for its last contacts and how it spun - friction may yet take that from a
+/// sphere that stands -, and how many these were.
 class Progress {
  public:
+  /// `reach`: a sphere's radius; 0 for a point, whose spin does not count.
+  explicit Progress(double reach) : reach_(reach) {}
   /// Noted once a phase, for one contact more, and once a leg, for as many as it lasts hundredths of a second: a small
   /// timestep is no contact.
-  void note(const Vec3& place, double contacts = 1) {
-    if (!is_still_at(place)) {
-      place_ = place;
+  void note(const Motion& motion, double contacts = 1) {
+    if (!is_same(motion)) {
+      place_ = motion.position;
+      spin_ = motion.spin;
       contacts_ = 0;
     }
     contacts_ += contacts;
   }
   /// Contact upon contact in the same place.
-  [[nodiscard]] bool gets_nowhere(const Vec3& place) const {
-    return contacts_ > tolerance::contacts_to_nowhere && is_still_at(place);
+  [[nodiscard]] bool gets_nowhere(const Motion& motion) const {
+    return contacts_ > tolerance::contacts_to_nowhere && is_same(motion);
   }
   /// Caught between what it touches, if it is as good as stopped: every contact has taken of its energy.
   [[nodiscard]] bool is_wedged() const { return contacts_ > tolerance::contacts_to_rest; }
 
  private:
-  [[nodiscard]] bool is_still_at(const Vec3& place) const {
-    return (place - place_).squaredNorm() <= tolerance::same_place * tolerance::same_place;
+  [[nodiscard]] bool is_same(const Motion& motion) const {
+    return (motion.position - place_).squaredNorm() <= tolerance::same_place * tolerance::same_place &&
+           (motion.spin - spin_).norm() * reach_ <= tolerance::same_spin;
   }
 
-  Vec3 place_ = Vec3::Zero();
+  double reach_;
+  Vec3 place_ = Vec3::Zero(), spin_ = Vec3::Zero();
   double contacts_ = 0;
 };
 
@@ -72,6 +78,7 @@ class MovingRock {
         leaving_speed(std::max(laws.normal_velocity_cutoff, std::sqrt(2 * laws.gravity.norm() * contact_slack))),
         has_forest(scene.ground.has_forest()),
         motion(release.motion),
+        progress(reach),
         draws_(draws) {}
 
   // ---- what it is, and where ----
@@ -167,10 +174,11 @@ class MovingRock {
     note_energy();
     note_row(state);
   }
-  /// A part of a leg that it has gone, coming to `arrived`.
-  void note_leg(const Parabola& leg, double t, const Motion& before, const Motion& arrived) {
-    log.leg(leg, t, before, arrived);
-    if (reach > 0) outcome.max_bounce = greatest_height_of_leg(surface, leg, t, 0, t, outcome.max_bounce);
+  /// A part of a leg that it has gone, coming to `arrived` on a facet, or an edge or a vertex of it.
+  void note_leg(FacetId facet, const Parabola& leg, double t, const Motion& before, const Motion& arrived) {
+    log.leg(leg, t, before, arrived, facet);
+    if (reach == 0) return;
+    outcome.max_bounce = greatest_height_of_leg(surface, outline_of(facet), leg, t, 0, t, outcome.max_bounce);
   }
 
  private:

@@ -28,7 +28,11 @@ template <class Surface>
   return {state.on.normal, rock.rock, state.friction.sphere};
 }
 
-[[nodiscard]] inline GroundConstraint constraint_of(const OnEdge& state) { return {state.on.normal, {}}; }
+[[nodiscard]] inline GroundBeneath ground_beneath(const OnEdge& state, const Footing& footing) {
+  return {state.on.normal, {}, state.friction.sphere, footing};
+}
+
+inline void be_guided(OnEdge& state, const Guide& guide) { state.beside = guide; }
 
 template <class Surface>
 [[nodiscard]] LeftPlanes carrying(MovingRock<Surface>& rock, const OnEdge& state) {
@@ -113,17 +117,17 @@ template <class Surface>
                                                   const LegEnd& end) {
   const double t = end.t;
   if (end.rim || end.ahead) {
-    go_to_end(rock, leg, t);
+    go_to_end(rock, state.on.facet, leg, end);
     if (end.rim) return NextState{leave_over_rim(rock, *end.rim)};
     rock.remember_contact(state.on);
     return NextState{strike(rock, *end.ahead)};
   }
   const Motion before = rock.motion;
-  go_along(rock, leg, t);
+  go_along(rock, leg, t, Vec3::Zero());
   const OverEdge then = settle_over_edge(rock, state);
   // The way is bent to where the sphere has come.
   if (t > 0) leg.path.a = 2 / (t * t) * (rock.motion.position - leg.path.p - t * leg.path.v);
-  rock.note_leg(leg.path, t, before, rock.motion);
+  rock.note_leg(state.on.facet, leg.path, t, before, rock.motion);
   rock.note_energy();
   if (then == OverEdge::in_air) return NextState{take_off(rock)};
   if (then == OverEdge::on_edge) return std::nullopt;

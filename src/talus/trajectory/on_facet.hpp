@@ -21,7 +21,11 @@ template <class Surface>
   return {state.on.normal, rock.rock, state.friction.sphere};
 }
 
-[[nodiscard]] inline GroundConstraint constraint_of(const OnFacet& state) { return {state.on.normal, {}}; }
+[[nodiscard]] inline GroundBeneath ground_beneath(const OnFacet& state, const Footing& footing) {
+  return {state.on.normal, {}, state.friction.sphere, footing};
+}
+
+inline void be_guided(OnFacet& state, const Guide& guide) { state.beside = guide; }
 
 template <class Surface>
 [[nodiscard]] LeftPlanes carrying(const MovingRock<Surface>&, const OnFacet& state) {
@@ -138,7 +142,7 @@ template <class Surface>
 template <class Surface>
 [[nodiscard]] std::optional<NextState> finish_leg(MovingRock<Surface>& rock, OnFacet& state, const Leg& leg,
                                                   const LegEnd& end) {
-  go_to_end(rock, leg, end.t);
+  go_to_end(rock, state.on.facet, leg, end);
   if (end.rim) return NextState{leave_over_rim(rock, *end.rim)};
   stand_on(rock, state);
   if (end.ahead) {

@@ -9,9 +9,11 @@
 // Checked by test/trajectory/piece_maxima_test.cpp.
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "talus/rocks/rock.hpp"
+#include "talus/terrain/contact.hpp"
 #include "talus/trajectory/rock_log.hpp"
 
 namespace talus {
@@ -44,17 +46,36 @@ template <class Surface>
   return surface.greatest_height({path.at(from), path.velocity(from), path.a}, to - from, known);
 }
 
-/// The same of a leg of a sphere, which is `duration` long.
+/// How high a place is vertically over a facet [m]; nothing where it is not over it on plan, or the facet does not face
+/// up.
+[[nodiscard]] inline std::optional<double> height_over(const Outline& facet, const Vec3& place) {
+  if (!(facet.normal.z() > 0)) return std::nullopt;
+  const double height = facet.normal.dot(place - facet.point) / facet.normal.z();
+  const Vec3 below = place - height * Vec3::UnitZ();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(facet.edge_count); ++k) {
+    if (!((below - facet.edges[k].point).dot(facet.edges[k].inward) >= 0)) return std::nullopt;
+  }
+  return height;
+}
+
+/// The same of a leg of a sphere, which is `duration` long. `facet` is one that may be below it: facets are convex, and
+/// where no ground can lie above other ground, what is over one at both ends of a straight way is over nothing else on
+/// the way, and highest at an end.
 template <class Surface>
-[[nodiscard]] double greatest_height_of_leg(const Surface& surface, const Parabola& leg, double duration, double from,
-                                            double to, double known) {
+[[nodiscard]] double greatest_height_of_leg(const Surface& surface, const Outline& facet, const Parabola& leg,
+                                            double duration, double from, double to, double known) {
   const Vec3 chord = leg.at(duration) - leg.p;
   const double squared_length = chord.squaredNorm();
   const auto share = [&](double s) {
     return squared_length > 0 ? std::clamp((leg.at(s) - leg.p).dot(chord) / squared_length, 0.0, 1.0) : 0.0;
   };
-  const double first = share(from);
-  return surface.greatest_height({leg.p + first * chord, chord, Vec3::Zero()}, std::max(0.0, share(to) - first), known);
+  const double first = share(from), last = std::max(first, share(to));
+  const Vec3 start = leg.p + first * chord;
+  if (!surface.may_overhang()) {
+    const auto height = height_over(facet, start), then = height_over(facet, leg.p + last * chord);
+    if (height && then) return std::max({known, *height, *then});
+  }
+  return surface.greatest_height({start, chord, Vec3::Zero()}, last - first, known);
 }
 
 /// The same of any piece but a glide, of a sphere or of a lumped mass.
@@ -62,7 +83,8 @@ template <class Surface>
 [[nodiscard]] double greatest_height(const Surface& surface, const PathPiece& piece, bool is_sphere, double from,
                                      double to, double known) {
   if (!piece.on_ground) return greatest_height_of_flight(surface, piece.path, from, to, known);
-  return is_sphere ? greatest_height_of_leg(surface, piece.path, piece.duration, from, to, known) : known;
+  if (!is_sphere) return known;
+  return greatest_height_of_leg(surface, surface.outline(piece.facet), piece.path, piece.duration, from, to, known);
 }
 
 /// The same of each part of a piece between two of `borders` of its parameter, which ascend; 0 at the least.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "talus/barriers/barrier.hpp"
+#include "talus/core/id.hpp"
 #include "talus/flight/drag.hpp"
 #include "talus/flight/parabola.hpp"
 #include "talus/motion/motion.hpp"
@@ -33,6 +34,7 @@ struct PathPiece {
   double start_time = 0;  // since release [s]
   Vec3 spin;              // at its start; constant in flight and in a slide's steps [rad/s]
   bool on_ground = false;
+  FacetId facet;  // on the ground: that which carries the rock at its end, or one of those at the edge or the vertex
   LinearDrag drag;
 
   /// Where it is a glide: a row of straight steps of equal time, which the log keeps in the facet's two directions.
@@ -99,18 +101,21 @@ class RockLog {
   }
   /// The rock is at the piece's start in `motion`, and goes `duration` along `path`.
   void flight(const Parabola& path, double duration, const Motion& motion, const LinearDrag& drag = {}) {
-    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, drag, {}, {}});
+    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, {}, drag, {}, {}});
   }
-  /// On the ground: at the piece's start in `motion`, and after `duration` along `path` in `then`.
-  void leg(const Parabola& path, double duration, const Motion& motion, const Motion& then) {
+  /// On the ground: at the piece's start in `motion`, and after `duration` along `path` in `then`, on `facet`.
+  void leg(const Parabola& path, double duration, const Motion& motion, const Motion& then, FacetId facet) {
     if (!keep_pieces_) return;
     pieces.push_back(
-        {path, duration, motion.time, motion.spin, true, {}, {}, {motion.velocity, then.velocity, then.spin}});
+        {path, duration, motion.time, motion.spin, true, facet, {}, {}, {motion.velocity, then.velocity, then.spin}});
   }
   /// On the ground for no time: how it comes from an impact, of which the ground leaves it less to go on with.
-  void moment(const Motion& motion) { leg({motion.position, Vec3::Zero(), Vec3::Zero()}, 0, motion, motion); }
+  void moment(const Motion& motion, FacetId facet) {
+    leg({motion.position, Vec3::Zero(), Vec3::Zero()}, 0, motion, motion, facet);
+  }
   /// The rock glided from where `motion` has it: the last steps of the list, from `first` on.
-  void glide(const Motion& motion, std::size_t first, double timestep, const Vec3& down, const Vec3& aside) {
+  void glide(const Motion& motion, std::size_t first, double timestep, const Vec3& down, const Vec3& aside,
+             FacetId facet) {
     const std::size_t count = glide_steps.size() - first;
     if (!keep_pieces_ || count == 0) return;
     const auto velocity = [&](const GlideStep& step) { return Vec3(step.vx * down + step.vy * aside); };
@@ -119,6 +124,7 @@ class RockLog {
                       motion.time,
                       motion.spin,
                       true,
+                      facet,
                       {},
                       {first, count, timestep, down, aside},
                       {motion.velocity, velocity(glide_steps.back()), motion.spin}});
@@ -139,6 +145,7 @@ class RockLog {
             glide.start_time + static_cast<double>(number) * timestep,
             glide.spin,
             true,
+            glide.facet,
             {},
             {},
             {start_velocity, velocity, glide.spin}};

@@ -101,7 +101,7 @@ void RockRun<Surface>::begin(RockState state) {
   if (std::holds_alternative<Ended>(state_)) return;
   if (steps_++ >= rock_.laws.max_steps) {
     state_ = Ended{EndReason::maximum_steps};
-  } else if (rock_.progress.note(rock_.motion.position); rock_.is_wedged()) {
+  } else if (rock_.progress.note(rock_.motion); rock_.is_wedged()) {
     state_ = come_to_rest(rock_);
   }
 }

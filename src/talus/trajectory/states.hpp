@@ -37,12 +37,13 @@ struct Support {
 struct LeftFacet {
   Vec3 normal;
 };
-/// A facet of this normal that the rock touches, too, and that keeps striking it: the next leg goes along both.
-struct GuidingFacet {
+/// Something of this normal that the rock touches, too - a facet that keeps striking it, a barrier against which its
+/// spin drives it: the next leg goes along both.
+struct Guide {
   Vec3 normal;
 };
 /// What a rock touches, for one leg, besides what carries it.
-using Beside = std::variant<std::monostate, LeftFacet, GuidingFacet>;
+using Beside = std::variant<std::monostate, LeftFacet, Guide>;
 
 /// On a facet: the lumped mass slides, the rigid sphere rolls or slips (on_facet.hpp).
 struct OnFacet {

@@ -41,9 +41,9 @@ template <class Surface>
         caught_between(rock.laws.gravity, before.with.normal, n, rock.motion.velocity, rock.leaving_speed);
     if (caught) {
       valley = InValley{on, is_on_facet, friction, before.with, *caught};
-    } else if (rock.progress.gets_nowhere(rock.motion.position)) {
+    } else if (rock.progress.gets_nowhere(rock.motion)) {
       // What drives it from one to the other is not gravity: friction, or a third contact. It goes along both.
-      beside = GuidingFacet{before.with.normal};
+      beside = Guide{before.with.normal};
     }
   }
   rock.remember_contact(on);
@@ -53,7 +53,7 @@ template <class Surface>
   const Vec3 along = tangential(rock.motion.velocity, n);
   if (!rock.is_sphere() && rock.laws.sliding == SlidingMethod::stepped) {
     rock.note_row(PathState::sliding);
-    rock.log.moment(rock.motion);
+    rock.log.moment(rock.motion, on.facet);
     rock.motion.velocity = along;
   } else {
     rock.motion.velocity = along;
@@ -64,7 +64,7 @@ template <class Surface>
     keep_along_valley(rock, *valley);
     return *valley;
   }
-  if (const auto* guide = std::get_if<GuidingFacet>(&beside)) {
+  if (const auto* guide = std::get_if<Guide>(&beside)) {
     const Vec3 e = n.cross(guide->normal).normalized();
     rock.motion.velocity = rock.motion.velocity.dot(e) * e;
   }
