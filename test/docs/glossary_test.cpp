@@ -126,8 +126,8 @@ class RunWithTables {
 };
 
 bool is_map(const std::string& name) {
-  const std::vector<double> percentiles{50, 95, 99};
-  return std::ranges::any_of(io::map_kinds(percentiles), [&](const io::MapKind& kind) { return kind.name == name; });
+  const std::vector<io::MapKind> kinds = io::map_kinds({.percentiles = {50, 95, 99}});
+  return std::ranges::any_of(kinds, [&](const io::MapKind& kind) { return kind.name == name; });
 }
 
 /// What is wrong with a name in the glossary; empty if nothing.
