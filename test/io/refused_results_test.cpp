@@ -73,7 +73,7 @@ TEST(RefusedResults, ASummaryBeyondAllBounds) {
   folder.write("summary.json", "{}");
   std::filesystem::resize_file(folder.path / "summary.json", std::uintmax_t{1} << 34);  // without taking room on disk
   EXPECT_EQ(refusal(folder),
-            "summary.json: the file has 16384 MiB (a summary has at most 256 MiB)" + std::string(cut_short));
+            "summary.json: the file has 16384 MiB (a summary has at most 1024 MiB)" + std::string(cut_short));
 }
 
 TEST(RefusedResults, ADescriptionOfListsWithinLists) {
