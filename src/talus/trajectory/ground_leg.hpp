@@ -144,13 +144,20 @@ template <class Surface>
   return exit;
 }
 
+/// Other ground ahead of a sphere, on a leg until `t`.
+template <class Surface, class State>
+[[nodiscard]] std::optional<Contact> ground_ahead(const MovingRock<Surface>& rock, const State&, const Parabola& leg,
+                                                  double t, const LeftPlanes& on) {
+  return rock.surface.first_contact_on_leg(leg, rock.reach, t, on);
+}
+
 /// What cuts a leg short: the facet's outline, other ground ahead of a sphere, the model's rim; in this order at ties.
 template <class Surface, class State>
 [[nodiscard]] LegEnd end_of_leg(MovingRock<Surface>& rock, State& state, const Leg& leg, double t,
                                 const LeftPlanes& on) {
   LegEnd end{t, outline_ahead(rock, state, leg.path, t), {}, {}};
   if (rock.reach > 0) {
-    end.ahead = rock.surface.first_contact_on_leg(leg.path, rock.reach, t, on);
+    end.ahead = ground_ahead(rock, state, leg.path, t, on);
     if (end.ahead) {
       t = end.ahead->t;
       end.edge.reset();

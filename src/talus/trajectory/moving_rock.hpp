@@ -63,6 +63,13 @@ struct Stretch {
   double past_edge = 0;     // time spent in a valley that is an edge on one side [s]
 };
 
+/// A sphere that rolls on a plane of this normal can go so far from a place, whichever way, and touches nothing but
+/// that plane; and until it has gone so far, that is not asked again.
+struct ClearWay {
+  Vec3 normal = Vec3::Zero(), from = Vec3::Zero();
+  double way = 0, until = 0;  // [m]
+};
+
 template <class Surface>
 class MovingRock {
  public:
@@ -100,6 +107,7 @@ class MovingRock {
   LastContact last_contact;
   Progress progress;
   Stretch stretch;
+  ClearWay clear;
 
   [[nodiscard]] bool is_sphere() const { return laws.model == RockModel::rigid_sphere; }
   [[nodiscard]] double kinetic_energy() const {

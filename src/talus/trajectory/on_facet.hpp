@@ -2,6 +2,7 @@
 // A rock on a facet: the lumped mass slides, the rigid sphere rolls or slips, until the plane ends, the ground rises,
 // or it rests.
 
+#include "talus/terrain/clear_way.hpp"
 #include "talus/trajectory/ground_leg.hpp"
 
 namespace talus {
@@ -61,6 +62,38 @@ template <class Surface>
   }
   t = std::min(t, std::max(t_edge, time_for_way(tolerance::look_ahead, leg.v.norm(), leg.a.norm())));
   return std::nullopt;
+}
+
+/// Whether there is nothing ahead on the next `way` [m] of a sphere at `centre`, over the plane of its facet. Legs are
+/// short, and most facets long: how far it may roll before it can touch anything else is worked out once for many legs.
+template <class Surface>
+[[nodiscard]] bool is_in_the_clear(MovingRock<Surface>& rock, const Support& on, const Vec3& centre, double way) {
+  constexpr double worth = 12, most = 48;  // so many legs must there be room for that it is worked out, or is
+  ClearWay& clear = rock.clear;
+  const bool is_known = on.normal == clear.normal;
+  const double gone = (centre - clear.from).norm();
+  if (is_known && gone + way <= clear.way) return true;
+  if (is_known && gone < clear.until) return false;
+  double room = most * way;
+  const Outline& outline = rock.outline_of(on.facet);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(outline.edge_count); ++k) {
+    room = std::min(room, (centre - outline.edges[k].point).dot(outline.edges[k].inward));
+  }
+  if (!(room > worth * way)) return false;
+  clear = {on.normal, centre, room, worth * way};
+  const Surface& surface = rock.surface;
+  surface.supports(centre, rock.reach, room, [&](const Vec3&, const Vec3&, double distance, FacetId facet) {
+    clear.way = std::min(clear.way, clear_way(on.normal, centre, rock.reach, surface.outline(facet), distance));
+  });
+  return way <= clear.way;
+}
+
+template <class Surface>
+[[nodiscard]] std::optional<Contact> ground_ahead(MovingRock<Surface>& rock, const OnFacet& state, const Parabola& leg,
+                                                  double t, const LeftPlanes& on) {
+  const double way = leg.v.norm() * t + 0.5 * leg.a.norm() * t * t;
+  if (on.count == 1 && is_in_the_clear(rock, state.on, leg.p, way)) return std::nullopt;
+  return rock.surface.first_contact_on_leg(leg, rock.reach, t, on);
 }
 
 /// Rounding must not lift a rock off its facet, or press it in, leg after leg.
