@@ -115,7 +115,7 @@ TEST_F(ChangedResults, AreNotRemovedWhereTheyAreReadNow) {
   work_.write("out/files.json", record.dump());
   fs::copy_file(work_ / "slope.toml", out_ / "old.toml");
   const std::string before = bytes_of(out_ / "old.toml");
-  const Said said = talus_says("run " + (out_ / "old.toml").string() + " -o " + out_.string());
+  const Said said = talus_says("run " + (out_ / "old.toml").string() + " -q -o " + out_.string());
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_EQ(said.text, (out_ / "old.toml").string() + ": is in " + out_.string() +
                            " (it is a result of the run before, which this one replaces). Give the file another name, "

