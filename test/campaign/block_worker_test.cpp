@@ -133,7 +133,8 @@ TEST(BlockWorker, StopsInTheMiddleOfABlock) {
   const Model model = project::build_model(project::read_project_text(text, "endless.toml", {}).project, warnings);
   Count count;
   SummingObserver* const sums[] = {&count};
-  BlockWorker worker(model, {}, {&count}, 2, [] { return std::vector<std::string>(); });
+  // One thread waits for more blocks and one follows the long rocks: others must be there to hand on what is done.
+  BlockWorker worker(model, {}, {&count}, 4, [] { return std::vector<std::string>(); });
   for (std::uint64_t k = 0; k < 100; k += 20) worker.give({k, k + 20});
   worker.give({100, 103});
   while (count.rocks < 100) {

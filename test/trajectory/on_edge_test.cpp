@@ -21,7 +21,7 @@ const Rock ball = sphere_of_diameter(1, 2700);
 /// A plateau that ends at the origin, at a slope of `grade`.
 Profile brow(double grade) { return Profile(std::vector<Vec2>{{-10, 0}, {0, 0}, {50, -50 * grade}}); }
 
-OnEdge on_the_brow() { return {{Vec3::UnitZ(), FacetId{0}}, {.sphere = {1e6, 0}}, {}}; }
+OnEdge on_the_brow(double mu) { return {{Vec3::UnitZ(), FacetId{0}}, {.sphere = {mu, 0}}, {}}; }
 
 // No step turns further than the tolerance says, energy is kept, and the contact stays where it is.
 TEST(OnEdge, TurnsAboutItInSmallStepsAndKeepsItsEnergy) {
@@ -31,7 +31,7 @@ TEST(OnEdge, TurnsAboutItInSmallStepsAndKeepsItsEnergy) {
                        {Vec3(0, 0, ball.radius), Vec3(speed, 0, 0)}, ball);
   rock->motion.spin = Vec3(0, speed / ball.radius, 0);
   const double energy = rock->kinetic_energy() + ball.mass * g * ball.radius;
-  OnEdge state = on_the_brow();
+  OnEdge state = on_the_brow(1);  // at the end 2/7 g sin / N is 0.75: it does not slip
   int steps = 0;
   while (true) {
     const Vec3 before = state.on.normal;
@@ -58,10 +58,10 @@ TEST(OnEdge, FliesWhereItsWeightNoLongerTurnsIt) {
   RockOn<Profile> rock(profile, {.rn = 0, .mu = 1e6, .rolling = 0}, laws_of(RockModel::rigid_sphere),
                        {Vec3(0, 0, ball.radius), Vec3(speed, 0, 0)}, ball);
   rock->motion.spin = Vec3(0, speed / ball.radius, 0);
-  OnEdge state = on_the_brow();
+  OnEdge state = on_the_brow(1e6);  // never slips; what friction could do in a leg makes these short
   std::optional<NextState> next;
   for (int steps = 0; !next; ++steps) {
-    ASSERT_LT(steps, 1000);
+    ASSERT_LT(steps, 1'000'000);
     next = take_leg(*rock, state);
   }
   ASSERT_TRUE(std::holds_alternative<Flying>(next->state));
@@ -75,7 +75,7 @@ TEST(OnEdge, NothingPressesWhatCrossesItTooFast) {
     const double speed = std::sqrt(froude * g * ball.radius);
     RockOn<Profile> rock(profile, {}, laws_of(RockModel::rigid_sphere), {Vec3(0, 0, ball.radius), Vec3(speed, 0, 0)},
                          ball);
-    EXPECT_NEAR(normal_acceleration_on_edge(*rock, on_the_brow().on), g * (1 - froude), 1e-12 * g);
+    EXPECT_NEAR(normal_acceleration_on_edge(*rock, on_the_brow(1).on), g * (1 - froude), 1e-12 * g);
   }
 }
 
