@@ -9,7 +9,7 @@
 
 #include "common.hpp"
 #include "rough_slope.hpp"
-#include "talus/io/map_files.hpp"
+#include "talus/maps/map_files.hpp"
 #include "talus/results/map_observer.hpp"
 
 using namespace talus;

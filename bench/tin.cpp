@@ -9,7 +9,7 @@
 #include "common.hpp"
 #include "rough_slope.hpp"
 #include "talus/campaign/simulate.hpp"
-#include "talus/terrain/mend.hpp"
+#include "talus/meshing/cleaning.hpp"
 
 using namespace talus;
 
@@ -35,7 +35,7 @@ RawMesh random_tin() {
   return mesh;
 }
 
-TriangleMesh surface_of(const MendedMesh& mesh) {
+TriangleMesh surface_of(const CleanMesh& mesh) {
   std::vector<TriangleMesh::Corners> neighbours;
   for (const auto& sides : mesh.neighbours) {
     TriangleMesh::Corners beyond;
@@ -71,13 +71,13 @@ std::vector<Flight> flights_of(const Model& model, std::uint64_t rocks) {
 int main(int argc, char** argv) {
   const std::uint64_t rocks = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 100'000;
   const bool sphere = argc > 2 && std::strcmp(argv[2], "sphere") == 0;
-  MendedMesh mesh;
+  CleanMesh mesh;
   const RawMesh raw = random_tin();
-  const double mending = bench::seconds([&] { mesh = mend(raw); });
+  const double cleaning = bench::seconds([&] { mesh = clean(raw); });
   std::optional<TriangleMesh> surface;
   const double building = bench::seconds([&] { surface.emplace(surface_of(mesh)); });
-  fmt::print("random TIN: {} triangles; mended in {:.2f} s, tree built in {:.2f} s; {:.1f} bytes a triangle\n",
-             surface->facet_count(), mending, building,
+  fmt::print("random TIN: {} triangles; cleaned in {:.2f} s, tree built in {:.2f} s; {:.1f} bytes a triangle\n",
+             surface->facet_count(), cleaning, building,
              static_cast<double>(surface->bytes()) / static_cast<double>(surface->facet_count()));
 
   const Model model = bench::model_on(std::move(*surface), rocks,

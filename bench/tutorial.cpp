@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "common.hpp"
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 #include "talus/results/summary.hpp"
 

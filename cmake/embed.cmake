@@ -1,4 +1,4 @@
-# Puts the fixed parts of the report's page (src/talus/io/report/) and the drawing library D3 into the library, so that
+# Puts the fixed parts of the report's page (src/talus/report/page/) and the drawing library D3 into the library, so that
 # the program is one file and its reports need no network. Included, it gives talus_embed_report(target); as a script
 # (cmake -DFOLDER=... -DD3_SCRIPT=... -DOUTPUT=... -P embed.cmake) it writes the C++ file with one string a part.
 
@@ -8,7 +8,7 @@ set(TALUS_REPORT_SCRIPTS format figure run tables statistics overview terrain in
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(code "// Made by cmake/embed.cmake; do not edit.\n")
-  string(APPEND code "#include \"talus/io/report/assets.hpp\"\n\nnamespace talus::io::assets {\n")
+  string(APPEND code "#include \"talus/report/page/assets.hpp\"\n\nnamespace talus::io::assets {\n")
   function(embed name)
     string(APPEND code "const std::string_view ${name} =")
     foreach(file IN LISTS ARGN)
@@ -38,7 +38,7 @@ if(NOT D3_SCRIPT)
 endif()
 
 function(talus_embed_report target)
-  set(folder ${CMAKE_SOURCE_DIR}/src/talus/io/report)
+  set(folder ${CMAKE_SOURCE_DIR}/src/talus/report/page)
   set(output ${CMAKE_BINARY_DIR}/generated/report_assets.cpp)
   set(parts ${TALUS_REPORT_SCRIPTS})
   list(TRANSFORM parts REPLACE "(.+)" "${folder}/\\1.js")

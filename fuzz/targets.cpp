@@ -7,25 +7,25 @@
 #include <string>
 #include <vector>
 
+#include "talus/archive/path_arcs.hpp"
+#include "talus/archive/path_reader.hpp"
+#include "talus/archive/run_folder.hpp"
+#include "talus/archive/run_state.hpp"
 #include "talus/core/bytes.hpp"
 #include "talus/core/problems.hpp"
-#include "talus/io/ascii_grid_check.hpp"
-#include "talus/io/checksum.hpp"
-#include "talus/io/las_file.hpp"
-#include "talus/io/mesh_formats.hpp"
-#include "talus/io/path_arcs.hpp"
-#include "talus/io/path_reader.hpp"
-#include "talus/io/point_file.hpp"
-#include "talus/io/report.hpp"
-#include "talus/io/run_folder.hpp"
-#include "talus/io/run_state.hpp"
-#include "talus/io/survey_crs.hpp"
+#include "talus/files/checksum.hpp"
+#include "talus/gdal/ascii_grid_check.hpp"
+#include "talus/import/las_file.hpp"
+#include "talus/import/mesh_formats.hpp"
+#include "talus/import/point_file.hpp"
+#include "talus/import/survey_crs.hpp"
+#include "talus/meshing/cleaning.hpp"
+#include "talus/meshing/survey_surface.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/echo.hpp"
-#include "talus/project/model.hpp"
 #include "talus/project/read.hpp"
-#include "talus/project/run_results.hpp"
-#include "talus/terrain/mend.hpp"
-#include "talus/terrain/survey_surface.hpp"
+#include "talus/report/report.hpp"
+#include "talus/run/run_results.hpp"
 
 namespace talus::fuzz {
 
@@ -115,7 +115,7 @@ Verdict read_mesh(std::string_view input, const fs::path&) {
                    : format == 1 ? read_stl(input, problems)
                                  : read_ply(input, problems);
     problems.throw_if_any();
-    if (mesh.triangles.size() <= most_parts) (void)mend(std::move(mesh), {.source = "mesh"});
+    if (mesh.triangles.size() <= most_parts) (void)clean(std::move(mesh), {.source = "mesh"});
   });
 }
 

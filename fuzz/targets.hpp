@@ -18,7 +18,7 @@ using Read = Verdict (*)(std::string_view input, const std::filesystem::path& fo
 /// no file is built, if its terrain is small.
 Verdict read_project(std::string_view input, const std::filesystem::path& folder);
 
-/// The first byte chooses OBJ, STL or PLY, the others are the file. A small mesh is mended.
+/// The first byte chooses OBJ, STL or PLY, the others are the file. A small mesh is cleaned.
 Verdict read_mesh(std::string_view input, const std::filesystem::path& folder);
 
 /// The first byte chooses text or LAS, the others are the file. From few points a surface is made.

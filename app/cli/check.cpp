@@ -4,7 +4,7 @@
 #include "load.hpp"
 #include "talus/campaign/campaign.hpp"
 #include "talus/campaign/thread_supply.hpp"
-#include "talus/project/check_releases.hpp"
+#include "talus/model/check_releases.hpp"
 
 namespace talus::cli {
 

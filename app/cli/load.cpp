@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "standard_streams.hpp"
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
-#include "talus/project/run_results.hpp"
-#include "talus/project/run_size.hpp"
+#include "talus/run/run_results.hpp"
+#include "talus/run/run_size.hpp"
 
 namespace talus::cli {
 

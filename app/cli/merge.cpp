@@ -1,4 +1,4 @@
-#include "talus/project/merge.hpp"
+#include "talus/run/merge.hpp"
 
 #include <fmt/format.h>
 

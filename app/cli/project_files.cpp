@@ -4,7 +4,7 @@
 
 #include "commands.hpp"
 #include "talus/core/problems.hpp"
-#include "talus/io/output_file.hpp"
+#include "talus/files/output_file.hpp"
 #include "talus/project/schema.hpp"
 #include "talus/project/starter.hpp"
 

@@ -5,9 +5,9 @@
 
 #include "commands.hpp"
 #include "load.hpp"
+#include "talus/archive/result_tables.hpp"
 #include "talus/campaign/simulate.hpp"
 #include "talus/campaign/thread_supply.hpp"
-#include "talus/io/result_tables.hpp"
 
 namespace talus::cli {
 

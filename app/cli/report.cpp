@@ -1,4 +1,4 @@
-#include "talus/io/report.hpp"
+#include "talus/report/report.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 
 #include "commands.hpp"
 #include "earlier_output.hpp"
-#include "talus/io/file_record.hpp"
-#include "talus/io/folder_lock.hpp"
-#include "talus/io/output_file.hpp"
+#include "talus/files/file_record.hpp"
+#include "talus/files/folder_lock.hpp"
+#include "talus/files/output_file.hpp"
 
 namespace talus::cli {
 

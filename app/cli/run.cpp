@@ -1,4 +1,4 @@
-#include "talus/project/run.hpp"
+#include "talus/run/run.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@
 #include "talus/campaign/ranks.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/project/run_on_ranks.hpp"
+#include "talus/run/run_on_ranks.hpp"
 
 namespace talus::cli {
 

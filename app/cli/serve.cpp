@@ -17,7 +17,7 @@
 #include "standard_streams.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/core/problems.hpp"
-#include "talus/io/ordinary_file.hpp"
+#include "talus/files/ordinary_file.hpp"
 
 #ifdef TALUS_HAS_SERVER
 #include "server/serve.hpp"

@@ -5,7 +5,7 @@
 #include "commands.hpp"
 #include "earlier_output.hpp"
 #include "talus/campaign/thread_supply.hpp"
-#include "talus/io/output_file.hpp"
+#include "talus/files/output_file.hpp"
 #include "talus/verification/cases.hpp"
 #include "talus/verification/show.hpp"
 #include "talus/verification/verify.hpp"

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <system_error>
 
-#include "talus/io/output_file.hpp"
+#include "talus/files/output_file.hpp"
 #include "talus/project/document.hpp"
 
 namespace talus::server {

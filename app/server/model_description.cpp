@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "talus/campaign/simulate.hpp"
-#include "talus/io/survey_crs.hpp"
+#include "talus/import/survey_crs.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/settings.hpp"
 

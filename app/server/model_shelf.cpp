@@ -8,8 +8,8 @@
 #include "http/answer.hpp"
 #include "http/session.hpp"
 #include "run_model.hpp"
-#include "talus/io/checksum.hpp"
-#include "talus/project/model.hpp"
+#include "talus/files/checksum.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
 namespace talus::server {

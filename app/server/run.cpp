@@ -8,10 +8,10 @@
 #include <chrono>
 #include <utility>
 
-#include "talus/io/folder_lock.hpp"
-#include "talus/io/json_file.hpp"
-#include "talus/io/output_file.hpp"
-#include "talus/io/run_state.hpp"
+#include "talus/archive/run_state.hpp"
+#include "talus/files/folder_lock.hpp"
+#include "talus/files/json_file.hpp"
+#include "talus/files/output_file.hpp"
 
 namespace talus::server {
 

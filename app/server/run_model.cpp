@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 
 namespace talus::server {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "results/run_summary.hpp"
+#include "talus/model/fingerprint.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/echo.hpp"
-#include "talus/project/fingerprint.hpp"
 
 namespace talus::server {
 

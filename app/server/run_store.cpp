@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <chrono>
 
+#include "talus/archive/run_state.hpp"
 #include "talus/core/memory_reserve.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/io/folder_lock.hpp"
-#include "talus/io/output_file.hpp"
-#include "talus/io/run_state.hpp"
+#include "talus/files/folder_lock.hpp"
+#include "talus/files/output_file.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/problem_paths.hpp"
-#include "talus/project/run.hpp"
+#include "talus/run/run.hpp"
 
 namespace talus::server {
 

@@ -7,8 +7,8 @@
 
 #include "http/answer.hpp"
 #include "talus/core/utf8.hpp"
-#include "talus/io/checksum.hpp"
-#include "talus/io/output_file.hpp"
+#include "talus/files/checksum.hpp"
+#include "talus/files/output_file.hpp"
 
 namespace talus::server {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "support/endless_slope.hpp"
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
 namespace talus {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "talus/campaign/simulate.hpp"
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 #include "talus/results/summary.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "talus/campaign/campaign.hpp"
 #include "talus/campaign/simulate.hpp"
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 #include "talus/results/summary.hpp"
 

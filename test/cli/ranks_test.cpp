@@ -1,4 +1,4 @@
-// `mpirun talus run` as a user meets it. What ranks say to each other is tested in test/project/run_on_ranks_test.cpp.
+// `mpirun talus run` as a user meets it. What ranks say to each other is tested in test/run/run_on_ranks_test.cpp.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
 #include "support/endless_slope.hpp"
-#include "talus/io/run_state.hpp"
+#include "talus/archive/run_state.hpp"
 
 namespace talus::test {
 namespace {

@@ -10,12 +10,12 @@
 
 #include "program.hpp"
 #include "talus/campaign/campaign.hpp"
-#include "talus/io/map_files.hpp"
-#include "talus/project/model.hpp"
+#include "talus/maps/map_files.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
-#include "talus/project/run.hpp"
 #include "talus/results/map_observer.hpp"
 #include "talus/results/summary.hpp"
+#include "talus/run/run.hpp"
 
 namespace talus::test {
 namespace {

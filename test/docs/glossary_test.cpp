@@ -19,9 +19,9 @@
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
 #include "talus/barriers/barrier.hpp"
-#include "talus/io/map_list.hpp"
-#include "talus/motion/motion.hpp"
+#include "talus/maps/map_list.hpp"
 #include "talus/project/schema.hpp"
+#include "talus/rocks/motion.hpp"
 
 namespace talus::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "talus/core/problems.hpp"
-#include "talus/project/design_plan.hpp"
-#include "talus/project/model.hpp"
+#include "talus/model/design_plan.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
 namespace talus::project {

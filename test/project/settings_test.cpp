@@ -13,12 +13,12 @@
 #include <sstream>
 #include <string>
 
-#include "talus/io/report/assets.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/read.hpp"
 #include "talus/project/reference.hpp"
 #include "talus/project/schema.hpp"
 #include "talus/project/starter.hpp"
+#include "talus/report/page/assets.hpp"
 
 namespace talus::project {
 namespace {

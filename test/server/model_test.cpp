@@ -7,7 +7,7 @@
 #include <set>
 
 #include "talus/campaign/simulate.hpp"
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
 namespace talus {

@@ -12,10 +12,10 @@
 #include <map>
 
 #include "cli/run_files.hpp"
-#include "talus/io/csv_reader.hpp"
-#include "talus/io/path_reader.hpp"
-#include "talus/io/run_folder.hpp"
-#include "talus/io/table_columns.hpp"
+#include "talus/archive/path_reader.hpp"
+#include "talus/archive/run_folder.hpp"
+#include "talus/archive/table_columns.hpp"
+#include "talus/files/csv_reader.hpp"
 
 namespace talus {
 namespace {

@@ -11,7 +11,7 @@
 #include "run_store.hpp"
 #include "support/endless_slope.hpp"
 #include "support/listener.hpp"
-#include "talus/io/folder_lock.hpp"
+#include "talus/files/folder_lock.hpp"
 
 namespace talus {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "support/rasters.hpp"
 #include "support/vectors.hpp"
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
 namespace talus::testing_tools {

@@ -1,6 +1,6 @@
 #pragma once
 // Triangulated shapes to throw rocks at. All are manifold and wound counter-clockwise seen from outside the ground, as
-// mended meshes are.
+// cleaned meshes are.
 
 #include <array>
 #include <cmath>

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "talus/core/problems.hpp"
-#include "talus/io/gdal_raster.hpp"
+#include "talus/gdal/gdal_raster.hpp"
 
 namespace talus::testing_tools {
 

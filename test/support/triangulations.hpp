@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "support/dice.hpp"
-#include "talus/terrain/triangulation.hpp"
+#include "talus/meshing/triangulation.hpp"
 
 namespace talus::testing_tools {
 

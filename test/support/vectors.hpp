@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "talus/io/gdal_raster.hpp"
+#include "talus/gdal/gdal_raster.hpp"
 
 namespace talus::testing_tools {
 

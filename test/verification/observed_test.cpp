@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
 namespace talus::verification {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "talus/core/random.hpp"
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 #include "talus/sampling/normal_quantile.hpp"
 #include "talus/verification/cases.hpp"

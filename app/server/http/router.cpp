@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "talus/core/stop.hpp"
-#include "talus/io/json_text.hpp"
+#include "talus/files/json_text.hpp"
 
 namespace talus::server {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "talus/io/path_arcs.hpp"
-#include "talus/io/path_reader.hpp"
+#include "talus/archive/path_arcs.hpp"
+#include "talus/archive/path_reader.hpp"
 
 namespace talus::server {
 

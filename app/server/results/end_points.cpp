@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "talus/io/csv_reader.hpp"
-#include "talus/io/run_folder.hpp"
-#include "talus/io/table_columns.hpp"
+#include "talus/archive/run_folder.hpp"
+#include "talus/archive/table_columns.hpp"
+#include "talus/files/csv_reader.hpp"
 
 namespace talus::server {
 

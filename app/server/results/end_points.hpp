@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "results/run_summary.hpp"
+#include "talus/archive/run_facts.hpp"
 #include "talus/core/vec.hpp"
-#include "talus/io/run_facts.hpp"
 
 namespace talus::server {
 

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "talus/archive/path_energies.hpp"
+#include "talus/archive/path_reader.hpp"
+#include "talus/archive/result_tables.hpp"
+#include "talus/archive/rock_rows.hpp"
+#include "talus/archive/run_facts.hpp"
+#include "talus/archive/run_folder.hpp"
+#include "talus/archive/table_columns.hpp"
 #include "talus/campaign/simulate.hpp"
-#include "talus/io/path_energies.hpp"
-#include "talus/io/path_reader.hpp"
-#include "talus/io/result_tables.hpp"
-#include "talus/io/rock_rows.hpp"
-#include "talus/io/run_facts.hpp"
-#include "talus/io/run_folder.hpp"
-#include "talus/io/table_columns.hpp"
 
 namespace talus::server {
 

@@ -1,6 +1,6 @@
 #include "results/run_summary.hpp"
 
-#include "talus/io/json_file.hpp"
+#include "talus/files/json_file.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/read.hpp"

@@ -3,7 +3,7 @@
 
 #include "assets.hpp"
 #include "routes/routes.hpp"
-#include "talus/io/output_file.hpp"
+#include "talus/files/output_file.hpp"
 
 namespace talus::server {
 

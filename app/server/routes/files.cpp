@@ -9,7 +9,7 @@
 #include <mutex>
 
 #include "routes/routes.hpp"
-#include "talus/io/output_file.hpp"
+#include "talus/files/output_file.hpp"
 
 namespace talus::server {
 

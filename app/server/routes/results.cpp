@@ -7,8 +7,8 @@
 #include "results/run_summary.hpp"
 #include "routes/results.hpp"
 #include "routes/routes.hpp"
-#include "talus/io/ordinary_file.hpp"
-#include "talus/io/run_state.hpp"
+#include "talus/archive/run_state.hpp"
+#include "talus/files/ordinary_file.hpp"
 
 namespace talus::server {
 

@@ -4,7 +4,7 @@
 #include "http/arrays.hpp"
 #include "results/run_summary.hpp"
 #include "routes/results.hpp"
-#include "talus/io/map_reading.hpp"
+#include "talus/maps/map_reading.hpp"
 
 namespace talus::server {
 

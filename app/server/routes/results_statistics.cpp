@@ -7,8 +7,8 @@
 
 #include "results/run_summary.hpp"
 #include "routes/results.hpp"
-#include "talus/io/column_statistics.hpp"
-#include "talus/io/summary_json.hpp"
+#include "talus/archive/column_statistics.hpp"
+#include "talus/archive/summary_json.hpp"
 #include "talus/statistics/box_plot.hpp"
 
 namespace talus::server {

@@ -6,10 +6,10 @@
 #include "model_description.hpp"
 #include "routes/numbers.hpp"
 #include "routes/routes.hpp"
-#include "talus/project/drawn.hpp"
+#include "talus/meshing/cleaning.hpp"
+#include "talus/meshing/polygon_mesh.hpp"
+#include "talus/model/drawn.hpp"
 #include "talus/project/settings.hpp"
-#include "talus/terrain/mend.hpp"
-#include "talus/terrain/polygon_mesh.hpp"
 
 namespace talus::server {
 
@@ -64,7 +64,7 @@ Json polygons_json(const Call& call) {
   try {
     if (problems.has_errors()) throw BadInput(problems);
     PolygonReport cut;
-    const MendedMesh mesh = mend(triangulated(polygons, "", cut), {.source = "", .weld_tolerance_m = tolerance});
+    const CleanMesh mesh = clean(triangulated(polygons, "", cut), {.source = "", .weld_tolerance_m = tolerance});
     for (const Vec3& p : mesh.vertices) vertices.push_back(as_json(p));
     for (const auto& corners : mesh.triangles) triangles.push_back(corners);
     report = cut.text() + '\n' + mesh.report.text();

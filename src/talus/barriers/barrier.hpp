@@ -17,7 +17,7 @@
 #include "talus/barriers/plan_index.hpp"
 #include "talus/core/id.hpp"
 #include "talus/impact/restitution.hpp"
-#include "talus/motion/motion.hpp"
+#include "talus/rocks/motion.hpp"
 
 namespace talus {
 

@@ -24,7 +24,7 @@ struct VaryingSection {
 };
 
 /// How a project counts what its terrain is made of: the segments of a section, extruded or not, the triangles of a
-/// mesh before it was mended, the cells of a raster.
+/// mesh before it was cleaned, the cells of a raster.
 struct TerrainParts {
   std::size_t count = 0;
   std::vector<std::uint32_t> of_source;  // for each number that a surface's source() gives; empty: the same number
@@ -38,7 +38,7 @@ struct Model {
   LocalFrame frame;
   TerrainParts parts;
   std::string crs_wkt;         // of the user's coordinates; empty: not known
-  std::string terrain_report;  // what mending the mesh found and did, for the user
+  std::string terrain_report;  // what cleaning the mesh found and did, for the user
   std::string seeder_report;   // from where seeders on lines and cells start rocks, a line each, for the user
   Ground ground;
   std::vector<Barrier> barriers;

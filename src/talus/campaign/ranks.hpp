@@ -1,6 +1,6 @@
 #pragma once
 // Processes that throw the rocks of one campaign together: `mpirun -n 8 talus run ...`. Here they are no more than
-// numbers that send each other bytes; what they say is project/rank_messages.hpp.
+// numbers that send each other bytes; what they say is run/rank_messages.hpp.
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 // A broken promise inside the program, found in debug builds only. Bad data from outside is a Problem (problems.hpp)
-// and a rock that leaves the model is a value (motion/motion.hpp); neither belongs here.
+// and a rock that leaves the model is a value (rocks/motion.hpp); neither belongs here.
 
 #include <cstdio>
 #include <cstdlib>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "talus/io/map_list.hpp"
+#include "talus/maps/map_list.hpp"
 #include "talus/project/check_design.hpp"
 #include "talus/project/check_ground.hpp"
 #include "talus/project/check_seeder.hpp"

@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "talus/meshing/cleaning.hpp"
+#include "talus/meshing/plan_polygon.hpp"
 #include "talus/project/check_survey.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/values.hpp"
 #include "talus/project/varied_section.hpp"
-#include "talus/terrain/mend.hpp"
-#include "talus/terrain/plan_polygon.hpp"
 
 namespace talus::project {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "talus/meshing/cleaning.hpp"
+#include "talus/meshing/plan_polygon.hpp"
 #include "talus/project/values.hpp"
-#include "talus/terrain/mend.hpp"
-#include "talus/terrain/plan_polygon.hpp"
 
 namespace talus::project {
 

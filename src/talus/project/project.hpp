@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "talus/core/vec.hpp"
-#include "talus/io/map_subjects.hpp"
+#include "talus/maps/map_subjects.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
 

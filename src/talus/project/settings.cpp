@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "talus/core/check.hpp"
+#include "talus/meshing/cleaning.hpp"
 #include "talus/seeding/release_height.hpp"
-#include "talus/terrain/mend.hpp"
 
 namespace talus::project {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "talus/core/problems.hpp"
-#include "talus/io/map_subjects.hpp"
+#include "talus/maps/map_subjects.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/settings.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // How a rock starts.
 
-#include "talus/motion/motion.hpp"
+#include "talus/rocks/motion.hpp"
 #include "talus/rocks/rock.hpp"
 
 namespace talus {

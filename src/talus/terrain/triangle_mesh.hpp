@@ -1,6 +1,6 @@
 #pragma once
-// A triangulated surface: any shape, overhangs and vertical faces too; mended and oriented before it comes here
-// (mend.hpp). Coordinates are local (see local_frame.hpp).
+// A triangulated surface: any shape, overhangs and vertical faces too; cleaned and oriented before it comes here
+// (cleaning.hpp). Coordinates are local (see local_frame.hpp).
 
 #include <array>
 #include <cstdint>

@@ -9,7 +9,7 @@
 #include "talus/core/id.hpp"
 #include "talus/flight/drag.hpp"
 #include "talus/flight/parabola.hpp"
-#include "talus/motion/motion.hpp"
+#include "talus/rocks/motion.hpp"
 #include "talus/sliding/glide.hpp"
 
 namespace talus {

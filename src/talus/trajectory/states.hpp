@@ -6,7 +6,7 @@
 #include <optional>
 #include <variant>
 
-#include "talus/motion/motion.hpp"
+#include "talus/rocks/motion.hpp"
 #include "talus/sliding/rolling.hpp"
 #include "talus/sliding/supports.hpp"
 #include "talus/terrain/contact.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "talus/campaign/model.hpp"
-#include "talus/motion/motion.hpp"
+#include "talus/rocks/motion.hpp"
 #include "talus/rocks/rock.hpp"
 
 namespace talus::verification {

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "talus/project/model.hpp"
+#include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
 namespace talus::verification {

@@ -1,0 +1,38 @@
+# talus_room(NAME LOWER...): the folder src/talus/NAME as a library talus_NAME, which knows the rooms LOWER.
+#
+# The compiler finds `talus/NAME/...` in a folder of that room alone, build/rooms/NAME, which holds a link to the sources;
+# it is given those of the room, of LOWER, and of what they know. So an include of any other room does not compile.
+# A room is declared after those that it knows, so that there is no circle.
+function(talus_room name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/talus/${name}/*.cpp)
+  set(visible ${CMAKE_BINARY_DIR}/rooms/${name})
+  file(MAKE_DIRECTORY ${visible}/talus)
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/talus/${name} ${visible}/talus/${name} SYMBOLIC)
+  set(target talus_${name})
+  add_library(${target} STATIC ${sources})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${visible}> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(${target} PUBLIC talus_flags)
+  foreach(lower IN LISTS ARGN)
+    if(NOT TARGET talus_${lower})
+      message(FATAL_ERROR "The room ${name} is to know ${lower}, which is not declared before it (src/CMakeLists.txt)")
+    endif()
+    target_link_libraries(${target} PUBLIC talus_${lower})
+  endforeach()
+  # Flags are the same in all rooms, and so is the precompiled header.
+  if(name STREQUAL "core")
+    target_precompile_headers(${target} PRIVATE <Eigen/Dense> <vector> <string> <variant> <optional> <fmt/format.h>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM talus_core)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY TALUS_ROOMS ${target})
+  # For the tests: what the compiler is given.
+  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/rooms/${name}.txt
+    CONTENT "$<JOIN:$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>,\n>\n")
+endfunction()
+
+# The libraries of all rooms, from low to high.
+function(talus_list_rooms variable)
+  get_property(rooms GLOBAL PROPERTY TALUS_ROOMS)
+  set(${variable} ${rooms} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,91 @@
+#include "talus/archive/rock_rows.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <optional>
+#include <system_error>
+
+#include "talus/core/check.hpp"
+#include "talus/files/csv_reader.hpp"
+
+namespace talus::io {
+
+namespace {
+
+constexpr std::uint64_t little = 1u << 16u;  // bytes that are read rather than searched further
+
+/// The rock of the row that a line holds, if it holds one whole: not every line does, since a name in quotes may hold a
+/// line's end.
+std::optional<std::uint64_t> rock_in(std::string_view line, std::size_t column, std::size_t columns) {
+  std::optional<std::uint64_t> rock;
+  for (std::size_t k = 0;; ++k) {
+    std::size_t end = 0;
+    if (line.starts_with('"')) {
+      for (end = 1; end < line.size() && (line[end] != '"' || line.substr(end + 1).starts_with('"'));)
+        end += line[end] == '"' ? 2 : 1;
+      if (end >= line.size()) return std::nullopt;
+    }
+    end = std::min(line.find(',', end), line.size());
+    if (k == column) {
+      std::uint64_t number = 0;
+      const auto [last, error] = std::from_chars(line.data(), line.data() + end, number);
+      if (error == std::errc() && last == line.data() + end) rock = number;
+    }
+    if (end == line.size()) return k + 1 == columns ? rock : std::nullopt;
+    line.remove_prefix(end + 1);
+  }
+}
+
+/// Where a row begins that has no row of the rock before it; 0: the file's beginning. By bisection.
+std::uint64_t begin_before(const std::filesystem::path& file, std::size_t column, std::size_t columns,
+                           std::uint64_t rock) {
+  std::error_code error;
+  std::uint64_t low = 0, high = std::filesystem::file_size(file, error);
+  if (error) return 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::string part;
+  while (high - low > little) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    part.resize(std::min<std::uint64_t>(little, high - middle));
+    stream.seekg(static_cast<std::streamoff>(middle));
+    if (!stream.read(part.data(), static_cast<std::streamsize>(part.size()))) return low;
+    std::optional<std::uint64_t> found;
+    std::size_t begin = part.find('\n');
+    while (begin != std::string::npos && !found) {
+      const std::size_t end = part.find('\n', ++begin);
+      if (end == std::string::npos) break;
+      found = rock_in(std::string_view(part).substr(begin, end - begin), column, columns);
+      if (!found) begin = end;
+    }
+    if (!found) return low;
+    if (*found < rock) {
+      low = middle + begin;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> rows_of_rock(const std::filesystem::path& file,
+                                                   std::span<const std::string_view> columns, std::uint64_t rock) {
+  const auto found = std::find(columns.begin(), columns.end(), "rock");
+  TALUS_PROMISE(found != columns.end(), "the table has rocks");
+  const auto column = static_cast<std::size_t>(found - columns.begin());
+  CsvReader row(file, columns);
+  if (const std::uint64_t begin = begin_before(file, column, columns.size(), rock); begin > 0) row.go_to(begin);
+  std::vector<std::vector<std::string>> rows;
+  while (row.next()) {
+    const auto current = static_cast<std::uint64_t>(row.whole_number(column));
+    if (current > rock) break;
+    if (current < rock) continue;
+    std::vector<std::string>& texts = rows.emplace_back();
+    for (std::size_t k = 0; k < columns.size(); ++k) texts.emplace_back(row.text(k));
+  }
+  return rows;
+}
+
+}  // namespace talus::io

@@ -1,0 +1,146 @@
+#include "talus/archive/run_description.hpp"
+
+#include <algorithm>
+
+#include "talus/archive/design_json.hpp"
+#include "talus/core/bytes.hpp"
+#include "talus/files/json_text.hpp"
+
+namespace talus::io {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json names_of(const MapSubjects& subjects) {
+  Json names = Json::array();
+  for (std::size_t k = 0; k < subjects.size(); ++k) {
+    if (subjects[k]) names.push_back(map_subject_names[k]);
+  }
+  return names;
+}
+
+MapSubjects subjects_from(const Json& names) {
+  MapSubjects subjects;
+  for (const Json& name : names) {
+    const auto found = std::ranges::find(map_subject_names, name.get_ref<const std::string&>());
+    expect_bytes(found != map_subject_names.end(), "the description's maps show nothing known");
+    subjects.set(static_cast<std::size_t>(found - map_subject_names.begin()));
+  }
+  expect_bytes(subjects.any(), "the description's maps show nothing");
+  return subjects;
+}
+
+/// All but what may be long.
+Json head_of(const RunDescription& description) {
+  Json json;
+  json["name"] = description.name;
+  json["fingerprint"] = description.fingerprint;
+  json["sample"] = description.sample;
+  json["rocks"] = description.rocks;
+  json["barriers"] = description.barriers;
+  json["crs_wkt"] = description.crs_wkt;
+  json["sources"] = description.sources;
+  json["wants_maps"] = description.wants_maps;
+  json["wants_envelopes"] = description.wants_envelopes;
+  json["wants_geopackage"] = description.wants_geopackage;
+  json["wants_report"] = description.wants_report;
+  json["warnings"] = description.warnings;
+  if (const auto& maps = description.maps) {
+    json["maps"] = {{"origin", {maps->origin.x(), maps->origin.y()}},
+                    {"cell", {maps->cell.x(), maps->cell.y()}},
+                    {"by_source", maps->by_source},
+                    {"subjects", names_of(maps->selection.subjects)},
+                    {"percentiles", maps->selection.percentiles}};
+  }
+  if (description.design) json["design"] = plan_json(*description.design);
+  return json;
+}
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
+
+std::string json_text(const RunDescription& description) {
+  std::string text = text_of(head_of(description));
+  text.back() = ',';
+  return text + R"("project":)" + text_of(description.project) + R"(,"model":)" + text_of(description.model) + '}';
+}
+
+namespace {
+
+/// The barriers and sources that the sums are of are those that summary.json tells of.
+void check_model(const RunDescription& description) {
+  const Json& model = description.model;
+  for (const char* key : {"seed", "energy_datum_m", "origin_m", "terrain", "barriers", "sources"}) (void)model.at(key);
+  const Json& origin = model.at("origin_m");
+  expect_bytes(origin.is_array() && origin.size() == 3 &&
+                   std::ranges::all_of(origin, [](const Json& x) { return x.is_number(); }),
+               "the description's origin is none");
+  expect_bytes(model.at("barriers").is_array() && model.at("barriers").size() == description.barriers,
+               "the description's barriers disagree");
+  for (const Json& barrier : model.at("barriers")) (void)barrier.at("name").get_ref<const std::string&>();
+  expect_bytes(description.project.is_object(), "the description has no project");
+}
+
+RunDescription read(const Json& json) {
+  RunDescription description;
+  json.at("name").get_to(description.name);
+  json.at("fingerprint").get_to(description.fingerprint);
+  json.at("sample").get_to(description.sample);
+  json.at("rocks").get_to(description.rocks);
+  json.at("barriers").get_to(description.barriers);
+  json.at("crs_wkt").get_to(description.crs_wkt);
+  json.at("sources").get_to(description.sources);
+  json.at("wants_maps").get_to(description.wants_maps);
+  description.wants_envelopes = json.value("wants_envelopes", false);
+  json.at("wants_geopackage").get_to(description.wants_geopackage);
+  json.at("wants_report").get_to(description.wants_report);
+  json.at("warnings").get_to(description.warnings);
+  description.project = json.at("project");
+  description.model = json.at("model");
+  if (json.contains("maps")) {
+    const Json& given = json.at("maps");
+    MapPlan& maps = description.maps.emplace();
+    const auto pair = [&](const char* key) {
+      return Vec2(given.at(key).at(0).get<double>(), given.at(key).at(1).get<double>());
+    };
+    maps.origin = pair("origin");
+    maps.cell = pair("cell");
+    expect_bytes((maps.cell.array() > 0).all(), "the description's maps have no cells");
+    given.at("by_source").get_to(maps.by_source);
+    if (given.contains("subjects")) maps.selection.subjects = subjects_from(given.at("subjects"));
+    given.at("percentiles").get_to(maps.selection.percentiles);
+  }
+  if (json.contains("design")) description.design = plan_from(json.at("design"), description.barriers);
+  check_model(description);
+  return description;
+}
+
+}  // namespace
+
+Vec3 origin_of(const RunDescription& description) {
+  const Json& origin = description.model.at("origin_m");
+  return {origin.at(0).get<double>(), origin.at(1).get<double>(), origin.at(2).get<double>()};
+}
+
+TableRocks rocks_in_tables(const RunDescription& description) {
+  const auto limit = [&](const char* key) -> TableRocks::Limit {
+    const Json::json_pointer place(std::string("/output/") + key);
+    const Json value = description.project.contains(place) ? description.project.at(place) : Json("all");
+    if (value == "all") return std::nullopt;
+    return value == "none" ? 0 : value.get<std::uint64_t>();
+  };
+  return TableRocks(description.rocks, limit("endpoints"), limit("paths"));
+}
+
+RunDescription description_from(std::string_view json_text) {
+  expect_bytes(depth_of_json(json_text) <= deepest_json, "the description of the run is damaged");
+  try {
+    return read(Json::parse(json_text));
+  } catch (const nlohmann::json::exception&) {
+    throw BadBytes("the description of the run is damaged");
+  }
+}
+
+}  // namespace talus::io

@@ -1,0 +1,262 @@
+#include "talus/export/vector_out.hpp"
+
+#include "talus/core/problems.hpp"
+
+#ifdef TALUS_HAS_GDAL
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "talus/archive/path_arcs.hpp"
+#include "talus/archive/path_reader.hpp"
+#include "talus/archive/table_columns.hpp"
+#include "talus/export/geopackage_file.hpp"
+
+namespace talus::io {
+
+namespace {
+
+constexpr std::size_t column(std::string_view name) { return place_of(endpoint_columns, name); }
+
+OGRFieldType type_of(std::string_view name) {
+  if (name == "rock" || name == "events") return OFTInteger64;
+  return name == "seeder" || name == "end_reason" ? OFTString : OFTReal;
+}
+
+/// Sets fields one after the other.
+class Row {
+ public:
+  explicit Row(OGRLayer& layer) : feature_(layer.GetLayerDefn()) {}
+  Row& operator<<(double x) {
+    feature_.SetField(next_++, x);
+    return *this;
+  }
+  Row& operator<<(std::uint64_t x) {
+    feature_.SetField(next_++, static_cast<GIntBig>(x));
+    return *this;
+  }
+  Row& operator<<(const std::string& text) {
+    feature_.SetField(next_++, text.c_str());
+    return *this;
+  }
+  Row& operator<<(const std::optional<double>& x) {
+    if (x) return *this << *x;
+    ++next_;
+    return *this;
+  }
+  Row& operator<<(const DesignValues& values) {
+    return *this << values.percentile_95 << values.percentile_99 << values.greatest;
+  }
+  void put_at(const OGRGeometry& geometry) { feature_.SetGeometry(&geometry); }
+  [[nodiscard]] OGRFeature& feature() { return feature_; }
+
+ private:
+  OGRFeature feature_;
+  int next_ = 0;
+};
+
+OGRPoint point(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
+
+class Layers {
+ public:
+  Layers(GeoPackageFile& file, const RunFacts& facts) : file_(file), facts_(facts) {
+    add_barriers();
+    if (!facts.design_sections.empty()) add_design();
+    std::vector<GeoField> fields;
+    for (const std::string_view name : endpoint_columns) fields.push_back({std::string(name), type_of(name)});
+    fields.push_back({"source", OFTString});
+    endpoints_ = &file.add_layer("endpoints", wkbPoint25D, "Where rocks ended", fields);
+    paths_ = &file.add_layer("paths", wkbLineString25D, "Ways of rocks, arcs of flights included", fields_of_a_path);
+    releases_ = &file.add_layer("releases", wkbPoint25D, "Where the rocks of the layer paths began", fields_of_a_path);
+  }
+
+  /// The current row of endpoints.csv.
+  void add_endpoint(const CsvReader& row, std::uint64_t rock) {
+    Row feature(*endpoints_);
+    for (std::size_t k = 0; k < endpoint_columns.size(); ++k) {
+      switch (type_of(endpoint_columns[k])) {
+        case OFTInteger64:
+          feature << static_cast<std::uint64_t>(row.whole_number(k));
+          break;
+        case OFTString:
+          feature << std::string(row.text(k));
+          break;
+        default:
+          feature << row.number(k);
+      }
+    }
+    feature << facts_.source_of(rock);
+    constexpr std::size_t x = column("x_m");
+    feature.put_at(OGRPoint(row.number(x), row.number(x + 1), row.number(x + 2)));
+    file_.add(*endpoints_, feature.feature());
+  }
+
+  /// The path of the rock whose end is the current row of endpoints.csv.
+  void add_path(const Path& path, const CsvReader& end) {
+    OGRLineString line;
+    for_points_along(path, geopackage_tolerance_m, [&](const PathPoint& at) {
+      const auto& [x, y, z] = at.position_m;
+      const int last = line.getNumPoints() - 1;
+      // A contact gives two rows in one place.
+      if (last >= 0 && line.getX(last) == x && line.getY(last) == y && line.getZ(last) == z) return;
+      line.addPoint(x, y, z);
+    });
+    if (line.getNumPoints() == 1) line.addPoint(line.getX(0), line.getY(0), line.getZ(0));  // a line has two
+    add_with_values(*paths_, line, path, end);
+    add_with_values(*releases_, point(path.rows.front().position_m), path, end);
+  }
+
+ private:
+  static inline const std::vector<GeoField> fields_of_a_path{
+      {"rock", OFTInteger64}, {"seeder", OFTString},    {"source", OFTString},    {"end_reason", OFTString},
+      {"time_s", OFTReal},    {"events", OFTInteger64}, {"runout_xy_m", OFTReal}, {"mass_kg", OFTReal},
+      {"radius_m", OFTReal},  {"max_ke_J", OFTReal},    {"max_bounce_m", OFTReal}};
+
+  void add_with_values(OGRLayer& layer, const OGRGeometry& geometry, const Path& path, const CsvReader& end) {
+    Row feature(layer);
+    feature << path.rock << std::string(end.text(column("seeder"))) << facts_.source_of(path.rock)
+            << std::string(end.text(column("end_reason"))) << end.number(column("time_s"))
+            << static_cast<std::uint64_t>(end.whole_number(column("events"))) << end.number(column("runout_xy_m"))
+            << end.number(column("mass_kg")) << end.number(column("radius_m")) << end.number(column("max_ke_J"))
+            << end.number(column("max_bounce_m"));
+    feature.put_at(geometry);
+    file_.add(layer, feature.feature());
+  }
+
+  void add_barriers() {
+    std::vector<GeoField> fields{{"name", OFTString},
+                                 {"kind", OFTString},
+                                 {"height_m"},
+                                 {"inclination_deg"},
+                                 {"capacity_kJ"},
+                                 {"hits", OFTInteger64},
+                                 {"rocks_hit", OFTInteger64},
+                                 {"passed_above", OFTInteger64},
+                                 {"stopped", OFTInteger64},
+                                 {"rebounded", OFTInteger64},
+                                 {"broke_through", OFTInteger64},
+                                 {"passed", OFTInteger64},
+                                 {"least_clearance_m"}};
+    constexpr std::pair<const char*, const char*> quantities[] = {
+        {"ke_total", "J"}, {"ke_translational", "J"}, {"impact_height", "m"}, {"velocity", "m_s"}};
+    for (const auto& [quantity, unit] : quantities) {
+      for (const char* part : {"p95", "p99", "max"}) fields.push_back({fmt::format("{}_{}_{}", quantity, part, unit)});
+    }
+    OGRLayer& layer = file_.add_layer("barriers", wkbLineString25D,
+                                      "Feet of barriers and collectors, with what the rocks ask of them", fields);
+    for (const BarrierFacts& barrier : facts_.barriers) {
+      Row feature(layer);
+      feature << barrier.name << barrier.kind << barrier.height_m << barrier.inclination_deg << barrier.capacity_kJ
+              << barrier.hits << barrier.rocks_hit << barrier.passed_above << barrier.stopped << barrier.rebounded
+              << barrier.broke_through << barrier.passed << barrier.least_clearance_m << barrier.ke_total_J
+              << barrier.ke_translational_J << barrier.impact_height_m << barrier.velocity_m_s;
+      OGRLineString foot;
+      for (const auto& [x, y, z] : barrier.foot_m) foot.addPoint(x, y, z);
+      feature.put_at(foot);
+      file_.add(layer, feature.feature());
+    }
+  }
+
+  void add_design() {
+    std::vector<GeoField> fields{
+        {"line", OFTString}, {"section", OFTInteger64}, {"from_m"}, {"to_m"}, {"rocks", OFTInteger64}, {"share"}};
+    for (const std::string& figure : facts_.design_figures) fields.push_back({figure});
+    OGRLayer& layer = file_.add_layer("design", wkbLineString25D,
+                                      "Sections of lines, with what the rocks ask of a barrier there", fields);
+    for (const DesignSection& section : facts_.design_sections) {
+      Row feature(layer);
+      feature << section.line << section.number << section.from_m << section.to_m << section.rocks << section.share;
+      for (const std::optional<double>& figure : section.figures) feature << figure;
+      OGRLineString foot;
+      for (const auto& [x, y, z] : section.foot_m) foot.addPoint(x, y, z);
+      feature.put_at(foot);
+      file_.add(layer, feature.feature());
+    }
+  }
+
+  GeoPackageFile& file_;
+  const RunFacts& facts_;
+  OGRLayer *endpoints_, *paths_, *releases_;
+};
+
+/// Goes through paths.csv in step with the rows of endpoints.csv.
+class PathsInStep {
+ public:
+  PathsInStep(const std::filesystem::path& file, const RunFacts& facts)
+      : file_(file),
+        reader_(file),
+        in_tables_(facts.in_tables),
+        chosen_(facts.geopackage_rocks, facts.in_tables.paths()) {
+    go_on();
+  }
+
+  /// The path of this rock, if it is one of those that are shown. Rocks come in rising order.
+  [[nodiscard]] const Path* of(std::uint64_t rock) {
+    if (!has_path_ || reader_.path().rock > rock) return nullptr;
+    if (reader_.path().rock < rock) refuse();
+    return &reader_.path();
+  }
+  void go_on() {
+    has_path_ = reader_.next([&](std::uint64_t rock) { return chosen_.contains(in_tables_.paths_before(rock)); });
+  }
+  /// Once all rocks are through.
+  void finish() const {
+    if (has_path_) refuse();
+  }
+
+ private:
+  [[noreturn]] void refuse() const {
+    throw BadInput(Problem{.file = file_.string(),
+                           .what = fmt::format("has the path of rock {}", reader_.path().rock),
+                           .why = "endpoints.csv has no such rock after those before it",
+                           .hint = "The files are of different runs; run the project again"});
+  }
+
+  std::filesystem::path file_;
+  PathReader reader_;
+  TableRocks in_tables_;
+  EvenChoice chosen_;
+  bool has_path_ = false;
+};
+
+}  // namespace
+
+bool can_write_geopackage() { return true; }
+
+void write_geopackage(const RunFacts& facts, const std::filesystem::path& folder) {
+  GeoPackageFile file(folder / geopackage_name, facts.crs_wkt);
+  Layers layers(file, facts);
+  PathsInStep paths(folder / "paths.csv", facts);
+  const EvenChoice ends(facts.geopackage_rocks, facts.in_tables.endpoints());
+  for (CsvReader row(folder / "endpoints.csv", endpoint_columns); row.next();) {
+    const auto rock = static_cast<std::uint64_t>(row.whole_number(column("rock")));
+    if (ends.contains(facts.in_tables.endpoints_before(rock))) layers.add_endpoint(row, rock);
+    if (const Path* path = paths.of(rock)) {
+      layers.add_path(*path, row);
+      paths.go_on();
+    }
+  }
+  paths.finish();
+  file.commit();
+}
+
+}  // namespace talus::io
+
+#else
+
+namespace talus::io {
+
+bool can_write_geopackage() { return false; }
+
+void write_geopackage(const RunFacts&, const std::filesystem::path& folder) {
+  throw BadInput(Problem{.file = (folder / geopackage_name).string(),
+                         .what = "cannot write this file",
+                         .why = "this program was built without GDAL",
+                         .hint = "Build it with GDAL, or set geopackage = \"none\""});
+}
+
+}  // namespace talus::io
+
+#endif

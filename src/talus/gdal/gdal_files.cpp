@@ -1,0 +1,216 @@
+#ifdef TALUS_HAS_GDAL
+
+#include "talus/gdal/gdal_files.hpp"
+
+#include <cpl_string.h>
+#include <cpl_vsi_virtual.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace talus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 2> archives{"/vsizip/", "/vsigzip/"};
+constexpr std::string_view in_memory = "/vsimem/";
+
+/// In this thread; null: none may be touched.
+thread_local const GdalFiles* reach = nullptr;
+
+/// Without links, dots and a slash at the end; of what is not there, as far as it is.
+fs::path real(const fs::path& path) {
+  std::error_code error;
+  fs::path whole = fs::absolute(path, error);
+  if (error) return {};
+  if (!whole.has_filename()) whole = whole.parent_path();
+  const fs::path found = fs::weakly_canonical(whole, error);
+  return error ? fs::path() : found;
+}
+
+std::string stem_of(const fs::path& file) { return (file.parent_path() / file.stem()).string(); }
+
+/// FILE/MEMBER of /vsizip/FILE/MEMBER; nothing where a name is of another file system, or FILE is.
+std::optional<std::string> within_archive(std::string_view name) {
+  for (const std::string_view kind : archives) {
+    if (!name.starts_with(kind)) continue;
+    const std::string within(name.substr(kind.size()));
+    return is_name_of_gdal(within) ? std::nullopt : std::optional(within);
+  }
+  return std::nullopt;
+}
+
+bool is_regular(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+}  // namespace
+
+bool is_name_of_gdal(std::string_view name) { return name.starts_with("/vsi"); }
+
+bool is_archive_name(std::string_view name) { return within_archive(name).has_value(); }
+
+std::optional<fs::path> file_on_disk(const fs::path& name, std::error_code& error) {
+  const std::string text = name.string();
+  if (!is_name_of_gdal(text)) return fs::exists(name, error) ? std::optional(name) : std::nullopt;
+  const auto within = within_archive(text);
+  if (!within) return std::nullopt;
+  fs::path file;
+  for (const fs::path& part : fs::path(*within)) {
+    file /= part;
+    if (is_regular(file)) return file;
+  }
+  return std::nullopt;
+}
+
+GdalFiles GdalFiles::in_folder(const fs::path& folder) {
+  GdalFiles files;
+  files.written_ = real(folder.empty() ? "." : folder).string();
+  if (!files.written_.ends_with('/')) files.written_ += '/';
+  return files;
+}
+
+void GdalFiles::add_one(const fs::path& file) {
+  // A link may lie elsewhere than what it leads to, and what belongs to the file beside either.
+  for (const fs::path& place :
+       {real(file.parent_path().empty() ? "." : file.parent_path()) / file.filename(), real(file)}) {
+    stems_.insert(stem_of(place));
+    folders_.insert(place.parent_path().string());
+  }
+  files_.insert(real(file).string());
+}
+
+void GdalFiles::add(const fs::path& name) {
+  std::error_code error;
+  const std::optional<fs::path> file = file_on_disk(name, error);
+  if (!file) return;
+  if (!fs::is_directory(*file, error)) {
+    add_one(*file);
+    return;
+  }
+  const fs::path folder = real(*file);
+  folders_.insert(folder.string());
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored) && !entry->is_symlink(ignored)) files_.insert(entry->path().string());
+  }
+}
+
+bool GdalFiles::may_read(const fs::path& file) const {
+  const fs::path place = real(file);
+  const std::string name = place.string();
+  if (name.empty()) return false;
+  if (!written_.empty() && name.starts_with(written_)) return true;
+  if (files_.contains(name)) return true;
+  const std::size_t begin = name.rfind('/') + 1;
+  for (std::size_t dot = name.find('.', begin); dot != std::string::npos; dot = name.find('.', dot + 1)) {
+    if (stems_.contains(std::string_view(name).substr(0, dot))) return true;
+  }
+  return may_list(place);  // what it is, not what is in its files
+}
+
+bool GdalFiles::may_write(const fs::path& file) const {
+  return !written_.empty() && real(file).string().starts_with(written_);
+}
+
+bool GdalFiles::may_list(const fs::path& folder) const {
+  const std::string name = real(folder).string();
+  return folders_.contains(name) || (!written_.empty() && (name + '/').starts_with(written_));
+}
+
+GdalReach::GdalReach(const GdalFiles& files) : before_(std::exchange(reach, &files)) {}
+GdalReach::~GdalReach() { reach = before_; }
+
+namespace {
+
+thread_local std::optional<std::string> failure;
+
+bool refused(int error) {
+  errno = error;
+  return false;
+}
+
+bool may_read(const char* name) { return (reach != nullptr && reach->may_read(name)) || refused(ENOENT); }
+bool may_list(const char* name) { return (reach != nullptr && reach->may_list(name)) || refused(ENOENT); }
+bool may_write(const char* name) { return (reach != nullptr && reach->may_write(name)) || refused(EACCES); }
+
+/// The disk, as far as it is in reach.
+class GuardedDisk final : public VSIFilesystemHandler {
+ public:
+  explicit GuardedDisk(VSIFilesystemHandler* disk) : disk_(disk) {}
+
+  using VSIFilesystemHandler::Open;
+  VSIVirtualHandle* Open(const char* name, const char* how, bool says_errors, CSLConstList options) override {
+    const bool is_written = std::string_view(how).find_first_of("wa+") != std::string_view::npos;
+    if (is_written ? !may_write(name) : !may_read(name)) return nullptr;
+    VSIVirtualHandle* const file = disk_->Open(name, how, says_errors, options);
+    if (file == nullptr && errno != ENOENT && errno != ENOTDIR && !failure) {
+      failure = std::string(name) + ": " + std::strerror(errno);
+    }
+    return file;
+  }
+  int Stat(const char* name, VSIStatBufL* found, int flags) override {
+    return may_read(name) ? disk_->Stat(name, found, flags) : -1;
+  }
+  int Unlink(const char* name) override { return may_write(name) ? disk_->Unlink(name) : -1; }
+  int Mkdir(const char* name, long mode) override { return may_write(name) ? disk_->Mkdir(name, mode) : -1; }
+  int Rmdir(const char* name) override { return may_write(name) ? disk_->Rmdir(name) : -1; }
+  int Rename(const char* from, const char* to) override {
+    return may_write(from) && may_write(to) ? disk_->Rename(from, to) : -1;
+  }
+  char** ReadDirEx(const char* name, int most) override {
+    return may_list(name) ? disk_->ReadDirEx(name, most) : nullptr;
+  }
+  int IsCaseSensitive(const char* name) override { return disk_->IsCaseSensitive(name); }
+  GIntBig GetDiskFreeSpace(const char* name) override { return disk_->GetDiskFreeSpace(name); }
+  int SupportsSparseFiles(const char* name) override { return disk_->SupportsSparseFiles(name); }
+
+ private:
+  std::unique_ptr<VSIFilesystemHandler> disk_;
+};
+
+/// One of GDAL's file systems that is not used.
+class NoFiles final : public VSIFilesystemHandler {
+ public:
+  using VSIFilesystemHandler::Open;
+  VSIVirtualHandle* Open(const char*, const char*, bool, CSLConstList) override {
+    errno = ENOENT;
+    return nullptr;
+  }
+  int Stat(const char*, VSIStatBufL*, int) override {
+    errno = ENOENT;
+    return -1;
+  }
+};
+
+}  // namespace
+
+std::optional<std::string> failure_of_disk() { return std::exchange(failure, std::nullopt); }
+
+void guard_gdal_files() {
+  // GDAL forgets a handler that is replaced, and frees those that it has: what is kept here is never freed.
+  static std::vector<VSIFilesystemHandler*> replaced;
+  const CPLStringList known(VSIFileManager::GetPrefixes());
+  std::vector<std::string> prefixes{"/vsicurl?"};  // which is not listed
+  for (int i = 0; i < known.size(); ++i) prefixes.emplace_back(known[i]);
+  for (const std::string& prefix : prefixes) {
+    if (prefix == in_memory || std::ranges::find(archives, prefix) != archives.end()) continue;
+    replaced.push_back(VSIFileManager::GetHandler(prefix.c_str()));
+    VSIFileManager::InstallHandler(prefix, new NoFiles);
+  }
+  VSIFileManager::InstallHandler("", new GuardedDisk(VSIFileManager::GetHandler("")));
+}
+
+}  // namespace talus
+
+#endif

@@ -1,0 +1,98 @@
+#ifdef TALUS_HAS_GDAL
+
+#include "talus/gdal/gdal_open.hpp"
+
+#include <cpl_vsi.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <system_error>
+
+#include "talus/core/stop.hpp"
+#include "talus/files/ordinary_file.hpp"
+#include "talus/gdal/gdal_files.hpp"
+#include "talus/gdal/raster_crs.hpp"
+#include "talus/gdal/vrt_sources.hpp"
+
+namespace talus {
+
+namespace {
+
+void expect_file(RasterProblems& problems) {
+  const std::filesystem::path& file = problems.file();
+  const bool is_in_archive = is_name_of_gdal(file.string());
+  if (is_in_archive && !is_archive_name(file.string())) {
+    problems.stop("cannot be read",
+                  "of GDAL's own file systems Talus reads /vsizip/ and /vsigzip/, of files on the disk",
+                  "Copy it to the disk, and name it there");
+  }
+  std::error_code error;
+  const auto on_disk = file_on_disk(file, error);
+  if (!on_disk) {
+    problems.stop("cannot be read", error ? error.message() : "there is no such file",
+                  "Paths are relative to the project file");
+  }
+  if (std::filesystem::is_directory(*on_disk, error)) return;  // of Shapefiles
+  if (const auto why = not_an_ordinary_file(*on_disk)) problems.stop("cannot be read", *why, "Name a file");
+}
+
+/// "<GDAL_WMS>": of a file that is a description in XML, its first element; empty of others.
+std::string first_element(const std::string& name) {
+  std::array<char, 512> bytes{};
+  VSILFILE* const file = VSIFOpenL(name.c_str(), "rb");
+  if (file == nullptr) return {};
+  const std::string head(bytes.data(), VSIFReadL(bytes.data(), 1, bytes.size(), file));
+  VSIFCloseL(file);
+  std::size_t begin = head.find_first_not_of(" \t\r\n");
+  if (begin == std::string::npos || head[begin] != '<') return {};
+  while (begin != std::string::npos && begin + 1 < head.size() && (head[begin + 1] == '?' || head[begin + 1] == '!')) {
+    begin = head.find('<', begin + 1);
+  }
+  if (begin == std::string::npos) return "XML";
+  const std::size_t end = head.find_first_of(" \t\r\n/>", begin + 1);
+  return end == std::string::npos ? "XML" : head.substr(begin, end - begin) + ">";
+}
+
+/// What GDAL could not open it takes for missing, and goes on without.
+void expect_whole(RasterProblems& problems) {
+  if (const auto why = failure_of_disk()) problems.stop("cannot be read", *why);
+}
+
+}  // namespace
+
+std::string name_for_gdal(const std::filesystem::path& file) {
+  return file.is_absolute() ? file.string() : (std::filesystem::path(".") / file).string();
+}
+
+std::vector<const char*> drivers_that_read(GdalKind kind) {
+  std::vector<const char*> drivers;
+  for (const GdalFormat& format : formats_read(kind)) drivers.push_back(format.driver);
+  drivers.push_back(nullptr);
+  return drivers;
+}
+
+GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, RasterProblems& problems,
+                                    const char* const* options) {
+  expect_file(problems);
+  messages.files().add(problems.file());
+  const std::string name = name_for_gdal(problems.file());
+  if (const auto fault = fault_of_proj(messages)) problems.stop(fault->what, fault->why, fault->hint);
+  (void)failure_of_disk();
+  if (kind == GdalKind::raster && driver_of_raster(name) == "VRT") bring_sources_into_reach(messages, problems);
+  messages.clear();
+  const unsigned flags = GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR |
+                         (kind == GdalKind::raster ? unsigned{GDAL_OF_RASTER} : unsigned{GDAL_OF_VECTOR});
+  GDALDatasetUniquePtr dataset(
+      GDALDataset::Open(name.c_str(), flags, drivers_that_read(kind).data(), options, nullptr));
+  stop_point();  // what GDAL left undone is no fault of the file
+  expect_whole(problems);
+  if (dataset) return dataset;
+  const std::string element = first_element(name);
+  problems.stop(kind == GdalKind::raster ? "is no raster that Talus reads" : "is no vector file that Talus reads",
+                element.empty() ? messages.failure() : fmt::format("it begins with {}", element),
+                fmt::format("Talus reads {}", names_of_formats(kind)));
+}
+
+}  // namespace talus
+
+#endif

@@ -1,0 +1,98 @@
+#ifdef TALUS_HAS_GDAL
+
+#include "talus/gdal/gdal_start.hpp"
+
+#include <cpl_conv.h>
+#include <cpl_http.h>
+#include <gdal_frmts.h>
+#include <ogr_srs_api.h>
+#include <ogrsf_frmts.h>
+#include <sqlite3.h>
+
+#include <array>
+
+#include "talus/core/stop.hpp"
+#include "talus/gdal/gdal_files.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr std::array<GdalFormat, 5> rasters{{{"GTiff", "GeoTIFF"},
+                                             {"AAIGrid", "Esri ASCII grid (.asc)"},
+                                             {"EHdr", "Esri float grid (.flt, .bil)"},
+                                             {"HFA", "Erdas Imagine (.img)"},
+                                             {"VRT", "VRT"}}};
+constexpr std::array<GdalFormat, 5> vectors{
+    {{"GPKG", "GeoPackage"}, {"ESRI Shapefile", "Shapefile"}, {"GeoJSON", "GeoJSON"}, {"DXF", "DXF"}, {"CSV", "CSV"}}};
+
+/// Coordinate systems may be named by an address, and so may others that a format knows of.
+CPLHTTPResult* no_network(const char*, CSLConstList, GDALProgressFunc, void*, CPLHTTPFetchWriteFunc, void*, void*) {
+  auto* const result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
+  constexpr const char* why = "Talus lets GDAL use no network";
+  result->nStatus = 1;
+  result->pszErrBuf = CPLStrdup(why);
+  CPLError(CE_Failure, CPLE_AppDefined, "%s", why);
+  return result;
+}
+
+/// A view in a GeoPackage may run for ever: a query ends where its thread is to leave its work.
+int is_to_end(void*) { return StopScope::current() != nullptr && StopScope::current()->is_asked() ? 1 : 0; }
+
+int let_be_stopped(sqlite3* database, const char**, const sqlite3_api_routines*) {
+  constexpr int often = 10'000;  // steps of SQLite's machine: below a millisecond
+  sqlite3_progress_handler(database, often, &is_to_end, nullptr);
+  return SQLITE_OK;
+}
+
+void begin() {
+  // Of every database that GDAL opens from now on, before it asks it anything.
+  sqlite3_auto_extension(reinterpret_cast<void (*)()>(&let_be_stopped));
+  CPLHTTPSetFetchCallback(&no_network, nullptr);
+  OSRSetPROJEnableNetwork(FALSE);
+  guard_gdal_files();
+  // A GeoPackage is a database, and may bring views and virtual tables: these have no functions but SQLite's own
+  // harmless ones, and no modules that read other files.
+  CPLSetConfigOption("SPATIALITE_LOAD", "NO");
+  CPLSetConfigOption("OGR_SQLITE_PRAGMA", "trusted_schema=0");
+  CPLSetConfigOption("OGR_SQLITE_LOAD_EXTENSIONS", "");
+  CPLSetConfigOption("ALLOW_OGR_SQL_FUNCTIONS_FROM_TRIGGER_AND_VIEW", "NO");
+  CPLSetConfigOption("GDAL_VRT_ENABLE_PYTHON", "NO");
+  CPLSetConfigOption("CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO");
+  GDALRegister_VRT();
+  GDALRegister_GTiff();
+  GDALRegister_COG();
+  GDALRegister_AAIGrid();
+  GDALRegister_EHdr();
+  GDALRegister_HFA();
+  RegisterOGRGeoPackage();
+  RegisterOGRShape();
+  RegisterOGRGeoJSON();
+  RegisterOGRDXF();
+  RegisterOGRCSV();
+}
+
+}  // namespace
+
+std::span<const GdalFormat> formats_read(GdalKind kind) {
+  return kind == GdalKind::raster ? std::span<const GdalFormat>(rasters) : std::span<const GdalFormat>(vectors);
+}
+
+std::string names_of_formats(GdalKind kind) {
+  const auto formats = formats_read(kind);
+  std::string names;
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    if (i > 0) names += i + 1 == formats.size() ? " and " : ", ";
+    names += formats[i].name;
+  }
+  return names;
+}
+
+void start_gdal() {
+  static const bool is_begun = (begin(), true);
+  static_cast<void>(is_begun);
+}
+
+}  // namespace talus
+
+#endif

@@ -1,0 +1,245 @@
+#ifdef TALUS_HAS_GDAL
+
+#include "talus/gdal/raster_crs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+namespace talus {
+
+namespace {
+
+using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
+
+// Coordinates as rasters have them, whatever the order of axes in the definition: easting or longitude first.
+OGRSpatialReference in_map_order(OGRSpatialReference crs) {
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return crs;
+}
+
+OGRSpatialReference wgs84() {
+  OGRSpatialReference crs;
+  crs.importFromEPSG(4326);
+  return in_map_order(std::move(crs));
+}
+
+Transformation to_degrees(const OGRSpatialReference& crs) {
+  const OGRSpatialReference from = in_map_order(crs), to = wgs84();
+  return Transformation(OGRCreateCoordinateTransformation(&from, &to));
+}
+
+/// Longitude and latitude [degrees].
+std::optional<Vec2> degrees(OGRCoordinateTransformation& transformation, const Vec2& place) {
+  double x = place.x(), y = place.y();
+  if (!transformation.Transform(1, &x, &y) || !std::isfinite(x) || !std::isfinite(y)) return std::nullopt;
+  return Vec2(x, y);
+}
+
+/// The UTM zone of a place; nothing where it is no place of the earth.
+std::optional<int> utm_epsg(const OGRSpatialReference& crs, const Vec2& centre) {
+  const Transformation transformation = to_degrees(crs);
+  const auto place = transformation ? degrees(*transformation, centre) : std::nullopt;
+  if (!place || std::abs(place->y()) > 84 || std::abs(place->x()) > 360) return std::nullopt;
+  const double longitude = std::remainder(place->x(), 360);
+  const int zone = std::clamp(static_cast<int>(std::floor((longitude + 180) / 6)) + 1, 1, 60);
+  return (place->y() >= 0 ? 32600 : 32700) + zone;
+}
+
+std::string command_to_utm(const OGRSpatialReference& crs, const std::optional<Vec2>& centre,
+                           const CrsCommands& commands) {
+  const auto epsg = centre ? utm_epsg(crs, *centre) : std::nullopt;
+  return commands.project("EPSG:" + (epsg ? std::to_string(*epsg) : std::string("XXXX")));
+}
+
+/// How long a step of 1 m along x and along y is on the ground [m].
+std::optional<std::array<double, 2>> ground_lengths(const OGRSpatialReference& crs, const Vec2& centre) {
+  constexpr double step = 100;  // m
+  // The curvature of the ellipsoid of WGS 84: EPSG Guidance Note 7-2, section 1.2.
+  constexpr double a = 6378137, f = 1 / 298.257223563, e2 = f * (2 - f);
+  const Transformation transformation = to_degrees(crs);
+  if (!transformation) return std::nullopt;
+  std::array<double, 2> lengths{};
+  for (int axis = 0; axis < 2; ++axis) {
+    const Vec2 half = 0.5 * step * (axis == 0 ? Vec2(1, 0) : Vec2(0, 1));
+    const auto from = degrees(*transformation, centre - half), to = degrees(*transformation, centre + half);
+    if (!from || !to) return std::nullopt;
+    const double latitude = 0.5 * (from->y() + to->y()) * std::numbers::pi / 180;
+    const double w2 = 1 - e2 * std::sin(latitude) * std::sin(latitude);
+    const double meridian = a * (1 - e2) / std::pow(w2, 1.5), parallel = a / std::sqrt(w2) * std::cos(latitude);
+    const Vec2 turned = (*to - *from) * std::numbers::pi / 180;
+    lengths[static_cast<std::size_t>(axis)] =
+        std::hypot(std::remainder(turned.x(), 2 * std::numbers::pi) * parallel, turned.y() * meridian) / step;
+  }
+  return lengths;
+}
+
+/// How far a place lies outside of where its coordinate system is meant for [degrees of longitude or latitude]; 0
+/// within, and where that is not known.
+double degrees_outside(OGRSpatialReference crs, const Vec2& place) {
+  if (crs.IsCompound()) crs.StripVertical();
+  double west = 0, south = 0, east = 0, north = 0;
+  if (!crs.GetAreaOfUse(&west, &south, &east, &north, nullptr) || west < -180 || south < -90) return 0;
+  const double width = east >= west ? east - west : east - west + 360;  // or it lies across the 180th meridian
+  const double eastwards = place.x() - west - 360 * std::floor((place.x() - west) / 360);
+  const double beside = eastwards <= width ? 0 : std::min(eastwards - width, 360 - eastwards);
+  return std::max({beside, south - place.y(), place.y() - north});
+}
+
+/// Whether there was nothing to complain of.
+bool judge_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
+                 const CrsCommands& commands) {
+  const auto lengths = ground_lengths(crs, centre);
+  if (!lengths) return true;
+  const bool x_is_worse = std::abs((*lengths)[0] - 1) > std::abs((*lengths)[1] - 1);
+  const double length = (*lengths)[x_is_worse ? 0 : 1];
+  if (std::abs(length - 1) <= doubtful_scale) return true;
+  std::string what = fmt::format("is in {}, whose metres are not metres on the ground", name_of(crs));
+  std::string why = fmt::format("at its centre a metre along {} is {:.3f} m", x_is_worse ? "x" : "y", length);
+  std::string hint = "Project it: " + command_to_utm(crs, centre, commands);
+  if (std::abs(length - 1) > refused_scale) {
+    problems.refuse(std::move(what), std::move(why), std::move(hint));
+  } else {
+    problems.warn(std::move(what), std::move(why), std::move(hint));
+  }
+  return false;
+}
+
+/// A file whose coordinate system is not its own, or whose x and y are exchanged, lies somewhere else.
+void judge_place(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
+                 const CrsCommands& commands) {
+  constexpr double doubtful = 3, refused = 20;  // degrees; people use the next zone of UTM, of 6 degrees, but no other
+  const Transformation transformation = to_degrees(crs);
+  if (!transformation) return;
+  const auto place = degrees(*transformation, centre);
+  const std::string at = fmt::format("({:.10g}, {:.10g})", centre.x(), centre.y());
+  const std::string hint = "Name the true one, or bring its coordinates into the order x, y: " + commands.name;
+  if (!place || std::abs(place->y()) > 90) {
+    problems.refuse("lies nowhere on the earth", fmt::format("its centre {} has no place in {}", at, name_of(crs)),
+                    hint);
+    return;
+  }
+  const double outside = degrees_outside(crs, *place);
+  const std::string why = fmt::format("its centre {} is {:.0f} degrees from where {} holds", at, outside, name_of(crs));
+  if (outside > refused) {
+    problems.refuse("lies elsewhere", why, hint);
+  } else if (judge_scale(crs, centre, problems, commands) && outside > doubtful) {
+    problems.warn("seems to lie elsewhere", why, hint);
+  }
+}
+
+}  // namespace
+
+std::optional<Problem> fault_of_proj(GdalMessages& messages) {
+  messages.clear();
+  OGRSpatialReference any;
+  if (any.importFromEPSG(4326) == OGRERR_NONE) return std::nullopt;
+  std::string hint = "PROJ's files belong to GDAL; on Debian they come with the package proj-data";
+  for (const char* variable : {"PROJ_DATA", "PROJ_LIB"}) {
+    const char* const folder = std::getenv(variable);
+    if (folder == nullptr) continue;
+    hint =
+        fmt::format("{} says that PROJ's files are in {}: unset it, or name the folder of proj.db", variable, folder);
+    break;
+  }
+  return Problem{.what = "coordinate systems cannot be looked up", .why = messages.failure(), .hint = std::move(hint)};
+}
+
+std::string wkt_of(const OGRSpatialReference& crs) {
+  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
+  char* wkt = nullptr;
+  const bool written = crs.exportToWkt(&wkt, options) == OGRERR_NONE && wkt;
+  std::string out = written ? wkt : "";
+  CPLFree(wkt);
+  return out;
+}
+
+std::string name_of(const OGRSpatialReference& crs) {
+  const char *authority = crs.GetAuthorityName(nullptr), *code = crs.GetAuthorityCode(nullptr);
+  if (authority && code) return fmt::format("{}:{}", authority, code);
+  const char* name = crs.GetName();
+  return name && *name ? name : "an unnamed coordinate system";
+}
+
+std::string command_to_metres_of_height(double metres_per_unit, const OGRSpatialReference* crs,
+                                        const RasterProblems& problems) {
+  std::string plan;
+  if (crs && crs->IsCompound()) {
+    OGRSpatialReference horizontal = *crs;
+    horizontal.StripVertical();
+    const char *authority = horizontal.GetAuthorityName(nullptr), *code = horizontal.GetAuthorityCode(nullptr);
+    plan = authority && code ? fmt::format(" -a_srs {}:{}", authority, code) : " -a_srs EPSG:XXXX";
+  }
+  return problems.command(fmt::format("gdal_translate -ot Float32 -scale 0 1 0 {:.15g}{}", metres_per_unit, plan),
+                          "_metres_high.tif");
+}
+
+std::optional<LengthUnit> unit_of_height(const OGRSpatialReference& crs) {
+  if (!crs.IsVertical()) return std::nullopt;
+  const char* unit = nullptr;
+  const double metres = crs.GetTargetLinearUnits("VERT_CS", &unit);
+  return LengthUnit{unit && *unit ? unit : "a unit without a name", metres};
+}
+
+bool has_depths(const OGRSpatialReference& crs) {
+  if (!crs.IsVertical()) return false;
+  OGRAxisOrientation orientation = OAO_Other;
+  return crs.GetAxis(nullptr, crs.IsCompound() ? 2 : 0, &orientation) && orientation == OAO_Down;
+}
+
+std::optional<HeightFault> fault_of_heights(const OGRSpatialReference& crs) {
+  if (has_depths(crs)) return HeightFault{"has depths", name_of(crs) + " counts them downwards; Talus needs heights"};
+  if (const auto height = unit_of_height(crs)) {
+    if (std::abs(height->metres - 1) <= 1e-9) return std::nullopt;
+    return HeightFault{"has heights in " + height->name,
+                       fmt::format("{} has them so; Talus needs metres; one of these units is {:.10g} m", name_of(crs),
+                                   height->metres)};
+  }
+  const char* unit = nullptr;
+  if (!crs.IsProjected() || std::abs(crs.GetLinearUnits(&unit) - 1) <= 1e-9) return std::nullopt;
+  return HeightFault{"does not say what its heights are in",
+                     fmt::format("the unit of {} is {} on plan, and it names none for heights", name_of(crs),
+                                 unit && *unit ? unit : "one without a name")};
+}
+
+void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems) {
+  judge_terrain_crs(crs, centre, problems,
+                    {[&](const std::string& target) {
+                       return problems.command(fmt::format("gdalwarp -t_srs {} -r bilinear", target), "_metres.tif");
+                     },
+                     problems.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif")});
+}
+
+void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems,
+                       const CrsCommands& commands) {
+  if (crs.IsGeographic()) {
+    problems.refuse("is in degrees",
+                    fmt::format("{} is a geographic coordinate system; Talus needs metres on plan", name_of(crs)),
+                    "Project it: " + command_to_utm(crs, centre, commands));
+  } else if (!crs.IsProjected()) {
+    const char* kind = crs.IsLocal() ? "local" : crs.IsGeocentric() ? "geocentric" : "neither projected nor geographic";
+    problems.refuse("has no coordinate system of a map",
+                    fmt::format("{} is {}; Talus needs a projected one, in metres", name_of(crs), kind),
+                    "Name the true one: " + commands.name);
+  } else {
+    const char* unit = nullptr;
+    const double metres = crs.GetLinearUnits(&unit);
+    if (std::abs(metres - 1) > 1e-9) {
+      problems.refuse("is not in metres on plan",
+                      fmt::format("the unit of {} is {}, {:.10g} m", name_of(crs),
+                                  unit && *unit ? unit : "one without a name", metres),
+                      "Project it: " + command_to_utm(crs, centre, commands));
+    } else if (centre) {
+      judge_place(crs, *centre, problems, commands);
+    }
+  }
+}
+
+}  // namespace talus
+
+#endif

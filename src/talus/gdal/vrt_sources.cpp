@@ -1,0 +1,135 @@
+#ifdef TALUS_HAS_GDAL
+
+#include "talus/gdal/vrt_sources.hpp"
+
+#include <cpl_minixml.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "talus/files/ordinary_file.hpp"
+#include "talus/gdal/gdal_files.hpp"
+#include "talus/gdal/gdal_open.hpp"
+
+namespace talus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr vsi_l_offset largest = vsi_l_offset{256} << 20;  // bytes; some hundred for each raster of a mosaic
+
+struct Forget {
+  void operator()(CPLXMLNode* node) const { CPLDestroyXMLNode(node); }
+};
+using Xml = std::unique_ptr<CPLXMLNode, Forget>;
+
+bool is_below(const fs::path& folder, const fs::path& file) {
+  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+  return end == folder.end() && rest != file.end();
+}
+
+class Sources {
+ public:
+  Sources(GdalMessages& messages, RasterProblems& problems) : messages_(messages), problems_(problems) {}
+
+  /// `said`: how the user comes to this VRT: `names "a.vrt", which `.
+  void bring(const fs::path& vrt, const std::string& said) {
+    if (!seen_.insert(vrt.string()).second) return;
+    const Xml all = parsed(vrt, said);
+    std::vector<const CPLXMLNode*> nodes{all.get()};
+    while (!nodes.empty()) {
+      const CPLXMLNode* const node = nodes.back();
+      nodes.pop_back();
+      for (const CPLXMLNode* next : {node->psChild, node->psNext}) {
+        if (next != nullptr) nodes.push_back(next);
+      }
+      if (node->eType == CXT_Attribute && EQUAL(node->pszValue, "subClass")) about_kind(*node, said);
+      if (node->eType == CXT_Element && EQUAL(node->pszValue, "SourceFilename")) about_source(vrt, *node, said);
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what, const std::string& why) {
+    problems_.stop(what, why,
+                   "Put its rasters beside it. Where you trust it: " + problems_.command("gdal_translate", ".tif"));
+  }
+
+  Xml parsed(const fs::path& vrt, const std::string& said) {
+    VSIStatBufL found;
+    if (VSIStatL(vrt.c_str(), &found) != 0 || static_cast<vsi_l_offset>(found.st_size) > largest) {
+      refuse(said + "cannot be read", fmt::format("a VRT has at most {} MB", largest >> 20));
+    }
+    messages_.clear();
+    Xml all(CPLParseXMLFile(vrt.c_str()));
+    if (!all) refuse(said + "cannot be read", messages_.failure());
+    return all;
+  }
+
+  void about_kind(const CPLXMLNode& attribute, const std::string& said) {
+    const std::string kind = attribute.psChild != nullptr ? attribute.psChild->pszValue : "";
+    if (EQUAL(kind.c_str(), "VRTSourcedRasterBand")) return;
+    refuse(fmt::format("{}is a virtual raster of the kind {}", said, kind),
+           "Talus reads mosaics of rasters, as gdalbuildvrt makes them");
+  }
+
+  void about_source(const fs::path& vrt, const CPLXMLNode& node, const std::string& said) {
+    const std::string name = CPLGetXMLValue(&node, nullptr, "");
+    const bool is_relative = CPLTestBool(CPLGetXMLValue(&node, "relativeToVRT", "0"));
+    const fs::path place = is_relative ? vrt.parent_path() / name : fs::path(name);
+    const std::string names = fmt::format("{}names \"{}\"", said, name);
+    const auto why = is_name_of_gdal(vrt.string()) ? fault_in_archive(vrt, place) : fault_on_disk(vrt, place);
+    if (!why.empty()) refuse(names, why);
+    messages_.files().add(place);
+    const std::string driver = driver_of_raster(place.string());
+    if (driver.empty()) refuse(names, "that is no raster that Talus reads");
+    if (driver == "VRT") bring(place, names + ", which ");
+  }
+
+  static constexpr const char* elsewhere = "a VRT may name only rasters in its own folder or below it";
+
+  static std::string fault_on_disk(const fs::path& vrt, const fs::path& place) {
+    std::error_code error;
+    const fs::path folder = fs::canonical(fs::absolute(vrt).parent_path(), error);
+    if (error || place.empty()) return elsewhere;
+    const fs::path file = fs::weakly_canonical(place, error);
+    if (error || !is_below(folder, fs::absolute(file))) return elsewhere;
+    if (!fs::exists(file, error)) return "there is no such file";
+    if (const auto why = not_an_ordinary_file(file)) return *why;
+    return {};
+  }
+
+  /// Members of an archive are no links.
+  static std::string fault_in_archive(const fs::path& vrt, const fs::path& place) {
+    if (!is_below(vrt.parent_path(), place.lexically_normal())) return elsewhere;
+    VSIStatBufL found;
+    return VSIStatL(place.c_str(), &found) == 0 ? "" : "there is no such file";
+  }
+
+  GdalMessages& messages_;
+  RasterProblems& problems_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+std::string driver_of_raster(const std::string& name) {
+  const auto drivers = drivers_that_read(GdalKind::raster);
+  GDALDriverH driver = GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER, drivers.data(), nullptr);
+  return driver != nullptr ? GDALGetDriverShortName(driver) : "";
+}
+
+void bring_sources_into_reach(GdalMessages& messages, RasterProblems& problems) {
+  Sources(messages, problems).bring(name_for_gdal(problems.file()), "");
+}
+
+}  // namespace talus
+
+#endif

@@ -1,0 +1,112 @@
+#ifdef TALUS_HAS_GDAL
+
+#include "talus/import/dxf_entities.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string_view>
+#include <vector>
+
+#include "talus/files/names_in_words.hpp"
+#include "talus/import/dxf_file.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr int no_unit = 0, metres = 6;
+
+/// Of entities on layers that are off or frozen, GDAL makes the colour transparent: "PEN(c:#ff000000)".
+bool is_hidden(const OGRFeature& entity) {
+  const char* style = entity.GetStyleString();
+  constexpr std::string_view before = "c:#", transparent = "00";
+  constexpr std::size_t colour = 6;
+  const std::string_view text = style ? style : "";
+  const std::size_t at = text.find(before);
+  if (at == std::string_view::npos || text.size() < at + before.size() + colour + transparent.size()) return false;
+  return text.substr(at + before.size() + colour).starts_with(transparent);
+}
+
+/// GDAL says "error at line 7586 of plan.dxf", where the entity ends.
+std::string what_failed(const std::filesystem::path& file, const std::string& failure) {
+  constexpr std::string_view before = "error at line ";
+  const std::size_t at = failure.find(before);
+  std::int64_t line = 0;
+  if (at != std::string::npos) {
+    std::from_chars(failure.data() + at + before.size(), failure.data() + failure.size(), line);
+  }
+  const std::string thing = line > 0 ? thing_in_dxf(file, line) : "";
+  return thing.empty() ? failure : fmt::format("the {} that ends at line {} is the first of them", thing, line);
+}
+
+void judge_unit(RasterProblems& problems) {
+  const int unit = unit_of_dxf(problems.file()).value_or(no_unit);
+  if (unit == no_unit || unit == metres) return;
+  problems.refuse(
+      fmt::format("is in {}", name_of_dxf_unit(unit)),
+      fmt::format("its header says $INSUNITS = {}; Talus needs metres", unit),
+      "Scale the drawing to metres and make metres its unit; if its numbers are metres, only do the latter");
+}
+
+}  // namespace
+
+DxfEntities::DxfEntities(OGRLayer& all, const VectorRequest& request, RasterProblems& problems)
+    : problems_(problems),
+      wanted_(request.layer == all.GetName() ? "" : request.layer),
+      layer_key_(request.layer_key),
+      layer_column_(all.GetLayerDefn()->GetFieldIndex("Layer")),
+      paper_column_(all.GetLayerDefn()->GetFieldIndex("PaperSpace")) {
+  judge_unit(problems);
+}
+
+bool DxfEntities::takes(OGRFeature& entity) {
+  const std::string layer = layer_column_ >= 0 ? entity.GetFieldAsString(layer_column_) : "";
+  layers_.insert(layer);
+  if (!wanted_.empty() && layer != wanted_) return false;
+  if (paper_column_ >= 0 && entity.IsFieldSetAndNotNull(paper_column_) &&
+      entity.GetFieldAsInteger(paper_column_) != 0) {
+    ++on_paper_;
+    return false;
+  }
+  if (wanted_.empty() && is_hidden(entity)) {
+    ++hidden_;
+    hidden_layers_.insert(layer);
+    return false;
+  }
+  ++taken_;
+  return true;
+}
+
+void DxfEntities::note_unreadable(const std::string& failure) {
+  if (unreadable_.empty()) unreadable_ = failure;
+}
+
+std::string DxfEntities::entities(std::uint64_t count) const {
+  return fmt::format("{} of {} entities {}", count, taken_ + left_out(), count == 1 ? "is" : "are");
+}
+
+void DxfEntities::complain() {
+  if (!wanted_.empty() && !layers_.contains(wanted_)) {
+    const std::vector<std::string> names(layers_.begin(), layers_.end());
+    problems_.stop(fmt::format("has no layer \"{}\"", wanted_), fmt::format("it has {}", listed(names)),
+                   meant(wanted_, names));
+  }
+  if (on_paper_ > 0) {
+    problems_.warn(entities(on_paper_) + " in a layout", "that is paper, not the model; it is left out");
+  }
+  if (hidden_ > 0) {
+    const std::vector<std::string> names(hidden_layers_.begin(), hidden_layers_.end());
+    problems_.warn(entities(hidden_) + " on a layer that is switched off or frozen",
+                   fmt::format("left out is what lies on {}", listed(names)),
+                   fmt::format("To read such a layer name it: {} = \"{}\"", layer_key_, names.front()));
+  }
+  if (!unreadable_.empty()) {
+    problems_.warn("has entities that GDAL cannot read", what_failed(problems_.file(), unreadable_),
+                   "They are left out; if they are ground, make polylines of them");
+  }
+}
+
+}  // namespace talus
+
+#endif

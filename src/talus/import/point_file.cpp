@@ -1,0 +1,390 @@
+#include "talus/import/point_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/files/first_problems.hpp"
+#include "talus/files/mesh_problems.hpp"
+#include "talus/files/ordinary_file.hpp"
+#include "talus/import/mesh_text.hpp"
+#include "talus/import/raster_file.hpp"
+#include "talus/meshing/cleaning.hpp"
+
+namespace talus {
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+constexpr std::size_t longest_line = 100'000;  // bytes; a file of another kind may have no line feed at all
+constexpr std::size_t most_points = std::size_t{1} << 30U;
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string_view value_of(std::string_view text) {
+  text = trimmed(text);
+  if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front()) {
+    text = text.substr(1, text.size() - 2);
+  }
+  return text;
+}
+
+std::optional<double> number(std::string_view word, bool comma_is_point) {
+  std::array<char, 64> copy;
+  if (comma_is_point && word.find(',') != std::string_view::npos) {
+    if (word.size() > copy.size()) return std::nullopt;
+    for (std::size_t i = 0; i < word.size(); ++i) copy[i] = word[i] == ',' ? '.' : word[i];
+    word = {copy.data(), word.size()};
+  }
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+// ---- columns ----
+
+struct Named {
+  std::size_t axis;  // 0 x, 1 y, 2 z
+  bool in_feet;
+};
+
+// What a column's name says, with a unit behind it or without: "x", "Easting (m)", "z_ft".
+std::optional<Named> meaning(std::string_view name) {
+  std::string word;
+  for (const char c : lower(name)) {
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) word += c;
+  }
+  static constexpr std::array<std::array<std::string_view, 9>, 3> names{{
+      {"x", "e", "east", "easting", "xcoord", "xcoordinate", "rechtswert", "rw", "eastings"},
+      {"y", "n", "north", "northing", "ycoord", "ycoordinate", "hochwert", "hw", "northings"},
+      {"z", "h", "height", "elevation", "elev", "alt", "altitude", "zcoord", "hoehe"},
+  }};
+  static constexpr std::array<std::string_view, 5> metres{"", "m", "metre", "metres", "meters"};
+  static constexpr std::array<std::string_view, 5> feet{"ft", "feet", "foot", "usft", "ftus"};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const std::string_view known : names[axis]) {
+      if (known.empty() || !word.starts_with(known)) continue;
+      const std::string_view unit = std::string_view(word).substr(known.size());
+      for (const std::string_view m : metres) {
+        if (unit == m) return Named{axis, false};
+      }
+      for (const std::string_view ft : feet) {
+        if (unit == ft) return Named{axis, true};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+bool means_degrees(std::string_view name) {
+  const std::string word = lower(name);
+  return word.starts_with("lat") || word.starts_with("lon") || word == "lng";
+}
+
+// ---- the file ----
+
+class PointReader {
+ public:
+  explicit PointReader(const std::filesystem::path& path) : file_(path.string()), problems_(file_, "lines") {}
+
+  std::vector<Vec3> read() {
+    std::ifstream stream = opened();
+    std::string line;
+    while (next_line(stream, line)) {
+      stop_point(static_cast<std::size_t>(number_));
+      std::string_view text = trimmed(line);
+      if (number_ == 1 && text.starts_with("\xEF\xBB\xBF")) text = trimmed(text.substr(3));
+      const bool is_comment = text.starts_with('#') || text.starts_with("//");
+      if (is_comment) text = trimmed(text.substr(text.starts_with('#') ? 1 : 2));
+      if (text.empty() || (is_comment && !points_.empty())) continue;
+      if (!is_known_) {
+        choose_separator(text);
+        split(text);
+        if (number_ == 1 && !is_comment && take_total()) continue;
+        if (is_comment ? names_all() : names_any()) {
+          name_columns();
+          continue;
+        }
+        if (is_comment) continue;
+        is_known_ = true;
+        may_count_ = !has_names_ && words_.size() > 3;
+        if (!has_names_) {
+          named_at_ = line_number();
+          column_count_ = count_columns();
+          may_have_decimal_commas_ = separator_ == ',' && column_count_ >= 6;
+        }
+      } else {
+        split(text);
+      }
+      take_point();
+    }
+    problems_.throw_if_any();
+    if (points_.empty()) {
+      stop("has no points", total_ ? "its first line is a count, and none follows" : "no line has three numbers");
+    }
+    if (total_ && *total_ != points_.size()) {
+      stop(fmt::format("has {} points", points_.size()), fmt::format("its first line says {}", *total_),
+           "Copy it again from where it comes from, or take that line out");
+    }
+    if (may_have_decimal_commas_) {
+      stop(
+          "seems to have decimal commas",
+          "its lines have six and more whole numbers between commas, and none that names the columns",
+          "Write decimal points, or put ; between the columns; if they are whole numbers, name them in the first line, "
+          "for example: x,y,z,red,green,blue");
+    }
+    if (may_count_ && points_.size() > 2) {
+      stop("seems to count its points in the first column",
+           "it has no line that names the columns, and the first number grows by 1 from line to line",
+           "Name them in the first line, for example: id x y z");
+    }
+    return std::move(points_);
+  }
+
+ private:
+  [[noreturn]] void stop(std::string what, std::string why, std::string hint = "") const {
+    throw BadInput(
+        Problem{.file = file_, .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)});
+  }
+
+  std::ifstream opened() const {
+    if (const auto why = not_an_ordinary_file(file_)) stop("cannot be read", *why, "Name a file");
+    errno = 0;
+    std::ifstream stream(file_, std::ios::binary);
+    if (!stream) {
+      stop("cannot be read", std::error_code{errno, std::generic_category()}.message(),
+           "Paths are relative to the project file");
+    }
+    return stream;
+  }
+
+  bool next_line(std::ifstream& stream, std::string& line) {
+    line.clear();
+    // Not getline(): a file of another kind may be one line of gigabytes.
+    int c = 0;
+    auto* buffer = stream.rdbuf();
+    while ((c = buffer->sbumpc()) != std::char_traits<char>::eof()) {
+      if (c == '\n') break;
+      line += static_cast<char>(c);
+      if (line.size() > longest_line) {
+        stop("is no text file of points", fmt::format("line {} has more than {} bytes", number_ + 1, longest_line));
+      }
+    }
+    if (c == std::char_traits<char>::eof() && line.empty()) return false;
+    ++number_;
+    return true;
+  }
+
+  void choose_separator(std::string_view text) {
+    separator_ = ' ';
+    for (const char candidate : {';', '\t', ','}) {
+      if (text.find(candidate) == std::string_view::npos) continue;
+      separator_ = candidate;
+      return;
+    }
+  }
+
+  // Where the text in quotation marks that begins here is over; here if none does.
+  static std::size_t after_quotes(std::string_view text, std::size_t at) {
+    const std::size_t begin = std::min(text.find_first_not_of(blanks, at), text.size());
+    if (begin == text.size() || text[begin] != '"') return at;
+    const std::size_t end = text.find('"', begin + 1);
+    return end == std::string_view::npos ? at : end;
+  }
+
+  void split(std::string_view text) {
+    words_.clear();
+    if (separator_ == ' ') {
+      for (std::size_t at = text.find_first_not_of(blanks); at != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
+        words_.push_back(value_of(text.substr(at, end - at)));
+        at = text.find_first_not_of(blanks, end);
+      }
+      return;
+    }
+    for (std::size_t at = 0; at <= text.size();) {
+      const std::size_t end = std::min(text.find(separator_, after_quotes(text, at)), text.size());
+      words_.push_back(value_of(text.substr(at, end - at)));
+      at = end + 1;
+    }
+  }
+
+  // A lone whole number, as .pts files begin with: how many points follow.
+  bool take_total() {
+    if (words_.size() != 1) return false;
+    std::size_t total = 0;
+    const auto [end, error] = std::from_chars(words_[0].data(), words_[0].data() + words_[0].size(), total);
+    if (error != std::errc{} || end != words_[0].data() + words_[0].size()) return false;
+    total_ = total;
+    return true;
+  }
+
+  [[nodiscard]] bool comma_is_point() const { return separator_ == ';' || separator_ == '\t'; }
+
+  [[nodiscard]] bool names_any() const { return !has_names_ && !number(words_[0], comma_is_point()); }
+  // In a comment: all three, else it says something else.
+  [[nodiscard]] bool names_all() const {
+    std::array<bool, 3> found{};
+    for (const std::string_view word : words_) {
+      if (const auto named = meaning(word)) found[named->axis] = true;
+    }
+    return found[0] && found[1] && found[2];
+  }
+
+  void name_columns() {
+    std::array<std::optional<std::size_t>, 3> columns;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      const auto named = meaning(words_[i]);
+      if (!named) continue;
+      if (named->in_feet) {
+        stop_at_line(fmt::format("column {} is in feet", in_quotes(words_[i])),
+                     "Talus needs metres on plan and in height",
+                     "Convert it to metres: a foot is 0.3048 m, a US survey foot 1200/3937 m");
+      }
+      if (columns[named->axis]) {
+        stop_at_line(fmt::format("columns {} and {} mean the same", in_quotes(words_[*columns[named->axis]]),
+                                 in_quotes(words_[i])),
+                     "there is one x, one y and one z", "Rename the one that is not meant");
+      }
+      columns[named->axis] = i;
+    }
+    static constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (columns[axis]) {
+        columns_[axis] = *columns[axis];
+        continue;
+      }
+      for (const std::string_view word : words_) {
+        if (axis == 2 || !means_degrees(word)) continue;
+        stop_at_line(fmt::format("column {} is in degrees", in_quotes(word)), "Talus needs metres on plan",
+                     "Project the points, for example with gdaltransform -s_srs EPSG:4326 -t_srs EPSG:XXXX");
+      }
+      std::string found;
+      for (const std::string_view word : words_) found += (found.empty() ? "" : ", ") + in_quotes(word);
+      stop_at_line(fmt::format("no column is called {}", names[axis]), fmt::format("there are {}", found),
+                   "Columns are called x, y and z, or easting, northing and elevation");
+    }
+    has_names_ = true;
+    named_at_ = line_number();
+    column_count_ = count_columns();
+  }
+
+  // A separator at the end of a line parts nothing.
+  [[nodiscard]] std::size_t count_columns() const { return words_.size() - (words_.back().empty() ? 1 : 0); }
+
+  [[nodiscard]] bool has_whole_numbers_only() const {
+    return std::ranges::all_of(words_, [](std::string_view word) {
+      const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
+      return word.size() > sign && word.find_first_not_of("0123456789", sign) == std::string_view::npos;
+    });
+  }
+
+  // A value that belongs to no column may be the rest of one that was cut in two.
+  [[nodiscard]] bool is_too_long() {
+    const std::size_t count = count_columns();
+    if (count <= column_count_) return false;
+    const bool may_be_commas = separator_ == ',' && has_whole_numbers_only();
+    problems_.add(line_number(), fmt::format("has {} columns", count),
+                  fmt::format("line {} {} {}", named_at_, has_names_ ? "names" : "has", column_count_),
+                  may_be_commas ? "If its commas stand for decimal points, write points, or put ; between the columns"
+                                : "Name all columns in the first line");
+    return true;
+  }
+
+  [[noreturn]] void stop_at_line(std::string what, std::string why, std::string hint) const {
+    throw BadInput(Problem{.file = file_,
+                           .line = line_number(),
+                           .where = {},
+                           .what = std::move(what),
+                           .why = std::move(why),
+                           .hint = std::move(hint)});
+  }
+
+  [[nodiscard]] int line_number() const {
+    return static_cast<int>(std::min<std::size_t>(number_, std::numeric_limits<int>::max()));
+  }
+
+  void take_point() {
+    if (is_too_long()) return;
+    may_have_decimal_commas_ = may_have_decimal_commas_ && has_whole_numbers_only();
+    Vec3 point;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (columns_[axis] >= words_.size()) {
+        problems_.add(line_number(), fmt::format("has {} of {} columns", words_.size(), columns_needed()),
+                      axis == 2 && words_.size() == 2 ? "a point has a height" : "a point has x, y and z");
+        return;
+      }
+      const auto value = number(words_[columns_[axis]], comma_is_point());
+      if (!value || !std::isfinite(*value)) {
+        problems_.add(line_number(), fmt::format("{} is no number", in_quotes(words_[columns_[axis]])),
+                      fmt::format("expected {} in metres", axis == 0   ? "x"
+                                                           : axis == 1 ? "y"
+                                                                       : "z"));
+        return;
+      }
+      if (axis < 2 && std::abs(*value) > largest_coordinate_m) {
+        problems_.add(line_number(), fmt::format("{} is {:.10g}", axis == 0 ? "x" : "y", *value),
+                      fmt::format("coordinates lie within {:g} m", largest_coordinate_m));
+        return;
+      }
+      point[static_cast<Eigen::Index>(axis)] = *value;
+    }
+    if (point.z() < least_elevation_m || point.z() > greatest_elevation_m) {
+      problems_.add(line_number(), fmt::format("z is {:.10g}", point.z()),
+                    fmt::format("heights lie between {:g} and {:g} m", least_elevation_m, greatest_elevation_m),
+                    "If it stands for no data, leave the line out");
+      return;
+    }
+    if (may_count_) {
+      const auto first = number(words_[0], comma_is_point());
+      may_count_ = first && *first == std::floor(*first) && (points_.empty() || *first == counted_ + 1);
+      counted_ = first.value_or(0);
+    }
+    if (points_.size() == most_points)
+      stop("is too large", fmt::format("Talus reads fewer than {} points", most_points));
+    points_.push_back(point);
+  }
+
+  [[nodiscard]] std::size_t columns_needed() const {
+    return 1 + std::max(columns_[0], std::max(columns_[1], columns_[2]));
+  }
+
+  std::string file_;
+  FirstProblems problems_;
+  std::vector<Vec3> points_;
+  std::size_t number_ = 0;  // of the line, from 1
+  char separator_ = ' ';
+  std::optional<std::size_t> total_;  // of points, as the first line says
+  bool is_known_ = false;             // what separates the columns, and which are which
+  bool has_names_ = false;
+  int named_at_ = 0;  // the line that says how many columns there are
+  std::size_t column_count_ = 0;
+  bool may_have_decimal_commas_ = false;
+  bool may_count_ = false;  // whether the first column may be a number of the point
+  double counted_ = 0;
+  std::array<std::size_t, 3> columns_{0, 1, 2};
+  std::vector<std::string_view> words_;
+};
+
+}  // namespace
+
+std::vector<Vec3> read_point_file(const std::filesystem::path& path) { return PointReader(path).read(); }
+
+}  // namespace talus

@@ -1,0 +1,418 @@
+#include "talus/import/survey_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <string_view>
+
+#include "talus/files/first_problems.hpp"
+#include "talus/files/mesh_problems.hpp"
+#include "talus/import/las_file.hpp"
+#include "talus/import/mesh_text.hpp"
+#include "talus/import/point_file.hpp"
+#include "talus/import/raster_file.hpp"
+#include "talus/import/vector_file.hpp"
+
+namespace talus {
+namespace {
+
+struct PlanBox {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  void grow(const Vec3& p) {
+    low = low.cwiseMin(p.head<2>());
+    high = high.cwiseMax(p.head<2>());
+  }
+  [[nodiscard]] bool is_apart_from(const PlanBox& o) const {
+    return (low.array() > o.high.array()).any() || (high.array() < o.low.array()).any();
+  }
+  [[nodiscard]] std::string text() const {
+    return fmt::format("x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}", low.x(), high.x(), low.y(), high.y());
+  }
+};
+
+Problem problem(const std::filesystem::path& file, std::string what, std::string why, std::string hint = "") {
+  return {.file = file.string(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
+}
+
+// The coordinate system in which everything comes together.
+class CommonCrs {
+ public:
+  explicit CommonCrs(const SaidOfCrs& said) : said_(said), crs_(said.crs) {}
+
+  [[nodiscard]] const SurveyCrs& get() const { return crs_; }
+  // What a reader that can bring features to another coordinate system is asked for.
+  [[nodiscard]] const std::string& wanted() const { return crs_.wkt; }
+
+  // Of a file whose coordinates stay as they are.
+  void keep(const SurveyCrs& of_file, const std::filesystem::path& file) {
+    if (!of_file.is_known()) return;
+    refuse_local(of_file, file);
+    if (crs_.is_known() && !have_one_plan(crs_, of_file)) {
+      throw BadInput(problem(file, fmt::format("is in {}", of_file.name), fmt::format("crs says {}", crs_.name),
+                             "Leave crs out, or bring the file to it"));
+    }
+    take(of_file);
+  }
+
+  // Of a vector file, which was brought to what was wanted.
+  void brought(const VectorLayer& layer, const std::filesystem::path& file) {
+    const SurveyCrs of_file{layer.crs_wkt, layer.crs_name};
+    if (!of_file.is_known()) return;
+    refuse_local(of_file, file);
+    if (!crs_.is_known()) take(of_file);
+  }
+
+  [[nodiscard]] bool is_local() const { return said_.is_local; }
+
+ private:
+  void refuse_local(const SurveyCrs& of_file, const std::filesystem::path& file) const {
+    if (!said_.is_local) return;
+    throw BadInput(problem(file, fmt::format("is in {}", of_file.name), "crs says \"local\"", "Leave crs out"));
+  }
+  void take(const SurveyCrs& crs) {
+    if (!said_.crs.is_known()) crs_ = crs;
+  }
+
+  const SaidOfCrs& said_;
+  SurveyCrs crs_;
+};
+
+// ---- heights of features ----
+
+class Heights {
+ public:
+  Heights(const std::filesystem::path& file, std::string attribute)
+      : file_(file), attribute_(std::move(attribute)), problems_(file.string(), "features") {}
+
+  [[nodiscard]] std::vector<std::string> attributes() const {
+    return attribute_.empty() ? std::vector<std::string>{} : std::vector<std::string>{attribute_};
+  }
+
+  // Gives the feature's vertices their heights; false where it has none.
+  bool give(VectorFeature& feature) {
+    const std::string name = fmt::format("feature {}", feature.id);
+    std::optional<double> height;
+    if (!attribute_.empty()) {
+      const auto& value = feature.values.front();
+      if (!value) return refuse(name + " has no height", fmt::format("its {} is empty", attribute_));
+      double number = 0;
+      const char *begin = value->data(), *end = begin + value->size();
+      const auto [rest, error] = std::from_chars(begin, end, number);
+      if (error != std::errc{} || rest != end || !std::isfinite(number)) {
+        return refuse(fmt::format("{} has the {} {}", name, attribute_, in_quotes(*value)),
+                      "a height is a number of metres");
+      }
+      height = number;
+    } else if (!feature.has_z) {
+      return refuse(name + " has no heights", "its geometry is of x and y only",
+                    "Name the attribute that holds them: elevation_attribute = \"...\"");
+    }
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (VectorShape& part : feature.parts) {
+      for (auto& list : part.lists) {
+        for (Vec3& p : list) {
+          if (height) p.z() = *height;
+          if (p.z() < least_elevation_m || p.z() > greatest_elevation_m) {
+            return refuse(fmt::format("{} has the height {:.10g}", name, p.z()),
+                          fmt::format("heights lie between {:g} and {:g} m", least_elevation_m, greatest_elevation_m));
+          }
+          low = std::min(low, p.z());
+          high = std::max(high, p.z());
+        }
+      }
+    }
+    if (low == 0 && high == 0) {
+      if (++at_zero_ == 1) first_at_zero_ = name;
+    } else {
+      low_ = std::min(low_, low);
+      high_ = std::max(high_, high);
+    }
+    return true;
+  }
+
+  // Whether nobody filled in the z, of all features or of some.
+  void finish(bool others_have_heights, const std::string& layer_key, Problems& warnings) const {
+    problems_.throw_if_any();
+    if (low_ <= high_) return warn_of_some(layer_key, warnings);
+    Problem flat = problem(file_, "has no height but 0", "every vertex has it",
+                           "If an attribute holds them, name it: elevation_attribute = \"...\"");
+    if (!others_have_heights) throw BadInput(flat);
+    flat.severity = Severity::warning;
+    warnings.add(flat);
+  }
+
+ private:
+  void warn_of_some(const std::string& layer_key, Problems& warnings) const {
+    if (at_zero_ == 0 || (low_ <= 0 && high_ >= 0)) return;
+    Problem some =
+        problem(file_, fmt::format("{} {} at the height 0", at_zero_, at_zero_ == 1 ? "feature lies" : "features lie"),
+                fmt::format("the others lie from {:.10g} to {:.10g} m; {} is the first", low_, high_, first_at_zero_),
+                fmt::format("A frame or plan beside the ground is left out by naming the ground's layer: {} = \"...\"",
+                            layer_key));
+    some.severity = Severity::warning;
+    warnings.add(some);
+  }
+
+  bool refuse(std::string what, std::string why, std::string hint = "") {
+    problems_.add(0, std::move(what), std::move(why), std::move(hint));
+    return false;
+  }
+
+  const std::filesystem::path& file_;
+  std::string attribute_;
+  FirstProblems problems_;
+  std::size_t at_zero_ = 0;  // features
+  std::string first_at_zero_;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;  // of the others
+};
+
+// "elev_ft", "Z (feet)": as with the columns of text files, a unit in a name is believed where it is a word.
+bool names_feet(std::string_view attribute) {
+  const std::string name = lower(attribute);
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+  const auto end = std::find_if(name.rbegin(), name.rend(), is_letter).base();
+  const auto begin = std::find_if_not(std::make_reverse_iterator(end), name.rend(), is_letter).base();
+  static constexpr std::array<std::string_view, 5> feet{"ft", "feet", "foot", "usft", "ftus"};
+  return std::find(feet.begin(), feet.end(), std::string_view(begin, end)) != feet.end();
+}
+
+VectorLayer read_with_heights(const std::filesystem::path& path, VectorRequest request, const std::string& attribute,
+                              bool others_have_heights, CommonCrs& crs, Problems& warnings) {
+  if (names_feet(attribute)) {
+    throw BadInput(problem(path, fmt::format("attribute {} is in feet", in_quotes(attribute)),
+                           "Talus needs metres in height",
+                           "Make one in metres: a foot is 0.3048 m, a US survey foot 1200/3937 m"));
+  }
+  Heights heights(path, attribute);
+  request.attributes = heights.attributes();
+  request.heights_are_used = attribute.empty();
+  request.terrain_crs_wkt = crs.wanted();
+  VectorLayer layer = read_vector_file(path, request, warnings);
+  crs.brought(layer, path);
+  for (VectorFeature& feature : layer.features) heights.give(feature);
+  heights.finish(others_have_heights, request.layer_key, warnings);
+  return layer;
+}
+
+// ---- the files of a survey ----
+
+class SurveyReader {
+ public:
+  SurveyReader(const SurveySources& sources, Problems& warnings)
+      : sources_(sources), warnings_(warnings), crs_(sources.said) {}
+
+  SurveyFiles read() {
+    if (!sources_.points.empty()) read_points();
+    if (!sources_.lines.empty()) read_lines();
+    if (!sources_.boundary.empty()) read_boundary();
+    judge();
+    files_.crs_wkt = crs_.get().wkt;
+    return std::move(files_);
+  }
+
+ private:
+  void tell(const std::filesystem::path& file, const std::string& what) {
+    files_.report += fmt::format("{}{}: {}", files_.report.empty() ? "" : "\n", file.string(), what);
+  }
+
+  void read_points() {
+    const std::filesystem::path& file = sources_.points;
+    const std::string ending = lower(file.extension().string());
+    static constexpr std::array<std::string_view, 5> texts{".csv", ".xyz", ".txt", ".pts", ".dat"};
+    if (ending == ".las" || ending == ".laz") {
+      kind_ = SurveyKind::las;
+      read_las();
+    } else if (std::find(texts.begin(), texts.end(), ending) != texts.end()) {
+      kind_ = SurveyKind::text;
+      files_.survey.points = read_point_file(file);
+      tell(file, fmt::format("{} points", files_.survey.points.size()));
+    } else {
+      kind_ = SurveyKind::vector;
+      VectorRequest request;
+      request.layer = sources_.points_layer;
+      request.layer_key = "points_layer";
+      request.kinds = {ShapeKind::point};
+      const VectorLayer layer =
+          read_with_heights(file, request, sources_.elevation_attribute, !sources_.lines.empty(), crs_, warnings_);
+      for (const VectorFeature& feature : layer.features) {
+        for (const VectorShape& part : feature.parts) files_.survey.points.push_back(part.lists.front().front());
+      }
+      tell(file, fmt::format("{} points of layer \"{}\"", files_.survey.points.size(), layer.name));
+    }
+    for (const Vec3& p : files_.survey.points) points_box_.grow(p);
+  }
+
+  void read_las() {
+    LasFile las = read_las_file(sources_.points, sources_.point_classes);
+    crs_.keep(crs_of_las(las.crs, sources_.points, sources_.said, warnings_), sources_.points);
+    std::string classes;
+    for (const auto& [las_class, count] : las.of_class) {
+      classes += fmt::format("{}{} of class {}", classes.empty() ? "" : ", ", count, las_class);
+    }
+    tell(sources_.points, fmt::format("{} of {} points are taken; it has {}{}", las.points.size(), las.declared,
+                                      classes, las.withheld > 0 ? fmt::format(" and {} withheld", las.withheld) : ""));
+    const auto ground = las.of_class.find(2);
+    if (sources_.point_classes.empty() && ground != las.of_class.end() && ground->second < las.points.size()) {
+      Problem warning =
+          problem(sources_.points, "has points of other classes than ground",
+                  fmt::format("{} of {} that are taken are classified as ground", ground->second, las.points.size()),
+                  "For the ground alone write point_classes = [2]");
+      warning.severity = Severity::warning;
+      warnings_.add(std::move(warning));
+    }
+    files_.survey.points = std::move(las.points);
+  }
+
+  void read_lines() {
+    const std::filesystem::path& file = sources_.lines;
+    const bool points_have_none = !sources_.points.empty() && !crs_.get().is_known();
+    VectorRequest request;
+    request.layer = sources_.lines_layer;
+    request.layer_key = "lines_layer";
+    request.kinds = {ShapeKind::line, ShapeKind::polygon};
+    VectorLayer layer =
+        read_with_heights(file, request, sources_.elevation_attribute, !sources_.points.empty(), crs_, warnings_);
+    if (sources_.points.empty()) kind_ = SurveyKind::vector;
+    if (points_have_none && crs_.get().is_known()) {
+      Problem warning = problem(sources_.points, "names no coordinate system",
+                                fmt::format("it is taken to be {}, that of {}", crs_.get().name, file.string()),
+                                "Say so with crs = \"...\"");
+      warning.severity = Severity::warning;
+      warnings_.add(std::move(warning));
+    }
+    std::size_t vertices = 0;
+    for (VectorFeature& feature : layer.features) {
+      for (VectorShape& part : feature.parts) {
+        for (auto& list : part.lists) {
+          if (list.empty()) continue;
+          if (part.kind == ShapeKind::polygon) list.push_back(list.front());
+          for (const Vec3& p : list) lines_box_.grow(p);
+          vertices += list.size();
+          files_.survey.lines.push_back(std::move(list));
+        }
+      }
+    }
+    tell(file,
+         fmt::format("{} lines of {} vertices, of layer \"{}\"", files_.survey.lines.size(), vertices, layer.name));
+    if (sources_.points.empty() || !points_box_.is_apart_from(lines_box_)) return;
+    throw BadInput(problem(
+        file, "does not reach the points",
+        fmt::format("it lies within {}, {} within {}", lines_box_.text(), sources_.points.string(), points_box_.text()),
+        "Are both in one coordinate system?"));
+  }
+
+  void read_boundary() {
+    const std::filesystem::path& file = sources_.boundary;
+    VectorRequest request;
+    request.layer = sources_.boundary_layer;
+    request.layer_key = "boundary_layer";
+    request.kinds = {ShapeKind::polygon};
+    request.terrain_crs_wkt = crs_.wanted();
+    const VectorLayer layer = read_vector_file(file, request, warnings_);
+    crs_.brought(layer, file);
+    PlanBox box;
+    for (const VectorFeature& feature : layer.features) {
+      for (const VectorShape& part : feature.parts) {
+        files_.boundary.emplace_back(part.lists);
+        for (const Vec3& p : part.lists.front()) box.grow(p);
+      }
+    }
+    const PlanBox survey = survey_box();
+    if (survey.is_apart_from(box)) {
+      throw BadInput(problem(file, "does not reach the survey",
+                             fmt::format("it lies within {}, the survey within {}", box.text(), survey.text()),
+                             "Are both in one coordinate system?"));
+    }
+  }
+
+  [[nodiscard]] PlanBox survey_box() const {
+    PlanBox box = points_box_;
+    box.low = box.low.cwiseMin(lines_box_.low);
+    box.high = box.high.cwiseMax(lines_box_.high);
+    return box;
+  }
+
+  void judge() {
+    const PlanBox box = survey_box();
+    const std::filesystem::path& file = sources_.points.empty() ? sources_.lines : sources_.points;
+    if (crs_.get().is_known()) {
+      judge_survey_crs(crs_.get(), Vec2(0.5 * (box.low + box.high)), file, kind_, warnings_);
+      return;
+    }
+    if (crs_.is_local()) return;
+    // Metres within 180 and 90 are those of a small slope in coordinates of its own; such a one is wider than 10 m,
+    // and a survey in degrees is not wider than 10 degrees.
+    constexpr double widest_in_degrees = 10;
+    const bool may_be_degrees = box.low.x() >= -180 && box.high.x() <= 180 && box.low.y() >= -90 &&
+                                box.high.y() <= 90 && (box.high - box.low).maxCoeff() < widest_in_degrees;
+    if (may_be_degrees) {
+      throw BadInput(problem(file, "seems to be in degrees",
+                             fmt::format("it lies within {}, and names no coordinate system", box.text()),
+                             "Project it to metres; or, if they are metres, write crs = \"local\""));
+    }
+    Problem warning = problem(file, "names no coordinate system", "its coordinates are taken to be in metres",
+                              "Name it with crs = \"EPSG:...\", or write crs = \"local\"");
+    warning.severity = Severity::warning;
+    warnings_.add(std::move(warning));
+  }
+
+  const SurveySources& sources_;
+  Problems& warnings_;
+  CommonCrs crs_;
+  SurveyFiles files_;
+  SurveyKind kind_ = SurveyKind::vector;
+  PlanBox points_box_, lines_box_;
+};
+
+}  // namespace
+
+SurveyFiles read_survey(const SurveySources& sources, Problems& warnings) {
+  return SurveyReader(sources, warnings).read();
+}
+
+PolygonFile read_polygon_file(const std::filesystem::path& path, const std::string& layer_name, const SaidOfCrs& said,
+                              double tolerance_m, Problems& warnings) {
+  CommonCrs crs(said);
+  VectorRequest request;
+  request.layer = layer_name;
+  request.layer_key = "polygons_layer";
+  request.kinds = {ShapeKind::line, ShapeKind::polygon};
+  request.polygons_are_in_space = true;
+  VectorLayer layer = read_with_heights(path, request, "", false, crs, warnings);
+  PolygonFile file;
+  FirstProblems problems(path.string(), "features");
+  PlanBox box;
+  for (VectorFeature& feature : layer.features) {
+    for (std::size_t k = 0; k < feature.parts.size(); ++k) {
+      VectorShape& part = feature.parts[k];
+      std::string name = fmt::format("feature {}", feature.id);
+      if (feature.parts.size() > 1) name += fmt::format(", part {},", k + 1);
+      if (part.kind == ShapeKind::line) {
+        auto& line = part.lists.front();
+        const double apart = line.empty() ? 0 : (line.front() - line.back()).norm();
+        if (apart > tolerance_m) {
+          problems.add(0, name + " is not closed", fmt::format("its ends are {:.4g} m apart", apart),
+                       "Repeat its first vertex at its end");
+          continue;
+        }
+        if (!line.empty()) line.pop_back();
+      }
+      for (const auto& ring : part.lists) {
+        for (const Vec3& p : ring) box.grow(p);
+      }
+      file.polygons.push_back({name, std::move(part.lists)});
+    }
+  }
+  problems.throw_if_any();
+  if (crs.get().is_known())
+    judge_survey_crs(crs.get(), Vec2(0.5 * (box.low + box.high)), path, SurveyKind::vector, warnings);
+  file.crs_wkt = crs.get().wkt;
+  return file;
+}
+
+}  // namespace talus

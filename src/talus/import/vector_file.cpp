@@ -1,0 +1,203 @@
+#include "talus/import/vector_file.hpp"
+
+#ifdef TALUS_HAS_GDAL
+
+#include <cpl_string.h>
+#include <fmt/format.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "talus/core/stop.hpp"
+#include "talus/files/mesh_problems.hpp"
+#include "talus/files/names_in_words.hpp"
+#include "talus/gdal/gdal_open.hpp"
+#include "talus/gdal/raster_crs.hpp"
+#include "talus/import/dxf_entities.hpp"
+#include "talus/import/dxf_file.hpp"
+#include "talus/import/vector_shapes.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr std::int64_t most_features = 50'000'000;  // far beyond any survey; a damaged file may declare more
+
+bool is_csv(const std::filesystem::path& file) { return file.extension() == ".csv" || file.extension() == ".CSV"; }
+
+GDALDatasetUniquePtr open_vectors(GdalMessages& messages, RasterProblems& problems) {
+  static const char* const columns_of_csv[] = {"GEOM_POSSIBLE_NAMES=WKT,geometry,geom,the_geom",
+                                               "X_POSSIBLE_NAMES=x,x_m,east*,lon*",
+                                               "Y_POSSIBLE_NAMES=y,y_m,north*,lat*",
+                                               "Z_POSSIBLE_NAMES=z,z_m,height*,elev*",
+                                               "KEEP_GEOM_COLUMNS=YES",
+                                               nullptr};
+  return open_with_gdal(GdalKind::vector, messages, problems, is_csv(problems.file()) ? columns_of_csv : nullptr);
+}
+
+bool is_dxf(GDALDataset& dataset) { return std::string_view(dataset.GetDriverName()) == "DXF"; }
+
+OGRLayer& layer_of(GDALDataset& dataset, const VectorRequest& request, RasterProblems& problems) {
+  const std::string wanted = is_dxf(dataset) ? "" : request.layer;
+  std::vector<std::string> names, with_geometry;
+  OGRLayer* found = nullptr;
+  for (OGRLayer* layer : dataset.GetLayers()) {
+    names.emplace_back(layer->GetName());
+    if (layer->GetGeomType() == wkbNone) continue;
+    with_geometry.push_back(names.back());
+    if (wanted.empty() || names.back() == wanted) found = layer;
+  }
+  if (with_geometry.empty()) {
+    problems.stop("has no points, lines or polygons",
+                  names.empty() ? "it has no layer" : fmt::format("it has only tables: {}", listed(names)),
+                  is_csv(problems.file()) ? "A CSV needs columns x and y, or one called WKT" : "");
+  }
+  if (!found) {
+    const bool is_table = std::find(names.begin(), names.end(), wanted) != names.end();
+    problems.stop(
+        is_table ? fmt::format("layer \"{}\" has no geometry", wanted) : fmt::format("has no layer \"{}\"", wanted),
+        fmt::format("it has {}", listed(with_geometry)), meant(wanted, with_geometry));
+  }
+  if (wanted.empty() && with_geometry.size() > 1) {
+    problems.stop(fmt::format("has {} layers", with_geometry.size()), listed(with_geometry),
+                  fmt::format("Say which: {} = \"{}\"", request.layer_key, with_geometry.front()));
+  }
+  return *found;
+}
+
+std::vector<int> columns_of(OGRLayer& layer, const std::vector<std::string>& attributes, RasterProblems& problems) {
+  const OGRFeatureDefn& definition = *layer.GetLayerDefn();
+  std::vector<std::string> names;
+  for (int i = 0; i < definition.GetFieldCount(); ++i) names.emplace_back(definition.GetFieldDefn(i)->GetNameRef());
+  std::vector<int> columns;
+  for (const std::string& attribute : attributes) {
+    columns.push_back(definition.GetFieldIndex(attribute.c_str()));
+    if (columns.back() >= 0) continue;
+    problems.refuse(fmt::format("layer \"{}\" has no attribute \"{}\"", layer.GetName(), attribute),
+                    names.empty() ? "it has none" : fmt::format("it has {}", listed(names)), meant(attribute, names));
+  }
+  return columns;
+}
+
+void judge_size(OGRLayer& layer, RasterProblems& problems) {
+  const std::int64_t declared = layer.GetFeatureCount(FALSE);
+  if (declared <= most_features) return;
+  problems.refuse(fmt::format("layer \"{}\" declares {} features", layer.GetName(), declared),
+                  fmt::format("Talus takes at most {}", most_features),
+                  "Cut it to the slope: " + ogr2ogr("-spat WEST SOUTH EAST NORTH", problems.file(), "_slope.gpkg"));
+}
+
+/// GDAL takes a GeoJSON whose coordinate system is unknown for one in degrees, as if it named none.
+void warn_of_unknown_crs(const OGRSpatialReference* crs, const GdalMessages& messages, RasterProblems& problems) {
+  if (messages.failure().find("crs not found") == std::string::npos) return;
+  problems.warn("names a coordinate system that is not known",
+                fmt::format("it is taken for {}", crs ? name_of(*crs) : "that of the terrain"),
+                "Say which it is: " + ogr2ogr("-a_srs EPSG:XXXX", problems.file(), "_placed.gpkg"));
+}
+
+/// `entities` is null where the file is no DXF.
+void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities* entities, VectorShapes& shapes,
+                   VectorLayer& read, GdalMessages& messages, RasterProblems& problems) {
+  messages.clear();
+  std::uint64_t seen = 0, without_geometry = 0, not_utf8 = 0;
+  layer.ResetReading();
+  for (;; ++seen) {
+    stop_point(seen);
+    const OGRFeatureUniquePtr from(layer.GetNextFeature());
+    if (!from) stop_point();  // a query that was ended is no end of the layer
+    if (messages.has_failure() && entities && (from || is_whole_dxf(problems.file()))) {
+      entities->note_unreadable(messages.failure());
+      messages.clear();
+    }
+    if (messages.has_failure()) {
+      problems.stop("cannot be read to its end",
+                    fmt::format("after {} features of layer \"{}\"; {}", seen, read.name, messages.failure()),
+                    "Copy it again from where it comes from");
+    }
+    if (!from) break;
+    if (entities && !entities->takes(*from)) continue;
+    const OGRGeometry* geometry = from->GetGeometryRef();
+    if (!geometry || geometry->IsEmpty()) {
+      ++without_geometry;
+      continue;
+    }
+    VectorFeature feature{.id = from->GetFID(), .has_z = geometry->Is3D() != FALSE, .parts = {}, .values = {}};
+    shapes.add(*geometry, feature);
+    messages.clear();  // of places that could not be brought to the terrain, which the shapes remember
+    if (feature.parts.empty()) continue;
+    for (const int column : columns) {
+      const bool has_value = from->IsFieldSetAndNotNull(column);
+      feature.values.push_back(has_value ? std::optional<std::string>(from->GetFieldAsString(column)) : std::nullopt);
+      if (has_value && !CPLIsUTF8(feature.values.back()->c_str(), -1) && ++not_utf8 == 1) {
+        problems.refuse(fmt::format("feature {} has the {} {}", feature.id, from->GetFieldDefnRef(column)->GetNameRef(),
+                                    in_quotes(*feature.values.back())),
+                        "that is not UTF-8, the encoding of names",
+                        "Convert the file, for example with iconv -f LATIN1 -t UTF-8, or tell GDAL its encoding");
+      }
+    }
+    read.features.push_back(std::move(feature));
+  }
+  shapes.complain();
+  if (entities) entities->complain();
+  problems.throw_if_any();
+  if (entities) seen = entities->taken();
+  if (read.features.empty()) {
+    problems.stop(fmt::format("layer \"{}\" is empty", read.name),
+                  entities && entities->left_out() > 0 && seen == 0
+                      ? std::string("all of it is in a layout or on hidden layers")
+                  : seen == 0                ? std::string("it has no features")
+                  : without_geometry == seen ? fmt::format("none of its {} features has a geometry", seen)
+                                             : fmt::format("none of its {} features is of a kind that is read", seen));
+  }
+  if (without_geometry > 0) {
+    problems.warn(fmt::format("{} of {} features of layer \"{}\" have no geometry", without_geometry, seen, read.name),
+                  "they are left out");
+  }
+}
+
+}  // namespace
+
+VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequest& request, Problems& warnings) {
+  GdalMessages messages;  // outlives the dataset, whose end may have something to say
+  RasterProblems problems(path);
+  const GDALDatasetUniquePtr dataset = open_vectors(messages, problems);
+  OGRLayer& layer = layer_of(*dataset, request, problems);
+  VectorLayer read;
+  std::optional<DxfEntities> entities;
+  if (is_dxf(*dataset)) entities.emplace(layer, request, problems);
+  read.name = entities && !entities->layer().empty() ? entities->layer() : layer.GetName();
+  const std::vector<int> columns = columns_of(layer, request.attributes, problems);
+  judge_size(layer, problems);
+  const OGRSpatialReference* crs = layer.GetSpatialRef();
+  // A GeoPackage has a name for none: "Undefined Cartesian SRS", "Undefined geographic SRS".
+  if (crs && (crs->IsEmpty() || std::string_view(crs->GetName()).starts_with("Undefined "))) crs = nullptr;
+  if (crs) {
+    read.crs_wkt = wkt_of(*crs);
+    read.crs_name = name_of(*crs);
+  }
+  warn_of_unknown_crs(crs, messages, problems);
+  VectorShapes shapes(request, crs, entities.has_value(), problems);
+  problems.throw_if_any();
+  read_features(layer, columns, entities ? &*entities : nullptr, shapes, read, messages, problems);
+  warnings.append(problems.warnings());
+  return read;
+}
+
+}  // namespace talus
+
+#else
+
+namespace talus {
+
+VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequest&, Problems&) {
+  throw BadInput(Problem{.file = path.string(),
+                         .where = {},
+                         .what = "cannot be read",
+                         .why = "this build of Talus has no GDAL",
+                         .hint = "Build it with GDAL: cmake --preset release -DTALUS_GDAL=ON"});
+}
+
+}  // namespace talus
+
+#endif

@@ -1,0 +1,321 @@
+#ifdef TALUS_HAS_GDAL
+
+#include "talus/import/vector_shapes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace talus {
+
+namespace {
+
+constexpr std::uint64_t most_vertices = 250'000'000;
+constexpr std::size_t most_complaints = 5;  // of one kind; more would only hide the others
+
+/// How far apart the ends of a polygon's rings are, at most, on plan or in space; nothing where all are closed.
+std::optional<double> widest_gap(const OGRGeometry& geometry, bool in_space) {
+  std::optional<double> widest;
+  const auto look_at = [&](const OGRPolygon& polygon) {
+    for (const OGRLinearRing* ring : polygon) {
+      const int last = ring->getNumPoints() - 1;
+      if (last < 0) continue;
+      const double gap = std::hypot(ring->getX(last) - ring->getX(0), ring->getY(last) - ring->getY(0),
+                                    in_space ? ring->getZ(last) - ring->getZ(0) : 0);
+      if (gap > 0) widest = std::max(gap, widest.value_or(0));
+    }
+  };
+  if (wkbFlatten(geometry.getGeometryType()) == wkbMultiPolygon) {
+    for (const OGRPolygon* part : *geometry.toMultiPolygon()) look_at(*part);
+  } else {
+    look_at(*geometry.toPolygon());
+  }
+  return widest;
+}
+
+OGRPolygon polygon_within(const OGRLineString& closed) {
+  OGRLinearRing ring;
+  ring.addSubLineString(&closed);
+  OGRPolygon polygon;
+  polygon.addRing(&ring);
+  return polygon;
+}
+
+std::string_view word(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::point:
+      return "point";
+    case ShapeKind::line:
+      return "line";
+    case ShapeKind::polygon:
+      break;
+  }
+  return "polygon";
+}
+
+/// What GEOS, behind OGRGeometry::IsValid(), says of a polygon: it comes as a warning and no other way.
+class Objection {
+ public:
+  explicit Objection(const OGRGeometry& geometry) {
+    CPLPushErrorHandlerEx(&hear, this);
+    is_valid_ = geometry.IsValid();
+    CPLPopErrorHandler();
+    if (!is_valid_ && reason_.empty()) reason_ = "GEOS gives no reason";
+  }
+  [[nodiscard]] bool is_valid() const { return is_valid_; }
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+
+ private:
+  static void hear(CPLErr, CPLErrorNum, const char* message) {
+    std::string& reason = static_cast<Objection*>(CPLGetErrorHandlerUserData())->reason_;
+    if (!reason.empty() || !*message) return;
+    reason = message;
+    reason[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
+  }
+  bool is_valid_ = false;
+  std::string reason_;
+};
+
+}  // namespace
+
+std::string ogr2ogr(std::string_view options, const std::filesystem::path& file, std::string_view ending) {
+  std::filesystem::path made = file;
+  made.replace_filename(file.stem().string() + std::string(ending));
+  return fmt::format("ogr2ogr {} {} {}", options, shell_word(made.string()), shell_word(file.string()));
+}
+
+VectorShapes::VectorShapes(const VectorRequest& request, const OGRSpatialReference* crs, bool is_drawing,
+                           RasterProblems& problems)
+    : request_(request), problems_(problems), is_drawing_(is_drawing) {
+  if (crs) {
+    is_geographic_ = crs->IsGeographic();
+    crs_name_ = name_of(*crs);
+    if (request.heights_are_used) height_fault_ = fault_of_heights(*crs);
+  }
+  if (!request.terrain_crs_wkt.empty()) {
+    find_transformation(crs);
+  } else if (is_geographic_) {
+    problems.refuse(
+        "is in degrees",
+        fmt::format("{} is a geographic coordinate system, and that of the terrain is not known", crs_name_),
+        "Project it: " + ogr2ogr("-t_srs EPSG:XXXX", problems.file(), "_metres.gpkg"));
+  } else if (const char* unit = nullptr; crs && std::abs(crs->GetLinearUnits(&unit) - 1) > 1e-9) {
+    problems.refuse("is not in metres",
+                    fmt::format("the unit of {} is {}, and the coordinate system of the terrain is not known",
+                                crs_name_, unit && *unit ? unit : "one without a name"),
+                    "Project it: " + ogr2ogr("-t_srs EPSG:XXXX", problems.file(), "_metres.gpkg"));
+  }
+}
+
+void VectorShapes::find_transformation(const OGRSpatialReference* crs) {
+  const std::string name_it = ogr2ogr("-a_srs EPSG:XXXX", problems_.file(), "_placed.gpkg");
+  if (!crs) {
+    problems_.warn("names no coordinate system", "it is taken to be that of the terrain", "Name it: " + name_it);
+    return;
+  }
+  // The file's own order of axes is what its driver says it is; the terrain's is easting first. Heights are left out.
+  OGRSpatialReference from = *crs, to;
+  to.importFromWkt(request_.terrain_crs_wkt.c_str());
+  to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  for (OGRSpatialReference* one : {&from, &to}) {
+    if (one->IsCompound()) one->StripVertical();
+    one->DemoteTo2D(nullptr);
+  }
+  terrain_crs_name_ = name_of(to);
+  if (from.IsSame(&to)) return;
+  to_terrain_.reset(OGRCreateCoordinateTransformation(&from, &to));
+  if (to_terrain_) return;
+  problems_.refuse(fmt::format("is in {}", crs_name_),
+                   fmt::format("there is no way from it to {}, that of the terrain", terrain_crs_name_),
+                   "Name the true one: " + name_it);
+}
+
+void VectorShapes::add(const OGRGeometry& geometry, VectorFeature& feature) {
+  if (geometry.IsEmpty()) return;
+  has_heights_ = has_heights_ || feature.has_z;
+  if (geometry.hasCurveGeometry(TRUE)) {
+    const std::unique_ptr<OGRGeometry> chords(geometry.getLinearGeometry());
+    if (chords) return add(*chords, feature);
+  }
+  switch (wkbFlatten(geometry.getGeometryType())) {
+    case wkbPolygon:
+    case wkbTriangle:
+      if (wants(ShapeKind::polygon, feature) && is_valid(geometry, feature))
+        add_polygon(*geometry.toPolygon(), feature);
+      return;
+    case wkbMultiPolygon:
+      if (!wants(ShapeKind::polygon, feature) || !is_valid(geometry, feature)) return;
+      for (const OGRPolygon* part : *geometry.toMultiPolygon()) add_polygon(*part, feature);
+      return;
+    case wkbMultiPoint:
+    case wkbMultiLineString:
+    case wkbGeometryCollection:
+      for (const OGRGeometry* part : *geometry.toGeometryCollection()) add(*part, feature);
+      return;
+    case wkbLineString: {
+      const OGRLineString& line = *geometry.toLineString();
+      if (is_drawing_ && line.get_IsClosed() && !reads(ShapeKind::line) && reads(ShapeKind::polygon)) {
+        add(polygon_within(line), feature);
+      } else if (wants(ShapeKind::line, feature)) {
+        add_line(ShapeKind::line, line, feature);
+      }
+      return;
+    }
+    case wkbPoint: {
+      OGRLineString one;
+      one.addPoint(geometry.toPoint());
+      if (wants(ShapeKind::point, feature)) add_line(ShapeKind::point, one, feature);
+      return;
+    }
+    default:
+      note(other_kind, feature, fmt::format("is a {}", geometry.getGeometryName()));
+  }
+}
+
+bool VectorShapes::reads(ShapeKind kind) const {
+  const auto& kinds = request_.kinds;
+  return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+bool VectorShapes::wants(ShapeKind kind, const VectorFeature& feature) {
+  if (reads(kind)) return true;
+  note(other_kind, feature, fmt::format("is a {}", word(kind)));
+  return false;
+}
+
+bool VectorShapes::is_valid(const OGRGeometry& geometry, const VectorFeature& feature) {
+  // GEOS, which judges the rest, takes no ring that is open.
+  if (const auto apart = widest_gap(geometry, request_.polygons_are_in_space)) {
+    note(open_ring, feature, fmt::format("its ends are {:.4g} apart", *apart));
+    return false;
+  }
+  if (request_.polygons_are_in_space) return true;  // who cuts them in their planes is the judge
+  const Objection objection(geometry);
+  if (!objection.is_valid()) note(invalid, feature, objection.reason());
+  return objection.is_valid();
+}
+
+void VectorShapes::add_line(ShapeKind kind, const OGRLineString& line, VectorFeature& feature) {
+  auto vertices = placed(line, feature);
+  if (!vertices) return;
+  has_parts_ = true;
+  feature.parts.push_back({kind, {std::move(*vertices)}});
+}
+
+void VectorShapes::add_polygon(const OGRPolygon& polygon, VectorFeature& feature) {
+  VectorShape shape{ShapeKind::polygon, {}};
+  for (const OGRLinearRing* ring : polygon) {
+    auto vertices = placed(*ring, feature);
+    if (!vertices) return;
+    if (vertices->empty()) continue;
+    vertices->pop_back();  // it repeats the first: rings of valid polygons are closed
+    shape.lists.push_back(std::move(*vertices));
+  }
+  if (shape.lists.empty()) return;
+  has_parts_ = true;
+  feature.parts.push_back(std::move(shape));
+}
+
+std::optional<std::vector<Vec3>> VectorShapes::placed(const OGRLineString& line, const VectorFeature& feature) {
+  const auto count = static_cast<std::size_t>(line.getNumPoints());
+  vertices_ += count;
+  if (vertices_ > most_vertices) {
+    problems_.stop(fmt::format("has more than {} vertices", most_vertices), "Talus does not take more",
+                   "Cut it to the slope: " + ogr2ogr("-spat WEST SOUTH EAST NORTH", problems_.file(), "_slope.gpkg"));
+  }
+  std::vector<double> x(count), y(count);
+  std::vector<Vec3> vertices(count);
+  const auto at = [&](std::size_t i) {
+    const int number = static_cast<int>(i);
+    return fmt::format("({:.10g}, {:.10g})", line.getX(number), line.getY(number));
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const int number = static_cast<int>(i);
+    x[i] = line.getX(number);
+    y[i] = line.getY(number);
+    const double z = feature.has_z ? line.getZ(number) : 0;
+    vertices[i] = Vec3(x[i], y[i], z);
+    if (!vertices[i].allFinite()) {
+      note(not_finite, feature, fmt::format("has the coordinates ({:.10g}, {:.10g}, {:.10g})", x[i], y[i], z));
+      return std::nullopt;
+    }
+    if (is_geographic_ && (std::abs(x[i]) > 360 || std::abs(y[i]) > 90)) {
+      note(not_degrees, feature, "is at " + at(i));
+      return std::nullopt;
+    }
+  }
+  if (!to_terrain_) return vertices;
+  std::vector<int> is_placed(count, FALSE);
+  to_terrain_->Transform(static_cast<int>(count), x.data(), y.data(), nullptr, is_placed.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_placed[i] || !std::isfinite(x[i]) || !std::isfinite(y[i])) {
+      note(without_place, feature, "is at " + at(i));
+      return std::nullopt;
+    }
+    vertices[i].head(2) = Vec2(x[i], y[i]);
+  }
+  return vertices;
+}
+
+void VectorShapes::note(Fault fault, const VectorFeature& feature, std::string what) {
+  Faulty& faulty = faulty_[fault];
+  if (++faulty.count <= most_complaints) {
+    faulty.first.push_back({fmt::format("feature {}", feature.id), std::move(what)});
+  }
+}
+
+void VectorShapes::complain() {
+  if (height_fault_ && has_heights_) {
+    problems_.refuse(height_fault_->what, height_fault_->why,
+                     "Bring it to one with heights in metres: " +
+                         ogr2ogr("-t_srs EPSG:XXXX+XXXX", problems_.file(), "_metres.gpkg"));
+  }
+  std::string kinds;
+  for (const ShapeKind kind : request_.kinds) kinds += fmt::format("{}{}s", kinds.empty() ? "" : " or ", word(kind));
+  const std::string name_it = "Name the true one: " + ogr2ogr("-a_srs EPSG:XXXX", problems_.file(), "_placed.gpkg");
+  for (std::size_t fault = 0; fault < fault_count; ++fault) {
+    const Faulty& faulty = faulty_[fault];
+    if (fault == other_kind && faulty.count > 0 && is_drawing_ && has_parts_) {
+      problems_.warn(fmt::format("{} shapes are left out", faulty.count),
+                     fmt::format("only {} are read; {} {}", kinds, faulty.first[0][0], faulty.first[0][1]));
+      continue;
+    }
+    for (const auto& [feature, what] : faulty.first) {
+      std::string why, hint;
+      switch (fault) {
+        case other_kind:
+          why = kinds.empty() ? "Talus reads points, lines and polygons" : kinds + " are expected";
+          if (is_drawing_ && reads(ShapeKind::polygon) && !reads(ShapeKind::line))
+            hint = "A line that is closed is read as a polygon";
+          break;
+        case open_ring:
+          problems_.refuse(feature + " is not closed", what, "Repeat its first vertex at its end");
+          continue;
+        case invalid:
+          problems_.refuse(feature + " is no valid polygon", what,
+                           "Mend it: " + ogr2ogr("-makevalid", problems_.file(), "_valid.gpkg"));
+          continue;
+        case not_finite:
+          why = "a coordinate is a finite number";
+          break;
+        case not_degrees:
+          why = fmt::format("{} is in degrees", crs_name_);
+          hint = name_it;
+          break;
+        default:
+          why = fmt::format("in {}; this has no place in {}, that of the terrain", crs_name_, terrain_crs_name_);
+          hint = name_it;
+      }
+      problems_.refuse(feature + " " + what, why, hint);
+    }
+    if (faulty.count > faulty.first.size()) {
+      problems_.refuse(fmt::format("{} more shapes are like this", faulty.count - faulty.first.size()), "");
+    }
+  }
+}
+
+}  // namespace talus
+
+#endif

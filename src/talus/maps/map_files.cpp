@@ -1,0 +1,326 @@
+#include "talus/maps/map_files.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for_each.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/files/output_file.hpp"
+#include "talus/maps/map_list.hpp"
+
+#ifdef TALUS_HAS_GDAL
+#include <ogr_spatialref.h>
+
+#include "talus/gdal/gdal_raster.hpp"
+#include "talus/maps/map_overviews.hpp"
+#endif
+
+namespace talus::io {
+
+namespace {
+
+/// Whether write_maps() could have given a map this name, with whatever percentile.
+bool is_name_of_map(std::string_view name) {
+  const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}});
+  return std::any_of(kinds.begin(), kinds.end(), [&](const MapKind& kind) {
+    if (kind.name == name) return true;
+    const std::size_t at = kind.name.find("p50");
+    if (at == std::string::npos) return false;
+    const std::string_view head(kind.name.data(), at + 1), tail(kind.name.data() + at + 3);
+    if (name.size() <= head.size() + tail.size() || !name.starts_with(head) || !name.ends_with(tail)) return false;
+    name.remove_prefix(head.size());
+    name.remove_suffix(tail.size());
+    return name.find_first_not_of("0123456789.") == std::string_view::npos;
+  });
+}
+
+}  // namespace
+
+bool is_name_of_map_file(const std::filesystem::path& name) {
+  const std::string extension = name.extension().string();
+  return (extension == ".tif" || extension == ".qml") && is_name_of_map(name.stem().string());
+}
+
+void remove_maps(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    std::error_code ignored;
+    if (is_name_of_map_file(entry.path())) {
+      std::filesystem::remove(entry.path(), ignored);
+    }
+  }
+}
+
+#ifdef TALUS_HAS_GDAL
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, std::string why, std::string hint,
+                         std::string option = {}) {
+  throw BadInput(Problem{.file = file.string(),
+                         .what = "cannot write this map",
+                         .why = std::move(why),
+                         .hint = std::move(hint),
+                         .option = std::move(option)});
+}
+[[noreturn]] void refuse(const std::filesystem::path& file, const GdalMessages& messages) {
+  refuse(file, messages.failure(), "Free some space, or choose another folder", "-o");
+}
+
+GDALDriver& driver(const char* name, const std::filesystem::path& file) {
+  GDALDriver* found = GetGDALDriverManager()->GetDriverByName(name);
+  if (found == nullptr) {
+    refuse(file, fmt::format("the GDAL library of this machine has no driver {}", name),
+           "Install GDAL with its usual drivers, or set maps = false");
+  }
+  return *found;
+}
+
+class Options {
+ public:
+  Options(std::initializer_list<const char*> options) {
+    for (const char* option : options) list_ = CSLAddString(list_, option);
+  }
+  Options(const Options&) = delete;
+  Options& operator=(const Options&) = delete;
+  ~Options() { CSLDestroy(list_); }
+  operator char**() const { return list_; }
+
+ private:
+  char** list_ = nullptr;
+};
+
+constexpr double no_rock = -9999;
+double value_without_rock(const MapKind& kind) { return kind.is_count ? 0 : no_rock; }
+
+/// A map on its way into its file: a raster in memory that keeps only those of its blocks that are written to.
+class Scratch {
+ public:
+  static constexpr int block = 256;  // cells a side
+
+  Scratch(const MapKind& kind, bool is_large, const MapGrid& grid, const Maps::Extent& extent,
+          const std::string& crs_wkt, const std::filesystem::path& folder)
+      : kind_(kind),
+        file_(folder / (kind.name + ".tif")),
+        name_(fmt::format("/vsimem/talus-{}.tif", static_cast<const void*>(this))) {
+    const GdalMessages messages(GdalFiles::in_folder(file_.parent_path()));
+    const Options sparse{"TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "SPARSE_OK=TRUE", "BIGTIFF=IF_SAFER"};
+    const int columns = extent.last.column - extent.first.column + 1, rows = extent.last.row - extent.first.row + 1;
+    const GDALDataType type = !kind.is_count ? GDT_Float32 : is_large ? GDT_Float64 : GDT_UInt32;
+    raster_.reset(driver("GTiff", file_).Create(name_.c_str(), columns, rows, 1, type, sparse));
+    if (!raster_) refuse(file_, messages);
+    std::array<double, 6> geotransform{grid.origin().x() + extent.first.column * grid.cell().x(),
+                                       grid.cell().x(),
+                                       0,
+                                       grid.origin().y() + (extent.last.row + 1) * grid.cell().y(),
+                                       0,
+                                       -grid.cell().y()};
+    raster_->SetGeoTransform(geotransform.data());
+    if (!crs_wkt.empty()) {
+      OGRSpatialReference crs;
+      crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+      if (crs.importFromWkt(crs_wkt.c_str()) == OGRERR_NONE) raster_->SetSpatialRef(&crs);
+    }
+    GDALRasterBand& band = *raster_->GetRasterBand(1);
+    band.SetNoDataValue(value_without_rock(kind));
+    band.SetDescription(kind.meaning.c_str());
+    band.SetUnitType(kind.unit.c_str());
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    raster_.reset();
+    VSIUnlink(name_.c_str());
+  }
+
+  /// Values of a block of cells, from north to south, whose first is at (x, y) of the picture.
+  void write(int x, int y, int columns, int rows, std::vector<double>& values) {
+    for (const double value : values) {
+      if (value <= 0) continue;
+      range_.least = range_.least == 0 ? value : std::min(range_.least, value);
+      range_.greatest = std::max(range_.greatest, value);
+    }
+    const GdalMessages messages(GdalFiles::in_folder(file_.parent_path()));
+    if (raster_->GetRasterBand(1)->RasterIO(GF_Write, x, y, columns, rows, values.data(), columns, rows, GDT_Float64, 0,
+                                            0, nullptr) != CE_None) {
+      refuse(file_, messages);
+    }
+  }
+
+  void finish() {
+    GdalMessages messages(GdalFiles::in_folder(file_.parent_path()));
+    if (!build_overviews(*raster_, kind_.overview)) refuse(file_, messages);
+    std::filesystem::path part = file_;
+    part += ".part";
+    const Options cloud_optimised{
+        "COMPRESS=DEFLATE", "LEVEL=1",       "PREDICTOR=YES",   "OVERVIEWS=FORCE_USE_EXISTING",
+        "SPARSE_OK=TRUE",   "BLOCKSIZE=256", "BIGTIFF=IF_SAFER"};
+    // Left by a run that was killed: GDAL would open it, and report errors of what it holds.
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    messages.clear();
+    const auto goes_on = [](double, const char*, void*) -> int {
+      return StopScope::current() == nullptr || !StopScope::current()->is_asked() ? TRUE : FALSE;
+    };
+    const bool is_made =
+        GDALDatasetUniquePtr(
+            driver("COG", file_).CreateCopy(part.c_str(), raster_.get(), FALSE, cloud_optimised, goes_on, nullptr)) !=
+        nullptr;
+    if (!goes_on(1, "", nullptr)) std::filesystem::remove(part, ignored);
+    stop_point();
+    if (!is_made || messages.has_failure()) {  // what goes wrong while a file is closed is only said
+      std::filesystem::remove(part, ignored);
+      refuse(file_, messages);
+    }
+    finish_file(part, file_);
+
+    OutputFile style(std::filesystem::path(file_).replace_extension(".qml"));
+    style.write(qgis_style(kind_.limits, kind_.unit, range_));
+    style.commit();
+  }
+
+ private:
+  const MapKind& kind_;
+  std::filesystem::path file_;
+  std::string name_;
+  GDALDatasetUniquePtr raster_;
+  ValueRange range_;
+};
+
+/// The tiles that lie in the same block of a picture, which goes from north to south.
+using Blocks = std::map<std::pair<int, int>, std::vector<const Maps::Tile*>>;
+
+Blocks blocks_of(const Maps& maps, const Maps::Extent& extent) {
+  Blocks blocks;
+  const auto among = [](std::int32_t cell, std::int32_t most) { return std::clamp(cell, 0, most) / Scratch::block; };
+  const std::int32_t columns = extent.last.column - extent.first.column, rows = extent.last.row - extent.first.row;
+  for (const Maps::Tile* tile : maps.tiles()) {
+    const std::int32_t west = tile->first().column - extent.first.column, east = west + Maps::tile_side - 1;
+    const std::int32_t south = extent.last.row - tile->first().row, north = south - Maps::tile_side + 1;
+    for (std::int32_t y = among(north, rows); y <= among(south, rows); ++y) {
+      for (std::int32_t x = among(west, columns); x <= among(east, columns); ++x) blocks[{y, x}].push_back(tile);
+    }
+  }
+  return blocks;
+}
+
+/// The maps of a group: each of the cells is looked at once.
+void write_group(const Maps& maps, const MapGroup& group, const Maps::Extent& extent, const Blocks& blocks,
+                 bool is_large, const std::string& crs_wkt, const std::filesystem::path& folder) {
+  std::vector<std::unique_ptr<Scratch>> files;
+  for (const MapKind& kind : group.kinds)
+    files.push_back(std::make_unique<Scratch>(kind, is_large, maps.grid(), extent, crs_wkt, folder));
+  std::vector<std::vector<double>> values(files.size());
+  std::vector<double> of_cell(files.size());
+  for (const auto& [place, tiles] : blocks) {
+    stop_point();
+    const int x = place.second * Scratch::block, y = place.first * Scratch::block;
+    const int columns = std::min(Scratch::block, extent.last.column - extent.first.column + 1 - x);
+    const int rows = std::min(Scratch::block, extent.last.row - extent.first.row + 1 - y);
+    for (std::size_t k = 0; k < files.size(); ++k) {
+      values[k].assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
+                       value_without_rock(group.kinds[k]));
+    }
+    const std::int32_t west = extent.first.column + x, north = extent.last.row - y;
+    for (const Maps::Tile* tile : tiles) {
+      const std::int32_t first_column = std::max(tile->first().column, west);
+      const std::int32_t last_column = std::min(tile->first().column + Maps::tile_side, west + columns) - 1;
+      const std::int32_t first_row = std::max(tile->first().row, north - rows + 1);
+      const std::int32_t last_row = std::min(tile->first().row + Maps::tile_side - 1, north);
+      for (std::int32_t row = first_row; row <= last_row; ++row) {
+        for (std::int32_t column = first_column; column <= last_column; ++column) {
+          const auto tally = tile->find(column - tile->first().column, row - tile->first().row);
+          if (!tally) continue;
+          group.values(*tally, of_cell);
+          const auto at = static_cast<std::size_t>((north - row) * columns + column - west);
+          for (std::size_t k = 0; k < files.size(); ++k) values[k][at] = of_cell[k];
+        }
+      }
+    }
+    for (std::size_t k = 0; k < files.size(); ++k) files[k]->write(x, y, columns, rows, values[k]);
+  }
+  // Isolated: a thread that waits for the last file must not begin another group meanwhile, for which there would have
+  // to be memory, too.
+  const StopScope* const here = StopScope::current();
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for_each(files, [&](std::unique_ptr<Scratch>& file) {
+      const StopScope there(here);
+      stop_point();
+      file->finish();
+      file.reset();
+    });
+  });
+}
+
+/// Whether some count needs more than 32 bits.
+bool has_large_counts(const Maps& maps) {
+  for (const Maps::Tile* tile : maps.tiles()) {
+    stop_point();
+    for (std::int32_t k = 0; k < Maps::tile_side * Maps::tile_side; ++k) {
+      const auto tally = tile->find(k % Maps::tile_side, k / Maps::tile_side);
+      if (tally && std::max(tally->impacts(), tally->passages()) > 4294967295U) return true;
+    }
+  }
+  return false;
+}
+
+/// GDAL 3.6 makes a driver's list of options when it is first asked for, without a lock: not by all threads at once.
+void make_lists_of_options() {
+  const GdalMessages quiet;
+  for (const char* name : {"GTiff", "COG"}) {
+    GDALDriver* const found = GetGDALDriverManager()->GetDriverByName(name);
+    if (found != nullptr) (void)found->GetMetadataItem(GDAL_DMD_CREATIONOPTIONLIST);
+  }
+}
+
+}  // namespace
+
+bool can_write_maps() { return true; }
+
+std::vector<std::string> write_maps(const Maps& maps, const MapSelection& selection, const std::string& crs_wkt,
+                                    const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  const auto extent = maps.extent();
+  if (!extent) return names;
+  make_output_folder(folder);
+  const std::vector<MapGroup> groups = map_groups(maps.rocks(), selection);
+  for (const MapGroup& group : groups) {
+    for (const MapKind& kind : group.kinds) names.push_back(kind.name);
+  }
+  make_lists_of_options();
+  const Blocks blocks = blocks_of(maps, *extent);
+  const bool is_large = has_large_counts(maps);
+  const StopScope* const here = StopScope::current();
+  tbb::parallel_for_each(groups, [&](const MapGroup& group) {
+    const StopScope there(here);
+    write_group(maps, group, *extent, blocks, is_large, crs_wkt, folder);
+  });
+  return names;
+}
+
+#else
+
+bool can_write_maps() { return false; }
+
+std::vector<std::string> write_maps(const Maps&, const MapSelection&, const std::string&,
+                                    const std::filesystem::path& folder) {
+  throw BadInput(Problem{.file = folder.string(),
+                         .what = "cannot write maps",
+                         .why = "this program was built without GDAL",
+                         .hint = "Build it with GDAL, or set maps = false"});
+}
+
+#endif
+
+}  // namespace talus::io

@@ -1,0 +1,68 @@
+#include "talus/maps/map_style.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace talus::io {
+
+namespace {
+
+// "YlOrRd" of C. Brewer's ColorBrewer 2.0: one hue deeper and deeper, told apart in print and by the colour-blind.
+constexpr std::array<std::array<std::uint8_t, 3>, map_class_count> colours{{{0xff, 0xff, 0xb2},
+                                                                            {0xfe, 0xd9, 0x76},
+                                                                            {0xfe, 0xb2, 0x4c},
+                                                                            {0xfd, 0x8d, 0x3c},
+                                                                            {0xf0, 0x3b, 0x20},
+                                                                            {0xbd, 0x00, 0x26}}};
+
+std::string label_of(const MapClass& each, const std::string& unit) {
+  const std::string behind = unit.empty() ? "" : " " + unit;
+  if (std::isinf(each.to)) return fmt::format("{:g}{} and more", each.from, behind);
+  return fmt::format("{:g} to {:g}{}", each.from, each.to, behind);
+}
+
+}  // namespace
+
+std::array<MapClass, map_class_count> map_classes(const ClassLimits& limits) {
+  std::array<MapClass, map_class_count> classes;
+  for (std::size_t k = 0; k < map_class_count; ++k) {
+    classes[k].colour = colours[k];
+    if (k > 0) classes[k].from = limits[k - 1];
+    if (k < limits.size()) classes[k].to = limits[k];
+  }
+  return classes;
+}
+
+std::string qgis_style(const ClassLimits& limits, const std::string& unit, const ValueRange& range) {
+  std::string items;
+  for (const MapClass& each : map_classes(limits)) {
+    // QGIS gives the limit itself to the class below it: of numbers with a fraction none lies there.
+    const std::string end = std::isinf(each.to) ? "inf" : fmt::format("{}", each.to);
+    items += fmt::format("     <item value=\"{}\" label=\"{}\" color=\"#{:02x}{:02x}{:02x}\" alpha=\"255\"/>\n", end,
+                         label_of(each, unit), each.colour[0], each.colour[1], each.colour[2]);
+  }
+  return fmt::format(
+      "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
+      "<qgis version=\"3.22\" styleCategories=\"Symbology\">\n"
+      " <pipe>\n"
+      "  <rasterrenderer type=\"singlebandpseudocolor\" band=\"1\" opacity=\"0.8\" alphaBand=\"-1\" nodataColor=\"\"\n"
+      "    classificationMin=\"0\" classificationMax=\"inf\" leastValue=\"{0}\" greatestValue=\"{1}\">\n"
+      "   <rasterTransparency/>\n"
+      "   <rastershader>\n"
+      "    <colorrampshader colorRampType=\"DISCRETE\" classificationMode=\"1\" clip=\"0\"\n"
+      "      minimumValue=\"0\" maximumValue=\"inf\">\n"
+      "{2}"
+      "    </colorrampshader>\n"
+      "   </rastershader>\n"
+      "  </rasterrenderer>\n"
+      "  <brightnesscontrast/>\n"
+      "  <huesaturation/>\n"
+      "  <rasterresampler/>\n"
+      " </pipe>\n"
+      " <blendMode>0</blendMode>\n"
+      "</qgis>\n",
+      range.least, range.greatest, items);
+}
+
+}  // namespace talus::io

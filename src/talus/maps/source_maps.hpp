@@ -1,0 +1,33 @@
+#pragma once
+// Maps of the rocks of each source, in a folder of its own.
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talus/maps/map_list.hpp"
+#include "talus/results/maps.hpp"
+
+namespace talus::io {
+
+/// Beside the folders of all sources: which is whose.
+inline constexpr const char* list_of_sources = "sources.csv";
+
+/// A folder's name for each name of a list. Letters of any script, digits, spaces and most signs stay; what some system
+/// does not take in a name (/ \ : * ? " < > | and control characters) becomes _, as do dots and spaces at either end,
+/// where they are cut off. A name is at most 100 bytes long, is no device of Windows, and no two differ in capitals
+/// only: later ones have -2, -3 ... behind them.
+[[nodiscard]] std::vector<std::string> folder_names(std::span<const std::string> names);
+
+/// Writes FOLDER/NAME of source/ with the maps of map_files.hpp for each source that has rocks, and FOLDER/sources.csv,
+/// which says whose maps are in which folder (`folder,source,rocks`). `maps` and `sources` go together. Throws BadInput
+/// as write_maps() does.
+void write_source_maps(std::span<const Maps> maps, std::span<const std::string> sources, const MapSelection& selection,
+                       const std::string& crs_wkt, const std::filesystem::path& folder);
+
+/// Removes what write_source_maps() wrote there, and folders that are then empty. Other files stay.
+void remove_source_maps(const std::filesystem::path& folder);
+
+}  // namespace talus::io

@@ -1,0 +1,224 @@
+#include "talus/model/build_ground.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "talus/import/class_raster.hpp"
+#include "talus/model/ground_areas.hpp"
+#include "talus/model/ground_parts.hpp"
+#include "talus/model/ground_polygons.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr std::size_t points_at_once = 1 << 20;
+
+Problem about_ground(const Project& project, std::string what, std::string why, std::string hint = "") {
+  return {.file = project.file.string(),
+          .where = "[ground]",
+          .what = std::move(what),
+          .why = std::move(why),
+          .hint = std::move(hint)};
+}
+
+/// Calls take(number, middle) for every cell with data or triangle, as the surface's source numbers it, the middle in
+/// the user's coordinates.
+template <class Take>
+void for_each_part(const BuiltTerrain& terrain, Take&& take) {
+  if (const auto* raster = std::get_if<RasterSurface>(&terrain.surface)) {
+    const RasterGrid& grid = raster->grid();
+    const double x = grid.x0 + terrain.frame.origin.x(), y = grid.y0 + terrain.frame.origin.y();
+    std::size_t number = 0;
+    for (std::uint32_t row = 0; row + 1 < grid.rows; ++row) {
+      for (std::uint32_t column = 0; column + 1 < grid.columns; ++column, ++number) {
+        if (raster->has_data(column, row)) take(number, Vec2(x + (column + 0.5) * grid.dx, y + (row + 0.5) * grid.dy));
+      }
+    }
+  } else {
+    for (std::size_t k = 0; k < terrain.facet_centres.size(); ++k) take(k, terrain.facet_centres[k]);
+  }
+}
+
+/// Gives each part of the terrain the material of its class.
+class Classifier {
+ public:
+  Classifier(const Project& project, const BuiltTerrain& terrain, Problems& warnings)
+      : project_(project),
+        raster_(project.file.parent_path() / project.ground.raster, terrain.crs_wkt, warnings),
+        default_(static_cast<std::uint8_t>(*project.number_of_material(project.ground.default_material))),
+        of_part_(terrain.facet_centres.empty() ? terrain.parts : terrain.facet_centres.size(), default_) {
+    for (const auto& [number, material] : project.ground.classes) {
+      material_of_class_[number] = static_cast<std::uint8_t>(*project.number_of_material(material));
+      unmet_.insert(number);
+    }
+    for_each_part(terrain, [&](std::size_t number, const Vec2& middle) {
+      numbers_.push_back(number);
+      middles_.push_back(middle);
+      if (middles_.size() == points_at_once) classify();
+    });
+    classify();
+  }
+
+  std::vector<std::uint8_t> materials(const BuiltTerrain& terrain, Problems& problems, Problems& warnings) {
+    const std::string file = project_.ground.raster.string();
+    const char* parts = std::holds_alternative<RasterSurface>(terrain.surface) ? "cells" : "triangles";
+    if (raster_.points_within() == 0) {
+      const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, terrain.surface);
+      const Vec3 low = terrain.frame.global_from_local(box.low), high = terrain.frame.global_from_local(box.high);
+      problems.add(about_ground(project_, fmt::format("raster \"{}\" does not reach the terrain", file),
+                                fmt::format("the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
+                                            low.x(), high.x(), low.y(), high.y()),
+                                "Compare what gdalinfo says of the raster, and its coordinate system"));
+    } else if (without_ == asked_) {
+      problems.add(about_ground(project_, fmt::format("raster \"{}\" has no class anywhere on the terrain", file),
+                                fmt::format("none of {} {} has data in it", asked_, parts),
+                                "Look at it with gdalinfo -stats: what it declares as no data is no class"));
+    } else if (!unknown_.empty()) {
+      constexpr std::size_t most_listed = 10;
+      std::string list;
+      std::size_t listed = 0;
+      for (const auto& [number, count] : unknown_) {
+        list += fmt::format("{}{} in {}", list.empty() ? "" : ", ", number, count);
+        if (++listed == most_listed) break;
+      }
+      if (unknown_.size() > listed) list += fmt::format(" and {} other classes", unknown_.size() - listed);
+      problems.add(about_ground(project_, fmt::format("raster \"{}\" has classes that are not in classes", file),
+                                fmt::format("{} of the terrain's {}", list, parts),
+                                fmt::format("Add {} = \"...\" to classes", unknown_.begin()->first)));
+    } else if (without_ > 0) {
+      Problem warning =
+          about_ground(project_, fmt::format("{} of {} {} of the terrain have no class", without_, asked_, parts),
+                       fmt::format("raster \"{}\" has no data there, or ends before", file),
+                       fmt::format("They are given the default material, \"{}\"", project_.ground.default_material));
+      warning.severity = Severity::warning;
+      warnings.add(std::move(warning));
+    }
+    if (!problems.has_errors()) warn_of_unmet(parts, warnings);
+    return std::move(of_part_);
+  }
+
+ private:
+  /// A class of the project that is nowhere: perhaps another number was meant.
+  void warn_of_unmet(const char* parts, Problems& warnings) const {
+    if (unmet_.empty()) return;
+    constexpr std::size_t most_listed = 10;
+    std::string list;
+    std::size_t listed = 0;
+    for (const std::int32_t number : unmet_) {
+      if (listed == most_listed) break;
+      list += fmt::format("{}{}", listed++ == 0 ? "" : ", ", number);
+    }
+    if (unmet_.size() > listed) list += fmt::format(" and {} more", unmet_.size() - listed);
+    Problem warning = about_ground(
+        project_, fmt::format("classes has {}, which no part of the terrain has", list),
+        fmt::format("in raster \"{}\" at the middles of the terrain's {}", project_.ground.raster.string(), parts));
+    warning.severity = Severity::warning;
+    warnings.add(std::move(warning));
+  }
+
+  void classify() {
+    const auto classes = raster_.at(middles_);
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+      if (!classes[i]) {
+        ++without_;
+      } else if (const auto known = material_of_class_.find(*classes[i]); known != material_of_class_.end()) {
+        of_part_[numbers_[i]] = known->second;
+        unmet_.erase(known->first);
+      } else {
+        ++unknown_[*classes[i]];
+      }
+    }
+    asked_ += classes.size();
+    numbers_.clear();
+    middles_.clear();
+  }
+
+  const Project& project_;
+  ClassRaster raster_;
+  std::uint8_t default_;
+  std::vector<std::uint8_t> of_part_;
+  std::map<std::int32_t, std::uint8_t> material_of_class_;
+  std::map<std::int32_t, std::uint64_t> unknown_;  // classes without a material, and how many parts they have
+  std::set<std::int32_t> unmet_;                   // classes with a material that no part has
+  std::uint64_t asked_ = 0, without_ = 0;
+  std::vector<std::size_t> numbers_;
+  std::vector<Vec2> middles_;
+};
+
+/// A byte a cell or triangle, from a raster of classes or from polygons.
+std::vector<std::uint8_t> from_gis(const Project& project, const BuiltTerrain& terrain, Problems& problems,
+                                   Problems& warnings) {
+  if (project.ground.raster.empty()) return materials_of_polygons(project, terrain, warnings);
+  Classifier classifier(project, terrain, warnings);
+  return classifier.materials(terrain, problems, warnings);
+}
+
+/// The materials that the project lists by segments or triangles, in the order of the surface's source.
+std::vector<MaterialId> listed(const Project& project, const BuiltTerrain& terrain, Problems& problems) {
+  const Ground& ground = project.ground;
+  std::vector<MaterialId> of_part;
+  of_part.reserve(terrain.parts);
+  for (const std::string& name : ground.segments) of_part.push_back(MaterialId{*project.number_of_material(name)});
+  if (project.terrain.section_runs_leftwards()) std::reverse(of_part.begin(), of_part.end());
+  for (const std::int64_t number : ground.triangles) of_part.push_back(MaterialId{static_cast<std::uint32_t>(number)});
+  if (of_part.size() != terrain.parts) {
+    Problem problem = about_ground(project, fmt::format("triangles lists {} materials", of_part.size()),
+                                   fmt::format("the terrain has {} triangles, and each needs one", terrain.parts));
+    problem.where = "ground";
+    problems.add(std::move(problem));
+    return {};
+  }
+  if (terrain.part_of_facet.empty()) return of_part;
+  std::vector<MaterialId> of_facet;
+  of_facet.reserve(terrain.part_of_facet.size());
+  for (const std::uint32_t part : terrain.part_of_facet) of_facet.push_back(of_part[part]);
+  return of_facet;
+}
+
+}  // namespace
+
+talus::Ground build_ground(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
+                           Problems& problems, Problems& warnings) {
+  constexpr std::size_t most_materials = std::numeric_limits<std::uint8_t>::max();  // one number stands for none
+  const Ground& ground = project.ground;
+  const bool is_gis = !ground.raster.empty() || !ground.polygons.empty();
+  const bool is_listed = !ground.segments.empty() || !ground.triangles.empty();
+  const MaterialId standard{*project.number_of_material(ground.default_material)};
+  if (!is_gis && project.areas.empty()) {
+    if (!is_listed) return talus::Ground(std::move(materials), standard);
+    return talus::Ground(std::move(materials), listed(project, terrain, problems));
+  }
+
+  if (materials.size() > most_materials) {
+    const std::string_view what = !ground.raster.empty() ? "raster" : is_gis ? "polygons" : "an area";
+    problems.add(
+        about_ground(project, fmt::format("{} is given with {} materials", what, materials.size()),
+                     fmt::format("a ground {} has at most {}", is_gis ? "from a file" : "with areas", most_materials)));
+    return {};
+  }
+  try {
+    std::vector<std::uint8_t> of_part;
+    if (is_gis) {
+      of_part = from_gis(project, terrain, problems, warnings);
+    } else if (is_listed) {
+      for (const MaterialId id : listed(project, terrain, problems)) {
+        of_part.push_back(static_cast<std::uint8_t>(id.index));
+      }
+    } else {
+      of_part.assign(GroundParts(terrain).count(), static_cast<std::uint8_t>(standard.index));
+    }
+    if (problems.has_errors()) return {};
+    paint_areas(project, terrain, of_part, warnings);
+    return talus::Ground(std::move(materials), std::move(of_part));
+  } catch (const BadInput& bad) {
+    problems.append(bad.problems());
+    return {};
+  }
+}
+
+}  // namespace talus::project

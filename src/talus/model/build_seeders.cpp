@@ -1,0 +1,262 @@
+#include "talus/model/build_seeders.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "talus/import/vector_file.hpp"
+#include "talus/model/build_terrain.hpp"
+#include "talus/model/choose_cells.hpp"
+#include "talus/model/drawn.hpp"
+#include "talus/project/named_files.hpp"
+#include "talus/project/settings.hpp"
+#include "talus/project/varied_section.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+constexpr std::uint64_t most_complaints = 5;  // of the vertices of one seeder
+
+/// Adds one seeder.
+class SeederBuilder {
+ public:
+  SeederBuilder(const Project& project, Model& model, Problems& problems, Problems& warnings)
+      : project_(project), model_(model), problems_(problems), warnings_(warnings) {}
+
+  void add(const Seeder& s) {
+    talus::Seeder seeder;
+    seeder.name = s.name;
+    seeder.first_rock = model_.rocks();
+    seeder.rocks = static_cast<std::uint64_t>(s.rocks);
+    if (s.z_is_surface || s.height_above_m) seeder.above_surface = s.height_above_m.value_or(0);
+    set_size_and_speed(s, seeder);
+    bool is_placed = false;
+    switch (s.type) {
+      case SeederType::point:
+        is_placed = place_at_point(s, seeder);
+        break;
+      case SeederType::line:
+        is_placed = s.lines.empty() ? place_along_points(s, seeder) : place_along_lines(s, seeder);
+        break;
+      case SeederType::polygon:
+      case SeederType::raster:
+        is_placed = place_in_cells(s, seeder);
+        break;
+    }
+    if (off_terrain_ > most_complaints) {
+      complain(s, fmt::format("{} more places are off the terrain", off_terrain_ - most_complaints), "", "");
+    }
+    if (is_placed && seeder.rocks > 0) model_.seeders.push_back(std::move(seeder));
+  }
+
+ private:
+  [[nodiscard]] Vec3 local(const std::array<double, 3>& p) const {
+    return model_.frame.local_from_global({p[0], p[1], p[2]});
+  }
+  [[nodiscard]] bool is_on_terrain(const Vec2& at) const {
+    return std::visit([&](const auto& surface) { return surface.elevation(at.x(), at.y()).has_value(); },
+                      model_.surface);
+  }
+
+  bool complain(const Seeder& s, std::string what, std::string why, std::string hint) {
+    problems_.add({Severity::error, project_.file.string(), s.line, fmt::format("seeder \"{}\"", s.name),
+                   std::move(what), std::move(why), std::move(hint)});
+    return false;
+  }
+
+  SourceId source_of(const std::string& name) {
+    const auto found = std::find(model_.sources.begin(), model_.sources.end(), name);
+    const auto index = static_cast<std::uint32_t>(found - model_.sources.begin());
+    if (found == model_.sources.end()) model_.sources.push_back(name);
+    return SourceId{index};
+  }
+
+  static void set_size_and_speed(const Seeder& s, talus::Seeder& seeder) {
+    if (s.diameter_m) {
+      seeder.size_of = SizeOf::diameter;
+      seeder.size = sampler_of("diameter_m", *s.diameter_m);
+    } else if (s.volume_m3) {
+      seeder.size_of = SizeOf::volume;
+      seeder.size = sampler_of("volume_m3", *s.volume_m3);
+    } else {
+      seeder.size = sampler_of("mass_kg", s.mass_kg);
+    }
+    seeder.density = sampler_of("density_kg_m3", s.density_kg_m3);
+    seeder.direction.reset();
+    if (const auto& d = s.direction) seeder.direction = Vec3((*d)[0], (*d)[1], (*d)[2]).normalized();
+    if (s.speed_m_s) seeder.speed = sampler_of("speed_m_s", *s.speed_m_s);
+    seeder.horizontal = sampler_of("horizontal_velocity_m_s", s.horizontal_velocity_m_s);
+    seeder.vertical = sampler_of("vertical_velocity_m_s", s.vertical_velocity_m_s);
+    seeder.spin = sampler_of("rotational_velocity_deg_s", s.rotational_velocity_deg_s, radians);
+  }
+
+  bool place_at_point(const Seeder& s, talus::Seeder& seeder) {
+    const Vec3 place = local(s.points.front());
+    seeder.source = source_of(s.source);
+    seeder.where = place;
+    return check_on_terrain(s, place);
+  }
+
+  bool place_along_points(const Seeder& s, talus::Seeder& seeder) {
+    std::vector<Vec3> line;
+    for (const auto& p : s.points) line.push_back(local(p));
+    seeder.source = source_of(s.source);
+    seeder.where = ReleaseLines(line, seeder.source);
+    return check_line(s, line, seeder.above_surface.has_value(), "");
+  }
+
+  bool place_along_lines(const Seeder& s, talus::Seeder& seeder) {
+    VectorRequest request{.layer = s.layer,
+                          .attributes = {},
+                          .kinds = {ShapeKind::line},
+                          .polygons_are_in_space = false,
+                          .heights_are_used = !seeder.above_surface,
+                          .terrain_crs_wkt = model_.crs_wkt};
+    if (!s.source_attribute.empty()) request.attributes = {s.source_attribute};
+    VectorLayer layer;
+    try {
+      layer = read_vector_file(project_.file.parent_path() / s.lines, request, warnings_);
+    } catch (const BadInput& bad) {
+      problems_.append(bad.problems());
+      return false;
+    }
+    const auto has_z = [](const VectorFeature& feature) { return feature.has_z; };
+    const auto first_without = std::find_if_not(layer.features.begin(), layer.features.end(), has_z);
+    if (!seeder.above_surface && first_without != layer.features.end()) {
+      if (std::any_of(layer.features.begin(), layer.features.end(), has_z)) {
+        return complain(s,
+                        fmt::format("feature {} of lines \"{}\" has no heights", first_without->id, s.lines.string()),
+                        "others have", "Give height_above_m, and all start at that height above the terrain");
+      }
+      seeder.above_surface = 0;
+    }
+    bool good = true;
+    ReleaseLines lines;
+    for (const VectorFeature& feature : layer.features) {
+      const bool is_named = !feature.values.empty() && feature.values[0] && !feature.values[0]->empty();
+      const SourceId source = source_of(is_named ? *feature.values[0] : s.source);
+      for (const VectorShape& part : feature.parts) {
+        std::vector<Vec3> line;
+        for (const Vec3& p : part.lists.front()) {
+          // Along the ground, metres are those on plan.
+          line.push_back(model_.frame.local_from_global(seeder.above_surface ? Vec3(p.x(), p.y(), 0) : p));
+        }
+        good = check_line(s, line, seeder.above_surface.has_value(), fmt::format("feature {}, ", feature.id)) && good;
+        lines.add(line, source);
+      }
+    }
+    if (lines.length() == 0) return complain(s, fmt::format("lines \"{}\" have no length", s.lines.string()), "", "");
+    report(fmt::format("seeder \"{}\": {} lines, {:.6g} m long", s.name, layer.features.size(), lines.length()));
+    seeder.where = std::move(lines);
+    return good;
+  }
+
+  bool place_in_cells(const Seeder& s, talus::Seeder& seeder) {
+    const CellQuestion question{project_, model_, [this](const std::string& name) { return source_of(name); }};
+    std::string found;
+    auto cells = choose_cells(s, question, problems_, warnings_, found);
+    if (!cells) return false;
+    if (s.rocks_per_cell) {
+      const double rocks = static_cast<double>(*s.rocks_per_cell) * static_cast<double>(cells->cells.size());
+      const double most = setting("seeder", "rocks").range.most;
+      if (static_cast<double>(model_.rocks()) + rocks > most) {
+        return complain(s, fmt::format("{} rocks from each of {} cells", *s.rocks_per_cell, cells->cells.size()),
+                        fmt::format("expected at most {:g} rocks in all", most), "Give fewer, or rocks");
+      }
+      seeder.rocks = static_cast<std::uint64_t>(*s.rocks_per_cell) * cells->cells.size();
+    }
+    seeder.source = cells->sources.front().source;
+    seeder.above_surface = s.height_above_m.value_or(0);
+    report(fmt::format("{}; {} rocks", found, seeder.rocks));
+    seeder.where = std::move(*cells);
+    return true;
+  }
+
+  void report(const std::string& line) {
+    if (!model_.seeder_report.empty()) model_.seeder_report += '\n';
+    model_.seeder_report += line;
+  }
+
+  bool check_line(const Seeder& s, const std::vector<Vec3>& line, bool is_on_ground, const std::string& which) {
+    bool good = true;
+    for (const Vec3& p : line) good = check_on_terrain(s, p, which) && good;
+    if (!good || !is_on_ground || std::holds_alternative<Profile>(model_.surface)) return good;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const Vec2 from = line[k].head(2), to = line[k + 1].head(2);
+      std::vector<Vec3> ground;
+      if (const auto* mesh = std::get_if<TriangleMesh>(&model_.surface)) ground = mesh->draped(from, to);
+      if (const auto* raster = std::get_if<RasterSurface>(&model_.surface)) ground = raster->draped(from, to);
+      // Wherever the ground bends there is a point, so that between two of them is ground or none.
+      for (std::size_t i = 0; i + 1 < ground.size(); ++i) {
+        const Vec3 between = 0.5 * (ground[i] + ground[i + 1]);
+        if (is_on_terrain(between.head(2))) continue;
+        good = check_on_terrain(s, between, which) && good;
+      }
+    }
+    return good;
+  }
+
+  bool check_on_terrain(const Seeder& s, const Vec3& at, const std::string& which = "") {
+    if (is_on_terrain(at.head(2))) return check_on_moved_slope(s, at.x());
+    if (++off_terrain_ > most_complaints) return false;
+    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, model_.surface);
+    const Vec3 low = model_.frame.global_from_local(box.low), high = model_.frame.global_from_local(box.high);
+    const Vec3 p = model_.frame.global_from_local(at);
+    const bool is_within =
+        at.x() >= box.low.x() && at.x() <= box.high.x() && at.y() >= box.low.y() && at.y() <= box.high.y();
+    const bool is_flat = project_.is_2d();
+    return complain(s,
+                    is_flat ? fmt::format("x = {:.10g} is off the terrain", p.x())
+                            : fmt::format("{}({:.10g}, {:.10g}) is off the terrain", which, p.x(), p.y()),
+                    is_flat ? fmt::format("the section goes from x = {:.10g} to {:.10g}", low.x(), high.x())
+                    : is_within
+                        ? std::string("the terrain has a hole there, without data or triangles")
+                        : fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
+                                      low.x(), high.x(), low.y(), high.y()),
+                    project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders"
+                    : !is_flat && is_on_terrain(local({p.y(), p.x(), p.z()}).head(2)) ? exchanged_hint
+                                                                                      : "");
+  }
+
+  /// Of a section whose vertices vary there is ground for every rock.
+  bool check_on_moved_slope(const Seeder& s, double x) {
+    if (!model_.varying) return true;
+    const CertainStretch certain = certain_stretch(project_.terrain);
+    const double origin = model_.frame.origin.x();
+    if (x >= certain.from - origin && x <= certain.to - origin) return true;
+    if (++off_terrain_ > most_complaints) return false;
+    return complain(s, fmt::format("x = {:.10g} may be off the terrain", x + origin), why_uncertain(certain),
+                    "Move it inwards, or give the end vertices less in x");
+  }
+
+  const Project& project_;
+  Model& model_;
+  Problems& problems_;
+  Problems& warnings_;
+  std::uint64_t off_terrain_ = 0;  // places
+};
+
+/// As the reader calls it: by its name, or by its number where it has none.
+std::string row_of(const Project& project, std::size_t i) {
+  std::string by_name = fmt::format("seeder \"{}\"", project.seeders[i].name);
+  const bool is_named = std::any_of(project.named_files.begin(), project.named_files.end(),
+                                    [&](const NamedFile& file) { return file.where == by_name; });
+  return is_named ? by_name : fmt::format("seeder {}", i + 1);
+}
+
+}  // namespace
+
+void add_seeders(const Project& project, Model& model, Problems& problems, Problems& warnings) {
+  for (std::size_t i = 0; i < project.seeders.size(); ++i) {
+    const Seeder& seeder = project.seeders[i];
+    naming_files(project, row_of(project, i), problems, warnings, [&](Problems& own_problems, Problems& own_warnings) {
+      SeederBuilder(project, model, own_problems, own_warnings).add(seeder);
+      return true;
+    });
+  }
+}
+
+}  // namespace talus::project

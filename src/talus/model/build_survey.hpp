@@ -1,0 +1,34 @@
+#pragma once
+// Triangles from survey data and from closed polylines, as a project names them.
+
+#include <string>
+#include <vector>
+
+#include "talus/core/problems.hpp"
+#include "talus/import/survey_crs.hpp"
+#include "talus/meshing/raw_mesh.hpp"
+#include "talus/project/project.hpp"
+
+namespace talus::project {
+
+struct SurveyedMesh {
+  RawMesh mesh;
+  std::string source;   // the file or files, for messages
+  std::string crs_wkt;  // empty: not known
+  std::string report;   // what was read and how it was triangulated
+};
+
+/// From `points` and `lines`.
+[[nodiscard]] SurveyedMesh survey_mesh(const Project& project, Problems& warnings);
+
+/// From `polylines` or `polygons`; not yet merged.
+[[nodiscard]] SurveyedMesh polygon_mesh(const Project& project, Problems& warnings);
+
+/// What `crs` says. Throws BadInput where nobody knows the coordinate system.
+[[nodiscard]] SaidOfCrs said_of_crs(const Project& project);
+
+/// The coordinate system that `crs` names, as WKT; empty where it names none. Throws BadInput where nobody knows it, or
+/// where it is not in metres.
+[[nodiscard]] std::string crs_wkt_of(const Project& project, Problems& warnings);
+
+}  // namespace talus::project

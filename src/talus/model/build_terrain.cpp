@@ -1,0 +1,171 @@
+#include "talus/model/build_terrain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "talus/import/mesh_file.hpp"
+#include "talus/import/raster_file.hpp"
+#include "talus/meshing/cleaning.hpp"
+#include "talus/meshing/extrude.hpp"
+#include "talus/model/build_survey.hpp"
+#include "talus/model/doubtful_terrain.hpp"
+#include "talus/project/varied_section.hpp"
+
+namespace talus::project {
+
+namespace {
+
+std::vector<Vec2> section_vertices(const Terrain& terrain) {
+  std::vector<Vec2> vertices;
+  for (const auto& [x, z] : terrain.section) vertices.emplace_back(x, z);
+  // The ground lies on the right of a section walked from left to right.
+  if (terrain.section_runs_leftwards()) std::reverse(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+BuiltTerrain section_terrain(const Project& project) {
+  const Terrain& terrain = project.terrain;
+  std::vector<Vec2> vertices = section_vertices(terrain);
+  Box box;
+  for (const Vec2& v : vertices) box.grow(Vec3(v.x(), 0, v.y()));
+  BuiltTerrain built;
+  built.frame = LocalFrame::near(0.5 * (box.low + box.high));
+  for (Vec2& v : vertices) v -= Vec2(built.frame.origin.x(), built.frame.origin.z());
+  built.parts = vertices.size() - 1;
+  built.surface = Profile(vertices);
+  if (!terrain.section_std_dev_m.empty()) {
+    auto deviations = terrain.section_std_dev_m;
+    if (terrain.section_runs_leftwards()) std::reverse(deviations.begin(), deviations.end());
+    VaryingSection varying{vertices, {}};
+    for (const auto& [sx, sz] : deviations) {
+      const auto shift = [](double s) {
+        if (s == 0) return Sampler(0.0);
+        const double furthest = most_deviations_of_vertex * s;
+        return Sampler(Distribution{0, DistributionKind::normal, s, furthest, furthest}, Bounds{});
+      };
+      varying.shifts.push_back({shift(sx), shift(sz)});
+    }
+    built.varying = std::move(varying);
+  }
+  return built;
+}
+
+/// A mesh names no coordinate system, but numbers that are degrees on plan and metres in height make walls: no ground
+/// is ten times as high as it is wide.
+void refuse_degrees(const RawMesh& mesh, const Project& project) {
+  constexpr double steepest = 10;
+  constexpr double widest = 10;  // degrees
+  Box box;
+  for (const Vec3& v : mesh.vertices) box.grow(v);
+  const Vec3 size = box.high - box.low;
+  const bool may_be_degrees = box.low.x() >= -180 && box.high.x() <= 180 && box.low.y() >= -90 && box.high.y() <= 90;
+  if (!may_be_degrees || size.head(2).maxCoeff() > widest || size.z() < steepest * size.head(2).maxCoeff()) return;
+  throw BadInput(
+      Problem{.file = project.terrain.mesh.string(),
+              .what = "seems to be in degrees",
+              .why = fmt::format("it lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g} and is {:.4g} m high",
+                                 box.low.x(), box.high.x(), box.low.y(), box.high.y(), size.z()),
+              .hint = "Project it to metres; or, if they are metres, write crs = \"local\""});
+}
+
+SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {
+  const Terrain& terrain = project.terrain;
+  if (project.has_survey()) return survey_mesh(project, warnings);
+  SurveyedMesh out;
+  RawMesh& mesh = out.mesh;
+  if (!terrain.polylines.empty() || !terrain.polygons.empty()) {
+    out = polygon_mesh(project, warnings);
+  } else if (!terrain.section.empty()) {
+    mesh = extruded(section_vertices(terrain), *terrain.width_m);
+  } else if (!terrain.mesh.empty()) {
+    mesh = read_mesh_file(project.file.parent_path() / terrain.mesh, warnings);
+    if (terrain.crs.empty()) refuse_degrees(mesh, project);
+    warn_of_steep_mesh(mesh, project, warnings);
+  } else {
+    for (const auto& [x, y, z] : terrain.vertices) mesh.vertices.emplace_back(x, y, z);
+    for (const auto& [a, b, c] : terrain.triangles) {
+      mesh.triangles.push_back(
+          {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+    }
+  }
+  const auto& about = terrain.rotate_about;
+  turn(mesh, terrain.rotate_deg, {about[0], about[1], about[2]});
+  if (out.source.empty()) {
+    out.source = terrain.mesh.empty() ? project.file.string() : terrain.mesh.string();
+    out.crs_wkt = crs_wkt_of(project, warnings);
+  }
+  return out;
+}
+
+BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
+  SurveyedMesh raw = raw_mesh(project, warnings);
+  const bool is_extruded = !project.terrain.section.empty();
+  const bool is_merged = !project.terrain.polylines.empty() || !project.terrain.polygons.empty();
+  BuiltTerrain built;
+  built.parts = is_extruded ? raw.mesh.triangles.size() / 2 : raw.mesh.triangles.size();
+  built.crs_wkt = std::move(raw.crs_wkt);
+  const CleanMesh mesh =
+      clean(std::move(raw.mesh),
+            {.source = raw.source, .weld_tolerance_m = is_merged ? project.terrain.merge_tolerance_m : 0});
+  built.report = raw.report + (raw.report.empty() ? "" : "\n") + mesh.report.text();
+  for (const std::uint32_t original : mesh.original)
+    built.part_of_facet.push_back(is_extruded ? original / 2 : original);
+
+  if (!project.ground.raster.empty() || !project.ground.polygons.empty() || !project.areas.empty()) {
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vec3 centre = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
+      built.facet_centres.emplace_back(centre.x(), centre.y());
+      if (project.ground.polygons.empty()) continue;
+      const Vec3 area = (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
+      built.facet_areas.push_back(0.5 * std::abs(area.z()));
+    }
+  }
+
+  Box box;
+  for (const Vec3& v : mesh.vertices) box.grow(v);
+  built.frame = LocalFrame::near(0.5 * (box.low + box.high));
+  std::vector<Vec3> local;
+  local.reserve(mesh.vertices.size());
+  for (const Vec3& v : mesh.vertices) local.push_back(built.frame.local_from_global(v));
+  std::vector<TriangleMesh::Corners> neighbours;
+  neighbours.reserve(mesh.neighbours.size());
+  for (const auto& sides : mesh.neighbours) {
+    TriangleMesh::Corners beyond;
+    for (std::size_t k = 0; k < 3; ++k) beyond[k] = sides[k] ? (*sides[k]).index : TriangleMesh::no_neighbour;
+    neighbours.push_back(beyond);
+  }
+  built.surface.emplace<TriangleMesh>(local, mesh.triangles, neighbours);
+  return built;
+}
+
+BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
+  RasterFile file =
+      read_raster_file(project.file.parent_path() / project.terrain.raster, warnings, said_of_crs(project));
+  RasterGrid& grid = file.grid;
+  warn_of_steep_raster(grid, project, warnings);
+  BuiltTerrain built;
+  const std::uint64_t cells = (std::uint64_t{grid.columns} - 1) * (grid.rows - 1);
+  built.report = fmt::format("{}: {} x {} nodes, {:.6g} x {:.6g} m apart, {}, {} without data",
+                             project.terrain.raster.string(), grid.columns, grid.rows, grid.dx, grid.dy,
+                             file.crs_name.empty() ? "no coordinate system" : file.crs_name, file.without_data);
+  built.parts = cells;
+  built.crs_wkt = std::move(file.crs_wkt);
+  // On plan only: elevations keep the file's numbers to the last bit.
+  built.frame =
+      LocalFrame::near({grid.x0 + 0.5 * grid.dx * (grid.columns - 1), grid.y0 + 0.5 * grid.dy * (grid.rows - 1), 0});
+  grid.x0 -= built.frame.origin.x();
+  grid.y0 -= built.frame.origin.y();
+  built.surface.emplace<RasterSurface>(std::move(grid));
+  return built;
+}
+
+}  // namespace
+
+BuiltTerrain build_terrain(const Project& project, Problems& warnings) {
+  if (project.is_2d()) return section_terrain(project);
+  return project.terrain.raster.empty() ? mesh_terrain(project, warnings) : raster_terrain(project, warnings);
+}
+
+}  // namespace talus::project

@@ -1,0 +1,347 @@
+#include "talus/model/choose_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "talus/import/class_raster.hpp"
+#include "talus/import/vector_file.hpp"
+#include "talus/model/cell_heights.hpp"
+#include "talus/terrain/slope.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+constexpr std::size_t masked_at_once = 1 << 20;
+constexpr std::size_t most_listed = 8;  // values of a mask
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-12;  // a slope of exactly the wanted one is wanted
+
+double in_degrees(double gradient_squared) { return slope_of_gradient_squared(gradient_squared) * degrees; }
+double gradient_squared(double slope_deg) { return std::pow(std::tan(slope_deg / degrees), 2); }
+
+struct Candidate {
+  std::uint32_t cell;
+  SourceId source;
+};
+
+class Chooser {
+ public:
+  Chooser(const Seeder& seeder, const CellQuestion& question, Problems& problems, Problems& warnings)
+      : seeder_(seeder),
+        question_(question),
+        problems_(problems),
+        warnings_(warnings),
+        heights_(question.model, seeder.cell_m.value_or(1)),
+        grid_(heights_.grid()),
+        least_gradient_(seeder.min_slope_deg ? gradient_squared(*seeder.min_slope_deg) * (1 - rounding) : 0),
+        most_gradient_(seeder.max_slope_deg ? gradient_squared(*seeder.max_slope_deg) * (1 + rounding) : infinity) {
+    if (!seeder.mask.empty()) mask_.emplace(folder() / seeder.mask, question.model.crs_wkt, warnings);
+  }
+
+  std::optional<ReleaseCells> choose(std::string& report) {
+    if (!seeder_.polygons.empty() || !seeder_.polygon.empty()) {
+      if (!take_cells_within_polygons()) return std::nullopt;
+    } else {
+      take_all_cells();
+    }
+    mask_kept();
+    if (!judge()) return std::nullopt;
+    ReleaseCells cells = made();
+    report =
+        fmt::format("seeder \"{}\": {} cells of {:g} x {:g} m", seeder_.name, cells.cells.size(), grid_.dx, grid_.dy);
+    // What the mask let go has not been counted out of the slopes.
+    if (!mask_) {
+      report +=
+          fmt::format(", {:.1f} to {:.1f} deg steep", in_degrees(gentlest_of_kept_), in_degrees(steepest_of_kept_));
+    }
+    if (cells.sources.size() > 1) report += fmt::format(", of {} sources", cells.sources.size());
+    return cells;
+  }
+
+ private:
+  [[nodiscard]] std::filesystem::path folder() const { return question_.project.file.parent_path(); }
+  [[nodiscard]] Vec2 middle(std::uint32_t cell) const {
+    return {grid_.x(cell % grid_.columns), grid_.y(cell / grid_.columns)};
+  }
+  [[nodiscard]] Problem about(std::string what, std::string why, std::string hint = "") const {
+    return {.file = question_.project.file.string(),
+            .line = seeder_.line,
+            .where = fmt::format("seeder \"{}\"", seeder_.name),
+            .what = std::move(what),
+            .why = std::move(why),
+            .hint = std::move(hint)};
+  }
+  bool refuse(std::string what, std::string why, std::string hint = "") {
+    problems_.add(about(std::move(what), std::move(why), std::move(hint)));
+    return false;
+  }
+  void warn(std::string what, std::string why, std::string hint = "") {
+    Problem problem = about(std::move(what), std::move(why), std::move(hint));
+    problem.severity = Severity::warning;
+    warnings_.add(std::move(problem));
+  }
+  [[nodiscard]] std::string extent_of_terrain() const {
+    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, question_.model.surface);
+    const Vec3 low = question_.model.frame.global_from_local(box.low),
+               high = question_.model.frame.global_from_local(box.high);
+    return fmt::format("x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}", low.x(), high.x(), low.y(), high.y());
+  }
+  /// Named only where some rock has it.
+  SourceId own_source() {
+    if (!own_source_known_) own_source_known_ = question_.source_of(seeder_.source);
+    return *own_source_known_;
+  }
+  [[nodiscard]] std::string called() const {
+    return seeder_.polygons.empty() ? "polygon" : fmt::format("polygons \"{}\"", seeder_.polygons.string());
+  }
+
+  /// The cells within each part of each feature, later ones over earlier ones.
+  bool take_cells_within_polygons() {
+    std::vector<Candidate> found;
+    Vec2 low = Vec2::Constant(infinity), high = -low;
+    const Vec2 half(0.5 * grid_.dx, 0.5 * grid_.dy), south_west = grid_.first - half;
+    const Vec2 north_east = Vec2(grid_.x(grid_.columns - 1), grid_.y(grid_.rows - 1)) + half;
+    std::uint64_t polygons = 0, elsewhere = 0, beyond = 0;
+    const auto take = [&](const std::vector<std::vector<Vec3>>& rings, SourceId source) {
+      const PlanPolygon polygon(rings);
+      ++polygons;
+      low = low.cwiseMin(polygon.low());
+      high = high.cwiseMax(polygon.high());
+      const bool touches =
+          (polygon.low().array() <= north_east.array()).all() && (polygon.high().array() >= south_west.array()).all();
+      const bool reaches_beyond =
+          (polygon.low().array() < south_west.array()).any() || (polygon.high().array() > north_east.array()).any();
+      elsewhere += touches ? 0 : 1;
+      beyond += touches && reaches_beyond ? 1 : 0;
+      if (!touches) return;
+      visit_points_within(polygon, grid_, [&](std::uint32_t row, std::uint32_t from, std::uint32_t to) {
+        for (std::uint32_t column = from; column < to; ++column) {
+          found.push_back({row * grid_.columns + column, source});
+        }
+      });
+    };
+    if (!seeder_.polygons.empty()) {
+      VectorRequest request{.layer = seeder_.layer,
+                            .attributes = {},
+                            .kinds = {ShapeKind::polygon},
+                            .polygons_are_in_space = false,
+                            .heights_are_used = false,
+                            .terrain_crs_wkt = question_.model.crs_wkt};
+      if (!seeder_.source_attribute.empty()) request.attributes = {seeder_.source_attribute};
+      const VectorLayer layer = read_vector_file(folder() / seeder_.polygons, request, warnings_);
+      for (const VectorFeature& feature : layer.features) {
+        const bool is_named = !feature.values.empty() && feature.values[0] && !feature.values[0]->empty();
+        const SourceId source = is_named ? question_.source_of(*feature.values[0]) : own_source();
+        for (const VectorShape& part : feature.parts) take(part.lists, source);
+      }
+    } else {
+      std::vector<std::vector<Vec3>> ring(1);
+      for (const auto& [x, y] : seeder_.polygon) ring[0].emplace_back(x, y, 0);
+      take(ring, own_source());
+    }
+    if (elsewhere == polygons) {
+      return refuse(fmt::format("{} does not reach the terrain", called()),
+                    fmt::format("it lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}; the terrain within {}",
+                                low.x(), high.x(), low.y(), high.y(), extent_of_terrain()),
+                    seeder_.polygons.empty() ? "" : "Compare what ogrinfo says of its coordinate system");
+    }
+    if (found.empty()) {
+      return refuse(fmt::format("{} holds no cell", called()),
+                    fmt::format("the middle of none of the cells of {:g} x {:g} m is within", grid_.dx, grid_.dy));
+    }
+    if (elsewhere + beyond > 0) {
+      warn(fmt::format("{} of {} polygons reach beyond the terrain or lie elsewhere", elsewhere + beyond, polygons),
+           "rocks start on the terrain only");
+    }
+    // Of the same cell the last comes last; then it is the one that is kept.
+    const auto is_before = [](const Candidate& a, const Candidate& b) { return a.cell < b.cell; };
+    if (!std::is_sorted(found.begin(), found.end(), is_before)) {
+      std::stable_sort(found.begin(), found.end(), is_before);
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (i + 1 == found.size() || found[i + 1].cell != found[i].cell) look_at(found[i]);
+    }
+    return true;
+  }
+
+  void take_all_cells() {
+    for (std::uint32_t row = 0; row < grid_.rows; ++row) {
+      for (std::uint32_t column = 0; column < grid_.columns; ++column) {
+        look_at({row * grid_.columns + column, own_source()});
+      }
+    }
+  }
+
+  /// Keeps a cell that the terrain and its slope let be one.
+  void look_at(const Candidate& candidate) {
+    ++asked_;
+    const auto z = heights_.around(candidate.cell % grid_.columns, candidate.cell / grid_.columns);
+    if (!z) return;
+    ++with_data_;
+    const double gradient = horn_gradient_squared(*z, grid_.dx, grid_.dy);
+    if (gradient > steepest_.gradient) steepest_ = {gradient, candidate.cell};
+    if (gradient < gentlest_.gradient) gentlest_ = {gradient, candidate.cell};
+    if (gradient < least_gradient_ || gradient > most_gradient_) return;
+    ++steep_enough_;
+    steepest_of_kept_ = std::max(steepest_of_kept_, gradient);
+    gentlest_of_kept_ = std::min(gentlest_of_kept_, gradient);
+    kept_.push_back(candidate);
+    if (mask_ && kept_.size() - masked_ == masked_at_once) mask_kept();
+  }
+
+  /// Lets go of those kept since the last time that the mask does not want.
+  void mask_kept() {
+    if (!mask_) return;
+    std::vector<Vec2> places;
+    for (std::size_t i = masked_; i < kept_.size(); ++i) places.push_back(middle(kept_[i].cell));
+    const auto values = mask_->at(places);
+    std::size_t end = masked_;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!values[i]) {
+        ++unmasked_;
+        continue;
+      }
+      if (values_.size() < most_listed || values_.contains(*values[i])) {
+        ++values_[*values[i]];
+      } else {
+        ++other_values_;
+      }
+      const bool wanted = seeder_.mask_value ? *values[i] == *seeder_.mask_value : *values[i] != 0;
+      if (wanted) kept_[end++] = kept_[masked_ + i];
+    }
+    kept_.resize(end);
+    masked_ = end;
+  }
+
+  bool judge() {
+    const bool by_polygon = !seeder_.polygons.empty() || !seeder_.polygon.empty();
+    if (with_data_ == 0) {
+      return refuse("there is no data under it",
+                    fmt::format("none of {} cells of {:g} x {:g} m{} has data with its eight neighbours", asked_,
+                                grid_.dx, grid_.dy, by_polygon ? " in " + called() : ""));
+    }
+    if (steep_enough_ == 0) return refuse_slope();
+    if (mask_ && kept_.empty()) return refuse_mask();
+    if (by_polygon && with_data_ < asked_) {
+      warn(fmt::format("{} of {} cells are left out", asked_ - with_data_, asked_),
+           "they or one of their eight neighbours have no data, or lie on the edge of the terrain");
+    }
+    return true;
+  }
+
+  bool refuse_slope() {
+    const auto place = [&](std::uint32_t cell) {
+      const Vec2 at = middle(cell);
+      return fmt::format("({:.10g}, {:.10g})", at.x(), at.y());
+    };
+    const bool too_gentle = steepest_.gradient < least_gradient_;
+    if (too_gentle) {
+      return refuse(fmt::format("no cell is as steep as {:g} deg", *seeder_.min_slope_deg),
+                    fmt::format("the steepest of {} has {:.4g} deg, at {}", with_data_, in_degrees(steepest_.gradient),
+                                place(steepest_.cell)));
+    }
+    if (gentlest_.gradient > most_gradient_) {
+      return refuse(fmt::format("no cell is as gentle as {:g} deg", *seeder_.max_slope_deg),
+                    fmt::format("the gentlest of {} has {:.4g} deg, at {}", with_data_, in_degrees(gentlest_.gradient),
+                                place(gentlest_.cell)));
+    }
+    return refuse(fmt::format("no cell is {:g} to {:g} deg steep", *seeder_.min_slope_deg, *seeder_.max_slope_deg),
+                  fmt::format("the {} there are have {:.4g} to {:.4g} deg", with_data_, in_degrees(gentlest_.gradient),
+                              in_degrees(steepest_.gradient)));
+  }
+
+  bool refuse_mask() {
+    const std::string file = seeder_.mask.string();
+    if (mask_->points_within() == 0) {
+      return refuse(fmt::format("mask \"{}\" does not reach the terrain", file),
+                    "the terrain lies within " + extent_of_terrain(),
+                    "Compare what gdalinfo says of the mask, and its coordinate system");
+    }
+    std::string found;
+    for (const auto& [value, count] : values_) {
+      found += fmt::format("{}{} in {}", found.empty() ? "" : ", ", value, count);
+    }
+    if (other_values_ > 0) found += fmt::format(", other values in {}", other_values_);
+    if (unmasked_ > 0) found += fmt::format("{}no data in {}", found.empty() ? "" : ", ", unmasked_);
+    return refuse(seeder_.mask_value ? fmt::format("mask \"{}\" has {} in none of the cells", file, *seeder_.mask_value)
+                                     : fmt::format("mask \"{}\" is 0 in all of the cells", file),
+                  fmt::format("of {} cells it has {}", steep_enough_, found));
+  }
+
+  ReleaseCells made() {
+    const auto is_before = [](const Candidate& a, const Candidate& b) {
+      return a.source != b.source ? a.source < b.source : a.cell < b.cell;
+    };
+    if (!std::is_sorted(kept_.begin(), kept_.end(), is_before)) std::sort(kept_.begin(), kept_.end(), is_before);
+    ReleaseCells cells;
+    const Vec2 corner = grid_.first - Vec2(0.5 * grid_.dx, 0.5 * grid_.dy);
+    cells.corner = corner - Vec2(question_.model.frame.origin.head(2));
+    cells.dx = grid_.dx;
+    cells.dy = grid_.dy;
+    cells.columns = grid_.columns;
+    cells.place = seeder_.place == PlaceInCell::centre ? talus::PlaceInCell::centre : talus::PlaceInCell::random;
+    cells.cells.reserve(kept_.size());
+    for (const Candidate& kept : kept_) {
+      if (cells.sources.empty() || cells.sources.back().source != kept.source) {
+        cells.sources.push_back({static_cast<std::uint32_t>(cells.cells.size()), kept.source});
+      }
+      cells.cells.push_back(kept.cell);
+    }
+    return cells;
+  }
+
+  const Seeder& seeder_;
+  const CellQuestion& question_;
+  Problems& problems_;
+  Problems& warnings_;
+  CellHeights heights_;
+  const PlanGrid& grid_;
+  std::optional<SourceId> own_source_known_;
+  std::optional<ClassRaster> mask_;
+  std::vector<Candidate> kept_;
+  std::size_t masked_ = 0;  // of kept_, those that the mask has seen
+  std::uint64_t asked_ = 0, with_data_ = 0, steep_enough_ = 0, unmasked_ = 0, other_values_ = 0;
+  // Slopes by the squares of their tangents.
+  struct Extreme {
+    double gradient;
+    std::uint32_t cell = 0;
+  };
+  Extreme steepest_{-1}, gentlest_{infinity};  // of all with data
+  double steepest_of_kept_ = 0, gentlest_of_kept_ = infinity;
+  double least_gradient_, most_gradient_;         // wanted
+  std::map<std::int32_t, std::uint64_t> values_;  // of the mask, and in how many cells
+};
+
+}  // namespace
+
+std::optional<ReleaseCells> choose_cells(const Seeder& seeder, const CellQuestion& question, Problems& problems,
+                                         Problems& warnings, std::string& report) {
+  constexpr double most_cells = 4294967295.0;  // numbers of 32 bits
+  const double count = CellHeights::count(question.model, seeder.cell_m.value_or(1));
+  if (count > most_cells) {
+    problems.add(
+        {.file = question.project.file.string(),
+         .line = seeder.line,
+         .where = fmt::format("seeder \"{}\"", seeder.name),
+         .what = fmt::format("cell_m is {:g}", seeder.cell_m.value_or(1)),
+         .why = fmt::format("the terrain would have {:.4g} such cells; expected at most {:.0f}", count, most_cells),
+         .hint = {}});
+    return std::nullopt;
+  }
+  try {
+    return Chooser(seeder, question, problems, warnings).choose(report);
+  } catch (const BadInput& bad) {
+    problems.append(bad.problems());
+    return std::nullopt;
+  }
+}
+
+}  // namespace talus::project

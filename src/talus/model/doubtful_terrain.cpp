@@ -1,0 +1,72 @@
+#include "talus/model/doubtful_terrain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace talus::project {
+
+namespace {
+
+// Quarry faces and cliffs are as steep, but no terrain is so on half of its area on plan.
+constexpr double steepest_deg = 75;
+
+double degrees(double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; }
+
+void warn(const Project& project, const std::filesystem::path& file, std::string what, std::string why,
+          std::string hint, Problems& warnings) {
+  warnings.add({.severity = Severity::warning,
+                .file = project.file.string(),
+                .where = "[terrain]",
+                .what = fmt::format("\"{}\" {}", file.string(), what),
+                .why = std::move(why),
+                .hint = std::move(hint)});
+}
+
+}  // namespace
+
+void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Problems& warnings) {
+  // Of a large raster some rows say enough.
+  const std::uint32_t stride = std::max<std::uint32_t>(1, grid.rows / 500);
+  std::vector<double> slopes;  // tangents
+  for (std::uint32_t row = 0; row + 1 < grid.rows; row += stride) {
+    for (std::uint32_t column = 0; column + 1 < grid.columns; column += stride) {
+      const double z = grid.z[grid.index(column, row)];
+      const double east = (grid.z[grid.index(column + 1, row)] - z) / grid.dx;
+      const double north = (grid.z[grid.index(column, row + 1)] - z) / grid.dy;
+      if (std::isfinite(east) && std::isfinite(north)) slopes.push_back(std::hypot(east, north));
+    }
+  }
+  constexpr std::size_t few = 100;  // cells, of which half may well be a cliff
+  if (slopes.size() < few) return;
+  const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+  std::ranges::nth_element(slopes, middle);
+  if (degrees(*middle) <= steepest_deg) return;
+  warn(project, project.terrain.raster,
+       fmt::format("is steeper than {:.3g} degrees on half of its area", degrees(*middle)),
+       fmt::format("its elevations seem not to be in metres; as centimetres they would make {:.2g} degrees",
+                   degrees(*middle / 100)),
+       "Convert the elevations to metres", warnings);
+}
+
+void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& warnings) {
+  // The sum of the facets' areas as vectors is that of any surface over the same rim: how the mesh lies as a whole,
+  // whatever its hills are. (Of a mesh of any winding it says nothing, and is small.)
+  Vec3 lie = Vec3::Zero();
+  for (const auto& [a, b, c] : mesh.triangles) {
+    if (std::max({a, b, c}) >= mesh.vertices.size()) return;  // refused elsewhere
+    lie += (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
+  }
+  constexpr double steepest_lie_deg = 60;
+  const double tilt = degrees(lie.head<2>().norm() / std::abs(lie.z()));
+  if (!lie.allFinite() || lie.norm() == 0 || !(tilt > steepest_lie_deg)) return;
+  const char* axis = std::abs(lie.y()) > std::abs(lie.x()) ? "y" : "x";
+  warn(project, project.terrain.mesh, "seems to lie on its side",
+       fmt::format("as a whole it is {:.0f} degrees steep and faces along {}", tilt, axis),
+       fmt::format("z points up: if {0} does in this file, exchange {0} and z", axis), warnings);
+}
+
+}  // namespace talus::project

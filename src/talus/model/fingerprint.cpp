@@ -1,0 +1,151 @@
+#include "talus/model/fingerprint.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <variant>
+
+#include "talus/campaign/simulate.hpp"
+#include "talus/core/bytes.hpp"
+#include "talus/files/checksum.hpp"
+
+namespace talus::project {
+
+namespace {
+
+void put(ByteWriter& out, const Vec3& v) {
+  for (const double x : {v.x(), v.y(), v.z()}) out.put(x);
+}
+
+void put_outlines(ByteWriter& out, const auto& surface) {
+  out.count(surface.facet_count());
+  for (std::uint32_t k = 0; k < surface.facet_count(); ++k) {
+    out.put(surface.source({k}));
+    const Outline outline = surface.outline({k});
+    for (int e = 0; e < outline.edge_count; ++e) put(out, outline.edges[static_cast<std::size_t>(e)].point);
+  }
+}
+
+void put(ByteWriter& out, const Profile& profile) { put_outlines(out, profile); }
+void put(ByteWriter& out, const TriangleMesh& mesh) { put_outlines(out, mesh); }
+void put(ByteWriter& out, const RasterSurface& raster) {
+  const RasterGrid& grid = raster.grid();
+  out.put(grid.columns);
+  out.put(grid.rows);
+  for (const double x : {grid.x0, grid.y0, grid.dx, grid.dy}) out.put(x);
+  // Piece by piece: the writer keeps what it is given until it hands it on.
+  constexpr std::size_t piece = 1U << 18;
+  const std::span<const float> z(grid.z);
+  for (std::size_t k = 0; k < z.size(); k += piece) out.numbers(z.subspan(k, std::min(piece, z.size() - k)));
+}
+
+void put(ByteWriter& out, const Ground& ground, std::size_t sources) {
+  const bool is_everywhere_the_same = ground.bytes() == 0;
+  out.flag(is_everywhere_the_same);
+  std::array<std::uint32_t, 1024> piece;
+  const std::size_t count = is_everywhere_the_same ? 1 : sources;
+  for (std::size_t k = 0; k < count; k += piece.size()) {
+    const std::size_t length = std::min(piece.size(), count - k);
+    for (std::size_t i = 0; i < length; ++i) piece[i] = ground.material_of(static_cast<std::uint32_t>(k + i)).index;
+    out.numbers(std::span<const std::uint32_t>(piece).first(length));
+  }
+}
+
+void put(ByteWriter& out, const ReleaseLines& lines) {
+  out.put(lines.length());
+  constexpr int places = 256;  // with the length, enough to notice that a vertex moved
+  for (int k = 0; lines.length() > 0 && k <= places; ++k) {
+    const ReleaseLines::Place place = lines.at(k / static_cast<double>(places));
+    put(out, place.point);
+    out.put(place.source.index);
+  }
+}
+
+void put(ByteWriter& out, const ReleaseCells& cells) {
+  for (const double x : {cells.corner.x(), cells.corner.y(), cells.dx, cells.dy}) out.put(x);
+  out.put(cells.columns);
+  out.list(cells.cells);
+  out.count(cells.sources.size());
+  for (const ReleaseCells::Run& run : cells.sources) {
+    out.put(run.first);
+    out.put(run.source.index);
+  }
+}
+
+void put(ByteWriter& out, const talus::Seeder& seeder) {
+  out.text(seeder.name);
+  out.put(seeder.source.index);
+  out.put(seeder.first_rock);
+  out.put(seeder.rocks);
+  out.count(seeder.where.index());
+  std::visit([&](const auto& where) { put(out, where); }, seeder.where);
+  out.flag(seeder.above_surface.has_value());
+  out.put(seeder.above_surface.value_or(0));
+  out.flag(seeder.direction.has_value());
+  put(out, seeder.direction.value_or(Vec3::Zero()));
+}
+
+void put(ByteWriter& out, const talus::Barrier& barrier) {
+  out.text(barrier.name);
+  out.count(barrier.panels().size());
+  for (const Panel& panel : barrier.panels()) {
+    for (const Vec3& v : {panel.foot, panel.along, panel.up}) put(out, v);
+    out.put(panel.length);
+    out.put(panel.height);
+  }
+}
+
+/// As many numbers as surfaces give their facets' sources: for each a material.
+std::size_t sources_of(const Model& model) {
+  return std::visit(
+      [](const auto& surface) -> std::size_t {
+        using Surface = std::decay_t<decltype(surface)>;
+        if constexpr (std::is_same_v<Surface, RasterSurface>) return surface.cell_count();
+        std::size_t sources = 0;
+        for (std::uint32_t k = 0; k < surface.facet_count(); ++k) {
+          sources = std::max(sources, std::size_t{surface.source({k})} + 1);
+        }
+        return sources;
+      },
+      model.surface);
+}
+
+}  // namespace
+
+std::string fingerprint_of(const nlohmann::ordered_json& project, const Model& model) {
+  io::Checksum checksum;
+  ByteWriter out([&](std::string_view piece) { checksum.add(piece); });
+  out.text(project.dump());
+  put(out, model.frame.origin);
+  out.count(model.surface.index());
+  std::visit([&](const auto& surface) { put(out, surface); }, model.surface);
+  put(out, model.ground, sources_of(model));
+  out.count(model.seeders.size());
+  for (const talus::Seeder& seeder : model.seeders) put(out, seeder);
+  out.count(model.barriers.size());
+  for (const talus::Barrier& barrier : model.barriers) put(out, barrier);
+  out.flush();
+  return io::text_of(checksum.digest());
+}
+
+std::string sample_of(const Model& model) {
+  io::Checksum checksum;
+  ByteWriter out([&](std::string_view piece) { checksum.add(piece); });
+  Simulator simulator(model);
+  const std::uint64_t rocks = model.rocks(), count = std::min<std::uint64_t>(rocks, 16);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const RockRecord record = simulator.simulate(count == 1 ? 0 : rocks / count * k, false);
+    const RockOutcome& outcome = record.outcome;
+    put(out, outcome.start.position);
+    put(out, outcome.end.position);
+    for (const double x : {record.body.mass, outcome.end.time, outcome.max_kinetic_energy, outcome.max_bounce}) {
+      out.put(x);
+    }
+    out.put(static_cast<std::int64_t>(outcome.events));
+    out.put(static_cast<std::uint32_t>(outcome.reason));
+  }
+  out.flush();
+  return io::text_of(checksum.digest());
+}
+
+}  // namespace talus::project

@@ -1,0 +1,67 @@
+#pragma once
+// The parts of a terrain that have a material each, as polygons on plan choose among them.
+
+#include <cstdint>
+#include <optional>
+
+#include "talus/meshing/plan_polygon.hpp"
+#include "talus/meshing/point_buckets.hpp"
+#include "talus/model/build_terrain.hpp"
+
+namespace talus::project {
+
+/// The middles of the terrain's cells or facets, in the user's coordinates, and their areas on plan. Keeps `terrain`,
+/// which must outlive it and have its facets' centres.
+class GroundParts {
+ public:
+  explicit GroundParts(const BuiltTerrain& terrain) : terrain_(terrain) {
+    if (const auto* raster = std::get_if<RasterSurface>(&terrain.surface)) {
+      raster_ = raster;
+      const RasterGrid& grid = raster->grid();
+      const Vec2 first(grid.x0 + 0.5 * grid.dx, grid.y0 + 0.5 * grid.dy);
+      grid_ = {first + Vec2(terrain.frame.origin.head(2)), grid.dx, grid.dy, grid.columns - 1, grid.rows - 1};
+    } else {
+      buckets_.emplace(terrain.facet_centres);
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const { return raster_ ? raster_->cell_count() : terrain_.facet_centres.size(); }
+  [[nodiscard]] const char* name() const { return raster_ ? "cells" : "triangles"; }
+  /// On plan [m2]; of facets only where the terrain was built with them.
+  [[nodiscard]] double area(std::size_t part) const {
+    return raster_ ? grid_.dx * grid_.dy : terrain_.facet_areas[part];
+  }
+  /// Holes of a raster are no ground.
+  [[nodiscard]] bool is_ground(std::size_t part) const {
+    return !raster_ || raster_->has_data(part % grid_.columns, part / grid_.columns);
+  }
+  [[nodiscard]] Vec2 middle(std::size_t part) const {
+    if (!raster_) return terrain_.facet_centres[part];
+    return {grid_.x(static_cast<std::uint32_t>(part % grid_.columns)),
+            grid_.y(static_cast<std::uint32_t>(part / grid_.columns))};
+  }
+
+  /// Calls visit(part) for each whose middle is within a polygon.
+  template <class Visit>
+  void visit_within(const PlanPolygon& polygon, Visit&& visit) const {
+    if (raster_) {
+      visit_points_within(polygon, grid_, [&](std::uint32_t row, std::uint32_t from, std::uint32_t to) {
+        for (std::uint32_t column = from; column < to; ++column) {
+          visit(static_cast<std::size_t>(row) * grid_.columns + column);
+        }
+      });
+    } else {
+      buckets_->visit_near(polygon.low(), polygon.high(), [&](std::uint32_t part) {
+        if (polygon.contains(terrain_.facet_centres[part])) visit(std::size_t{part});
+      });
+    }
+  }
+
+ private:
+  const BuiltTerrain& terrain_;
+  const RasterSurface* raster_ = nullptr;
+  PlanGrid grid_;
+  std::optional<PointBuckets> buckets_;
+};
+
+}  // namespace talus::project

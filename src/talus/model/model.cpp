@@ -1,0 +1,256 @@
+#include "talus/model/model.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "talus/ground/forest.hpp"
+#include "talus/model/build_ground.hpp"
+#include "talus/model/build_seeders.hpp"
+#include "talus/model/build_terrain.hpp"
+#include "talus/model/check_releases.hpp"
+#include "talus/model/drawn.hpp"
+#include "talus/project/named_files.hpp"
+#include "talus/project/varied_section.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+
+talus::Material material_of(const Material& m, RockModel model) {
+  talus::Material material;
+  material.name = m.name;
+  material.normal_restitution = sampler_of("normal_restitution", m.normal_restitution);
+  material.tangential_restitution = sampler_of("tangential_restitution", m.tangential_restitution);
+  material.friction_angle = sampler_of("friction_angle_deg", m.friction_angle_deg, radians);
+  material.roughness = sampler_of("roughness_deg", m.roughness_deg, radians);
+  if (model == RockModel::rigid_sphere) {
+    material.roughness_spacing = m.roughness_spacing_m;
+    material.roughness_amplitude = m.roughness_amplitude_m;
+  }
+  material.dynamic_friction = sampler_of("dynamic_friction", m.dynamic_friction);
+  material.rolling_friction = sampler_of("rolling_friction", m.rolling_friction);
+  if (m.forest_drag_kg_s) {
+    material.forest_drag = *m.forest_drag_kg_s;
+  } else if (m.forest != Forest::none) {
+    material.forest_drag = forest_drag(m.forest == Forest::open     ? ForestDensity::open
+                                       : m.forest == Forest::medium ? ForestDensity::medium
+                                                                    : ForestDensity::dense);
+  }
+  material.forest_height = m.forest_height_m.value_or(0);
+  material.ground_drag = m.ground_drag_per_s;
+  return material;
+}
+
+Laws laws_of(const Project& project) {
+  const Analysis& a = project.analysis;
+  Laws laws;
+  laws.model = a.model == RockModel::rigid_sphere ? talus::RockModel::rigid_sphere : talus::RockModel::lumped_mass;
+  laws.rotation = a.rotation;
+  laws.gravity = {0, 0, -a.gravity_m_s2};
+  laws.sliding =
+      a.sliding == SlidingMethod::stepped ? talus::SlidingMethod::stepped : talus::SlidingMethod::closed_form;
+  laws.timestep = a.max_timestep_s;
+  laws.normal_velocity_cutoff = a.normal_velocity_cutoff_m_s;
+  laws.grazing = std::sin(a.grazing_angle_deg * radians);
+  laws.stopped_velocity = a.stopped_velocity_m_s;
+  laws.max_steps = a.max_steps;
+  laws.max_time = a.max_time_s;
+  switch (a.friction_angle) {
+    case FrictionSource::material:
+      laws.friction_source = talus::FrictionSource::material;
+      break;
+    case FrictionSource::tangential_restitution:
+      laws.friction_source = talus::FrictionSource::tangential_restitution;
+      break;
+    case FrictionSource::zero:
+      laws.friction_source = talus::FrictionSource::zero;
+      break;
+  }
+  if (a.scale_rn_by_velocity) laws.restitution_scaling.normal_speed = a.rn_velocity_scale_m_s;
+  if (a.scale_rn_by_mass) laws.restitution_scaling.mass = a.rn_mass_scale_kg;
+  laws.tangential_crsp_damping = a.tangential_crsp_damping;
+  laws.material_sampling = project.sampling.materials == MaterialSampling::per_rock
+                               ? talus::MaterialSampling::per_rock
+                               : talus::MaterialSampling::per_impact;
+  laws.in_section = project.is_2d();
+  return laws;
+}
+
+TerrainParts parts_as_given(const Project& project, BuiltTerrain& terrain) {
+  TerrainParts parts{terrain.parts, std::move(terrain.part_of_facet)};
+  if (!project.terrain.section_runs_leftwards()) return parts;
+  if (parts.of_source.empty()) {
+    for (std::uint32_t k = 0; k < parts.count; ++k) parts.of_source.push_back(k);
+  }
+  for (std::uint32_t& part : parts.of_source) part = static_cast<std::uint32_t>(parts.count) - 1 - part;
+  return parts;
+}
+
+/// Where a line on plan lies on the ground.
+struct Foot {
+  std::vector<Vec3> points;
+  std::vector<double> stations;     // of each point, along the line as it was given, on plan [m]
+  double given = 0, on_ground = 0;  // how long the line is, and how much of it there is ground under, on plan [m]
+};
+
+/// Panels over a foot, which know their place along the line as it was given, whatever of it is off the terrain.
+std::vector<Panel> panels_along(const Foot& foot, double height, double inclination) {
+  std::vector<Panel> panels = panels_over(foot.points, height, inclination);
+  for (std::size_t k = 0; k < panels.size() && k + 1 < foot.stations.size(); ++k) {
+    panels[k].station = foot.stations[k];
+    panels[k].plan_length = foot.stations[k + 1] - foot.stations[k];
+  }
+  return panels;
+}
+
+class Builder {
+ public:
+  Builder(const Project& project, Problems& warnings) : project_(project), warnings_(warnings) {}
+
+  template <class F>
+  auto visit(F&& f) const {
+    return std::visit(std::forward<F>(f), model_.surface);
+  }
+
+  Model build() {
+    BuiltTerrain terrain =
+        naming_files(project_, "[terrain]", problems_, warnings_,
+                     [&](Problems&, Problems& warnings) { return build_terrain(project_, warnings); });
+    std::vector<talus::Material> materials;
+    for (const Material& material : project_.materials)
+      materials.push_back(material_of(material, project_.analysis.model));
+    model_.ground =
+        naming_files(project_, "[ground]", problems_, warnings_, [&](Problems& problems, Problems& warnings) {
+          return build_ground(project_, std::move(materials), terrain, problems, warnings);
+        });
+    model_.parts = parts_as_given(project_, terrain);
+    model_.surface = std::move(terrain.surface);
+    model_.varying = std::move(terrain.varying);
+    model_.frame = terrain.frame;
+    model_.crs_wkt = std::move(terrain.crs_wkt);
+    model_.terrain_report = std::move(terrain.report);
+    model_.laws = laws_of(project_);
+    model_.seed = project_.sampling.seed;
+    model_.sampling = project_.sampling.method;
+    const double lowest = visit([](const auto& surface) { return surface.bounds().low.z(); });
+    model_.energy_datum = project_.analysis.energy_datum_m.value_or(lowest + model_.frame.origin.z());
+    add_seeders(project_, model_, problems_, warnings_);
+    for (const Barrier& barrier : project_.barriers) add_barrier(barrier);
+    if (problems_.has_errors()) throw BadInput(problems_.in_order_of(project_.file.string()));
+    warn_of_high_releases(model_, warnings_);
+    return std::move(model_);
+  }
+
+ private:
+  void complain(int line, std::string where, std::string what, std::string why, std::string hint) {
+    problems_.add({Severity::error, project_.file.string(), line, std::move(where), std::move(what), std::move(why),
+                   std::move(hint)});
+  }
+
+  void add_barrier(const Barrier& b) {
+    talus::Barrier barrier;
+    barrier.name = b.name;
+    barrier.is_collector = b.is_collector;
+    barrier.capacity = b.capacity_kJ * 1000;
+    if (b.normal_restitution && b.tangential_restitution) {
+      barrier.restitution = Restitution{*b.normal_restitution, *b.tangential_restitution};
+    }
+    const Foot foot = foot_of(b);
+    barrier.stand(panels_along(foot, b.height_m, b.inclination_deg * radians));
+    constexpr double shortest = 1e-5;  // [m]
+    if (foot.given > 0 && foot.given < shortest) {
+      complain(b.source_line, called(b), fmt::format("its line is {:.3g} m long", foot.given),
+               fmt::format("expected at least {:g} m", shortest), "");
+    } else if (barrier.panels().empty()) {
+      complain(b.source_line, called(b), "its line does not touch the terrain", "a barrier stands on the ground",
+               is_on_ground_exchanged(b) ? exchanged_hint : "");
+    } else {
+      warn_of_gaps(b, foot);
+      check_on_moved_slope(b);
+    }
+    model_.barriers.push_back(std::move(barrier));
+  }
+
+  static std::string called(const Barrier& b) {
+    return fmt::format("{} \"{}\"", b.is_collector ? "collector" : "barrier", b.name);
+  }
+
+  /// Whether a corner of the line lies on the terrain once its x and y are exchanged.
+  [[nodiscard]] bool is_on_ground_exchanged(const Barrier& b) const {
+    if (std::holds_alternative<Profile>(model_.surface)) return false;
+    const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
+    return std::ranges::any_of(b.line, [&](const auto& p) { return is_ground(Vec2(p[1], p[0]) - origin); });
+  }
+
+  void warn_of_gaps(const Barrier& b, const Foot& foot) {
+    constexpr double by_rounding = 1e-3;  // [m]
+    const double off = foot.given - foot.on_ground;
+    if (off <= by_rounding) return;
+    warnings_.add({Severity::warning, project_.file.string(), b.source_line, called(b),
+                   fmt::format("{:.6g} of {:.6g} m of its line are off the terrain", off, foot.given),
+                   "at the line's ends it does not stand there, and over a gap between it goes straight on",
+                   "Compare its line with the terrain's edge and holes"});
+  }
+
+  /// Of a section whose vertices vary there is ground at it for every rock.
+  void check_on_moved_slope(const Barrier& b) {
+    if (!model_.varying) return;
+    const CertainStretch certain = certain_stretch(project_.terrain);
+    const double x = b.line.front()[0];
+    if (x >= certain.from && x <= certain.to) return;
+    complain(b.source_line, called(b), fmt::format("x = {:.10g} may be off the terrain", x), why_uncertain(certain),
+             "Move it inwards, or give the end vertices less in x");
+  }
+
+  [[nodiscard]] bool is_ground(const Vec2& at) const {
+    return visit([&](const auto& surface) { return surface.elevation(at.x(), at.y()).has_value(); });
+  }
+
+  // The barrier's line laid on the ground. In 2D it runs along y, across the section.
+  Foot foot_of(const Barrier& b) const {
+    Foot foot;
+    if (const auto* profile = std::get_if<Profile>(&model_.surface)) {
+      const double x = b.line.front()[0] - model_.frame.origin.x();
+      if (const auto z = profile->elevation(x)) foot.points = {Vec3(x, -1, *z), Vec3(x, 1, *z)};
+      return foot;
+    }
+    const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
+    const auto drape = [&](const Vec2& from, const Vec2& to) {
+      if (const auto* raster = std::get_if<RasterSurface>(&model_.surface)) return raster->draped(from, to);
+      return std::get<TriangleMesh>(model_.surface).draped(from, to);
+    };
+    for (std::size_t k = 0; k + 1 < b.line.size(); ++k) {
+      const Vec2 from = Vec2(b.line[k][0], b.line[k][1]) - origin;
+      const Vec2 to = Vec2(b.line[k + 1][0], b.line[k + 1][1]) - origin;
+      const std::vector<Vec3> draped = drape(from, to);
+      for (std::size_t i = 0; i < draped.size(); ++i) {
+        const Vec3& p = draped[i];
+        // Wherever the ground bends there is a point, so that between two of them is ground or none.
+        if (i > 0) {
+          const Vec2 piece = (p - draped[i - 1]).head<2>();
+          if (is_ground(draped[i - 1].head<2>() + 0.5 * piece)) foot.on_ground += piece.norm();
+        }
+        if (!foot.points.empty() && (p - foot.points.back()).squaredNorm() < 1e-12) continue;
+        foot.points.push_back(p);
+        foot.stations.push_back(foot.given + (p.head<2>() - from).norm());
+      }
+      foot.given += (to - from).norm();
+    }
+    return foot;
+  }
+
+  const Project& project_;
+  Problems& warnings_;
+  Problems problems_;
+  Model model_;
+};
+
+}  // namespace
+
+Model build_model(const Project& project, Problems& warnings) { return Builder(project, warnings).build(); }
+
+}  // namespace talus::project

@@ -1,0 +1,279 @@
+#include "talus/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "talus/core/problems.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/files/output_file.hpp"
+#include "talus/report/page/assets.hpp"
+#include "talus/report/report_histograms.hpp"
+
+namespace talus::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_loss_points = 3'000;  // dots of single impacts; more would hide each other
+
+// A tenth of a millimetre, a tenth of a millimetre per second, a tenth of a joule: finer than any screen or printer
+// shows, and half the page's size.
+double drawn(double value) {
+  const double rounded = std::round(value * 1e4) / 1e4;
+  return std::isfinite(rounded) ? rounded : value;
+}
+double drawn_J(double value) { return std::round(value * 10) / 10; }
+
+Json endpoints_of(const RunFolder& run) {
+  auto rows = Json::array();
+  for (const EndPoint& end : run.endpoints.items) {
+    rows.push_back({end.rock, end.seeder, drawn(end.position_m[0]), drawn(end.position_m[1]), drawn(end.position_m[2]),
+                    drawn(end.runout_xy_m), drawn(end.runout_total_m), drawn(end.time_s), end.end_reason,
+                    drawn_J(end.max_ke_J), drawn(end.max_bounce_m)});
+  }
+  return {
+      {"has_file", run.endpoints.has_file},
+      {"total", run.endpoints.total},
+      {"columns",
+       {"rock", "seeder", "x", "y", "z", "runout_xy", "runout_total", "time", "end_reason", "max_ke", "max_bounce"}},
+      {"rows", std::move(rows)}};
+}
+
+Json paths_of(const RunFolder& run) {
+  auto rocks = Json::array();
+  for (const Path& path : run.paths.items) {
+    stop_point();
+    auto rows = Json::array();
+    for (const PathRow& row : path.rows) {
+      const auto& [x, y, z] = row.position_m;
+      const auto& [vx, vy, vz] = row.velocity_m_s;
+      rows.push_back({name(row.state), drawn(row.time_s), drawn(x), drawn(y), drawn(z), drawn(vx), drawn(vy), drawn(vz),
+                      drawn_J(row.ke_translational_J), drawn_J(row.ke_rotational_J), drawn_J(row.pe_J)});
+    }
+    rocks.push_back({{"rock", path.rock}, {"rows", std::move(rows)}});
+  }
+  return {{"has_file", run.paths.has_file},
+          {"total", run.paths.total},
+          {"columns", {"state", "time", "x", "y", "z", "vx", "vy", "vz", "ke_translational", "ke_rotational", "pe"}},
+          {"rocks", std::move(rocks)}};
+}
+
+Json hits_of(const RunFolder& run) {
+  auto rows = Json::array();
+  for (const BarrierHit& hit : run.hits.items) {
+    rows.push_back({hit.barrier, hit.rock, drawn(hit.time_s), drawn(hit.position_m[0]), drawn(hit.position_m[1]),
+                    drawn(hit.position_m[2]), drawn(hit.impact_height_m), drawn(hit.angle_deg),
+                    drawn_J(hit.ke_translational_J), drawn_J(hit.ke_total_J), hit.outcome});
+  }
+  return {{"has_file", run.hits.has_file},
+          {"total", run.hits.total},
+          {"columns",
+           {"barrier", "rock", "time", "x", "y", "z", "height", "angle", "ke_translational", "ke_total", "outcome"}},
+          {"rows", std::move(rows)}};
+}
+
+// Energy lost at each impact on the ground of the paths shown: total energy on arrival less total energy on leaving.
+Json losses_of(const RunFolder& run) {
+  struct Loss {
+    std::uint64_t rock, impact;
+    double x_m, travelled_m, lost_J, arrived_with_kinetic_J;
+  };
+  std::vector<Loss> losses;
+  for (const Path& path : run.paths.items) {
+    std::uint64_t impact = 0;
+    double travelled_m = 0;  // on plan
+    for (std::size_t i = 0; i + 1 < path.rows.size(); ++i) {
+      const PathRow& row = path.rows[i];
+      if (i > 0) {
+        const auto& before = path.rows[i - 1].position_m;
+        travelled_m += std::hypot(row.position_m[0] - before[0], row.position_m[1] - before[1]);
+      }
+      if (row.state != PathState::impact) continue;
+      losses.push_back({path.rock, ++impact, row.position_m[0], travelled_m, row.total_J() - path.rows[i + 1].total_J(),
+                        row.ke_translational_J + row.ke_rotational_J});
+    }
+  }
+  const std::size_t step = losses.size() / most_loss_points + 1;
+  auto rows = Json::array();
+  for (std::size_t i = 0; i < losses.size(); i += step) {
+    const Loss& loss = losses[i];
+    rows.push_back({loss.rock, loss.impact, drawn(loss.x_m), drawn(loss.travelled_m), drawn_J(loss.lost_J),
+                    drawn_J(loss.arrived_with_kinetic_J)});
+  }
+  auto by_number = Json::array();
+  for (const ImpactLoss& loss : run.impact_losses) {
+    by_number.push_back({by_number.size() + 1, loss.count, drawn_J(loss.sum_J / static_cast<double>(loss.count)),
+                         drawn_J(loss.least_J), drawn_J(loss.most_J)});
+  }
+  return {{"of_shown_paths", losses.size()},
+          {"columns", {"rock", "impact", "x", "travelled", "lost", "kinetic_before"}},
+          {"rows", std::move(rows)},
+          {"by_number_columns", {"impact", "rocks", "mean", "least", "most"}},
+          {"by_number", std::move(by_number)}};
+}
+
+// Bytes as four letters for every three (RFC 4648), which atob() of browsers reads.
+std::string base64(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k) three = three << 8U | (k < n ? bytes[i + k] : 0U);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= n ? letters[three >> (18 - 6 * k) & 63U] : '=';
+  }
+  return out;
+}
+
+Json maps_of(const RunFolder& run) {
+  auto maps = Json::array();
+  for (const ReportMap& map : run.maps) {
+    maps.push_back({{"name", map.name},
+                    {"logarithmic", map.is_logarithmic},
+                    {"least", map.range.least},
+                    {"greatest", map.range.greatest},
+                    {"limits", map.limits},
+                    {"origin", map.origin},
+                    {"cell", map.cell},
+                    {"columns", map.columns},
+                    {"rows", map.rows},
+                    {"levels", base64(map.levels)}});
+  }
+  return maps;
+}
+
+// To six digits.
+double in_short(double value) { return std::stod(fmt::format("{:.6g}", value)); }
+
+Json envelopes_of(const RunFolder& run) {
+  auto rows = Json::array();
+  for (const ReportEnvelopes::Cell& cell : run.envelopes.cells) {
+    auto row = Json::array({drawn(cell.from_x_m), drawn(cell.to_x_m)});
+    for (const auto& value : cell.values) row.push_back(value ? Json(in_short(*value)) : Json());
+    rows.push_back(std::move(row));
+  }
+  auto columns = Json::array({"from_x_m", "to_x_m"});
+  for (const std::string& column : run.envelopes.columns) columns.push_back(column);
+  return {{"cells_each", run.envelopes.cells_each}, {"columns", std::move(columns)}, {"rows", std::move(rows)}};
+}
+
+// Red, green and blue of the classes of maps.
+Json map_colours() {
+  auto colours = Json::array();
+  for (const MapClass& each : map_classes({})) colours.push_back(each.colour);
+  return colours;
+}
+
+Json data_of(const RunFolder& run, const Json& summary) {
+  stop_point();
+  const auto whole = std::filesystem::absolute(run.folder).lexically_normal();
+  const auto last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+  return {{"folder", last.string()},
+          {"date", run.date},
+          {"summary", summary},
+          {"endpoints", endpoints_of(run)},
+          {"paths", paths_of(run)},
+          {"hits", hits_of(run)},
+          {"losses", losses_of(run)},
+          {"maps", maps_of(run)},
+          {"envelopes", envelopes_of(run)},
+          {"notes", run.notes}};
+}
+
+std::string escaped(std::string_view text) {
+  static const std::map<char, std::string_view> entities{
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
+  std::string out;
+  for (const char c : text) {
+    if (const auto found = entities.find(c); found != entities.end()) {
+      out += found->second;
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+// JSON that can stand inside a script element: no name in it can end the element or open a comment.
+std::string json_for_script(const Json& value) {
+  std::string out;
+  for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      out += "\\u003c";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+// Fills the template's places in one pass, so that what is put in is never taken for a place.
+std::string filled(std::string_view page, const std::map<std::string_view, std::string_view>& values) {
+  std::string out;
+  for (std::size_t at = 0;;) {
+    const std::size_t open = page.find("{{", at);
+    if (open == std::string_view::npos) return out.append(page.substr(at));
+    const std::size_t close = page.find("}}", open);
+    out.append(page.substr(at, open - at)).append(values.at(page.substr(open + 2, close - open - 2)));
+    at = close + 2;
+  }
+}
+
+std::string title_of(std::span<const RunFolder> runs) {
+  std::string title;
+  for (const RunFolder& run : runs) {
+    const std::string name = run.summary.value("name", run.folder.filename().string());
+    title += (title.empty() ? "" : " and ") + name;
+  }
+  return title;
+}
+
+}  // namespace
+
+std::string report_page(std::span<const RunFolder> runs) {
+  Json data{{"version", TALUS_VERSION}, {"map_colours", map_colours()}, {"runs", Json::array()}};
+  std::vector<Json> summaries;
+  for (const RunFolder& run : runs) summaries.push_back(run.summary);
+  if (summaries.size() == 2) give_common_bins(summaries[0], summaries[1]);
+  for (std::size_t k = 0; k < runs.size(); ++k) data["runs"].push_back(data_of(runs[k], summaries[k]));
+  const std::string title = escaped(title_of(runs)), json = json_for_script(data);
+  return filled(
+      assets::page,
+      {{"title", title}, {"style", assets::style}, {"d3", assets::d3}, {"data", json}, {"script", assets::script}});
+}
+
+void write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html,
+                  const char* summary) {
+  if (run_folders.empty() || run_folders.size() > 2) {
+    throw BadInput(Problem{.file = "",
+                           .where = "report",
+                           .what = "given " + std::to_string(run_folders.size()) + " run folders",
+                           .why = "a report is of one run, or of two laid over each other",
+                           .hint = ""});
+  }
+  std::vector<RunFolder> runs;
+  Problems problems;
+  for (const std::filesystem::path& folder : run_folders) {
+    try {
+      runs.push_back(read_run_folder(folder, {}, summary));
+    } catch (const BadInput& bad) {
+      problems.append(bad.problems());
+    }
+  }
+  if (problems.has_errors()) throw BadInput(std::move(problems));
+  const std::string page = report_page(runs);
+  OutputFile file(place_of_file(html));
+  file.write(page);
+  file.commit();
+}
+
+}  // namespace talus::io

@@ -1,0 +1,88 @@
+#include "talus/run/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <utility>
+
+#include "talus/run/finished_run.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr int least_time_between = 20;  // times what writing took
+
+bool is_there(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
+}  // namespace
+
+Checkpoints::Checkpoints(const std::filesystem::path& folder, io::RunStateHeader begun,
+                         const io::RunDescription& description, RunSums& sums, io::TableFiles& tables, double every)
+    : file_(folder / io::run_state_name),
+      header_(std::move(begun)),
+      description_(io::saved(description)),
+      seconds_before_(header_.seconds),
+      sums_(sums),
+      tables_(tables),
+      every_(every) {}
+
+double Checkpoints::seconds() const {
+  return seconds_before_ + std::chrono::duration<double>(Clock::now() - begin_).count();
+}
+
+bool Checkpoints::is_due() const {
+  if (every_ <= 0) return false;
+  const auto since = Clock::now() - written_;
+  return std::chrono::duration<double>(since).count() >= every_ && since >= least_time_between * cost_;
+}
+
+void Checkpoints::after(std::uint64_t next) {
+  if (is_due()) write(next);
+}
+
+void Checkpoints::write(std::uint64_t next, Clock::time_point begin) {
+  header_.done = next;
+  header_.seconds = seconds();
+  header_.tables = tables_.sync();
+  const auto observers = sums_.observers();
+  io::write_run_state(file_, header_, description_, observers);
+  last_ = header_.rocks();
+  tables_.keep_parts();
+  written_ = Clock::now();
+  cost_ = written_ - begin;
+}
+
+std::optional<std::string> difference(const io::RunDescription& then, const io::RunDescription& now) {
+  if (auto changed = difference_of_projects(then.project, then.fingerprint, now)) return changed;
+  if (then.sample != now.sample) {
+    return "the same rocks take other paths: another build of talus, another processor or other libraries";
+  }
+  if (then.maps.has_value() != now.maps.has_value()) return "one was made by a talus without GDAL, without maps";
+  return std::nullopt;
+}
+
+Found find_checkpoint(const std::filesystem::path& folder, const io::RunDescription& description,
+                      const RockRange& range, const std::optional<Shard>& shard) {
+  const std::filesystem::path file = folder / io::run_state_name;
+  if (!is_there(file)) {
+    const FinishedRun finished = find_finished_run(folder, description, range, shard);
+    return {std::nullopt, !shard && finished.is_whole, finished.lacks};
+  }
+  Found found{io::read_run_state_header(file), false, ""};
+  const io::RunStateHeader& state = *found.state;
+  if (const auto changed = difference(state.description, description)) {
+    refuse_to_go_on(file, "the project is not the one that this run began with", *changed);
+  }
+  if (state.range != range || state.shard != shard) {
+    refuse_to_go_on(file, fmt::format("this is the state of {}", name_of(state.range, state.shard)),
+                    fmt::format("expected {}", name_of(range, shard)));
+  }
+  found.is_complete = shard && state.is_complete() && find_finished_run(folder, description, range, shard).is_whole;
+  return found;
+}
+
+}  // namespace talus::project

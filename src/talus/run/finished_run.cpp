@@ -1,0 +1,135 @@
+#include "talus/run/finished_run.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "talus/core/problems.hpp"
+#include "talus/files/json_file.hpp"
+#include "talus/run/result_files.hpp"
+
+namespace talus::project {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string shortened(const Json& value) {
+  constexpr std::size_t most = 40;
+  std::string text = value.dump();
+  if (text.size() > most) text = value.is_structured() ? "another" : text.substr(0, most - 3) + "...";
+  return text;
+}
+
+/// The settings that differ, up to three of them.
+std::vector<std::string> changed_settings(const Json& then, const Json& now) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> changes;
+  for (const Json& step : Json::diff(then, now)) {
+    if (changes.size() == most) {
+      changes.emplace_back("and more");
+      break;
+    }
+    const std::string pointer = step.at("path");
+    const Json::json_pointer place(pointer);
+    std::string key = pointer.substr(1);
+    std::ranges::replace(key, '/', '.');
+    const auto at = [&](const Json& json) { return json.contains(place) ? shortened(json.at(place)) : "not set"; };
+    changes.push_back(fmt::format("{} was {} and is {}", key, at(then), at(now)));
+  }
+  return changes;
+}
+
+/// Nothing where there is none that can be read.
+std::optional<Json> summary_in(const std::filesystem::path& folder) {
+  try {
+    Json summary = io::read_json_object<Json>(folder / "summary.json", "");
+    return summary.contains("fingerprint") ? std::optional(std::move(summary)) : std::nullopt;
+  } catch (const BadInput&) {
+    return std::nullopt;
+  }
+}
+
+/// The rocks that a summary tells of.
+std::string rocks_of(const Json& summary) {
+  const auto number = [&](const char* place) {
+    const Json::json_pointer pointer(place);
+    const bool is_there = summary.contains(pointer) && summary.at(pointer).is_number_unsigned();
+    return is_there ? summary.at(pointer).get<std::uint64_t>() : 0;
+  };
+  if (!summary.contains("shard")) return name_of({0, number("/rocks/planned")}, std::nullopt);
+  const std::uint64_t first = number("/shard/first_rock");
+  return name_of({first, first + number("/shard/rocks")}, Shard{number("/shard/number"), number("/shard/of")});
+}
+
+std::string version_of(const Json& summary) {
+  const Json::json_pointer place("/talus/version");
+  return summary.contains(place) && summary.at(place).is_string() ? summary.at(place).get<std::string>() : "unknown";
+}
+
+}  // namespace
+
+void remove_finished_summary(const std::filesystem::path& folder) {
+  const auto summary = summary_in(folder);
+  if (summary && summary->value("interrupted", Json()) == true) return;
+  std::error_code ignored;
+  std::filesystem::remove(folder / "summary.json", ignored);
+}
+
+std::string name_of(const RockRange& range, const std::optional<Shard>& shard) {
+  if (range.count() == 0) return "no rocks";
+  const std::string rocks = fmt::format("rocks {} to {}", range.first, range.last - 1);
+  return shard ? fmt::format("shard {}/{} with {}", shard->number, shard->of, rocks) : rocks;
+}
+
+void refuse_to_go_on(const std::filesystem::path& file, std::string what, std::string why) {
+  throw BadInput(Problem{.file = file.string(),
+                         .what = std::move(what),
+                         .why = std::move(why),
+                         .hint = "Undo the change to go on, or run without --resume to begin anew"});
+}
+
+std::optional<std::string> difference_of_projects(const Json& then, const std::string& fingerprint_then,
+                                                  const io::RunDescription& now) {
+  const std::vector<std::string> settings = changed_settings(then, now.project);
+  if (!settings.empty()) return fmt::format("{}", fmt::join(settings, "; "));
+  if (fingerprint_then == now.fingerprint) return std::nullopt;
+  return "all settings are the same, but not what the files hold that they name, of terrain, ground or releases";
+}
+
+std::optional<std::string> replaced_results(const std::filesystem::path& folder, const io::RunDescription& now) {
+  const auto summary = summary_in(folder);
+  if (!summary) return std::nullopt;
+  const Json& fingerprint = summary->at("fingerprint");
+  const auto difference = difference_of_projects(summary->value("project", Json::object()),
+                                                 fingerprint.is_string() ? fingerprint.get<std::string>() : "", now);
+  return fmt::format("{}{}", rocks_of(*summary), difference ? fmt::format(" ({})", *difference) : "");
+}
+
+FinishedRun find_finished_run(const std::filesystem::path& folder, const io::RunDescription& description,
+                              const RockRange& range, const std::optional<Shard>& shard) {
+  const auto summary = summary_in(folder);
+  if (!summary) return {};
+  const std::filesystem::path file = folder / "summary.json";
+  if (version_of(*summary) != TALUS_VERSION) {
+    refuse_to_go_on(file, "these are the results of another version of talus",
+                    fmt::format("it was {} and is {}", version_of(*summary), TALUS_VERSION));
+  }
+  if (summary->at("fingerprint") != description.fingerprint) {
+    const Json& fingerprint = summary->at("fingerprint");
+    const auto why = difference_of_projects(summary->value("project", Json::object()),
+                                            fingerprint.is_string() ? fingerprint.get<std::string>() : "", description);
+    refuse_to_go_on(file, "these are the results of another project", why.value_or(""));
+  }
+  if (const std::string theirs = rocks_of(*summary), ours = name_of(range, shard); theirs != ours)
+    refuse_to_go_on(file, fmt::format("these are the results of {}", theirs), fmt::format("expected {}", ours));
+  if (summary->value("interrupted", Json()) != false) return {};
+  const auto lacks = lacking_file(folder, description, shard);
+  return {!lacks, lacks.value_or("")};
+}
+
+}  // namespace talus::project

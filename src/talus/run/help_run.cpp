@@ -1,0 +1,173 @@
+// The part of all ranks but the first.
+
+#include <deque>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+
+#include "talus/archive/table_texts.hpp"
+#include "talus/core/memory_reserve.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/run/rank_messages.hpp"
+#include "talus/run/run_on_ranks.hpp"
+
+namespace talus::project {
+
+namespace {
+
+constexpr int rank_0 = 0;
+
+/// Thrown where rank 0 lets this one go in the middle of something.
+struct Dismissed {
+  int exit_code;
+};
+
+/// What a rank gathers between two times when all is added up.
+struct Work {
+  Work(const io::RunDescription& description, const Project& project, const Model& model, int threads)
+      : sums(description, project, model),
+        texts(TableContext::of(model), table_rocks(project, model.rocks())),
+        list(sums.observers()),
+        worker(model, texts.observers(), list, threads, [this] { return texts.take(); }) {}
+
+  /// Of the blocks done those before this rock: nothing is missing between them.
+  void add_before(std::uint64_t next_rock) {
+    for (; !held.empty() && held.front().rocks.last <= next_rock; held.pop_front()) commit(held.front(), list);
+  }
+
+  RunSums sums;
+  io::TableTexts texts;
+  std::vector<SummingObserver*> list;
+  std::deque<DoneBlock> held;  // not in the sums yet; their rows were sent
+  BlockWorker worker;
+};
+
+class Helper {
+ public:
+  Helper(Ranks& ranks, const io::RunDescription& description, const Project& project, const Model& model, int threads,
+         const RunOptions& options)
+      : ranks_(ranks),
+        description_(description),
+        project_(project),
+        model_(model),
+        threads_(threads),
+        maps_memory_(options.maps_memory),
+        stop_(options.campaign.stop) {}
+
+  [[noreturn]] void run() {
+    while (true) {
+      while (const auto message = ranks_.receive()) {
+        naps_.found_something();
+        handle(*message);
+      }
+      if (work_) {
+        for (DoneBlock& block : work_->worker.take(naps_.next(ranks_))) {
+          naps_.found_something();
+          ranks_.send(rank_0, message_of(block));
+          block.texts.clear();
+          work_->held.push_back(std::move(block));
+        }
+        if (is_stopping_ && !has_said_stopped_ && work_->worker.has_ended()) say_stopped();
+        if (const auto lacks = work_->sums.lacking_memory()) throw OutOfMemory(*lacks);
+      } else {
+        std::this_thread::sleep_for(naps_.next(ranks_));
+      }
+      if (!has_said_stop_ && is_asked(stop_)) {
+        ranks_.send(rank_0, message_of(MessageKind::stop));
+        has_said_stop_ = true;
+      }
+    }
+  }
+
+ private:
+  void handle(const Ranks::Message& message) {
+    if (inbox_.add(message)) return;
+    switch (kind_of(message)) {
+      case MessageKind::rocks:
+        work().worker.give(rocks_from(content_of(message)));
+        break;
+      case MessageKind::done:
+        if (work_) work_->add_before(next_rock_from(content_of(message)));
+        break;
+      case MessageKind::gather:
+        gather_sums(ranks_, inbox_, work().list, [&](const Ranks::Message& other) { handle(other); });
+        work_.reset();
+        break;
+      case MessageKind::stop:
+        is_stopping_ = true;
+        if (work_) {
+          work_->worker.stop();
+        } else {
+          say_stopped();
+        }
+        break;
+      case MessageKind::leave:
+        throw Dismissed{exit_code_from(content_of(message))};
+      default:
+        throw BadBytes("rank 0 sends what only others may");
+    }
+  }
+
+  void say_stopped() {
+    ranks_.send(rank_0, message_of(MessageKind::stopped));
+    has_said_stopped_ = true;
+  }
+
+  Work& work() {
+    if (work_) return *work_;
+    work_ = std::make_unique<Work>(description_, project_, model_, threads_);
+    work_->sums.limit_maps_memory(maps_memory_);
+    return *work_;
+  }
+
+  Ranks& ranks_;
+  const io::RunDescription& description_;
+  const Project& project_;
+  const Model& model_;
+  int threads_;
+  std::uint64_t maps_memory_;
+  const std::atomic<bool>* stop_;
+  Naps naps_;
+  bool has_said_stop_ = false;                           // that it was asked to, here
+  bool is_stopping_ = false, has_said_stopped_ = false;  // at the wish of rank 0
+  GatherInbox inbox_;
+  std::unique_ptr<Work> work_;  // made when there is some
+};
+
+}  // namespace
+
+namespace {
+
+int wait_for_leave(Ranks& ranks) {
+  for (Naps naps;;) {
+    const auto message = ranks.receive();
+    if (!message) std::this_thread::sleep_for(naps.next(ranks));
+    if (message && kind_of(*message) == MessageKind::leave) return exit_code_from(content_of(*message));
+  }
+}
+
+}  // namespace
+
+int help_run(Ranks& ranks, const Project& project, const Model& model, const Problems& warnings,
+             const RunOptions& options) {
+  try {
+    const int threads = options.campaign.threads > 0 ? options.campaign.threads : ranks.threads();
+    std::optional<StopScope> beginning(std::in_place, options.campaign.stop);
+    const io::RunDescription description = describe_run(project, model, warnings, options.shard);
+    beginning.reset();
+    ranks.send(rank_0, message_of(Hello{TALUS_VERSION, ranks.machine(), threads, description}));
+    Helper(ranks, description, project, model, threads, options).run();
+  } catch (const Stopped&) {
+    ranks.send(rank_0, message_of(MessageKind::stop));
+    return wait_for_leave(ranks);
+  } catch (const Dismissed& dismissed) {
+    return dismissed.exit_code;
+  }
+}
+
+int cannot_help(Ranks& ranks, const std::string& what, int exit_code) {
+  ranks.send(rank_0, message_of(Cannot{ranks.machine(), what, exit_code}));
+  return wait_for_leave(ranks);
+}
+
+}  // namespace talus::project

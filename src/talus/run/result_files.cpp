@@ -1,0 +1,164 @@
+#include "talus/run/result_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+#include "talus/archive/envelope_table.hpp"
+#include "talus/archive/run_state.hpp"
+#include "talus/core/problems.hpp"
+#include "talus/export/vector_out.hpp"
+#include "talus/export/vtk_paths.hpp"
+#include "talus/files/file_record.hpp"
+#include "talus/files/output_file.hpp"
+#include "talus/maps/map_files.hpp"
+#include "talus/maps/source_maps.hpp"
+
+namespace talus::project {
+
+namespace {
+
+bool wants_vtk(const io::RunDescription& description) {
+  const nlohmann::ordered_json::json_pointer place("/output/vtk");
+  return description.project.contains(place) && description.project.at(place) == true;
+}
+
+bool ends_with_a_line(const std::filesystem::path& table) {
+  std::ifstream file(table, std::ios::binary);
+  file.seekg(-1, std::ios::end);
+  return file.get() == '\n';
+}
+
+bool is_there(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(file, ignored) && (file.extension() != ".csv" || ends_with_a_line(file)) &&
+         !std::filesystem::exists(OutputFile::part_of(file), ignored);
+}
+
+void refuse(const std::filesystem::path& place, const char* why, Problems& problems) {
+  problems.add({.file = place.string(),
+                .what = "cannot write this result",
+                .why = why,
+                .hint = "Take it away, or write elsewhere",
+                .option = "-o"});
+}
+
+}  // namespace
+
+namespace {
+
+/// Whether a run writes a file of this name, or removes what an earlier one wrote; relative to its folder.
+bool is_name_of_result(const std::filesystem::path& name) {
+  const std::string first = name.begin()->string();
+  if (first == "maps") return io::is_name_of_map_file(name) || name.filename() == io::list_of_sources;
+  std::string plain = name.string();
+  if (plain.ends_with(".part")) plain.erase(plain.size() - std::string_view(".part").size());
+  constexpr std::array<std::string_view, 7> names{"endpoints.csv", "barriers.csv",       "paths.csv", "summary.json",
+                                                  "report.html",   "design_ranking.csv", "design.csv"};
+  return std::ranges::find(names, plain) != names.end() || plain == io::envelopes_name ||
+         plain == io::geopackage_name || plain == io::vtk_paths_name || plain == io::run_state_name ||
+         plain == io::file_record_name;
+}
+
+}  // namespace
+
+std::vector<std::string> result_files(const io::RunDescription& description, const std::optional<Shard>& shard) {
+  std::vector<std::string> names{"endpoints.csv", "barriers.csv", "paths.csv"};
+  if (!shard) {
+    if (description.wants_maps && description.maps && io::can_write_maps() && description.rocks > 0)
+      names.push_back("maps/" + io::map_kinds(description.maps->selection).front().name + ".tif");
+    if (description.wants_envelopes) names.emplace_back(io::envelopes_name);
+    if (description.design) names.insert(names.end(), {"design.csv", "design_ranking.csv"});
+    if (description.wants_geopackage && io::can_write_geopackage()) names.emplace_back(io::geopackage_name);
+    if (wants_vtk(description)) names.emplace_back(io::vtk_paths_name);
+    if (description.wants_report) names.emplace_back("report.html");
+  }
+  names.emplace_back("summary.json");
+  return names;
+}
+
+std::optional<std::string> lacking_file(const std::filesystem::path& folder, const io::RunDescription& description,
+                                        const std::optional<Shard>& shard) {
+  for (const std::string& name : result_files(description, shard)) {
+    if (!is_there(folder / name)) return name;
+  }
+  return io::changed_file(folder);
+}
+
+std::vector<std::string> written_files(const std::filesystem::path& folder, const io::RunDescription& description,
+                                       const std::optional<Shard>& shard) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (std::string& name : result_files(description, shard)) {
+    const auto place = folder / name;
+    if (std::filesystem::exists(place, error) || std::filesystem::exists(OutputFile::part_of(place), error))
+      names.push_back(std::move(name));
+  }
+  if (shard) return names;
+  for (auto entry = std::filesystem::recursive_directory_iterator(folder / "maps", error);
+       !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
+    // Styles are the user's to change.
+    const std::filesystem::path& file = entry->path();
+    if ((file.extension() == ".tif" && io::is_name_of_map_file(file)) || file.filename() == io::list_of_sources)
+      names.push_back(file.lexically_relative(folder).generic_string());
+  }
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+void check_that_inputs_are_kept(const std::filesystem::path& folder, const Project& project) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path results = fs::weakly_canonical(fs::absolute(folder), error);
+  if (error) return;
+  Problems problems;
+  const std::vector<std::string> recorded = io::recorded_files(folder);
+  const auto look = [&](const fs::path& file, Problem problem) {
+    const fs::path real = fs::canonical(file, error);
+    if (error) return;
+    const fs::path within = real.lexically_relative(results);
+    if (within.empty() || *within.begin() == "..") return;
+    const bool is_recorded = std::ranges::find(recorded, within.generic_string()) != recorded.end();
+    if (!is_name_of_result(within) && !is_recorded) return;
+    problem.why = is_name_of_result(within) ? "a run writes its results there, and would take its place"
+                                            : "it is a result of the run before, which this one replaces";
+    problem.hint = "Give the file another name, or write elsewhere";
+    problem.option = "-o";
+    problems.add(std::move(problem));
+  };
+  look(project.file, {.file = project.file.string(), .what = fmt::format("is in {}", folder.string())});
+  for (const NamedFile& named : project.named_files) {
+    look(project.file.parent_path() / named.file,
+         {.file = named.said_in,
+          .line = named.line,
+          .where = named.where,
+          .what = fmt::format("{} {} is in {}", named.key, named.file.string(), folder.string()),
+          .path = named.path});
+  }
+  if (problems.has_errors()) throw BadInput(std::move(problems));
+}
+
+void check_that_results_have_room(const std::filesystem::path& folder, const io::RunDescription& description,
+                                  const std::optional<Shard>& shard) {
+  Problems problems;
+  std::vector<std::string> names = result_files(description, shard);
+  names.insert(names.end(), {io::run_state_name, io::file_record_name});
+  std::error_code ignored;
+  for (const std::string& name : names) {
+    const std::filesystem::path place = folder / name;
+    for (const auto& each : {place, OutputFile::part_of(place)}) {
+      if (std::filesystem::is_directory(each, ignored)) refuse(each, "it is a folder", problems);
+    }
+    const std::filesystem::path above = place.parent_path();
+    if (std::filesystem::exists(above, ignored) && !std::filesystem::is_directory(above, ignored))
+      refuse(above, "it is no folder", problems);
+  }
+  if (problems.has_errors()) throw BadInput(std::move(problems));
+}
+
+}  // namespace talus::project

@@ -1,0 +1,231 @@
+#include "talus/run/run_results.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <system_error>
+
+#include "talus/archive/design_tables.hpp"
+#include "talus/archive/envelope_table.hpp"
+#include "talus/archive/model_json.hpp"
+#include "talus/core/check.hpp"
+#include "talus/core/memory.hpp"
+#include "talus/export/derived_files.hpp"
+#include "talus/export/vector_out.hpp"
+#include "talus/files/file_record.hpp"
+#include "talus/files/output_file.hpp"
+#include "talus/maps/map_files.hpp"
+#include "talus/maps/source_maps.hpp"
+#include "talus/model/design_plan.hpp"
+#include "talus/model/fingerprint.hpp"
+#include "talus/project/echo.hpp"
+#include "talus/project/named_files.hpp"
+#include "talus/report/report.hpp"
+#include "talus/run/result_files.hpp"
+#include "talus/run/run_size.hpp"
+#include "talus/run/run_warnings.hpp"
+
+namespace talus::project {
+
+namespace {
+
+/// The cells of the maps: as large as the project says, or those of the terrain's raster.
+template <class Surface>
+MapGrid map_grid(const Project& project, const LocalFrame& frame, const Surface& surface) {
+  const Vec2 low = surface.bounds().low.head(2);
+  if (const auto cell = project.output.raster_cell_m) {
+    const double across = (surface.bounds().high.head(2) - low).maxCoeff() / *cell;
+    if (across < MapGrid::most_cells_across) return MapGrid::at_multiples(*cell, frame, low);
+    throw BadInput(Problem{.file = project.file.string(),
+                           .where = "[output]",
+                           .what = fmt::format("raster_cell_m is {:g}", *cell),
+                           .why = fmt::format("the terrain is {:.3g} such cells wide; expected fewer than {:g}", across,
+                                              MapGrid::most_cells_across),
+                           .hint = "Take larger cells"});
+  }
+  if constexpr (std::is_same_v<Surface, RasterSurface>) {
+    const RasterGrid& raster = surface.grid();
+    return MapGrid::around_nodes({raster.x0, raster.y0}, {raster.dx, raster.dy}, frame);
+  }
+  TALUS_PROMISE(false, "the project was checked: only a raster has cells of its own");
+  return MapGrid::at_multiples(1, frame, low);
+}
+
+io::MapSelection selection_of(const Project& project) { return {project.output.maps, project.output.percentiles}; }
+
+std::optional<std::size_t> split_by(const io::RunDescription& description) {
+  if (!description.maps->by_source) return std::nullopt;
+  return description.sources.size();
+}
+
+void warn_of_what_is_not_written(const io::RunDescription& description, Problems& warnings) {
+  const auto warn = [&](const char* what, const char* setting) {
+    warnings.add({Severity::warning, "", 0, "[output]", what, "this program was built without GDAL",
+                  fmt::format("Build it with GDAL, or set {}", setting)});
+  };
+  if (description.wants_maps && !io::can_write_maps()) warn("no maps are written", "maps = false");
+  if (description.wants_geopackage && !io::can_write_geopackage()) {
+    warn("no GeoPackage is written", "geopackage = \"none\"");
+  }
+}
+
+/// Where every rock has a section of its own, heights above one of them say nothing.
+void write_section_envelopes(const std::filesystem::path& folder, const io::RunDescription& description,
+                             MapObserver* maps) {
+  io::remove_envelopes(folder);
+  if (maps == nullptr || !description.wants_envelopes) return;
+  const nlohmann::ordered_json::json_pointer deviations("/terrain/section_std_dev_m");
+  io::write_envelopes(folder, maps->maps(), description.maps->selection, !description.project.contains(deviations));
+}
+
+void write_all_maps(const std::filesystem::path& folder, const io::RunDescription& description, MapObserver* maps,
+                    int threads) {
+  io::remove_maps(folder);
+  io::remove_source_maps(folder / "by_source");
+  if (maps == nullptr || !description.wants_maps || !io::can_write_maps()) return;
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  const io::MapSelection& selection = description.maps->selection;
+  io::write_maps(maps->maps(), selection, description.crs_wkt, folder);
+  if (description.maps->by_source) {
+    io::write_source_maps(maps->by_source(), description.sources, selection, description.crs_wkt, folder / "by_source");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model) {
+  if (project.output.maps.none()) return nullptr;
+  const bool is_section = std::holds_alternative<Profile>(model.surface);
+  return std::visit(
+      [&](const auto& surface) {
+        const MapGrid grid = map_grid(project, model.frame, surface);
+        std::optional<std::size_t> sources;
+        if (project.output.maps_by_source && !is_section) sources = model.sources.size();
+        return std::make_unique<MapObserver>(grid, greatest_height_over(surface, model.laws.model), sources,
+                                             io::contents_of(selection_of(project)));
+      },
+      model.surface);
+}
+
+io::RunDescription describe(const Project& project, const Model& model, const Problems& warnings) {
+  io::RunDescription description;
+  description.name = project.name;
+  description.project = echo(project);
+  description.fingerprint = fingerprint_of(description.project, model);
+  description.sample = sample_of(model);
+  description.rocks = model.rocks();
+  description.barriers = model.barriers.size();
+  description.model = model_json(model);
+  for (const Problem& problem : warnings.list())
+    description.warnings.push_back(seen_from_project(problem.text(), project));
+  description.crs_wkt = model.crs_wkt;
+  description.sources = model.sources;
+  const bool is_section = std::holds_alternative<Profile>(model.surface);
+  description.wants_maps = project.output.maps.any() && !is_section;
+  description.wants_envelopes = project.output.maps.any() && is_section;
+  if (project.output.maps.any()) {
+    const MapGrid grid =
+        std::visit([&](const auto& surface) { return map_grid(project, model.frame, surface); }, model.surface);
+    const bool by_source = project.output.maps_by_source && !is_section;
+    description.maps = {grid.origin(), grid.cell(), by_source, selection_of(project)};
+  }
+  if (project.design) description.design = design_plan(*project.design, model);
+  description.wants_geopackage = !is_section && project.output.geopackage_limit != 0;
+  description.wants_report = project.output.report;
+  return description;
+}
+
+io::RunDescription describe_run(const Project& project, const Model& model, const Problems& warnings,
+                                const std::optional<Shard>& shard) {
+  io::RunDescription description = describe(project, model, warnings);
+  if (description.wants_maps && !io::can_write_maps() && !shard) description.maps.reset();
+  return description;
+}
+
+io::TableRocks table_rocks(const Project& project, std::uint64_t rocks) {
+  return io::TableRocks(rocks, project.output.endpoint_limit, project.output.path_limit);
+}
+
+RunSums::RunSums(const io::RunDescription& description, const Project& project, const Model& model)
+    : summary_(description.rocks, description.barriers, model.frame) {
+  if (description.design) design_.emplace(*description.design, description.rocks);
+  if (description.maps) maps_ = map_observer(project, model);
+}
+
+RunSums::RunSums(const io::RunDescription& description)
+    : summary_(description.rocks, description.barriers, {io::origin_of(description)}) {
+  if (description.design) design_.emplace(*description.design, description.rocks);
+  if (!description.maps) return;
+  const MapGrid grid(description.maps->origin, description.maps->cell, {});
+  maps_ =
+      std::make_unique<MapObserver>(grid, nullptr, split_by(description), io::contents_of(description.maps->selection));
+}
+
+void RunSums::limit_maps_memory(std::uint64_t bytes) {
+  if (maps_) maps_->limit_memory(bytes > 0 ? bytes : usable_memory() / 2);
+}
+
+std::optional<std::string> RunSums::lacking_memory() const {
+  if (!maps_ || !maps_->lacks_memory()) return std::nullopt;
+  return fmt::format(
+      "not enough memory for the maps of this run: they take {}, and {} is what they may (--maps-memory)",
+      size_text(static_cast<double>(maps_->memory_taken())), size_text(static_cast<double>(maps_->memory_limit())));
+}
+
+std::vector<SummingObserver*> RunSums::observers() {
+  std::vector<SummingObserver*> list{&summary_};
+  if (design_) list.push_back(&*design_);
+  if (maps_) list.push_back(maps_.get());
+  return list;
+}
+
+namespace {
+
+/// What is made of tables and summary, which still has the name `summary`.
+void write_what_follows(const std::filesystem::path& folder, const io::RunDescription& description,
+                        const std::optional<DesignResult>& design, const std::filesystem::path& summary) {
+  io::remove_design_tables(folder);
+  if (design) io::write_design_tables(folder, *description.design, *design);
+  io::write_derived_files(folder, summary.c_str());
+  // That of an earlier run would tell of other tables.
+  std::error_code ignored;
+  std::filesystem::remove(folder / "report.html", ignored);
+  if (!description.wants_report) return;
+  const std::filesystem::path folders[] = {folder};
+  io::write_report(folders, folder / "report.html", summary.c_str());
+}
+
+}  // namespace
+
+Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
+                       const RunCourse& course) {
+  Problems found;
+  if (!course.shard) {
+    warn_of_what_is_not_written(description, found);
+    write_all_maps(folder / "maps", description, sums.maps(), course.threads);
+    write_section_envelopes(folder, description, sums.maps());
+  }
+  warn_of_rocks(sums.summary(), found);
+  warn_of_collectors(description, sums.summary(), found);
+  if (course.interrupted && !course.shard && course.missing.empty()) {
+    warn_of_sources(description, sums.summary().done, found);
+  }
+  std::optional<DesignResult> design;
+  if (sums.design() != nullptr) {
+    design = evaluate(sums.design()->plan(), sums.design()->tally());
+    if (!course.shard) warn_of_design(sums.design()->plan(), *design, found);
+  }
+  std::vector<std::string> warnings = description.warnings;
+  for (const Problem& problem : found.list()) warnings.push_back(problem.text());
+  OutputFile summary(folder / "summary.json");
+  write_summary(summary, description, warnings, sums.summary(), course, design ? &*design : nullptr);
+  summary.sync();
+  if (!course.shard) write_what_follows(folder, description, design, OutputFile::part_of("summary.json"));
+  const std::vector<std::string> written = written_files(folder, description, course.shard);
+  io::remove_recorded_files_but(folder, written);
+  io::write_file_record(folder, written);
+  summary.commit();
+  return found;
+}
+
+}  // namespace talus::project

@@ -1,0 +1,93 @@
+// Results of a run that were made to take all of the memory, or all of the stack.
+
+#include <gtest/gtest.h>
+
+#include "support/sample_run.hpp"
+#include "talus/archive/run_description.hpp"
+#include "talus/archive/run_folder.hpp"
+#include "talus/core/bytes.hpp"
+#include "talus/core/problems.hpp"
+#include "talus/files/csv_reader.hpp"
+#include "talus/files/json_text.hpp"
+
+namespace talus::io {
+namespace {
+
+using sample_run::Folder;
+
+constexpr const char* cut_short = ". The file was cut short or damaged; run the project again to get it whole";
+
+std::string refusal(const Folder& folder) {
+  try {
+    (void)read_run_folder(folder.path);
+  } catch (const BadInput& bad) {
+    return std::string(bad.what()).substr(folder.path.string().size() + 1);
+  }
+  return "was read";
+}
+
+TEST(RefusedResults, ARowOfAMegabyte) {
+  const Folder folder("refused");
+  folder.write("summary.json", "{}");
+  folder.write("endpoints.csv", sample_run::endpoints_head + std::string(std::size_t{1} << 20, '1') + "\n");
+  EXPECT_EQ(refusal(folder),
+            "endpoints.csv:2: the row has 1 values (expected 15, one for each column)" + std::string(cut_short));
+  folder.write("endpoints.csv", sample_run::endpoints_head + std::string((std::size_t{1} << 20) + 1, '1') + "\n");
+  EXPECT_EQ(refusal(folder), "endpoints.csv:2: the row has more than 1048576 bytes (no row of a table is so long)" +
+                                 std::string(cut_short));
+}
+
+TEST(RefusedResults, AQuoteThatStaysOpenForAMegabyte) {
+  const Folder folder("refused");
+  folder.write("summary.json", "{}");
+  // Quickly, too: every line is looked at once.
+  folder.write("endpoints.csv", sample_run::endpoints_head + '"' + std::string(std::size_t{4} << 20, '\n'));
+  EXPECT_EQ(refusal(folder), "endpoints.csv:2: the row has more than 1048576 bytes (no row of a table is so long)" +
+                                 std::string(cut_short));
+}
+
+TEST(RefusedResults, ASummaryOfListsWithinLists) {
+  const Folder folder("refused");
+  const std::size_t deep = 1'000'000;
+  folder.write("summary.json", "{\"project\": " + std::string(deep, '[') + std::string(deep, ']') + "}");
+  EXPECT_EQ(refusal(folder),
+            "summary.json: holds lists within lists, 1000001 deep (a summary has at most 100). Name a folder that "
+            "`talus run` has written");
+}
+
+TEST(RefusedResults, ANumberBeyondAllNumbers) {
+  const Folder folder("refused");
+  folder.write("summary.json", "{\"rocks\": {\"done\": 1e999}}");
+  EXPECT_EQ(refusal(folder), "summary.json: holds a number that is too large (expected numbers that 64 bits can hold)" +
+                                 std::string(cut_short));
+}
+
+TEST(RefusedResults, AStatisticWhoseNameIsNoPointer) {
+  const Folder folder("refused");
+  folder.write("summary.json", R"({"statistics": {"a~b/c": 1}})");
+  EXPECT_EQ(refusal(folder), "summary.json: statistics/a~b/c: the value is of type number (expected object)");
+}
+
+TEST(RefusedResults, ASummaryBeyondAllBounds) {
+  const Folder folder("refused");
+  folder.write("summary.json", "{}");
+  std::filesystem::resize_file(folder.path / "summary.json", std::uintmax_t{1} << 34);  // without taking room on disk
+  EXPECT_EQ(refusal(folder),
+            "summary.json: the file has 16384 MiB (a summary has at most 1024 MiB)" + std::string(cut_short));
+}
+
+TEST(RefusedResults, ADescriptionOfListsWithinLists) {
+  const std::string json = "{\"name\":" + std::string(100'000, '[') + std::string(100'000, ']') + "}";
+  EXPECT_THROW((void)description_from(json), BadBytes);
+}
+
+TEST(DepthOfJson, CountsWhatIsNotText) {
+  EXPECT_EQ(depth_of_json(""), 0U);
+  EXPECT_EQ(depth_of_json("1"), 0U);
+  EXPECT_EQ(depth_of_json("[[], {}]"), 2U);
+  EXPECT_EQ(depth_of_json(R"({"a": [{"b]": "[[[\"[["}]})"), 3U);
+  EXPECT_EQ(depth_of_json("]]]["), 1U);
+}
+
+}  // namespace
+}  // namespace talus::io

@@ -1,0 +1,76 @@
+#include "talus/archive/rock_rows.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "support/sample_run.hpp"
+#include "talus/archive/run_folder.hpp"
+#include "talus/archive/table_columns.hpp"
+#include "talus/core/problems.hpp"
+
+namespace talus::io {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// Rocks 0, 3, 6 ...: of each 0 to 2 hits on barriers whose names need quotes, some with the line's end that a row has.
+struct Hits {
+  std::string text = sample_run::barriers_head;
+  std::vector<std::vector<Texts>> of_rock;
+};
+
+Hits many_hits(std::uint64_t rocks) {
+  Hits hits;
+  hits.of_rock.resize(rocks);
+  for (std::uint64_t rock = 0; rock < rocks; rock += 3) {
+    for (std::uint64_t k = 0; k < rock % 4 % 3; ++k) {
+      const std::string name = k == 0 ? "upper, \"old\"" : "lower\n17,17,";
+      const std::string quoted = k == 0 ? R"("upper, ""old""")" : "\"lower\n17,17,\"";
+      const std::string time = fmt::format("{}.5", rock + k);
+      hits.text += fmt::format("{},{},{},1,2,3,0.5,1,0,-1,10,5,6,11,stopped\n", quoted, rock, time);
+      hits.of_rock[rock].push_back(
+          {name, std::to_string(rock), time, "1", "2", "3", "0.5", "1", "0", "-1", "10", "5", "6", "11", "stopped"});
+    }
+  }
+  return hits;
+}
+
+TEST(RowsOfARock, AreFoundWhereverTheyStand) {
+  const sample_run::Folder folder("rock-rows");
+  constexpr std::uint64_t rocks = 60'000;
+  const Hits hits = many_hits(rocks);
+  ASSERT_GT(hits.text.size(), 5U << 16U) << "too small to be searched";
+  folder.write("barriers.csv", hits.text);
+  for (std::uint64_t rock = 0; rock < rocks; rock += rock < 40 || rock > rocks - 40 ? 1 : 193)
+    EXPECT_EQ(rows_of_rock(folder.path / "barriers.csv", barrier_columns, rock), hits.of_rock[rock]) << rock;
+  EXPECT_TRUE(rows_of_rock(folder.path / "barriers.csv", barrier_columns, rocks + 5).empty());
+}
+
+TEST(RowsOfARock, AreAllRowsOfItsPath) {
+  const sample_run::Folder folder("rock-rows");
+  std::string text = sample_run::paths_head;
+  for (std::uint64_t rock = 0; rock < 3000; ++rock) text += sample_run::path_rows(rock);
+  ASSERT_GT(text.size(), 5U << 16U);
+  folder.write("paths.csv", text);
+  for (const std::uint64_t rock : {0, 1, 999, 1000, 2047, 2999}) {
+    const auto rows = rows_of_rock(folder.path / "paths.csv", path_columns, rock);
+    ASSERT_EQ(rows.size(), 4U) << rock;
+    EXPECT_EQ(rows[1], (Texts{std::to_string(rock), "1", "impact", "1.577", "3.1", "0", "-12.2", "1.5", "0", "-15.47",
+                              "0", "0", "0", "120766.13", "0", "0"}));
+  }
+}
+
+TEST(RowsOfARock, OfAnotherFileAreRefused) {
+  const sample_run::Folder folder("rock-rows");
+  folder.write("endpoints.csv", "rock,seeder\n0,Crest\n");
+  EXPECT_THROW((void)rows_of_rock(folder.path / "endpoints.csv", endpoint_columns, 0), BadInput);
+  folder.write("endpoints.csv", sample_run::endpoints_head + "0,cut");
+  EXPECT_THROW((void)rows_of_rock(folder.path / "endpoints.csv", endpoint_columns, 0), BadInput);
+  EXPECT_THROW((void)rows_of_rock(folder.path / "nothing.csv", endpoint_columns, 0), BadInput);
+}
+
+}  // namespace
+}  // namespace talus::io

@@ -1,0 +1,142 @@
+#include "talus/archive/run_facts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/sample_run_3d.hpp"
+#include "talus/core/problems.hpp"
+
+namespace talus::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+RunFacts facts_of(const Json& summary) {
+  const sample_run::Folder folder("run-facts");
+  folder.write("summary.json", summary.dump());
+  return read_run_facts(folder.path);
+}
+
+TEST(RunFacts, SayWhatTheSummarySays) {
+  Json summary = sample_run::summary_3d();
+  summary["terrain"]["crs_wkt"] = "PROJCRS[...]";
+  summary["origin_m"] = {1024, 2048, 0};
+  const RunFacts facts = facts_of(summary);
+  EXPECT_FALSE(facts.is_section);
+  EXPECT_EQ(facts.origin_m, (std::array<double, 3>{1024, 2048, 0}));
+  EXPECT_EQ(facts.crs_wkt, "PROJCRS[...]");
+  EXPECT_EQ(facts.planned_rocks, 6U);
+  EXPECT_TRUE(facts.wants_geopackage);
+  EXPECT_TRUE(facts.wants_vtk);
+  ASSERT_EQ(facts.barriers.size(), 2U);
+  const BarrierFacts& fence = facts.barriers[0];
+  EXPECT_EQ(fence.name, "Fence");
+  EXPECT_EQ(fence.kind, "barrier");
+  ASSERT_EQ(fence.foot_m.size(), 3U);
+  EXPECT_EQ(fence.foot_m[1], (std::array<double, 3>{10, 20, 5.5}));
+  EXPECT_EQ(fence.stations_m.size(), 3U);
+  EXPECT_EQ(fence.stations_m[0], 0);
+  EXPECT_EQ(fence.height_m, 3);
+  EXPECT_EQ(fence.inclination_deg, -10);
+  EXPECT_EQ(fence.capacity_kJ, 500);
+  EXPECT_EQ(fence.hits, 3U);
+  EXPECT_EQ(fence.rocks_hit, 2U);
+  EXPECT_EQ(fence.passed_above, 1U);
+  EXPECT_EQ(fence.stopped, 2U);
+  EXPECT_EQ(fence.rebounded, 1U);
+  EXPECT_EQ(fence.least_clearance_m, 0.25);
+  EXPECT_EQ(fence.ke_total_J.percentile_95, 9.6e4);
+  EXPECT_EQ(fence.ke_translational_J.greatest, 1e5);
+  EXPECT_EQ(fence.impact_height_m.percentile_99, 2.5);
+  EXPECT_EQ(fence.velocity_m_s.greatest, 17);
+  EXPECT_EQ(facts.barriers[1].capacity_kJ, std::nullopt);
+  EXPECT_EQ(facts.barriers[1].velocity_m_s.greatest, std::nullopt);
+}
+
+TEST(RunFacts, StationsAreThoseOfTheLineAsItWasGiven) {
+  Json summary = sample_run::summary_3d();
+  summary["barriers"][0]["stations_m"] = {7, 30, 60};
+  EXPECT_EQ(facts_of(summary).barriers[0].stations_m, (std::vector<double>{7, 30, 60}));
+}
+
+TEST(RunFacts, AWallWithoutLimitHasNoCapacity) {
+  Json summary = sample_run::summary_3d();
+  summary["project"]["barrier"][0]["capacity_kJ"] = "inf";
+  EXPECT_EQ(facts_of(summary).barriers[0].capacity_kJ, std::nullopt);
+}
+
+TEST(RunFacts, OfABarrierThatNoRockHitHaveNoStatistics) {
+  Json summary = sample_run::summary_3d();
+  Json& fence = summary["barriers"][0];
+  fence["hits"] = 0;
+  fence.erase("statistics");
+  fence.erase("histograms");
+  const BarrierFacts facts = facts_of(summary).barriers[0];
+  EXPECT_EQ(facts.hits, 0U);
+  EXPECT_EQ(facts.height_m, 3);
+  EXPECT_EQ(facts.ke_total_J.greatest, std::nullopt);
+}
+
+TEST(RunFacts, TellTheSourceOfEachRock) {
+  const RunFacts facts = facts_of(sample_run::summary_3d());
+  const char* const expected[] = {"Wall", "Wall", "Tower, \"old\"", "Tower, \"old\"", "Wall", "Wall", ""};
+  for (std::uint64_t rock = 0; rock < 7; ++rock) EXPECT_EQ(facts.source_of(rock), expected[rock]) << rock;
+  Json summary = sample_run::summary_3d();
+  summary["sources"] = Json::array();
+  EXPECT_EQ(facts_of(summary).source_of(0), "");
+}
+
+TEST(RunFacts, OfASectionThereIsNoGeoPackage) {
+  Json summary = sample_run::summary_3d();
+  summary["terrain"]["kind"] = "section";
+  EXPECT_FALSE(facts_of(summary).wants_geopackage);
+  summary = sample_run::summary_3d();
+  summary["project"]["output"]["geopackage"] = "none";
+  EXPECT_FALSE(facts_of(summary).wants_geopackage);
+  summary["project"]["output"]["geopackage"] = "all";
+  EXPECT_TRUE(facts_of(summary).wants_geopackage);
+}
+
+std::string complaint_about(const std::string& text) {
+  const sample_run::Folder folder("run-facts");
+  if (!text.empty()) folder.write("summary.json", text);
+  try {
+    static_cast<void>(read_run_facts(folder.path));
+  } catch (const BadInput& bad) {
+    return std::string(bad.what()).substr(folder.path.string().size() + 1);
+  }
+  return "was read";
+}
+
+std::string complaint_about_value(const char* pointer, const Json& value) {
+  Json summary = sample_run::summary_3d();
+  summary[Json::json_pointer(pointer)] = value;
+  return complaint_about(summary.dump());
+}
+
+TEST(RunFacts, RefuseWhatIsNoSummary) {
+  const std::string hint = ". Name a folder that `talus run` has written";
+  EXPECT_EQ(complaint_about(""),
+            "summary.json: cannot be opened (a run's folder holds it once the run is done)" + hint);
+  EXPECT_EQ(complaint_about("[1, 2"), "summary.json: is damaged (it holds no JSON object)" + hint);
+  EXPECT_EQ(complaint_about(std::string(100'000, '[')),
+            "summary.json: is damaged (it holds lists within lists, 100000 deep; expected at most 100)" + hint);
+  EXPECT_EQ(complaint_about("{}"), "summary.json: terrain/kind: is missing (a run writes it)" + hint);
+  EXPECT_EQ(complaint_about_value("/rocks/planned", -6),
+            "summary.json: rocks/planned: is of type number (expected a whole number, 0 or more)" + hint);
+  EXPECT_EQ(complaint_about_value("/project/output/geopackage", "some"),
+            "summary.json: project/output/geopackage: is of type string (expected a whole number, 0 or more)" + hint);
+  EXPECT_EQ(complaint_about_value("/barriers/0/line_xyz/1/2", "high"),
+            "summary.json: barriers/0/line_xyz/1/2: is of type string (expected a number)" + hint);
+  EXPECT_EQ(complaint_about_value("/barriers", 3),
+            "summary.json: barriers: is of type number (expected a list)" + hint);
+  EXPECT_EQ(complaint_about_value("/barriers/1", 3),
+            "summary.json: barriers/1/name: is missing (a run writes it)" + hint);
+  EXPECT_EQ(complaint_about_value("/barriers/1/name", "Road"),
+            "summary.json: project/collector/Road/height_m: is missing (a run writes it)" + hint);
+  EXPECT_EQ(complaint_about_value("/sources", 3), "summary.json: sources: is of type number (expected a list)" + hint);
+}
+
+}  // namespace
+}  // namespace talus::io

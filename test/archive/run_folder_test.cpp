@@ -1,0 +1,373 @@
+#include "talus/archive/run_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "support/sample_run.hpp"
+#include "talus/archive/spread_sample.hpp"
+#include "talus/core/problems.hpp"
+
+namespace talus::io {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+// The complaint about the folder, with its path taken out.
+std::string complaint(const std::filesystem::path& folder) {
+  try {
+    static_cast<void>(read_run_folder(folder));
+  } catch (const BadInput& bad) {
+    std::string text = bad.what();
+    const std::string path = folder.string();
+    for (std::size_t at = 0; (at = text.find(path, at)) != std::string::npos;) text.replace(at, path.size(), "DIR");
+    return text;
+  }
+  return "nothing to complain of";
+}
+
+// The complaint about an otherwise good folder in which one file holds this text.
+std::string complaint_about(const std::string& file, const std::string& text) {
+  const sample_run::Folder folder("run-folder");
+  sample_run::write(folder);
+  folder.write(file, text);
+  return complaint(folder.path);
+}
+
+std::string complaint_about_summary(const char* pointer, const nlohmann::ordered_json& value) {
+  auto summary = sample_run::summary("Tutorial 1");
+  summary[nlohmann::ordered_json::json_pointer(pointer)] = value;
+  return complaint_about("summary.json", summary.dump());
+}
+
+constexpr auto damaged = ". The file was cut short or damaged; run the project again to get it whole";
+
+TEST(RunFolder, ReadsWhatARunWrites) {
+  const sample_run::Folder folder("run-folder");
+  sample_run::write(folder);
+  const RunFolder run = read_run_folder(folder.path);
+  EXPECT_EQ(run.summary, sample_run::summary("Tutorial 1"));
+  EXPECT_EQ(run.date, "2024-05-17 09:30 UTC");
+  EXPECT_THAT(run.notes, IsEmpty());
+
+  ASSERT_EQ(run.endpoints.items.size(), 2u);
+  EXPECT_EQ(run.endpoints.total, 2u);
+  EXPECT_EQ(run.endpoints.items[1].rock, 1u);
+  EXPECT_EQ(run.endpoints.items[1].seeder, "seeder 1");
+  EXPECT_EQ(run.endpoints.items[1].end_reason, "at rest");
+  EXPECT_THAT(run.endpoints.items[1].position_m, ElementsAre(5.25, 0, -12.2));
+  EXPECT_EQ(run.endpoints.items[1].max_ke_J, 120000);
+
+  ASSERT_EQ(run.paths.items.size(), 2u);
+  const Path& path = run.paths.items[0];
+  ASSERT_EQ(path.rows.size(), 4u);
+  EXPECT_EQ(path.rows[1].state, PathState::impact);
+  EXPECT_EQ(path.rows[1].time_s, 1.577);
+  EXPECT_THAT(path.rows[1].velocity_m_s, ElementsAre(1.5, 0, -15.47));
+  EXPECT_EQ(path.rows[2].total_J(), 60766.13);
+
+  ASSERT_EQ(run.hits.items.size(), 1u);
+  EXPECT_EQ(run.hits.items[0].barrier, "Fence");
+  EXPECT_EQ(run.hits.items[0].impact_height_m, 0.75);
+  EXPECT_EQ(run.hits.items[0].outcome, "stopped");
+}
+
+TEST(RunFolder, AddsUpTheLossOfEachImpactOverAllRocks) {
+  const sample_run::Folder folder("run-folder");
+  sample_run::write(folder);
+  // A third rock that loses 10 kJ and then 2.5 kJ, and is not among the paths kept.
+  folder.write("paths.csv",
+               sample_run::paths_head + sample_run::path_rows(0) + sample_run::path_rows(1) +
+                   "2,0,impact,0,0,0,0,0,0,0,0,0,0,20000,0,5000\n2,1,projectile,0,0,0,0,0,0,0,0,0,0,9000,1000,5000\n"
+                   "2,2,impact,1,0,0,0,0,0,0,0,0,0,14000,1000,0\n2,3,sliding,1,0,0,0,0,0,0,0,0,0,12500,0,0\n"
+                   "2,4,ended,1,0,0,0,0,0,0,0,0,0,0,0,0\n");
+  const RunFolder run = read_run_folder(folder.path, {.paths = 1});
+  ASSERT_EQ(run.impact_losses.size(), 2u);
+  EXPECT_EQ(run.impact_losses[0].count, 3u);
+  EXPECT_NEAR(run.impact_losses[0].sum_J, 60000 + 60000 + 10000, 1e-6);
+  EXPECT_NEAR(run.impact_losses[0].least_J, 10000, 1e-6);
+  EXPECT_NEAR(run.impact_losses[0].most_J, 60000, 1e-6);
+  EXPECT_EQ(run.impact_losses[1].count, 1u);
+  EXPECT_NEAR(run.impact_losses[1].sum_J, 2500, 1e-6);
+  EXPECT_EQ(run.paths.items.size(), 1u);
+  EXPECT_EQ(run.paths.total, 3u);
+}
+
+TEST(RunFolder, SaysWhatIsNotThere) {
+  const sample_run::Folder folder("run-folder");
+  folder.write("summary.json", R"({"name": "bare", "barriers": [{"name": "Fence"}]})");
+  const RunFolder run = read_run_folder(folder.path);
+  EXPECT_THAT(run.notes,
+              ElementsAre("summary.json does not say: talus, project, seed, rocks, end_reasons, terrain, statistics, "
+                          "histograms, warnings, timings.",
+                          "There is no endpoints.csv, so no single end points are shown.",
+                          "There is no paths.csv, so no paths, energies along a path or losses at impacts are shown.",
+                          "There is no barriers.csv, so no single hits on barriers are shown."));
+  EXPECT_THAT(run.date, ::testing::MatchesRegex("[0-9]+-[0-9]+-[0-9]+ [0-9]+:[0-9]+ UTC"));
+}
+
+TEST(RunFolder, ReadsNamesWithCommasQuotesAndLineEnds) {
+  const sample_run::Folder folder("run-folder");
+  sample_run::write(folder);
+  folder.write(
+      "barriers.csv",
+      sample_run::barriers_head +
+          "\"Fence \"\"A\"\", upper\n\nrow\",1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,\"stopped\"\r\n"
+          "\"\",1,2,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,passed\n");
+  const RunFolder run = read_run_folder(folder.path);
+  ASSERT_EQ(run.hits.items.size(), 2u);
+  EXPECT_EQ(run.hits.items[0].barrier, "Fence \"A\", upper\n\nrow");
+  EXPECT_EQ(run.hits.items[0].outcome, "stopped");
+  EXPECT_EQ(run.hits.items[1].barrier, "");
+}
+
+TEST(RunFolder, LeavesLongListsOutOfTheEchoedProject) {
+  const sample_run::Folder folder("run-folder");
+  auto summary = sample_run::summary("Tutorial 1");
+  summary["project"]["terrain"]["vertices"] = std::vector<int>(5000, 1);
+  folder.write("summary.json", summary.dump());
+  EXPECT_EQ(read_run_folder(folder.path).summary["project"]["terrain"]["vertices"], "5000 entries");
+}
+
+// ---- what is refused
+
+TEST(RunFolder, KeepsOfManyBarriersThoseWithTheMostHits) {
+  const sample_run::Folder folder("run-folder");
+  sample_run::write(folder);
+  auto summary = sample_run::summary("Tutorial 1");
+  auto& barriers = summary["barriers"] = nlohmann::ordered_json::array();
+  for (int k = 0; k < 1000; ++k) {
+    barriers.push_back({{"name", "c" + std::to_string(k)}, {"kind", "collector"}, {"hits", k % 10 == 3 ? k : 0}});
+  }
+  folder.write("summary.json", summary.dump());
+  const RunFolder run = read_run_folder(folder.path);
+  const auto& kept = run.summary.at("barriers");
+  ASSERT_EQ(kept.size(), 100U);
+  for (std::size_t k = 0; k < kept.size(); ++k) EXPECT_EQ(kept[k].at("hits"), 10 * k + 3);
+  EXPECT_THAT(run.notes, ElementsAre("Of 1000 barriers and collectors the 100 with the most hits are shown one by one; "
+                                     "summary.json has all of them."));
+}
+
+TEST(RunFolderRefuses, FoldersThatAreNone) {
+  const sample_run::Folder folder("run-folder");
+  EXPECT_EQ(complaint(folder.path / "absent"),
+            "DIR: there is no such folder (expected the folder of a run). Name a folder that `talus run` has written");
+  folder.write("file", "");
+  EXPECT_EQ(complaint(folder.path / "file"),
+            "DIR: is not a folder (expected the folder of a run). Name a folder that `talus run` has written");
+  EXPECT_EQ(
+      complaint(folder.path),
+      "DIR/summary.json: there is no such file (a run's folder holds it once the run is done). Name a folder that "
+      "`talus run` has written");
+}
+
+TEST(RunFolderRefuses, SummariesThatAreNoJson) {
+  EXPECT_EQ(complaint_about("summary.json", "{\n\"name\": \"Tut"),
+            std::string("DIR/summary.json:2: the JSON ends too early (after 14 bytes)") + damaged);
+  EXPECT_EQ(complaint_about("summary.json", "{\n\n\"name\": nonsense}"),
+            std::string("DIR/summary.json:3: is not JSON (at byte 13)") + damaged);
+  EXPECT_EQ(complaint_about("summary.json", ""),
+            std::string("DIR/summary.json:1: the JSON ends too early (after 0 bytes)") + damaged);
+  EXPECT_EQ(complaint_about("summary.json", "[1, 2]"),
+            "DIR/summary.json: does not hold a JSON object (expected {\"talus\": ..., \"rocks\": ...})");
+}
+
+TEST(RunFolderRefuses, SummariesOfAnotherShape) {
+  EXPECT_EQ(complaint_about_summary("/rocks", 50),
+            "DIR/summary.json: rocks: the value is of type number (expected object)");
+  EXPECT_EQ(complaint_about_summary("/warnings", nullptr),
+            "DIR/summary.json: warnings: the value is of type null (expected array)");
+  EXPECT_EQ(complaint_about_summary("/rocks/done", "2"),
+            "DIR/summary.json: rocks/done: the value is of type string (expected number)");
+  EXPECT_EQ(complaint_about_summary("/statistics/end_x_m", 1),
+            "DIR/summary.json: statistics/end_x_m: the value is of type number (expected object)");
+  EXPECT_EQ(complaint_about_summary("/barriers/0/name", 1),
+            "DIR/summary.json: barriers/0/name: the value is of type number (expected string)");
+  EXPECT_EQ(
+      complaint_about_summary("/histograms/end_x_m/width", 0),
+      "DIR/summary.json: histograms/end_x_m: is not a histogram (expected the numbers low and width (more than 0) and "
+      "the list of numbers counts)");
+  EXPECT_EQ(
+      complaint_about_summary("/barriers/0/histograms/ke_translational_J/counts", "many"),
+      "DIR/summary.json: barriers/0/histograms/ke_translational_J: is not a histogram (expected the numbers low and "
+      "width (more than 0) and the list of numbers counts)");
+  EXPECT_EQ(complaint_about_summary("/terrain/section/1", nlohmann::ordered_json::array({1, 2, 3})),
+            "DIR/summary.json: terrain/section: is not a line (expected two or more vertices [x, z])");
+  const nlohmann::ordered_json relief{{"x0", 0},      {"y0", 0},   {"cell_m", 1},
+                                      {"columns", 2}, {"rows", 2}, {"z_m", {1, 2, 3}}};
+  EXPECT_EQ(complaint_about_summary("/terrain/relief", relief),
+            "DIR/summary.json: terrain/relief: is not a grid (expected a cell_m above 0 and columns times rows, 4, "
+            "heights z_m)");
+  EXPECT_EQ(complaint_about_summary("/terrain/relief", nlohmann::ordered_json{{"x0", 0}}),
+            "DIR/summary.json: terrain/relief: is not a grid (expected the number y0)");
+}
+
+TEST(RunFolderRefuses, TablesWithOtherColumns) {
+  EXPECT_EQ(
+      complaint_about("endpoints.csv", "rock,x,y\n"),
+      "DIR/endpoints.csv:1: the columns are \"rock,x,y\" (expected \"rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,"
+      "runout_total_m,time_s,events,end_reason,mass_kg,radius_m,max_ke_J,max_bounce_m\")");
+  EXPECT_EQ(complaint_about("paths.csv", ""),
+            std::string("DIR/paths.csv:1: the file is empty (its first line must name the columns)") + damaged);
+}
+
+TEST(RunFolderRefuses, RowsThatAreNotWhole) {
+  EXPECT_EQ(
+      complaint_about("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0) + "1,seeder 1,3\n"),
+      std::string("DIR/endpoints.csv:3: the row has 3 values (expected 15, one for each column)") + damaged);
+  EXPECT_EQ(complaint_about("barriers.csv", sample_run::barriers_head + "\"Fence,1,1.9\n"),
+            std::string("DIR/barriers.csv:2: a quoted value has no end (the file ends inside it)") + damaged);
+}
+
+TEST(RunFolderRefuses, ValuesThatAreNoNumbers) {
+  const auto row = [](const std::string& rock, const std::string& x) {
+    return sample_run::endpoints_head + rock + ",seeder 1," + x +
+           ",0,-12.2,4.5,12.2,13.01,2.25,4,at rest,1000,0.4455,120000,1.5\n";
+  };
+  EXPECT_EQ(complaint_about("endpoints.csv", row("0", "5.1m")),
+            "DIR/endpoints.csv:2: x_m: \"5.1m\" is not a number (expected a finite number)");
+  EXPECT_EQ(complaint_about("endpoints.csv", row("0", "nan")),
+            "DIR/endpoints.csv:2: x_m: \"nan\" is not a number (expected a finite number)");
+  EXPECT_EQ(complaint_about("endpoints.csv", row("0", "")),
+            "DIR/endpoints.csv:2: x_m: \"\" is not a number (expected a finite number)");
+  EXPECT_EQ(complaint_about("endpoints.csv", row("-1", "5")),
+            "DIR/endpoints.csv:2: rock: \"-1\" is not a count (expected a whole number, 0 or more)");
+}
+
+TEST(RunFolderRefuses, TablesThatWereCutShort) {
+  const std::string paths = sample_run::paths_head + sample_run::path_rows(0) + sample_run::path_rows(1);
+  // Inside a line.
+  EXPECT_EQ(complaint_about("paths.csv", paths.substr(0, paths.size() - 1)),
+            std::string("DIR/paths.csv:9: the last line has no line end (every row ends with one)") + damaged);
+  EXPECT_EQ(complaint_about("paths.csv", paths.substr(0, paths.size() - 60)),
+            std::string("DIR/paths.csv:8: the last line has no line end (every row ends with one)") + damaged);
+  // Between two lines.
+  const std::string short_paths = paths.substr(0, paths.find("1,3,ended"));
+  EXPECT_EQ(
+      complaint_about("paths.csv", short_paths),
+      std::string("DIR/paths.csv: the path of rock 1 does not end (a path's last row has the state ended)") + damaged);
+  EXPECT_EQ(
+      complaint_about("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0)),
+      "DIR/endpoints.csv: holds 1 rock (summary.json beside it counts 2). The files are of different runs, or one was "
+      "cut short; run the project again");
+}
+
+TEST(RunFolder, TakesASampleOfTheEndPoints) {
+  const sample_run::Folder folder("sample");
+  sample_run::write(folder);
+  folder.write("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0));
+  auto summary = sample_run::summary("Tutorial 1");
+  summary["rocks"]["with_endpoint"] = 1;
+  folder.write("summary.json", summary.dump());
+  EXPECT_EQ(read_run_folder(folder.path).endpoints.total, 1u);
+}
+
+TEST(RunFolderRefuses, PathsThatMakeNoSense) {
+  std::string paths = sample_run::paths_head + sample_run::path_rows(0);
+  paths.replace(paths.find("sliding"), 7, "flying");
+  EXPECT_EQ(complaint_about("paths.csv", paths),
+            "DIR/paths.csv:4: state: \"flying\" is not a state (expected one of projectile, impact, sliding, rolling, "
+            "barrier, "
+            "ended)");
+  std::string mixed = sample_run::paths_head + sample_run::path_rows(7);
+  mixed.replace(mixed.find("7,2,sliding"), 1, "8");
+  EXPECT_EQ(complaint_about("paths.csv", mixed),
+            "DIR/paths.csv:4: rock 8 begins before rock 7 has ended (a path's last row has the state ended). The file "
+            "was cut or "
+            "joined by hand; run the project again");
+}
+
+TEST(RunFolderRefuses, AllBadFilesAtOnce) {
+  const sample_run::Folder folder("run-folder");
+  sample_run::write(folder);
+  folder.write("summary.json", "[]");
+  folder.write("endpoints.csv", "rock\n");
+  folder.write("paths.csv", "");
+  const std::string text = complaint(folder.path);
+  EXPECT_EQ(std::ranges::count(text, '\n'), 2);
+  EXPECT_THAT(text, ::testing::AllOf(::testing::HasSubstr("summary.json"), ::testing::HasSubstr("endpoints.csv"),
+                                     ::testing::HasSubstr("paths.csv")));
+}
+
+// ---- what is kept of much
+
+TEST(RunFolder, KeepsTheSameRocksOfManyInAnyOrder) {
+  constexpr std::uint64_t rocks = 20000;
+  std::vector<std::string> rows;
+  for (std::uint64_t rock = 0; rock < rocks; ++rock)
+    rows.push_back(sample_run::endpoint_row(rock, static_cast<double>(rock)));
+  const auto kept = [&] {
+    const sample_run::Folder folder("run-folder");
+    std::string text = sample_run::endpoints_head;
+    for (const std::string& row : rows) text += row;
+    folder.write("endpoints.csv", text);
+    folder.write("summary.json", R"({"rocks": {"done": 20000}})");
+    const RunFolder run = read_run_folder(folder.path);
+    EXPECT_EQ(run.endpoints.total, rocks);
+    std::vector<std::uint64_t> numbers;
+    for (const EndPoint& end : run.endpoints.items) {
+      EXPECT_EQ(end.position_m[0], static_cast<double>(end.rock));
+      numbers.push_back(end.rock);
+    }
+    return numbers;
+  };
+  const auto forwards = kept();
+  EXPECT_EQ(forwards.size(), Limits{}.endpoints);
+  EXPECT_TRUE(std::ranges::is_sorted(forwards));
+  std::ranges::reverse(rows);
+  EXPECT_EQ(kept(), forwards);
+}
+
+TEST(SpreadSample, TakesItsPartOfEveryStretchOfRocks) {
+  constexpr std::uint64_t rocks = 1'000'000, stretch = 50'000;
+  SpreadSample<std::uint64_t> sample(300, 1'000'000);
+  for (std::uint64_t rock = 0; rock < rocks; ++rock) sample.add(rock, 1, rock);
+  const auto kept = sample.take();
+  ASSERT_EQ(kept.size(), 300u);
+  EXPECT_EQ(kept.front(), 0u);
+  for (std::uint64_t first = 0; first < rocks; first += stretch) {  // 15 expected in each
+    const auto count =
+        std::ranges::count_if(kept, [&](std::uint64_t rock) { return rock >= first && rock < first + stretch; });
+    EXPECT_GE(count, 13) << "from rock " << first;
+    EXPECT_LE(count, 17) << "from rock " << first;
+  }
+}
+
+TEST(SpreadSample, KeepsWithinItsWeightWhateverTheOrder) {
+  const auto kept = [](bool reversed) {
+    SpreadSample<std::uint64_t> sample(100, 500);
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+      const std::uint64_t rock = reversed ? 999 - i : i;
+      sample.add(rock, 1 + rock % 37 * (rock % 3), rock);
+    }
+    return sample.take();
+  };
+  const auto forwards = kept(false);
+  EXPECT_EQ(kept(true), forwards);
+  std::uint64_t weight = 0;
+  for (const std::uint64_t rock : forwards) weight += 1 + rock % 37 * (rock % 3);
+  EXPECT_LE(weight, 500u);
+  EXPECT_GT(weight, 400u);
+}
+
+TEST(SpreadSample, KeepsOneEvenIfItIsTooHeavy) {
+  SpreadSample<int> sample(10, 5);
+  sample.add(0, 50, 7);
+  EXPECT_THAT(sample.take(), ElementsAre(7));
+}
+
+TEST(SpreadSample, TakesItemsOfOneRockTogether) {
+  SpreadSample<std::string> sample(3, 100);
+  for (const std::uint64_t rock : {5, 0, 1}) {
+    sample.add(rock, 1, std::to_string(rock) + "a");
+    sample.add(rock, 1, std::to_string(rock) + "b");
+  }
+  EXPECT_THAT(sample.take(), ElementsAre("0a", "0b"));
+}
+
+}  // namespace
+}  // namespace talus::io

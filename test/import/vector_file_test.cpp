@@ -1,0 +1,309 @@
+#include "talus/import/vector_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#ifdef TALUS_HAS_GDAL
+
+#include <sqlite3.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+#include "support/rasters.hpp"
+#include "support/vectors.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/gdal/raster_crs.hpp"
+
+namespace talus {
+namespace {
+
+using namespace testing_tools;
+using ::testing::AnyOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+using Value = std::optional<std::string>;
+
+std::string wkt(const std::string& name) {
+  OGRSpatialReference crs;
+  EXPECT_EQ(crs.SetFromUserInput(name.c_str()), OGRERR_NONE);
+  return wkt_of(crs);
+}
+
+class VectorFileTest : public RasterFolder {
+ protected:
+  /// A GeoPackage with one layer.
+  void make(const std::vector<WrittenFeature>& features, const std::string& crs = "EPSG:31287",
+            const std::string& layer = "ground") {
+    std::filesystem::remove(path("ground.gpkg"));
+    add_layer(path("ground.gpkg"), layer, crs, "material", features);
+  }
+  [[nodiscard]] VectorLayer read(const VectorRequest& request = {}, const std::string& file = "ground.gpkg") {
+    warnings_ = Problems{};
+    return read_vector_file(path(file), request, warnings_);
+  }
+  [[nodiscard]] std::string refusal(const VectorRequest& request = {}, const std::string& file = "ground.gpkg") {
+    return refusal_of([&] { static_cast<void>(read(request, file)); });
+  }
+  [[nodiscard]] std::string warnings() const { return without_folder(warnings_.text()); }
+
+  Problems warnings_;
+};
+
+const VectorRequest polygons{.kinds = {ShapeKind::polygon}};
+
+TEST_F(VectorFileTest, ReadsPointsLinesAndPolygonsWithTheirValues) {
+  make({{"POINT Z (1 2 3)", "a"},
+        {"LINESTRING (0 0, 5 0, 5 5)", ""},
+        {"POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (2 2, 2 4, 4 4, 2 2))", "b"}});
+  const VectorLayer layer = read({.attributes = {"MATERIAL"}});
+  EXPECT_EQ(layer.name, "ground");
+  EXPECT_EQ(layer.crs_name, "EPSG:31287");
+  ASSERT_EQ(layer.features.size(), 3U);
+  const VectorFeature &point = layer.features[0], &line = layer.features[1], &polygon = layer.features[2];
+  EXPECT_EQ(point.id, 1);
+  EXPECT_TRUE(point.has_z);
+  ASSERT_EQ(point.parts.size(), 1U);
+  EXPECT_EQ(point.parts[0].kind, ShapeKind::point);
+  EXPECT_THAT(point.parts[0].lists, ElementsAre(ElementsAre(Vec3(1, 2, 3))));
+  EXPECT_THAT(point.values, ElementsAre(Value("a")));
+  EXPECT_FALSE(line.has_z);
+  EXPECT_EQ(line.parts.at(0).kind, ShapeKind::line);
+  EXPECT_THAT(line.parts[0].lists, ElementsAre(ElementsAre(Vec3(0, 0, 0), Vec3(5, 0, 0), Vec3(5, 5, 0))));
+  EXPECT_THAT(line.values, ElementsAre(Value()));
+  EXPECT_EQ(polygon.parts.at(0).kind, ShapeKind::polygon);
+  EXPECT_THAT(polygon.parts[0].lists,
+              ElementsAre(ElementsAre(Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(10, 10, 0), Vec3(0, 10, 0)),
+                          ElementsAre(Vec3(2, 2, 0), Vec3(2, 4, 0), Vec3(4, 4, 0))));
+  EXPECT_EQ(warnings(), "");
+}
+
+TEST_F(VectorFileTest, CollectionsBecomePartsAndCurvesChords) {
+  make({{"MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)), ((5 5, 6 5, 6 6, 5 5)))", "a"},
+        {"GEOMETRYCOLLECTION (POINT (1 1), MULTILINESTRING ((0 0, 1 0), (2 0, 3 0)))", "b"},
+        {"CIRCULARSTRING (0 0, 1 1, 2 0)", "c"}});
+  const VectorLayer layer = read();
+  ASSERT_EQ(layer.features.size(), 3U);
+  EXPECT_EQ(layer.features[0].parts.size(), 2U);
+  ASSERT_EQ(layer.features[1].parts.size(), 3U);
+  EXPECT_EQ(layer.features[1].parts[0].kind, ShapeKind::point);
+  EXPECT_EQ(layer.features[1].parts[2].kind, ShapeKind::line);
+  // The half circle of radius 1 about (1, 0), and no chord further than a hundredth within it.
+  const auto& arc = layer.features[2].parts.at(0).lists.at(0);
+  ASSERT_GT(arc.size(), 20U);
+  for (std::size_t i = 0; i < arc.size(); ++i) {
+    EXPECT_NEAR((arc[i] - Vec3(1, 0, 0)).norm(), 1, 1e-9);
+    if (i > 0) {
+      EXPECT_GT((0.5 * (arc[i] + arc[i - 1]) - Vec3(1, 0, 0)).norm(), 0.99);
+    }
+  }
+}
+
+// New Zealand: the terrain is in metres of NZTM, the file in degrees. What PROJ's cs2cs says of the place.
+TEST_F(VectorFileTest, FeaturesAreBroughtToTheCoordinatesOfTheTerrain) {
+  write("cliffs.geojson", R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {},
+      "geometry": {"type": "Point", "coordinates": [174.7645, -36.8785, 190]}}]})");
+  const VectorLayer layer = read({.terrain_crs_wkt = wkt("EPSG:2193")}, "cliffs.geojson");
+  EXPECT_EQ(layer.crs_name, "EPSG:4979");  // with a third number, GDAL gives a GeoJSON heights
+  const Vec3 place = layer.features.at(0).parts.at(0).lists.at(0).at(0);
+  OGRSpatialReference degrees, metres;
+  degrees.importFromEPSG(4326);
+  metres.importFromEPSG(2193);
+  // By the definitions' own order of axes: latitude first, and northing first.
+  const std::unique_ptr<OGRCoordinateTransformation> there(OGRCreateCoordinateTransformation(&degrees, &metres));
+  double a = -36.8785, b = 174.7645;
+  ASSERT_TRUE(there->Transform(1, &a, &b));
+  EXPECT_NEAR(place.x(), b, 1e-6);
+  EXPECT_NEAR(place.y(), a, 1e-6);
+  EXPECT_NEAR(place.x(), 1757354, 2000);
+  EXPECT_NEAR(place.y(), 5917254, 2000);
+  EXPECT_EQ(place.z(), 190);
+  EXPECT_EQ(warnings(), "");
+}
+
+TEST_F(VectorFileTest, WithoutACoordinateSystemItHasThatOfTheTerrain) {
+  write("points.csv", "x,y,z,name\n1,2,3,a\n4,5,6,b\n");
+  const VectorLayer layer = read({.attributes = {"name"}, .terrain_crs_wkt = wkt("EPSG:31287")}, "points.csv");
+  ASSERT_EQ(layer.features.size(), 2U);
+  EXPECT_EQ(layer.features[1].parts.at(0).lists.at(0).at(0), Vec3(4, 5, 6));
+  EXPECT_TRUE(layer.features[1].has_z);
+  EXPECT_THAT(layer.features[1].values, ElementsAre(Value("b")));
+  EXPECT_EQ(warnings(),
+            "points.csv: warning: names no coordinate system (it is taken to be that of the terrain). Name it: ogr2ogr "
+            "-a_srs EPSG:XXXX points_placed.gpkg points.csv");
+  EXPECT_EQ(read({}, "points.csv").features.size(), 2U);
+  EXPECT_EQ(warnings(), "");
+}
+
+TEST_F(VectorFileTest, ACoordinateSystemThatNobodyKnowsIsWarnedOf) {
+  const auto write = [&](const std::string& crs) {
+    std::ofstream(path("a.geojson"))
+        << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": ")" << crs
+        << R"("}}, "features": [{"type": "Feature", "properties": {}, "geometry": )"
+        << R"({"type": "Point", "coordinates": [11, 47]}}]})";
+  };
+  const VectorRequest in_tyrol{.kinds = {ShapeKind::point}, .terrain_crs_wkt = wkt("EPSG:31287")};
+  write("EPSG:999999");
+  EXPECT_EQ(read(in_tyrol, "a.geojson").features.size(), 1U);
+  EXPECT_EQ(
+      warnings(),
+      "a.geojson: warning: names a coordinate system that is not known (it is taken for EPSG:4326). Say which it is: "
+      "ogr2ogr -a_srs EPSG:XXXX a_placed.gpkg a.geojson");
+  write("EPSG:4326");
+  EXPECT_EQ(read(in_tyrol, "a.geojson").features.size(), 1U);
+  EXPECT_EQ(warnings(), "");
+}
+
+TEST_F(VectorFileTest, LayersAndAttributesAreFoundOrNamed) {
+  make({{"POINT (1 2)", "a"}}, "EPSG:31287", "rocks");
+  add_layer(path("ground.gpkg"), "scree", "EPSG:31287", "kind", {{"POINT (3 4)", "b"}});
+  EXPECT_EQ(refusal(), R"(ground.gpkg: has 2 layers ("rocks", "scree"). Say which: layer = "rocks")");
+  EXPECT_EQ(read({.layer = "scree"}).features.at(0).parts[0].lists[0][0], Vec3(3, 4, 0));
+  EXPECT_EQ(refusal({.layer = "scre"}),
+            R"(ground.gpkg: has no layer "scre" (it has "rocks", "scree"). Did you mean "scree"?)");
+  EXPECT_EQ(refusal({.layer = "scree", .attributes = {"kinds"}}),
+            R"(ground.gpkg: layer "scree" has no attribute "kinds" (it has "kind"). Did you mean "kind"?)");
+  write("table.csv", "a,b\n1,2\n");
+  EXPECT_EQ(refusal({}, "table.csv"),
+            "table.csv: has no points, lines or polygons (it has only tables: \"table\"). A CSV needs columns x and y, "
+            "or one called WKT");
+}
+
+TEST_F(VectorFileTest, FilesThatAreNoneAreRefused) {
+  EXPECT_EQ(refusal({}, "none.gpkg"),
+            "none.gpkg: cannot be read (there is no such file). Paths are relative to the project file");
+  write("not.geojson", "hello");
+  EXPECT_THAT(refusal({}, "not.geojson"), StartsWith("not.geojson: is no vector file that Talus reads (GDAL: "));
+  make({});
+  EXPECT_EQ(refusal(), "ground.gpkg: layer \"ground\" is empty (it has no features)");
+  make({{"", "a"}, {"", "b"}});
+  EXPECT_EQ(refusal(), "ground.gpkg: layer \"ground\" is empty (none of its 2 features has a geometry)");
+  make({{"", "a"}, {"POINT (1 2)", "b"}});
+  EXPECT_EQ(read().features.size(), 1U);
+  EXPECT_EQ(warnings(),
+            "ground.gpkg: warning: 1 of 2 features of layer \"ground\" have no geometry (they are left out)");
+}
+
+TEST_F(VectorFileTest, DegreesAndFeetNeedATerrainToBeBroughtTo) {
+  make({{"POINT (15 47)", "a"}}, "EPSG:4326");
+  EXPECT_EQ(refusal(),
+            "ground.gpkg: is in degrees (EPSG:4326 is a geographic coordinate system, and that of the terrain is not "
+            "known). Project it: ogr2ogr -t_srs EPSG:XXXX ground_metres.gpkg ground.gpkg");
+  make({{"POINT (15 47)", "a"}}, "EPSG:2274");
+  EXPECT_EQ(refusal(),
+            "ground.gpkg: is not in metres (the unit of EPSG:2274 is US survey foot, and the coordinate system of the "
+            "terrain is not known). Project it: ogr2ogr -t_srs EPSG:XXXX ground_metres.gpkg ground.gpkg");
+  make({{"POINT (1757000 5920000)", "a"}, {"POINT (1757000 5920001)", "a"}}, "EPSG:4326");
+  EXPECT_EQ(refusal({.terrain_crs_wkt = wkt("EPSG:2193")}),
+            "ground.gpkg: feature 1 is at (1757000, 5920000) (EPSG:4326 is in degrees). Name the true one: ogr2ogr "
+            "-a_srs EPSG:XXXX ground_placed.gpkg ground.gpkg\n"
+            "ground.gpkg: feature 2 is at (1757000, 5920001) (EPSG:4326 is in degrees). Name the true one: ogr2ogr "
+            "-a_srs EPSG:XXXX ground_placed.gpkg ground.gpkg");
+  make({{"POINT (15 47)", "a"}}, "LOCAL_CS[\"site grid\",UNIT[\"metre\",1]]");
+  EXPECT_EQ(refusal({.terrain_crs_wkt = wkt("EPSG:2193")}),
+            "ground.gpkg: is in site grid (there is no way from it to EPSG:2193, that of the terrain). Name the true "
+            "one: ogr2ogr -a_srs EPSG:XXXX ground_placed.gpkg ground.gpkg");
+}
+
+TEST_F(VectorFileTest, PolygonsThatCrossThemselvesAreRefusedWithTheirPlace) {
+  make({{"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))", "a"}, {"POLYGON ((0 0, 10 10, 10 0, 0 10, 0 0))", "b"}});
+  EXPECT_EQ(refusal(polygons),
+            "ground.gpkg: feature 2 is no valid polygon (self-intersection at or near point 5 5). Mend it: ogr2ogr "
+            "-makevalid ground_valid.gpkg ground.gpkg");
+  make({{"MULTIPOLYGON (((0 0, 9 0, 9 9, 0 0)), ((1 0, 9 0, 9 9, 1 0)))", "a"},
+        {"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0), (5 5, 6 5, 6 6, 5 5))", "b"}});
+  EXPECT_THAT(refusal(polygons), HasSubstr("ground.gpkg: feature 2 is no valid polygon (hole lies outside shell at"));
+}
+
+TEST_F(VectorFileTest, OtherKindsAreRefused) {
+  make({{"POINT (1 2)", "a"}, {"LINESTRING (0 0, 1 1)", "b"}, {"POLYGON ((0 0, 1 0, 1 1, 0 0))", "c"}});
+  EXPECT_EQ(refusal(polygons),
+            "ground.gpkg: feature 1 is a point (polygons are expected)\n"
+            "ground.gpkg: feature 2 is a line (polygons are expected)");
+  make(std::vector<WrittenFeature>(9, {"POINT (1 2)", "a"}));
+  EXPECT_THAT(refusal(polygons), HasSubstr("feature 5 is a point (polygons are expected)\n"
+                                           "ground.gpkg: 4 more shapes are like this"));
+}
+
+TEST_F(VectorFileTest, FilesCutShortAreRefused) {
+  make(std::vector<WrittenFeature>(3000, {"LINESTRING (0 0, 1 1, 2 2, 3 3, 4 4, 5 5, 6 6)", "a"}));
+  std::filesystem::resize_file(path("ground.gpkg"), std::filesystem::file_size(path("ground.gpkg")) / 2);
+  EXPECT_THAT(refusal(), AnyOf(StartsWith("ground.gpkg: is no vector file that Talus reads (GDAL: "),
+                               StartsWith("ground.gpkg: cannot be read to its end (after ")));
+}
+
+TEST_F(VectorFileTest, HugeDeclaredSizesAreRefusedBeforeAnythingIsRead) {
+  make({{"POINT (1 2)", "a"}});
+  {
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("ground.gpkg").c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+    file->ExecuteSQL("UPDATE gpkg_ogr_contents SET feature_count = 9000000000", nullptr, nullptr);
+  }
+  EXPECT_EQ(refusal(),
+            "ground.gpkg: layer \"ground\" declares 9000000000 features (Talus takes at most 50000000). Cut it to the "
+            "slope: ogr2ogr -spat WEST SOUTH EAST NORTH ground_slope.gpkg ground.gpkg");
+}
+
+TEST_F(VectorFileTest, PlacesThatAreNoneAreRefused) {
+  make({{"LINESTRING (0 0, 5 1e999)", "a"}, {"POINT Z (1 2 1e999)", "b"}});
+  EXPECT_EQ(refusal(),
+            "ground.gpkg: feature 1 has the coordinates (5, inf, 0) (a coordinate is a finite number)\n"
+            "ground.gpkg: feature 2 has the coordinates (1, 2, inf) (a coordinate is a finite number)");
+}
+
+}  // namespace
+}  // namespace talus
+
+#else
+
+namespace talus {
+namespace {
+
+TEST(VectorFile, IsRefusedWithoutGdal) {
+  Problems warnings;
+  try {
+    static_cast<void>(read_vector_file("ground.gpkg", {}, warnings));
+    FAIL() << "was read";
+  } catch (const BadInput& error) {
+    EXPECT_STREQ(error.what(),
+                 "ground.gpkg: cannot be read (this build of Talus has no GDAL). Build it with GDAL: cmake --preset "
+                 "release -DTALUS_GDAL=ON");
+  }
+}
+
+// A view can be a query without end, of which GDAL gives no first feature.
+TEST_F(VectorFileTest, AViewWithoutEndIsLeftWhereItsReaderIsStopped) {
+  const std::filesystem::path file = path("endless.gpkg");
+  add_layer(file, "places", "EPSG:31287", "name", {{"POINT (1 2)", "a"}});
+  const auto run = [&](const std::string& sql) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
+    sqlite3_close(database);
+  };
+  run("CREATE VIEW v AS WITH RECURSIVE c(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM c) "
+      "SELECT i AS fid, i AS name, (SELECT geom FROM places) AS geom FROM c WHERE i < 0;"
+      "INSERT INTO gpkg_contents (table_name, identifier, data_type, srs_id) VALUES ('v', 'v', 'features', 31287);"
+      "INSERT INTO gpkg_geometry_columns VALUES ('v', 'geom', 'POINT', 31287, 0, 0);");
+  std::atomic<bool> stop{false};
+  const auto begin = std::chrono::steady_clock::now();
+  const std::jthread stopper([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    stop = true;
+  });
+  const StopScope scope(&stop);
+  Problems warnings;
+  EXPECT_THROW(
+      (void)read_vector_file(file, {.layer = "v", .attributes = {}, .kinds = {}, .terrain_crs_wkt = {}}, warnings),
+      Stopped);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::minutes(1));  // it would go on for ever
+}
+
+}  // namespace
+}  // namespace talus
+
+#endif

@@ -1,0 +1,357 @@
+// From a project to a model: what only the terrain shows, told with file, line, reason and hint.
+
+#include "talus/model/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "talus/campaign/simulate.hpp"
+#include "talus/project/read.hpp"
+#include "talus/project/settings.hpp"
+#include "talus/results/summary.hpp"
+
+namespace talus::project {
+namespace {
+
+const std::string flat_2d = R"(
+[terrain]
+section = [[0, 0], [10, -10], [20, -10]]
+[[material]]
+name = "Rock"
+[[seeder]]
+type = "point"
+position = [1, 5]
+mass_kg = 100
+)";
+
+const std::string square_3d = R"(
+[terrain]
+vertices = [[0,0,0],[10,0,0],[10,10,0],[0,10,0]]
+triangles = [[0,1,2],[0,2,3]]
+[[material]]
+name = "Rock"
+[[seeder]]
+type = "point"
+position = [5, 5, 5]
+mass_kg = 100
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+Model model_of(const std::string& text) {
+  Problems warnings;
+  return build_model(read_project_text(text, "slope.toml").project, warnings);
+}
+
+std::string complaint_of(const std::string& text) {
+  try {
+    (void)model_of(text);
+  } catch (const BadInput& bad) {
+    return bad.problems().text();
+  }
+  return "no complaint";
+}
+
+TEST(BuildModel, RefusesASeederOffTheSection) {
+  EXPECT_EQ(complaint_of(replaced(flat_2d, "[1, 5]", "[25, 5]")),
+            "slope.toml:6: seeder \"seeder 1\": x = 25 is off the terrain (the section goes from x = 0 to 20)");
+}
+
+TEST(BuildModel, RefusesASeederOffTheMesh) {
+  EXPECT_EQ(
+      complaint_of(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]")),
+      "slope.toml:7: seeder \"seeder 1\": (5, 15) is off the terrain (on plan the terrain lies within x = 0 to 10, "
+      "y = 0 to 10)");
+}
+
+TEST(BuildModel, HintsThatTurningTheTerrainTurnsNothingElse) {
+  EXPECT_EQ(
+      complaint_of(replaced(replaced(square_3d, "[terrain]", "[terrain]\nrotate_deg = 90"), "[5, 5, 5]", "[5, 9, 5]")),
+      "slope.toml:8: seeder \"seeder 1\": (5, 9) is off the terrain (on plan the terrain lies within x = -10 to 0, "
+      "y = 0 to 10). terrain.rotate_deg turns the terrain only, not the seeders");
+}
+
+TEST(BuildModel, RefusesABarrierOffTheTerrain) {
+  EXPECT_EQ(complaint_of(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[20, 0], [20, 10]]\nheight_m = 2\n"),
+            "slope.toml:11: barrier \"Fence\": its line does not touch the terrain (a barrier stands on the ground)");
+}
+
+TEST(BuildModel, RefusesABarrierThatIsNoLine) {
+  EXPECT_EQ(complaint_of(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[5, 5], [5, 5.000001]]\nheight_m = 2\n"),
+            "slope.toml:11: barrier \"Fence\": its line is 1e-06 m long (expected at least 1e-05 m)");
+}
+
+const std::string varied_2d = replaced(
+    flat_2d, "section = ", "section_std_dev_m = [[0.5, 0], [0, 0], [1, 0]]\nsection = ");  // certain from 1.5 to 17
+
+TEST(BuildModel, RefusesASeederThatMayBeOffAVariedSection) {
+  EXPECT_EQ(complaint_of(replaced(varied_2d, "[1, 5]", "[1.5, 5]")), "no complaint");
+  EXPECT_EQ(
+      complaint_of(varied_2d),
+      "slope.toml:7: seeder \"seeder 1\": x = 1 may be off the terrain (where section_std_dev_m moves its ends by "
+      "3 standard deviations, the section goes from x = 1.5 to 17). Move it inwards, or give the end vertices "
+      "less in x");
+  const std::string line =
+      replaced(varied_2d, "type = \"point\"\nposition = [1, 5]", "type = \"line\"\npoints = [[2, 5], [18, 5]]");
+  EXPECT_NE(complaint_of(line).find("x = 18 may be off the terrain"), std::string::npos) << complaint_of(line);
+}
+
+TEST(BuildModel, RefusesABarrierThatMayBeOffAVariedSection) {
+  const std::string good = replaced(varied_2d, "[1, 5]", "[2, 5]");
+  EXPECT_EQ(complaint_of(good + "[[barrier]]\nline = 17\nheight_m = 2\n"), "no complaint");
+  EXPECT_EQ(complaint_of(good + "[[barrier]]\nline = 17.5\nheight_m = 2\n"),
+            "slope.toml:11: barrier \"barrier 1\": x = 17.5 may be off the terrain (where section_std_dev_m moves its "
+            "ends by 3 standard deviations, the section goes from x = 1.5 to 17). Move it inwards, or give the end "
+            "vertices less in x");
+}
+
+TEST(BuildModel, LetsASectionVaryWhereItGoesBackByItself) {
+  const std::string overhang =
+      replaced(replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 0], [10, 0], [9.5, -2], [20, -10]]"),
+               "section = ", "section_std_dev_m = [[0, 0], [0.1, 0], [0.1, 0], [0, 0]]\nsection = ");
+  EXPECT_EQ(complaint_of(overhang), "no complaint");
+}
+
+TEST(BuildModel, TellsHowMuchOfABarrierIsOffTheTerrain) {
+  Problems warnings;
+  const std::string text = square_3d + "[[collector]]\nname = \"Edge\"\nline = [[-5, 5], [10, 5]]\nheight_m = 2\n";
+  const Model model = build_model(read_project_text(text, "slope.toml").project, warnings);
+  EXPECT_EQ(warnings.text(),
+            "slope.toml:11: warning: collector \"Edge\": 5 of 15 m of its line are off the terrain (at the line's ends "
+            "it does not stand there, and over a gap between it goes straight on). Compare its line with the terrain's "
+            "edge and holes");
+  // Where it stands is counted from the line's first point.
+  const std::vector<Panel>& panels = model.barriers[0].panels();
+  EXPECT_NEAR(panels.front().station, 5, 1e-9);
+  EXPECT_NEAR(panels.back().station + panels.back().plan_length, 15, 1e-9);
+}
+
+TEST(BuildModel, CountsAlongALineAcrossAGapOfTheTerrain) {
+  Problems warnings;
+  const std::string two_squares =
+      replaced(replaced(square_3d, "[0,10,0]]", "[0,10,0],[20,0,0],[30,0,0],[30,10,0],[20,10,0]]"), "[0,2,3]]",
+               "[0,2,3],[4,5,6],[4,6,7]]");
+  const std::string text = two_squares + "[[barrier]]\nline = [[1, 5], [15, 9], [29, 5]]\nheight_m = 2\n";
+  const Model model = build_model(read_project_text(text, "slope.toml").project, warnings);
+  const double half = std::hypot(14, 4);  // of which 5 of 14 are in the gap
+  EXPECT_NE(warnings.text().find("barrier \"barrier 1\": 10.4002 of 29.1204 m of its line are off the terrain"),
+            std::string::npos)
+      << warnings.text();
+  const std::vector<Panel>& panels = model.barriers[0].panels();
+  EXPECT_EQ(panels.front().station, 0);
+  EXPECT_NEAR(panels.back().station + panels.back().plan_length, 2 * half, 1e-9);
+  double way = 0;
+  for (const Panel& panel : panels) {
+    EXPECT_NEAR(panel.station, way, 1e-9);
+    way += panel.plan_length;
+  }
+}
+
+TEST(BuildModel, SaysNothingOfABarrierThatIsOnTheTerrainAltogether) {
+  Problems warnings;
+  const std::string text = square_3d + "[[barrier]]\nline = [[0, 0], [10, 10], [10, 0]]\nheight_m = 2\n";
+  static_cast<void>(build_model(read_project_text(text, "slope.toml").project, warnings));
+  EXPECT_EQ(warnings.text(), "");
+}
+
+TEST(BuildModel, LeavesAMaterialListOfTheWrongLengthToTheReader) {
+  EXPECT_EQ(complaint_of(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]") + "[ground]\ntriangles = [0, 0, 0]\n"),
+            "slope.toml:12: [ground]: triangles has 3 entries (expected 2, one for each triangle of the terrain)")
+      << "inline meshes are checked by the reader";
+}
+
+TEST(BuildModel, RefusesAMeshWithoutArea) {
+  EXPECT_NE(complaint_of(
+                replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]", "[[0,0,0],[10,0,0],[20,0,0],[30,0,0]]")),
+            "no complaint");
+}
+
+TEST(BuildModel, LiftsAReleasePointBelowTheSurfaceAndCountsIt) {
+  const Model model = model_of(replaced(flat_2d, "[1, 5]", "[1, -5]"));
+  Simulator simulator(model);
+  const RockRecord record = simulator.simulate(0, false);
+  EXPECT_TRUE(record.was_lifted);
+  EXPECT_NEAR(record.outcome.start.position.z(), -1, 1e-12);
+  EXPECT_FALSE(Simulator(model_of(flat_2d)).simulate(0, false).was_lifted);
+}
+
+TEST(BuildModel, LiftsASphereUntilItFits) {
+  const Model model =
+      model_of(replaced(square_3d, "[5, 5, 5]", "[5, 5, 0.01]") + "[analysis]\nmodel = \"rigid_sphere\"\n");
+  const RockRecord record = Simulator(model).simulate(0, false);
+  EXPECT_TRUE(record.was_lifted);
+  EXPECT_NEAR(record.outcome.start.position.z(), record.body.radius, 1e-9);
+}
+
+TEST(BuildModel, LowersASphereFromACeilingAndLeavesOneWithoutRoomAtRest) {
+  const std::string text = replaced(
+      replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 20], [10, 20], [4, 14.6], [2, 15], [2, 10], [30, 8]]") +
+          "[analysis]\nmodel = \"rigid_sphere\"\n",
+      "[1, 5]\nmass_kg = 100", "[4, 14.5]\nhorizontal_velocity_m_s = 1\ndiameter_m = 0.5");
+  const RockRecord lowered = Simulator(model_of(text)).simulate(0, false);
+  EXPECT_TRUE(lowered.was_lifted);
+  EXPECT_NEAR(lowered.outcome.start.position.z(), 14.35, 1e-8);
+  EXPECT_EQ(lowered.outcome.start.velocity.x(), 1);
+  EXPECT_LT(lowered.outcome.end.position.z(), 11);
+
+  const RockRecord caught = Simulator(model_of(replaced(text, "0.5", "5"))).simulate(0, false);
+  EXPECT_TRUE(caught.was_lifted);
+  EXPECT_EQ(caught.outcome.reason, EndReason::at_rest);
+  EXPECT_EQ(caught.outcome.end.position, Vec3(4, 0, 14.5));
+  EXPECT_EQ(caught.outcome.end.time, 0);
+  EXPECT_EQ(caught.outcome.max_kinetic_energy, 0);
+}
+
+TEST(BuildModel, PutsRocksOnTheSurfaceAndAboveIt) {
+  const Model model = model_of(replaced(flat_2d, "[1, 5]", "[5, \"surface\"]"));
+  EXPECT_NEAR(Simulator(model).simulate(0, false).outcome.start.position.z(), -5, 1e-12);
+  const Model above = model_of(replaced(square_3d, "position = [5, 5, 5]", "position = [5, 5]\nheight_above_m = 2"));
+  EXPECT_NEAR(Simulator(above).simulate(0, false).outcome.start.position.z(), 2, 1e-12);
+}
+
+TEST(BuildModel, ThrowsRocksDownEitherSideOfARidge) {
+  const Model ridge = model_of(R"(
+[terrain]
+section = [[-4, 0], [0, 3], [12, -2]]
+[[material]]
+name = "Rock"
+[[seeder]]
+name = "West"
+position = [-1, 5]
+mass_kg = 100
+horizontal_velocity_m_s = 2
+direction = "downslope"
+[[seeder]]
+name = "East"
+position = [1, 5]
+mass_kg = 100
+speed_m_s = 13
+direction = "downslope"
+)");
+  Simulator simulator(ridge);
+  EXPECT_LT((simulator.simulate(0, false).outcome.start.velocity - Vec3(-2, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((simulator.simulate(1, false).outcome.start.velocity - Vec3(12, 0, -5)).norm(), 1e-12);
+}
+
+TEST(BuildModel, ReadsASectionFromRightToLeftWithItsMaterials) {
+  const std::string two = R"(
+[terrain]
+section = [[0, 0], [10, -10], [20, -10]]
+[[material]]
+name = "A"
+normal_restitution = 0.1
+[[material]]
+name = "B"
+normal_restitution = 0.2
+[ground]
+segments = ["A", "B"]
+[[seeder]]
+type = "point"
+position = [1, 5]
+mass_kg = 100
+)";
+  const Model forwards = model_of(two);
+  const Model backwards =
+      model_of(replaced(replaced(two, "[[0, 0], [10, -10], [20, -10]]", "[[20, -10], [10, -10], [0, 0]]"),
+                        "[\"A\", \"B\"]", "[\"B\", \"A\"]"));
+  const Vec3 a = Simulator(forwards).simulate(0, false).outcome.end.position;
+  const Vec3 b = Simulator(backwards).simulate(0, false).outcome.end.position;
+  EXPECT_EQ(a, b);
+}
+
+TEST(BuildModel, CountsTheSegmentsOfAnOverhangFromTheTop) {
+  const Model overhang = model_of(replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 0], [10, -10], [0, -10]]"));
+  EXPECT_TRUE(overhang.parts.of_source.empty()) << "as they are given";
+}
+
+TEST(BuildModel, MovesNothingWhenTheModelIsMovedFarAway) {
+  const std::string far =
+      replaced(replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]",
+                        "[[2600000,1200000,0],[2600010,1200000,0],[2600010,1200010,0],[2600000,1200010,0]]"),
+               "[5, 5, 5]", "[2600005, 1200005, 5]");
+  const std::string with_speed = "horizontal_velocity_m_s = 1.25\n";
+  const Model near_model = model_of(square_3d + with_speed), far_model = model_of(far + with_speed);
+  const auto end = [](const Model& model) {
+    return model.frame.global_from_local(Simulator(model).simulate(0, false).outcome.end.position);
+  };
+  EXPECT_LT((end(far_model) - end(near_model) - Vec3(2600000, 1200000, 0)).norm(), 2e-9);
+}
+
+TEST(BuildModel, VariesTheSectionFromRockToRock) {
+  const Model model =
+      model_of(replaced(flat_2d, "section = ", "section_std_dev_m = [[0, 0], [0, 0.5], [0, 0.5]]\nsection = "));
+  ASSERT_TRUE(model.varying);
+  Simulator simulator(model);
+  EXPECT_NE(simulator.simulate(0, false).outcome.end.position.z(),
+            Simulator(model_of(flat_2d)).simulate(0, false).outcome.end.position.z());
+}
+
+/// Where some rocks end, and the greatest energy of each.
+std::vector<double> ends_of(const std::string& text) {
+  const Model model = model_of(text);
+  Simulator simulator(model);
+  std::vector<double> ends;
+  for (std::uint64_t rock = 0; rock < 20; ++rock) {
+    const auto outcome = simulator.simulate(rock, false).outcome;
+    for (const double x : {outcome.end.position.x(), outcome.end.position.z(), outcome.max_kinetic_energy})
+      ends.push_back(x);
+  }
+  return ends;
+}
+
+TEST(BuildModel, SettingsOfOneRockModelChangeNothingForTheOtherAndSomethingForTheirOwn) {
+  const std::map<std::string_view, std::string> others{
+      {"rotation", "false"},          {"sliding", "\"closed_form\""},   {"grazing_angle_deg", "40"},
+      {"friction_angle", "\"zero\""}, {"friction_angle_deg", "5"},      {"tangential_crsp_damping", "true"},
+      {"roughness_spacing_m", "0.5"}, {"roughness_amplitude_m", "0.3"}, {"dynamic_friction", "0.05"},
+      {"rolling_friction", "0.4"},
+  };
+  // Rough ground that a rock slides over, with a bend that it grazes.
+  const std::string ground =
+      replaced(replaced(replaced(flat_2d, "[10, -10], [20, -10]", "[10, -10], [12, -11.5], [20, -13], [60, -15]"),
+                        "name = \"Rock\"", "name = \"Rock\"\nnormal_restitution = 0.4\nroughness_deg = 3"),
+               "mass_kg = 100", "mass_kg = 100\nrocks = 20\nhorizontal_velocity_m_s = 2");
+  std::size_t tried = 0;
+  for (const Table& table : tables()) {
+    for (const Setting& setting : table.settings) {
+      if (!setting.only_for) continue;
+      ++tried;
+      ASSERT_TRUE(others.contains(setting.key)) << setting.key;
+      const std::string line = std::string(setting.key) + " = " + others.at(setting.key) + "\n";
+      // A bump has a height and a length.
+      const std::string bumps = "roughness_spacing_m = 1\nroughness_amplitude_m = 0.1\n";
+      const bool is_bump = setting.key.starts_with("roughness_");
+      for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
+        const std::string analysis =
+            "[analysis]\nmodel = \"" + std::string(words(model)[static_cast<std::size_t>(model)]) + "\"\n";
+        const auto project = [&](const std::string& more) {
+          if (table.key == "analysis") return analysis + more + ground;
+          return analysis + replaced(ground, "[[material]]\n", "[[material]]\n" + more);
+        };
+        const std::string with =
+            !is_bump
+                ? line
+                : replaced(bumps, std::string(setting.key) + (setting.key.ends_with("spacing_m") ? " = 1" : " = 0.1"),
+                           std::string(setting.key) + " = " + others.at(setting.key));
+        const auto before = ends_of(project(is_bump ? bumps : "")), after = ends_of(project(with));
+        if (model == *setting.only_for) {
+          EXPECT_NE(before, after) << setting.key;
+        } else {
+          EXPECT_EQ(before, after) << setting.key;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(tried, others.size());
+}
+
+}  // namespace
+}  // namespace talus::project

@@ -1,0 +1,334 @@
+// Projects whose terrain is a survey or closed polylines: the rules of their keys, and end to end.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "talus/campaign/simulate.hpp"
+#include "talus/model/model.hpp"
+#include "talus/project/read.hpp"
+
+#ifdef TALUS_HAS_GDAL
+#include "support/rasters.hpp"
+#include "support/vectors.hpp"
+#endif
+
+namespace talus::project {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string rest = R"(
+[[material]]
+name = "Rock"
+[[seeder]]
+name = "Crest"
+position = [2, 10]
+height_above_m = 5
+rocks = 10
+mass_kg = 1000
+horizontal_velocity_m_s = 3
+)";
+
+// ---- rules ----
+
+struct BadTerrain {
+  const char* name;
+  std::string terrain, complaint;
+};
+void PrintTo(const BadTerrain& bad, std::ostream* out) { *out << bad.name; }
+
+class BadSurveyTest : public ::testing::TestWithParam<BadTerrain> {};
+
+TEST_P(BadSurveyTest, IsRefusedWithThisText) {
+  try {
+    static_cast<void>(read_project_text("[terrain]\n" + GetParam().terrain + rest, "slope.toml"));
+    FAIL() << "was read";
+  } catch (const BadInput& bad) {
+    EXPECT_STREQ(bad.what(), GetParam().complaint.c_str());
+  }
+}
+
+const std::vector<BadTerrain> bad_terrains{
+    {"SurveyAndRaster", "points = \"p.csv\"\nraster = \"dem.tif\"",
+     "slope.toml:2: [terrain]: raster and points are given together (they exclude each other)"},
+    {"SurveyAndPolylines", "lines = \"l.gpkg\"\npolylines = [[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0]]]",
+     "slope.toml:3: [terrain]: lines and polylines are given together (they exclude each other)"},
+    {"ClassesOfText", "points = \"p.csv\"\npoint_classes = [2]",
+     "slope.toml:3: [terrain]: point_classes is given for p.csv (only points of LAS have classes). Leave it out"},
+    {"ClassOutOfRange", "points = \"p.las\"\npoint_classes = [2, 300]",
+     "slope.toml:3: [terrain]: point_classes[1] is 300 (expected 0 to 255)"},
+    {"LayerWithoutPoints", "lines = \"l.gpkg\"\npoints_layer = \"spots\"",
+     "slope.toml:3: [terrain]: points_layer is given without points (it would have no effect)"},
+    {"LayerWithoutLines", "points = \"p.csv\"\nlines_layer = \"contours\"",
+     "slope.toml:3: [terrain]: lines_layer is given without lines (it would have no effect)"},
+    {"AttributeOfAMesh", "mesh = \"m.obj\"\nelevation_attribute = \"z\"",
+     "slope.toml:3: [terrain]: elevation_attribute is given without points or lines (it would have no effect)"},
+    {"BoundaryOfARaster", "raster = \"dem.tif\"\nboundary = \"area.gpkg\"\nmax_edge_m = 5",
+     "slope.toml:3: [terrain]: boundary is given without points or lines (it would have no effect)\n"
+     "slope.toml:4: [terrain]: max_edge_m is given without points or lines (it would have no effect)"},
+    {"LayerOfNoBoundary", "points = \"p.csv\"\nboundary_layer = \"area\"",
+     "slope.toml:3: [terrain]: boundary_layer is given without a boundary (it would have no effect)"},
+    {"SpikesOfLines", "lines = \"l.gpkg\"\nremove_spikes_m = 5",
+     "slope.toml:3: [terrain]: remove_spikes_m is given without points (it would have no effect)"},
+    {"NoSpikes", "points = \"p.csv\"\nremove_spikes_m = 0",
+     "slope.toml:3: [terrain]: remove_spikes_m is 0 (expected more than 0, up to 1e9)"},
+    {"NoLength", "points = \"p.csv\"\nmax_edge_m = -5",
+     "slope.toml:3: [terrain]: max_edge_m is -5 (expected more than 0, up to 1e9)"},
+    {"MergedSurvey", "points = \"p.csv\"\nmerge_tolerance_m = 0.5",
+     "slope.toml:3: [terrain]: merge_tolerance_m is given without polylines or polygons (it would have no effect)"},
+    {"LayerOfPolylines", "points = \"p.csv\"\npolygons_layer = \"faces\"",
+     "slope.toml:3: [terrain]: polygons_layer is given without polygons (it would have no effect)"},
+    {"TurnedSurvey", "points = \"p.csv\"\nrotate_deg = 30",
+     "slope.toml:3: [terrain]: rotate_deg is given with points (a survey stands where its coordinates say). Leave it "
+     "out"},
+    {"CrsOfASection", "section = [[0, 0], [10, -10]]\nwidth_m = 5\ncrs = \"EPSG:31287\"",
+     "slope.toml:4: [terrain]: crs is given for a section (a section lies nowhere on a map). Leave it out"},
+    {"NoPolylines", "polylines = []", "slope.toml:2: [terrain]: polylines is empty (a terrain has at least one)"},
+    {"OpenPolyline",
+     "polylines = [[[0, 0, 0], [9, 0, 0], [9, 9, 0], [0, 0, 0]], [[0, 0, 0], [9, 0, 0], [9, 9, 0], [0, 9, 0]]]",
+     "slope.toml:2: [terrain]: polylines[1] is not closed (its ends are 9 m apart). Repeat its first vertex at its "
+     "end"},
+    {"ShortPolyline", "polylines = [[[0, 0, 0], [9, 0, 0], [0, 0, 0]]]",
+     "slope.toml:2: [terrain]: polylines[0] has 3 vertices (a closed one has four or more, of which the last is the "
+     "first)"},
+    {"PolylineOnPlan", "polylines = [[[0, 0], [9, 0], [9, 9], [0, 0]]]",
+     "slope.toml:2: [terrain]: polylines[0][0] is [0, 0] (expected three numbers [..., ..., ...])\n"
+     "slope.toml:2: [terrain]: polylines[0][1] is [9, 0] (expected three numbers [..., ..., ...])\n"
+     "slope.toml:2: [terrain]: polylines[0][2] is [9, 9] (expected three numbers [..., ..., ...])\n"
+     "slope.toml:2: [terrain]: polylines[0][3] is [0, 0] (expected three numbers [..., ..., ...])"},
+    {"GroundByTriangles", "points = \"p.csv\"\n[ground]\ntriangles = [0]",
+     "slope.toml:4: [ground]: triangles is given for a survey (its triangles are made by Talus). Use raster and "
+     "classes, or "
+     "polygons"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, BadSurveyTest, ::testing::ValuesIn(bad_terrains),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+// ---- end to end ----
+
+class SurveyProject : public ::testing::Test {
+ protected:
+  SurveyProject() {
+    const auto* const info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path{::testing::TempDir()} /
+              ("talus_survey_" + std::string{info->name()} + "_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  ~SurveyProject() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  [[nodiscard]] Model model(const std::string& text) {
+    write("slope.toml", text);
+    warnings_ = Problems{};
+    return build_model(read_project(folder_ / "slope.toml").project, warnings_);
+  }
+  [[nodiscard]] std::string refusal(const std::string& text) {
+    try {
+      static_cast<void>(model(text));
+    } catch (const BadInput& bad) {
+      std::string said = bad.what();
+      const std::string prefix = folder_.string() + "/";
+      for (auto at = said.find(prefix); at != std::string::npos; at = said.find(prefix)) said.erase(at, prefix.size());
+      return said;
+    }
+    return "was read";
+  }
+
+  std::filesystem::path folder_;
+  Problems warnings_;
+};
+
+// A plane that falls to the east by 1 in 2, as points of a grid.
+std::string plane_of_points() {
+  std::string text = "x,y,z\n";
+  for (int i = 0; i <= 40; ++i) {
+    for (int j = 0; j <= 20; ++j) text += fmt::format("{},{},{}\n", 5 * i, 5 * j, 1500 - 2.5 * i);
+  }
+  return text;
+}
+
+TEST_F(SurveyProject, RocksRunOnItAsOnTheSamePlaneOfTriangles) {
+  write("p.csv", plane_of_points());
+  const Model survey = model("[terrain]\npoints = \"p.csv\"\ncrs = \"local\"\n" + rest);
+  EXPECT_EQ(warnings_.text(), "");
+  EXPECT_THAT(
+      survey.terrain_report,
+      HasSubstr("p.csv: 861 points\nsurvey: 861 points, placed to 0.00048 mm\ntriangulated: 1600 triangles; sides of "
+                "5 m in the middle, at most 7.071 m, at (2.500, 2.500, 1498.750)\n"));
+  const Model mesh = model(
+      "[terrain]\nvertices = [[0,0,1500],[200,0,1400],[200,100,1400],[0,100,1500]]\ntriangles = [[0,1,2],[0,2,3]]\n" +
+      rest);
+  Simulator on_survey(survey), on_mesh(mesh);
+  for (std::uint64_t rock = 0; rock < 10; ++rock) {
+    const Vec3 a = survey.frame.global_from_local(on_survey.simulate(rock, false).outcome.end.position);
+    const Vec3 b = mesh.frame.global_from_local(on_mesh.simulate(rock, false).outcome.end.position);
+    EXPECT_LT((a - b).norm(), 1e-6) << rock;
+    EXPECT_GT(a.x(), 20);
+  }
+}
+
+// The manual, section 2: three closed polylines, made polygons, merged to one surface.
+const std::string bowl_of_polylines = R"([terrain]
+polylines = [
+  [[-10, 10, 16.32993], [10, 10, 16.32993], [0, 4.226497, 0], [-10, 10, 16.32993]],
+  [[-10, 10, 16.32993], [0, -7.32051, 16.32993], [0, 4.226497, 0], [-10, 10, 16.32993]],
+  [[10, 10, 16.32993], [0, -7.32051, 16.32993], [0, 4.226497, 0], [10, 10, 16.32993]],
+]
+)";
+
+std::string published_bowl(std::string_view without) {
+  std::ifstream in(TALUS_SOURCE_DIR "/verification/2-bowl-lumped-mass/bowl.toml");
+  std::string text, line;
+  while (std::getline(in, line)) {
+    if (!line.starts_with(without)) text += line + '\n';
+  }
+  return text;
+}
+
+TEST_F(SurveyProject, TheManualsBowlFromItsPolylines) {
+  const Model published = model(published_bowl("#"));
+  std::string text = published_bowl("vertices");
+  text.erase(text.find("triangles = "), text.find('\n', text.find("triangles = ")) - text.find("triangles = "));
+  text.replace(text.find("[terrain]\n"), 10, bowl_of_polylines);
+  const Model merged = model(text);
+  EXPECT_THAT(merged.terrain_report, HasSubstr("polygons: 3, cut into 3 triangles; corners lie within 0 m of"));
+  EXPECT_THAT(merged.terrain_report, HasSubstr("3 facets, 4 vertices, 1 component (0 closed), 3 boundary edges"));
+  EXPECT_THAT(merged.terrain_report, HasSubstr("welded: 5 vertices"));
+
+  const auto& first = std::get<TriangleMesh>(published.surface);
+  const auto& second = std::get<TriangleMesh>(merged.surface);
+  ASSERT_EQ(second.facet_count(), 3U);
+  const auto normals = [](const TriangleMesh& mesh) {
+    std::vector<std::array<double, 3>> out;
+    for (std::uint32_t k = 0; k < mesh.facet_count(); ++k) {
+      const Vec3 n = mesh.normal({k});
+      out.push_back({n.x(), n.y(), n.z()});
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+  };
+  EXPECT_EQ(normals(first), normals(second));
+
+  // The table of the case follows from the path, and the path is the same to the bit.
+  Simulator one(published), other(merged);
+  static_cast<void>(one.simulate(0, true));
+  static_cast<void>(other.simulate(0, true));
+  ASSERT_EQ(one.log().rows.size(), other.log().rows.size());
+  ASSERT_GE(one.log().rows.size(), 6U);
+  for (std::size_t k = 0; k < one.log().rows.size(); ++k) {
+    EXPECT_EQ(one.log().rows[k].motion.position, other.log().rows[k].motion.position) << k;
+    EXPECT_EQ(one.log().rows[k].motion.velocity, other.log().rows[k].motion.velocity) << k;
+    EXPECT_EQ(one.log().rows[k].motion.spin, other.log().rows[k].motion.spin) << k;
+  }
+}
+
+TEST_F(SurveyProject, VerticesWithinTheToleranceAreMerged) {
+  std::string apart = bowl_of_polylines;
+  apart.replace(apart.rfind("4.226497"), 8, "4.226997");
+  const std::string seeder = "[[material]]\nname = \"Rock\"\n[[seeder]]\nposition = [0, 0, 20]\nmass_kg = 1000\n";
+  EXPECT_THAT(model(apart + seeder).terrain_report, HasSubstr("4 vertices, 1 component (0 closed), 3 boundary edges"));
+  EXPECT_THAT(model(apart + "merge_tolerance_m = 0.0001\n" + seeder).terrain_report,
+              HasSubstr("5 vertices, 2 components (0 closed), 7 boundary edges"));
+}
+
+// A plane of three polygons, a corner of two of them on the third's side: rocks slide past it to the rim. Where it was
+// not joined, they leave their facet over a crack and meet the plane again beyond it.
+TEST_F(SurveyProject, RocksSlidePastACornerOnASide) {
+  const std::string slope = R"([terrain]
+polylines = [[[0, 0, 100], [10, 0, 90], [10, 10, 90], [0, 10, 100], [0, 0, 100]],
+             [[10, 0, 90], [20, 0, 80], [20, 5, 80], [10, 5, 90], [10, 0, 90]],
+             [[10, 5, 90], [20, 5, 80], [20, 10, 80], [10, 10, 90], [10, 5, 90]]]
+)";
+  const std::string rocks = R"([[material]]
+name = "Rock"
+friction_angle_deg = 5
+[[seeder]]
+position = [5, 4, "surface"]
+mass_kg = 100
+horizontal_velocity_m_s = 3
+)";
+  const auto end_x = [&](const Model& slide) {
+    Simulator one(slide);
+    static_cast<void>(one.simulate(0, true));
+    return slide.frame.global_from_local(one.log().rows.back().motion.position).x();
+  };
+  const Model joined = model(slope + rocks);
+  EXPECT_THAT(joined.terrain_report, HasSubstr("joined: 1 corner that lies on the side of another facet"));
+  EXPECT_NEAR(end_x(joined), 20, 1e-6);
+  const Model cracked = model(slope + "merge_tolerance_m = 0\n" + rocks);
+  EXPECT_THAT(cracked.terrain_report, HasSubstr("warning: 3 boundary edges lie within 0.01 m of another facet"));
+  EXPECT_NEAR(end_x(cracked), 20, 1e-6);
+}
+
+TEST_F(SurveyProject, RefusesPolylinesThatCrossThemselves) {
+  EXPECT_EQ(refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 4, 0], [0, 0, 0]]]\n" + rest),
+            "slope.toml: terrain: polylines[0] crosses itself at (2.857, 2.857, 0.000) (it cannot be cut into "
+            "triangles). Are "
+            "its vertices in order?");
+  // Halves that undo each other leave no plane to look for the crossing in.
+  EXPECT_EQ(refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 10, 0], [0, 0, 0]]]\n" + rest),
+            "slope.toml: terrain: polylines[0] has no area (its corners lie on one line, go there and back the same "
+            "way, or its sides cross)");
+}
+
+TEST_F(SurveyProject, RefusesFilesThatAreNotThere) {
+  EXPECT_EQ(
+      refusal("[terrain]\npoints = \"p.csv\"\nlines = \"l.gpkg\"\nboundary = \"b.gpkg\"\n" + rest),
+      "slope.toml:2: [terrain]: points is \"p.csv\" (there is no file p.csv). Its path is relative to the project "
+      "file\n"
+      "slope.toml:3: [terrain]: lines is \"l.gpkg\" (there is no file l.gpkg). Its path is relative to the project "
+      "file\n"
+      "slope.toml:4: [terrain]: boundary is \"b.gpkg\" (there is no file b.gpkg). Its path is relative to the project "
+      "file");
+}
+
+TEST_F(SurveyProject, RefusesACoordinateSystemThatNobodyKnows) {
+  write("p.csv", plane_of_points());
+  EXPECT_EQ(
+      refusal("[terrain]\npoints = \"p.csv\"\ncrs = \"EPSG:99999999\"\n" + rest),
+      "slope.toml: [terrain]: crs is \"EPSG:99999999\" (no coordinate system of this name is known). Expected for "
+      "example \"EPSG:31287\", or \"local\"");
+}
+
+#ifdef TALUS_HAS_GDAL
+
+TEST_F(SurveyProject, LinesBoundaryAndCoordinateSystemComeFromFiles) {
+  std::string points = "x y z\n";
+  for (int i = 0; i <= 40; ++i) {
+    for (int j = 0; j <= 20; ++j) points += fmt::format("{} {} {}\n", 400000 + 5 * i, 300000 + 5 * j, 1500 - 2.5 * i);
+  }
+  write("p.xyz", points);
+  testing_tools::add_layer(folder_ / "survey.gpkg", "edges", "EPSG:31287", "name",
+                           {{"LINESTRING Z (400010 300010.5 1500, 400150 300010.5 1450)", "wall"}});
+  testing_tools::add_layer(
+      folder_ / "survey.gpkg", "area", "EPSG:31287", "name",
+      {{"POLYGON ((400000 300000, 400200 300000, 400200 300060, 400000 300060, 400000 300000))", ""}});
+  const std::string seeder =
+      "[[material]]\nname = \"Rock\"\n[[seeder]]\nposition = [400020, 300030]\nheight_above_m = 5\nmass_kg = 1000\n";
+  const Model built = model(
+      "[terrain]\npoints = \"p.xyz\"\nlines = \"survey.gpkg\"\nlines_layer = \"edges\"\nboundary = \"survey.gpkg\"\n"
+      "boundary_layer = \"area\"\ncrs = \"EPSG:31287\"\n" +
+      seeder);
+  EXPECT_EQ(warnings_.text(), "");
+  EXPECT_THAT(built.crs_wkt, ::testing::StartsWith("PROJCRS["));
+  const auto& mesh = std::get<TriangleMesh>(built.surface);
+  const Vec3& origin = built.frame.origin;
+  EXPECT_NEAR(*mesh.elevation(400080 - origin.x(), 300010.5 - origin.y()) + origin.z(), 1475, 1e-6);
+  EXPECT_NEAR(mesh.bounds().high.y() + origin.y(), 300060, 1e-6);
+}
+
+#endif
+
+}  // namespace
+}  // namespace talus::project

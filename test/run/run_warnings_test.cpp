@@ -1,0 +1,133 @@
+#include "talus/run/run_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace talus::project {
+namespace {
+
+using Ends = std::vector<std::pair<EndReason, std::uint64_t>>;
+
+/// What a run warns of after so many rocks, of which these did not come to rest.
+std::string warned_after(std::uint64_t rocks, const Ends& ends) {
+  Summary summary(rocks, 0);
+  summary.done = rocks;
+  for (const auto& [reason, count] : ends) summary.ends[static_cast<std::size_t>(reason)] = count;
+  Problems warnings;
+  warn_of_rocks(summary, warnings);
+  return warnings.text();
+}
+
+TEST(WarningsOfRocks, TellOfEndsThatAreTheModelsAndNotTheSlopes) {
+  EXPECT_EQ(
+      warned_after(20'000, {{EndReason::no_data, 18'369}}),
+      "warning: rocks: 18369 of 20000 rocks ended where the terrain has no data (runout, reach and end points are "
+      "cut there). Use a terrain that has data where rocks come");
+  EXPECT_EQ(warned_after(100, {{EndReason::maximum_steps, 1}, {EndReason::maximum_time, 1}}),
+            "warning: rocks: 1 of 100 rocks were ended after the maximum number of steps (runout, reach and end points "
+            "are cut there). Raise analysis.max_steps\n"
+            "warning: rocks: 1 of 100 rocks were ended at the maximum time (runout, reach and end points are cut "
+            "there). Raise analysis.max_time_s");
+}
+
+TEST(WarningsOfRocks, LeaveOneInAHundredAlone) {
+  EXPECT_EQ(warned_after(200, {{EndReason::no_data, 1}, {EndReason::maximum_time, 1}}), "");
+  EXPECT_NE(warned_after(199, {{EndReason::no_data, 1}, {EndReason::maximum_time, 1}}), "");
+  EXPECT_EQ(warned_after(0, {}), "");
+}
+
+TEST(WarningsOfRocks, TakeTheEdgeOfTheModelForMeant) {
+  EXPECT_EQ(warned_after(100, {{EndReason::left_model, 100}}), "");
+}
+
+io::RunDescription described(const char* model) {
+  io::RunDescription description;
+  description.model = nlohmann::ordered_json::parse(model);
+  return description;
+}
+
+TEST(WarningsOfSources, TellWhichHaveNotThrownTheirRocks) {
+  const io::RunDescription three = described(
+      R"({"sources": [{"name": "West", "rocks": [[0, 10], [50, 10]]}, {"name": "Middle", "rocks": [[10, 20]]},
+                      {"name": "East", "rocks": [[30, 20]]}]})");
+  const auto told = [&](std::uint64_t first_not_thrown) {
+    Problems warnings;
+    warn_of_sources(three, first_not_thrown, warnings);
+    return warnings.text();
+  };
+  const std::string hint = "). Go on with --resume; what there is says nothing of the whole";
+  EXPECT_EQ(told(20),
+            "warning: rocks: the run was stopped before \"East\" released any rock (rocks are run source after source; "
+            "of \"West\", \"Middle\" not all were" +
+                hint);
+  EXPECT_EQ(told(35),
+            "warning: rocks: the run was stopped before all sources had released their rocks (rocks are run source "
+            "after source; of \"West\", \"East\" not all were" +
+                hint);
+  Problems warnings;
+  warn_of_sources(described(R"({"sources": [{"name": "All", "rocks": [[0, 100]]}]})"), 5, warnings);
+  EXPECT_EQ(warnings.text(), "") << "of one source the first rocks are as good as any";
+}
+
+TEST(WarningsOfCollectors, TellHowManyRocksPassedAbove) {
+  const io::RunDescription two =
+      described(R"({"barriers": [{"name": "Net", "kind": "barrier"}, {"name": "Road", "kind": "collector"}]})");
+  const auto told = [&](std::uint64_t above) {
+    Summary summary(1000, 2);
+    for (BarrierTally& tally : summary.barriers) {
+      tally.rocks_hit = 990;
+      tally.rocks_passed_above = above;
+    }
+    Problems warnings;
+    warn_of_collectors(two, summary, warnings);
+    return warnings.text();
+  };
+  EXPECT_EQ(
+      told(110),
+      "warning: collector \"Road\": 110 of 1100 rocks passed above it (its figures of energy, height and velocity "
+      "are those of the others only). Raise its height_m");
+  EXPECT_EQ(told(10), "") << "one in a hundred";
+}
+
+DesignPlan two_lines() {
+  DesignPlan plan;
+  plan.lines = {{"Upper", 0, 25, 10, 3}, {"Lower", 1, 8, 10, 1}};
+  plan.catch_share = 0.95;
+  plan.energies = {10e3};
+  return plan;
+}
+
+TEST(WarningsOfDesign, SayWhatHoldsTheBestKitOfALineBack) {
+  DesignResult result;
+  result.lines.resize(2);
+  result.lines[0].whole.rocks = 3611;
+  KitChoice kit{.line = 0,
+                .height = 4,
+                .limit = KitLimit::ends,
+                .caught = RockShare{3500, 4501, 0.78, 0.77, 0.79},
+                .beside = 890};
+  result.ranking = {kit, kit};
+  const auto warned = [&] {
+    Problems warnings;
+    warn_of_design(two_lines(), result, warnings);
+    return warnings.text();
+  };
+  const std::string nobody =
+      "warning: design line \"Lower\": no rock crosses it (there is nothing to design a barrier for). Check where the "
+      "line "
+      "lies; with few rocks, run more";
+  EXPECT_EQ(warned(),
+            nobody +
+                "\nwarning: design line \"Upper\": no kit catches 95 % of the rocks (890 of 4,501 pass beyond the "
+                "ends of the line: lengthen it)");
+  result.ranking.front().suffices = true;
+  result.ranking.front().limit = KitLimit::none;
+  EXPECT_EQ(warned(), nobody);
+}
+
+}  // namespace
+}  // namespace talus::project

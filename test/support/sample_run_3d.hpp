@@ -1,0 +1,61 @@
+#pragma once
+// A small run on terrain, written by hand: what its folder says to those who make other files of it.
+
+#include <string>
+
+#include "support/sample_run.hpp"
+
+namespace talus::io::sample_run {
+
+/// Statistics of hits with these values at 95 %, 99 % and the maximum.
+inline nlohmann::ordered_json design_statistics(double p95, double p99, double greatest) {
+  return {{"maximum", greatest}, {"percentiles", {{"95", p95}, {"99", p99}}}};
+}
+
+inline nlohmann::ordered_json barrier_3d(const std::string& name, const std::string& kind) {
+  using Json = nlohmann::ordered_json;
+  return {{"name", name},
+          {"kind", kind},
+          {"line_xyz", Json::array({{10, 0, 5}, {10, 20, 5.5}, {10, 50, 5}})},
+          {"hits", 3},
+          {"rocks_hit", 2},
+          {"passed_above", 1},
+          {"outcomes", {{"stopped", 2}, {"rebounded", 1}, {"broke through", 0}, {"passed", 0}}},
+          {"least_clearance_m", 0.25},
+          {"statistics",
+           {{"ke_translational_J", design_statistics(9.5e4, 9.9e4, 1e5)},
+            {"ke_total_J", design_statistics(9.6e4, 9.95e4, 1.1e5)},
+            {"impact_height_m", design_statistics(1.5, 2.5, 3)},
+            {"velocity_m_s", design_statistics(15, 16, 17)}}}};
+}
+
+inline nlohmann::ordered_json summary_3d() {
+  using Json = nlohmann::ordered_json;
+  Json collector = barrier_3d("Track", "collector");
+  collector["least_clearance_m"] = nullptr;
+  for (auto& quantity : collector["statistics"]) quantity = design_statistics(0, 0, 0), quantity["maximum"] = nullptr;
+  return {{"rocks", {{"planned", 6}, {"done", 6}}},
+          {"terrain", {{"kind", "mesh"}}},
+          {"barriers", Json::array({barrier_3d("Fence", "barrier"), collector})},
+          {"sources", Json::array({{{"name", "Wall"}, {"rocks", Json::array({{0, 2}, {4, 2}})}},
+                                   {{"name", "Tower, \"old\""}, {"rocks", Json::array({{2, 2}})}}})},
+          {"project",
+           {{"barrier",
+             Json::array({{{"name", "Fence"}, {"height_m", 3}, {"inclination_deg", -10}, {"capacity_kJ", 500}}})},
+            {"collector", Json::array({{{"name", "Track"}, {"height_m", 6}, {"inclination_deg", 0}}})},
+            {"output", {{"endpoints", "all"}, {"paths", "all"}, {"geopackage", 10000}, {"vtk", true}}}}}};
+}
+
+/// Six rocks, all with their paths.
+inline void write_3d(const Folder& folder, const nlohmann::ordered_json& summary = summary_3d()) {
+  std::string endpoints = endpoints_head, paths = paths_head;
+  for (std::uint64_t rock = 0; rock < 6; ++rock) {
+    endpoints += endpoint_row(rock, 5 + static_cast<double>(rock));
+    paths += path_rows(rock);
+  }
+  folder.write("summary.json", summary.dump());
+  folder.write("endpoints.csv", endpoints);
+  folder.write("paths.csv", paths);
+}
+
+}  // namespace talus::io::sample_run
