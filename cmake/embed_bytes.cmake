@@ -1,5 +1,5 @@
 # Writes a C++ file with the bytes of every file of a folder, by the assembler's .incbin:
-# cmake -DFOLDER=... -DFUNCTION=... -DITEM=... -DOUTPUT=... -P embed_bytes.cmake
+# cmake -DFOLDER=... -DFUNCTION=... -DITEM=... -DOUTPUT=... [-DEXCLUDE=REGEX] -P embed_bytes.cmake
 # An item is {path, bytes}, or {path, type, bytes} where FOLDER holds a list of types (types.txt: "path<tab>type").
 
 set(types "")
@@ -8,6 +8,9 @@ if(EXISTS "${FOLDER}/types.txt")
 endif()
 file(GLOB_RECURSE names RELATIVE ${FOLDER} ${FOLDER}/*)
 list(REMOVE_ITEM names types.txt)
+if(EXCLUDE)
+  list(FILTER names EXCLUDE REGEX "${EXCLUDE}")
+endif()
 list(SORT names)
 
 set(externs "")

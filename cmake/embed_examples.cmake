@@ -1,4 +1,4 @@
-# Puts the bundled examples into the program: talus_embed_examples(target).
+# Puts the bundled examples into the program, but for that of the library: talus_embed_examples(target).
 
 set(TALUS_EMBED_BYTES_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_bytes.cmake)
 
@@ -9,6 +9,7 @@ function(talus_embed_examples target)
   add_custom_command(
     OUTPUT ${output}
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DFUNCTION=example_files -DITEM=ExampleFile -DOUTPUT=${output}
+            -DEXCLUDE=^library/
             -P ${TALUS_EMBED_BYTES_SCRIPT}
     DEPENDS ${files} ${TALUS_EMBED_BYTES_SCRIPT}
     COMMENT "Embedding the examples"
