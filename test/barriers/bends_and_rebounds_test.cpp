@@ -134,7 +134,7 @@ TEST(Collectors, OnTheLineOfABarrierRecordWhatArrives) {
               for (std::size_t k = 0; k < stopped.size(); ++k) {
                 EXPECT_EQ(recorded[k].outcome, BarrierOutcome::passed);
                 EXPECT_LT((recorded[k].motion.velocity - stopped[k].motion.velocity).norm(), 1e-6);
-                EXPECT_NEAR(recorded[k].motion.time, stopped[k].motion.time, same_crossing);
+                EXPECT_NEAR(recorded[k].motion.time, stopped[k].motion.time, tolerance::same_crossing);
                 EXPECT_NEAR(recorded[k].height, stopped[k].height, 1e-6);
               }
             }

@@ -78,10 +78,10 @@ TEST(LinearDrag, PiecesKeepTheirTolerance) {
   for (const double rate : {1e-3, 0.01, 0.1, 0.5, 1.0, 3.0, 10.0, 100.0}) {
     const LinearDrag drag{rate, gravity};
     const double farthest = farthest_below(drag, {20, -5, 8}, drag.longest_piece());
-    EXPECT_LE(farthest, piece_tolerance) << rate;
+    EXPECT_LE(farthest, tolerance::drag_piece) << rate;
     // Short enough, and no shorter than needed where the tolerance and not the rate decides.
     if (rate <= 1) {
-      EXPECT_GT(farthest, 0.5 * piece_tolerance) << rate;
+      EXPECT_GT(farthest, 0.5 * tolerance::drag_piece) << rate;
     }
   }
 }

@@ -89,7 +89,7 @@ TEST(ClosedForm, ObliqueConvergesToTheHodographAtSecondOrder) {
   const double angle = 0.6, mu = 0.4, psi0 = 1.9, v0 = 6, end = 0.8;
   const Vec3 n = normal_of_slope(angle);
   const Footing footing = Footing::on_plane(gravity, n);
-  const double pull = footing.pull.norm(), k = mu * footing.pressure / pull;
+  const double pull = footing.pull.norm(), k = mu * footing.normal_acceleration / pull;
   const Vec3 down = footing.pull / pull, across = n.cross(down);
   const double c = v0 * std::sin(psi0) / std::pow(std::tan(psi0 / 2), k);
   const auto speed = [&](double psi) { return c * std::pow(std::tan(psi / 2), k) / std::sin(psi); };
@@ -194,11 +194,11 @@ TEST(Sliding, HoldsWhereFrictionIsEnough) {
   const double angle = 0.4;
   const Footing footing = Footing::on_plane(gravity, normal_of_slope(angle));
   EXPECT_NEAR(footing.pull.norm(), standard_gravity * std::sin(angle), 1e-13);
-  EXPECT_NEAR(footing.pressure, standard_gravity * std::cos(angle), 1e-13);
+  EXPECT_NEAR(footing.normal_acceleration, standard_gravity * std::cos(angle), 1e-13);
   EXPECT_TRUE(holds(footing, std::tan(angle) + 1e-9));
   EXPECT_FALSE(holds(footing, std::tan(angle) - 1e-9));
   const Footing hanging = Footing::on_plane(gravity, {0, 0, -1});
-  EXPECT_LT(hanging.pressure, 0);
+  EXPECT_LT(hanging.normal_acceleration, 0);
   EXPECT_FALSE(holds(hanging, 100));
 }
 

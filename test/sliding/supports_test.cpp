@@ -27,14 +27,14 @@ TEST(Supports, KeepsEqualNormalsOnce) {
 TEST(FootingOn, NothingIsFreeFall) {
   const Footing footing = footing_on(gravity, Supports());
   EXPECT_EQ(footing.pull, gravity);
-  EXPECT_EQ(footing.pressure, 0);
+  EXPECT_EQ(footing.normal_acceleration, 0);
 }
 
 TEST(FootingOn, OnePlane) {
   const Vec3 n = Vec3(0.5, 0, 1).normalized();
   const Footing one = footing_on(gravity, supports_of({n})), plane = Footing::on_plane(gravity, n);
   EXPECT_LT((one.pull - plane.pull).norm(), 1e-14);
-  EXPECT_NEAR(one.pressure, plane.pressure, 1e-14);
+  EXPECT_NEAR(one.normal_acceleration, plane.normal_acceleration, 1e-14);
 }
 
 // A V along y, dipping: what remains is gravity along the valley.
@@ -44,13 +44,13 @@ TEST(FootingOn, AValleyLeadsAlongItself) {
   const Footing footing = footing_on(gravity, supports_of({left, right}));
   EXPECT_LT((footing.pull - gravity.dot(e) * e).norm(), 1e-12);
   const Vec3 carried = footing.pull - gravity;  // by both alike
-  EXPECT_NEAR(footing.pressure, 2 * carried.norm() / (left + right).norm(), 1e-12);
+  EXPECT_NEAR(footing.normal_acceleration, 2 * carried.norm() / (left + right).norm(), 1e-12);
 }
 
 TEST(FootingOn, APitHolds) {
   const Footing footing = footing_on(gravity, supports_of({{1, 0, 1}, {-0.5, 0.8, 1}, {-0.5, -0.8, 1}}));
   EXPECT_LT(footing.pull.norm(), 1e-12);
-  EXPECT_GT(footing.pressure, standard_gravity);
+  EXPECT_GT(footing.normal_acceleration, standard_gravity);
 }
 
 // A steep plane and a wall that faces away from where the rock goes: the plane alone carries.
@@ -74,7 +74,7 @@ TEST(FootingOn, IsTheProjectionOnTheCone) {
     const Footing footing = footing_on(gravity, supports);
     for (int k = 0; k < supports.count(); ++k) ASSERT_GE(footing.pull.dot(supports[k]), -1e-7);
     ASSERT_NEAR(footing.pull.dot(gravity - footing.pull), 0, 1e-5);
-    ASSERT_GE(footing.pressure, 0);
+    ASSERT_GE(footing.normal_acceleration, 0);
   }
 }
 
@@ -96,8 +96,8 @@ TEST(CaughtBetween, SharesTheLoadBetweenTheSides) {
   const Vec3 steep = Vec3(2, 0, 1).normalized(), gentle = Vec3(-1, 0, 3).normalized();
   const auto valley = caught_between(gravity, steep, gentle, {0, 0, 0}, 0.1);
   ASSERT_TRUE(valley);
-  const double on_first = valley->first_share * valley->footing.pressure;
-  const double on_second = valley->footing.pressure - on_first;
+  const double on_first = valley->first_share * valley->footing.normal_acceleration;
+  const double on_second = valley->footing.normal_acceleration - on_first;
   EXPECT_LT((on_first * steep + on_second * gentle + gravity - valley->footing.pull).norm(), 1e-12);
 }
 

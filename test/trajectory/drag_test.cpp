@@ -68,11 +68,11 @@ struct Exact {
 
 void expect_arrival(const Motion& found, const Exact& exact, double z) {
   // Between its ends a piece runs up to a millimetre low, so that a rock arrives that much early.
-  const double t = exact.falls_to(z), early = 1.1 * piece_tolerance / std::abs(exact.velocity(t).z());
+  const double t = exact.falls_to(z), early = 1.1 * tolerance::drag_piece / std::abs(exact.velocity(t).z());
   EXPECT_LE(found.time, t + 1e-9);
   EXPECT_GE(found.time, t - early);
   EXPECT_LT((found.velocity - exact.velocity(found.time)).norm(), 1e-9);
-  EXPECT_LT((found.position - exact.place(found.time)).norm(), piece_tolerance);
+  EXPECT_LT((found.position - exact.place(found.time)).norm(), tolerance::drag_piece);
 }
 
 TEST(Forest, AFallInItIsTheClosedForm) {

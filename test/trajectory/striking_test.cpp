@@ -60,7 +60,7 @@ TEST(Striking, ASecondContactInOnePlaceIsAValleyWhereGravityHoldsTheRockInIt) {
   EXPECT_TRUE(state.is_on_facet);
   EXPECT_NEAR(std::abs(state.valley.direction.y()), 1, 1e-15);
   // Each side carries half: N = g / (2 cos 45) both.
-  EXPECT_NEAR(state.valley.footing.pressure, standard_gravity * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(state.valley.footing.normal_acceleration, standard_gravity * std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(rock->motion.velocity.head<1>()[0], 0, 1e-15);
   EXPECT_NEAR(rock->motion.velocity.z(), 0, 1e-15);
 }

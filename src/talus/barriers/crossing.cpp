@@ -9,8 +9,7 @@ namespace talus {
 
 namespace {
 
-constexpr double by_rounding = 1e-6;  // by which ranges are widened [m]
-constexpr double on_border = 1e-9;    // by which a place may lie beyond an end and still belongs to it [m]
+using tolerance::same_crossing;
 
 // A range that holds p + v t + a t^2 / 2 for all t in [0, t_max], widened by `margin`.
 struct Range {
@@ -50,7 +49,8 @@ Place place_on(const Panel& panel, const Vec3& q) {
 }
 
 bool is_between_sides(const Panel& panel, const Place& place) {
-  return place.along >= panel.start_at(place.up) - on_border && place.along <= panel.end_at(place.up) + on_border;
+  return place.along >= panel.start_at(place.up) - tolerance::panel_border &&
+         place.along <= panel.end_at(place.up) + tolerance::panel_border;
 }
 
 Vec3 point_of(const Panel& panel, const Place& place) {
@@ -59,15 +59,20 @@ Vec3 point_of(const Panel& panel, const Place& place) {
 
 /// What neither comes nearer nor is drawn nearer, stays where it is. (Less than this is rounding.)
 bool draws_away(double speed, double acceleration) {
-  constexpr double none = 1e-9;  // [m/s], [m/s2]
-  return speed > none || (speed > -none && acceleration >= -none);
+  using tolerance::no_pressing;
+  return speed > no_pressing || (speed > -no_pressing && acceleration >= -no_pressing);
 }
 
 /// The first crossing of one rock's path.
 class Search {
  public:
   Search(const Parabola& path, double radius, double start, double t_max, const RecentCrossings& recent)
-      : path_(path), radius_(radius), margin_(radius + by_rounding), start_(start), t_max_(t_max), recent_(recent) {}
+      : path_(path),
+        radius_(radius),
+        margin_(radius + tolerance::barrier_range),
+        start_(start),
+        t_max_(t_max),
+        recent_(recent) {}
 
   [[nodiscard]] PlanBounds bounds() const {
     const Range x(path_.p.x(), path_.v.x(), path_.a.x(), t_max_, margin_),
@@ -118,7 +123,7 @@ class Search {
   template <class Meets>
   void come_near(const Vec3& point, const Vec3& normal, double distance, double t_max, Meets&& meets) const {
     const double h0 = normal.dot(path_.p - point), v = normal.dot(path_.v), a = normal.dot(path_.a);
-    const Range range(h0, v, a, t_max, distance + by_rounding);
+    const Range range(h0, v, a, t_max, distance + tolerance::barrier_range);
     if (range.low > 0 || range.high < 0) return;
     for (const double side : {1.0, -1.0}) {
       const Times times = zeros(h0 - side * distance, v, a);
@@ -202,13 +207,15 @@ class Search {
       const double along = from_start.head<2>().dot(plan) / plan.squaredNorm();
       const double over = from_start.z() - along * panel.along.z();
       const double length = panel.end_at(panel.height) - top_start;
-      if (over < -on_border || along < -on_border || along > length + on_border) return;
+      if (over < -tolerance::panel_border || along < -tolerance::panel_border ||
+          along > length + tolerance::panel_border)
+        return;
       const Place place{top_start + along, panel.height + std::max(over, 0.0) * panel.up.z()};
       Crossing crossing = hit(barrier, panel, t, place, side);
       const Vec3 distance = tangential(over * Vec3::UnitZ(), panel.along);
       const Vec3 way = tangential(path_.velocity(t), panel.along);
       const double nearest = &first == &first_collector_ ? distance.cross(way.normalized()).norm() : distance.norm();
-      crossing.above = nearest > radius_ + on_border;
+      crossing.above = nearest > radius_ + tolerance::panel_border;
       if (crossing.above) {
         crossing.clearance = over - radius_;
         crossing.normal = side * normal;

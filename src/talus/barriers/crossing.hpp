@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "talus/barriers/barrier.hpp"
+#include "talus/core/tolerances.hpp"
 #include "talus/flight/parabola.hpp"
 
 namespace talus {
@@ -32,9 +33,6 @@ struct Crossing {
   double station = 0;      // where along the line, on plan [m]
   bool from_ahead = true;  // from the side to which the panels' normals point
 };
-
-/// Crossings this close in time [s] are one: what one part of a path ends with, the next one does not begin with.
-inline constexpr double same_crossing = 1e-8;
 
 /// Barriers that a rock has just met, so that it does not meet them again at once where one part of its path ends and
 /// the next one begins. Times are the rock's.
@@ -62,7 +60,7 @@ class RecentCrossings {
   [[nodiscard]] bool contain(const Crossing& crossing, double time) const {
     return std::ranges::any_of(noted_, [&](const Noted& noted) {
       if (noted.barrier != crossing.barrier) return false;
-      if (time <= noted.time - same_crossing || time >= noted.until + same_crossing) return false;
+      if (time <= noted.time - tolerance::same_crossing || time >= noted.until + tolerance::same_crossing) return false;
       // What has passed above may come down on the panel.
       if (noted.above && !crossing.above) return false;
       return !(noted.was_thrown_back && noted.from_ahead == crossing.from_ahead);
@@ -76,7 +74,7 @@ class RecentCrossings {
   }
   /// What is over when a part of the path begins cannot be met again by it.
   void forget_before(double start) {
-    std::erase_if(noted_, [start](const Noted& noted) { return noted.until + same_crossing < start; });
+    std::erase_if(noted_, [start](const Noted& noted) { return noted.until + tolerance::same_crossing < start; });
   }
   /// Where times since `start` were noted on another clock, gives them the rock's: `time(t)` is how long it is from
   /// `start` until t on that clock.
@@ -96,7 +94,9 @@ class RecentCrossings {
     bool was_thrown_back, from_ahead, above;
     Vec3 normal;  // against the rock as it came
 
-    [[nodiscard]] bool is_passed_at(double at) const { return !was_thrown_back && std::abs(time - at) < same_crossing; }
+    [[nodiscard]] bool is_passed_at(double at) const {
+      return !was_thrown_back && std::abs(time - at) < tolerance::same_crossing;
+    }
   };
   void note(const Noted& noted) { noted_.push_back(noted); }
 

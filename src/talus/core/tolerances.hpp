@@ -17,6 +17,28 @@ inline constexpr double contact_slack = 1e-9;
 /// the outlines' slack (terrain/facet_contact.hpp): contacts at edges are lost. Larger: only slower.
 inline constexpr double box_pad = 1e-6;
 
+/// Under how flat an approach, as a ratio of tangential to normal speed, a contact beside an outline still belongs to
+/// the facet: a rock cannot fall on a facet more flatly; only rounding can.
+inline constexpr double flattest_approach = 1e4;
+/// More than a contact may ever lie outside the outline of its facet [m].
+inline constexpr double widest_slack = 2 * flattest_approach * contact_slack;
+
+/// Of a speed, so little along a direction is rounding.
+inline constexpr double share_by_rounding = 1e-9;
+
+/// Nearer to a facet than this, a place has the facet's own normal as the direction from it [m].
+inline constexpr double no_distance = 1e-6;
+
+/// A path that is lower than this under a facet where it leaves the model fell through it [m].
+inline constexpr double fell_through = 1e-6;
+
+/// Shorter times over a facet are rounding, between it and the next [s].
+inline constexpr double no_time = 1e-9;
+
+/// An edge or a vertex is one that a sphere can touch if what meets there falls away by more than this share of its
+/// length.
+inline constexpr double sharp_bend = 1e-9;
+
 /// Two facets whose normals have a greater cosine than 1 minus this are one plane (1.4e-6 rad apart): so far from each
 /// other that rounding cannot confuse it, so near that no rock could tell. Smaller: heights rounded to float make
 /// creases in planes, and every crease an impact. Larger: real bends are slid over.
@@ -41,6 +63,28 @@ inline constexpr double touching_plane = 1e-7;
 inline constexpr double at_pivot = 1e-4;
 
 // ---- motion along the ground ----
+
+/// Of friction's coefficient: by rounding alone a rock would never rest where nothing pulls.
+inline constexpr double friction_by_rounding = 1e-12;
+
+/// A pull with no more than this share across the heading keeps a rock on a straight line.
+inline constexpr double straight_pull = 1e-9;
+
+/// On cosines and on shares of gravity, where several facets carry a rock: supports that differ by less are one.
+inline constexpr double same_support = 1e-9;
+
+/// Reach within which a facet counts as touching a rock that may rest [m].
+inline constexpr double support_reach = 1e-6;
+
+/// Slip slower than this is rounding [m/s]; and so is a velocity: it has no heading that could be trusted, which may
+/// lead out of the ground or into it.
+inline constexpr double no_slip = 1e-9;
+inline constexpr double standstill = 1e-9;
+/// Slip slower than this is shown as rolling [m/s].
+inline constexpr double shown_as_rolling = 1e-6;
+
+/// Where drag leaves a velocity that would be off by less way than this in a step, the step may be a whole one [m].
+inline constexpr double unseen_way = 1e-4;
 
 /// Contacts so near each other are one contact with both facets [m]. Smaller: a rock between two facets strikes one
 /// after the other, to the limit of steps. Larger: a hop of a pebble becomes a slide in a valley.
@@ -86,12 +130,22 @@ inline constexpr double least_speed = 1e-300;
 
 // ---- forests ----
 
+/// How far below the exact path a piece of a flight with drag may run [m].
+inline constexpr double drag_piece = 1e-3;
+
 /// A forest is looked for at least once in so much of a flight [m]: shorter stays may be missed.
 inline constexpr double forest_step = 0.5;
 /// To which its border is then found [m].
 inline constexpr double forest_border = 1e-3;
 
 // ---- barriers ----
+
+/// By which ranges are widened in which a barrier may be met [m].
+inline constexpr double barrier_range = 1e-6;
+/// By which a place may lie beyond an end of a panel and still belongs to it [m].
+inline constexpr double panel_border = 1e-9;
+/// Crossings this close in time are one: what one part of a path ends with, the next one does not begin with [s].
+inline constexpr double same_crossing = 1e-8;
 
 /// What presses a rock against a barrier by less than this is rounding [m/s2], and so is a speed below it [m/s].
 inline constexpr double no_pressing = 1e-9;

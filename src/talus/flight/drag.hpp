@@ -11,20 +11,18 @@
 //   v = (1 - k s) v0 + s g,   p = p0 + s v0 + g (s + ln(1 - k s)/k)/k = p0 + s v0 + g (s^2/2 + k s^3/3 + ...):
 // straight on plan and almost a parabola in height. Surfaces and barriers, which know parabolas, are therefore asked
 // about pieces that are parabolas in s, each with the vertical acceleration that brings it to the exact height at its
-// end. Between its ends such a piece runs below the exact path, by at most `piece_tolerance`; velocities and times are
-// exact for its s. So energy cannot grow: of the exact path it does not, and a lower place has less.
+// end. Between its ends such a piece runs below the exact path, by at most `tolerance::drag_piece`; velocities and
+// times are exact for its s. So energy cannot grow: of the exact path it does not, and a lower place has less.
 //
 // Left out: a drag that grows with the square of the velocity, single trees, wind. The spin is not braked.
 // Checked by test/flight/drag_test.cpp.
 
 #include <cmath>
 
+#include "talus/core/tolerances.hpp"
 #include "talus/flight/parabola.hpp"
 
 namespace talus {
-
-/// How far below the exact path a piece may run [m].
-inline constexpr double piece_tolerance = 1e-3;
 
 /// 2 (-ln(1 - q) - q) / q^2 = 1 + 2 q/3 + q^2/2 + ...: how much more a piece bends down, in s, than a free flight, for
 /// q = k s in [0, 1).
@@ -57,10 +55,10 @@ struct LinearDrag {
   [[nodiscard]] bool sinks_evenly(const Vec3& v) const {
     return (v - gravity / rate).norm() < 1e-3 * gravity.norm() / rate;
   }
-  /// How long [s] a piece may be to keep `piece_tolerance`. Below the exact path it runs by k g (s^2 length - s^3)/3,
-  /// at most 4/81 k g length^3, and a third more where k length is a quarter.
+  /// How long [s] a piece may be to keep `tolerance::drag_piece`. Below the exact path it runs by k g (s^2 length -
+  /// s^3)/3, at most 4/81 k g length^3, and a third more where k length is a quarter.
   [[nodiscard]] double longest_piece() const {
-    const double by_height = std::cbrt(14 * piece_tolerance / (rate * gravity.norm()));
+    const double by_height = std::cbrt(14 * tolerance::drag_piece / (rate * gravity.norm()));
     return std::min(by_height, 0.25 / rate);
   }
 };

@@ -19,7 +19,7 @@ namespace talus {
                                          const Footing& footing, double mu, double timestep) {
   const double speed = velocity.norm(), pull = footing.pull.norm();
   const Vec3 heading = speed > 0 ? Vec3(velocity / speed) : pull > 0 ? Vec3(footing.pull / pull) : Vec3(Vec3::Zero());
-  const double drag = mu * footing.pressure;
+  const double drag = mu * footing.normal_acceleration;
   const auto braked = [&](const Vec3& a, double longest) {
     const double rate = a.dot(heading);
     Leg leg{{position, velocity, a}, longest, velocity + longest * a, spin};

@@ -27,8 +27,7 @@ namespace talus {
 /// timestep, where that is shorter, or where the rock goes at the velocity to which all forces bring it, but for less
 /// than a tenth of a millimetre in that time. `net` is the pull less the friction against the motion [m/s2].
 [[nodiscard]] inline double dragged_timestep(double rate, double timestep, const Vec3& net, const Vec3& velocity) {
-  constexpr double unseen = 1e-4;  // [m]
-  if (rate * timestep <= 0.1 || (net / rate - velocity).norm() * timestep < unseen) return timestep;
+  if (rate * timestep <= 0.1 || (net / rate - velocity).norm() * timestep < tolerance::unseen_way) return timestep;
   return 0.1 / rate;
 }
 
@@ -38,7 +37,7 @@ namespace talus {
                                      double share) {
   const double braking = share * rate * timestep;
   const double phi = -std::expm1(-braking) / braking;
-  return {phi * (footing.pull - rate * velocity), phi * footing.pressure};
+  return {phi * (footing.pull - rate * velocity), phi * footing.normal_acceleration};
 }
 
 /// A leg that lasts no longer than `longest` [s].

@@ -3,16 +3,18 @@
 // begins is the law's business (closed_form.hpp, stepped.hpp, rolling.hpp), where it is cut short - at a facet's edge,
 // at a barrier - the caller's.
 
+#include "talus/core/tolerances.hpp"
 #include "talus/flight/parabola.hpp"
 
 namespace talus {
 
-/// What pulls and what presses a rock that moves along the ground, per unit of its mass.
+/// What pulls a rock that moves along the ground, and what the ground carries of it, per unit of its mass.
 struct Footing {
-  Vec3 pull;            // gravity along the directions in which it can move [m/s2]
-  double pressure = 0;  // sum of the normal forces, over mass [m/s2]
+  Vec3 pull;                       // gravity along the directions in which it can move [m/s2]
+  double normal_acceleration = 0;  // sum of the normal forces, over its mass [m/s2]
 
-  /// On a facet of unit normal `n`. Pressure is negative where gravity pulls away from it.
+  /// On a facet of unit normal `n`. The normal acceleration is negative where gravity pulls away from
+  /// it.
   [[nodiscard]] static Footing on_plane(const Vec3& gravity, const Vec3& n) {
     const double gn = gravity.dot(n);
     return {gravity - gn * n, -gn};
@@ -21,13 +23,13 @@ struct Footing {
 
 /// Whether friction of coefficient `mu` keeps a rock there that does not move.
 [[nodiscard]] inline bool holds(const Footing& footing, double mu) {
-  constexpr double by_rounding = 1e-12;  // which alone would never let it rest where nothing pulls
-  return footing.pressure > 0 && footing.pull.norm() <= (mu + by_rounding) * footing.pressure;
+  return footing.normal_acceleration > 0 &&
+         footing.pull.norm() <= (mu + tolerance::friction_by_rounding) * footing.normal_acceleration;
 }
 
 /// Whether a rock with this heading stays on a straight line: the pull has no part across it but rounding.
 [[nodiscard]] inline bool is_straight(const Footing& footing, const Vec3& heading) {
-  return footing.pull.cross(heading).norm() <= 1e-9 * footing.pull.norm();
+  return footing.pull.cross(heading).norm() <= tolerance::straight_pull * footing.pull.norm();
 }
 
 /// What is left of a velocity when its part along the heading has come to zero.

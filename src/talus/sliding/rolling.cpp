@@ -6,10 +6,8 @@ namespace talus {
 
 namespace {
 
-// Slip slower than this [m/s] is rounding.
-constexpr double no_slip = 1e-9;
-// And so is a velocity: it has no heading that could be trusted, which may lead out of the ground or into it.
-constexpr double standstill = 1e-9;
+using tolerance::no_slip;
+using tolerance::standstill;
 
 Leg rolling_without_slip(const Vec3& position, const Vec3& velocity, const Vec3& spin, const Vec3& n, const Vec3& a,
                          const Footing& footing, double radius, double timestep) {
@@ -33,7 +31,7 @@ Leg rolling_without_slip(const Vec3& position, const Vec3& velocity, const Vec3&
 
 Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, const Vec3& n, const Footing& footing,
                 const Rock& rock, ContactFriction friction, double timestep) {
-  const double pressure = footing.pressure, r = rock.radius;
+  const double normal = footing.normal_acceleration, r = rock.radius;
   const double speed = velocity.norm(), pull = footing.pull.norm();
   const Vec3 heading = speed > standstill ? Vec3(velocity / speed)
                        : pull > 0         ? Vec3(footing.pull / pull)
@@ -41,12 +39,12 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
   const Vec3 slip = slip_velocity(velocity, spin, n, r);
   Vec3 slip_heading;
   if (slip.norm() <= no_slip) {
-    const double resistance = friction.rolling * pressure;
+    const double resistance = friction.rolling * normal;
     // What stands is held by it and not driven.
     const double resisting = speed > standstill ? resistance : std::min(resistance, pull);
     const Vec3 a = rolling_share(rock) * (footing.pull - resisting * heading);
     const Vec3 needed = a - footing.pull;
-    if (needed.norm() <= friction.dynamic * pressure) {
+    if (needed.norm() <= friction.dynamic * normal) {
       return rolling_without_slip(position, velocity, spin, n, a, footing, r, timestep);
     }
     slip_heading = -needed.normalized();
@@ -54,8 +52,8 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
     slip_heading = slip.normalized();
   }
 
-  const Vec3 a = footing.pull - friction.dynamic * pressure * slip_heading;
-  const double moment = rock.mass * pressure * r / rock.inertia;
+  const Vec3 a = footing.pull - friction.dynamic * normal * slip_heading;
+  const double moment = rock.mass * normal * r / rock.inertia;
   const Vec3 spun_up = friction.dynamic * moment * n.cross(slip_heading);
   const Vec3 tangential_spin = tangential(spin, n);
   const double spin_rate = tangential_spin.norm();

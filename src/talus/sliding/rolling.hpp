@@ -1,7 +1,8 @@
 #pragma once
 // A rigid sphere that stays in contact: it rolls, or slips under Coulomb friction, with rolling resistance.
 //
-// Per unit of mass, with n the normal, N the pressure, g_t the pull, I = 2/5 m r^2, u = v + r n x w the slip velocity:
+// Per unit of mass, with n the normal, N the normal acceleration, g_t the pull, I = 2/5 m r^2, u = v + r n x w the slip
+// velocity:
 //  - rolling (u = 0): a = 5/7 (g_t - mu_r N v/|v|), held by the friction -2/7 g_t - 5/7 mu_r N v/|v|; the contact slips
 //    where that exceeds mu N. Straight down a plane this is a = 5/7 g (sin a - mu_r cos a). Along a valley, where the
 //    distance of the contacts from the axis is less than the radius, m r^2 / (m r^2 + I) stands for 5/7.

@@ -1,8 +1,8 @@
 #pragma once
 // Sliding of a lumped mass by steps: semi-implicit Euler, velocity first, then position. This is RocFall3 (verification
-// manual, tables A-2 and B-2). Acceleration: the pull along the facet, less tan(phi) times the pressure against the
-// motion (section 3.3.3). A step in which the speed would change sign is cut short where it is zero and moves nothing.
-// Spin does not change while sliding.
+// manual, tables A-2 and B-2). Acceleration: the pull along the facet, less tan(phi) times the normal acceleration
+// against the motion (section 3.3.3). A step in which the speed would change sign is cut short where it is zero and
+// moves nothing. Spin does not change while sliding.
 
 #include "talus/sliding/leg.hpp"
 
@@ -13,7 +13,7 @@ namespace talus {
                                      const Footing& footing, double mu, double timestep) {
   const double speed = velocity.norm(), pull = footing.pull.norm();
   const Vec3 heading = speed > 0 ? Vec3(velocity / speed) : pull > 0 ? Vec3(footing.pull / pull) : Vec3(Vec3::Zero());
-  const double drag = mu * footing.pressure;
+  const double drag = mu * footing.normal_acceleration;
   const Vec3 pulled = velocity + timestep * footing.pull;
   Leg leg;
   leg.end_spin = spin;

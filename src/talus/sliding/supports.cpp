@@ -6,13 +6,13 @@ namespace talus {
 
 namespace {
 
-constexpr double tolerance = 1e-9;  // on cosines and on shares of gravity
+using tolerance::same_support;
 
 }  // namespace
 
 void Supports::add(const Vec3& n) {
   for (int i = 0; i < count_; ++i) {
-    if ((*this)[i].dot(n) > 1 - tolerance) return;
+    if ((*this)[i].dot(n) > 1 - same_support) return;
   }
   if (count_ < static_cast<int>(normals_.size())) normals_[static_cast<std::size_t>(count_++)] = n;
 }
@@ -21,7 +21,7 @@ Footing footing_on(const Vec3& gravity, const Supports& supports) {
   const double g = gravity.norm();
   const auto enters_none = [&](const Vec3& a) {
     for (int i = 0; i < supports.count(); ++i) {
-      if (a.dot(supports[i]) < -tolerance * g) return false;
+      if (a.dot(supports[i]) < -same_support * g) return false;
     }
     return true;
   };
@@ -35,7 +35,7 @@ Footing footing_on(const Vec3& gravity, const Supports& supports) {
   for (int i = 0; i < n; ++i) {
     for (int j = i + 1; j < n; ++j) {
       const double c = supports[i].dot(supports[j]), s = 1 - c * c;
-      if (s < tolerance) continue;
+      if (s < same_support) continue;
       const double bi = -gravity.dot(supports[i]), bj = -gravity.dot(supports[j]);
       const double fi = (bi - c * bj) / s, fj = (bj - c * bi) / s;
       const Vec3 left = gravity + fi * supports[i] + fj * supports[j];
@@ -47,7 +47,7 @@ Footing footing_on(const Vec3& gravity, const Supports& supports) {
       for (int k = j + 1; k < n; ++k) {
         Mat3 normals;
         normals << supports[i], supports[j], supports[k];
-        if (std::abs(normals.determinant()) < tolerance) continue;
+        if (std::abs(normals.determinant()) < same_support) continue;
         const Vec3 forces = normals.inverse() * -gravity;
         if (forces.minCoeff() >= 0) return {Vec3::Zero(), forces.sum()};
       }
@@ -60,7 +60,7 @@ std::optional<Valley> caught_between(const Vec3& gravity, const Vec3& first, con
                                      double cutoff) {
   const Vec3 edge = first.cross(second);
   const double sine = edge.norm();
-  if (sine < tolerance) return std::nullopt;
+  if (sine < same_support) return std::nullopt;
   const Vec3 e = edge / sine;
   // In each plane, straight away from the other one.
   Vec3 out_on_second = e.cross(second), out_on_first = e.cross(first);

@@ -15,21 +15,22 @@ namespace talus {
 /// contact.
 [[nodiscard]] inline double clear_way(const Vec3& n, const Vec3& centre, double radius, const Outline& facet,
                                       double distance) {
-  constexpr double beside = 2e-5;  // further than a facet's slack reaches (outline_slack) [m]
-  constexpr double touching = tolerance::touching_plane;
+  using tolerance::touching_plane;
   const double height = facet.normal.dot(centre - facet.point) - radius;  // over its plane
-  const double rate = std::max(facet.normal.cross(n).norm(), 1e-300);     // at which that changes at the most
-  double way = std::max(distance - radius, height / rate) - beside;
+  const double rate =
+      std::max(facet.normal.cross(n).norm(), tolerance::least_speed);  // at which that changes at the most
+  double way = std::max(distance - radius, height / rate) - tolerance::widest_slack;
   // The plane that carries it does so as long as it is in it.
-  if (facet.normal.dot(n) > 1 - same_plane) way = std::max(way, (touching - std::abs(height)) / rate);
+  if (facet.normal.dot(n) > 1 - same_plane) way = std::max(way, (touching_plane - std::abs(height)) / rate);
   double highest = -std::numeric_limits<double>::infinity();  // over the plane on which it rolls
   for (std::size_t k = 0; k < static_cast<std::size_t>(facet.edge_count); ++k) {
     highest = std::max(highest, n.dot(facet.edges[k].point - centre) + radius);
   }
-  if (highest <= touching) {
+  if (highest <= touching_plane) {
     // What does not rise from the plane is touched only where the sphere stands on it.
-    const double nearest = distance * distance - (radius + touching) * (radius + touching);
-    way = std::max(way, std::sqrt(std::max(nearest, 0.0)) - std::sqrt(4 * radius * touching) - beside);
+    const double nearest = distance * distance - (radius + touching_plane) * (radius + touching_plane);
+    way = std::max(
+        way, std::sqrt(std::max(nearest, 0.0)) - std::sqrt(4 * radius * touching_plane) - tolerance::widest_slack);
   }
   return way;
 }

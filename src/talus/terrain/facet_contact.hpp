@@ -66,18 +66,17 @@ void meet_sphere(const Parabola& path, SpherePath kind, double radius, const Tim
 [[nodiscard]] Vec3 closest_point(const Triangle& corner, const Vec3& p);
 
 /// How far outside a facet's outline [m] a contact may lie and still belong to it: what a facet of thickness
-/// contact_slack shows to a path that comes in under the given ratio of tangential to normal speed. Beyond a ratio of
-/// 1e4 it grows no further (a rock cannot fall on a facet so flatly; only rounding can).
+/// contact_slack shows to a path that comes in under the given ratio of tangential to normal speed.
 [[nodiscard]] inline double outline_slack(double tangential_speed, double normal_speed) {
-  return contact_slack * (1 + std::min(tangential_speed / std::max(normal_speed, 1e-300), 1e4));
+  return contact_slack * (1 + std::min(tangential_speed / std::max(normal_speed, tolerance::least_speed),
+                                       tolerance::flattest_approach));
 }
 
 /// Whether a sphere that touches a facet's plane where its path begins, beside the facet, goes further away from it: it
 /// leaves what it has been on. `inside` and `rate`: the distance from a side, and how fast that grows. (Not asked of a
 /// point, which may be beside a facet by rounding where a wall rises from it. A sphere keeps its distance from that.)
 [[nodiscard]] inline bool leaves_side(double t, double inside, double rate, double speed) {
-  constexpr double along = 1e-9;  // of the speed: so little of it is rounding
-  return t == 0 && inside < 0 && rate < -along * speed;
+  return t == 0 && inside < 0 && rate < -tolerance::share_by_rounding * speed;
 }
 /// Which way a path begins: as it moves, or where it stands as it is driven.
 [[nodiscard]] inline const Vec3& first_way(const Parabola& path) { return path.v.isZero(0) ? path.a : path.v; }
@@ -134,7 +133,7 @@ void meet_sides(const Parabola& path, SpherePath kind, double radius, const Time
   const auto offer = [&](double t, const Vec3& away, Feature feature, std::size_t what) {
     const Vec3 out = away.normalized();
     // A rock that rolls on a plane touches that plane's own edges from above, which is no new contact.
-    if (kind == SpherePath::leg && left.contain(out, 1e-9)) return;
+    if (kind == SpherePath::leg && left.contain(out, tolerance::facet_normal)) return;
     if (!best.beaten_by(t, feature, name.source) || !sharp(what, t)) return;
     best = {t, out, name.facet, name.source, feature};
   };

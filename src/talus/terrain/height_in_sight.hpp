@@ -30,7 +30,7 @@ class HeightInSight {
  public:
   /// `flight` is how long the whole flight is [s].
   HeightInSight(const OverPlane& ground, double half_a, double flight)
-      : ground_(ground), half_a_(half_a), is_instant_(flight <= instant) {
+      : ground_(ground), half_a_(half_a), is_instant_(flight <= tolerance::no_time) {
     // Ground that the flight is over for an instant only goes on beside it, or ends.
     if (is_instant_ || !lasts_an_instant(ground.window)) seen_.push_back(ground.window);
   }
@@ -68,10 +68,8 @@ class HeightInSight {
   }
 
  private:
-  // Shorter times [s] are rounding, between one facet and the next.
-  static constexpr double instant = 1e-9;
   [[nodiscard]] static bool lasts_an_instant(const TimeWindow& window) {
-    return window.leave - window.enter <= instant;
+    return window.leave - window.enter <= tolerance::no_time;
   }
 
   void take_away(const TimeWindow& hidden) {

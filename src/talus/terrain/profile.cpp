@@ -17,8 +17,7 @@ namespace {
 // Folded profiles of fewer segments are searched one by one, which is faster than any tree.
 constexpr std::size_t short_profile = 48;
 
-// More than a contact may ever lie outside the end of its segment [m].
-constexpr double widest_slack = 2e4 * contact_slack;
+using tolerance::widest_slack;
 
 Vec3 in_plane(const Vec3& v) { return {v.x(), 0, v.z()}; }
 
@@ -68,7 +67,7 @@ void Profile::move_vertices(std::span<const Vec2> vertices) {
     segment.a = {vertices[k].x(), 0, vertices[k].y()};
     segment.along = Vec3(d.x(), 0, d.y()) / segment.length;
     segment.normal = {-segment.along.z(), 0, segment.along.x()};
-    segment.sharp_start = k == 0 || segments_[k - 1].normal.dot(segment.along) < -1e-9;
+    segment.sharp_start = k == 0 || segments_[k - 1].normal.dot(segment.along) < -tolerance::sharp_bend;
     segment.sharp_end = k + 1 == segments_.size();
     if (!(segment.normal.z() > 0)) is_height_field_ = false;
   }
@@ -131,7 +130,8 @@ void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t
     const auto touch = touch_point(planar, q, radius, {0, best.t});
     if (!touch) return;
     const Vec3 out = (planar.at(*touch) - q).normalized();
-    if (kind == Path::leg && left.contain(out, 1e-9)) return;  // the plane that it rolls on ends there
+    if (kind == Path::leg && left.contain(out, tolerance::facet_normal))
+      return;  // the plane that it rolls on ends there
     best.offer(*touch, Feature::edge, owner, out);
   };
   // Where two segments meet the corner belongs to the first, as the edges of a mesh do.
@@ -167,7 +167,7 @@ Exit Profile::exit(const Parabola& path) const {
   // A disc may touch the end while its centre is beyond it: it has left already.
   if (path.p.x() <= bounds_.low.x() || path.p.x() >= bounds_.high.x()) return {0, false};
   // A profile that overhangs beyond its own end can be left below that end; one that does not, cannot.
-  return {t, x_end == end && path.z(t) < z_end - 1e-6};
+  return {t, x_end == end && path.z(t) < z_end - tolerance::fell_through};
 }
 
 std::optional<OverPlane> Profile::over_segment(const Segment& segment, const Parabola& path, double t_end) {

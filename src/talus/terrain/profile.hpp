@@ -27,7 +27,8 @@ class Profile {
   [[nodiscard]] bool may_overhang() const { return !is_height_field_; }
   [[nodiscard]] std::uint32_t source(FacetId facet) const { return facet.index; }
 
-  // What TerrainSurface says (surface.hpp); here a sphere is a disc in the plane y = 0, whose contacts are the sphere's.
+  // What TerrainSurface says (surface.hpp); here a sphere is a disc in the plane y = 0, whose contacts are the
+  // sphere's.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const LeftPlanes& left = {}) const;
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
@@ -85,7 +86,7 @@ void Profile::supports(const Vec3& centre, double radius, double reach, Touch&& 
     away.y() = 0;
     const double distance = away.norm();
     if (distance > radius + reach) continue;
-    touch(distance > 1e-6 ? Vec3(away / distance) : segment.normal,
+    touch(distance > tolerance::no_distance ? Vec3(away / distance) : segment.normal,
           Vec3(segment.a + 0.5 * segment.length * segment.along), distance, FacetId{index_of(segment)});
   }
 }

@@ -467,7 +467,7 @@ bool RasterSurface::is_sharp_edge(FacetId facet, std::size_t side) const {
     lowest = std::min(lowest, n.dot(corner - here[side]));
     reach = std::max(reach, (corner - here[side]).norm());
   }
-  return lowest < -1e-9 * reach;
+  return lowest < -tolerance::sharp_bend * reach;
 }
 
 bool RasterSurface::is_sharp_vertex(const Vec3& vertex) const {

@@ -201,7 +201,7 @@ void RasterSurface::meet_in_cell(const Parabola& path, const GridWalk& at, const
   const Cell here = cell_at(at.node());
   if (!here.has_data()) return;
   // From the diagonal, in cells: further than a facet's slack reaches (outline_slack), whatever the cell's size.
-  const double beside = 1e-4 + 2e-5 / std::min(grid_.dx, grid_.dy);
+  const double beside = 1e-4 + tolerance::widest_slack / std::min(grid_.dx, grid_.dy);
   const double t0 = at.enter(), t1 = at.leave();
   const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
   // How far within the first facet it is on plan: rises across the diagonal to 1 at the far corner.

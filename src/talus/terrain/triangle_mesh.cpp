@@ -94,7 +94,7 @@ void TriangleMesh::find_sharp_features(std::span<const Corners> triangles) {
           lowest = std::min(lowest, n.dot(corner - facet.corner[c]));
           reach = std::max(reach, (corner - facet.corner[c]).norm());
         }
-        sharp = lowest < -1e-9 * reach;
+        sharp = lowest < -tolerance::sharp_bend * reach;
         owned = facet.source < other.source;
       }
       if (!sharp) continue;
@@ -222,15 +222,15 @@ Exit TriangleMesh::exit(const Parabola& path) const {
   const double t_end = falling_root(path.p.z() - floor + 1, path.v.z(), path.a.z(), 1e300).value_or(0);
   // Since it meets nothing, it has left where it is above ground for the last time: at a rim, or at a brow with nothing
   // beyond. If that is within a facet, it fell through.
-  constexpr double beneath = 1e-6;  // [m]
+  using tolerance::fell_through;
   double last = -1;
   bool falls_through = false;
   const auto look = [&](const OverPlane& over, std::uint32_t k) {
-    if (greatest_over(over, half_g) < -beneath) return;  // the facet is above the path
+    if (greatest_over(over, half_g) < -fell_through) return;  // the facet is above the path
     double end = over.window.leave;
-    const bool crosses = over.h0 + end * (over.h1 + half_g * end) < -beneath;
+    const bool crosses = over.h0 + end * (over.h1 + half_g * end) < -fell_through;
     if (crosses) {
-      end = falling_root(over.h0 + beneath, over.h1, path.a.z(), 1e300).value_or(end);
+      end = falling_root(over.h0 + fell_through, over.h1, path.a.z(), 1e300).value_or(end);
     } else {
       // The slack tells over what it is, and not when it is there no more.
       const double without = time_over(facets_[k].corner, path.p.head<2>(), path.v.head<2>(), t_end).leave;

@@ -109,7 +109,7 @@ void TriangleMesh::supports(const Vec3& centre, double radius, double reach, Tou
                      const double distance = away.norm();
                      if (distance > range) continue;
                      const auto& corner = facets_[k].corner;
-                     touch(distance > 1e-6 ? Vec3(away / distance) : normal({k}),
+                     touch(distance > tolerance::no_distance ? Vec3(away / distance) : normal({k}),
                            Vec3((corner[0] + corner[1] + corner[2]) / 3), distance, FacetId{k});
                    }
                  });

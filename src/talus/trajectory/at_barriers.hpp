@@ -81,7 +81,7 @@ template <class Surface>
 template <class Surface>
 [[nodiscard]] bool is_driven_onto(const MovingRock<Surface>& rock, const Crossing& crossing, const GroundBeneath& on) {
   const Vec3& n = crossing.normal;
-  return rock.reach > 0 && !on.valley && !crossing.above && crossing.t < same_crossing &&
+  return rock.reach > 0 && !on.valley && !crossing.above && crossing.t < tolerance::same_crossing &&
          !rock.barriers[crossing.barrier.index].is_collector && rock.motion.velocity.dot(n) > -tolerance::no_pressing &&
          on.footing.pull.dot(n) > -tolerance::no_pressing;
 }

@@ -33,7 +33,7 @@ template <class Surface>
 template <class Surface>
 [[nodiscard]] double longest_leg_on_edge(const MovingRock<Surface>& rock, const GroundFriction& friction,
                                          const Footing& footing) {
-  const double braking = friction.sphere.dynamic * std::max(footing.pressure, 0.0);
+  const double braking = friction.sphere.dynamic * std::max(footing.normal_acceleration, 0.0);
   return std::min(rock.laws.timestep, time_for_way(tolerance::edge_step * rock.reach, rock.motion.velocity.norm(),
                                                    footing.pull.norm() + braking));
 }

@@ -6,8 +6,6 @@
 
 namespace talus {
 
-class RasterSurface;
-
 /// How a flight ends: on the ground, at the end of the model, or - where it has neither - only in time.
 struct FlightEnd {
   double t;  // [s]

@@ -36,7 +36,7 @@ template <class Surface>
   glide.speed = std::sqrt(glide.vx * glide.vx + glide.vy * glide.vy);
   glide.time = motion.time;
   glide.gain = laws.timestep * pull;
-  glide.braking = laws.timestep * state.friction.mu * footing.pressure;
+  glide.braking = laws.timestep * state.friction.mu * footing.normal_acceleration;
   const double way = free_way(rock.barriers, start, rock.reach);
   glide.squared_way = way * way;
   const Outline& outline = rock.outline_of(state.on.facet);

@@ -61,9 +61,9 @@ template <class Surface, class State>
   const Vec3& velocity = rock.motion.velocity;
   const bool rolls = rock.is_sphere() && rock.state_on(state.on.normal) == PathState::rolling;
   const RollingPlane plane = rolling_plane(rock, state);
-  const double friction = footing.pressure * (rolls              ? plane.friction.rolling
-                                              : rock.is_sphere() ? plane.friction.dynamic
-                                                                 : state.friction.mu);
+  const double friction = footing.normal_acceleration * (rolls              ? plane.friction.rolling
+                                                         : rock.is_sphere() ? plane.friction.dynamic
+                                                                            : state.friction.mu);
   const Vec3 net = footing.pull - friction / std::max(velocity.norm(), tolerance::least_speed) * velocity;
   const double timestep = dragged_timestep(drag, longest, net, velocity);
   const double share = rolls ? rolling_share(plane.rock) : 1;
@@ -88,15 +88,17 @@ template <class Surface, class State>
     if (crawl > 0) f.pull *= std::max(0.0, 1 - crawl / std::max(pull, tolerance::least_speed));
     return rock.is_sphere() ? holds(f, rolling_plane(rock, state).friction) : holds(f, state.friction.mu);
   };
-  if (is_held(footing)) return !to_the_end || speed < 1e-9;  // the closed form slides until it stands
+  if (is_held(footing)) return !to_the_end || speed < tolerance::standstill;  // the closed form slides until it stands
   // In a corner of several facets it may be held where one of them alone would not.
   Supports supports;
   supports.add(state.on.normal);
-  rock.surface.supports(motion.position, rock.reach, 1e-6, [&](const Vec3& n, const Vec3& middle, double, FacetId) {
-    // A point on a ridge touches both its sides and is caught between neither: only what rises from here counts.
-    const bool rises = (middle - motion.position).dot(state.on.normal) > 0;
-    if (rock.reach > 0 || rises) supports.add(n);
-  });
+  rock.surface.supports(motion.position, rock.reach, tolerance::support_reach,
+                        [&](const Vec3& n, const Vec3& middle, double, FacetId) {
+                          // A point on a ridge touches both its sides and is caught between neither: only what rises
+                          // from here counts.
+                          const bool rises = (middle - motion.position).dot(state.on.normal) > 0;
+                          if (rock.reach > 0 || rises) supports.add(n);
+                        });
   return supports.count() > 1 && is_held(footing_on(rock.laws.gravity, supports));
 }
 

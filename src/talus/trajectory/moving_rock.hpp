@@ -10,6 +10,7 @@
 #include "talus/barriers/crossing.hpp"
 #include "talus/core/tolerances.hpp"
 #include "talus/impact/law.hpp"
+#include "talus/terrain/surface.hpp"
 #include "talus/trajectory/kept_outlines.hpp"
 #include "talus/trajectory/piece_maxima.hpp"
 #include "talus/trajectory/rock_path.hpp"
@@ -70,7 +71,7 @@ struct ClearWay {
   double way = 0, until = 0;  // [m]
 };
 
-template <class Surface>
+template <TerrainSurface Surface>
 class MovingRock {
  public:
   MovingRock(const Scene<Surface>& scene, const Release& release, const Draws& draws, RockLog& rock_log)
@@ -165,7 +166,7 @@ class MovingRock {
   [[nodiscard]] PathState state_on(const Vec3& normal) const {
     if (!is_sphere()) return PathState::sliding;
     const Vec3 slip = slip_velocity(motion.velocity, motion.spin, normal, rock.radius);
-    return slip.norm() < 1e-6 ? PathState::rolling : PathState::sliding;
+    return slip.norm() < tolerance::shown_as_rolling ? PathState::rolling : PathState::sliding;
   }
   /// How it leaves the model that goes on in free flight from a place, if it does at once.
   [[nodiscard]] std::optional<Exit> exit_from(const Vec3& position, const Vec3& velocity) const {

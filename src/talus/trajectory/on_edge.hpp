@@ -14,7 +14,7 @@ namespace talus {
 template <class Surface>
 [[nodiscard]] Footing footing_of(MovingRock<Surface>& rock, const OnEdge& state) {
   Footing footing = Footing::on_plane(rock.laws.gravity, state.on.normal);
-  footing.pressure = std::max(0.0, normal_acceleration_on_edge(rock, state.on));
+  footing.normal_acceleration = std::max(0.0, normal_acceleration_on_edge(rock, state.on));
   return footing;
 }
 

@@ -5,6 +5,9 @@
 #include <optional>
 
 #include "talus/core/stop.hpp"
+#include "talus/terrain/profile.hpp"
+#include "talus/terrain/raster_surface.hpp"
+#include "talus/terrain/triangle_mesh.hpp"
 #include "talus/trajectory/flying_among_trees.hpp"
 #include "talus/trajectory/gliding.hpp"
 #include "talus/trajectory/in_valley.hpp"
@@ -13,11 +16,7 @@
 
 namespace talus {
 
-class Profile;
-class RasterSurface;
-class TriangleMesh;
-
-template <class Surface>
+template <TerrainSurface Surface>
 class RockRun {
  public:
   RockRun(const Scene<Surface>& scene, const Release& release, const Draws& draws, RockLog& log)
@@ -61,7 +60,7 @@ class RockRun {
 };
 
 /// Each state knows what comes after it. A state that is not handled here does not compile.
-template <class Surface>
+template <TerrainSurface Surface>
 void RockRun<Surface>::go_on_from_state() {
   struct Proceed {
     MovingRock<Surface>& rock;
@@ -82,7 +81,7 @@ void RockRun<Surface>::go_on_from_state() {
 
 /// Legs that last as long as their timestep are limited by the time that a rock may take; of shorter ones a hundred
 /// count as a step, so that what takes no time has an end as well.
-template <class Surface>
+template <TerrainSurface Surface>
 void RockRun<Surface>::take(std::optional<NextState> next, double start) {
   constexpr std::int64_t legs_a_step = 100;
   if (next && !next->is_same_stretch) return begin(std::move(next->state));
@@ -94,7 +93,7 @@ void RockRun<Surface>::take(std::optional<NextState> next, double start) {
 }
 
 /// What is checked before anything happens in a flight or a stretch along the ground.
-template <class Surface>
+template <TerrainSurface Surface>
 void RockRun<Surface>::begin(RockState state) {
   state_ = std::move(state);
   rock_.stretch = {};
@@ -106,7 +105,7 @@ void RockRun<Surface>::begin(RockState state) {
   }
 }
 
-template <class Surface>
+template <TerrainSurface Surface>
 bool RockRun<Surface>::begin_glide() {
   const auto* facet = std::get_if<OnFacet>(&state_);
   if (facet == nullptr) return false;
@@ -114,7 +113,7 @@ bool RockRun<Surface>::begin_glide() {
   return glide_.has_value();
 }
 
-template <class Surface>
+template <TerrainSurface Surface>
 auto RockRun<Surface>::go_on(const StopScope* stop) -> Pause {
   if (!std::exchange(has_begun_, true)) {
     rock_.outcome.start = rock_.motion;
@@ -139,7 +138,7 @@ auto RockRun<Surface>::go_on(const StopScope* stop) -> Pause {
   return Pause::ended;
 }
 
-template <class Surface>
+template <TerrainSurface Surface>
 bool RockRun<Surface>::step_alone() {
   const GlideLaws laws = glide_laws(rock_.laws);
   Glide& glide = glide_->glide;
@@ -148,7 +147,7 @@ bool RockRun<Surface>::step_alone() {
   return true;
 }
 
-template <class Surface>
+template <TerrainSurface Surface>
 RockOutcome RockRun<Surface>::follow() {
   while (go_on() == Pause::glides) {
     while (step_alone()) {
