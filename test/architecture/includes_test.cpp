@@ -29,9 +29,6 @@ constexpr std::array file_format_libraries{"gdal", "ogr", "cpl_", "proj.h", "ass
 
 constexpr std::size_t longest_file = 550;  // lines
 
-// One list, of which every entry is alike: the declaration of all settings.
-const std::string list_of_settings = "settings.cpp";
-
 struct Include {
   std::string name;
   std::size_t line = 0;
@@ -207,10 +204,8 @@ TEST(Architecture, FilesOfTheSourceStaySmall) {
   for (const fs::path& file : page_sources())
     EXPECT_LE(lines_of(file).size(), longest_file) << file << " has outgrown one idea";
   for (const char* part : {"src", "app"}) {
-    for (const fs::path& file : sources(root / part)) {
-      if (file.filename() == list_of_settings) continue;
+    for (const fs::path& file : sources(root / part))
       EXPECT_LE(lines_of(file).size(), longest_file) << file << " has outgrown one idea";
-    }
   }
 }
 

@@ -710,7 +710,7 @@ TEST(ReferencePage, IsNotStale) {
   std::ostringstream text;
   text << stream.rdbuf();
   EXPECT_TRUE(text.str() == reference_page())
-      << "docs/project-file.md does not say what settings.cpp says; run this test with TALUS_RENEW_REFERENCE=1";
+      << "docs/project-file.md does not say what the declaration says; run this test with TALUS_RENEW_REFERENCE=1";
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ std::string rows_of(const Table& table) {
 std::string reference_page() {
   std::string page = R"(# The project file
 
-<!-- Made from the declaration of the settings (src/talus/project/settings.cpp) by reference.cpp; not written by hand.
+<!-- Made from the declaration of the settings (src/talus/project/settings) by reference.cpp; not written by hand.
      To renew it: TALUS_RENEW_REFERENCE=1 and run the test ReferencePage.IsNotStale. -->
 
 A project is one TOML file. Units are in the names of the keys. A key that is not listed here is an error, and so is a

@@ -1,0 +1,82 @@
+#pragma once
+// Ranges that several tables share, and what a number out of them, or an unlikely one, was probably meant to be.
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "talus/project/settings.hpp"
+#include "talus/meshing/cleaning.hpp"
+
+namespace talus::project::declared {
+
+/// The most rocks of one seeder, and of all: far beyond any campaign, far below where 64-bit sums overflow.
+constexpr double most_rocks = 1e12;
+
+// Numbers beyond what any engineer meets, and so far inside what a double holds that no product of them overflows: the
+// energies, times and ways that follow from them stay numbers.
+constexpr double least_mass_kg = 1e-9, most_mass_kg = 1e12;
+constexpr double least_volume_m3 = 1e-12, most_volume_m3 = 1e9;
+constexpr double least_diameter_m = 1e-4, most_diameter_m = 1e5;
+constexpr double most_speed_m_s = 1e4;
+constexpr double most_rotation_deg_s = 1e6;
+constexpr double least_gravity_m_s2 = 1e-6, most_gravity_m_s2 = 1e3;
+constexpr double most_time_s = 1e6;
+constexpr double most_height_m = 1e4;  // of what stands on the ground
+constexpr double most_energy_kJ = 1e20;
+constexpr double most_drag_kg_s = 1e12;
+constexpr double most_factor = 1e6;  // of what has no unit, and of drags of the ground
+constexpr double most_exponent = 100;
+constexpr std::size_t most_percentiles = 20;  // each is a map a quantity, or a column
+
+constexpr std::string_view within_places = "places are given in metres";
+constexpr std::string_view too_fast = "no rock falls so fast";
+constexpr std::string_view too_heavy = "no rock is so heavy";
+
+constexpr Range at_least(double least, std::string_view why = {}) { return {.least = least, .too_low = why}; }
+constexpr Range between(double least, double most) { return {.least = least, .most = most}; }
+/// From nothing, or from more than nothing, up to what no engineer meets.
+constexpr Range up_to(double most, std::string_view too_low = {}, std::string_view too_high = {}) {
+  return {.least = 0, .most = most, .too_low = too_low, .too_high = too_high};
+}
+constexpr Range above_0_up_to(double most, std::string_view too_low = {}, std::string_view too_high = {}) {
+  return {.least = 0, .most = most, .least_excluded = true, .too_low = too_low, .too_high = too_high};
+}
+constexpr Range within(double size, std::string_view why = {}) {
+  return {.least = -size, .most = size, .too_low = why, .too_high = why};
+}
+/// Coordinates, as those of terrains. (Those of lines and polygons on plan are looked at where they are read,
+/// places.cpp: where such a list is missing, a range of numbers says nothing.)
+constexpr Range place = within(largest_coordinate_m, within_places);
+
+constexpr Range restitution{.least = 0,
+                            .most = 1,
+                            .too_low = "a restitution cannot turn a velocity round twice",
+                            .too_high = "a rebound cannot gain energy"};
+
+/// A factor of safety: from 1 up to what no engineer meets.
+constexpr Range factor_of_safety{.least = 1, .most = most_factor, .too_low = "a factor of safety takes nothing away"};
+
+/// A restitution given in percent, or with its point one place off.
+std::optional<double> restitution_slip(double value);
+/// A magnitude given with a sign.
+std::optional<double> sign_slip(double value);
+/// A density in t/m3 or g/cm3.
+std::optional<double> density_slip(double value);
+/// A share or a confidence given in percent.
+std::optional<double> percent_slip(double value);
+
+std::optional<Doubt> radians_doubt(double value);
+std::optional<Doubt> tonnes_doubt(double value);
+std::optional<Doubt> mass_doubt(double value);
+
+constexpr double largest_block_m = 20;  // of 8000 m3 by volume, 11,000 t by mass at 2700 kg/m3
+constexpr const char* beyond_blocks =
+    "this is more than a rockfall has; rock masses of this size move as rock avalanches";
+
+/// What is larger than any that was documented, or built.
+std::function<std::optional<Doubt>(double)> beyond(double usual, std::string why, std::string hint);
+
+}  // namespace talus::project::declared

@@ -1,0 +1,125 @@
+#include "talus/project/settings/limits.hpp"
+#include "talus/project/settings/slots.hpp"
+#include "talus/project/settings/tables.hpp"
+
+namespace talus::project::declared {
+namespace {
+
+std::function<Slot(Row)> library_slot() {
+  return [](Row row) -> Slot { return LibrarySlot{std::get<Material*>(row)}; };
+}
+
+}  // namespace
+
+Table material_table() {
+  return {
+      .key = "material",
+      .repeated = true,
+      .required = true,
+      .meaning = "What the ground is made of; one entry for each kind.",
+      .settings =
+          {
+              {.key = "name",
+               .slot = member(&Material::name),
+               .required = true,
+               .meaning = "The name by which `[ground]` calls it; no other material has it.",
+               .source = "Talus"},
+              {.key = "like",
+               .slot = library_slot(),
+               .without_it = "the defaults below hold",
+               .meaning = "A material of the library (docs/materials.md, `talus materials`), whose values hold where "
+                          "this entry gives none.",
+               .source = "the publications that the library names"},
+              {.key = "normal_restitution",
+               .slot = member(&Material::normal_restitution),
+               .range = restitution,
+               .meaning = "Rn, the part of the velocity normal to the ground that an impact gives back.",
+               .source = "the manual, table 1-2, for how it is given; the default is a choice of Talus",
+               .slip = restitution_slip},
+              {.key = "tangential_restitution",
+               .slot = member(&Material::tangential_restitution),
+               .range = restitution,
+               .meaning =
+                   "Rt, the part of the velocity along the ground that an impact leaves; of a rigid sphere, of its "
+                   "contact point's, as far as friction can (docs/laws.md).",
+               .source = "the manual, table 1-2, for how it is given; the default is a choice of Talus",
+               .slip = restitution_slip},
+              {.key = "friction_angle_deg",
+               .slot = member(&Material::friction_angle_deg),
+               .unit = "deg",
+               .range = {.least = 0,
+                         .most = 89.9,  // the tangent of 90 is none, and draws keep to this range
+                         .too_low = "friction cannot push",
+                         .too_high = "no rock could slide"},
+               .only_for = RockModel::lumped_mass,
+               .meaning = "phi, the friction angle of sliding.",
+               .source = "the manual, table 1-2",
+               .doubt = radians_doubt},
+              {.key = "roughness_deg",
+               .slot = member(&Material::roughness_deg),
+               .unit = "deg",
+               .range = {.least = 0, .most = 90, .most_excluded = true},
+               .meaning = "Standard deviation of the angle by which an impact finds the ground tilted; 0 is smooth.",
+               .source = "RocFall: slope roughness"},
+              {.key = "roughness_spacing_m",
+               .slot = member(&Material::roughness_spacing_m),
+               .unit = "m",
+               .range = up_to(most_diameter_m),
+               .only_for = RockModel::rigid_sphere,
+               .meaning = "distance of the bumps of a rough ground.",
+               .source = "RocFall: slope roughness"},
+              {.key = "roughness_amplitude_m",
+               .slot = member(&Material::roughness_amplitude_m),
+               .unit = "m",
+               .range = up_to(most_diameter_m),
+               .only_for = RockModel::rigid_sphere,
+               .meaning = "height of the bumps of a rough ground.",
+               .source = "RocFall: slope roughness"},
+              {.key = "dynamic_friction",
+               .slot = member(&Material::dynamic_friction),
+               .range = up_to(most_factor, "friction cannot push"),
+               .only_for = RockModel::rigid_sphere,
+               .meaning = "mu, the coefficient of friction while the contact slips.",
+               .source = "the manual, section 7; the default is a choice of Talus"},
+              {.key = "rolling_friction",
+               .slot = member(&Material::rolling_friction),
+               .range = up_to(most_factor, "friction cannot push"),
+               .only_for = RockModel::rigid_sphere,
+               .meaning = "mu_r, the moment against rolling over weight and radius.",
+               .source = "RocFall; the default is a choice of Talus"},
+              {.key = "forest",
+               .slot = member(&Material::forest),
+               .excludes = {"forest_drag_kg_s"},
+               .meaning = "A forest on this ground, by its density: `open` brakes with a drag of 250 kg/s, `medium` "
+                          "500 kg/s, `dense` 750 kg/s.",
+               .source = "the densities: RocFall; the drags: as quoted for RAMMS::ROCKFALL, see docs/laws.md"},
+              {.key = "forest_drag_kg_s",
+               .slot = member(&Material::forest_drag_kg_s),
+               .unit = "kg/s",
+               .range = above_0_up_to(most_drag_kg_s, "trees cannot push"),
+               .without_it = "that of `forest`",
+               .excludes = {"forest"},
+               .meaning = "b, the force on a rock among the trees over its velocity.",
+               .source = "RocFall, after Leine et al. 2014 and Bartelt et al. 2016 (RAMMS::ROCKFALL)"},
+              {.key = "forest_height_m",
+               .slot = member(&Material::forest_height_m),
+               .unit = "m",
+               .range = above_0_up_to(most_height_m, "a forest stands on the ground"),
+               .without_it = "required beside forest or forest_drag_kg_s",
+               .meaning = "Effective height of the forest: it brakes rocks whose centre is less than this above the "
+                          "ground.",
+               .source = "RocFall, after Leine et al. 2014"},
+              {.key = "ground_drag_per_s",
+               .slot = member(&Material::ground_drag_per_s),
+               .unit = "1/s",
+               .range = up_to(most_factor, "ground cannot push"),
+               .meaning = "Viscoplastic drag of soft ground: beside friction, a rock that slides or rolls on it is "
+                          "braked by this times its velocity.",
+               .source = "RAMMS::ROCKFALL (Bartelt et al. 2016): 0.3 on bedrock to 0.9 on a moor, see docs/laws.md"},
+          },
+      .add = [](Project& project) { return added(project.materials); },
+      .rows = [](Project& project) { return all(project.materials); },
+  };
+}
+
+}  // namespace talus::project::declared
