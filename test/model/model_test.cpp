@@ -322,7 +322,7 @@ TEST(BuildModel, SettingsOfOneRockModelChangeNothingForTheOtherAndSomethingForTh
   std::size_t tried = 0;
   for (const Table& table : tables()) {
     for (const Setting& setting : table.settings) {
-      if (!setting.only_for) continue;
+      if (!only_model(setting)) continue;
       ++tried;
       ASSERT_TRUE(others.contains(setting.key)) << setting.key;
       const std::string line = std::string(setting.key) + " = " + others.at(setting.key) + "\n";
@@ -342,7 +342,7 @@ TEST(BuildModel, SettingsOfOneRockModelChangeNothingForTheOtherAndSomethingForTh
                 : replaced(bumps, std::string(setting.key) + (setting.key.ends_with("spacing_m") ? " = 1" : " = 0.1"),
                            std::string(setting.key) + " = " + others.at(setting.key));
         const auto before = ends_of(project(is_bump ? bumps : "")), after = ends_of(project(with));
-        if (model == *setting.only_for) {
+        if (model == *only_model(setting)) {
           EXPECT_NE(before, after) << setting.key;
         } else {
           EXPECT_EQ(before, after) << setting.key;

@@ -17,6 +17,7 @@
 #include "talus/project/read.hpp"
 #include "talus/project/reference.hpp"
 #include "talus/project/schema.hpp"
+#include "talus/project/schema_module.hpp"
 #include "talus/project/starter.hpp"
 #include "talus/report/page/assets.hpp"
 
@@ -440,11 +441,11 @@ TEST(Settings, UnitsAgreeWithTheNamesOfTheKeys) {
 TEST(Settings, ExclusionsAreMutualAndKnown) {
   for (const Table& table : tables()) {
     for (const Setting& setting : table.settings) {
-      for (const std::string_view other : setting.excludes) {
+      for (const std::string_view other : table.excluded_by(setting.key)) {
         const Setting* excluded = table.find(other);
         ASSERT_NE(excluded, nullptr) << row_name(table, setting) << " excludes " << other;
-        EXPECT_NE(std::find(excluded->excludes.begin(), excluded->excludes.end(), setting.key),
-                  excluded->excludes.end())
+        const auto back = table.excluded_by(other);
+        EXPECT_NE(std::find(back.begin(), back.end(), setting.key), back.end())
             << row_name(table, setting) << " and " << other;
       }
     }
@@ -677,16 +678,18 @@ std::map<std::string, std::set<std::string>> keys_by_model() {
   std::map<std::string, std::set<std::string>> keys;
   for (const Table& table : tables())
     for (const Setting& setting : table.settings)
-      if (setting.only_for)
-        keys[std::string(words(*setting.only_for)[static_cast<std::size_t>(*setting.only_for)])].emplace(setting.key);
+      if (const auto model = only_model(setting))
+        keys[std::string(words(*model)[static_cast<std::size_t>(*model)])].emplace(setting.key);
   return keys;
 }
 
 TEST(SettingsOfOneRockModel, AreSaidToBeInTheSchemaAndTheReference) {
   const Json materials = schema()["properties"]["material"]["items"]["properties"];
-  EXPECT_EQ(materials["rolling_friction"]["x-only-for"], "rigid_sphere");
-  EXPECT_EQ(materials["friction_angle_deg"]["x-only-for"], "lumped_mass");
-  EXPECT_FALSE(materials["normal_restitution"].contains("x-only-for"));
+  EXPECT_EQ(materials["rolling_friction"]["x-applies-when"],
+            Json::parse(R"([[{"key": "analysis.model", "is": ["rigid_sphere"]}]])"));
+  EXPECT_EQ(materials["friction_angle_deg"]["x-applies-when"],
+            Json::parse(R"([[{"key": "analysis.model", "is": ["lumped_mass"]}]])"));
+  EXPECT_FALSE(materials["normal_restitution"].contains("x-applies-when"));
   EXPECT_EQ(materials["friction_angle_deg"]["description"], "Lumped mass: phi, the friction angle of sliding.");
   EXPECT_NE(reference_page().find("Rigid sphere: mu, the coefficient of friction while the contact slips."),
             std::string::npos);
@@ -702,15 +705,80 @@ TEST(SettingsOfOneRockModel, AreLeftOutOfReportsOfTheOther) {
   EXPECT_EQ(listed, keys_by_model());
 }
 
-TEST(ReferencePage, IsNotStale) {
-  const std::string file = std::string(TALUS_SOURCE_DIR) + "/docs/project-file.md";
-  if (std::getenv("TALUS_RENEW_REFERENCE")) std::ofstream(file) << reference_page();
+Json schema_of(const Table& table, const Setting& setting) {
+  const Json all = schema();
+  if (table.key.empty()) return all["properties"][std::string(setting.key)];
+  const Json found = all["properties"][std::string(table.key)];
+  return (table.repeated ? found["items"] : found)["properties"][std::string(setting.key)];
+}
+
+void expect_fresh(const std::string& name, const std::string& made) {
+  const std::string file = std::string(TALUS_SOURCE_DIR) + name;
+  if (std::getenv("TALUS_RENEW_REFERENCE")) std::ofstream(file) << made;
   std::ifstream stream(file);
   ASSERT_TRUE(stream) << file;
   std::ostringstream text;
   text << stream.rdbuf();
-  EXPECT_TRUE(text.str() == reference_page())
-      << "docs/project-file.md does not say what the declaration says; run this test with TALUS_RENEW_REFERENCE=1";
+  EXPECT_TRUE(text.str() == made)
+      << name << " does not say what the declaration says; run this test with TALUS_RENEW_REFERENCE=1";
+}
+
+TEST(ReferencePage, IsNotStale) { expect_fresh("/docs/project-file.md", reference_page()); }
+
+TEST(SchemaModule, IsNotStale) { expect_fresh("/web/src/generated/schema.ts", schema_module()); }
+
+TEST(Settings, StandInTheGroupsOfTheirTable) {
+  std::size_t grouped = 0;
+  for (const Table& table : tables()) {
+    std::set<std::string_view> known;
+    for (const Group& group : table.groups) EXPECT_TRUE(known.insert(group.title).second) << table.key;
+    for (const Setting& setting : table.settings) {
+      grouped += setting.group.empty() ? 0 : 1;
+      EXPECT_TRUE(setting.group.empty() || known.contains(setting.group)) << row_name(table, setting);
+    }
+  }
+  EXPECT_GT(grouped, 80U);
+}
+
+// A condition that names no setting, or a word that the setting never has, would never hold.
+TEST(Settings, ConditionsAreAboutSettingsAndTheirWords) {
+  std::size_t seen = 0;
+  for (const Table& table : tables()) {
+    for (const Setting& setting : table.settings) {
+      for (const Need& need : setting.applies_when) {
+        ASSERT_FALSE(need.any_of.empty()) << row_name(table, setting);
+        for (const auto& [key, asks, values] : need.any_of) {
+          ++seen;
+          const std::size_t dot = key.find('.');
+          const std::string_view other = dot == std::string_view::npos ? table.key : key.substr(0, dot);
+          const auto home = std::ranges::find(tables(), other, &Table::key);
+          ASSERT_NE(home, tables().end()) << row_name(table, setting) << ": " << key;
+          const Setting* subject = home->find(dot == std::string_view::npos ? key : key.substr(dot + 1));
+          ASSERT_NE(subject, nullptr) << row_name(table, setting) << ": " << key;
+          EXPECT_TRUE(dot == std::string_view::npos || !home->repeated) << key;
+          const bool asks_for_words = asks == Condition::Asks::one_of || asks == Condition::Asks::none_of;
+          EXPECT_EQ(asks_for_words, !values.empty()) << row_name(table, setting) << ": " << key;
+          const Json node = schema_of(*home, *subject);
+          if (!node.contains("enum")) continue;
+          for (const std::string_view value : values) {
+            EXPECT_NE(std::ranges::find(node["enum"], Json(value)), node["enum"].end()) << key << " = " << value;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen, 60U);
+}
+
+TEST(Schema, SaysWhenSettingsApply) {
+  const Json terrain = schema()["properties"]["terrain"];
+  EXPECT_EQ(terrain["properties"]["boundary"]["x-applies-when"],
+            Json::parse(R"([[{"key": "points", "given": true}, {"key": "lines", "given": true}]])"));
+  const Json analysis = schema()["properties"]["analysis"]["properties"];
+  EXPECT_EQ(analysis["rn_mass_scale_kg"]["x-applies-when"],
+            Json::parse(R"([[{"key": "scale_rn_by_mass", "is": ["true"]}]])"));
+  EXPECT_EQ(analysis["rn_mass_scale_kg"]["x-group"], "Restitution");
+  EXPECT_EQ(analysis["model"]["x-topic"]["heading"], "The laws");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "talus/maps/map_list.hpp"
+#include "talus/project/applies.hpp"
 #include "talus/project/check_design.hpp"
 #include "talus/project/check_ground.hpp"
 #include "talus/project/check_seeder.hpp"
@@ -25,7 +26,9 @@ class Rules {
 
   void run() {
     about_name();
-    about_analysis();
+    for (const Table& declared : tables()) {
+      if (declared.key != "seeder") about_needs(declared);
+    }
     if (const toml::table* terrain = table("terrain")) {
       TerrainRules{project_, *terrain, is_2d(document_.root()) == true,
                    [&](std::string_view key) { return good(terrain, key); },
@@ -94,21 +97,26 @@ class Rules {
     }
   }
 
-  void about_analysis() {
-    const toml::table* row = table("analysis");
-    const Analysis& analysis = project_.analysis;
-    const auto idle = [&](std::string_view key, bool has_effect, std::string_view needs) {
-      const Node node = good(row, key);
-      if (!node || has_effect) return;
-      complain(node, "[analysis]", fmt::format("{} has no effect", key), fmt::format("it needs {}", needs), "",
-               Severity::warning);
-    };
-    idle("rn_velocity_scale_m_s", analysis.scale_rn_by_velocity, "scale_rn_by_velocity = true");
-    idle("rn_mass_scale_kg", analysis.scale_rn_by_mass, "scale_rn_by_mass = true");
-    idle("tangential_crsp_damping", analysis.model == RockModel::rigid_sphere || !analysis.tangential_crsp_damping,
-         "model = \"rigid_sphere\"");
-    idle("grazing_angle_deg", analysis.model == RockModel::lumped_mass, "model = \"lumped_mass\"");
-    idle("rotation", analysis.model == RockModel::lumped_mass || analysis.rotation, "model = \"lumped_mass\"");
+  /// What was said of a row's key elsewhere is not said again.
+  void about_needs(const Table& declared, const toml::table& row, const std::string& where, std::string_view told) {
+    for (const Setting& setting : declared.settings) {
+      if (setting.key == told) continue;
+      if (const auto not_met = applying_.against(declared, row, setting)) {
+        complain(row.get(setting.key), where, not_met->what, not_met->why, not_met->hint, not_met->severity);
+      }
+    }
+  }
+
+  void about_needs(const Table& declared) {
+    if (declared.key.empty()) return;
+    if (!declared.repeated) {
+      if (const toml::table* row = table(declared.key)) about_needs(declared, *row, declared.heading(), "");
+      return;
+    }
+    const auto list = rows(declared.key);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i]) about_needs(declared, *list[i], name_of_row(declared, *list[i], i), "");
+    }
   }
 
   void about_materials() {
@@ -139,10 +147,6 @@ class Rules {
 
   void about_forest(const Material& material, const toml::table& row, const std::string& where) {
     const bool has_forest = material.forest != Forest::none || material.forest_drag_kg_s;
-    if (const Node height = good(&row, "forest_height_m"); height && !has_forest) {
-      complain(height, where, "forest_height_m has no effect", "there is no forest",
-               "Write forest = \"medium\", or give forest_drag_kg_s", Severity::warning);
-    }
     if (has_forest && !row.contains("forest_height_m")) {
       const Node forest = row.get(material.forest_drag_kg_s ? "forest_drag_kg_s" : "forest");
       complain({forest, &row, "forest_height_m"}, where, "forest_height_m is missing",
@@ -236,17 +240,20 @@ class Rules {
   }
 
   void about_seeder(const Seeder& seeder, const toml::table& row, const std::string& where) {
-    SeederRules{project_,
-                seeder,
-                row,
-                !row.contains("type") || good(&row, "type"),
-                is_2d(document_.root()) == true,
-                table("terrain") && table("terrain")->contains("raster"),
-                [&](std::string_view key) { return good(&row, key); },
-                [&](const Spot& at, std::string what, std::string why, std::string hint, Severity severity) {
-                  complain(at, where, std::move(what), std::move(why), std::move(hint), severity);
-                }}
-        .check();
+    const SeederRules rules{
+        project_,
+        seeder,
+        row,
+        !row.contains("type") || good(&row, "type"),
+        is_2d(document_.root()) == true,
+        table("terrain") && table("terrain")->contains("raster"),
+        [&](std::string_view key) { return good(&row, key); },
+        [&](const Spot& at, std::string what, std::string why, std::string hint, Severity severity) {
+          complain(at, where, std::move(what), std::move(why), std::move(hint), severity);
+        }};
+    const std::string_view told = rules.about_place();
+    if (told != "type") about_needs(declaration("seeder"), row, where, told);
+    rules.check();
   }
 
   void about_barriers() {
@@ -292,28 +299,10 @@ class Rules {
   void about_output() {
     const toml::table* row = table("output");
     const Output& output = project_.output;
-    const auto has_no_effect = [&](std::string_view key, std::string why, std::string hint) {
-      complain(row->get(key), "[output]", fmt::format("{} has no effect", key), std::move(why), std::move(hint),
-               Severity::warning);
-    };
-    if (is_2d(document_.root()) == true) {
-      if (good(row, "maps_by_source") && output.maps_by_source) {
-        has_no_effect("maps_by_source", "a section has no area to map", "Give terrain.width_m for 3D");
-      }
-      if (good(row, "geopackage") && output.geopackage_limit != 0) {
-        has_no_effect("geopackage", "a section lies nowhere on a map", "Give terrain.width_m for 3D");
-      }
-    }
-    if (is_2d(document_.root()) == false && good(row, "maps_by_source") && output.maps_by_source &&
-        output.maps.none()) {
-      has_no_effect("maps_by_source", "maps is false", "Let maps be true");
-    }
     if (good(row, "percentiles") && good(row, "maps") && output.maps.any() && !output.percentiles.empty() &&
         io::contents_of({output.maps, {}}).quantities() == 0) {
-      has_no_effect("percentiles", "maps names counts only", "Name a quantity there, such as \"energy_total\"");
-    }
-    if (good(row, "vtk") && output.vtk && output.path_limit == 0) {
-      has_no_effect("vtk", "paths is \"none\"", "Let paths be a number of rocks");
+      complain(row->get("percentiles"), "[output]", "percentiles has no effect", "maps names counts only",
+               "Name a quantity there, such as \"energy_total\"", Severity::warning);
     }
     if (const Node list = good(row, "percentiles")) {
       for (const std::size_t i : repeated(output.percentiles)) {
@@ -338,6 +327,7 @@ class Rules {
   const Document& document_;
   const std::unordered_set<const toml::node*>& refused_;
   Problems& problems_;
+  const Applying applying_{document_.root(), refused_};
 };
 
 }  // namespace

@@ -75,12 +75,7 @@ void DesignRules::about_name(const toml::node& node, const std::string& key, con
 
 void DesignRules::about_sections() const {
   const auto* node = good(&row, "section_m");
-  if (is_2d == true) {
-    if (node) {
-      complain(node, "section_m has no effect", "in 2D a line is a place of the section", "", Severity::warning);
-    }
-    return;
-  }
+  if (is_2d == true) return;
   for (const Barrier& barrier : project.barriers) {
     const bool is_wanted =
         design.lines.empty() || std::find(design.lines.begin(), design.lines.end(), barrier.name) != design.lines.end();
@@ -117,26 +112,12 @@ void DesignRules::about_lists() const {
 }
 
 void DesignRules::about_standard() const {
-  if (const auto* mass = good(&row, "block_mass_kg"); mass && design.energy == DesignEnergy::total) {
-    complain(mass, "block_mass_kg is given with energy = \"total\"",
-             "the design block has a mass and a velocity, but no spin", "Let energy be \"translational\"",
-             Severity::error);
-  }
   const auto is_too_weak = [](double energy_kJ) { return energy_kJ * 1000 < least_energy_with_service; };
   if (const auto* energies = good(&row, "energies_kJ");
       energies && design.standard != DesignStandard::none && design.energy_level == DesignLevel::sel &&
       !design.energies_kJ.empty() && std::ranges::all_of(design.energies_kJ, is_too_weak)) {
     complain(energies, fmt::format("energies_kJ has nothing from {:.0f} kJ on", least_energy_with_service / 1000),
              "energy_level is \"SEL\", and kits of class 0 are not tested at it", "", Severity::error);
-  }
-  if (design.standard != DesignStandard::none) return;
-  constexpr std::array<std::string_view, 8> of_the_standard{"trajectory_factor", "topography_factor", "volume_factor",
-                                                            "density_factor",    "risk_factor",       "energy_level",
-                                                            "energy_factor",     "upper_clearance_m"};
-  for (const std::string_view key : of_the_standard) {
-    if (const auto* node = good(&row, key)) {
-      complain(node, fmt::format("{} has no effect", key), "standard is \"none\"", "", Severity::warning);
-    }
   }
 }
 

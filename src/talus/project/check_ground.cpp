@@ -39,11 +39,7 @@ void GroundRules::about_default() const {
 
 void GroundRules::about_segments(Node segments) const {
   const auto& given = project.ground.segments;
-  if (is_flat && terrain && !is_on("section")) {
-    const bool on_raster = is_on("raster");
-    refuse(segments, "segments is given without a section", on_raster ? "a raster has cells" : "a mesh has triangles",
-           on_raster ? "Use raster and classes" : "Use triangles, with one number for each triangle");
-  } else if (good(terrain, "section") && project.terrain.section.size() >= 2) {
+  if (good(terrain, "section") && project.terrain.section.size() >= 2) {
     const std::size_t vertices = project.terrain.section.size();
     if (given.size() != vertices - 1) {
       refuse(segments, fmt::format("segments has {}", counted(given.size(), "entry", "entries")),
@@ -57,15 +53,7 @@ void GroundRules::about_segments(Node segments) const {
 
 void GroundRules::about_triangles(Node triangles) const {
   const auto& given = project.ground.triangles;
-  if (is_on("section")) {
-    refuse(triangles, "triangles is given for a section", "a section has segments",
-           "Use segments, with one name for each segment");
-  } else if (is_on("raster")) {
-    refuse(triangles, "triangles is given for a raster", "a raster has cells", "Use raster and classes");
-  } else if (is_on("points") || is_on("lines")) {
-    refuse(triangles, "triangles is given for a survey", "its triangles are made by Talus",
-           "Use raster and classes, or polygons");
-  } else if (good(terrain, "triangles") && given.size() != project.terrain.triangles.size()) {
+  if (good(terrain, "triangles") && given.size() != project.terrain.triangles.size()) {
     refuse(triangles, fmt::format("triangles has {}", counted(given.size(), "entry", "entries")),
            fmt::format("expected {}, one for each triangle of the terrain", project.terrain.triangles.size()));
   }
@@ -90,20 +78,12 @@ void GroundRules::about_raster() const {
     }
   }
   if (!classes) return;
-  if (!row->contains("raster")) refuse(classes, "classes is given without a raster", "it would have no effect");
   about_materials_in("classes", classes);
 }
 
 void GroundRules::about_polygons() const {
   const Node polygons = good(row, "polygons");
-  if (!polygons) {
-    for (const std::string_view key : {"layer", "attribute", "values"}) {
-      if (const Node node = good(row, key); node && !row->contains("polygons")) {
-        refuse(node, fmt::format("{} is given without polygons", key), "it would have no effect");
-      }
-    }
-    return;
-  }
+  if (!polygons) return;
   about_file("polygons", polygons, project.ground.polygons);
   if (!row->contains("attribute")) {
     refuse({polygons, row, "attribute"}, "attribute is missing", "nothing says which polygon is of which material",
@@ -128,10 +108,8 @@ void GroundRules::about_areas() const {
 }
 
 void GroundRules::about_file(std::string_view key, Node node, const std::filesystem::path& file) const {
-  if (is_on("section")) {
-    refuse(node, fmt::format("{} is given for a section", key), "a section has segments",
-           "Use segments, with one name for each segment");
-  } else if (const std::string why = why_unreadable(project, file); !why.empty()) {
+  if (is_on("section")) return;  // then it has no effect at all
+  if (const std::string why = why_unreadable(project, file); !why.empty()) {
     refuse(node, fmt::format("{} is {}", key, quoted(*node)), why, "Its path is relative to the project file");
   }
 }

@@ -3,42 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "talus/project/named_files.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/values.hpp"
 
 namespace talus::project {
-
-namespace {
-
-constexpr std::array<std::string_view, 4> type_words{"point", "line", "polygon", "raster"};
-
-/// A key that only some types of seeder have.
-struct OwnKey {
-  std::string_view key;
-  std::array<bool, 4> is_of;  // in the order of SeederType
-};
-
-// The first five say where; of another type they are a mistake, and the others are idle.
-constexpr std::size_t saying_where = 5;
-constexpr std::array<OwnKey, 14> own_keys{{{"position", {true, false, false, false}},
-                                           {"points", {false, true, false, false}},
-                                           {"lines", {false, true, false, false}},
-                                           {"polygons", {false, false, true, false}},
-                                           {"polygon", {false, false, true, false}},
-                                           {"layer", {false, true, true, false}},
-                                           {"source_attribute", {false, true, true, false}},
-                                           {"min_slope_deg", {false, false, true, true}},
-                                           {"max_slope_deg", {false, false, true, true}},
-                                           {"mask", {false, false, true, true}},
-                                           {"mask_value", {false, false, true, true}},
-                                           {"cell_m", {false, false, true, true}},
-                                           {"rocks_per_cell", {false, false, true, true}},
-                                           {"place", {false, false, true, true}}}};
-
-}  // namespace
 
 std::string_view SeederRules::refuse(std::string_view key, std::string what, std::string why, std::string hint) const {
   const toml::node* node = row.get(key);
@@ -54,10 +24,7 @@ bool SeederRules::misses(std::string_view key) const {
 }
 
 void SeederRules::check() const {
-  if (type_is_good) {
-    about_idle_keys(about_place());
-    if (seeder.type == SeederType::polygon || seeder.type == SeederType::raster) about_cells();
-  }
+  if (type_is_good && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) about_cells();
   about_files();
   if (misses("mass_kg") && misses("volume_m3") && misses("diameter_m")) {
     refuse("mass_kg", "the size of the rocks is missing", "expected one of mass_kg, volume_m3 and diameter_m");
@@ -65,10 +32,12 @@ void SeederRules::check() const {
 }
 
 std::string_view SeederRules::about_place() const {
+  if (!type_is_good) return "type";
   const bool has_position = has("position"), has_points = has("points"), has_lines = has("lines");
   const std::string_view polygon = has("polygons") ? "polygons" : has("polygon") ? "polygon" : "";
   if (is_flat && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) {
-    return refuse("type", fmt::format("type is \"{}\" in 2D", type_words[static_cast<std::size_t>(seeder.type)]),
+    return refuse("type",
+                  fmt::format("type is \"{}\" in 2D", words(seeder.type)[static_cast<std::size_t>(seeder.type)]),
                   "a section has no area", "Use a point or a line, or give terrain.width_m for 3D");
   }
   switch (seeder.type) {
@@ -84,11 +53,7 @@ std::string_view SeederRules::about_place() const {
       if (!misses("position")) return "";
       return refuse("position", "position is missing", "a point seeder needs it");
     case SeederType::line:
-      if (has_points) return "";
-      if (has_lines) {
-        if (!is_flat) return "";
-        return refuse("lines", "lines is given in 2D", "a section lies nowhere on a map", "Use points");
-      }
+      if (has_points || has_lines) return "";
       if (has_position) {
         return refuse("position", "position is given for a line", "a line seeder needs two or more points",
                       "Write points = [..., ...]");
@@ -113,36 +78,7 @@ std::string_view SeederRules::about_place() const {
                 "Write min_slope_deg = 45, or mask = \"release.tif\"");
 }
 
-void SeederRules::about_idle_keys(std::string_view told) const {
-  if (told == "type") return;
-  const auto type = static_cast<std::size_t>(seeder.type);
-  for (std::size_t k = 0; k < own_keys.size(); ++k) {
-    const std::string_view key = own_keys[k].key;
-    const toml::node* node = good(key);
-    if (!node || own_keys[k].is_of[type] || key == told) continue;
-    if (k < saying_where) {
-      refuse(key, fmt::format("{} is given for a {}", key, type_words[type]),
-             "it says where rocks of another type of seeder start", "Leave it out");
-    } else if (key != "place" || seeder.place != PlaceInCell::random) {  // the default says nothing
-      complain(node, fmt::format("{} has no effect", key),
-               fmt::format("a {} seeder has no {}", type_words[type],
-                           key == "layer" || key == "source_attribute" ? "file of lines or polygons" : "cells"),
-               "", Severity::warning);
-    }
-  }
-  if (seeder.type != SeederType::line && seeder.type != SeederType::polygon) return;
-  for (const std::string_view key : {"layer", "source_attribute"}) {
-    const toml::node* node = good(key);
-    if (!node || has("lines") || has("polygons")) continue;
-    complain(node, fmt::format("{} has no effect", key), "it belongs to a file of lines or polygons", "",
-             Severity::warning);
-  }
-}
-
 void SeederRules::about_cells() const {
-  if (has("mask_value") && !has("mask")) {
-    refuse("mask_value", "mask_value is given without a mask", "it would have no effect");
-  }
   if (good("min_slope_deg") && good("max_slope_deg") && *seeder.min_slope_deg > *seeder.max_slope_deg) {
     refuse("max_slope_deg", fmt::format("max_slope_deg is {:g}", *seeder.max_slope_deg),
            fmt::format("min_slope_deg is {:g}, and no cell could be both", *seeder.min_slope_deg));
@@ -150,10 +86,6 @@ void SeederRules::about_cells() const {
   if (!has_grid && !is_flat && misses("cell_m")) {
     refuse("cell_m", "cell_m is missing", "the terrain is no raster, so it has no cells of its own",
            "Give the side of the cells from which rocks start, in metres");
-  }
-  if (has_grid && good("cell_m")) {
-    complain(good("cell_m"), "cell_m has no effect", "the cells are those of the terrain's raster", "",
-             Severity::warning);
   }
   about_heading();
 }

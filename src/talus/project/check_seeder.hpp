@@ -21,6 +21,9 @@ struct SeederRules {
   std::function<const toml::node*(std::string_view key)> good;
   std::function<void(const Spot& at, std::string what, std::string why, std::string hint, Severity severity)> complain;
 
+  /// Reports a key that says a place in a way of another type, or that is missing, and gives it back; "type" where the
+  /// type itself is wrong, and nothing is known of the other keys.
+  [[nodiscard]] std::string_view about_place() const;
   void check() const;
 
  private:
@@ -29,9 +32,6 @@ struct SeederRules {
   [[nodiscard]] bool misses(std::string_view key) const;
   /// Gives back the key that it complained of, there or missing; "" for the whole row.
   std::string_view refuse(std::string_view key, std::string what, std::string why, std::string hint = "") const;
-  /// Gives back the key that says a place in a way of another type, where it has been complained of.
-  [[nodiscard]] std::string_view about_place() const;
-  void about_idle_keys(std::string_view told) const;
   void about_cells() const;
   void about_heading() const;
   void about_files() const;

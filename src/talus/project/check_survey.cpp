@@ -25,48 +25,8 @@ bool is_las(const std::filesystem::path& file) { return ending_of(file) == ".las
 }  // namespace
 
 void SurveyRules::check() const {
-  about_company();
   about_files();
   about_polylines();
-}
-
-// Keys that say something about another one.
-void SurveyRules::about_company() const {
-  struct Companion {
-    std::string_view key, needed;
-    bool has_effect;
-  };
-  const bool has_points = row.contains("points"), has_lines = row.contains("lines");
-  const bool has_polylines = row.contains("polylines"), has_polygons = row.contains("polygons");
-  const bool has_survey = has_points || has_lines;
-  const std::array<Companion, 10> companions{{
-      {"point_classes", "points", has_points},
-      {"points_layer", "points", has_points},
-      {"lines_layer", "lines", has_lines},
-      {"elevation_attribute", "points or lines", has_survey},
-      {"boundary", "points or lines", has_survey},
-      {"boundary_layer", "a boundary", row.contains("boundary")},
-      {"max_edge_m", "points or lines", has_survey},
-      {"remove_spikes_m", "points", has_points},
-      {"polygons_layer", "polygons", has_polygons},
-      {"merge_tolerance_m", "polylines or polygons",
-       has_polylines || has_polygons || project.terrain.merge_tolerance_m == Terrain{}.merge_tolerance_m},
-  }};
-  for (const auto& [key, needed, has_effect] : companions) {
-    const auto* node = good(key);
-    if (!node || has_effect) continue;
-    complain(node, fmt::format("{} is given without {}", key, needed), "it would have no effect", "", Severity::error);
-  }
-  if (const auto* crs = good("crs"); crs && row.contains("section")) {
-    complain(crs, "crs is given for a section", "a section lies nowhere on a map", "Leave it out", Severity::error);
-  }
-  if (const auto* turn = good("rotate_deg"); turn && (has_survey || has_polygons) && project.terrain.rotate_deg != 0) {
-    complain(turn,
-             fmt::format("rotate_deg is given with {}", has_points  ? "points"
-                                                        : has_lines ? "lines"
-                                                                    : "polygons"),
-             "a survey stands where its coordinates say", "Leave it out", Severity::error);
-  }
 }
 
 void SurveyRules::about_files() const {

@@ -20,7 +20,6 @@ struct SurveyRules {
   void check() const;
 
  private:
-  void about_company() const;
   void about_files() const;
   void about_polylines() const;
 };

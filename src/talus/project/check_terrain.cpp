@@ -48,31 +48,9 @@ void TerrainRules::check() const {
     const std::string_view missing = has_triangles ? "vertices" : "triangles";
     refuse({&row, &row, missing}, fmt::format("{} is missing", missing), "an inline mesh needs vertices and triangles");
   }
-  if (!has_section) {
-    for (const std::string_view key : {"width_m", "section_std_dev_m"}) {
-      if (const Node node = good(key)) {
-        refuse(node, fmt::format("{} is given without a section", key), "it would have no effect");
-      }
-    }
-  }
   if (const Node section = good("section")) about_section(section);
   if (const Node deviations = good("section_std_dev_m"); deviations && good("section")) {
     about_deviations(deviations);
-  }
-  if (is_flat) {
-    for (const std::string_view key : {"rotate_deg", "rotate_about"}) {
-      const Node node = good(key);
-      if (!node || (key == "rotate_deg" && project.terrain.rotate_deg == 0)) continue;
-      if (key == "rotate_about" && project.terrain.rotate_deg == 0) continue;
-      refuse(node, fmt::format("{} is given in 2D", key), "a section cannot be turned", "Give width_m for 3D");
-    }
-  }
-  if (const Node turn = good("rotate_deg"); turn && has_raster && project.terrain.rotate_deg != 0) {
-    refuse(turn, "rotate_deg is given with a raster",
-           "a raster stands where its coordinate system says, in rows from west to east", "Leave it out");
-  }
-  if (const Node about = good("rotate_about"); about && !row.contains("rotate_deg")) {
-    complain(about, "rotate_about has no effect", "it needs rotate_deg", "", Severity::warning);
   }
   if (const Node mesh = good("mesh")) about_mesh_file(mesh);
   if (const Node raster = good("raster")) {

@@ -107,7 +107,7 @@ struct Writer {
 void drop_excluded(const Table& table, Json& row) {
   for (const Setting& setting : table.settings) {
     if (!row.contains(setting.key) || !default_of(table, setting)) continue;
-    for (const std::string_view other : setting.excludes) {
+    for (const std::string_view other : table.excluded_by(setting.key)) {
       const Setting* excluded = table.find(other);
       if (row.contains(other) && !default_of(table, *excluded)) row.erase(std::string(setting.key));
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "talus/project/applies.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/starter.hpp"
@@ -90,13 +91,33 @@ std::string default_text(const Table& table, const Setting& setting) {
   return value_text(default_of(table, setting).value());
 }
 
+/// When it has an effect: "with `points` or `lines`; not beside `width_m`".
+std::string applies_text(const Table& table, const Setting& setting) {
+  std::string out;
+  for (const Need& need : setting.applies_when) {
+    std::string any;
+    for (const Condition& condition : need.any_of) {
+      const bool is_without = condition.asks == Condition::Asks::absent;
+      any += fmt::format("{}{} `{}`", any.empty() ? "" : " or ", is_without ? "without" : "with",
+                         is_without ? std::string(condition.key) : in_words(table, condition));
+    }
+    out += (out.empty() ? "" : "; ") + any;
+  }
+  const auto excluded = table.excluded_by(setting.key);
+  for (std::size_t k = 0; k < excluded.size(); ++k) {
+    out += fmt::format("{}`{}`", k > 0 ? ", " : out.empty() ? "not beside " : "; not beside ", excluded[k]);
+  }
+  return out;
+}
+
 std::string rows_of(const Table& table) {
   std::string out =
-      "| key | type | unit | range | default | meaning | source |\n"
-      "| --- | --- | --- | --- | --- | --- | --- |\n";
+      "| key | type | unit | range | default | applies | meaning | source |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const Setting& setting : table.settings) {
-    out += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", setting.key, type_text(table, setting), setting.unit,
-                       range_text(setting.range), default_text(table, setting), meaning_of(setting), setting.source);
+    out += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", setting.key, type_text(table, setting),
+                       setting.unit, range_text(setting.range), default_text(table, setting),
+                       applies_text(table, setting), meaning_of(setting), setting.source);
   }
   return out;
 }

@@ -114,6 +114,29 @@ Json type_of(const Table& table, const Setting& setting) {
   return std::visit(Typed{setting.range}, setting.slot(row));
 }
 
+/// All of a list are needed, of each any: `[[{"key": "points", "given": true}, {"key": "lines", "given": true}]]`.
+Json conditions(const Setting& setting) {
+  Json needs = Json::array();
+  for (const Need& need : setting.applies_when) {
+    Json any_of = Json::array();
+    for (const auto& [key, asks, values] : need.any_of) {
+      Json condition{{"key", std::string(key)}};
+      if (asks == Condition::Asks::one_of || asks == Condition::Asks::none_of) {
+        condition[asks == Condition::Asks::one_of ? "is" : "not"] = values;
+      } else {
+        condition["given"] = asks == Condition::Asks::given;
+      }
+      any_of.push_back(std::move(condition));
+    }
+    needs.push_back(std::move(any_of));
+  }
+  return needs;
+}
+
+Json topic_json(const Topic& topic) {
+  return {{"document", std::string(topic.document)}, {"heading", std::string(topic.heading)}};
+}
+
 Json table_schema(const Table& table) {
   Json properties = Json::object();
   Json required = Json::array();
@@ -128,9 +151,12 @@ Json table_schema(const Table& table) {
       property["x-without-it"] = std::string(setting.without_it);
     }
     if (setting.range.infinite_allowed) property["x-infinite"] = true;
-    if (!setting.excludes.empty()) property["x-excludes"] = setting.excludes;
-    if (setting.only_for)
-      property["x-only-for"] = words(*setting.only_for)[static_cast<std::size_t>(*setting.only_for)];
+    if (const auto excluded = table.excluded_by(setting.key); !excluded.empty()) property["x-excludes"] = excluded;
+    if (!setting.applies_when.empty()) property["x-applies-when"] = conditions(setting);
+    if (!setting.asks_nothing.empty()) property["x-asks-nothing"] = setting.asks_nothing;
+    if (!setting.title.empty()) property["x-title"] = std::string(setting.title);
+    if (!setting.group.empty()) property["x-group"] = std::string(setting.group);
+    if (!setting.topic.document.empty()) property["x-topic"] = topic_json(setting.topic);
     if (!setting.source.empty()) property["x-source"] = std::string(setting.source);
     if (setting.required) required.push_back(std::string(setting.key));
     properties[std::string(setting.key)] = std::move(property);
@@ -138,6 +164,11 @@ Json table_schema(const Table& table) {
   Json out{{"type", "object"}, {"description", std::string(table.meaning)}};
   out["properties"] = std::move(properties);
   out["additionalProperties"] = false;
+  if (!table.choices.empty()) out["x-choices"] = table.choices;
+  for (const auto& [title, folded] : table.groups) {
+    out["x-groups"].push_back({{"title", std::string(title)}, {"folded", folded}});
+  }
+  if (!table.topic.document.empty()) out["x-topic"] = topic_json(table.topic);
   if (!required.empty()) out["required"] = std::move(required);
   return out;
 }

@@ -98,15 +98,40 @@ std::span<const std::string_view> words(DesignEnergy) {
 }
 std::span<const std::string_view> words(io::MapSubject) { return io::map_subject_names; }
 
+std::optional<RockModel> only_model(const Setting& setting) {
+  for (const Need& need : setting.applies_when) {
+    const auto& [key, asks, values] = need.any_of.front();
+    if (need.any_of.size() != 1 || asks != Condition::Asks::one_of || values.size() != 1) continue;
+    if (key != "analysis.model") continue;
+    const auto known = words(RockModel{});
+    const auto found = std::ranges::find(known, values.front());
+    if (found != known.end()) return static_cast<RockModel>(found - known.begin());
+  }
+  return std::nullopt;
+}
+
 std::string meaning_of(const Setting& setting) {
-  if (!setting.only_for) return std::string(setting.meaning);
-  const bool is_sphere = *setting.only_for == RockModel::rigid_sphere;
+  const auto model = only_model(setting);
+  if (!model) return std::string(setting.meaning);
+  const bool is_sphere = *model == RockModel::rigid_sphere;
   return fmt::format("{}: {}", is_sphere ? "Rigid sphere" : "Lumped mass", setting.meaning);
 }
 
 const Setting* Table::find(std::string_view setting) const {
   const auto found = std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == setting; });
   return found == settings.end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> Table::excluded_by(std::string_view setting) const {
+  std::vector<std::string_view> excluded;
+  for (const Choice& choice : choices) {
+    const auto has = [&](const auto& way) { return std::ranges::find(way, setting) != way.end(); };
+    if (std::ranges::none_of(choice, has)) continue;
+    for (const auto& way : choice) {
+      if (!has(way)) excluded.insert(excluded.end(), way.begin(), way.end());
+    }
+  }
+  return excluded;
 }
 
 std::string Table::heading() const { return fmt::format(fmt::runtime(repeated ? "[[{}]]" : "[{}]"), key); }

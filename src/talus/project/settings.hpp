@@ -1,7 +1,8 @@
 #pragma once
 // The one declaration of every setting of the project file: its table and key, the member of project.hpp that it fills,
-// unit, range, meaning and source. The reader, the JSON Schema, the reference page and the echo in summary.json are all
-// made from it. Defaults are not repeated here: they are the initial values of the structs.
+// unit, range, when it applies, what excludes it, group, help, meaning and source. The reader, the checks, the JSON
+// Schema, the reference page, the forms of the workbench and the echo in summary.json are all made from it; each table
+// has its file in settings/. Defaults are not repeated here: they are the initial values of the structs.
 
 #include <functional>
 #include <limits>
@@ -97,6 +98,37 @@ std::span<const std::string_view> words(DesignLevel);
 std::span<const std::string_view> words(DesignEnergy);
 std::span<const std::string_view> words(io::MapSubject);
 
+/// What another setting must say: of the same row (its key), or of a table that there is one of ("terrain.raster").
+struct Condition {
+  enum class Asks { given, absent, one_of, none_of };
+  std::string_view key;
+  Asks asks = Asks::given;
+  std::vector<std::string_view> values{};  // of one_of and none_of: as in the file, texts without quotes
+};
+
+/// What becomes of a setting that does not apply.
+enum class Otherwise {
+  kept,     // it describes the ground for either model, say
+  warned,   // a warning says that it has no effect
+  refused,  // an error: the project says something else than it does
+};
+
+/// One reason for which a setting has an effect: any of its conditions holds.
+struct Need {
+  std::vector<Condition> any_of;
+  Otherwise otherwise = Otherwise::warned;
+  // The message where none holds; empty: made of the conditions. "{}" stands for what the first of them is now.
+  std::string_view what{};  // after the key: "is given without a section"
+  std::string_view why{};
+  std::string_view hint{};
+};
+
+/// Where the documents say more.
+struct Topic {
+  std::string_view document;  // a file of docs/; empty: nowhere
+  std::string_view heading;
+};
+
 struct Setting {
   std::string_view key;
   std::function<Slot(Row)> slot;
@@ -105,16 +137,32 @@ struct Setting {
   bool required = false;
   std::string_view without_it{};  // what holds where the key is absent and the struct's initial value does not say it
   std::size_t most_entries = 0;   // of a list; 0: as many as anybody likes
-  std::vector<std::string_view> excludes{};  // keys of the same table that may not stand beside this one
-  std::optional<RockModel> only_for{};       // the only model that it has any effect on
-  std::string_view meaning{};                // one sentence; after its model's name and a colon where it has one
+  std::vector<Need>
+      applies_when{};  // all of them must be met for it to have an effect; the first that is not is reported
+  std::vector<std::string_view> asks_nothing{};  // values, as in the file, that need nothing: `false`
+  std::string_view title{};                      // of its field in forms, where the key does not read well
+  std::string_view group{};                      // of the form, one of the table's
+  Topic topic{};                                 // without one the table's
+  std::string_view meaning{};                    // one sentence; after its model's name and a colon where it has one
   std::string_view source{};
   std::function<std::optional<double>(double)> slip{};  // what a number out of range was probably meant to be
   std::function<std::optional<Doubt>(double)> doubt{};  // for a number inside the range
 };
 
+/// The only rock model that it has any effect on, where there is one.
+[[nodiscard]] std::optional<RockModel> only_model(const Setting& setting);
+
 /// Its meaning, with the model that it is for in front: "Rigid sphere: height of the bumps of a rough ground."
 [[nodiscard]] std::string meaning_of(const Setting& setting);
+
+/// Ways to say one thing, each by the keys of a list. Keys of different ways exclude each other.
+using Choice = std::vector<std::vector<std::string_view>>;
+
+/// Fields that stand together in a form.
+struct Group {
+  std::string_view title;
+  bool folded = false;  // until it is opened, or something in it is given
+};
 
 struct Table {
   std::string_view key;   // empty: the keys before the first table
@@ -122,10 +170,15 @@ struct Table {
   bool required = false;
   std::string_view meaning;
   std::vector<Setting> settings;
+  std::vector<Choice> choices{};
+  std::vector<Group> groups{};  // in the order of the form; none: it has no groups
+  Topic topic{};
   std::function<Row(Project&)> add;                // the row to read into; a new one for each [[key]]
   std::function<std::vector<Row>(Project&)> rows;  // all rows that there are
 
   [[nodiscard]] const Setting* find(std::string_view setting) const;
+  /// Keys that may not stand beside this one: those of other ways of its choices.
+  [[nodiscard]] std::vector<std::string_view> excluded_by(std::string_view setting) const;
   /// As in the file: "[analysis]", "[[seeder]]".
   [[nodiscard]] std::string heading() const;
 };

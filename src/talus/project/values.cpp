@@ -26,15 +26,6 @@ std::string quoted_list(std::span<const std::string_view> words, std::string_vie
   return out;
 }
 
-std::string plain_list(std::span<const std::string_view> words, std::string_view last) {
-  std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) out += i + 1 == words.size() ? last : ", ";
-    out += words[i];
-  }
-  return out;
-}
-
 /// Is this text what a number in quotes would be?
 bool reads_as_number(const toml::node& node) {
   const auto* text = node.as_string();
@@ -58,14 +49,6 @@ std::string reason(const Range& range, double value) {
 
 std::string kind_of_number(std::string_view kind, const Range& range) {
   return range.is_everything() ? std::string(kind) : fmt::format("{}, {}", kind, range.text());
-}
-
-constexpr std::size_t most_unknown = 100;  // keys of one table that are told; more would only hide the others
-
-std::vector<std::string_view> keys_of(const Table& table) {
-  std::vector<std::string_view> keys;
-  for (const Setting& setting : table.settings) keys.push_back(setting.key);
-  return keys;
 }
 
 std::string slip_hint(const Setting& setting, double value) {
@@ -95,17 +78,6 @@ std::string name_of_row(const Table& table, const toml::table& row, std::size_t 
   if (!name || name->empty()) return fmt::format("{} {}", table.key, index + 1);
   const bool is_printable = std::none_of(name->begin(), name->end(), is_control);
   return fmt::format("{} {}", table.key, is_printable ? fmt::format("\"{}\"", *name) : quoted(*row.get("name")));
-}
-
-bool is_mistyped(const Table& table, const toml::table& row, std::string_view key) {
-  const std::vector<std::string_view> known = keys_of(table);
-  std::size_t unknown = 0;
-  for (const auto& [other, node] : row) {
-    if (table.find(other.str())) continue;
-    if (++unknown > most_unknown) return false;
-    if (nearest(other.str(), known) == key) return true;
-  }
-  return false;
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view several) {
@@ -139,8 +111,9 @@ void ValueReader::read(const Table& table, const toml::table& from, Row row, con
 
 void ValueReader::read_rows(const Table& table, const toml::table& from, Row row, const std::string& where,
                             const std::string& lead) {
-  refuse_unknown(table, from, where, lead);
-  refuse_exclusive(table, from, where);
+  const RowKeys keys{document_, table, from, where, problems_};
+  keys.refuse_unknown(lead);
+  keys.refuse_exclusive();
   for (const Setting& setting : table.settings) {
     const toml::node* node = from.get(setting.key);
     if (!node) {
@@ -154,78 +127,6 @@ void ValueReader::read_rows(const Table& table, const toml::table& from, Row row
     }
     const Value value{setting, *node, from, where, fmt::format("{}{}", lead, setting.key)};
     if (!std::visit([&](auto slot) { return into(value, slot); }, setting.slot(row))) refused_.insert(node);
-  }
-}
-
-void ValueReader::refuse_unknown(const Table& table, const toml::table& from, const std::string& where,
-                                 const std::string& lead) {
-  const std::vector<std::string_view> known = keys_of(table);
-  std::size_t unknown = 0;
-  for (const auto& [key, node] : from) {
-    const std::string_view name = key.str();
-    if (table.find(name)) continue;
-    if (table.key.empty() &&
-        std::any_of(tables().begin(), tables().end(), [&](const Table& other) { return other.key == name; })) {
-      continue;
-    }
-    Problem problem = document_.at(node);
-    problem.where = where;
-    if (++unknown > most_unknown) continue;
-    if (table.key.empty() && node.is_table()) {
-      problem.what = fmt::format("unknown table [{}]", name);
-    } else if (table.key.empty() && node.is_array_of_tables()) {
-      problem.what = fmt::format("unknown table [[{}]]", name);
-    } else {
-      problem.what = fmt::format("unknown key \"{}\"", name);
-      if (!lead.empty()) problem.what += fmt::format(" of {}", lead.substr(0, lead.size() - 1));
-    }
-    if (table.key.empty()) {
-      std::vector<std::string_view> names = known;
-      for (const Table& other : tables()) {
-        if (!other.key.empty()) names.push_back(other.key);
-      }
-      if (const auto near = nearest(name, names)) {
-        const auto meant =
-            std::find_if(tables().begin(), tables().end(), [&](const Table& t) { return t.key == *near; });
-        problem.hint = fmt::format("Did you mean {}?", meant == tables().end() ? std::string(*near) : meant->heading());
-      } else {
-        problem.why = fmt::format("known are {}", plain_list(names, " and "));
-      }
-    } else if (const auto near = nearest(name, known)) {
-      problem.hint = fmt::format("Did you mean \"{}\"?", *near);
-    } else {
-      const auto home = std::find_if(tables().begin(), tables().end(), [&](const Table& t) { return t.find(name); });
-      if (home != tables().end() && !home->key.empty()) {
-        problem.hint = fmt::format("It belongs to {}", home->heading());
-      } else {
-        problem.why = fmt::format("known are {}", plain_list(known, " and "));
-      }
-    }
-    problems_.add(std::move(problem));
-  }
-  if (unknown <= most_unknown) return;
-  Problem others = document_.at(from);
-  others.where = where;
-  others.what = fmt::format("{} more keys are unknown", unknown - most_unknown);
-  problems_.add(std::move(others));
-}
-
-void ValueReader::refuse_exclusive(const Table& table, const toml::table& from, const std::string& where) {
-  std::vector<std::string_view> told;
-  const auto is_told = [&](std::string_view key) { return std::find(told.begin(), told.end(), key) != told.end(); };
-  for (const Setting& setting : table.settings) {
-    if (!from.contains(setting.key) || is_told(setting.key)) continue;
-    std::vector<std::string_view> together{setting.key};
-    for (const std::string_view other : setting.excludes) {
-      if (from.contains(other) && !is_told(other)) together.push_back(other);
-    }
-    if (together.size() == 1) continue;
-    told.insert(told.end(), together.begin(), together.end());
-    Problem problem = document_.at(*from.get(together[1]));
-    problem.where = where;
-    problem.what = fmt::format("{} are given together", plain_list(together, " and "));
-    problem.why = "they exclude each other";
-    problems_.add(std::move(problem));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/maps/map_subjects.hpp"
 #include "talus/project/document.hpp"
+#include "talus/project/row_keys.hpp"
 #include "talus/project/settings.hpp"
 
 namespace talus::project {
@@ -21,10 +22,6 @@ namespace talus::project {
 
 /// How a complaint calls a row: `[analysis]`, `material "Type One"`, `seeder 2` (counted from 1).
 [[nodiscard]] std::string name_of_row(const Table& table, const toml::table& row, std::size_t index);
-
-/// Does this row have an unknown key that was probably meant to be `key`? Then that key is mistyped rather than
-/// missing.
-[[nodiscard]] bool is_mistyped(const Table& table, const toml::table& row, std::string_view key);
 
 /// "1 vertex", "2 vertices".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view several);
@@ -61,8 +58,6 @@ class ValueReader {
 
   void read_rows(const Table& table, const toml::table& from, Row row, const std::string& where,
                  const std::string& lead);
-  void refuse_unknown(const Table& table, const toml::table& from, const std::string& where, const std::string& lead);
-  void refuse_exclusive(const Table& table, const toml::table& from, const std::string& where);
 
   bool into(const Value&, bool*);
   bool into(const Value&, double*);

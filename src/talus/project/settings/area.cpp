@@ -1,6 +1,7 @@
 #include "talus/project/settings/limits.hpp"
 #include "talus/project/settings/slots.hpp"
 #include "talus/project/settings/tables.hpp"
+#include "talus/project/settings/topics.hpp"
 
 namespace talus::project::declared {
 
@@ -31,6 +32,7 @@ Table area_table() {
                           "triangle of the terrain belongs to it where its middle does.",
                .source = "Talus"},
           },
+      .topic = topics::areas,
       .add = [](Project& project) { return added(project.areas); },
       .rows = [](Project& project) { return all(project.areas); },
   };

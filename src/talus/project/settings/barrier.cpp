@@ -1,6 +1,7 @@
 #include "talus/project/settings/limits.hpp"
 #include "talus/project/settings/slots.hpp"
 #include "talus/project/settings/tables.hpp"
+#include "talus/project/settings/topics.hpp"
 
 namespace talus::project::declared {
 namespace {
@@ -66,6 +67,7 @@ Table barrier_table() {
       .repeated = true,
       .meaning = "Something that stops rocks; any number of entries.",
       .settings = line_settings("`barrier N`, N counted from 1"),
+      .topic = topics::points,
       .add = [](Project& project) { return added_barrier(project, false); },
       .rows = [](Project& project) { return all_barriers(project, false); },
   };
@@ -107,6 +109,7 @@ Table collector_table() {
       .repeated = true,
       .meaning = "Something that records the rocks that pass it and does not touch them; any number of entries.",
       .settings = line_settings("`collector N`, N counted from 1"),
+      .topic = topics::points,
       .add = [](Project& project) { return added_barrier(project, true); },
       .rows = [](Project& project) { return all_barriers(project, true); },
   };

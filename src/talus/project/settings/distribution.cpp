@@ -26,6 +26,7 @@ Table distribution_table() {
                .range = at_least(0, "a standard deviation is a width"),
                .without_it = "required, except for `exponential` (the mean), and for `uniform` and `triangular` with "
                              "limits",
+               .title = "Standard deviation",
                .meaning = "Standard deviation before truncation, in the property's unit.",
                .source = "the manual, tables 1-1 and 1-2",
                .slip = sign_slip},
@@ -33,6 +34,7 @@ Table distribution_table() {
                .slot = member(&Distribution::rel_min),
                .range = at_least(0, "it is a distance below the mean"),
                .without_it = "no limit but the property's own",
+               .title = "Relative minimum",
                .meaning = "No draw is below mean - rel_min.",
                .source = "the manual, tables 1-1 and 1-2",
                .slip = sign_slip},
@@ -40,6 +42,7 @@ Table distribution_table() {
                .slot = member(&Distribution::rel_max),
                .range = at_least(0, "it is a distance above the mean"),
                .without_it = "no limit but the property's own",
+               .title = "Relative maximum",
                .meaning = "No draw is above mean + rel_max.",
                .source = "the manual, tables 1-1 and 1-2",
                .slip = sign_slip},

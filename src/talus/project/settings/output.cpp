@@ -1,7 +1,9 @@
 #include "talus/maps/map_subjects.hpp"
+#include "talus/project/settings/conditions.hpp"
 #include "talus/project/settings/limits.hpp"
 #include "talus/project/settings/slots.hpp"
 #include "talus/project/settings/tables.hpp"
+#include "talus/project/settings/topics.hpp"
 
 namespace talus::project::declared {
 namespace {
@@ -31,12 +33,16 @@ Table output_table() {
               {.key = "paths",
                .slot = rock_limit_slot(&Output::path_limit),
                .range = between(0, most_rocks),
+               .title = "Rocks with paths",
+               .topic = topics::paths,
                .meaning = "Of which rocks `paths.csv` has the whole path: `\"all\"`, `\"none\"`, or so many, "
                           "evenly spread.",
                .source = "Talus"},
               {.key = "maps",
                .slot = member(&Output::maps),
                .most_entries = io::map_subject_names.size(),
+               .group = "Maps",
+               .topic = topics::maps,
                .meaning = "Writes where rocks pass, how fast, how high and with how much energy: in 3D maps, as "
                           "GeoTIFFs in the folder `maps`; in 2D the same along the section, `envelopes.csv`. `true` "
                           "stands for all; of a list only what it names is gathered and written; an empty one is "
@@ -44,6 +50,12 @@ Table output_table() {
                .source = "Talus"},
               {.key = "maps_by_source",
                .slot = member(&Output::maps_by_source),
+               .applies_when =
+                   {in_3d(Otherwise::warned, {}, "a section has no area to map", "Give terrain.width_m for 3D"),
+                    {.any_of = {is_not("maps", {"false", "[]"})}, .why = "maps is false", .hint = "Let maps be true"}},
+               .asks_nothing = {"false"},
+               .group = "Maps",
+               .topic = topics::maps,
                .meaning = "Writes maps of each source's rocks, too, in folders of `maps/by_source`.",
                .source = "Talus"},
               {.key = "raster_cell_m",
@@ -53,6 +65,9 @@ Table output_table() {
                          .most = largest_coordinate_m,
                          .too_low = "nothing is known of the ground on that scale"},
                .without_it = "`\"terrain\"` on a raster, else 1",
+               .title = "Cell of the maps",
+               .group = "Maps",
+               .topic = topics::maps,
                .meaning =
                    "Side of a map's cell, or length of an envelope's, whose borders are at multiples of it; with "
                    "`\"terrain\"` the cells are those of the terrain's raster.",
@@ -61,6 +76,8 @@ Table output_table() {
                .slot = member(&Output::percentiles),
                .range = between(0, 100),
                .most_entries = most_percentiles,
+               .group = "Maps",
+               .topic = topics::maps,
                .meaning =
                    "Which percentiles of energies, velocity and bounce height are mapped beside the greatest and "
                    "the mean, 20 at most.",
@@ -68,11 +85,22 @@ Table output_table() {
               {.key = "geopackage",
                .slot = rock_limit_slot(&Output::geopackage_limit),
                .range = between(0, most_rocks),
+               .applies_when = {in_3d(Otherwise::warned, {}, "a section lies nowhere on a map",
+                                      "Give terrain.width_m for 3D")},
+               .asks_nothing = {"none", "0"},
+               .title = "Rocks in the GeoPackage",
+               .topic = topics::geopackage,
                .meaning = "3D: of which rocks `results.gpkg` holds end points and paths, beside the barriers: "
                           "`\"all\"`, or of so many; with `\"none\"` there is no such file.",
                .source = "Talus"},
               {.key = "vtk",
                .slot = member(&Output::vtk),
+               .applies_when = {{.any_of = {is_not("paths", {"none", "0"})},
+                                 .why = "paths is \"none\"",
+                                 .hint = "Let paths be a number of rocks"}},
+               .asks_nothing = {"false"},
+               .title = "Paths for ParaView",
+               .topic = topics::vtk,
                .meaning = "Writes `paths.vtp`, the paths for ParaView, of the rocks that `paths` names.",
                .source = "Talus"},
               {.key = "report",
@@ -80,6 +108,8 @@ Table output_table() {
                .meaning = "Writes `report.html`, a page of figures that opens without a network.",
                .source = "Talus"},
           },
+      .groups = {{""}, {"Maps"}},
+      .topic = topics::output,
       .add = add,
       .rows = rows,
   };

@@ -1,6 +1,7 @@
 #include "talus/project/settings/limits.hpp"
 #include "talus/project/settings/slots.hpp"
 #include "talus/project/settings/tables.hpp"
+#include "talus/project/settings/topics.hpp"
 
 namespace talus::project::declared {
 
@@ -25,6 +26,7 @@ Table sampling_table() {
                .meaning = "Material properties are drawn afresh at every impact, or once for each rock.",
                .source = "Talus; the manual does not say which its programs do"},
           },
+      .topic = topics::sampling,
       .add = add,
       .rows = rows,
   };

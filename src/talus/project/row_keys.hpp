@@ -1,0 +1,33 @@
+#pragma once
+// The keys of one row of the project file: those that are not declared, and those that exclude each other.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "talus/core/problems.hpp"
+#include "talus/project/document.hpp"
+#include "talus/project/settings.hpp"
+
+namespace talus::project {
+
+/// Does this row have an unknown key that was probably meant to be `key`? Then that key is mistyped rather than
+/// missing.
+[[nodiscard]] bool is_mistyped(const Table& table, const toml::table& row, std::string_view key);
+
+/// "a, b and c".
+[[nodiscard]] std::string plain_list(std::span<const std::string_view> words, std::string_view last);
+
+struct RowKeys {
+  const Document& document;
+  const Table& table;
+  const toml::table& from;
+  const std::string& where;  // names the row in messages
+  Problems& problems;
+
+  /// `lead` is what leads to the keys of a value that is a table: "normal_restitution ".
+  void refuse_unknown(const std::string& lead) const;
+  void refuse_exclusive() const;
+};
+
+}  // namespace talus::project

@@ -1,0 +1,55 @@
+#include "talus/project/schema_module.hpp"
+
+#include "talus/project/schema.hpp"
+
+namespace talus::project {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Whether it is a table of settings, or a list of such tables.
+bool is_table(const Json& node) {
+  return node.is_object() && (node.contains("properties") || (node.contains("items") && is_table(node["items"])));
+}
+
+/// A line a setting: what differs between two versions is read like that.
+void write(const Json& node, const std::string& indent, std::string& out) {
+  const std::string inner = indent + "  ";
+  out += "{\n";
+  for (const auto& [key, value] : node.items()) {
+    out += inner + Json(key).dump() + ": ";
+    if (is_table(value)) {
+      write(value, inner, out);
+    } else if (key == "properties") {
+      out += "{\n";
+      for (const auto& [name, setting] : value.items()) {
+        out += inner + "  " + Json(name).dump() + ": ";
+        if (is_table(setting)) {
+          write(setting, inner + "  ", out);
+        } else {
+          out += setting.dump();
+        }
+        out += ",\n";
+      }
+      out += inner + "}";
+    } else {
+      out += value.dump();
+    }
+    out += ",\n";
+  }
+  out += indent + "}";
+}
+
+}  // namespace
+
+std::string schema_module() {
+  std::string out =
+      R"(// Made from the declaration of the settings (src/talus/project/settings) by schema_module.cpp; not written by hand.
+// To renew it: TALUS_RENEW_REFERENCE=1 and run the test SchemaModule.IsNotStale.
+
+export const schema = )";
+  write(schema(), "", out);
+  return out + " as const;\n";
+}
+
+}  // namespace talus::project

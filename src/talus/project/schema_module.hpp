@@ -1,0 +1,12 @@
+#pragma once
+// The declaration of the settings for the workbench's page.
+
+#include <string>
+
+namespace talus::project {
+
+/// web/src/generated/schema.ts: the schema of schema.hpp as a TypeScript constant, a line a setting, whose type has
+/// every key and every word. A test holds the file to it.
+[[nodiscard]] std::string schema_module();
+
+}  // namespace talus::project

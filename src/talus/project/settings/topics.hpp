@@ -1,0 +1,35 @@
+#pragma once
+// Places in the documents that help leads to.
+
+#include "talus/project/settings.hpp"
+
+namespace talus::project::declared::topics {
+
+constexpr Topic laws{"laws.md", "The laws"};
+constexpr Topic equations{"laws.md", "The equations of the lumped mass"};
+constexpr Topic points{"laws.md", "Points worth knowing"};
+constexpr Topic forest{"laws.md", "Forest"};
+constexpr Topic soft_ground{"laws.md", "Soft ground"};
+constexpr Topic terrain{"terrain.md", "Terrain"};
+constexpr Topic rasters{"terrain.md", "Rasters"};
+constexpr Topic survey{"terrain.md", "A survey as terrain"};
+constexpr Topic library{"materials.md", "The library of materials"};
+constexpr Topic ground{"gis.md", "Ground from polygons"};
+constexpr Topic areas{"gis.md", "Areas drawn on it"};
+constexpr Topic lines{"gis.md", "Lines"};
+constexpr Topic vector_files{"gis.md", "Vector files"};
+constexpr Topic cells{"gis.md", "Seeders on cells"};
+constexpr Topic seeders{"project-file.md", "`[[seeder]]`"};
+constexpr Topic sampling{"project-file.md", "`[sampling]`"};
+constexpr Topic output{"project-file.md", "`[output]`"};
+constexpr Topic paths{"outputs.md", "paths.csv"};
+constexpr Topic geopackage{"outputs.md", "results.gpkg"};
+constexpr Topic vtk{"outputs.md", "paths.vtp"};
+constexpr Topic maps{"outputs.md", "maps/"};
+constexpr Topic design{"barrier-design.md", "What is counted"};
+constexpr Topic design_check{"barrier-design.md", "The check"};
+constexpr Topic design_table{"barrier-design.md", "design.csv"};
+constexpr Topic confidence{"barrier-design.md", "Confidence"};
+constexpr Topic ranking{"barrier-design.md", "Which line, height and energy"};
+
+}  // namespace talus::project::declared::topics
