@@ -1,6 +1,7 @@
-# Puts the fixed parts of the report's page (src/talus/report/page/) and the drawing library D3 into the library, so that
-# the program is one file and its reports need no network. Included, it gives talus_embed_report(target); as a script
-# (cmake -DFOLDER=... -DD3_SCRIPT=... -DOUTPUT=... -P embed.cmake) it writes the C++ file with one string a part.
+# Puts the fixed parts of the report's page (src/talus/report/page/) and the figures that it shares with the workbench
+# (web/src/figures/, bundled with what they use of D3) into the library, so that the program is one file and its reports
+# need no network. Included, it gives talus_embed_report(target); as a script
+# (cmake -DFOLDER=... -DFIGURES=... -DBUNDLE=... -DOUTPUT=... -P embed.cmake) it writes the C++ file with one string a part.
 
 # In this order on the page: each may use what stands before it.
 set(TALUS_REPORT_SCRIPTS format figure run tables statistics overview terrain inputs slope mapframe plan maps
@@ -23,29 +24,60 @@ if(CMAKE_SCRIPT_MODE_FILE)
   endfunction()
   list(TRANSFORM TALUS_REPORT_SCRIPTS REPLACE "(.+)" "${FOLDER}/\\1.js")
   embed(page "${FOLDER}/page.html")
-  embed(style "${FOLDER}/style.css")
+  embed(style "${FIGURES}/figures.css" "${FOLDER}/style.css")
   embed(script ${TALUS_REPORT_SCRIPTS})
-  embed(d3 "${D3_SCRIPT}")
+  embed(figures "${BUNDLE}")
   file(WRITE "${OUTPUT}" "${code}}  // namespace talus::io::assets\n")
   return()
 endif()
 
 set(TALUS_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
-find_file(D3_SCRIPT d3.min.js PATHS /usr/share/nodejs/d3/dist NO_DEFAULT_PATH
-  DOC "The drawing library D3, version 5, as one minified file")
-if(NOT D3_SCRIPT)
-  message(FATAL_ERROR "D3 is missing. Install Debian's package node-d3, or name D3 5's d3.min.js: -DD3_SCRIPT=...")
+include(${CMAKE_CURRENT_LIST_DIR}/npm.cmake)
+
+# The figures are bundled by esbuild: the workbench's, which npm fetches with D3 in the versions of web/package-lock.json;
+# or, where there is no workbench, Debian's esbuild and D3, without npm and network.
+find_program(ESBUILD esbuild)
+find_path(D3_MODULES d3-selection/src/index.js PATHS /usr/share/nodejs NO_DEFAULT_PATH DOC "The folder of D3's modules")
+set(TALUS_FIGURES_WITH_NPM ON)
+if(NOT TALUS_SERVER)
+  if(ESBUILD AND D3_MODULES)
+    set(TALUS_FIGURES_WITH_NPM OFF)
+  elseif(NOT NPM)
+    message(FATAL_ERROR "The report's figures are bundled by esbuild with D3, and neither npm nor these were found. Install "
+      "Debian's packages esbuild and node-d3, or name them: -DESBUILD=... -DD3_MODULES=...")
+  endif()
 endif()
+
+function(talus_bundle_figures bundle)
+  set(web ${CMAKE_SOURCE_DIR}/web)
+  if(TALUS_FIGURES_WITH_NPM)
+    talus_npm(modules ${web})
+    set(esbuild ${web}/node_modules/.bin/esbuild)
+  else()
+    set(esbuild ${CMAKE_COMMAND} -E env NODE_PATH=${D3_MODULES} ${ESBUILD})
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${web}/src/figures/*.ts ${web}/src/view/*.ts)
+  add_custom_command(
+    OUTPUT ${bundle}
+    COMMAND ${esbuild} ${web}/src/figures/report.ts --bundle --format=iife --global-name=figures --minify
+      --charset=utf8 --legal-comments=inline --target=es2020 --log-level=warning --outfile=${bundle}
+    DEPENDS ${sources} ${modules}
+    COMMENT "Bundling the report's figures"
+    VERBATIM)
+endfunction()
 
 function(talus_embed_report target)
   set(folder ${CMAKE_SOURCE_DIR}/src/talus/report/page)
+  set(figures ${CMAKE_SOURCE_DIR}/web/src/figures)
+  set(bundle ${CMAKE_BINARY_DIR}/generated/figures.js)
   set(output ${CMAKE_BINARY_DIR}/generated/report_assets.cpp)
   set(parts ${TALUS_REPORT_SCRIPTS})
   list(TRANSFORM parts REPLACE "(.+)" "${folder}/\\1.js")
+  talus_bundle_figures(${bundle})
   add_custom_command(
     OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DD3_SCRIPT=${D3_SCRIPT} -DOUTPUT=${output} -P ${TALUS_EMBED_SCRIPT}
-    DEPENDS ${folder}/page.html ${folder}/style.css ${parts} ${D3_SCRIPT} ${TALUS_EMBED_SCRIPT}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DFIGURES=${figures} -DBUNDLE=${bundle} -DOUTPUT=${output} -P ${TALUS_EMBED_SCRIPT}
+    DEPENDS ${folder}/page.html ${folder}/style.css ${figures}/figures.css ${parts} ${bundle} ${TALUS_EMBED_SCRIPT}
     COMMENT "Embedding the report's page"
     VERBATIM)
   target_sources(${target} PRIVATE ${output})

@@ -111,13 +111,14 @@ TEST(ReportInBrowser, DrawsEnvelopesAsStepsThatEndWhereNoRockWas) {
   const std::string said = said_in_page(folder.path / "report.html", R"(
     const svg = document.querySelector('svg[aria-label^="Total kinetic energy along the section"]');
     const curve = svg.querySelector('path.envelope').getAttribute('d');
-    const bars = [...svg.querySelectorAll('.under-pointer')];
-    bars[1].dispatchEvent(new MouseEvent('mousemove', {bubbles: true}));
-    return [curve.replace(/[-0-9., ]+/g, ''), svg.querySelectorAll('path.envelope').length, bars.length,
+    const box = svg.querySelector('.under-pointer').getBoundingClientRect();  // of x from -0.08 to 4.08
+    const clientX = box.left + box.width * (1.6 + 0.08) / 4.16;
+    svg.querySelector('.under-pointer').dispatchEvent(new MouseEvent('mousemove', {bubbles: true, clientX}));
+    return [curve.replace(/[-0-9., ]+/g, ''), svg.querySelectorAll('path.envelope').length,
             [...svg.querySelectorAll('text')].map((t) => t.textContent).filter((t) => /[a-z]/.test(t)).join('|'),
             document.getElementById('tip').textContent].join(' ; ');)");
   EXPECT_EQ(said,
-            "MHVHMH ; 4 ; 4 ; x [m]|Total kinetic energy [kJ]|Fence|maximum|percentile 99.5|percentile 95|mean ; "
+            "MHVHMH ; 4 ; maximum|percentile 99.5|percentile 95|mean|x [m]|Total kinetic energy [kJ]|Fence ; "
             "x 1 to 2 m\nmaximum 8 kJ\npercentile 99.5 3 kJ\npercentile 95 2 kJ\nmean 1 kJ");
 }
 
@@ -324,7 +325,7 @@ TEST(ReportInBrowser, DrawsMapsOfWhatTheRocksDid) {
       has('image.relief') + has('image.cells') + has('.scale-bar') + has('.north') + has('.release') +
       '; ' + mapValues(runs[0].maps[1]).map((value) => number(value, 4)).join(' ') + ' kJ';
   )"),
-            "Reach|Greatest total kinetic energy|Greatest height above the ground|Greatest velocity; "
+            "Reach|Greatest total kinetic energy|Greatest bounce height|Greatest velocity; "
             "y|Total kinetic energy, greatest of all rocks [kJ]|30|100|300|1,000|3,000|Scale 1:75 on A4, cells of 5 m, "
             "up to 8 "
             "kJ|Coordinate system "

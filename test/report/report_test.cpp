@@ -58,7 +58,8 @@ TEST(Report, NeedsNothingFromOutside) {
   sample_run::write(folder);
   const std::string page = page_of(folder);
   const std::regex loads(R"((src|href|data)\s*=\s*["']?\s*(https?:|//|file:))", std::regex::icase);
-  const std::string own = std::string(assets::page) + std::string(assets::style) + std::string(assets::script);
+  const std::string own = std::string(assets::page) + std::string(assets::style) + std::string(assets::figures) +
+                          std::string(assets::script);
   for (const std::string& text : {page, own}) {
     EXPECT_FALSE(std::regex_search(text, loads));
     for (const char* part : {"<link", "<iframe", "<script src", "@import", "url(http", "url(//"}) {
@@ -81,8 +82,8 @@ TEST(Report, IsOneWholePage) {
   EXPECT_TRUE(page.ends_with("</html>\n"));
   EXPECT_THAT(page, HasSubstr("<title>Tutorial 1 · Talus rockfall report</title>"));
   EXPECT_THAT(page, Not(HasSubstr("{{style}}")));
-  EXPECT_EQ(count_of(page, "</script>"), 3u);  // data, D3 and our own: nothing inside ends one early
-  EXPECT_THAT(std::string(assets::d3), HasSubstr("d3js.org v5"));
+  EXPECT_EQ(count_of(page, "</script>"), 3u);  // data, figures with D3, and the page: nothing inside ends one early
+  EXPECT_THAT(std::string(assets::figures), HasSubstr("D3 (https://d3js.org), copyright"));
 }
 
 TEST(Report, HoldsEveryNumberOfTheSummary) {
@@ -140,6 +141,7 @@ TEST(Report, ShowsNamesAsTextAndNeverAsMarkup) {
   // The page's script sets text and attributes only.
   for (const char* part : {"innerHTML", "outerHTML", "insertAdjacentHTML", "document.write", ".html(", "eval("}) {
     EXPECT_THAT(std::string(assets::script), Not(HasSubstr(part)));
+    EXPECT_THAT(std::string(assets::figures), Not(HasSubstr(part)));
   }
 }
 

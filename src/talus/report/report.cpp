@@ -248,7 +248,7 @@ std::string report_page(std::span<const RunFolder> runs) {
   const std::string title = escaped(title_of(runs)), json = json_for_script(data);
   return filled(
       assets::page,
-      {{"title", title}, {"style", assets::style}, {"d3", assets::d3}, {"data", json}, {"script", assets::script}});
+      {{"title", title}, {"style", assets::style}, {"figures", assets::figures}, {"data", json}, {"script", assets::script}});
 }
 
 void write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html,

@@ -22,16 +22,16 @@ test('the page is as dark as the system, or as is chosen', async ({ workbench: p
   const grounds = { light: 'rgb(244, 242, 238)', dark: 'rgb(20, 25, 28)' };
   const expectGround = (shade: keyof typeof grounds) =>
     expect(page.locator('body')).toHaveCSS('background-color', grounds[shade]);
-  const plotText = () => page.locator('[role="img"] svg text').first().getAttribute('fill');
+  const plotText = () => page.locator('.drawing .axis-label').first().evaluate((text) => getComputedStyle(text).fill);
   await page.getByRole('tab', { name: 'Distributions' }).click();
   await expectGround('light');
-  await expect.poll(plotText).toBe('#1d2326');
+  await expect.poll(plotText).toBe('rgb(29, 35, 38)');
   await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
   await expectGround('dark');
-  await expect.poll(plotText).toBe('#e8ecee');
+  await expect.poll(plotText).toBe('rgb(232, 236, 238)');
   await page.getByRole('button', { name: 'Theme: system' }).click();
   await expectGround('light');
-  await expect.poll(plotText).toBe('#1d2326');
+  await expect.poll(plotText).toBe('rgb(29, 35, 38)');
   await page.getByRole('button', { name: 'Theme: light' }).click();
   await expectGround('dark');
   await page.reload();

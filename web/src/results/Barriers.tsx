@@ -10,7 +10,7 @@ import { ColumnChoice, hitColumns } from './ColumnChoice';
 import { titleOf } from './columns';
 import { DesignTable } from './DesignTable';
 import { DistributionFigures } from './DistributionFigures';
-import { shownColour, type Layer } from './distributionPlots';
+import { shownColour, type Layer } from './layers';
 import { FilterNote } from './FilterNote';
 import { useRemote } from './remote';
 import { fileName } from './save';
@@ -49,7 +49,7 @@ function Hits({ run, barrier, number }: { run: Run; barrier: BarrierAnswer; numb
         <p class="faint tab-tools">No rock hit it.</p>
       ) : (
         <div class="figures">
-          <DistributionFigures layers={layers} column={found.column} thing="Hits" of={`${run.name} ${barrier.name}`} />
+          <DistributionFigures layers={layers} column={found.column} thing="hit" of={`${run.name} ${barrier.name}`} />
           <StatisticsTable
             caption={`Statistics of ${populationOf(barrier, found.statistics.count)}`}
             file={fileName(run.name, barrier.name, found.column, 'statistics')}

@@ -1,105 +1,70 @@
-// A plot with its title, and buttons that save it: as a picture, as a drawing, as the table that it draws.
+// A figure with its title, and buttons that save it: as a picture, as a drawing, as the table that it draws.
 
-import type { EChartsType } from 'echarts/core';
-import type { EChartsOption } from 'echarts/types/dist/shared';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { saveCsv, savePng, saveSvg, type Cell } from '../figures/files';
+import { hideTip } from '../figures/tip';
+import type { Room } from '../figures/plot';
+import '../figures/figures.css';
 import { sayFailure } from '../state/messages';
 import { shown } from '../state/runs';
-import { shade } from '../view/theme';
-import { frame, lookOfPage, type Look, type Size } from './chartLook';
-import { savePng, saveSvg } from './picture';
-import { saveCsv, type Cell } from './save';
+
+/// Shows a place of a figure without the pointer; null: none.
+type Point = (place: number | null) => void;
 
 interface Props {
   title: string;
-  /// What the plot shows, for who cannot see it.
+  /// What the figure shows, for who cannot see it.
   description: string;
   file: string;
-  option: (look: Look, size: Size) => EChartsOption;
-  /// Whether the option depends on the size.
-  followsSize?: boolean;
+  /// Draws into an element that has so much room.
+  draw: (element: SVGSVGElement, room: Room) => Point | void;
   /// The numbers that are drawn; the first row names the columns.
   rows: () => Cell[][];
   /// Beside the title.
   tools?: ComponentChildren;
   /// What is said of the saved numbers.
-  saving?: string;
+  saving?: string | undefined;
   /// What is wrong with it.
   note?: string | null;
-  choose?: (event: { seriesName?: string; dataIndex?: number; data?: unknown }) => void;
-  /// Where on the first axis the pointer is; null: it left.
-  hover?: (value: number | null) => void;
-  /// A place of the first series that is pointed at without the pointer.
+  /// A place that is pointed at without the pointer.
   pointed?: number | null;
 }
 
-export function Chart({ title, description, file, option, followsSize, rows, tools, saving, note, choose, hover, pointed = null }: Props) {
+export function Chart({ title, description, file, draw, rows, tools, saving, note, pointed = null }: Props) {
   const box = useRef<HTMLDivElement>(null);
-  const [chart, setChart] = useState<EChartsType | null>(null);
-  const look = shade.value;
-  const chosen = useRef(choose);
-  chosen.current = choose;
-  const hovered = useRef(hover);
-  hovered.current = hover;
-  const isTold = useRef(false);
-  const [size, setSize] = useState<Size>({ width: 0, height: 0 });
+  const drawing = useRef<SVGSVGElement>(null);
+  const point = useRef<Point | null>(null);
+  const [{ width, height }, setRoom] = useState<Room>({ width: 0, height: 0 });
 
   useEffect(() => {
-    let made: EChartsType | null = null;
-    let isGone = false;
-    const watch = new ResizeObserver(() => {
-      made?.resize();
-      if (followsSize && made) setSize({ width: made.getWidth(), height: made.getHeight() });
+    const watch = new ResizeObserver(([entry]) => {
+      if (entry) setRoom({ width: entry.contentRect.width, height: entry.contentRect.height });
     });
-    import('./echarts').then(({ init }) => {
-      if (isGone || !box.current) return;
-      made = init(box.current, null, { renderer: 'svg' });
-      made.on('click', (event) => chosen.current?.(event as object));
-      made.on('updateAxisPointer', (event) => {
-        const value = (event as { axesInfo?: { value: number }[] }).axesInfo?.[0]?.value;
-        if (value !== undefined && !isTold.current) hovered.current?.(value);
-      });
-      made.getZr().on('globalout', () => hovered.current?.(null));
-      watch.observe(box.current);
-      setChart(made);
-    }, sayFailure);
-    return () => {
-      isGone = true;
-      watch.disconnect();
-      made?.dispose();
-    };
+    watch.observe(box.current!);
+    return () => watch.disconnect();
   }, []);
 
   useEffect(() => {
-    const now = lookOfPage();
-    chart?.setOption({ ...frame(now), ...option(now, size) }, { notMerge: true });
-  }, [chart, option, look, size]);
+    if (width === 0 || height === 0) return;
+    point.current = draw(drawing.current!, { width, height }) ?? null;
+    return hideTip;
+  }, [draw, width, height]);
 
-  useEffect(() => {
-    isTold.current = true;
-    chart?.dispatchAction(
-      pointed === null ? { type: 'hideTip' } : { type: 'showTip', seriesIndex: 0, dataIndex: pointed },
-    );
-    isTold.current = false;
-  }, [chart, pointed]);
+  useEffect(() => point.current?.(pointed), [pointed]);
 
-  const heading = () => {
-    const { panel, text } = lookOfPage();
-    const of = shown.peek()?.name;
-    return { title: of ? `${title}: ${of}` : title, ground: panel, text };
-  };
-  const drawing = () => box.current?.querySelector('svg') ?? null;
+  const of = shown.peek()?.name;
+  const whole = of ? `${title}: ${of}` : title;
   return (
     <figure class="chart">
       <figcaption>
         <h3>{title}</h3>
         {tools}
         <span class="chart-buttons" role="group" aria-label={`Save: ${title}`}>
-          <button class="button plain" onClick={() => savePng(`${file}.png`, drawing(), heading())}>
+          <button class="button plain" onClick={() => void savePng(file, drawing.current!, whole).catch(sayFailure)}>
             PNG
           </button>
-          <button class="button plain" onClick={() => saveSvg(`${file}.svg`, drawing(), heading())}>
+          <button class="button plain" onClick={() => saveSvg(file, drawing.current!, whole)}>
             SVG
           </button>
           <button class="button plain" title={saving} onClick={() => saveCsv(file, rows())}>
@@ -107,7 +72,9 @@ export function Chart({ title, description, file, option, followsSize, rows, too
           </button>
         </span>
       </figcaption>
-      <div ref={box} class="chart-picture" role="img" aria-label={description} />
+      <div ref={box} class="chart-picture" role="img" aria-label={description}>
+        <svg ref={drawing} class="drawing" />
+      </div>
       {note && <span class="problem">{note}</span>}
     </figure>
   );

@@ -5,16 +5,17 @@ import type { ComponentChildren } from 'preact';
 import { useCallback, useMemo, useState } from 'preact/hooks';
 import { results, type BarrierAnswer, type ColumnStatistics } from '../api/results';
 import type { Run } from '../api/types';
+import { boxes, boxRows } from '../figures/boxes';
+import type { Room } from '../figures/plot';
 import { RunDifferences } from '../runs/Differences';
 import { filter } from '../state/filter';
 import { compared, comparedId, hasResults, ownRuns } from '../state/runs';
 import { Chart } from './Chart';
-import type { Look } from './chartLook';
 import { ColumnChoice, endpointColumns, hitColumns } from './ColumnChoice';
 import { readingOf, savingOf, titleOf, withUnit } from './columns';
 import { BarrierCounts } from './BarrierCounts';
 import { DistributionFigures } from './DistributionFigures';
-import { boxes, boxRows, firstColour, secondColour, type Layer } from './distributionPlots';
+import { boxesOf, firstColour, quantityOf, secondColour, type Layer } from './layers';
 import { FilterNote } from './FilterNote';
 import { useRemote } from './remote';
 import { fileName } from './save';
@@ -36,15 +37,19 @@ interface Pair {
 
 function Boxes({ layers, column, of }: { layers: readonly Layer[]; column: string; of: string }) {
   const title = titleOf(column);
-  const draw = useCallback((look: Look) => boxes(layers, title, look), [layers, title]);
+  const draw = useCallback(
+    (element: SVGSVGElement, room: Room) =>
+      boxes(element, room, { ...quantityOf(column, layers), of: boxesOf(layers) }),
+    [layers, column],
+  );
   return (
     <Chart
       title="Box plots"
       description={`Box plots of ${title.toLowerCase()} of both runs. The CSV button saves their numbers.`}
       file={fileName(of, column, 'boxes')}
-      option={draw}
+      draw={draw}
       saving={savingOf(column)}
-      rows={() => boxRows(layers, column)}
+      rows={() => boxRows(boxesOf(layers), column)}
     />
   );
 }
@@ -85,7 +90,7 @@ function Figures({ run, other, columns, thing, barrier, tools }: FiguresProps) {
       {!found ? (
         <Waiting of={answer} />
       ) : layers.every(({ statistics }) => statistics.count === 0) ? (
-        <div class="empty">No {thing.toLowerCase()} in either run.</div>
+        <div class="empty">No {thing}s in either run.</div>
       ) : (
         <div class="figures">
           <DistributionFigures layers={layers} column={found.column} thing={thing} of={of} />
@@ -135,7 +140,7 @@ function ComparedBarriers({ run, other }: Pair) {
         run={run}
         other={other}
         columns={hitColumns}
-        thing="Hits"
+        thing="hit"
         barrier={name}
         tools={
           <label class="choice">
@@ -176,7 +181,7 @@ export function Compare({ run }: { run: Run }) {
     <div class="tab-page">
       {other ? (
         <>
-          <Figures run={run} other={other} columns={endpointColumns} thing="Rocks" barrier={null} tools={choice} />
+          <Figures run={run} other={other} columns={endpointColumns} thing="rock" barrier={null} tools={choice} />
           <ComparedBarriers run={run} other={other} />
           <div class="tab-block">
             <h3>Settings that differ</h3>

@@ -1,11 +1,13 @@
 // A table of results, which can be saved and copied with all its digits.
 
 import type { ComponentChildren } from 'preact';
-import { decimalsOf, fixedText, numberText, shiftedText } from '../ui/format';
+import { decimalsOf, shiftedText } from '../ui/format';
 import type { NumberText } from '../api/exact';
 import { allDigits } from '../state/view';
 import { asInFiles, readingOf } from './columns';
-import { copyRows, saveCsv } from './save';
+import { saveCsv } from '../figures/files';
+import { fixedText, measured } from '../figures/format';
+import { copyRows } from './save';
 
 export interface Column {
   /// As in the file.
@@ -45,7 +47,7 @@ function shownText(read: string, { isText }: Column, exact: boolean, decimals: n
   if (read === '') return '–';
   const value = Number(read);
   if (exact || isText || Number.isNaN(value)) return read;
-  return decimals === null ? numberText(value, 4) : fixedText(value, decimals);
+  return decimals === null ? measured(value) : fixedText(value, decimals);
 }
 
 export function DataTable(props: Props) {

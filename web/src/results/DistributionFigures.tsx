@@ -1,14 +1,16 @@
 import { useCallback } from 'preact/hooks';
+import { cumulative, cumulativeRows } from '../figures/cumulative';
+import { histogram, histogramRows } from '../figures/histogram';
+import type { Room } from '../figures/plot';
 import { Chart } from './Chart';
-import type { Look } from './chartLook';
 import { savingOf, titleOf } from './columns';
-import { cumulative, cumulativeRows, histogram, histogramRows, type Layer } from './distributionPlots';
+import { binsOf, quantityOf, stepsOf, type Layer } from './layers';
 import { fileName } from './save';
 
 interface Props {
   layers: readonly Layer[];
   column: string;
-  /// What is counted: "Rocks", "Hits".
+  /// What is counted: "rock", "hit".
   thing: string;
   /// Words for the names of saved files.
   of: string;
@@ -16,27 +18,35 @@ interface Props {
 
 /// The histogram and the cumulative curve of a quantity.
 export function DistributionFigures({ layers, column, thing, of }: Props) {
-  const title = titleOf(column);
-  const drawHistogram = useCallback((look: Look) => histogram(layers, title, thing, look), [layers, title, thing]);
-  const drawCumulative = useCallback((look: Look) => cumulative(layers, title, thing, look), [layers, title, thing]);
+  const title = titleOf(column).toLowerCase();
+  const drawHistogram = useCallback(
+    (element: SVGSVGElement, room: Room) =>
+      histogram(element, room, { ...quantityOf(column, layers), thing, of: binsOf(layers) }),
+    [layers, column, thing],
+  );
+  const drawCumulative = useCallback(
+    (element: SVGSVGElement, room: Room) =>
+      cumulative(element, room, { ...quantityOf(column, layers), thing, of: stepsOf(layers) }),
+    [layers, column, thing],
+  );
   const counted = layers.map(({ name, statistics }) => `${name}: ${statistics.count}`).join(', ');
   return (
     <>
       <Chart
         title="Histogram"
-        description={`Histogram of ${title.toLowerCase()} over ${thing.toLowerCase()} (${counted}). The CSV button saves its numbers.`}
+        description={`Histogram of ${title} over ${thing}s (${counted}). The CSV button saves its numbers.`}
         file={fileName(of, column, 'histogram')}
-        option={drawHistogram}
+        draw={drawHistogram}
         saving={savingOf(column)}
-        rows={() => histogramRows(layers, column)}
+        rows={() => histogramRows(binsOf(layers), column)}
       />
       <Chart
         title="Cumulative"
-        description={`Share of ${thing.toLowerCase()} with at most a ${title.toLowerCase()} (${counted}). The CSV button saves its numbers.`}
+        description={`Share of ${thing}s with at most a ${title} (${counted}). The CSV button saves its numbers.`}
         file={fileName(of, column, 'cumulative')}
-        option={drawCumulative}
+        draw={drawCumulative}
         saving={savingOf(column)}
-        rows={() => cumulativeRows(layers, column)}
+        rows={() => cumulativeRows(stepsOf(layers), column)}
       />
     </>
   );

@@ -8,7 +8,7 @@ import { counted } from '../ui/format';
 import { ColumnChoice, endpointColumns } from './ColumnChoice';
 import { titleOf } from './columns';
 import { DistributionFigures } from './DistributionFigures';
-import { shownColour, type Layer } from './distributionPlots';
+import { shownColour, type Layer } from './layers';
 import { FilterNote } from './FilterNote';
 import { GroupBoxes } from './GroupBoxes';
 import { useRemote } from './remote';
@@ -43,7 +43,7 @@ export function Distributions({ run }: { run: Run }) {
         <div class="empty">The filter leaves no rock of this run.</div>
       ) : (
         <div class="figures">
-          <DistributionFigures layers={layers} column={found.column} thing="Rocks" of={run.name} />
+          <DistributionFigures layers={layers} column={found.column} thing="rock" of={run.name} />
           <GroupBoxes run={run} column={found.column} all={found.statistics} />
           <StatisticsTable
             caption="Statistics"

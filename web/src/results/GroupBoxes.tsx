@@ -3,11 +3,12 @@
 import { useCallback, useState } from 'preact/hooks';
 import { results, type ColumnStatistics } from '../api/results';
 import type { Run } from '../api/types';
+import { boxes, boxRows } from '../figures/boxes';
+import type { Room } from '../figures/plot';
 import { filter, type RockFilter } from '../state/filter';
 import { Chart } from './Chart';
-import type { Look } from './chartLook';
 import { savingOf, titleOf } from './columns';
-import { boxes, boxRows, shownColour, type Layer } from './distributionPlots';
+import { boxesOf, quantityOf, shownColour, type Layer } from './layers';
 import { useRemote } from './remote';
 import { fileName } from './save';
 
@@ -56,15 +57,19 @@ export function GroupBoxes({ run, column, all }: { run: Run; column: string; all
   const groups = answer.value?.column === column ? answer.value.layers : null;
   const layers: Layer[] = [{ name: 'All', statistics: all, colour: shownColour }, ...(groups ?? [])];
   const title = titleOf(column);
-  const draw = useCallback((look: Look) => boxes(layers, title, look), [all, groups, title]);
+  const draw = useCallback(
+    (element: SVGSVGElement, room: Room) =>
+      boxes(element, room, { ...quantityOf(column, layers), of: boxesOf(layers) }),
+    [all, groups, column],
+  );
   return (
     <Chart
       title="Box plots"
       description={`Box plots of ${title.toLowerCase()}, ${groupings[grouping]}. The CSV button saves their numbers.`}
       file={fileName(run.name, column, 'boxes')}
-      option={draw}
+      draw={draw}
       saving={savingOf(column)}
-      rows={() => boxRows(layers, column)}
+      rows={() => boxRows(boxesOf(layers), column)}
       tools={
         <select
           aria-label="Groups of the box plots"

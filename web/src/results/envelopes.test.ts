@@ -1,29 +1,41 @@
 import { expect, test } from 'vitest';
+import { curvesOf, envelopeRows } from '../figures/envelope';
 import { envelopesOf, quantitiesOf } from './envelopes';
 
-const csv = `x_m,passages,reach_share,energy_total_max_kJ,energy_total_p99.5_kJ,velocity_mean_m_s
-0.5,4,1,1200,1100,3.5
-1.5,0,,,,
-2.5,1,0.25,300,300,1
+const csv = `x_m,passages,reach_share,energy_total_mean_kJ,energy_total_p99.5_kJ,energy_total_max_kJ,velocity_mean_m_s
+0.5,4,1,700,1100,1200,3.5
+1.5,0,,,,,
+2.5,1,0.25,300,300,300,1
 `;
+const cells = envelopesOf(csv, 'Run', 'red');
 
 test('cells that no rock touched have nothing', () => {
-  const { x, columns } = envelopesOf(csv);
-  expect(x).toEqual([0.5, 1.5, 2.5]);
-  expect([...columns.keys()]).not.toContain('x_m');
-  expect(columns.get('passages')).toEqual([4, 0, 1]);
-  expect(columns.get('energy_total_max_kJ')).toEqual([1200, null, 300]);
+  expect(cells.x).toEqual([0.5, 1.5, 2.5]);
+  expect([cells.from, cells.to]).toEqual([[0, 1, 2], [1, 2, 3]]); // prettier-ignore
+  expect([...cells.values.keys()]).not.toContain('x_m');
+  expect(cells.values.get('passages')).toEqual([4, 0, 1]);
+  expect(cells.values.get('energy_total_max_kJ')).toEqual([1200, null, 300]);
 });
 
-test('quantities with the figures that the file has', () => {
-  expect(quantitiesOf(envelopesOf(csv)).map(({ key, figures }) => [key, figures.map(({ title }) => title)])).toEqual([
-    ['energy_total', ['Maximum', 'Percentile 99.5']],
-    ['velocity', ['Mean']],
-    ['reach_share', ['Share of rocks that get here']],
-    ['passages', ['Rocks that were here']],
+test('quantities with the curves that the file has, the greatest first', () => {
+  const columns = [...cells.values.keys()];
+  expect(quantitiesOf(cells).map(({ key }) => [key, curvesOf(columns, key).map(({ title }) => title)])).toEqual([
+    ['energy_total', ['maximum', 'percentile 99.5', 'mean']],
+    ['velocity', ['mean']],
+    ['reach_share', ['']],
+    ['passages', ['']],
+  ]);
+});
+
+test('the saved table has the numbers of the file', () => {
+  expect(envelopeRows([cells], 'velocity')).toEqual([
+    ['x_m', 'from_x_m', 'to_x_m', 'velocity_mean_m_s'],
+    [0.5, 0, 1, 3.5],
+    [1.5, 1, 2, ''],
+    [2.5, 2, 3, 1],
   ]);
 });
 
 test('of no rocks there is nothing', () => {
-  expect(envelopesOf('x_m,passages\n').x).toEqual([]);
+  expect(envelopesOf('x_m,passages\n', 'Run', 'red').x).toEqual([]);
 });

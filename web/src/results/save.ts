@@ -1,30 +1,8 @@
-// Plots and tables as files, or to the clipboard.
+// Tables to the clipboard, and names of files.
 
+import type { Cell } from '../figures/files';
 import { say, sayFailure } from '../state/messages';
 import { counted } from '../ui/format';
-
-export type Cell = string | number;
-
-export function saveFile(name: string, content: Blob) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}
-
-/// RFC 4180.
-function csvText(rows: readonly (readonly Cell[])[]): string {
-  const cell = (value: Cell) => {
-    const text = String(value);
-    return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
-  };
-  return rows.map((row) => `${row.map(cell).join(',')}\r\n`).join('');
-}
-
-export function saveCsv(name: string, rows: readonly (readonly Cell[])[]) {
-  saveFile(`${name}.csv`, new Blob([csvText(rows)], { type: 'text/csv' }));
-}
 
 /// For a spreadsheet: columns apart by tabs.
 export function copyRows(rows: readonly (readonly Cell[])[]) {

@@ -4,14 +4,16 @@ import { useCallback, useState } from 'preact/hooks';
 import type { GroundSection, Point2 } from '../api/types';
 import { cellsOf } from '../model/rows';
 import { EditTable } from '../model/form/EditTable';
+import { profile } from '../figures/profile';
+import type { Range, Room } from '../figures/plot';
 import { Chart } from '../results/Chart';
-import type { Look, Size } from '../results/chartLook';
+import { shownColour } from '../results/layers';
 import { copyRows, fileName } from '../results/save';
 import { fileStem } from '../state/document';
 import { say, settle } from '../state/messages';
 import { counted, numberText } from '../ui/format';
 import { equalAxes } from '../view/settings';
-import { gapsOf, nearest } from './groundSection';
+import { equalRanges, gapsOf } from './groundSection';
 import {
   drawSection,
   groundSection,
@@ -22,7 +24,7 @@ import {
   takeLine,
   waitingPlaces,
 } from './sectionLine';
-import { placeText, sectionPlot, sectionRows } from './sectionPlot';
+import { placeText, sectionRows } from './sectionPlot';
 import './sectionLine.css';
 
 /// Where the line has no ground below it.
@@ -43,7 +45,22 @@ function Gaps({ of }: { of: GroundSection }) {
 
 function Plot({ of }: { of: GroundSection }) {
   const isEqual = equalAxes.value;
-  const option = useCallback((look: Look, size: Size) => sectionPlot(of, isEqual, look, size), [of, isEqual]);
+  const draw = useCallback(
+    (element: SVGSVGElement, room: Room) => {
+      const heights = of.z_m.filter((z) => z !== null);
+      const [low, high] = heights.reduce<Range>(([a, b], z) => [Math.min(a, z), Math.max(b, z)], [Infinity, -Infinity]);
+      const along: Range = [0, of.distance_m.at(-1) ?? 0];
+      return profile(element, room, {
+        distance: of.distance_m,
+        z: of.z_m,
+        colour: shownColour,
+        fit: isEqual && heights.length > 0 ? (width, height) => equalRanges(along, [low, high], width, height) : undefined,
+        textOf: (place) => placeText(of, place, '\n'),
+        hover: (place) => (marked.value = place),
+      });
+    },
+    [of, isEqual],
+  );
   const k = marked.value;
   const [slid, setSlid] = useState<number | null>(null);
   const slide = (place: number | null) => {
@@ -56,11 +73,9 @@ function Plot({ of }: { of: GroundSection }) {
         title="Ground along the line"
         description="Elevation of the ground against the distance along the line. The CSV button saves its numbers, the slider below goes along it."
         file={fileName(fileStem(), 'section')}
-        option={option}
+        draw={draw}
         rows={() => sectionRows(of)}
-        followsSize
         pointed={slid}
-        hover={(distance) => (marked.value = distance === null ? null : nearest(of.distance_m, distance))}
         tools={
           <>
             <label class="choice" title="One metre up is as long as one metre along">

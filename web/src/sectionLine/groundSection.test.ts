@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { equalRanges, gapsOf, nearest, piecesOf } from './groundSection';
+import { nearest } from '../figures/plot';
+import { equalRanges, gapsOf, piecesOf } from './groundSection';
 
 // Begins beside the terrain, has a hole in the middle with a step at its end, and leaves the terrain again.
 const section = {

@@ -27,17 +27,6 @@ export function gapsOf({ distance_m, z_m }: GroundSection): [number, number | nu
   return gaps;
 }
 
-/// Which of ascending numbers comes nearest to one.
-export function nearest(ascending: readonly number[], value: number): number {
-  let [low, high] = [0, ascending.length - 1];
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (ascending[middle]! <= value) low = middle;
-    else high = middle;
-  }
-  return value - ascending[low]! <= ascending[high]! - value ? low : high;
-}
-
 type Range = [number, number];
 /// Ranges that hold both given ones in a picture of so many pixels, a metre being as long on either axis: the line
 /// begins at the left, its heights are in the middle.

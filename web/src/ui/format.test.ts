@@ -1,12 +1,5 @@
 import { expect, test } from 'vitest';
-import { counted, decimalsOf, fixedText, shiftedText } from './format';
-
-test('one thing, or several', () => {
-  expect(counted(1, 'rock')).toBe('1 rock');
-  expect(counted(0, 'rock')).toBe('0 rocks');
-  expect(counted(1234, 'rock')).toBe('1,234 rocks');
-  expect(counted(2, 'vertex', 'vertices')).toBe('2 vertices');
-});
+import { decimalsOf, fixedText, shiftedText } from './format';
 
 test('a number of a file in another unit has the same digits', () => {
   expect(shiftedText('152530.42507165897', 3)).toBe('152.53042507165897');

@@ -1,4 +1,8 @@
-// Numbers and times for people.
+// Numbers and times for people; what figures need of it, too, is in figures/format.
+
+import { numberText } from '../figures/format';
+
+export { counted, fixedText, numberText } from '../figures/format';
 
 /// "3:05", "1:02:03".
 export function clockText(seconds: number): string {
@@ -8,14 +12,6 @@ export function clockText(seconds: number): string {
   return hours > 0 ? `${hours}:${two(minutes)}:${two(whole % 60)}` : `${minutes}:${two(whole % 60)}`;
 }
 
-/// With so many digits that count, without an exponent where it can be read.
-export function numberText(value: number, digits = 4): string {
-  if (!Number.isFinite(value)) return '–';
-  const size = Math.abs(value);
-  if (size !== 0 && (size >= 1e9 || size < 1e-4)) return value.toExponential(digits - 1);
-  return size >= 10 ** digits ? Math.round(value).toLocaleString('en') : String(Number(value.toPrecision(digits)));
-}
-
 /// How many decimals tell the values of a column apart that are of one kind: five digits of their range, four at most.
 export function decimalsOf(values: readonly number[]): number {
   const known = values.filter(Number.isFinite);
@@ -23,12 +19,6 @@ export function decimalsOf(values: readonly number[]): number {
   if (known.every(Number.isInteger)) return 0;
   const size = high > low ? high - low : Math.abs(high);
   return Math.min(Math.max(4 - Math.floor(Math.log10(size)), 0), 4);
-}
-
-/// With so many decimals; nothing is not below zero.
-export function fixedText(value: number, decimals: number): string {
-  const rounded = Number(value.toFixed(decimals)) || 0;
-  return rounded.toLocaleString('en', { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
 }
 
 /// A number as it is written, over 10 to the `places`, with the same digits: "152530.4" is "152.5304" over 1000.
@@ -63,7 +53,3 @@ export function momentText(iso: string): string {
     minute: '2-digit',
   });
 }
-
-/// "1 rock", "1,234 rocks".
-export const counted = (count: number, one: string, several = `${one}s`) =>
-  `${count.toLocaleString('en')} ${count === 1 ? one : several}`;

@@ -5,7 +5,7 @@ import { file, fileStem, values } from '../state/document';
 import { model } from '../state/model';
 import { sayFailure } from '../state/messages';
 import { hasResults, shown } from '../state/runs';
-import { saveFile } from '../results/save';
+import { saveFile } from '../figures/files';
 import { counted, numberText } from '../ui/format';
 import { drawLegends, type LegendData } from './legends';
 import { printPng, printRatio } from './png';

@@ -64,8 +64,8 @@ function barrierSections(parent) {
     table(facts, {head: [['', ...(single ? ['Number'] : runs.map((run) => ({text: run.label, run})))]], rows: countRows(kind, of), numeric: (column) => column > 0});
     if (runs.some((run) => of(run).passed_above > 0)) element(facts, 'p', passedAboveText(name), {class: 'quiet'});
     hitFigure(box, name);
-    histogramFigure(box, {title: 'Translational energy at impact', quantity: 'Translational kinetic energy', unit: 'kJ', per: 1000, thing: 'hits', of: (run) => (of(run).histograms || {}).ke_translational_J});
-    histogramFigure(box, {title: 'Impact height', quantity: 'Impact height', unit: 'm', thing: 'hits', of: (run) => (of(run).histograms || {}).impact_height_m});
+    histogramFigure(box, {title: 'Translational energy at impact', quantity: 'Translational kinetic energy', column: 'ke_translational_J', unit: 'kJ', per: 1000, thing: 'hit', of: (run) => (of(run).histograms || {}).ke_translational_J});
+    histogramFigure(box, {title: 'Impact height', quantity: 'Impact height', column: 'impact_height_m', unit: 'm', thing: 'hit', of: (run) => (of(run).histograms || {}).impact_height_m});
     statisticsTable(parent, runs, [
       {text: 'Translational energy', unit: 'kJ', per: 1000, of: (run) => (of(run).statistics || {}).ke_translational_J},
       {text: 'Total kinetic energy', unit: 'kJ', per: 1000, of: (run) => (of(run).statistics || {}).ke_total_J},

@@ -1,6 +1,9 @@
 'use strict';
 // Words and numbers: units from the names of settings, figures rounded for reading. Nothing is computed here but units.
 
+// Shared with the workbench: web/src/figures, bundled.
+const {d3, axes, extentOf, legend, pointIn, sign, tip} = figures;
+
 // The end of a setting's name says its unit; longer ends come first.
 const unitsByEnding = [
   ['_m_s2', 'm/s²'], ['_kg_m3', 'kg/m³'], ['_deg_s', '°/s'], ['_rad_s', 'rad/s'], ['_m_s', 'm/s'], ['_per_s', '1/s'],
@@ -19,38 +22,18 @@ function wordsOf(key) {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-// Thousands are set apart; a missing value is a dash.
+// A setting, with as many digits as were given; a missing value is a dash.
 function number(value, digits = 6) {
   if (value === null || value === undefined || value === '') return '–';
-  if (typeof value !== 'number') return String(value);
-  if (value === 0) return '0';
-  const size = Math.abs(value);
-  if (Number.isInteger(value) && size < 1e15) return value.toLocaleString('en-US').replace('-', '−');
-  if (size < 1e-4 || size >= 1e15) return value.toExponential(Math.max(digits - 3, 1)).replace('-', '−');
-  const decimals = Math.min(Math.max(digits - 1 - Math.floor(Math.log10(size)), 0), 9);
-  return value.toLocaleString('en-US', {maximumFractionDigits: decimals}).replace('-', '−');
+  return typeof value === 'number' ? figures.numberText(value, digits) : String(value);
 }
 
-// A result, with as many digits as it deserves: four, and none beyond a thousandth of its unit but the first one. Less
-// than a millionth is what is left of rounding.
-function measured(value, digits = 4) {
-  if (!isNumber(value) || Number.isInteger(value)) return number(value);
-  const first = -Math.floor(Math.log10(Math.abs(value)));
-  const decimals = first > 6 ? 0 : first > 3 ? first : Math.min(Math.max(digits - 1 + first, 0), 3);
-  return (Number(value.toFixed(decimals)) || 0).toLocaleString('en-US', {maximumFractionDigits: decimals}).replace('-', '−');
-}
+// A result, with as many digits as it deserves.
+const measured = (value, digits) => isNumber(value) ? figures.measured(value, digits) : number(value);
 
 const metres = (value) => number(value, 5) + ' m';
 const kJ = (joules) => joules === null || joules === undefined ? null : joules / 1000;
 const count = (n, one, many = one + 's') => `${number(n)} ${n === 1 ? one : many}`;
-
-// Axis ticks: true minus sign, thousands set apart, no more decimals than the step needs.
-function tickText(scale, ticks) {
-  const values = scale.ticks(ticks);
-  const step = values.length > 1 ? Math.abs(values[1] - values[0]) : 1;
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  return (v) => v.toLocaleString('en-US', {minimumFractionDigits: decimals, maximumFractionDigits: decimals}).replace('-', '−');
-}
 
 // A property as the manual's tables give it: a number, or a mean with its distribution.
 function property(value) {

@@ -4,7 +4,7 @@
 const mapKinds = {
   reach_share: {title: 'Reach', quantity: 'Share of all rocks that were in the cell', unit: '%', per: 0.01},
   energy_total_max_kJ: {title: 'Greatest total kinetic energy', quantity: 'Total kinetic energy, greatest of all rocks', unit: 'kJ', per: 1},
-  bounce_height_max_m: {title: 'Greatest height above the ground', quantity: 'Height of the centre, greatest of all rocks', unit: 'm', per: 1},
+  bounce_height_max_m: {title: 'Greatest bounce height', quantity: 'Bounce height, greatest of all rocks', unit: 'm', per: 1},
   velocity_max_m_s: {title: 'Greatest velocity', quantity: 'Velocity, greatest of all rocks', unit: 'm/s', per: 1},
 };
 
@@ -82,8 +82,8 @@ function mapFigure(parent, run, map, scale, view) {
       const {side, toX, toY} = frame;
       const inside = openMap(svg, id, frame);
       if (shade) layRelief(inside, frame, relief, shade);
-      tip(layPicture(inside, frame, picture, 'cells', map.origin, [map.columns * dx, map.rows * dy]), () => {
-        const [left, top] = d3.mouse(svg.node());
+      tip(layPicture(inside, frame, picture, 'cells', map.origin, [map.columns * dx, map.rows * dy]), (_, event) => {
+        const [left, top] = pointIn(svg.node(), event);
         const x = toX.invert(left), y = toY.invert(top);
         const value = values[Math.floor((y - y0) / dy) * map.columns + Math.floor((x - x0) / dx)];
         return `x ${number(x, 7)} m, y ${number(y, 7)} m\n` + (isNumber(value) ? `about ${number(value, 2)} ${kind.unit}` : 'no rock');

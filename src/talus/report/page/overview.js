@@ -14,9 +14,9 @@ function cards(parent) {
       if (value && value[1]) element(line, 'small', ' ' + value[1]);
     });
   };
-  const of = (name, key, unit, per = 1, digits = 4) => (run) => {
+  const of = (name, key, unit, per = 1) => (run) => {
     const value = (run.statistics[name] || {})[key];
-    return isNumber(value) ? [number(value / per, digits), unit] : null;
+    return isNumber(value) ? [measured(value / per), unit] : null;
   };
   card('Rocks', (run) => run.summary.rocks ? [number(run.summary.rocks.done), run.summary.interrupted ? `of ${number(run.summary.rocks.planned)}` : ''] : null);
   card('Mean runout (plan)', of('runout_xy_m', 'mean', 'm'));

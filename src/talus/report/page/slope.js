@@ -96,7 +96,8 @@ function drawRocks(group, textOf, toX, toY, endX, endY) {
   for (const run of runs) {
     const opacity = Math.min(0.85, Math.max(0.16, 5 / Math.sqrt(run.rocks.length || 1)));
     tip(group.append('g').style('--run', run.colour).selectAll('path').data(run.rocks).enter().append('path')
-      .attr('class', 'path').attr('stroke-opacity', opacity).attr('d', textOf).on('click', choose), rockText);
+      .attr('class', 'path').attr('stroke-opacity', opacity).attr('d', textOf)
+      .each(function (rock) { this.addEventListener('click', () => choose(rock)); }), rockText);
   }
   for (const rock of choice.rocks.filter((r) => r)) {
     tip(group.append('path').datum(rock).attr('class', rock.run ? 'path chosen second' : 'path chosen').attr('d', textOf(rock)), rockText);

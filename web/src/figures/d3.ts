@@ -1,0 +1,8 @@
+// Of D3 what the report's own scripts draw with.
+
+export { bisectRight, extent, max, mean, sum, ticks } from 'd3-array';
+export { rgb } from 'd3-color';
+export { contours } from 'd3-contour';
+export { scaleLinear } from 'd3-scale';
+export { select } from 'd3-selection';
+export { line } from 'd3-shape';

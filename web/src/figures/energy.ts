@@ -1,0 +1,69 @@
+// The energy of one rock along its path: translational and rotational kinetic energy, potential energy, and all together.
+
+import { measured } from './format';
+import { extentOf, openDrawing, openPlot, sayAlong, sign, type Group, type Room } from './plot';
+
+export interface EnergyRow {
+  /// Along the first axis, ascending.
+  place: number;
+  /// [J]
+  translational: number;
+  rotational: number;
+  potential: number;
+  /// Where a flight begins whose energies are a quadratic of the place: how much potential energy its departure would
+  /// give until half its time [J].
+  rise?: number | null;
+  /// What is said of the place.
+  text: string;
+}
+
+const kJ = (joules: number) => joules / 1000;
+/// Each with what it changes by where potential energy rises by 1.
+const curves = [
+  { name: 'potential', words: 'potential', of: (row: EnergyRow) => row.potential, turns: 1 },
+  { name: 'rotational', words: 'rotational', of: (row: EnergyRow) => row.rotational, turns: 0 },
+  { name: 'kinetic', words: 'total kinetic', of: (row: EnergyRow) => row.translational + row.rotational, turns: -1 },
+  { name: 'mechanical', words: 'mechanical', of: (row: EnergyRow) => row.translational + row.rotational + row.potential, turns: 0 },
+];
+
+export interface Energy {
+  xLabel: string;
+  rows: readonly EnergyRow[];
+  /// Whether every row has a dot.
+  hasDots: boolean;
+}
+
+export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDots }: Energy) {
+  const svg = openDrawing(element, room);
+  const shown = curves.filter(({ name, of }) => name !== 'rotational' || rows.some((row) => of(row) !== 0));
+  const groups = shown.map(() => svg.append('g') as Group);
+  const plot = openPlot(svg, room, {
+    x: extentOf(rows.map(({ place }) => place), 0.02), // prettier-ignore
+    y: extentOf([0, ...rows.flatMap((row) => shown.map(({ of }) => kJ(of(row))))]),
+    xLabel,
+    yLabel: 'Energy [kJ]',
+    entries: shown
+      .map(({ name, words }, k) => ({ text: `${words} energy`, draw: sign.line(`energy ${name}`), switches: groups[k]! }))
+      .reverse(),
+  });
+  const at = (place: number, joules: number) => `${plot.x(place).toFixed(2)},${plot.y(kJ(joules)).toFixed(2)}`;
+  shown.forEach(({ name, of, turns }, k) => {
+    const path = rows.map((row, i) => {
+      const from = rows[i - 1];
+      if (!from) return `M${at(row.place, of(row))}`;
+      if (typeof from.rise !== 'number') return `L${at(row.place, of(row))}`;
+      return `Q${at((from.place + row.place) / 2, of(from) + turns * from.rise)} ${at(row.place, of(row))}`;
+    });
+    groups[k]!.raise().append('path').attr('class', `energy ${name}`).attr('d', path.join(''));
+    if (!hasDots) return;
+    const dots = groups[k]!.selectAll('circle').data(rows).enter().append('circle').attr('class', `stop ${name}`).attr('r', 3);
+    dots.attr('cx', (row: EnergyRow) => plot.x(row.place)).attr('cy', (row: EnergyRow) => plot.y(kJ(of(row))));
+  });
+  const places = rows.map(({ place }) => place);
+  const isAscending = places.every((place, k) => k === 0 || places[k - 1]! <= place);
+  const order = isAscending ? rows : [...rows].sort((a, b) => a.place - b.place);
+  sayAlong(svg, plot, order.map(({ place }) => place), (k) => {
+    const row = order[k]!;
+    return [row.text, ...shown.map(({ words, of }) => `${words} ${measured(kJ(of(row)))} kJ`).reverse()].join('\n');
+  }); // prettier-ignore
+}

@@ -1,0 +1,137 @@
+// How much energy rocks have along a section, how fast and how high they come: envelopes.csv, drawn cell by cell. Of two
+// runs the greatest values are drawn, or what there is one of.
+
+import type { Cell } from './files';
+import { extentOf, fromZero, openDrawing, openPlot, rangeText, sayAlong, sign, titleOf, valueText, type Group, type Quantity, type Room } from './plot';
+
+/// A quantity of the file: what the names of its columns begin with, or of what has one, its whole name.
+export interface EnvelopeQuantity extends Quantity {
+  key: string;
+}
+
+export const envelopeQuantities: readonly EnvelopeQuantity[] = [
+  { key: 'energy_total', title: 'Total kinetic energy', unit: 'kJ', per: 1 },
+  { key: 'energy_translational', title: 'Translational kinetic energy', unit: 'kJ', per: 1 },
+  { key: 'velocity', title: 'Velocity', unit: 'm/s', per: 1 },
+  { key: 'bounce_height', title: 'Bounce height', unit: 'm', per: 1 },
+  { key: 'reach_share', title: 'Share of rocks that get here', unit: '%', per: 0.01 },
+  { key: 'passages', title: 'Rocks that were here', unit: '', per: 1 },
+  { key: 'deposits', title: 'Rocks that came to rest here', unit: '', per: 1 },
+  { key: 'impacts', title: 'Impacts', unit: '', per: 1 },
+];
+
+export interface Curve {
+  column: string;
+  title: string;
+  style: 'greatest' | 'percentile' | 'mean';
+  dash: string | null;
+}
+
+const dashes = ['7 3', '4 3', '2 3', '1 4'];
+
+/// The curves of a quantity that columns of a file hold, the greatest first: its maximum, percentiles, mean.
+export function curvesOf(columns: readonly string[], key: string): Curve[] {
+  if (columns.includes(key)) return [{ column: key, title: '', style: 'greatest', dash: null }];
+  const found = columns.flatMap((column): (Omit<Curve, 'dash'> & { order: number })[] => {
+    const figure = column.startsWith(`${key}_`) ? /^(max|mean|p[\d.]+)_/.exec(column.slice(key.length + 1))?.[1] : undefined;
+    if (!figure) return [];
+    if (figure === 'max') return [{ column, title: 'maximum', style: 'greatest', order: Infinity }];
+    if (figure === 'mean') return [{ column, title: 'mean', style: 'mean', order: -1 }];
+    const percent = Number(figure.slice(1));
+    return [{ column, title: `percentile ${percent}`, style: 'percentile', order: percent }];
+  });
+  found.sort((a, b) => b.order - a.order);
+  return found.map(({ column, title, style }, k) => ({ column, title, style, dash: dashes[Math.min(k, dashes.length) - 1] ?? null }));
+}
+
+/// A run along the section.
+export interface Cells {
+  name: string;
+  colour: string;
+  /// The middle of each cell as the file has it, and its edges [m], ascending.
+  x: readonly number[];
+  from: readonly number[];
+  to: readonly number[];
+  /// By the column's name; null where no rock was.
+  values: ReadonlyMap<string, readonly (number | null)[]>;
+}
+
+export interface Envelope extends EnvelopeQuantity {
+  of: readonly Cells[];
+  /// Barriers, which stand in the section.
+  walls: readonly { name: string; x: number }[];
+}
+
+const curvesIn = ({ values }: Cells, key: string, isOne: boolean) => {
+  const curves = curvesOf([...values.keys()], key);
+  return isOne ? curves : curves.slice(0, 1);
+};
+
+export function envelope(element: SVGSVGElement, room: Room, { key, title, unit, per, of, walls }: Envelope) {
+  const svg = openDrawing(element, room);
+  const isOne = of.length === 1;
+  const lines = of.flatMap((cells) =>
+    curvesIn(cells, key, isOne).map((curve) => ({
+      ...curve,
+      cells,
+      text: isOne ? curve.title : [cells.name, curve.title].filter(Boolean).join(', '),
+      values: cells.values.get(curve.column)!.map((value) => (value === null ? null : value / per)),
+      group: svg.append('g') as Group,
+    })),
+  );
+  const drawnBy = ({ style, dash, cells }: (typeof lines)[number]) => sign.line(`envelope ${style}`, cells.colour, dash ?? '');
+  const plot = openPlot(svg, room, {
+    x: extentOf(of.flatMap(({ from, to }) => [...from, ...to]), 0.02), // prettier-ignore
+    y: fromZero(lines.flatMap(({ values }) => values.filter((value) => value !== null))),
+    xLabel: 'x [m]',
+    yLabel: titleOf({ title, unit }),
+    entries: lines.length > 1 ? lines.map((line) => ({ text: line.text, draw: drawnBy(line), switches: line.group })) : [],
+  });
+  const { side, x, y } = plot;
+  for (const wall of walls) {
+    svg.append('line').attr('class', 'barrier thin').attr('x1', x(wall.x)).attr('x2', x(wall.x)).attr('y1', side.bottom).attr('y2', side.top);
+  }
+  for (const { style, dash, cells, values, group } of lines) {
+    // A step between cells side by side; where no rock was the line is broken.
+    const path = values.map((value, k) => {
+      if (value === null) return '';
+      const isBroken = k === 0 || values[k - 1] === null;
+      const begin = isBroken ? `M${x(cells.from[k]!).toFixed(2)},` : 'V';
+      return `${begin}${y(value).toFixed(2)}H${x(cells.to[k]!).toFixed(2)}`;
+    });
+    group.raise().append('path').attr('class', `envelope ${style}`).style('--run', cells.colour);
+    group.select('path').style('stroke-dasharray', dash ?? 'none').attr('d', path.join(''));
+  }
+  for (const wall of walls)
+    svg.append('text').attr('class', 'barrier-name halo').attr('x', x(wall.x) + 5).attr('y', side.top + 13).text(wall.name);
+  const first = of[0];
+  if (!first) return;
+  const middles = first.x;
+  sayAlong(svg, plot, middles, (k) =>
+    [
+      `x ${rangeText(first.from[k]!, first.to[k]!, 'm')}`,
+      ...lines.map(({ text, cells, values }) => {
+        const here = values[cells.from.findIndex((low, c) => low <= middles[k]! && middles[k]! < cells.to[c]!)] ?? null;
+        return `${text} ${here === null ? '–' : valueText(here, unit)}`.trim();
+      }),
+    ].join('\n'),
+  );
+}
+
+/// With the numbers of the files; of several runs, which one a row is of.
+export function envelopeRows(of: readonly Cells[], key: string): Cell[][] {
+  const columns = of[0] ? curvesOf([...of[0].values.keys()], key).map(({ column }) => column) : [];
+  const named = of.length > 1;
+  return [
+    [...(named ? ['of'] : []), 'x_m', 'from_x_m', 'to_x_m', ...columns],
+    ...of.flatMap(({ name, x, from, to, values }) =>
+      x.map((middle, k) => [
+        ...(named ? [name] : []),
+        middle,
+        from[k]!,
+        to[k]!,
+        ...columns.map((column) => values.get(column)?.[k] ?? ''),
+      ]),
+    ),
+  ];
+}

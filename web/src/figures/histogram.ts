@@ -1,0 +1,71 @@
+// How often values of a quantity occur. Of several things, counted in the same bins, shares of each stand side by side.
+
+import { max, sum } from 'd3-array';
+import { counted, numberText } from './format';
+import { extentOf, fromZero, openDrawing, openPlot, rangeText, sign, titleOf, type Quantity, type Range, type Room } from './plot';
+import type { Cell } from './files';
+import { tip } from './tip';
+
+export interface Bins {
+  name: string;
+  /// As CSS has it.
+  colour: string;
+  /// Of the bins, one more than counts, as the files have them.
+  edges: readonly number[];
+  counts: readonly number[];
+}
+
+export interface Histogram extends Quantity {
+  /// What is counted: "rock", "hit".
+  thing: string;
+  of: readonly Bins[];
+}
+
+const oneWidth = 6; // of a bar whose bin has no width
+const leastWidth = 1;
+
+export function histogram(element: SVGSVGElement, room: Room, { title, unit, per, thing, of }: Histogram) {
+  const svg = openDrawing(element, room);
+  const isOne = of.length === 1;
+  const series = of.map(({ name, colour, edges, counts }) => {
+    const all = sum(counts);
+    const bar = (n: number, k: number) => ({ name, n, low: edges[k]! / per, high: edges[k + 1]! / per, share: all > 0 ? (100 * n) / all : 0 });
+    return { name, colour, all, bars: counts.map(bar).filter(({ n }) => n > 0) };
+  });
+  const bars = series.flatMap((one) => one.bars);
+  const heightOf = (bar: (typeof bars)[number]) => (isOne ? bar.n : bar.share);
+  const { side, x, y } = openPlot(svg, room, {
+    x: extentOf(bars.flatMap(({ low, high }) => [low, high]), 0.03), // prettier-ignore
+    y: isOne && (max(bars, heightOf) ?? 0) < 3 ? ([0, 3] as Range) : fromZero(bars.map(heightOf)),
+    xLabel: titleOf({ title, unit }),
+    yLabel: isOne ? `Number of ${thing}s` : `Share of each run's ${thing}s [%]`,
+    entries: isOne ? [] : series.map(({ name, colour }) => ({ text: name, draw: sign.box('bar', colour) })),
+  });
+  series.forEach(({ colour, bars, all }, place) => {
+    // Its part of the bin.
+    const box = ({ low, high }: (typeof bars)[number]) => {
+      const whole = x(high) - x(low);
+      if (whole < leastWidth) return { left: x(low) + (place - of.length / 2) * oneWidth, width: oneWidth };
+      const width = whole / of.length;
+      return { left: x(low) + place * width, width: Math.max(width - (width > 4 ? 1 : 0), leastWidth) };
+    };
+    const drawn = svg.append('g').style('--run', colour).selectAll('rect').data(bars).enter().append('rect').attr('class', 'bar');
+    drawn.attr('x', (bar) => box(bar).left).attr('width', (bar) => box(bar).width);
+    drawn.attr('y', (bar) => y(heightOf(bar))).attr('height', (bar) => side.bottom - y(heightOf(bar)));
+    tip(drawn, ({ name, n, low, high, share }) =>
+      [
+        ...(isOne ? [] : [name]),
+        rangeText(low, high, unit),
+        `${numberText(n)} of ${counted(all, thing)} (${numberText(share, 3)} %)`,
+      ].join('\n'),
+    );
+  });
+}
+
+/// With the numbers of the files, which call the quantity `column`.
+export const histogramRows = (of: readonly Bins[], column: string): Cell[][] => [
+  ['of', `${column}_from`, `${column}_to`, 'count', 'share_percent'],
+  ...of.flatMap(({ name, edges, counts }) =>
+    counts.map((n, k) => [name, edges[k]!, edges[k + 1]!, n, (100 * n) / (sum(counts) || 1)]),
+  ),
+];

@@ -1,0 +1,44 @@
+// What the server counted of a quantity, as the figures draw it.
+
+import type { ColumnStatistics } from '../api/results';
+import type { Bins } from '../figures/histogram';
+import type { Box } from '../figures/boxes';
+import type { Quantity } from '../figures/plot';
+import type { Steps } from '../figures/cumulative';
+import { readingOf, titleOf } from './columns';
+
+/// The same of one or several things, such as two runs.
+export interface Layer {
+  name: string;
+  statistics: ColumnStatistics;
+  /// As CSS has it.
+  colour: string;
+}
+
+export const shownColour = 'var(--accent)';
+/// Of two runs beside each other.
+export const firstColour = 'var(--run-shown)';
+export const secondColour = 'var(--run-compared)';
+
+export function quantityOf(column: string, layers: readonly Layer[]): Quantity {
+  const { unit, per } = readingOf(layers[0]?.statistics.unit ?? '');
+  return { title: titleOf(column), unit, per };
+}
+
+export const binsOf = (layers: readonly Layer[]): Bins[] =>
+  layers.map(({ name, colour, statistics: { histogram } }) => ({ name, colour, ...histogram }));
+
+export const stepsOf = (layers: readonly Layer[]): Steps[] =>
+  layers.map(({ name, colour, statistics: { cumulative } }) => ({ name, colour, points: cumulative }));
+
+/// Of those that have values.
+export const boxesOf = (layers: readonly Layer[]): Box[] =>
+  layers
+    .filter(({ statistics }) => statistics.box)
+    .map(({ name, colour, statistics: { box, count, statistics } }) => ({
+      name,
+      colour,
+      count,
+      ...box,
+      mean: statistics.mean == null ? null : Number(statistics.mean),
+    }));
