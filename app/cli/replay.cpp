@@ -68,7 +68,7 @@ int replay(const ReplayOptions& options) {
     fmt::print("{}: passed above with {:.3f} m to spare\n", context.barriers[passed.barrier.index], passed.clearance);
   }
   const RockOutcome& outcome = record.outcome;
-  fmt::print("ended: {}; greatest kinetic energy {:.3f} kJ, greatest height above the ground {:.3f} m\n",
+  fmt::print("ended: {}; greatest total kinetic energy {:.3f} kJ, greatest bounce height {:.3f} m\n",
              name(outcome.reason), outcome.max_kinetic_energy / 1000, outcome.max_bounce);
   return done;
 }

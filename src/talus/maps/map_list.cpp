@@ -41,18 +41,11 @@ struct Quantity {
 };
 
 constexpr Quantity quantities[] = {
-    {MapSubject::energy_total, MapQuantity::energy_total, "kinetic energy, translational and rotational", "kJ", "kJ",
-     1000, energies},
+    {MapSubject::energy_total, MapQuantity::energy_total, "total kinetic energy", "kJ", "kJ", 1000, energies},
     {MapSubject::energy_translational, MapQuantity::energy_translational, "translational kinetic energy", "kJ", "kJ",
      1000, energies},
     {MapSubject::velocity, MapQuantity::velocity, "velocity", "m/s", "m_s", 1, {5, 10, 15, 20, 30}},
-    {MapSubject::bounce_height,
-     MapQuantity::bounce_height,
-     "height of the centre above the ground below it",
-     "m",
-     "m",
-     1,
-     {0.5, 1, 2, 5, 10}},
+    {MapSubject::bounce_height, MapQuantity::bounce_height, "bounce height", "m", "m", 1, {0.5, 1, 2, 5, 10}},
 };
 
 MapGroup counts_of(std::uint64_t rocks, const MapSubjects& subjects) {

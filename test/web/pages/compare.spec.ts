@@ -44,7 +44,8 @@ test('histograms of two runs have the same bins, and show shares of each', async
   };
   check(await saved(page, 'Histogram'), 'runout_xy_m', [300, 50]);
   check(await saved(page, 'Histogram', 1), 'ke_total_J', []);
-  await expect(page.locator('.chart svg text', { hasText: /^Share of each run's rocks/ })).toBeVisible();
+  const histogram = page.getByRole('img', { name: /^Histogram of runout on plan/ });
+  await expect(histogram.locator('text', { hasText: /^Share of rocks/ })).toBeVisible();
 });
 
 test('two runs are whole at 1366 pixels, with box plots and barriers', async ({ workbench: page }) => {

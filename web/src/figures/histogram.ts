@@ -38,7 +38,7 @@ export function histogram(element: SVGSVGElement, room: Room, { title, unit, per
     x: extentOf(bars.flatMap(({ low, high }) => [low, high]), 0.03), // prettier-ignore
     y: isOne && (max(bars, heightOf) ?? 0) < 3 ? ([0, 3] as Range) : fromZero(bars.map(heightOf)),
     xLabel: titleOf({ title, unit }),
-    yLabel: isOne ? `Number of ${thing}s` : `Share of each run's ${thing}s [%]`,
+    yLabel: isOne ? `Number of ${thing}s` : `Share of ${thing}s [%]`,
     entries: isOne ? [] : series.map(({ name, colour }) => ({ text: name, draw: sign.box('bar', colour) })),
   });
   series.forEach(({ colour, bars, all }, place) => {

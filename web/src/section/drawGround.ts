@@ -2,7 +2,8 @@
 
 import { materialColour } from '../view/colours';
 import { overlap, type Box } from '../view/framing';
-import { roundStep, tickText, ticks } from '../view/ticks';
+import { tickText } from '../figures/format';
+import { roundStep, ticks } from '../view/ticks';
 import { pixelOf, placeOf, type Frame } from './frame';
 import type { Profile } from './profile';
 

@@ -21,10 +21,3 @@ export function ticks(low: number, high: number, step: number): number[] {
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) list.push(k * step);
   return list;
 }
-
-/// A multiple of `step`, with as many decimals as the step has.
-export function tickText(value: number, step: number): string {
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const text = value.toFixed(Math.min(decimals, 9));
-  return Number(text) === 0 ? '0' : text.replace('-', '−');
-}

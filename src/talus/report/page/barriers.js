@@ -22,7 +22,7 @@ function hitFigure(parent, name) {
       tip(svg.append('g').selectAll('circle').data(all).enter().append('circle').attr('class', 'dot').attr('r', 3.4).style('--run', (h) => h.run.colour)
         .attr('cx', (h) => toX(h.ke_translational / 1000)).attr('cy', (h) => toY(h.height)),
       (h) => `Rock ${h.rock}: ${h.outcome}` + (single ? '' : ` · ${h.run.label}`) +
-        `\nheight ${metres(h.height)}, angle ${number(h.angle, 4)}°\ntranslational ${number(kJ(h.ke_translational), 5)} kJ, total ${number(kJ(h.ke_total), 5)} kJ\nat x ${metres(h.x)}, y ${metres(h.y)}, z ${metres(h.z)}`);
+        `\nheight ${metres(h.height)}, angle ${measured(h.angle, 3)}°\ntranslational ${measured(kJ(h.ke_translational))} kJ, total ${measured(kJ(h.ke_total))} kJ\nat x ${metres(h.x)}, y ${metres(h.y)}, z ${metres(h.z)}`);
       return single ? side.bottom + 42 : legend(svg, shown.map((s) => ({text: s.run.label, draw: sign.circle('dot', s.run.colour)})), side.left, side.bottom + 54, side.right) + 12;
     },
     rows: () => [['run', 'rock', 'impact_height_m', 'angle_deg', 'ke_translational_kJ', 'ke_total_kJ', 'outcome'],

@@ -3,14 +3,14 @@
 const designsOf = () => runs.filter((run) => run.summary.design);
 const shareText = (share) => share ? `${number(100 * share.value, 3)} %` : '–';
 const rangeText = ([value, low, high], per, digits = 4) => value === undefined ? '–' :
-  `${number(value / per, digits)} (${isNumber(low) ? number(low / per, digits) : '…'} to ${isNumber(high) ? number(high / per, digits) : '…'})`;
+  `${measured(value / per, digits)} (${isNumber(low) ? measured(low / per, digits) : '…'} to ${isNumber(high) ? measured(high / per, digits) : '…'})`;
 const inUnit = (value, per) => isNumber(value) ? value / per : null;
 
 // A value with its interval beneath, in a table's cell.
 function rangeCell([value, low, high], per, digits = 4) {
   if (value === undefined) return '–';
-  const end = (v) => isNumber(v) ? number(v / per, digits) : '…';
-  return {text: number(value / per, digits), below: `${end(low)} to ${end(high)}`};
+  const end = (v) => isNumber(v) ? measured(v / per, digits) : '…';
+  return {text: measured(value / per, digits), below: `${end(low)} to ${end(high)}`};
 }
 const shareCell = (share) => share ? {text: shareText(share), below: `${number(100 * share.low, 3)} to ${number(100 * share.high, 3)} %`} : '–';
 const sufficesText = (kit) => (kit.suffices ? 'yes' : kit.limited_by ? `no: ${kit.limited_by}` : 'no') + (kit.sure === false ? ', not sure' : '');
@@ -92,7 +92,7 @@ function designLines(parent, run) {
 function designCheck(parent, run) {
   const {design} = run.summary;
   const {factors} = design;
-  const needs = (n) => [n ? number(n.energy_J / 1000, 4) : '–', classText(n), n ? number(n.height_m, 3) : '–'];
+  const needs = (n) => [n ? measured(n.energy_J / 1000) : '–', classText(n), n ? measured(n.height_m, 3) : '–'];
   const worst = (line, key) => d3.max(line.sections.filter((s) => s.needs), (s) => s.needs[key]);
   const worstClass = (line) => worst(line, 'class') ?? '–';
   table(parent, {
@@ -103,7 +103,7 @@ function designCheck(parent, run) {
       ['Line', {text: 'MEL', unit: 'kJ'}, 'Class', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', {text: 'Height', unit: 'm'}],
     ],
     rows: design.lines.map((line) => [line.name, ...needs(line.needs), ...needs(line.needs_at_upper_end),
-      number(kJ(worst(line, 'energy_J')), 4), String(worstClass(line)), number(worst(line, 'height_m'), 3)]),
+      measured(kJ(worst(line, 'energy_J'))), String(worstClass(line)), measured(worst(line, 'height_m'), 3)]),
     numeric: (column) => column > 0,
   });
   const words = design.standard ? `Factors: trajectory ${number(factors.trajectory)}, topography ${number(factors.topography)}, volume ${number(factors.volume)}, density ${number(factors.density)}, ` +
@@ -129,7 +129,7 @@ function designRanking(parent, run) {
     caption: `${best ? 'Kits to choose from, the best first' : 'Kits to choose from, none of which suffices'}; ${energyWord(design)} energy, beneath each share its ${number(100 * design.confidence)} % confidence interval`,
     head: [['Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Too high', 'Too strong', 'Beyond the ends', 'Catches enough', 'Cost index']],
     rows: shown.map((kit) => [kit.line, number(kit.height_m), number(kit.energy_J / 1000), isNumber(kit.class) ? String(kit.class) : '–', shareCell(kit.caught_share),
-      number(kit.above), number(kit.through), number(kit.beside), sufficesText(kit), number(kit.cost, 4)]),
+      number(kit.above), number(kit.through), number(kit.beside), sufficesText(kit), measured(kit.cost)]),
     numeric: (column) => column > 0,
     rowClass: (i) => i === 0 && best ? 'differs' : '',
   });

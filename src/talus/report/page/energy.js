@@ -24,7 +24,7 @@ function energyRows(rows, axis) {
   return rows.map((row, i) => ({
     place: places[i], translational: row.ke_translational, rotational: row.ke_rotational, potential: row.pe,
     rise: row.state === 'projectile' && i + 1 < rows.length ? weight * row.vz * (rows[i + 1].time - row.time) / 2 : null,
-    text: `${row.state} at ${number(row.time, 4)} s\nx ${metres(row.x)}, z ${metres(row.z)}`,
+    text: `${row.state} at ${measured(row.time)} s\nx ${metres(row.x)}, z ${metres(row.z)}`,
   }));
 }
 

@@ -31,7 +31,7 @@ function number(value, digits = 6) {
 // A result, with as many digits as it deserves.
 const measured = (value, digits) => isNumber(value) ? figures.measured(value, digits) : number(value);
 
-const metres = (value) => number(value, 5) + ' m';
+const metres = (value) => measured(value, 5) + ' m';
 const kJ = (joules) => joules === null || joules === undefined ? null : joules / 1000;
 const count = (n, one, many = one + 's') => `${number(n)} ${n === 1 ? one : many}`;
 

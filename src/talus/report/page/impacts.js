@@ -26,13 +26,13 @@ function impactFigure(parent) {
       tip(svg.append('g').selectAll('circle').data(dots).enter().append('circle').attr('class', 'dot').attr('r', 3).style('--run', (d) => d.run.colour)
         .attr('cx', (d) => toX(placeOf(d))).attr('cy', (d) => toY(d.lost / 1000)),
       (d) => `Rock ${d.rock}, impact ${d.impact}` + (single ? '' : ` · ${d.run.label}`) +
-        `\nlost ${number(kJ(d.lost), 5)} kJ of ${number(kJ(d.kinetic_before), 5)} kJ of total kinetic energy\nat x ${metres(d.x)}, after ${metres(d.travelled)} on plan`);
+        `\nlost ${measured(kJ(d.lost))} kJ of ${measured(kJ(d.kinetic_before))} kJ of total kinetic energy\nat x ${metres(d.x)}, after ${metres(d.travelled)} on plan`);
       for (const {run, points} of lines) {
         svg.append('path').attr('class', 'mean-line').style('stroke', single ? null : run.colour)
           .attr('d', d3.line().x((m) => toX(m.impact)).y((m) => toY(m.mean / 1000))(points));
         tip(svg.append('g').selectAll('circle').data(points).enter().append('circle').attr('r', 4).attr('class', 'mechanical stop').style('fill', single ? null : run.colour)
           .attr('cx', (m) => toX(m.impact)).attr('cy', (m) => toY(m.mean / 1000)),
-        (m) => (single ? '' : run.label + '\n') + `Impact ${m.impact}: ${count(m.rocks, 'rock')}\nmean loss ${number(kJ(m.mean), 5)} kJ\nleast ${number(kJ(m.least), 5)} kJ, greatest ${number(kJ(m.most), 5)} kJ`);
+        (m) => (single ? '' : run.label + '\n') + `Impact ${m.impact}: ${count(m.rocks, 'rock')}\nmean loss ${measured(kJ(m.mean))} kJ\nleast ${measured(kJ(m.least))} kJ, greatest ${measured(kJ(m.most))} kJ`);
       }
       return legend(svg, [
         ...shown.map((run) => ({text: single ? 'single impact' : run.label, draw: sign.circle('dot', run.colour)})),

@@ -93,7 +93,7 @@ function mapFigure(parent, run, map, scale, view) {
       drawScaleBar(inside, side, frame.scale);
       drawNorthArrow(inside, side, Boolean(run.terrain.crs_wkt));
       const y = side.bottom + 56;
-      return noteMap(svg, width, frame, run, [`cells of ${cellText}`, `up to ${number(map.greatest / kind.per, 4)} ${kind.unit}`], y, drawColours(svg, scale, kind, side.left, y, width === drawing.wide ? 320 : 230));
+      return noteMap(svg, width, frame, run, [`cells of ${cellText}`, `up to ${measured(map.greatest / kind.per)} ${kind.unit}`], y, drawColours(svg, scale, kind, side.left, y, width === drawing.wide ? 320 : 230));
     },
   });
 }

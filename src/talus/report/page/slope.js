@@ -80,16 +80,16 @@ function rockText(rock) {
   const last = rock.rows[rock.rows.length - 1];
   const end = run.endpoints.find((e) => e.rock === rock.rock);
   const lines = [`Rock ${rock.rock}` + (single ? '' : ` · ${run.label}`)];
-  if (end) lines.push(`${end.end_reason} after ${number(last.time, 4)} s`);
+  if (end) lines.push(`${end.end_reason} after ${measured(last.time)} s`);
   lines.push(`end: x ${metres(last.x)}` + (run.isSection ? '' : `, y ${metres(last.y)}`) + `, z ${metres(last.z)}`);
-  if (end) lines.push(`runout ${metres(end.runout_xy)}, greatest total kinetic energy ${number(kJ(end.max_ke), 4)} kJ`);
+  if (end) lines.push(`runout ${metres(end.runout_xy)}, greatest total kinetic energy ${measured(kJ(end.max_ke))} kJ`);
   return lines.join('\n');
 }
 
 const endText = (run) => (end) => [`End of rock ${end.rock}` + (single ? '' : ` · ${run.label}`), end.end_reason,
   `x ${metres(end.x)}` + (run.isSection ? '' : `, y ${metres(end.y)}`) + `, z ${metres(end.z)}`,
-  `runout ${metres(end.runout_xy)}, time ${number(end.time, 4)} s`,
-  `greatest total kinetic energy ${number(kJ(end.max_ke), 4)} kJ`].join('\n');
+  `runout ${metres(end.runout_xy)}, time ${measured(end.time)} s`,
+  `greatest total kinetic energy ${measured(kJ(end.max_ke))} kJ`].join('\n');
 
 // Paths and end points into a group; `textOf` gives a rock's path.
 function drawRocks(group, textOf, toX, toY, endX, endY) {

@@ -1,0 +1,50 @@
+// What figures say under the pointer, and what a click on their legends does.
+
+import type { Page } from '@playwright/test';
+import { openExample } from '../support/steps';
+import { expect, test } from '../support/workbench';
+
+const tip = (page: Page) => page.locator('#tip');
+
+test('bars and boxes say their numbers while the pointer is on them', async ({ workbench: page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openExample(page, 'Tutorial 1, a section');
+  await page.getByRole('tab', { name: 'Distributions' }).click();
+  const bars = page.locator('.drawing .bar');
+  await bars.first().hover();
+  await expect(tip(page)).toHaveText(/^[\d.]+ to [\d.]+ m\s\d+ of 50 rocks \([\d.]+ %\)$/);
+  await page.locator('.drawing .box').first().hover();
+  await expect(tip(page)).toHaveText(/^All: 50\smaximum [\d.]+ m\supper quartile [\d.]+ m\smedian /);
+  await page.getByRole('heading', { name: 'Box plots' }).hover();
+  await expect(tip(page)).toBeHidden();
+});
+
+test('the legend of envelopes hides and shows curves, and the pointer reads all of them', async ({ workbench: page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openExample(page, 'Tutorial 1, a section');
+  await page.getByRole('tab', { name: 'Envelopes' }).click();
+  const mean = page.locator('path.envelope.mean');
+  await expect(mean).toBeVisible();
+  const entry = page.locator('.drawing .switch', { hasText: 'mean' });
+  await entry.click();
+  await expect(mean).toBeHidden();
+  await entry.click();
+  await expect(mean).toBeVisible();
+  await page.locator('.drawing .under-pointer').hover();
+  await expect(tip(page)).toHaveText(/^x \d+ to \d+ m\smaximum [\d.]+ kJ\spercentile 99 [\d.]+ kJ\s.*mean [\d.]+ kJ$/s);
+});
+
+test('the energy of a rock is drawn in its parts, which add up under the pointer', async ({ workbench: page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openExample(page, 'Tutorial 1, a section');
+  await page.getByRole('tab', { name: 'Rock' }).click();
+  await page.getByRole('button', { name: 'First' }).click();
+  const figure = page.locator('.chart', { hasText: 'Energy over time' });
+  await expect(figure.locator('path.energy')).toHaveCount(4);
+  await figure.locator('.under-pointer').hover();
+  const text = await tip(page).textContent();
+  const [mechanical, kinetic, potential] = ['mechanical', 'total kinetic', 'potential'].map((name) =>
+    Number(new RegExp(`${name} ([\\d.,−]+) kJ`).exec(text!)![1]!.replace('−', '-').replace(',', '')),
+  );
+  expect(Math.abs(kinetic! + potential! - mechanical!)).toBeLessThan(0.2); // of roundings to four digits
+});
