@@ -73,7 +73,6 @@ const name = (file: string) => file.split('/').map(encodeURIComponent).join('/')
 
 export const api = {
   about: () => getJson<About>('/api/about'),
-  settings: () => getJson<Record<string, unknown>>('/api/settings'),
   materials: async () => (await getJson<{ materials: LibraryMaterial[] }>('/api/materials')).materials,
   /// The density of what is drawn for a property; the key says within which limits.
   distribution: (key: string, property: TomlTable, signal?: AbortSignal) =>

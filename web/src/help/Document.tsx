@@ -6,7 +6,7 @@ import { signal } from '@preact/signals';
 import { sayFailure } from '../state/messages';
 import { Dialog } from '../ui/Dialog';
 import { blocksOf, sectionOf, spansOf, type Block } from './markdown';
-import type { Topic } from './topics';
+import type { Topic } from '../model/schema';
 import './help.css';
 
 const texts: Record<string, () => Promise<{ default: string }>> = {

@@ -59,7 +59,7 @@ test('every topic that help leads to is in the documents', () => {
     'materials.md': materials,
     'project-file.md': project,
   };
-  for (const { document, heading } of Object.values(topics)) {
+  for (const { document, heading } of topics) {
     const headings = blocksOf(documents[document]!).filter(({ kind }) => kind === 'heading');
     expect(headings.map((block) => (block as { text: string }).text)).toContain(heading);
   }

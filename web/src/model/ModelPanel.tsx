@@ -2,14 +2,13 @@
 
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { rowsOf } from '../state/document';
-import { isConnected } from '../state/runs';
 import { chosen, helpOpen } from '../state/view';
 import type { Path } from '../toml/edit';
 import { DocumentDialog } from '../help/Document';
 import { DraftNotice } from './DraftNotice';
 import { TableForm } from './form/TableForm';
 import { Words } from './form/Words';
-import { loadSettings, tableOf } from './settings';
+import { tableOf } from './settings';
 import { sectionOf } from './sections';
 import { Outline } from './Outline';
 import { problemsOfTable, sentenceOf, toneOf } from './awaited';
@@ -25,7 +24,6 @@ import { copy, remove } from './things';
 import './model.css';
 
 export function ModelPanel() {
-  useEffect(loadSettings, [isConnected.value]); // again, where the server went before it could tell
   useEffect(followChosen, []);
   const path = chosen.value;
   const isThere = path !== null && (typeof path[1] !== 'number' || rowsOf(String(path[0])).length > path[1]);

@@ -3,28 +3,12 @@
 
 import type { Edit, Path } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
+import { holds } from './applies';
 import { rowsBefore, segmentsBefore } from './rowMatch';
 import { rowEdits } from './rows';
+import type { Field } from './schema';
+import { tableOf } from './settings';
 import { isTable, valueIn } from './tables';
-
-const placesOf: Record<string, string[]> = {
-  point: ['position'],
-  line: ['points', 'lines', 'layer', 'source_attribute'],
-  polygon: [
-    'polygon',
-    'polygons',
-    'layer',
-    'source_attribute',
-    'min_slope_deg',
-    'max_slope_deg',
-    'mask',
-    'mask_value',
-    'cell_m',
-    'place',
-    'rocks_per_cell',
-  ],
-  raster: ['min_slope_deg', 'max_slope_deg', 'mask', 'mask_value', 'cell_m', 'place', 'rocks_per_cell'],
-};
 
 const listIn = (values: TomlTable, path: Path): TomlValue[] => {
   const found = valueIn(values, path);
@@ -91,17 +75,22 @@ export function consequences(values: TomlTable, path: Path, next: TomlValue | un
   const rows = values[String(table)];
   const row = Array.isArray(rows) && typeof index === 'number' ? rows[index] : undefined;
   if (path.length !== 3 || !isTable(row)) return [];
-  if (table === 'seeder' && key === 'type') {
-    const kept = placesOf[String(next ?? 'point')] ?? [];
-    const others = new Set(
-      Object.values(placesOf)
-        .flat()
-        .filter((place) => !kept.includes(place)),
-    );
-    return Object.keys(row).flatMap((place) => (others.has(place) ? [{ remove: ['seeder', index!, place] }] : []));
-  }
-  return [];
+  const declared = tableOf(String(table));
+  if (!declared || !declared.fields.some((field) => field.key === key)) return [];
+  const after = next === undefined ? without(row, String(key)) : { ...row, [String(key)]: next };
+  return declared.fields.flatMap((field) =>
+    row[field.key] !== undefined && isOfOtherWord(field, declared.key, String(key), after)
+      ? [{ remove: [declared.key, index!, field.key] }]
+      : [],
+  );
 }
+
+const without = (row: TomlTable, key: string): TomlTable =>
+  Object.fromEntries(Object.entries(row).filter(([other]) => other !== key));
+
+/// Whether a setting has a meaning beside other words of `key` only: an error, or a number that nobody looks at.
+const isOfOtherWord = ({ needs }: Field, table: string, key: string, row: TomlTable) =>
+  needs.some((any) => any.every((one) => one.key === key && one.is && !holds(one, table, row, {})));
 
 const noMaterial = -1;
 

@@ -1,5 +1,6 @@
-// What a form needs to know of each setting, read from the schema that the engine gives of its project file.
+// What a form needs to know of each setting, read from the schema of the project file.
 
+import type { Condition } from './applies';
 import { titleOf, unitText } from './titles';
 
 export interface Range {
@@ -45,8 +46,18 @@ export interface Field {
   /// `inf` is a value.
   infinite: boolean;
   excludes: string[];
+  /// It has an effect where of each of these lists a condition holds.
+  needs: Condition[][];
   /// The only rock model on which it has an effect; '': it has on all.
   onlyFor: string;
+  group: string;
+  /// Where the documents say more.
+  topic?: Topic;
+}
+
+export interface Topic {
+  document: string;
+  heading: string;
 }
 
 export interface Table {
@@ -54,6 +65,10 @@ export interface Table {
   repeated: boolean;
   description: string;
   fields: Field[];
+  /// Ways to say one thing, each by the keys of a list; of different ways no keys may stand together.
+  choices: string[][][];
+  groups: { title: string; folded: boolean }[];
+  topic?: Topic;
 }
 
 interface Node {
@@ -79,7 +94,12 @@ interface Node {
   'x-file'?: boolean;
   'x-infinite'?: boolean;
   'x-excludes'?: string[];
-  'x-only-for'?: string;
+  'x-applies-when'?: Condition[][];
+  'x-title'?: string;
+  'x-group'?: string;
+  'x-topic'?: Topic;
+  'x-choices'?: string[][][];
+  'x-groups'?: { title: string; folded: boolean }[];
 }
 
 const rangeOf = (node: Node): Range => ({
@@ -88,6 +108,8 @@ const rangeOf = (node: Node): Range => ({
   leastExcluded: node.exclusiveMinimum !== undefined,
   mostExcluded: node.exclusiveMaximum !== undefined,
 });
+
+const rockModelKey = 'analysis.model';
 
 const wordsOf = (node: Node): string[] => node.enum ?? (node.const !== undefined ? [node.const] : []);
 
@@ -153,10 +175,13 @@ function kindOf(node: Node): Kind {
   }
 }
 
-function fieldsOf(table: Node, name = ''): Field[] {
+const onlyModel = (needs: readonly Condition[][]) =>
+  needs.find((any) => any.length === 1 && any[0]!.key === rockModelKey)?.[0]?.is?.[0] ?? '';
+
+function fieldsOf(table: Node): Field[] {
   return Object.entries(table.properties ?? {}).map(([key, node]) => ({
     key,
-    title: titleOf(key, node['x-unit'] ?? '', name),
+    title: node['x-title'] ?? titleOf(key, node['x-unit']),
     unit: unitText(node['x-unit'] ?? ''),
     type: kindOf(node),
     description: node.description ?? '',
@@ -166,7 +191,10 @@ function fieldsOf(table: Node, name = ''): Field[] {
     withoutIt: node['x-without-it'] ?? '',
     infinite: node['x-infinite'] ?? false,
     excludes: node['x-excludes'] ?? [],
-    onlyFor: node['x-only-for'] ?? '',
+    needs: node['x-applies-when'] ?? [],
+    onlyFor: onlyModel(node['x-applies-when'] ?? []),
+    group: node['x-group'] ?? '',
+    topic: node['x-topic'],
   }));
 }
 
@@ -182,6 +210,8 @@ export function tablesOf(schema: unknown): Table[] {
       repeated: false,
       description: root.description ?? '',
       fields: fieldsOf({ ...root, properties: before }),
+      choices: [],
+      groups: [],
     },
     ...entries
       .filter(([, node]) => isTable(node))
@@ -191,7 +221,10 @@ export function tablesOf(schema: unknown): Table[] {
           key,
           repeated: node.items !== undefined,
           description: table.description ?? '',
-          fields: fieldsOf(table, key),
+          fields: fieldsOf(table),
+          choices: table['x-choices'] ?? [],
+          groups: table['x-groups'] ?? [],
+          topic: table['x-topic'],
         };
       }),
   ];

@@ -2,6 +2,8 @@
 
 import type { Edit } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
+import { applies } from './applies';
+import { fieldOf } from './settings';
 
 export interface TerrainKind {
   name: string;
@@ -53,27 +55,6 @@ export const terrainKinds: TerrainKind[] = [
 export const kindOf = (terrain: TomlTable): TerrainKind | undefined =>
   terrainKinds.find(({ keys }) => keys.some((key) => terrain[key] !== undefined));
 
-/// Keys that mean something to one kind only, besides those that make it.
-const companions: Record<string, string[]> = {
-  section: ['section_std_dev_m', 'width_m'],
-  survey: [
-    'point_classes',
-    'points_layer',
-    'lines_layer',
-    'elevation_attribute',
-    'boundary',
-    'boundary_layer',
-    'max_edge_m',
-    'remove_spikes_m',
-    'crs',
-  ],
-  raster: ['crs'],
-  mesh: ['crs'],
-  polylines: ['merge_tolerance_m', 'crs'],
-  polygons: ['merge_tolerance_m', 'polygons_layer', 'crs'],
-  triangles: ['crs'],
-};
-
 /// The edits that make a terrain of another kind; with a value, by its first key.
 export function changeTo(
   kind: TerrainKind,
@@ -81,9 +62,16 @@ export function changeTo(
   value: TomlValue | undefined = kind.first,
   key = kind.keys[0]!,
 ): Edit[] {
-  const kept = new Set([...kind.keys, ...(companions[kind.name] ?? [])]);
-  const ofKinds = new Set([...terrainKinds.flatMap(({ keys }) => keys), ...Object.values(companions).flat()]);
-  const removes = Object.keys(terrain).filter((other) => ofKinds.has(other) && !kept.has(other));
+  const others = new Set(terrainKinds.flatMap(({ keys }) => keys).filter((other) => !kind.keys.includes(other)));
+  const next: TomlTable = Object.fromEntries([
+    ...Object.entries(terrain).filter(([other]) => !others.has(other)),
+    ...(kind.keys.some((own) => terrain[own] !== undefined) ? [] : [[key, value ?? '']]),
+  ]);
+  const means = (other: string, row: TomlTable) =>
+    applies(fieldOf('terrain', other)?.needs ?? [], 'terrain', row, { terrain: row });
+  const removes = Object.keys(terrain).filter(
+    (other) => others.has(other) || (means(other, terrain) && !means(other, next)),
+  );
   return [
     ...removes.map((other) => ({ remove: ['terrain', other] })),
     ...(value !== undefined && terrain[key] === undefined ? [{ set: ['terrain', key], value }] : []),

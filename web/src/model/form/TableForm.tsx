@@ -1,16 +1,15 @@
 // The form of one table of the project, its fields in groups.
 
 import { useState } from 'preact/hooks';
-import { edit, valueAt } from '../../state/document';
+import { edit, valueAt, values } from '../../state/document';
 import { problemsOf } from '../awaited';
 import type { Path } from '../../toml/edit';
-import { is2d, tableAt, thingOf } from '../place';
+import { tableAt, thingOf } from '../place';
 import type { Field as Setting } from '../schema';
-import { groupsIn } from '../groups';
+import { choicesOf, groupsIn, isOffered, type Group } from '../groups';
+import type { Table } from '../schema';
 import { tableOf } from '../settings';
 import { Field } from './Field';
-
-type Group = ReturnType<typeof groupsIn>[number];
 
 const isGiven = (path: Path) => valueAt(path) !== undefined || problemsOf(path).length > 0;
 
@@ -19,36 +18,33 @@ export function TableForm({ table, path, only }: { table: string; path: Path; on
   const described = tableOf(table);
   if (!described) return null;
   const groups = groupsIn(
-    table,
+    described,
     described.fields.filter(({ key }) => only?.includes(key) ?? true),
   );
   return (
     <>
-      {groups.map((group, k) => (
-        <GroupOfFields key={k} group={group} path={path} />
+      {groups.map((group) => (
+        <GroupOfFields key={group.title} table={described} group={group} path={path} />
       ))}
     </>
   );
 }
 
-function GroupOfFields({ group, path }: { group: Group; path: Path }) {
+function GroupOfFields({ table, group, path }: { table: Table; group: Group; path: Path }) {
   const row = tableAt(path);
-  const applies = ({ key }: Setting) => isGiven([...path, key]) || (group.applies?.(key, row, is2d.value) ?? true);
   const hasGiven = group.fields.some(({ key }) => isGiven([...path, key]));
   const [open, setOpen] = useState(!group.folded || hasGiven);
-  const alternatives = (group.oneOf ?? []).map((keys) =>
-    group.fields.filter(
-      (field) =>
-        keys.includes(field.key) &&
-        (isGiven([...path, field.key]) || (group.applies?.(field.key, row, is2d.value) ?? true)),
-    ),
+  const fields = group.fields.filter(
+    (field) => isGiven([...path, field.key]) || isOffered(table, field, row, values.value),
   );
-  const fields = group.fields.filter(applies);
   if (fields.length === 0) return null;
+  const choices = choicesOf(table, fields);
+  const choiceOf = (field: Setting) => choices.find((ways) => ways.some((way) => way.includes(field)));
   const body = fields.map((field) => {
-    const choice = alternatives.find((list) => list.length > 1 && list.includes(field));
+    const choice = choiceOf(field);
     if (!choice) return <Field key={field.key} field={field} path={[...path, field.key]} />;
-    return choice[0] === field ? <OneOf key={field.key} fields={choice} path={path} /> : null;
+    const isFirst = fields.find((other) => choiceOf(other) === choice) === field;
+    return isFirst ? <OneOf key={field.key} ways={choice} path={path} /> : null;
   });
   if (!group.title) return <div class="group">{body}</div>;
   return (
@@ -59,40 +55,36 @@ function GroupOfFields({ group, path }: { group: Group; path: Path }) {
   );
 }
 
-/// Settings that exclude each other: one of them is chosen, the others go.
-function OneOf({ fields, path }: { fields: Setting[]; path: Path }) {
+/// Settings that exclude each other: one way is chosen, the others go.
+function OneOf({ ways, path }: { ways: Setting[][]; path: Path }) {
   const [picked, setPicked] = useState<string | null>(null);
-  const given = fields.find(({ key }) => valueAt([...path, key]) !== undefined);
-  const now = fields.find(({ key }) => key === picked) ?? given ?? fields[0]!;
-  const pick = (next: Setting) => {
-    setPicked(next.key);
-    const gone = new Set([...next.excludes, ...fields.flatMap(({ key }) => (key === next.key ? [] : [key]))]);
+  const isSaid = (field: Setting) => valueAt([...path, field.key]) !== undefined;
+  const nameOfWay = (way: Setting[]) => way[0]!.key;
+  const now = ways.find((way) => nameOfWay(way) === picked) ?? ways.find((way) => way.some(isSaid)) ?? ways[0]!;
+  const pick = (next: Setting[]) => {
+    setPicked(nameOfWay(next));
+    const gone = new Set([...next.flatMap(({ excludes }) => excludes), ...ways.flatMap((way) => (way === next ? [] : way.map(({ key }) => key)))]);
     const removes = [...gone]
       .filter((key) => valueAt([...path, key]) !== undefined)
       .map((key) => ({ remove: [...path, key] }));
-    if (removes.length > 0) edit(`give ${next.title.toLowerCase()} of ${thingOf(path)}`, removes);
+    if (removes.length > 0) edit(`give ${next[0]!.title.toLowerCase()} of ${thingOf(path)}`, removes);
   };
   return (
     <div class="one-of">
       <div
         class="segments"
         role="group"
-        aria-label={`One of ${fields.map(({ title }) => title.toLowerCase()).join(', ')}`}
+        aria-label={`One of ${ways.map((way) => way[0]!.title.toLowerCase()).join(', ')}`}
       >
-        {fields.map((field) => (
-          <button
-            key={field.key}
-            class="button"
-            aria-pressed={field === now}
-            onClick={() => field !== now && pick(field)}
-          >
-            {field.title}
+        {ways.map((way) => (
+          <button key={nameOfWay(way)} class="button" aria-pressed={way === now} onClick={() => way !== now && pick(way)}>
+            {way[0]!.title}
           </button>
         ))}
       </div>
       {/* More than one in the file: the engine says so, and each can be cleared. */}
-      {fields
-        .filter((field) => field === now || valueAt([...path, field.key]) !== undefined)
+      {ways
+        .flatMap((way) => way.filter((field) => way === now || isSaid(field)))
         .map((field) => (
           <Field key={field.key} field={field} path={[...path, field.key]} />
         ))}
