@@ -80,9 +80,10 @@ export function envelope(element: SVGSVGElement, room: Room, { key, title, unit,
     })),
   );
   const drawnBy = ({ style, dash, cells }: (typeof lines)[number]) => sign.line(`envelope ${style}`, cells.colour, dash ?? '');
+  const [low, high] = fromZero(lines.flatMap(({ values }) => values.filter((value) => value !== null)));
   const plot = openPlot(svg, room, {
     x: extentOf(of.flatMap(({ from, to }) => [...from, ...to]), 0.02), // prettier-ignore
-    y: fromZero(lines.flatMap(({ values }) => values.filter((value) => value !== null))),
+    y: [low, walls.length > 0 ? 1.12 * high : high], // room for their names
     xLabel: 'x [m]',
     yLabel: titleOf({ title, unit }),
     entries: lines.length > 1 ? lines.map((line) => ({ text: line.text, draw: drawnBy(line), switches: line.group })) : [],
