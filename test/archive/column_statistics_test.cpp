@@ -80,7 +80,7 @@ TEST_F(StatisticsOfARun, AreThoseOfItsSummary) {
   ASSERT_EQ(summary_["statistics"].size(), columns.size());
   for (const auto& [key, column] : columns) {
     const Tally tally = endpoint_statistics(folder_.path, facts_, column, {});
-    EXPECT_EQ(statistics_json(tally), summary_["statistics"][key]) << key;
+    EXPECT_EQ(json_of(statistics_of(tally)), summary_["statistics"][key]) << key;
   }
 }
 
@@ -91,7 +91,7 @@ TEST_F(StatisticsOfARun, OfABarrierAreThoseOfItsSummary) {
     ASSERT_GT(known["velocity_m_s"]["count"], 5);
     for (const char* column : {"velocity_m_s", "impact_height_m"}) {
       const Tally tally = barrier_statistics(folder_.path, facts_, facts_.barriers[k].name, column, {});
-      EXPECT_EQ(statistics_json(tally), known[column]) << column;
+      EXPECT_EQ(json_of(statistics_of(tally)), known[column]) << column;
     }
     // Their squares are added up in another order in the table.
     for (const char* column : {"ke_translational_J", "ke_total_J"}) {
@@ -220,7 +220,8 @@ report = false
     }
     EXPECT_GT(tally.histogram(40)->counts().size(), 10U);
   }
-  EXPECT_EQ(statistics_json(endpoint_statistics(folder.path, facts, "x_m", {})), summary["statistics"]["end_x_m"]);
+  EXPECT_EQ(json_of(statistics_of(endpoint_statistics(folder.path, facts, "x_m", {}))),
+            summary["statistics"]["end_x_m"]);
 }
 
 TEST(Cumulative, RisesToOneByWayOfTheValues) {

@@ -28,7 +28,7 @@ std::string refusal(const Folder& folder) {
 
 TEST(RefusedResults, ARowOfAMegabyte) {
   const Folder folder("refused");
-  folder.write("summary.json", "{}");
+  folder.write("summary.json", sample_run::summary("Refused").dump());
   folder.write("endpoints.csv", sample_run::endpoints_head + std::string(std::size_t{1} << 20, '1') + "\n");
   EXPECT_EQ(refusal(folder),
             "endpoints.csv:2: the row has 1 values (expected 15, one for each column)" + std::string(cut_short));
@@ -39,7 +39,7 @@ TEST(RefusedResults, ARowOfAMegabyte) {
 
 TEST(RefusedResults, AQuoteThatStaysOpenForAMegabyte) {
   const Folder folder("refused");
-  folder.write("summary.json", "{}");
+  folder.write("summary.json", sample_run::summary("Refused").dump());
   // Quickly, too: every line is looked at once.
   folder.write("endpoints.csv", sample_run::endpoints_head + '"' + std::string(std::size_t{4} << 20, '\n'));
   EXPECT_EQ(refusal(folder), "endpoints.csv:2: the row has more than 1048576 bytes (no row of a table is so long)" +
@@ -50,9 +50,10 @@ TEST(RefusedResults, ASummaryOfListsWithinLists) {
   const Folder folder("refused");
   const std::size_t deep = 1'000'000;
   folder.write("summary.json", "{\"project\": " + std::string(deep, '[') + std::string(deep, ']') + "}");
-  EXPECT_EQ(refusal(folder),
-            "summary.json: holds lists within lists, 1000001 deep (a summary has at most 100). Name a folder that "
-            "`talus run` has written");
+  EXPECT_EQ(
+      refusal(folder),
+      "summary.json: is damaged (it holds lists within lists, 1000001 deep; expected at most 100). Name a folder that "
+      "`talus run` has written");
 }
 
 TEST(RefusedResults, ANumberBeyondAllNumbers) {
@@ -64,16 +65,22 @@ TEST(RefusedResults, ANumberBeyondAllNumbers) {
 
 TEST(RefusedResults, AStatisticWhoseNameIsNoPointer) {
   const Folder folder("refused");
-  folder.write("summary.json", R"({"statistics": {"a~b/c": 1}})");
-  EXPECT_EQ(refusal(folder), "summary.json: statistics/a~b/c: the value is of type number (expected object)");
+  auto summary = sample_run::summary("Refused");
+  summary["statistics"]["a~b/c"] = 1;
+  folder.write("summary.json", summary.dump());
+  EXPECT_EQ(refusal(folder),
+            "summary.json: statistics/a~b/c: is of type number (expected an object). Name a folder that "
+            "`talus run` has written");
 }
 
 TEST(RefusedResults, ASummaryBeyondAllBounds) {
   const Folder folder("refused");
   folder.write("summary.json", "{}");
   std::filesystem::resize_file(folder.path / "summary.json", std::uintmax_t{1} << 34);  // without taking room on disk
-  EXPECT_EQ(refusal(folder),
-            "summary.json: the file has 16384 MiB (a summary has at most 1024 MiB)" + std::string(cut_short));
+  EXPECT_EQ(
+      refusal(folder),
+      "summary.json: cannot be read (it has 16384 MiB; expected at most 1024). Name a folder that `talus run` has "
+      "written");
 }
 
 TEST(RefusedResults, ADescriptionOfListsWithinLists) {

@@ -24,40 +24,40 @@ TEST(RunFacts, SayWhatTheSummarySays) {
   summary["origin_m"] = {1024, 2048, 0};
   const RunFacts facts = facts_of(summary);
   EXPECT_FALSE(facts.is_section);
-  EXPECT_EQ(facts.origin_m, (std::array<double, 3>{1024, 2048, 0}));
-  EXPECT_EQ(facts.crs_wkt, "PROJCRS[...]");
-  EXPECT_EQ(facts.planned_rocks, 6U);
+  EXPECT_EQ(facts.summary.origin_m, (std::array<double, 3>{1024, 2048, 0}));
+  EXPECT_EQ(facts.summary.terrain.crs_wkt, "PROJCRS[...]");
+  EXPECT_EQ(facts.planned_rocks(), 6U);
   EXPECT_TRUE(facts.wants_geopackage);
   EXPECT_TRUE(facts.wants_vtk);
   ASSERT_EQ(facts.barriers.size(), 2U);
   const BarrierFacts& fence = facts.barriers[0];
   EXPECT_EQ(fence.name, "Fence");
   EXPECT_EQ(fence.kind, "barrier");
-  ASSERT_EQ(fence.foot_m.size(), 3U);
-  EXPECT_EQ(fence.foot_m[1], (std::array<double, 3>{10, 20, 5.5}));
-  EXPECT_EQ(fence.stations_m.size(), 3U);
-  EXPECT_EQ(fence.stations_m[0], 0);
+  ASSERT_EQ(fence.line_xyz.size(), 3U);
+  EXPECT_EQ(fence.line_xyz[1], (std::array<double, 3>{10, 20, 5.5}));
+  EXPECT_EQ(fence.stations.size(), 3U);
+  EXPECT_EQ(fence.stations[0], 0);
   EXPECT_EQ(fence.height_m, 3);
   EXPECT_EQ(fence.inclination_deg, -10);
   EXPECT_EQ(fence.capacity_kJ, 500);
   EXPECT_EQ(fence.hits, 3U);
   EXPECT_EQ(fence.rocks_hit, 2U);
   EXPECT_EQ(fence.passed_above, 1U);
-  EXPECT_EQ(fence.stopped, 2U);
-  EXPECT_EQ(fence.rebounded, 1U);
+  EXPECT_EQ(fence.outcomes.stopped, 2U);
+  EXPECT_EQ(fence.outcomes.rebounded, 1U);
   EXPECT_EQ(fence.least_clearance_m, 0.25);
-  EXPECT_EQ(fence.ke_total_J.percentile_95, 9.6e4);
-  EXPECT_EQ(fence.ke_translational_J.greatest, 1e5);
-  EXPECT_EQ(fence.impact_height_m.percentile_99, 2.5);
-  EXPECT_EQ(fence.velocity_m_s.greatest, 17);
+  EXPECT_EQ(fence.statistics_of("ke_total_J").percentiles.p95, 9.6e4);
+  EXPECT_EQ(fence.statistics_of("ke_translational_J").maximum, 1e5);
+  EXPECT_EQ(fence.statistics_of("impact_height_m").percentiles.p99, 2.5);
+  EXPECT_EQ(fence.statistics_of("velocity_m_s").maximum, 17);
   EXPECT_EQ(facts.barriers[1].capacity_kJ, std::nullopt);
-  EXPECT_EQ(facts.barriers[1].velocity_m_s.greatest, std::nullopt);
+  EXPECT_EQ(facts.barriers[1].statistics_of("velocity_m_s").maximum, std::nullopt);
 }
 
 TEST(RunFacts, StationsAreThoseOfTheLineAsItWasGiven) {
   Json summary = sample_run::summary_3d();
   summary["barriers"][0]["stations_m"] = {7, 30, 60};
-  EXPECT_EQ(facts_of(summary).barriers[0].stations_m, (std::vector<double>{7, 30, 60}));
+  EXPECT_EQ(facts_of(summary).barriers[0].stations, (std::vector<double>{7, 30, 60}));
 }
 
 TEST(RunFacts, AWallWithoutLimitHasNoCapacity) {
@@ -75,7 +75,7 @@ TEST(RunFacts, OfABarrierThatNoRockHitHaveNoStatistics) {
   const BarrierFacts facts = facts_of(summary).barriers[0];
   EXPECT_EQ(facts.hits, 0U);
   EXPECT_EQ(facts.height_m, 3);
-  EXPECT_EQ(facts.ke_total_J.greatest, std::nullopt);
+  EXPECT_EQ(facts.statistics_of("ke_total_J").maximum, std::nullopt);
 }
 
 TEST(RunFacts, TellTheSourceOfEachRock) {
@@ -118,11 +118,14 @@ std::string complaint_about_value(const char* pointer, const Json& value) {
 TEST(RunFacts, RefuseWhatIsNoSummary) {
   const std::string hint = ". Name a folder that `talus run` has written";
   EXPECT_EQ(complaint_about(""),
-            "summary.json: cannot be opened (a run's folder holds it once the run is done)" + hint);
-  EXPECT_EQ(complaint_about("[1, 2"), "summary.json: is damaged (it holds no JSON object)" + hint);
+            "summary.json: there is no such file (a run's folder holds it once the run is done)" + hint);
+  EXPECT_EQ(complaint_about("[1, 2"),
+            "summary.json:1: the JSON ends too early (after 6 bytes). The file was cut short or damaged; run the "
+            "project again to get it whole");
+  EXPECT_EQ(complaint_about("[1, 2]"), "summary.json: is of type array (expected an object)" + hint);
   EXPECT_EQ(complaint_about(std::string(100'000, '[')),
             "summary.json: is damaged (it holds lists within lists, 100000 deep; expected at most 100)" + hint);
-  EXPECT_EQ(complaint_about("{}"), "summary.json: terrain/kind: is missing (a run writes it)" + hint);
+  EXPECT_EQ(complaint_about("{}"), "summary.json: talus: is missing (a run writes it)" + hint);
   EXPECT_EQ(complaint_about_value("/rocks/planned", -6),
             "summary.json: rocks/planned: is of type number (expected a whole number, 0 or more)" + hint);
   EXPECT_EQ(complaint_about_value("/project/output/geopackage", "some"),
@@ -132,9 +135,9 @@ TEST(RunFacts, RefuseWhatIsNoSummary) {
   EXPECT_EQ(complaint_about_value("/barriers", 3),
             "summary.json: barriers: is of type number (expected a list)" + hint);
   EXPECT_EQ(complaint_about_value("/barriers/1", 3),
-            "summary.json: barriers/1/name: is missing (a run writes it)" + hint);
+            "summary.json: barriers/1: is of type number (expected an object)" + hint);
   EXPECT_EQ(complaint_about_value("/barriers/1/name", "Road"),
-            "summary.json: project/collector/Road/height_m: is missing (a run writes it)" + hint);
+            "summary.json: project/collector/Road: is missing (a run writes it)" + hint);
   EXPECT_EQ(complaint_about_value("/sources", 3), "summary.json: sources: is of type number (expected a list)" + hint);
 }
 

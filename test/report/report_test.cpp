@@ -102,7 +102,6 @@ TEST(Report, HoldsPathsEndPointsHitsAndLosses) {
   const sample_run::Folder folder("report");
   sample_run::write(folder);
   const auto run = data_in(page_of(folder)).at("runs").at(0);
-  EXPECT_EQ(run.at("date"), "2024-05-17 09:30 UTC");
   EXPECT_EQ(run.at("paths").at("total"), 2);
   EXPECT_EQ(run.at("paths").at("rocks").at(1).at("rows").at(1).dump(),
             R"(["impact",1.577,3.1,0.0,-12.2,1.5,0.0,-15.47,120766.1,0.0,0.0])");
@@ -204,7 +203,7 @@ TEST(Report, CountsTwoRunsInTheSameBins) {
 TEST(Report, OfManyRocksIsTheSameEveryTimeAndNoLargerThanItsLimits) {
   const sample_run::Folder folder("report");
   auto summary = sample_run::summary("many");
-  summary["rocks"]["done"] = 3000;
+  summary["rocks"]["done"] = summary["rocks"]["with_endpoint"] = 3000;
   folder.write("summary.json", summary.dump());
   std::string endpoints = sample_run::endpoints_head, paths = sample_run::paths_head;
   for (std::uint64_t rock = 0; rock < 3000; ++rock) {

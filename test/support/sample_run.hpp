@@ -83,38 +83,47 @@ inline nlohmann::ordered_json statistics(double base) {
           {"sum", 2 * base + 0.75},
           {"count", 2},
           {"confidence_level_95", 0.6875},
-          {"quartiles", {base - 0.5, base + 0.25, base + 1}}};
+          {"quartiles", {base - 0.5, base + 0.25, base + 1}},
+          {"percentiles", {{"95", nullptr}, {"99", nullptr}}}};
 }
 
+/// Every key that a run writes, in the order of the file.
 inline nlohmann::ordered_json summary(const std::string& name) {
   using Json = nlohmann::ordered_json;
   const Json histogram{{"low", 4.5}, {"width", 0.5}, {"counts", {1, 0, 1}}};
   return {
       {"talus", {{"version", "0.1.0"}}},
+      {"name", name},
+      {"fingerprint", "46d0eda3684e621596ce0884751bc736"},
+      {"seed", 4711},
+      {"rocks", {{"planned", 2}, {"done", 2}, {"lifted", 1}, {"with_endpoint", 2}, {"with_path", 2}}},
+      {"interrupted", false},
+      {"end_reasons", {{"at rest", 2}}},
+      {"events", 8},
+      {"statistics", {{"end_x_m", statistics(17)}, {"runout_xy_m", statistics(27)}, {"max_ke_J", statistics(123456)}}},
+      {"histograms", {{"end_x_m", histogram}, {"runout_xy_m", histogram}}},
+      {"barriers", Json::array({{{"name", "Fence"},
+                                 {"kind", "barrier"},
+                                 {"line_xyz", Json::array({{4.5, 0, -12.2}})},
+                                 {"hits", 1},
+                                 {"rocks_hit", 1},
+                                 {"passed_above", 1},
+                                 {"outcomes", {{"stopped", 1}, {"rebounded", 0}, {"broke through", 0}, {"passed", 0}}},
+                                 {"least_clearance_m", 0.8125},
+                                 {"statistics", {{"ke_translational_J", statistics(98765)}}},
+                                 {"histograms", {{"ke_translational_J", histogram}}}}})},
+      {"sources", Json::array({{{"name", "seeder 1"}, {"rocks", Json::array({{0, 2}})}}})},
+      {"warnings", {"1 rock was lifted onto the surface"}},
+      {"notes", Json::array()},
+      {"energy_datum_m", -12.2},
+      {"origin_m", {0, 0, 0}},
+      {"terrain", {{"kind", "section"}, {"section", Json::array({{0, 0}, {3.1, -12.2}, {6.7, -12.2}})}}},
       {"project",
        {{"name", name},
         {"analysis", {{"model", "lumped_mass"}, {"rotation", true}, {"gravity_m_s2", 9.80665}}},
         {"material",
          Json::array({{{"name", "Type One"}, {"normal_restitution", {{"mean", 0.53}, {"distribution", "none"}}}}})},
         {"ground", {{"default", "Type One"}}}}},
-      {"name", name},
-      {"date", "2024-05-17 09:30 UTC"},
-      {"seed", 4711},
-      {"rocks", {{"planned", 2}, {"done", 2}}},
-      {"interrupted", false},
-      {"end_reasons", {{"at rest", 2}}},
-      {"terrain", {{"kind", "section"}, {"section", Json::array({{0, 0}, {3.1, -12.2}, {6.7, -12.2}})}}},
-      {"statistics", {{"end_x_m", statistics(17)}, {"runout_xy_m", statistics(27)}, {"max_ke_J", statistics(123456)}}},
-      {"histograms", {{"end_x_m", histogram}, {"runout_xy_m", histogram}}},
-      {"barriers", Json::array({{{"name", "Fence"},
-                                 {"kind", "barrier"},
-                                 {"hits", 1},
-                                 {"passed_above", 1},
-                                 {"outcomes", {{"stopped", 1}, {"rebounded", 0}}},
-                                 {"least_clearance_m", 0.8125},
-                                 {"statistics", {{"ke_translational_J", statistics(98765)}}},
-                                 {"histograms", {{"ke_translational_J", histogram}}}}})},
-      {"warnings", {"1 rock was lifted onto the surface"}},
       {"timings", {{"seconds", 0.375}, {"rocks_per_second", 5.25}, {"threads", 2}}}};
 }
 

@@ -9,7 +9,10 @@ namespace talus::io::sample_run {
 
 /// Statistics of hits with these values at 95 %, 99 % and the maximum.
 inline nlohmann::ordered_json design_statistics(double p95, double p99, double greatest) {
-  return {{"maximum", greatest}, {"percentiles", {{"95", p95}, {"99", p99}}}};
+  nlohmann::ordered_json values = statistics(0);
+  values["maximum"] = greatest;
+  values["percentiles"] = {{"95", p95}, {"99", p99}};
+  return values;
 }
 
 inline nlohmann::ordered_json barrier_3d(const std::string& name, const std::string& kind) {
@@ -34,16 +37,17 @@ inline nlohmann::ordered_json summary_3d() {
   Json collector = barrier_3d("Track", "collector");
   collector["least_clearance_m"] = nullptr;
   for (auto& quantity : collector["statistics"]) quantity = design_statistics(0, 0, 0), quantity["maximum"] = nullptr;
-  return {{"rocks", {{"planned", 6}, {"done", 6}}},
-          {"terrain", {{"kind", "mesh"}}},
-          {"barriers", Json::array({barrier_3d("Fence", "barrier"), collector})},
-          {"sources", Json::array({{{"name", "Wall"}, {"rocks", Json::array({{0, 2}, {4, 2}})}},
-                                   {{"name", "Tower, \"old\""}, {"rocks", Json::array({{2, 2}})}}})},
-          {"project",
-           {{"barrier",
-             Json::array({{{"name", "Fence"}, {"height_m", 3}, {"inclination_deg", -10}, {"capacity_kJ", 500}}})},
-            {"collector", Json::array({{{"name", "Track"}, {"height_m", 6}, {"inclination_deg", 0}}})},
-            {"output", {{"endpoints", "all"}, {"paths", "all"}, {"geopackage", 10000}, {"vtk", true}}}}}};
+  Json all = summary("Terrain");
+  all["rocks"] = {{"planned", 6}, {"done", 6}, {"lifted", 0}, {"with_endpoint", 6}, {"with_path", 6}};
+  all["terrain"] = {{"kind", "mesh"}};
+  all["barriers"] = Json::array({barrier_3d("Fence", "barrier"), collector});
+  all["sources"] = Json::array({{{"name", "Wall"}, {"rocks", Json::array({{0, 2}, {4, 2}})}},
+                                {{"name", "Tower, \"old\""}, {"rocks", Json::array({{2, 2}})}}});
+  all["project"] = {
+      {"barrier", Json::array({{{"name", "Fence"}, {"height_m", 3}, {"inclination_deg", -10}, {"capacity_kJ", 500}}})},
+      {"collector", Json::array({{{"name", "Track"}, {"height_m", 6}, {"inclination_deg", 0}}})},
+      {"output", {{"endpoints", "all"}, {"paths", "all"}, {"geopackage", 10000}, {"vtk", true}}}};
+  return all;
 }
 
 /// Six rocks, all with their paths.

@@ -33,17 +33,16 @@ class HeightAboveGround {
 
 }  // namespace
 
-DrawnPaths drawn_paths(const std::filesystem::path& folder, const Json& summary, std::uint64_t rocks,
+DrawnPaths drawn_paths(const std::filesystem::path& folder, const io::RunFacts& facts, std::uint64_t rocks,
                        const Model* model) {
   constexpr double tolerance = 0.05;  // of the arcs [m]
-  const io::RunFacts facts = io::read_run_facts(folder);
-  const std::uint64_t total = facts.in_tables.paths_before(rocks_done(summary));
+  const std::uint64_t total = facts.in_tables.paths_before(facts.summary.rocks.done);
   const io::EvenChoice chosen(rocks, total);
   const auto wants = [&](std::uint64_t rock) {
     return facts.in_tables.has_path(rock) && chosen.contains(facts.in_tables.paths_before(rock));
   };
   DrawnPaths paths;
-  paths.rocks = end_points(folder, summary, facts, wants);
+  paths.rocks = end_points(folder, facts, wants);
   paths.rocks.total = total;
 
   const auto refuse = [&] {

@@ -62,24 +62,22 @@ void read_hits(const fs::path& file, EndPoints& ends) {
 
 }  // namespace
 
-EndPoints end_points(const fs::path& folder, const Json& summary, const io::RunFacts& facts,
+EndPoints end_points(const fs::path& folder, const io::RunFacts& facts,
                      const std::function<bool(std::uint64_t)>& wants) {
   EndPoints ends;
-  ends.source_names = Names(names_of(summary.value("sources", Json::array())));
-  ends.seeder_names = Names(seeders_of(summary));
-  ends.barrier_names = names_of(summary.value("barriers", Json::array()));
+  ends.source_names = Names(sources_of(facts));
+  ends.seeder_names = Names(seeders_of(facts));
+  ends.barrier_names = barriers_of(facts);
   read_ends(folder / "endpoints.csv", facts, wants, ends);
   read_hits(folder / "barriers.csv", ends);
   return ends;
 }
 
-EndPoints end_points(const fs::path& folder, const Json& summary, std::uint64_t rocks) {
-  const io::RunFacts facts = io::read_run_facts(folder);
-  const std::uint64_t total = facts.in_tables.endpoints_before(rocks_done(summary));
+EndPoints end_points(const fs::path& folder, const io::RunFacts& facts, std::uint64_t rocks) {
+  const std::uint64_t total = facts.in_tables.endpoints_before(facts.summary.rocks.done);
   const io::EvenChoice chosen(rocks, total);
-  EndPoints ends = end_points(folder, summary, facts, [&](std::uint64_t rock) {
-    return chosen.contains(facts.in_tables.endpoints_before(rock));
-  });
+  EndPoints ends = end_points(
+      folder, facts, [&](std::uint64_t rock) { return chosen.contains(facts.in_tables.endpoints_before(rock)); });
   ends.total = total;
   return ends;
 }

@@ -75,12 +75,12 @@ Json energies(const std::vector<Texts>& rows) {
 
 }  // namespace
 
-Json one_rock(const fs::path& folder, std::uint64_t rock, std::uint64_t done,
+Json one_rock(const fs::path& folder, std::uint64_t rock, const io::RunFacts& facts,
               const std::function<std::shared_ptr<const BuiltProject>()>& model) {
   const std::string name = std::to_string(rock);
   RockRows rows{io::rows_of_rock(folder / "endpoints.csv", io::endpoint_columns, rock),
                 io::rows_of_rock(folder / "paths.csv", io::path_columns, rock)};
-  if (rows.endpoint.empty() && (rock >= done || io::read_run_facts(folder).in_tables.has_endpoint(rock)))
+  if (rows.endpoint.empty() && (rock >= facts.summary.rocks.done || facts.in_tables.has_endpoint(rock)))
     throw Refusal(404, name, "there is no such rock", "it was not run");
   const bool is_in_table = !rows.path.empty();
   if (!is_in_table) {

@@ -1,6 +1,5 @@
 #include "results/run_summary.hpp"
 
-#include "talus/files/json_file.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/read.hpp"
@@ -22,20 +21,12 @@ std::filesystem::path results_folder(const Run& run) {
   throw refuse(is_there ? "its summary.json is no ordinary file" : "it ended before they were written");
 }
 
-Json read_summary(const Run& run) { return io::read_json_object<Json>(results_folder(run) / "summary.json", ""); }
+io::RunFacts read_facts(const Run& run) { return io::read_run_facts(results_folder(run)); }
 
 Json settings_of(const Run& run, const std::filesystem::path& project_file) {
   return project::echo(
       project::read_project_text(project::text_of_file(run.folder / run_project_name), project_file, overrides_of(run))
           .project);
-}
-
-std::uint64_t rocks_done(const Json& summary) {
-  const Json::json_pointer done("/rocks/done");
-  if (!summary.contains(done) || !summary.at(done).is_number_unsigned())
-    throw BadInput(
-        Problem{.file = "summary.json", .where = "rocks/done", .what = "is missing", .why = "a run writes it"});
-  return summary.at(done).get<std::uint64_t>();
 }
 
 std::uint32_t Names::number(std::string_view name) {
@@ -50,16 +41,24 @@ std::optional<std::uint32_t> Names::find(std::string_view name) const {
   return found->second;
 }
 
-std::vector<std::string> names_of(const Json& list) {
+std::vector<std::string> seeders_of(const io::RunFacts& facts) {
   std::vector<std::string> names;
-  for (const Json& entry : list)
-    names.push_back(entry.is_object() && entry.contains("name") && entry["name"].is_string() ? entry["name"]
-                                                                                             : Json(""));
+  for (const Json& seeder : facts.summary.project->value("seeder", Json::array()))
+    names.push_back(seeder.is_object() && seeder.contains("name") && seeder["name"].is_string() ? seeder["name"]
+                                                                                                : Json(""));
   return names;
 }
 
-std::vector<std::string> seeders_of(const Json& summary) {
-  return names_of(summary.value("project", Json::object()).value("seeder", Json::array()));
+std::vector<std::string> sources_of(const io::RunFacts& facts) {
+  std::vector<std::string> names;
+  for (const io::SourceRocks& source : facts.summary.sources) names.push_back(source.name);
+  return names;
+}
+
+std::vector<std::string> barriers_of(const io::RunFacts& facts) {
+  std::vector<std::string> names;
+  for (const io::BarrierFacts& barrier : facts.barriers) names.push_back(barrier.name);
+  return names;
 }
 
 }  // namespace talus::server

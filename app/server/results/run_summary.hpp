@@ -11,21 +11,19 @@
 
 #include "http/answer.hpp"
 #include "run.hpp"
+#include "talus/archive/run_facts.hpp"
 
 namespace talus::server {
 
 /// The run's folder, if it has results; refused (404) where it has none yet, or none that are whole.
 [[nodiscard]] std::filesystem::path results_folder(const Run& run);
 
-/// summary.json. Throws BadInput where it is damaged, and refuses as above.
-[[nodiscard]] Json read_summary(const Run& run);
+/// What its summary.json says. Throws BadInput where it is damaged, and refuses as above.
+[[nodiscard]] io::RunFacts read_facts(const Run& run);
 
 /// The settings with which it was thrown, every default filled in: of its text, which is there before any result.
 /// Throws BadInput where this program no longer takes the text.
 [[nodiscard]] Json settings_of(const Run& run, const std::filesystem::path& project_file);
-
-/// How many rocks a summary is of.
-[[nodiscard]] std::uint64_t rocks_done(const Json& summary);
 
 /// Names in the order in which results number them; others that come up later are added behind.
 class Names {
@@ -45,8 +43,9 @@ class Names {
   std::unordered_map<std::string, std::uint32_t> numbers_;
 };
 
-/// The `name` of each entry of a list in the summary.
-[[nodiscard]] std::vector<std::string> names_of(const Json& list);
-[[nodiscard]] std::vector<std::string> seeders_of(const Json& summary);
+// The names of a run's seeders (empty: it has none), sources, and barriers and collectors, in its order.
+[[nodiscard]] std::vector<std::string> seeders_of(const io::RunFacts& facts);
+[[nodiscard]] std::vector<std::string> sources_of(const io::RunFacts& facts);
+[[nodiscard]] std::vector<std::string> barriers_of(const io::RunFacts& facts);
 
 }  // namespace talus::server

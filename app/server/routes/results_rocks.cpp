@@ -57,7 +57,7 @@ void add_rock_routes(Router& router, RunStore& runs, RunModels& models) {
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
     const auto built = models.find(run);
-    const DrawnPaths paths = drawn_paths(folder, read_summary(run), wanted, built ? &built->model : nullptr);
+    const DrawnPaths paths = drawn_paths(folder, read_facts(run), wanted, built ? &built->model : nullptr);
     Json header = head(paths.rocks);
     header["states"] = names_of_states();
     Arrays arrays(std::move(header));
@@ -75,7 +75,7 @@ void add_rock_routes(Router& router, RunStore& runs, RunModels& models) {
     const std::uint64_t wanted = call.query_number("rocks", 100'000, 1'000'000);
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
-    const EndPoints rocks = end_points(folder, read_summary(run), wanted);
+    const EndPoints rocks = end_points(folder, read_facts(run), wanted);
     Arrays arrays(head(rocks));
     add_rocks(arrays, rocks);
     add(arrays, "positions", rocks.positions);
@@ -83,9 +83,8 @@ void add_rock_routes(Router& router, RunStore& runs, RunModels& models) {
   });
   router.get(one_run + "/rocks/([0-9]{1,19})", [&](const Call& call) {
     const Run run = runs.find(call.part(1));
-    const std::uint64_t done = rocks_done(read_summary(run));
     return json_answer(
-        one_rock(results_folder(run), std::stoull(call.part(2)), done, [&] { return models.find(run); }));
+        one_rock(results_folder(run), std::stoull(call.part(2)), read_facts(run), [&] { return models.find(run); }));
   });
 }
 

@@ -42,16 +42,16 @@ std::optional<double> energy_in(const Call& call, const std::string& key) {
 }
 
 /// Of one run, or of two, of which either may have a name.
-io::RockFilter filter_in(const Call& call, std::initializer_list<Json> summaries) {
+io::RockFilter filter_in(const Call& call, std::initializer_list<const io::RunFacts*> runs) {
   std::vector<std::string> reasons, seeders, sources, barriers;
   for (int k = 0; k < end_reason_count; ++k) reasons.emplace_back(name(static_cast<EndReason>(k)));
   const auto append = [](std::vector<std::string>& known, const std::vector<std::string>& more) {
     known.insert(known.end(), more.begin(), more.end());
   };
-  for (const Json& summary : summaries) {
-    append(seeders, seeders_of(summary));
-    append(sources, names_of(summary.value("sources", Json::array())));
-    append(barriers, names_of(summary.value("barriers", Json::array())));
+  for (const io::RunFacts* facts : runs) {
+    append(seeders, seeders_of(*facts));
+    append(sources, sources_of(*facts));
+    append(barriers, barriers_of(*facts));
   }
   return {.end_reasons = names_in(call, "reason", reasons),
           .seeders = names_in(call, "seeder", seeders),
@@ -72,8 +72,8 @@ const io::NumberColumn& column_in(const Call& call, const std::vector<io::Number
 }
 
 /// How many rocks the filter has to choose from, of how many done; null: of all.
-Json sample_json(const io::RunFacts& facts, const Json& summary) {
-  const std::uint64_t done = rocks_done(summary), there = facts.in_tables.endpoints_before(done);
+Json sample_json(const io::RunFacts& facts) {
+  const std::uint64_t done = facts.summary.rocks.done, there = facts.in_tables.endpoints_before(done);
   return there == done ? Json() : Json{{"rocks", there}, {"of", done}};
 }
 
@@ -96,7 +96,7 @@ Json statistics_answer(const Tally& tally, const io::NumberColumn& column, const
           {"unit", column.unit},
           {"count", tally.count()},
           {"sample", std::move(sample)},
-          {"statistics", statistics_json(tally)},
+          {"statistics", io::json_of(statistics_of(tally))},
           {"histogram", {{"edges", std::move(edges)}, {"counts", std::move(counts)}}},
           {"cumulative", std::move(cumulative)},
           {"box", std::move(box)}};
@@ -114,20 +114,18 @@ Json compared_answer(const Tally& here, const Tally& there, const io::NumberColu
 }
 
 /// The hits on the barrier of this name; none where the run has no such barrier.
-Tally hits_in(const std::filesystem::path& folder, std::string_view barrier, std::string_view column,
-              const io::RockFilter& filter) {
-  const io::RunFacts facts = io::read_run_facts(folder);
+Tally hits_in(const std::filesystem::path& folder, const io::RunFacts& facts, std::string_view barrier,
+              std::string_view column, const io::RockFilter& filter) {
   if (std::ranges::find(facts.barriers, barrier, &io::BarrierFacts::name) == facts.barriers.end())
-    return Tally(facts.planned_rocks);
+    return Tally(facts.planned_rocks());
   return io::barrier_statistics(folder, facts, barrier, column, filter);
 }
 
 /// What the summary says of a barrier, and how it is to be designed, if that was asked for.
-Json barrier_json(const io::BarrierFacts& barrier, const Json& in_summary, const Json& summary) {
+Json barrier_json(const io::BarrierFacts& barrier, const io::RunSummary& summary) {
   Json design;
-  const Json::json_pointer lines("/design/lines");
-  if (summary.contains(lines))
-    for (const Json& line : summary.at(lines))
+  if (summary.design)
+    for (const Json& line : summary.design->at("lines"))
       if (line.value("name", "") == barrier.name) design = line;
   return {{"name", barrier.name},
           {"kind", barrier.kind},
@@ -135,11 +133,11 @@ Json barrier_json(const io::BarrierFacts& barrier, const Json& in_summary, const
           {"capacity_kJ", barrier.capacity_kJ ? Json(*barrier.capacity_kJ) : Json()},
           {"hits", barrier.hits},
           {"rocks_hit", barrier.rocks_hit},
-          {"stopped", barrier.stopped},
-          {"rebounded", barrier.rebounded},
-          {"passed_through", barrier.broke_through + barrier.passed},
+          {"stopped", barrier.outcomes.stopped},
+          {"rebounded", barrier.outcomes.rebounded},
+          {"passed_through", barrier.outcomes.broke_through + barrier.outcomes.passed},
           {"passed_above", barrier.passed_above},
-          {"statistics", in_summary.value("statistics", Json())},
+          {"statistics", barrier.statistics.empty() ? Json() : io::json_of(barrier.statistics)},
           {"design", std::move(design)}};
 }
 
@@ -150,52 +148,48 @@ void add_statistics_routes(Router& router, RunStore& runs) {
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
     const io::NumberColumn& column = column_in(call, io::endpoint_numbers());
-    const Json summary = read_summary(run);
-    const io::RockFilter filter = filter_in(call, {summary});
-    const io::RunFacts facts = io::read_run_facts(folder);
+    const io::RunFacts facts = read_facts(run);
+    const io::RockFilter filter = filter_in(call, {&facts});
     const Tally tally = io::endpoint_statistics(folder, facts, column.name, filter);
-    return json_answer(statistics_answer(tally, column, tally.histogram(histogram_bins), sample_json(facts, summary)));
+    return json_answer(statistics_answer(tally, column, tally.histogram(histogram_bins), sample_json(facts)));
   });
   router.get(one_run + "/compared/([A-Za-z0-9._-]+)/statistics", [&runs](const Call& call) {
     const Run here = runs.find(call.part(1)), there = runs.find(call.part(2));
     const auto folder = results_folder(here), other = results_folder(there);
-    const io::RockFilter filter = filter_in(call, {read_summary(here), read_summary(there)});
+    const io::RunFacts facts = read_facts(here), others = read_facts(there);
+    const io::RockFilter filter = filter_in(call, {&facts, &others});
     if (const std::string barrier = call.query("hits_on"); !barrier.empty()) {
       const io::NumberColumn& column = column_in(call, io::barrier_numbers());
-      return json_answer(compared_answer(hits_in(folder, barrier, column.name, filter),
-                                         hits_in(other, barrier, column.name, filter), column));
+      return json_answer(compared_answer(hits_in(folder, facts, barrier, column.name, filter),
+                                         hits_in(other, others, barrier, column.name, filter), column));
     }
     const io::NumberColumn& column = column_in(call, io::endpoint_numbers());
-    return json_answer(compared_answer(io::endpoint_statistics(folder, io::read_run_facts(folder), column.name, filter),
-                                       io::endpoint_statistics(other, io::read_run_facts(other), column.name, filter),
-                                       column));
+    return json_answer(compared_answer(io::endpoint_statistics(folder, facts, column.name, filter),
+                                       io::endpoint_statistics(other, others, column.name, filter), column));
   });
   router.get(one_run + "/barriers", [&runs](const Call& call) {
     const Run run = runs.find(call.part(1));
-    const Json summary = read_summary(run);
-    const io::RunFacts facts = io::read_run_facts(results_folder(run));
+    const io::RunFacts facts = read_facts(run);
     Json list = Json::array();
-    for (std::size_t k = 0; k < facts.barriers.size(); ++k)
-      list.push_back(barrier_json(facts.barriers[k], summary.at("barriers").at(k), summary));
+    for (const io::BarrierFacts& barrier : facts.barriers) list.push_back(barrier_json(barrier, facts.summary));
     return json_answer({{"barriers", std::move(list)}});
   });
   router.get(one_run + "/barriers/([0-9]{1,9})/statistics", [&runs](const Call& call) {
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
-    const io::RunFacts facts = io::read_run_facts(folder);
+    const io::RunFacts facts = read_facts(run);
     const std::size_t number = std::stoull(call.part(2));
     if (number >= facts.barriers.size())
       throw Refusal(404, call.part(2), "there is no such barrier",
                     fmt::format("this run has {}, counted from 0", facts.barriers.size()));
     const io::NumberColumn& column = column_in(call, io::barrier_numbers());
-    const Json summary = read_summary(run);
-    const io::RockFilter filter = filter_in(call, {summary});
+    const io::RockFilter filter = filter_in(call, {&facts});
     const Tally tally = io::barrier_statistics(folder, facts, facts.barriers[number].name, column.name, filter);
     Json answer = statistics_answer(tally, column, tally.histogram(histogram_bins),
-                                    filter.is_empty() ? Json() : sample_json(facts, summary));
+                                    filter.is_empty() ? Json() : sample_json(facts));
     // The summary squares the size of the velocity, the table adds squares up: their energies differ in the last bit.
-    const Json::json_pointer known(fmt::format("/barriers/{}/statistics/{}", number, column.name));
-    if (filter.is_empty() && summary.contains(known)) answer["statistics"] = summary.at(known);
+    const io::Statistics* const known = io::find_named(facts.barriers[number].statistics, column.name);
+    if (filter.is_empty() && known != nullptr) answer["statistics"] = io::json_of(*known);
     return json_answer(answer);
   });
 }

@@ -30,7 +30,7 @@ std::size_t column_of(const std::array<std::string_view, n>& columns, std::strin
 double origin_of(const RunFacts& facts, std::string_view column) {
   constexpr std::array<std::string_view, 3> positions{"x_m", "y_m", "z_m"};
   const auto found = std::ranges::find(positions, column);
-  return found == positions.end() ? 0 : facts.origin_m[static_cast<std::size_t>(found - positions.begin())];
+  return found == positions.end() ? 0 : facts.summary.origin_m[static_cast<std::size_t>(found - positions.begin())];
 }
 
 bool is_one_of(const std::vector<std::string>& names, std::string_view name) {
@@ -86,7 +86,7 @@ void for_rocks(const std::filesystem::path& folder, const RunFacts& facts, const
 double number_of_hit(const CsvReader& row, const BarrierFacts& barrier, std::string_view column) {
   constexpr std::size_t x = of_hits("x_m"), vx = of_hits("vx_m_s");
   if (column == velocity) return Vec3(row.number(vx), row.number(vx + 1), row.number(vx + 2)).norm();
-  if (column == station) return station_of(barrier.foot_m, barrier.stations_m, row.number(x), row.number(x + 1));
+  if (column == station) return station_of(barrier.line_xyz, barrier.stations, row.number(x), row.number(x + 1));
   return row.number(column_of(barrier_columns, column));
 }
 
@@ -126,14 +126,14 @@ const std::vector<NumberColumn>& barrier_numbers() {
 Tally endpoint_statistics(const std::filesystem::path& folder, const RunFacts& facts, std::string_view column,
                           const RockFilter& filter) {
   const std::size_t at = column_of(endpoint_columns, column);
-  Tally tally(facts.planned_rocks, origin_of(facts, column));
+  Tally tally(facts.planned_rocks(), origin_of(facts, column));
   for_rocks(folder, facts, filter, [&](const CsvReader& row) { tally.add(row.number(at)); });
   return tally;
 }
 
 Tally barrier_statistics(const std::filesystem::path& folder, const RunFacts& facts, std::string_view barrier,
                          std::string_view column, const RockFilter& filter) {
-  Tally tally(facts.planned_rocks, origin_of(facts, column));
+  Tally tally(facts.planned_rocks(), origin_of(facts, column));
   CsvReader row(folder / "barriers.csv", barrier_columns);
   const auto known = std::ranges::find(facts.barriers, barrier, &BarrierFacts::name);
   TALUS_PROMISE(known != facts.barriers.end(), "the run has the barrier");

@@ -3,208 +3,208 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <string_view>
 #include <unordered_map>
 
-#include <nlohmann/json.hpp>
-
 #include "talus/archive/foot_stretch.hpp"
-#include "talus/core/problems.hpp"
-#include "talus/files/json_file.hpp"
 
 namespace talus::io {
 
 namespace {
 
-using Json = nlohmann::json;
+/// "all" (nothing), "none" (0) or a number of rocks.
+struct RockLimit {
+  TableRocks::Limit most{};
+  static RockLimit from(const JsonValue& json, const JsonPlace& place) {
+    if (json == "all") return {};
+    if (json == "none") return {0};
+    expect_kind(json.is_number_unsigned(), json, place, "a whole number, 0 or more");
+    return {json.get<std::uint64_t>()};
+  }
+};
 
-constexpr const char* hint = "Name a folder that `talus run` has written";
+/// A number, or "inf": nothing.
+struct Capacity {
+  std::optional<double> kJ{};
+  static Capacity from(const JsonValue& json, const JsonPlace& place) {
+    if (json == "inf") return {};
+    expect_kind(json.is_number(), json, place, "a number");
+    return {json.get<double>()};
+  }
+};
 
-/// Values by their place, "/rocks/planned"; refused where they are not there or not of the kind expected.
-class Values {
+// What is needed of the project as the summary echoes it.
+
+struct GivenBarrier {  // or collector, which has no capacity
+  std::string name{};
+  double height_m = 0, inclination_deg = 0;
+  Capacity capacity_kJ{};
+  static auto fields() {
+    using B = GivenBarrier;
+    return std::tuple(field("name", &B::name), field("height_m", &B::height_m),
+                      field("inclination_deg", &B::inclination_deg), field_if_any("capacity_kJ", &B::capacity_kJ));
+  }
+};
+struct GivenDesign {
+  std::vector<double> percentiles{};
+  static auto fields() { return std::tuple(field("percentiles", &GivenDesign::percentiles)); }
+};
+struct GivenOutput {
+  RockLimit endpoints{}, paths{}, geopackage{};
+  bool vtk = false;
+  static auto fields() {
+    using O = GivenOutput;
+    return std::tuple(field("endpoints", &O::endpoints), field("paths", &O::paths), field("geopackage", &O::geopackage),
+                      field("vtk", &O::vtk));
+  }
+};
+struct GivenProject {
+  std::vector<GivenBarrier> barriers{}, collectors{};
+  std::optional<GivenDesign> design{};
+  GivenOutput output{};
+  static auto fields() {
+    using P = GivenProject;
+    return std::tuple(field_if_any("barrier", &P::barriers), field_if_any("collector", &P::collectors),
+                      field_if_any("design", &P::design), field("output", &P::output));
+  }
+};
+
+// What is needed of the design.
+
+struct Share {
+  double value = 0;
+  static auto fields() { return std::tuple(field("value", &Share::value)); }
+};
+struct Needs {
+  double energy_J = 0, kit_class = 0, height_m = 0;
+  static auto fields() {
+    return std::tuple(field("energy_J", &Needs::energy_J), field("class", &Needs::kit_class),
+                      field("height_m", &Needs::height_m));
+  }
+};
+struct SectionFigures {
+  double from_m = 0, to_m = 0;
+  std::uint64_t rocks = 0;
+  std::optional<Share> share{};
+  Named<Named<std::array<std::optional<double>, 3>>> percentiles{};  // by quantity and percentile: value, low, high
+  std::optional<Needs> needs{};
+  static auto fields() {
+    using F = SectionFigures;
+    return std::tuple(field("from_m", &F::from_m), field("to_m", &F::to_m), field("rocks", &F::rocks),
+                      field("share", &F::share), field("percentiles", &F::percentiles), field("needs", &F::needs));
+  }
+};
+struct DesignedLine {
+  std::string name{};
+  std::vector<SectionFigures> sections{};
+  static auto fields() {
+    return std::tuple(field("name", &DesignedLine::name), field("sections", &DesignedLine::sections));
+  }
+};
+struct DesignedLines {
+  std::vector<DesignedLine> lines{};
+  static auto fields() { return std::tuple(field("lines", &DesignedLines::lines)); }
+};
+
+template <class Part>
+Part part_of(const SharedJson& json, const char* key) {
+  Part part;
+  const JsonPlace whole;
+  read_json(*json, JsonPlace(whole, key), part);
+  return part;
+}
+
+/// What the project says of the barriers and collectors of each name.
+class GivenByName {
  public:
-  /// Of what stands at `beginning` in the file: places begin with it.
-  Values(std::filesystem::path file, Json json, std::string beginning = "")
-      : file_(std::move(file)), json_(std::move(json)), beginning_(std::move(beginning)) {}
+  explicit GivenByName(const GivenProject& project) {
+    for (const GivenBarrier& given : project.barriers) barriers_.emplace(given.name, &given);
+    for (const GivenBarrier& given : project.collectors) collectors_.emplace(given.name, &given);
+  }
 
-  [[nodiscard]] bool has(const std::string& place) const { return json_.contains(within(place)); }
-  [[nodiscard]] const Json& at(const std::string& place) const {
-    if (!has(place)) refuse(place, "is missing", "a run writes it");
-    return json_.at(within(place));
-  }
-  [[nodiscard]] const Json& list(const std::string& place) const {
-    return of_kind(place, at(place).is_array(), "a list");
-  }
-  [[nodiscard]] std::string text(const std::string& place) const {
-    return of_kind(place, at(place).is_string(), "a text").get<std::string>();
-  }
-  [[nodiscard]] double number(const std::string& place) const {
-    return of_kind(place, at(place).is_number(), "a number").get<double>();
-  }
-  [[nodiscard]] std::uint64_t count(const std::string& place) const {
-    return of_kind(place, at(place).is_number_unsigned(), "a whole number, 0 or more").get<std::uint64_t>();
-  }
-  [[nodiscard]] bool flag(const std::string& place) const {
-    return of_kind(place, at(place).is_boolean(), "true or false").get<bool>();
-  }
-  /// Nothing for null.
-  [[nodiscard]] std::optional<double> number_if_any(const std::string& place) const {
-    return at(place).is_null() ? std::nullopt : std::optional(number(place));
-  }
-  /// "all" (nothing), "none" (0) or a number of rocks.
-  [[nodiscard]] TableRocks::Limit limit(const std::string& place) const {
-    if (at(place) == "all") return std::nullopt;
-    if (at(place) == "none") return 0;
-    return count(place);
+  void add_to(BarrierFacts& facts) const {
+    const auto& known = facts.kind == "barrier" ? barriers_ : collectors_;
+    const auto found = known.find(facts.name);
+    if (found == known.end())
+      throw BadField{fmt::format("project/{}/{}", facts.kind, facts.name), "is missing", "a run writes it"};
+    facts.height_m = found->second->height_m;
+    facts.inclination_deg = found->second->inclination_deg;
+    facts.capacity_kJ = found->second->capacity_kJ.kJ;
   }
 
  private:
-  [[nodiscard]] Json::json_pointer within(const std::string& place) const {
-    return Json::json_pointer(place.substr(beginning_.size()));
-  }
-  const Json& of_kind(const std::string& place, bool is, const char* expected) const {
-    const Json& value = at(place);
-    if (!is) refuse(place, fmt::format("is of type {}", value.type_name()), fmt::format("expected {}", expected));
-    return value;
-  }
-  [[noreturn]] void refuse(const std::string& place, std::string what, std::string why) const {
-    refuse_json_file(file_, place.substr(1), std::move(what), std::move(why), hint);
-  }
-
-  std::filesystem::path file_;
-  Json json_;
-  std::string beginning_;
+  std::unordered_map<std::string_view, const GivenBarrier*> barriers_, collectors_;
 };
 
-DesignValues design_values(const Values& values, const std::string& statistics) {
-  return {.percentile_95 = values.number_if_any(statistics + "/percentiles/95"),
-          .percentile_99 = values.number_if_any(statistics + "/percentiles/99"),
-          .greatest = values.number_if_any(statistics + "/maximum")};
-}
-
-/// Where the project has the barriers of each name.
-class BarriersOfProject {
- public:
-  explicit BarriersOfProject(const Values& values) : values_(values) {}
-
-  std::string place(const BarrierFacts& barrier) {
-    const std::string list = "/project/" + barrier.kind;
-    const auto [kind, is_new] = numbers_.try_emplace(barrier.kind);
-    if (is_new) {
-      for (std::size_t k = 0; k < values_.list(list).size(); ++k) {
-        kind->second.emplace(values_.text(fmt::format("{}/{}/name", list, k)), k);
-      }
-    }
-    const auto found = kind->second.find(barrier.name);
-    if (found == kind->second.end()) return list + "/" + barrier.name;  // is refused as missing
-    return fmt::format("{}/{}", list, found->second);
-  }
-
- private:
-  const Values& values_;
-  std::map<std::string, std::unordered_map<std::string, std::size_t>> numbers_;  // by kind and name
-};
-
-/// As the summary says; where it does not, as far as along the foot.
-std::vector<double> stations(const Values& values, const std::string& place,
-                             const std::vector<std::array<double, 3>>& foot) {
-  const std::string list = place + "/stations_m";
-  if (!values.has(list) || values.list(list).size() != foot.size()) return stations_along(foot);
-  std::vector<double> stations;
-  for (std::size_t k = 0; k < foot.size(); ++k) stations.push_back(values.number(fmt::format("{}/{}", list, k)));
-  return stations;
-}
-
-/// What the list of barriers says of one.
-BarrierFacts barrier_facts(const Values& values, const std::string& place) {
-  BarrierFacts facts;
-  facts.name = values.text(place + "/name");
-  facts.kind = values.text(place + "/kind");
-  for (std::size_t k = 0; k < values.list(place + "/line_xyz").size(); ++k) {
-    const std::string point = fmt::format("{}/line_xyz/{}", place, k);
-    facts.foot_m.push_back({values.number(point + "/0"), values.number(point + "/1"), values.number(point + "/2")});
-  }
-  facts.stations_m = stations(values, place, facts.foot_m);
-  facts.hits = values.count(place + "/hits");
-  facts.rocks_hit = values.count(place + "/rocks_hit");
-  facts.passed_above = values.count(place + "/passed_above");
-  facts.stopped = values.count(place + "/outcomes/stopped");
-  facts.rebounded = values.count(place + "/outcomes/rebounded");
-  facts.broke_through = values.count(place + "/outcomes/broke through");
-  facts.passed = values.count(place + "/outcomes/passed");
-  facts.least_clearance_m = values.number_if_any(place + "/least_clearance_m");
-  if (facts.hits == 0) return facts;
-  facts.ke_total_J = design_values(values, place + "/statistics/ke_total_J");
-  facts.ke_translational_J = design_values(values, place + "/statistics/ke_translational_J");
-  facts.impact_height_m = design_values(values, place + "/statistics/impact_height_m");
-  facts.velocity_m_s = design_values(values, place + "/statistics/velocity_m_s");
-  return facts;
-}
-
-/// What the project says of it.
-void add_given(const Values& values, BarriersOfProject& project, BarrierFacts& facts) {
-  const std::string given = project.place(facts);
-  facts.height_m = values.number(given + "/height_m");
-  facts.inclination_deg = values.number(given + "/inclination_deg");
-  if (facts.kind == "barrier" && values.at(given + "/capacity_kJ") != "inf") {
-    facts.capacity_kJ = values.number(given + "/capacity_kJ");
-  }
-}
-
-std::vector<SourceStretch> source_stretches(const Values& values) {
+std::vector<SourceStretch> source_stretches(const RunSummary& summary) {
   std::vector<SourceStretch> stretches;
-  for (std::size_t k = 0; k < values.list("/sources").size(); ++k) {
-    const std::string place = fmt::format("/sources/{}", k), name = values.text(place + "/name");
-    for (std::size_t n = 0; n < values.list(place + "/rocks").size(); ++n) {
-      const std::string stretch = fmt::format("{}/rocks/{}", place, n);
-      stretches.push_back({values.count(stretch + "/0"), values.count(stretch + "/1"), name});
-    }
+  for (const SourceRocks& source : summary.sources) {
+    for (const auto& [first, rocks] : source.rocks) stretches.push_back({first, rocks, source.name});
   }
   std::ranges::sort(stretches, {}, &SourceStretch::first_rock);
   return stretches;
 }
 
-/// The names of the figures of a section, and where in it they stand.
-std::vector<std::pair<std::string, std::string>> design_figures(const Values& values) {
-  std::vector<std::pair<std::string, std::string>> figures;
-  constexpr std::array<std::pair<const char*, const char*>, 4> quantities{
-      {{"ke_translational", "J"}, {"ke_total", "J"}, {"velocity", "m_s"}, {"height", "m"}}};
-  for (const auto& [quantity, unit] : quantities) {
-    for (std::size_t k = 0; k < values.list("/project/design/percentiles").size(); ++k) {
-      const std::string percentile = fmt::format("{}", values.number(fmt::format("/project/design/percentiles/{}", k)));
-      figures.emplace_back(fmt::format("{}_p{}_{}", quantity, percentile, unit),
-                           fmt::format("/percentiles/{}_{}/{}/0", quantity, unit, percentile));
+constexpr std::array<std::pair<const char*, const char*>, 4> design_quantities{
+    {{"ke_translational", "J"}, {"ke_total", "J"}, {"velocity", "m_s"}, {"height", "m"}}};
+
+/// The figures of a section, in the order of their names.
+std::vector<std::optional<double>> figures_of(const SectionFigures& section, const GivenDesign& design) {
+  std::vector<std::optional<double>> figures;
+  for (const auto& [quantity, unit] : design_quantities) {
+    const auto* const known = find_named(section.percentiles, fmt::format("{}_{}", quantity, unit));
+    for (const double percentile : design.percentiles) {
+      const auto* const ends = known == nullptr ? nullptr : find_named(*known, fmt::format("{}", percentile));
+      figures.push_back(ends == nullptr ? std::nullopt : (*ends)[0]);
     }
   }
-  for (const char* need : {"energy_J", "class", "height_m"}) {
-    figures.emplace_back(fmt::format("needs_{}", need), fmt::format("/needs/{}", need));
-  }
+  const auto need = [&](double Needs::*member) {
+    figures.push_back(section.needs ? std::optional((*section.needs).*member) : std::nullopt);
+  };
+  need(&Needs::energy_J);
+  need(&Needs::kit_class);
+  need(&Needs::height_m);
   return figures;
 }
 
-void read_design(const Values& values, RunFacts& facts) {
-  const auto figures = design_figures(values);
-  for (const auto& [name, place] : figures) facts.design_figures.push_back(name);
-  for (std::size_t k = 0; k < values.list("/design/lines").size(); ++k) {
-    const std::string line = fmt::format("/design/lines/{}", k), name = values.text(line + "/name");
-    const auto barrier = std::ranges::find(facts.barriers, name, &BarrierFacts::name);
-    for (std::size_t s = 0; s < values.list(line + "/sections").size(); ++s) {
-      const std::string place = fmt::format("{}/sections/{}", line, s);
+void add_design(const GivenDesign& design, RunFacts& facts) {
+  for (const auto& [quantity, unit] : design_quantities) {
+    for (const double percentile : design.percentiles)
+      facts.design_figures.push_back(fmt::format("{}_p{}_{}", quantity, percentile, unit));
+  }
+  for (const char* need : {"energy_J", "class", "height_m"})
+    facts.design_figures.push_back(fmt::format("needs_{}", need));
+  for (const DesignedLine& line : part_of<DesignedLines>(facts.summary.design, "design").lines) {
+    const auto barrier = std::ranges::find(facts.barriers, line.name, &BarrierFacts::name);
+    for (std::size_t k = 0; k < line.sections.size(); ++k) {
+      const SectionFigures& figures = line.sections[k];
       DesignSection& section = facts.design_sections.emplace_back();
-      section.line = name;
-      section.number = s + 1;
-      section.from_m = values.number(place + "/from_m");
-      section.to_m = values.number(place + "/to_m");
+      section.line = line.name;
+      section.number = k + 1;
+      section.from_m = figures.from_m;
+      section.to_m = figures.to_m;
       if (barrier != facts.barriers.end())
-        section.foot_m = stretch_of(barrier->foot_m, barrier->stations_m, section.from_m, section.to_m);
-      section.rocks = values.count(place + "/rocks");
-      if (values.has(place + "/share/value")) section.share = values.number(place + "/share/value");
-      for (const auto& [figure, where] : figures) {
-        const std::string at = place + where;
-        section.figures.push_back(values.has(at) ? std::optional(values.number(at)) : std::nullopt);
-      }
+        section.foot_m = stretch_of(barrier->line_xyz, barrier->stations, section.from_m, section.to_m);
+      section.rocks = figures.rocks;
+      if (figures.share) section.share = figures.share->value;
+      section.figures = figures_of(figures, design);
     }
   }
+}
+
+/// Brings the parts together. Throws BadField.
+void complete(RunFacts& facts) {
+  const RunSummary& summary = facts.summary;
+  const auto project = part_of<GivenProject>(summary.project, "project");
+  facts.is_section = summary.terrain.kind == "section";
+  facts.in_tables = TableRocks(summary.rocks.planned, project.output.endpoints.most, project.output.paths.most);
+  facts.geopackage_rocks = project.output.geopackage.most.value_or(summary.rocks.planned);
+  facts.wants_geopackage = !facts.is_section && facts.geopackage_rocks > 0;
+  facts.wants_vtk = project.output.vtk;
+  const GivenByName given(project);
+  for (BarrierFacts& barrier : facts.barriers) given.add_to(barrier);
+  facts.sources = source_stretches(summary);
+  if (summary.design) add_design(project.design.value_or(GivenDesign{}), facts);
 }
 
 }  // namespace
@@ -220,31 +220,16 @@ const std::string& RunFacts::source_of(std::uint64_t rock) const {
 RunFacts read_run_facts(const std::filesystem::path& folder, const char* summary) {
   const std::filesystem::path file = folder / summary;
   RunFacts facts;
-  const auto add_barrier = [&](Json barrier) {
-    const std::string place = fmt::format("/barriers/{}", facts.barriers.size());
-    facts.barriers.push_back(barrier_facts(Values(file, std::move(barrier), place), place));
-  };
-  Json json = parse_without_list<Json>(text_of_json_file(file, hint, most_json_bytes), "barriers", add_barrier);
-  if (!json.is_object()) refuse_json_file(file, "", "is damaged", "it holds no JSON object", hint);
-  const Values values(file, std::move(json));
-  facts.is_section = values.text("/terrain/kind") == "section";
-  if (values.has("/terrain/crs_wkt")) facts.crs_wkt = values.text("/terrain/crs_wkt");
-  facts.planned_rocks = values.count("/rocks/planned");
-  for (std::size_t k = 0; k < 3 && values.has("/origin_m"); ++k) {
-    facts.origin_m[k] = values.number(fmt::format("/origin_m/{}", k));
+  facts.summary = read_run_summary(file, [&](BarrierSummary barrier) {
+    BarrierFacts& known = facts.barriers.emplace_back(BarrierFacts{std::move(barrier)});
+    const bool has_stations = known.stations_m.size() == known.line_xyz.size();
+    known.stations = has_stations ? std::move(known.stations_m) : stations_along(known.line_xyz);
+  });
+  try {
+    complete(facts);
+  } catch (const BadField& bad) {
+    refuse_summary(file, bad);
   }
-  // (A run that says nothing of end points wrote all.)
-  const char* endpoints = "/project/output/endpoints";
-  facts.in_tables = TableRocks(facts.planned_rocks, values.has(endpoints) ? values.limit(endpoints) : std::nullopt,
-                               values.limit("/project/output/paths"));
-  facts.geopackage_rocks = values.limit("/project/output/geopackage").value_or(facts.planned_rocks);
-  facts.wants_geopackage = !facts.is_section && facts.geopackage_rocks > 0;
-  facts.wants_vtk = values.flag("/project/output/vtk");
-  BarriersOfProject project(values);
-  (void)values.list("/barriers");  // whose entries were taken
-  for (BarrierFacts& barrier : facts.barriers) add_given(values, project, barrier);
-  facts.sources = source_stretches(values);
-  if (values.has("/design")) read_design(values, facts);
   return facts;
 }
 

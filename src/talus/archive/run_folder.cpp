@@ -2,12 +2,9 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -17,14 +14,9 @@
 #include "talus/archive/table_columns.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/files/csv_reader.hpp"
-#include "talus/files/json_file.hpp"
-#include "talus/files/json_text.hpp"
-#include "talus/files/ordinary_file.hpp"
 
 namespace talus::io {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_impacts = 100;  // for which losses are kept by number
 
@@ -49,63 +41,10 @@ std::string date_of(const std::filesystem::path& file) {
   return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)));
 }
 
-// ---- summary.json
-
-// The shape of what the page reads: a wrong type is refused here, once, and what is missing is left to the page.
-// `within`: where in the summary the part stands, if it is not the whole.
-void expect_kind(const Json& part, const std::string& pointer, Json::value_t kind, const std::string& file,
-                 const std::string& within = "") {
-  const Json::json_pointer place(pointer);
-  if (!part.contains(place)) return;
-  const Json& value = part.at(place);
-  const bool fits = kind == Json::value_t::number_float ? value.is_number() : value.type() == kind;
-  if (fits) return;
-  const Json example(kind);  // for the kind's name
-  refuse(file, within + (within.empty() ? pointer.substr(1) : pointer),
-         fmt::format("the value is of type {}", value.type_name()), fmt::format("expected {}", example.type_name()));
-}
-
-void check_sketch(const Json& node, const std::string& where, const std::string& file) {
-  for (const auto& item : node.items()) {
-    const Json& histogram = item.value();
-    const auto number = [&](const char* key) { return histogram.contains(key) && histogram.at(key).is_number(); };
-    const bool has_counts = histogram.is_object() && histogram.contains("counts") &&
-                            histogram.at("counts").is_array() &&
-                            std::ranges::all_of(histogram.at("counts"), [](const auto& n) { return n.is_number(); });
-    if (histogram.is_null() || (has_counts && number("low") && number("width") && histogram.at("width") > 0)) continue;
-    refuse(file, fmt::format("{}/{}", where, item.key()), "is not a histogram",
-           "expected the numbers low and width (more than 0) and the list of numbers counts");
-  }
-}
-
-void check_terrain(const Json& terrain, const std::string& file) {
-  if (terrain.contains("section")) {
-    const auto& section = terrain.at("section");
-    const auto is_vertex = [](const auto& v) {
-      return v.is_array() && v.size() == 2 && v[0].is_number() && v[1].is_number();
-    };
-    if (!section.is_array() || section.size() < 2 || !std::ranges::all_of(section, is_vertex)) {
-      refuse(file, "terrain/section", "is not a line", "expected two or more vertices [x, z]");
-    }
-  }
-  if (terrain.contains("relief") && !terrain.at("relief").is_null()) {
-    const auto& relief = terrain.at("relief");
-    for (const char* key : {"x0", "y0", "cell_m", "columns", "rows"}) {
-      if (!relief.contains(key) || !relief.at(key).is_number()) {
-        refuse(file, "terrain/relief", "is not a grid", fmt::format("expected the number {}", key));
-      }
-    }
-    const auto cells = relief.at("columns").get<double>() * relief.at("rows").get<double>();
-    if (!relief.contains("z_m") || !relief.at("z_m").is_array() ||
-        static_cast<double>(relief.at("z_m").size()) != cells || !(relief.at("cell_m") > 0)) {
-      refuse(file, "terrain/relief", "is not a grid",
-             fmt::format("expected a cell_m above 0 and columns times rows, {}, heights z_m", cells));
-    }
-  }
-}
+// ---- the summary
 
 // A model may hold millions of triangles in its own file; on paper only their number is of use.
-void shorten_long_lists(Json& node) {
+void shorten_long_lists(JsonValue& node) {
   constexpr std::size_t most = 400;
   if (node.is_array() && node.size() > most) {
     node = fmt::format("{} entries", node.size());
@@ -117,104 +56,50 @@ void shorten_long_lists(Json& node) {
 /// Of all barriers those that a report shows: the ones with the most hits.
 class BarriersWithMostHits {
  public:
-  void add(Json barrier) {
-    const bool is_known = barrier.is_object() && barrier.contains("hits") && barrier.at("hits").is_number_unsigned();
-    kept_.push_back({is_known ? barrier.at("hits").get<std::uint64_t>() : std::numeric_limits<std::uint64_t>::max(),
-                     total_++, std::move(barrier)});
+  void add(BarrierSummary barrier) {
+    kept_.push_back({total_++, std::move(barrier)});
     if (kept_.size() == 2 * most_barriers) leave_out();
   }
   [[nodiscard]] std::size_t total() const { return total_; }
-  struct Kept {
-    std::uint64_t hits;
-    std::size_t number;  // in the summary, from 0
-    Json barrier;
-  };
   /// In the order of the summary.
-  [[nodiscard]] std::vector<Kept> take() {
+  [[nodiscard]] std::vector<BarrierSummary> take() {
     leave_out();
-    std::ranges::sort(kept_, {}, &Kept::number);
-    return std::move(kept_);
+    std::ranges::sort(kept_, {}, &Numbered::number);
+    std::vector<BarrierSummary> barriers;
+    for (Numbered& kept : kept_) barriers.push_back(std::move(kept.barrier));
+    return barriers;
   }
 
  private:
+  struct Numbered {
+    std::size_t number;  // in the summary, from 0
+    BarrierSummary barrier;
+  };
+
   void leave_out() {
     if (kept_.size() <= most_barriers) return;
-    std::ranges::stable_sort(kept_, std::ranges::greater(), &Kept::hits);
+    std::ranges::stable_sort(kept_, std::ranges::greater(), [](const Numbered& kept) { return kept.barrier.hits; });
     kept_.resize(most_barriers);
   }
 
-  std::vector<Kept> kept_;
+  std::vector<Numbered> kept_;
   std::size_t total_ = 0;
 };
 
-/// `all_barriers`: how many the summary has.
-Json read_summary(const std::filesystem::path& path, std::size_t& all_barriers) {
-  const std::string file = path.string();
-  if (const auto why = not_an_ordinary_file(path)) refuse(path, "", "cannot be opened", *why, name_a_run);
-  std::error_code error_code;
-  if (const auto bytes = std::filesystem::file_size(path, error_code); !error_code && bytes > most_json_bytes) {
-    refuse(path, "", fmt::format("the file has {} MiB", bytes >> 20U),
-           fmt::format("a summary has at most {} MiB", most_json_bytes >> 20U), cut_short);
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    refuse(path, "", std::filesystem::exists(path, error_code) ? "cannot be opened" : "there is no such file",
-           "a run's folder holds it once the run is done", name_a_run);
-  }
-  const std::string all{std::istreambuf_iterator<char>(stream), {}};
-  if (const std::size_t depth = depth_of_json(all); depth > deepest_json) {
-    refuse(path, "", fmt::format("holds lists within lists, {} deep", depth),
-           fmt::format("a summary has at most {}", deepest_json), name_a_run);
-  }
-  Json summary;
+void read_summary(const std::filesystem::path& file, RunFolder& run) {
   BarriersWithMostHits barriers;
-  try {
-    summary = parse_without_list<Json>(
-        all, "barriers", [&](Json barrier) { barriers.add(std::move(barrier)); }, true);
-  } catch (const Json::parse_error& error) {
-    const auto before = std::min(error.byte, all.size());
-    const bool at_end = all.find_first_not_of(" \t\r\n", before) == std::string::npos;
-    const auto line_ends = std::ranges::count(std::string_view(all).substr(0, before), '\n');
-    refuse(path, "", at_end ? "the JSON ends too early" : "is not JSON",
-           at_end ? fmt::format("after {} bytes", all.size()) : fmt::format("at byte {}", error.byte), cut_short,
-           1 + static_cast<int>(line_ends));
-  } catch (const Json::out_of_range&) {
-    refuse(path, "", "holds a number that is too large", "expected numbers that 64 bits can hold", cut_short);
+  run.summary = read_run_summary(file, [&](BarrierSummary barrier) { barriers.add(std::move(barrier)); });
+  run.summary.barriers = barriers.take();
+  JsonValue project = *run.summary.project;
+  shorten_long_lists(project);
+  run.summary.project = std::make_shared<const JsonValue>(std::move(project));
+  run.date = date_of(file);
+  if (barriers.total() > most_barriers) {
+    run.notes.push_back(
+        fmt::format("Of {} barriers and collectors the {} with the most hits are shown one by one; "
+                    "summary.json has all of them.",
+                    barriers.total(), most_barriers));
   }
-  using kind = Json::value_t;
-  if (!summary.is_object()) {
-    refuse(path, "", "does not hold a JSON object", "expected {\"talus\": ..., \"rocks\": ...}");
-  }
-  for (const char* key :
-       {"/talus", "/project", "/rocks", "/end_reasons", "/terrain", "/statistics", "/histograms", "/timings"}) {
-    expect_kind(summary, key, kind::object, file);
-  }
-  for (const char* key : {"/barriers", "/warnings"}) expect_kind(summary, key, kind::array, file);
-  for (const char* key : {"/name", "/date", "/talus/version"}) expect_kind(summary, key, kind::string, file);
-  for (const char* key : {"/rocks/planned", "/rocks/done", "/rocks/with_endpoint", "/rocks/with_path"})
-    expect_kind(summary, key, kind::number_float, file);
-  expect_kind(summary, "/interrupted", kind::boolean, file);
-  if (summary.contains("terrain")) check_terrain(summary.at("terrain"), file);
-  if (summary.contains("histograms")) check_sketch(summary.at("histograms"), "histograms", file);
-  if (summary.contains("statistics")) {
-    for (const auto& [name, node] : summary.at("statistics").items()) {
-      // Not by a pointer: a name may hold what means something there.
-      if (node.is_null() || node.is_object()) continue;
-      refuse(path, "statistics/" + name, fmt::format("the value is of type {}", node.type_name()), "expected object");
-    }
-  }
-  all_barriers = barriers.total();
-  for (auto& [hits, number, barrier] : barriers.take()) {
-    const std::string where = fmt::format("barriers/{}", number);
-    expect_kind(barrier, "", kind::object, file, where);
-    expect_kind(barrier, "/name", kind::string, file, where);
-    for (const char* key : {"/outcomes", "/statistics", "/histograms"})
-      expect_kind(barrier, key, kind::object, file, where);
-    if (barrier.contains("histograms")) check_sketch(barrier.at("histograms"), where + "/histograms", file);
-    summary["barriers"].push_back(std::move(barrier));
-  }
-  if (summary.contains("project")) shorten_long_lists(summary.at("project"));
-  return summary;
 }
 
 // ---- the tables
@@ -356,29 +241,21 @@ Kept<BarrierHit> read_hits(const std::filesystem::path& file, std::size_t limit)
 }
 
 void check_count(const RunFolder& run, const std::filesystem::path& endpoints) {
-  const Json::json_pointer with_endpoint("/rocks/with_endpoint"), done("/rocks/done");
-  const Json::json_pointer& counted = run.summary.contains(with_endpoint) ? with_endpoint : done;
-  if (!run.endpoints.has_file || !run.summary.contains(counted)) return;
-  if (run.summary.at(counted) == run.endpoints.total) return;
+  const std::uint64_t counted = run.summary.rocks.with_endpoint;
+  if (counted == run.endpoints.total) return;
   refuse(endpoints, "", fmt::format("holds {} {}", run.endpoints.total, run.endpoints.total == 1 ? "rock" : "rocks"),
-         fmt::format("summary.json beside it counts {}", run.summary.at(counted).dump()),
+         fmt::format("summary.json beside it counts {}", counted),
          "The files are of different runs, or one was cut short; run the project again");
 }
 
 void note_what_is_missing(RunFolder& run) {
-  std::vector<std::string> missing;
-  for (const char* key : {"talus", "project", "name", "seed", "rocks", "end_reasons", "terrain", "statistics",
-                          "histograms", "barriers", "warnings", "timings"}) {
-    if (!run.summary.contains(key)) missing.emplace_back(key);
-  }
-  if (!missing.empty()) run.notes.push_back(fmt::format("summary.json does not say: {}.", fmt::join(missing, ", ")));
   const auto note = [&](bool has_file, const char* text) {
     if (!has_file) run.notes.emplace_back(text);
   };
   note(run.endpoints.has_file, "There is no endpoints.csv, so no single end points are shown.");
   note(run.paths.has_file, "There is no paths.csv, so no paths, energies along a path or losses at impacts are shown.");
-  const bool has_barriers = run.summary.contains("barriers") && !run.summary.at("barriers").empty();
-  note(run.hits.has_file || !has_barriers, "There is no barriers.csv, so no single hits on barriers are shown.");
+  note(run.hits.has_file || run.summary.barriers.empty(),
+       "There is no barriers.csv, so no single hits on barriers are shown.");
 }
 
 }  // namespace
@@ -400,20 +277,14 @@ RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& lim
       problems.append(bad.problems());
     }
   };
+  bool has_summary = false;
   attempt(summary, false, [&](const auto& file) {
-    std::size_t barriers = 0;
-    run.summary = read_summary(file, barriers);
-    if (barriers > most_barriers) {
-      run.notes.push_back(
-          fmt::format("Of {} barriers and collectors the {} with the most hits are shown one by one; "
-                      "summary.json has all of them.",
-                      barriers, most_barriers));
-    }
-    run.date = run.summary.value("date", date_of(file));
+    read_summary(file, run);
+    has_summary = true;
   });
   attempt("endpoints.csv", true, [&](const auto& file) {
     run.endpoints = read_endpoints(file, limits.endpoints);
-    check_count(run, file);
+    if (has_summary) check_count(run, file);
   });
   attempt("paths.csv", true, [&](const auto& file) { read_paths(file, limits, run); });
   attempt("barriers.csv", true, [&](const auto& file) { run.hits = read_hits(file, limits.hits); });

@@ -9,10 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "talus/archive/report_envelopes.hpp"
 #include "talus/archive/report_maps.hpp"
+#include "talus/archive/run_summary.hpp"
 #include "talus/rocks/motion.hpp"
 
 namespace talus::io {
@@ -72,8 +71,8 @@ struct Kept {
 
 struct RunFolder {
   std::filesystem::path folder;
-  nlohmann::ordered_json summary{};  // in the order of the file
-  std::string date{};                // the summary's "date", or when its file was written (UTC)
+  RunSummary summary{};  // of barriers those with the most hits; of the project no long lists
+  std::string date{};    // when its file was written (UTC)
   Kept<EndPoint> endpoints{};
   Kept<Path> paths{};
   Kept<BarrierHit> hits{};

@@ -1,6 +1,6 @@
 #include "talus/archive/summary_json.hpp"
 
-#include <cmath>
+#include <memory>
 
 #include "talus/archive/design_json.hpp"
 
@@ -10,38 +10,44 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(std::optional<double> x) { return x && std::isfinite(*x) ? Json(*x) : Json(nullptr); }
-
-Json histogram_json(const Tally& tally) {
+std::optional<io::HistogramCounts> histogram_of(const Tally& tally) {
   const auto histogram = tally.histogram(40);
-  if (!histogram) return nullptr;
+  if (!histogram) return std::nullopt;
   const BinEdges& edges = histogram->edges();
-  return {{"low", edges.edge(0)},
-          {"width", (edges.edge(edges.bins) - edges.edge(0)) / static_cast<double>(edges.bins)},
-          {"counts", histogram->counts()}};
+  return io::HistogramCounts{edges.edge(0),
+                             (edges.edge(edges.bins) - edges.edge(0)) / static_cast<double>(edges.bins),
+                             {histogram->counts().begin(), histogram->counts().end()}};
+}
+
+/// A part of the description as it is declared.
+template <class Part>
+Part part_of(const Json& json, const char* key) {
+  Part part;
+  const io::JsonPlace whole;
+  io::read_json(json, io::JsonPlace(whole, key), part);
+  return part;
 }
 
 /// What the model says of a barrier, and what rocks did there.
-Json barrier_json(const Json& barrier, const BarrierTally& tally) {
-  Json outcomes = Json::object();
-  for (int k = 0; k < barrier_outcome_count; ++k) {
-    const auto kind = static_cast<BarrierOutcome>(k);
-    outcomes[name(kind)] = tally.outcomes[static_cast<std::size_t>(k)];
-  }
-  Json json = barrier;
-  json["hits"] = tally.translational_energy.count();
-  json["rocks_hit"] = tally.rocks_hit;
-  json["passed_above"] = tally.rocks_passed_above;
-  json["outcomes"] = std::move(outcomes);
-  json["least_clearance_m"] = number(tally.least_clearance);
-  if (tally.translational_energy.count() == 0) return json;
-  json["statistics"] = {{"ke_translational_J", statistics_json(tally.translational_energy)},
-                        {"ke_total_J", statistics_json(tally.total_energy)},
-                        {"impact_height_m", statistics_json(tally.height)},
-                        {"velocity_m_s", statistics_json(tally.velocity)}};
-  json["histograms"] = {{"ke_translational_J", histogram_json(tally.translational_energy)},
-                        {"impact_height_m", histogram_json(tally.height)}};
-  return json;
+io::BarrierSummary barrier_summary(io::BarrierPlace place, const BarrierTally& tally) {
+  const auto count = [&](BarrierOutcome outcome) { return tally.outcomes[static_cast<std::size_t>(outcome)]; };
+  io::BarrierSummary barrier{std::move(place)};
+  barrier.hits = tally.translational_energy.count();
+  barrier.rocks_hit = tally.rocks_hit;
+  barrier.passed_above = tally.rocks_passed_above;
+  barrier.outcomes = {.stopped = count(BarrierOutcome::stopped),
+                      .rebounded = count(BarrierOutcome::rebounded),
+                      .broke_through = count(BarrierOutcome::broke_through),
+                      .passed = count(BarrierOutcome::passed)};
+  barrier.least_clearance_m = tally.least_clearance;
+  if (barrier.hits == 0) return barrier;
+  barrier.statistics = {{"ke_translational_J", statistics_of(tally.translational_energy)},
+                        {"ke_total_J", statistics_of(tally.total_energy)},
+                        {"impact_height_m", statistics_of(tally.height)},
+                        {"velocity_m_s", statistics_of(tally.velocity)}};
+  barrier.histograms = {{"ke_translational_J", histogram_of(tally.translational_energy)},
+                        {"impact_height_m", histogram_of(tally.height)}};
+  return barrier;
 }
 
 /// As dump(1) has it so many levels deep; a text within it has no line ends.
@@ -57,47 +63,23 @@ std::string text_of(const Json& value, std::size_t depth) {
   return indented;
 }
 
-void write_barriers(TextSink& out, const Json& barriers, const Summary& summary) {
+void write_barriers(TextSink& out, const Json& barriers, const Summary& sums) {
   out.write("[");
-  for (std::size_t b = 0; b < summary.barriers.size(); ++b) {
+  for (std::size_t b = 0; b < sums.barriers.size(); ++b) {
     out.write(b == 0 ? "\n  " : ",\n  ");
-    out.write(text_of(barrier_json(barriers.at(b), summary.barriers[b]), 2));
+    auto place = part_of<io::BarrierPlace>(barriers.at(b), "barriers");
+    out.write(text_of(io::json_of(barrier_summary(std::move(place), sums.barriers[b])), 2));
   }
-  out.write(summary.barriers.empty() ? "]" : "\n ]");
+  out.write(sums.barriers.empty() ? "]" : "\n ]");
 }
-
-}  // namespace
-
-Json statistics_json(const Tally& tally) {
-  const Descriptive d = tally.describe();
-  const auto quantile = [&](double p) { return number(tally.sketch().quantile(p)); };
-  return {{"mean", number(d.mean)},
-          {"standard_error", number(d.standard_error)},
-          {"median", number(d.median)},
-          {"standard_deviation", number(d.standard_deviation)},
-          {"sample_variance", number(d.sample_variance)},
-          {"kurtosis", number(d.kurtosis)},
-          {"skewness", number(d.skewness)},
-          {"range", number(d.range)},
-          {"minimum", number(d.minimum)},
-          {"maximum", number(d.maximum)},
-          {"sum", number(d.sum)},
-          {"count", d.count},
-          {"confidence_level_95", number(d.confidence_half_width_95)},
-          {"quartiles", {quantile(0.25), quantile(0.5), quantile(0.75)}},
-          {"percentiles", {{"95", quantile(0.95)}, {"99", quantile(0.99)}}}};
-}
-
-namespace {
 
 /// How many rocks the tables hold one by one, of those done.
-void add_rocks_in_tables(const io::RunDescription& description, const RunCourse& course, std::uint64_t done,
-                         Json& json) {
+void add_rocks_in_tables(const io::RunDescription& description, const RunCourse& course,
+                         io::RunSummary::Rocks& counts) {
   const io::TableRocks rocks = io::rocks_in_tables(description);
-  std::uint64_t endpoints = 0, paths = 0;
   const auto add = [&](std::uint64_t first, std::uint64_t last) {
-    endpoints += rocks.endpoints_before(last) - rocks.endpoints_before(first);
-    paths += rocks.paths_before(last) - rocks.paths_before(first);
+    counts.with_endpoint += rocks.endpoints_before(last) - rocks.endpoints_before(first);
+    counts.with_path += rocks.paths_before(last) - rocks.paths_before(first);
   };
   // The rocks done are all up to the first that was not, or those between the missing ones.
   std::uint64_t next = course.range.first;
@@ -105,82 +87,95 @@ void add_rocks_in_tables(const io::RunDescription& description, const RunCourse&
     add(next, missing.first);
     next = missing.last;
   }
-  add(next, course.missing.empty() ? next + done : course.range.last);
-  json["with_endpoint"] = endpoints;
-  json["with_path"] = paths;
+  add(next, course.missing.empty() ? next + counts.done : course.range.last);
 }
 
-Json timings_json(const Summary& summary, const RunCourse& course) {
-  return {{"seconds", course.seconds},
-          {"rocks_per_second", course.seconds > 0 ? static_cast<double>(summary.done) / course.seconds : 0},
-          {"threads", course.threads}};
+/// All but the barriers.
+io::RunSummary run_summary(const io::RunDescription& description, const Summary& sums, const RunCourse& course) {
+  const Json& model = description.model;
+  io::RunSummary summary;
+  summary.talus.version = TALUS_VERSION;
+  summary.name = description.name;
+  summary.fingerprint = description.fingerprint;
+  summary.seed = part_of<std::uint64_t>(model.at("seed"), "seed");
+  summary.rocks = {.planned = sums.planned, .done = sums.done, .lifted = sums.lifted};
+  add_rocks_in_tables(description, course, summary.rocks);
+  if (course.shard) {
+    summary.shard = {.number = course.shard->number,
+                     .of = course.shard->of,
+                     .first_rock = course.range.first,
+                     .rocks = course.range.count()};
+  }
+  summary.interrupted = course.interrupted;
+  for (const RockRange& range : course.missing) summary.missing_rocks.push_back({range.first, range.count()});
+  for (int k = 0; k < end_reason_count; ++k) {
+    const auto reason = static_cast<EndReason>(k);
+    if (sums.ended(reason) > 0) summary.end_reasons.emplace_back(name(reason), sums.ended(reason));
+  }
+  summary.events = static_cast<std::uint64_t>(sums.events);
+  summary.statistics = {{"end_x_m", statistics_of(sums.end_x)},
+                        {"runout_xy_m", statistics_of(sums.runout_plan)},
+                        {"runout_total_m", statistics_of(sums.runout_total)},
+                        {"max_ke_J", statistics_of(sums.max_kinetic_energy)},
+                        {"max_bounce_m", statistics_of(sums.max_bounce)}};
+  summary.histograms = {{"end_x_m", histogram_of(sums.end_x)}, {"runout_xy_m", histogram_of(sums.runout_plan)}};
+  summary.sources = part_of<std::vector<io::SourceRocks>>(model.at("sources"), "sources");
+  summary.notes = notes_of(sums);
+  summary.energy_datum_m = part_of<double>(model.at("energy_datum_m"), "energy_datum_m");
+  summary.origin_m = part_of<std::array<double, 3>>(model.at("origin_m"), "origin_m");
+  summary.terrain = part_of<io::TerrainSummary>(model.at("terrain"), "terrain");
+  // The description outlives the summary.
+  summary.project = io::SharedJson(std::shared_ptr<const Json>(), &description.project);
+  summary.timings = {.seconds = course.seconds,
+                     .rocks_per_second = course.seconds > 0 ? static_cast<double>(sums.done) / course.seconds : 0,
+                     .threads = static_cast<std::uint64_t>(course.threads)};
+  return summary;
 }
 
 }  // namespace
 
+io::Statistics statistics_of(const Tally& tally) {
+  const Descriptive d = tally.describe();
+  const auto quantile = [&](double p) { return tally.sketch().quantile(p); };
+  return {.mean = d.mean,
+          .standard_error = d.standard_error,
+          .median = d.median,
+          .standard_deviation = d.standard_deviation,
+          .sample_variance = d.sample_variance,
+          .kurtosis = d.kurtosis,
+          .skewness = d.skewness,
+          .range = d.range,
+          .minimum = d.minimum,
+          .maximum = d.maximum,
+          .sum = d.sum,
+          .count = d.count,
+          .confidence_level_95 = d.confidence_half_width_95,
+          .quartiles = {quantile(0.25), quantile(0.5), quantile(0.75)},
+          .percentiles = {quantile(0.95), quantile(0.99)}};
+}
+
 void write_summary(TextSink& out, const io::RunDescription& description, const std::vector<std::string>& warnings,
-                   const Summary& summary, const RunCourse& course, const DesignResult* design) {
-  Json ends = Json::object();
-  for (int k = 0; k < end_reason_count; ++k) {
-    const std::uint64_t count = summary.ended(static_cast<EndReason>(k));
-    if (count > 0) ends[name(static_cast<EndReason>(k))] = count;
-  }
-  const Json& model = description.model;
+                   const Summary& sums, const RunCourse& course, const DesignResult* design) {
+  io::RunSummary summary = run_summary(description, sums, course);
+  summary.warnings = warnings;
+  if (description.design && design != nullptr)
+    summary.design = std::make_shared<const Json>(io::design_json(*description.design, *design));
   bool is_first = true;
-  const auto begin = [&](const std::string& key) {
+  io::for_fields<io::RunSummary>([&](const auto& field) {
+    if (!io::is_there(summary, field)) return;
+    const auto& value = summary.*field.member;
     out.write(is_first ? "{\n " : ",\n ");
-    out.write(text_of(key, 1) + ": ");
+    out.write(text_of(field.key, 1) + ": ");
     is_first = false;
-  };
-  const auto write = [&](const Json& entries) {
-    for (const auto& [key, value] : entries.items()) {
-      begin(key);
-      out.write(text_of(value, 1));
+    using Value = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, std::vector<io::BarrierSummary>>) {
+      write_barriers(out, description.model.at("barriers"), sums);
+    } else if constexpr (std::is_same_v<Value, io::SharedJson>) {
+      out.write(text_of(*value, 1));
+    } else {
+      out.write(text_of(io::json_of(value), 1));
     }
-  };
-  Json json;
-  json["talus"] = {{"version", TALUS_VERSION}};
-  json["name"] = description.name;
-  json["fingerprint"] = description.fingerprint;
-  json["seed"] = model.at("seed");
-  json["rocks"] = {{"planned", summary.planned}, {"done", summary.done}, {"lifted", summary.lifted}};
-  add_rocks_in_tables(description, course, summary.done, json["rocks"]);
-  if (course.shard) {
-    json["shard"] = {{"number", course.shard->number},
-                     {"of", course.shard->of},
-                     {"first_rock", course.range.first},
-                     {"rocks", course.range.count()}};
-  }
-  json["interrupted"] = course.interrupted;
-  if (!course.missing.empty()) {
-    Json& missing = json["missing_rocks"] = Json::array();
-    for (const RockRange& range : course.missing) missing.push_back({range.first, range.count()});
-  }
-  json["end_reasons"] = ends;
-  json["events"] = summary.events;
-  json["statistics"] = {{"end_x_m", statistics_json(summary.end_x)},
-                        {"runout_xy_m", statistics_json(summary.runout_plan)},
-                        {"runout_total_m", statistics_json(summary.runout_total)},
-                        {"max_ke_J", statistics_json(summary.max_kinetic_energy)},
-                        {"max_bounce_m", statistics_json(summary.max_bounce)}};
-  json["histograms"] = {{"end_x_m", histogram_json(summary.end_x)},
-                        {"runout_xy_m", histogram_json(summary.runout_plan)}};
-  write(json);
-  begin("barriers");
-  write_barriers(out, model.at("barriers"), summary);
-  json = Json::object();
-  if (description.design && design != nullptr) json["design"] = io::design_json(*description.design, *design);
-  json["sources"] = model.at("sources");
-  json["warnings"] = warnings;
-  json["notes"] = notes_of(summary);
-  json["energy_datum_m"] = model.at("energy_datum_m");
-  json["origin_m"] = model.at("origin_m");
-  write(json);
-  begin("terrain");
-  out.write(text_of(model.at("terrain"), 1));
-  begin("project");
-  out.write(text_of(description.project, 1));
-  write({{"timings", timings_json(summary, course)}});
+  });
   out.write("\n}\n");
 }
 

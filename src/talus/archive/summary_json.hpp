@@ -1,12 +1,12 @@
 #pragma once
-// summary.json: what a run was and how it came out.
+// Writes summary.json (run_summary.hpp) from what a run was and its sums.
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "talus/archive/run_description.hpp"
+#include "talus/archive/run_summary.hpp"
 #include "talus/campaign/shard.hpp"
 #include "talus/files/text_sink.hpp"
 #include "talus/results/design_result.hpp"
@@ -31,7 +31,7 @@ struct RunCourse {
 void write_summary(TextSink& out, const io::RunDescription& description, const std::vector<std::string>& warnings,
                    const Summary& summary, const RunCourse& course, const DesignResult* design = nullptr);
 
-/// The thirteen rows of a spreadsheet's descriptive statistics, and the quartiles.
-[[nodiscard]] nlohmann::ordered_json statistics_json(const Tally& tally);
+/// What a tally says.
+[[nodiscard]] io::Statistics statistics_of(const Tally& tally);
 
 }  // namespace talus

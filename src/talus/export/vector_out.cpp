@@ -20,6 +20,9 @@ namespace {
 
 constexpr std::size_t column(std::string_view name) { return place_of(endpoint_columns, name); }
 
+constexpr std::pair<const char*, const char*> quantities_of_hits[] = {
+    {"ke_total", "J"}, {"ke_translational", "J"}, {"impact_height", "m"}, {"velocity", "m_s"}};
+
 OGRFieldType type_of(std::string_view name) {
   if (name == "rock" || name == "events") return OFTInteger64;
   return name == "seeder" || name == "end_reason" ? OFTString : OFTReal;
@@ -46,8 +49,8 @@ class Row {
     ++next_;
     return *this;
   }
-  Row& operator<<(const DesignValues& values) {
-    return *this << values.percentile_95 << values.percentile_99 << values.greatest;
+  Row& operator<<(const Statistics& values) {
+    return *this << values.percentiles.p95 << values.percentiles.p99 << values.maximum;
   }
   void put_at(const OGRGeometry& geometry) { feature_.SetGeometry(&geometry); }
   [[nodiscard]] OGRFeature& feature() { return feature_; }
@@ -139,9 +142,7 @@ class Layers {
                                  {"broke_through", OFTInteger64},
                                  {"passed", OFTInteger64},
                                  {"least_clearance_m"}};
-    constexpr std::pair<const char*, const char*> quantities[] = {
-        {"ke_total", "J"}, {"ke_translational", "J"}, {"impact_height", "m"}, {"velocity", "m_s"}};
-    for (const auto& [quantity, unit] : quantities) {
+    for (const auto& [quantity, unit] : quantities_of_hits) {
       for (const char* part : {"p95", "p99", "max"}) fields.push_back({fmt::format("{}_{}_{}", quantity, part, unit)});
     }
     OGRLayer& layer = file_.add_layer("barriers", wkbLineString25D,
@@ -149,11 +150,13 @@ class Layers {
     for (const BarrierFacts& barrier : facts_.barriers) {
       Row feature(layer);
       feature << barrier.name << barrier.kind << barrier.height_m << barrier.inclination_deg << barrier.capacity_kJ
-              << barrier.hits << barrier.rocks_hit << barrier.passed_above << barrier.stopped << barrier.rebounded
-              << barrier.broke_through << barrier.passed << barrier.least_clearance_m << barrier.ke_total_J
-              << barrier.ke_translational_J << barrier.impact_height_m << barrier.velocity_m_s;
+              << barrier.hits << barrier.rocks_hit << barrier.passed_above << barrier.outcomes.stopped
+              << barrier.outcomes.rebounded << barrier.outcomes.broke_through << barrier.outcomes.passed
+              << barrier.least_clearance_m;
+      for (const auto& [quantity, unit] : quantities_of_hits)
+        feature << barrier.statistics_of(fmt::format("{}_{}", quantity, unit));
       OGRLineString foot;
-      for (const auto& [x, y, z] : barrier.foot_m) foot.addPoint(x, y, z);
+      for (const auto& [x, y, z] : barrier.line_xyz) foot.addPoint(x, y, z);
       feature.put_at(foot);
       file_.add(layer, feature.feature());
     }
@@ -226,7 +229,7 @@ class PathsInStep {
 bool can_write_geopackage() { return true; }
 
 void write_geopackage(const RunFacts& facts, const std::filesystem::path& folder) {
-  GeoPackageFile file(folder / geopackage_name, facts.crs_wkt);
+  GeoPackageFile file(folder / geopackage_name, facts.summary.terrain.crs_wkt);
   Layers layers(file, facts);
   PathsInStep paths(folder / "paths.csv", facts);
   const EvenChoice ends(facts.geopackage_rocks, facts.in_tables.endpoints());

@@ -26,8 +26,11 @@ std::string text_of_json_file(const std::filesystem::path& path, std::string_vie
   };
   if (const auto why = not_an_ordinary_file(path)) refuse("cannot be opened", *why);
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse("cannot be opened", "a run's folder holds it once the run is done");
   std::error_code error;
+  if (!stream) {
+    refuse(std::filesystem::exists(path, error) ? "cannot be opened" : "there is no such file",
+           "a run's folder holds it once the run is done");
+  }
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   if (error || bytes > most_bytes) {
     refuse("cannot be read", error

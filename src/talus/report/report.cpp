@@ -173,20 +173,15 @@ Json map_colours() {
   return colours;
 }
 
-Json data_of(const RunFolder& run, const Json& summary) {
+Json data_of(const RunFolder& run, const RunSummary& summary) {
   stop_point();
   const auto whole = std::filesystem::absolute(run.folder).lexically_normal();
   const auto last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
-  return {{"folder", last.string()},
-          {"date", run.date},
-          {"summary", summary},
-          {"endpoints", endpoints_of(run)},
-          {"paths", paths_of(run)},
-          {"hits", hits_of(run)},
-          {"losses", losses_of(run)},
-          {"maps", maps_of(run)},
-          {"envelopes", envelopes_of(run)},
-          {"notes", run.notes}};
+  return {{"folder", last.string()},        {"date", run.date},
+          {"summary", json_of(summary)},    {"endpoints", endpoints_of(run)},
+          {"paths", paths_of(run)},         {"hits", hits_of(run)},
+          {"losses", losses_of(run)},       {"maps", maps_of(run)},
+          {"envelopes", envelopes_of(run)}, {"notes", run.notes}};
 }
 
 std::string escaped(std::string_view text) {
@@ -231,8 +226,7 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
 std::string title_of(std::span<const RunFolder> runs) {
   std::string title;
   for (const RunFolder& run : runs) {
-    const std::string name = run.summary.value("name", run.folder.filename().string());
-    title += (title.empty() ? "" : " and ") + name;
+    title += (title.empty() ? "" : " and ") + run.summary.name;
   }
   return title;
 }
@@ -241,14 +235,16 @@ std::string title_of(std::span<const RunFolder> runs) {
 
 std::string report_page(std::span<const RunFolder> runs) {
   Json data{{"version", TALUS_VERSION}, {"map_colours", map_colours()}, {"runs", Json::array()}};
-  std::vector<Json> summaries;
+  std::vector<RunSummary> summaries;
   for (const RunFolder& run : runs) summaries.push_back(run.summary);
   if (summaries.size() == 2) give_common_bins(summaries[0], summaries[1]);
   for (std::size_t k = 0; k < runs.size(); ++k) data["runs"].push_back(data_of(runs[k], summaries[k]));
   const std::string title = escaped(title_of(runs)), json = json_for_script(data);
-  return filled(
-      assets::page,
-      {{"title", title}, {"style", assets::style}, {"figures", assets::figures}, {"data", json}, {"script", assets::script}});
+  return filled(assets::page, {{"title", title},
+                               {"style", assets::style},
+                               {"figures", assets::figures},
+                               {"data", json},
+                               {"script", assets::script}});
 }
 
 void write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html,

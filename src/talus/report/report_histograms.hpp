@@ -1,12 +1,12 @@
 #pragma once
 // Histograms of two runs in the same bins, for a page that shows them side by side.
 
-#include <nlohmann/json.hpp>
+#include "talus/archive/run_summary.hpp"
 
 namespace talus::io {
 
 /// Counts each quantity of two summaries again, in bins of both; barriers are of one kind by their names. What one of
 /// them lacks, or has in bins that are not Talus's own, stays as it is.
-void give_common_bins(nlohmann::ordered_json& first, nlohmann::ordered_json& second);
+void give_common_bins(RunSummary& first, RunSummary& second);
 
 }  // namespace talus::io

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "talus/archive/run_summary.hpp"
 #include "talus/core/problems.hpp"
-#include "talus/files/json_file.hpp"
 #include "talus/run/result_files.hpp"
 
 namespace talus::project {
@@ -45,37 +45,26 @@ std::vector<std::string> changed_settings(const Json& then, const Json& now) {
 }
 
 /// Nothing where there is none that can be read.
-std::optional<Json> summary_in(const std::filesystem::path& folder) {
+std::optional<io::RunIdentity> run_in(const std::filesystem::path& folder) {
   try {
-    Json summary = io::read_json_object<Json>(folder / "summary.json", "");
-    return summary.contains("fingerprint") ? std::optional(std::move(summary)) : std::nullopt;
+    return io::read_run_identity(folder / "summary.json");
   } catch (const BadInput&) {
     return std::nullopt;
   }
 }
 
 /// The rocks that a summary tells of.
-std::string rocks_of(const Json& summary) {
-  const auto number = [&](const char* place) {
-    const Json::json_pointer pointer(place);
-    const bool is_there = summary.contains(pointer) && summary.at(pointer).is_number_unsigned();
-    return is_there ? summary.at(pointer).get<std::uint64_t>() : 0;
-  };
-  if (!summary.contains("shard")) return name_of({0, number("/rocks/planned")}, std::nullopt);
-  const std::uint64_t first = number("/shard/first_rock");
-  return name_of({first, first + number("/shard/rocks")}, Shard{number("/shard/number"), number("/shard/of")});
-}
-
-std::string version_of(const Json& summary) {
-  const Json::json_pointer place("/talus/version");
-  return summary.contains(place) && summary.at(place).is_string() ? summary.at(place).get<std::string>() : "unknown";
+std::string rocks_of(const io::RunIdentity& run) {
+  if (!run.shard) return name_of({0, run.rocks.planned}, std::nullopt);
+  const std::uint64_t first = run.shard->first_rock;
+  return name_of({first, first + run.shard->rocks}, Shard{run.shard->number, run.shard->of});
 }
 
 }  // namespace
 
 void remove_finished_summary(const std::filesystem::path& folder) {
-  const auto summary = summary_in(folder);
-  if (summary && summary->value("interrupted", Json()) == true) return;
+  const auto run = run_in(folder);
+  if (run && run->interrupted) return;
   std::error_code ignored;
   std::filesystem::remove(folder / "summary.json", ignored);
 }
@@ -102,32 +91,28 @@ std::optional<std::string> difference_of_projects(const Json& then, const std::s
 }
 
 std::optional<std::string> replaced_results(const std::filesystem::path& folder, const io::RunDescription& now) {
-  const auto summary = summary_in(folder);
-  if (!summary) return std::nullopt;
-  const Json& fingerprint = summary->at("fingerprint");
-  const auto difference = difference_of_projects(summary->value("project", Json::object()),
-                                                 fingerprint.is_string() ? fingerprint.get<std::string>() : "", now);
-  return fmt::format("{}{}", rocks_of(*summary), difference ? fmt::format(" ({})", *difference) : "");
+  const auto run = run_in(folder);
+  if (!run) return std::nullopt;
+  const auto difference = difference_of_projects(*run->project, run->fingerprint, now);
+  return fmt::format("{}{}", rocks_of(*run), difference ? fmt::format(" ({})", *difference) : "");
 }
 
 FinishedRun find_finished_run(const std::filesystem::path& folder, const io::RunDescription& description,
                               const RockRange& range, const std::optional<Shard>& shard) {
-  const auto summary = summary_in(folder);
-  if (!summary) return {};
+  const auto run = run_in(folder);
+  if (!run) return {};
   const std::filesystem::path file = folder / "summary.json";
-  if (version_of(*summary) != TALUS_VERSION) {
+  if (run->talus.version != TALUS_VERSION) {
     refuse_to_go_on(file, "these are the results of another version of talus",
-                    fmt::format("it was {} and is {}", version_of(*summary), TALUS_VERSION));
+                    fmt::format("it was {} and is {}", run->talus.version, TALUS_VERSION));
   }
-  if (summary->at("fingerprint") != description.fingerprint) {
-    const Json& fingerprint = summary->at("fingerprint");
-    const auto why = difference_of_projects(summary->value("project", Json::object()),
-                                            fingerprint.is_string() ? fingerprint.get<std::string>() : "", description);
+  if (run->fingerprint != description.fingerprint) {
+    const auto why = difference_of_projects(*run->project, run->fingerprint, description);
     refuse_to_go_on(file, "these are the results of another project", why.value_or(""));
   }
-  if (const std::string theirs = rocks_of(*summary), ours = name_of(range, shard); theirs != ours)
+  if (const std::string theirs = rocks_of(*run), ours = name_of(range, shard); theirs != ours)
     refuse_to_go_on(file, fmt::format("these are the results of {}", theirs), fmt::format("expected {}", ours));
-  if (summary->value("interrupted", Json()) != false) return {};
+  if (run->interrupted) return {};
   const auto lacks = lacking_file(folder, description, shard);
   return {!lacks, lacks.value_or("")};
 }

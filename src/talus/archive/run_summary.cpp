@@ -1,0 +1,105 @@
+#include "talus/archive/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "talus/core/problems.hpp"
+#include "talus/files/json_file.hpp"
+
+namespace talus::io {
+
+namespace {
+
+constexpr const char* name_a_run = "Name a folder that `talus run` has written";
+constexpr const char* cut_short = "The file was cut short or damaged; run the project again to get it whole";
+
+/// The outermost object, of which the barriers go to `take` as soon as each is read.
+JsonValue parse_summary(const std::filesystem::path& file, const std::function<void(const JsonValue&)>& take) {
+  const std::string text = text_of_json_file(file, name_a_run, most_json_bytes);
+  const auto refuse = [&](std::string what, std::string why, int line = 0) {
+    throw BadInput(Problem{
+        .file = file.string(), .line = line, .what = std::move(what), .why = std::move(why), .hint = cut_short});
+  };
+  JsonValue json;
+  try {
+    json = parse_without_list<JsonValue>(text, "barriers", take, true);
+  } catch (const JsonValue::parse_error& error) {
+    const auto before = std::min(error.byte, text.size());
+    const bool at_end = text.find_first_not_of(" \t\r\n", before) == std::string::npos;
+    const auto line_ends = std::ranges::count(std::string_view(text).substr(0, before), '\n');
+    refuse(at_end ? "the JSON ends too early" : "is not JSON",
+           at_end ? fmt::format("after {} bytes", text.size()) : fmt::format("at byte {}", error.byte),
+           1 + static_cast<int>(line_ends));
+  } catch (const JsonValue::out_of_range&) {
+    refuse("holds a number that is too large", "expected numbers that 64 bits can hold");
+  }
+  return json;
+}
+
+}  // namespace
+
+std::optional<FieldFault> HistogramCounts::fault() const {
+  if (width > 0) return std::nullopt;
+  return FieldFault{"is not a histogram", "expected a width above 0"};
+}
+
+std::optional<FieldFault> Relief::fault() const {
+  // (Two numbers whose product is one need not fit into 64 bits.)
+  const bool is_grid = cell_m > 0 && columns > 0 && z_m.size() % columns == 0 && z_m.size() / columns == rows;
+  if (is_grid || (columns == 0 && z_m.empty())) return std::nullopt;
+  return FieldFault{
+      "is not a grid",
+      fmt::format("expected a cell_m above 0 and columns times rows heights z_m, {} x {}", columns, rows)};
+}
+
+std::optional<FieldFault> TerrainSummary::fault() const {
+  if (section.size() != 1) return std::nullopt;
+  return FieldFault{"has a section that is no line", "expected two or more vertices [x, z]"};
+}
+
+Statistics BarrierSummary::statistics_of(std::string_view quantity) const {
+  const Statistics* const known = find_named(statistics, quantity);
+  return known == nullptr ? Statistics{} : *known;
+}
+
+void refuse_summary(const std::filesystem::path& file, const BadField& bad) {
+  refuse_json_file(file, bad.where, bad.what, bad.why, name_a_run);
+}
+
+RunSummary read_run_summary(const std::filesystem::path& file, const std::function<void(BarrierSummary)>& take) {
+  RunSummary summary;
+  std::vector<BarrierSummary> barriers;
+  std::size_t number = 0;
+  try {
+    const JsonPlace whole, list(whole, "barriers");
+    const JsonValue json = parse_summary(file, [&](const JsonValue& given) {
+      BarrierSummary barrier;
+      read_json(given, JsonPlace(list, number++), barrier);
+      if (take) {
+        take(std::move(barrier));
+      } else {
+        barriers.push_back(std::move(barrier));
+      }
+    });
+    read_json(json, whole, summary);
+  } catch (const BadField& bad) {
+    refuse_summary(file, bad);
+  }
+  summary.barriers = std::move(barriers);
+  return summary;
+}
+
+RunIdentity read_run_identity(const std::filesystem::path& file) {
+  constexpr std::array<std::string_view, 6> keys{"talus", "fingerprint", "rocks", "shard", "interrupted", "project"};
+  RunSummary summary;
+  try {
+    const JsonValue json = parse_summary(file, [](const JsonValue&) {});
+    read_fields(json, {}, summary, [&](std::string_view key) { return std::ranges::find(keys, key) != keys.end(); });
+  } catch (const BadField& bad) {
+    refuse_summary(file, bad);
+  }
+  return static_cast<RunIdentity&&>(summary);
+}
+
+}  // namespace talus::io

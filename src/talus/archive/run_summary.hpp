@@ -1,0 +1,228 @@
+#pragma once
+// summary.json as a struct: what a run was and how it came out. Each member is declared with its key, from which follow
+// what writes the file (summary_json.hpp), what reads it, and the report's copy of it.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "talus/archive/json_fields.hpp"
+#include "talus/barriers/barrier.hpp"
+
+namespace talus::io {
+
+/// The thirteen rows of a spreadsheet's descriptive statistics, the quartiles and two percentiles, in the unit of the
+/// quantity's name; null where there are too few values.
+struct Statistics {
+  struct Percentiles {
+    std::optional<double> p95{}, p99{};
+    static auto fields() { return std::tuple(field("95", &Percentiles::p95), field("99", &Percentiles::p99)); }
+  };
+
+  std::optional<double> mean{}, standard_error{}, median{}, standard_deviation{}, sample_variance{}, kurtosis{},
+      skewness{}, range{}, minimum{}, maximum{}, sum{};
+  std::uint64_t count = 0;
+  std::optional<double> confidence_level_95{};
+  std::array<std::optional<double>, 3> quartiles{};
+  Percentiles percentiles{};
+
+  static auto fields() {
+    using S = Statistics;
+    return std::tuple(field("mean", &S::mean), field("standard_error", &S::standard_error), field("median", &S::median),
+                      field("standard_deviation", &S::standard_deviation),
+                      field("sample_variance", &S::sample_variance), field("kurtosis", &S::kurtosis),
+                      field("skewness", &S::skewness), field("range", &S::range), field("minimum", &S::minimum),
+                      field("maximum", &S::maximum), field("sum", &S::sum), field("count", &S::count),
+                      field("confidence_level_95", &S::confidence_level_95), field("quartiles", &S::quartiles),
+                      field("percentiles", &S::percentiles));
+  }
+};
+
+/// Bins of one width from `low` on, in the unit of the quantity's name.
+struct HistogramCounts {
+  double low = 0, width = 1;
+  std::vector<std::uint64_t> counts{};
+
+  static auto fields() {
+    using H = HistogramCounts;
+    return std::tuple(field("low", &H::low), field("width", &H::width), field("counts", &H::counts));
+  }
+  [[nodiscard]] std::optional<FieldFault> fault() const;
+};
+using Histograms = Named<std::optional<HistogramCounts>>;  // null: there were no values
+
+/// What the model says of a barrier or collector: its foot in the user's coordinates [m].
+struct BarrierPlace {
+  std::string name{}, kind{};  // "barrier" or "collector"
+  std::vector<std::array<double, 3>> line_xyz{};
+  /// How far along the line as it was given each point of the foot is, on plan [m]; empty: as far as along the foot.
+  std::vector<double> stations_m{};
+
+  static auto fields() {
+    using B = BarrierPlace;
+    return std::tuple(field("name", &B::name), field("kind", &B::kind), field("line_xyz", &B::line_xyz),
+                      field_if_any("stations_m", &B::stations_m));
+  }
+};
+
+/// Hits on a barrier by what came of them.
+struct BarrierOutcomes {
+  std::uint64_t stopped = 0, rebounded = 0, broke_through = 0, passed = 0;
+
+  static auto fields() {
+    using O = BarrierOutcomes;
+    return std::tuple(field(talus::name(BarrierOutcome::stopped), &O::stopped),
+                      field(talus::name(BarrierOutcome::rebounded), &O::rebounded),
+                      field(talus::name(BarrierOutcome::broke_through), &O::broke_through),
+                      field(talus::name(BarrierOutcome::passed), &O::passed));
+  }
+};
+
+/// And what rocks did there.
+struct BarrierSummary : BarrierPlace {
+  std::uint64_t hits = 0, rocks_hit = 0, passed_above = 0;
+  BarrierOutcomes outcomes{};
+  std::optional<double> least_clearance_m{};
+  Named<Statistics> statistics{};  // none where no rock hit it
+  Histograms histograms{};         // likewise
+
+  static auto fields() {
+    using B = BarrierSummary;
+    return std::tuple_cat(
+        BarrierPlace::fields(),
+        std::tuple(field("hits", &B::hits), field("rocks_hit", &B::rocks_hit), field("passed_above", &B::passed_above),
+                   field("outcomes", &B::outcomes), field("least_clearance_m", &B::least_clearance_m),
+                   field_if_any("statistics", &B::statistics), field_if_any("histograms", &B::histograms)));
+  }
+  /// Of a quantity of the hits; all of it empty where no rock hit.
+  [[nodiscard]] Statistics statistics_of(std::string_view quantity) const;
+};
+
+/// The terrain as a coarse grid of elevations for pictures, row after row from the south-west.
+struct Relief {
+  double x0 = 0, y0 = 0, cell_m = 1;
+  std::uint64_t columns = 0, rows = 0;
+  std::vector<std::optional<double>> z_m{};
+
+  static auto fields() {
+    using R = Relief;
+    return std::tuple(field("x0", &R::x0), field("y0", &R::y0), field("cell_m", &R::cell_m),
+                      field("columns", &R::columns), field("rows", &R::rows), field("z_m", &R::z_m));
+  }
+  [[nodiscard]] std::optional<FieldFault> fault() const;
+};
+
+struct TerrainSummary {
+  std::string kind{};                            // "section", "mesh" or "raster"
+  std::vector<std::array<double, 2>> section{};  // its vertices x, z [m]
+  std::string crs_wkt{};                         // empty: not known
+  std::vector<std::array<double, 3>> bounds{};   // lowest and highest corner [m]
+  std::optional<std::uint64_t> triangles{};
+  std::optional<Relief> relief{};
+
+  static auto fields() {
+    using T = TerrainSummary;
+    return std::tuple(field("kind", &T::kind), field_if_any("section", &T::section),
+                      field_if_any("crs_wkt", &T::crs_wkt), field_if_any("bounds", &T::bounds),
+                      field_if_any("triangles", &T::triangles), field_if_any("relief", &T::relief));
+  }
+  [[nodiscard]] std::optional<FieldFault> fault() const;
+};
+
+/// Which rocks come from a source: the first and the number of each unbroken row of them.
+struct SourceRocks {
+  std::string name{};
+  std::vector<std::array<std::uint64_t, 2>> rocks{};
+
+  static auto fields() { return std::tuple(field("name", &SourceRocks::name), field("rocks", &SourceRocks::rocks)); }
+};
+
+/// Which run a summary is of.
+struct RunIdentity {
+  struct Program {
+    std::string version{};
+    static auto fields() { return std::tuple(field("version", &Program::version)); }
+  };
+  struct Rocks {
+    std::uint64_t planned = 0, done = 0, lifted = 0;  // planned: of the whole campaign
+    std::uint64_t with_endpoint = 0, with_path = 0;   // of those done, how many the tables hold one by one
+    static auto fields() {
+      return std::tuple(field("planned", &Rocks::planned), field("done", &Rocks::done), field("lifted", &Rocks::lifted),
+                        field("with_endpoint", &Rocks::with_endpoint), field("with_path", &Rocks::with_path));
+    }
+  };
+  struct Part {
+    std::uint64_t number = 0, of = 0, first_rock = 0, rocks = 0;
+    static auto fields() {
+      return std::tuple(field("number", &Part::number), field("of", &Part::of), field("first_rock", &Part::first_rock),
+                        field("rocks", &Part::rocks));
+    }
+  };
+
+  Program talus{};
+  std::string fingerprint{};  // of everything that the results follow from
+  Rocks rocks{};
+  std::optional<Part> shard{};  // nothing: the whole campaign
+  bool interrupted = false;
+  SharedJson project{};  // echoed whole, defaults filled in
+};
+
+struct RunSummary : RunIdentity {
+  struct Timings {
+    double seconds = 0, rocks_per_second = 0;
+    std::uint64_t threads = 1;
+    static auto fields() {
+      return std::tuple(field("seconds", &Timings::seconds), field("rocks_per_second", &Timings::rocks_per_second),
+                        field("threads", &Timings::threads));
+    }
+  };
+
+  std::string name{};
+  std::uint64_t seed = 0;
+  std::vector<std::array<std::uint64_t, 2>> missing_rocks{};  // of merged runs: the first and the number of each row
+  Named<std::uint64_t> end_reasons{};                         // those that occurred
+  std::uint64_t events = 0;
+  Named<Statistics> statistics{};
+  Histograms histograms{};
+  std::vector<BarrierSummary> barriers{};  // and collectors
+  SharedJson design{};                     // design_json.hpp; nothing where none was asked for
+  std::vector<SourceRocks> sources{};
+  std::vector<std::string> warnings{}, notes{};
+  double energy_datum_m = 0;         // the user's z at which potential energy is zero
+  std::array<double, 3> origin_m{};  // next to which positions are counted
+  TerrainSummary terrain{};
+  Timings timings{};
+
+  static auto fields() {
+    using S = RunSummary;
+    return std::tuple(field("talus", &S::talus), field("name", &S::name), field("fingerprint", &S::fingerprint),
+                      field("seed", &S::seed), field("rocks", &S::rocks), field_if_any("shard", &S::shard),
+                      field("interrupted", &S::interrupted), field_if_any("missing_rocks", &S::missing_rocks),
+                      field("end_reasons", &S::end_reasons), field("events", &S::events),
+                      field("statistics", &S::statistics), field("histograms", &S::histograms),
+                      field("barriers", &S::barriers), field_if_any("design", &S::design),
+                      field("sources", &S::sources), field("warnings", &S::warnings), field("notes", &S::notes),
+                      field("energy_datum_m", &S::energy_datum_m), field("origin_m", &S::origin_m),
+                      field("terrain", &S::terrain), field("project", &S::project), field("timings", &S::timings));
+  }
+};
+
+/// Reads summary.json, or what is to become it. Barriers, of which there may be very many, are given to `take` one by
+/// one where it is given, and are not kept then. Throws BadInput where the file is no summary as a run writes it.
+[[nodiscard]] RunSummary read_run_summary(const std::filesystem::path& file,
+                                          const std::function<void(BarrierSummary)>& take = {});
+
+/// What a summary says of which run it is of, also where another version of the program wrote the rest. Throws
+/// BadInput.
+[[nodiscard]] RunIdentity read_run_identity(const std::filesystem::path& file);
+
+/// A BadField of such a file as BadInput.
+[[noreturn]] void refuse_summary(const std::filesystem::path& file, const BadField& bad);
+
+}  // namespace talus::io
