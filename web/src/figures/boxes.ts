@@ -61,24 +61,52 @@ export function boxes(element: SVGSVGElement, room: Room, { title, unit, per, of
     const at = (figure: (typeof figures)[number]) => x(box[figure] / per);
     const g: Group = svg.append('g').style('--run', box.colour);
     if (hasNames) {
-      const text = g.append('text').attr('x', side.left - 10).attr('y', middle + 4).attr('text-anchor', 'end').text(cut(box.name, nameWidth));
+      const text = g
+        .append('text')
+        .attr('x', side.left - 10)
+        .attr('y', middle + 4)
+        .attr('text-anchor', 'end')
+        .text(cut(box.name, nameWidth));
       text.append('title').text(box.name);
     }
     const line = (from: number, to: number, up: number, name: string) =>
-      g.append('line').attr('class', name).attr('x1', from).attr('x2', to).attr('y1', middle - up).attr('y2', middle + up);
+      g
+        .append('line')
+        .attr('class', name)
+        .attr('x1', from)
+        .attr('x2', to)
+        .attr('y1', middle - up)
+        .attr('y2', middle + up);
     line(at('whisker_low'), at('q1'), 0, 'whisker');
     line(at('q3'), at('whisker_high'), 0, 'whisker');
     for (const end of ['whisker_low', 'whisker_high'] as const) line(at(end), at(end), half / 2, 'whisker');
     const [left, right] = [at('q1'), at('q3')];
-    g.append('rect').attr('class', 'box').attr('x', left).attr('width', Math.max(right - left, 0.5)).attr('y', middle - half).attr('height', 2 * half);
+    g.append('rect')
+      .attr('class', 'box')
+      .attr('x', left)
+      .attr('width', Math.max(right - left, 0.5))
+      .attr('y', middle - half)
+      .attr('height', 2 * half);
     line(at('median'), at('median'), half, 'median');
-    const ends = (['least', 'most'] as const).filter((end, e) => box[end] !== box[e === 0 ? 'whisker_low' : 'whisker_high']);
-    for (const end of ends) g.append('circle').attr('class', 'extreme').attr('cx', at(end)).attr('cy', middle).attr('r', 2.5);
+    const ends = (['least', 'most'] as const).filter(
+      (end, e) => box[end] !== box[e === 0 ? 'whisker_low' : 'whisker_high'],
+    );
+    for (const end of ends)
+      g.append('circle').attr('class', 'extreme').attr('cx', at(end)).attr('cy', middle).attr('r', 2.5);
     if (typeof box.mean === 'number') {
       const arm = Math.min(5, 0.5 * half);
-      g.append('path').attr('class', 'mean').attr('d', `M${x(box.mean / per) - arm},${middle - arm}l${2 * arm},${2 * arm}m0,${-2 * arm}l${-2 * arm},${2 * arm}`);
+      g.append('path')
+        .attr('class', 'mean')
+        .attr(
+          'd',
+          `M${x(box.mean / per) - arm},${middle - arm}l${2 * arm},${2 * arm}m0,${-2 * arm}l${-2 * arm},${2 * arm}`,
+        );
     }
-    const said = [...figures].reverse().filter((figure) => (figure === 'whisker_low' ? ends.includes('least') : figure !== 'whisker_high' || ends.includes('most')));
+    const said = [...figures]
+      .reverse()
+      .filter((figure) =>
+        figure === 'whisker_low' ? ends.includes('least') : figure !== 'whisker_high' || ends.includes('most'),
+      );
     const rows = said.map((figure) => `${words[figure]} ${measured(box[figure] / per)} ${unit}`);
     if (typeof box.mean === 'number') rows.push(`mean ${measured(box.mean / per)} ${unit}`);
     tip(g, () => [...(hasNames ? [`${box.name}: ${measured(box.count)}`] : []), ...rows].join('\n'));

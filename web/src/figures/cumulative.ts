@@ -2,7 +2,19 @@
 
 import { numberText } from './format';
 import type { Cell } from './files';
-import { extentOf, openDrawing, openPlot, sayAlong, sign, titleOf, valueText, type Group, type Quantity, type Range, type Room } from './plot';
+import {
+  extentOf,
+  openDrawing,
+  openPlot,
+  sayAlong,
+  sign,
+  titleOf,
+  valueText,
+  type Group,
+  type Quantity,
+  type Range,
+  type Room,
+} from './plot';
 
 export interface Steps {
   name: string;
@@ -32,14 +44,20 @@ export function cumulativeCurve(points: Steps['points'], [low, high]: Range): [n
   const corners = points.flatMap(([value, share]): [number, number][] => {
     const before = now;
     now = 100 * share;
-    return [[value, before], [value, now]]; // prettier-ignore
+    return [
+      [value, before],
+      [value, now],
+    ];
   });
   return corners.length === 0 ? [] : [[low, 0], ...corners, [high, now]];
 }
 
 export function cumulative(element: SVGSVGElement, room: Room, { title, unit, per, thing, of }: Cumulative) {
   const svg = openDrawing(element, room);
-  const curves = of.map((one) => ({ ...one, points: one.points.map(([value, share]) => [value / per, share] as const) }));
+  const curves = of.map((one) => ({
+    ...one,
+    points: one.points.map(([value, share]) => [value / per, share] as const),
+  }));
   const values = curves.flatMap(({ points }) => points.map(([value]) => value));
   const places = [...new Set(values)].sort((a, b) => a - b);
   const groups = curves.map(() => svg.append('g') as Group);
@@ -49,16 +67,29 @@ export function cumulative(element: SVGSVGElement, room: Room, { title, unit, pe
     y: [0, 100],
     xLabel: titleOf({ title, unit }),
     yLabel: `Share of ${thing}s [%]`,
-    entries: of.length > 1 ? curves.map(({ name, colour }, k) => ({ text: name, draw: sign.line('step', colour), switches: groups[k]! })) : [],
+    entries:
+      of.length > 1
+        ? curves.map(({ name, colour }, k) => ({ text: name, draw: sign.line('step', colour), switches: groups[k]! }))
+        : [],
   });
   curves.forEach(({ colour, points }, k) => {
-    const corners = cumulativeCurve(points, range).map(([value, share]) => `${plot.x(value).toFixed(2)},${plot.y(share).toFixed(2)}`);
-    if (corners.length > 0) groups[k]!.raise().append('path').attr('class', 'curve').style('--run', colour).attr('d', `M${corners.join('L')}`);
+    const corners = cumulativeCurve(points, range).map(
+      ([value, share]) => `${plot.x(value).toFixed(2)},${plot.y(share).toFixed(2)}`,
+    );
+    if (corners.length > 0)
+      groups[k]!.raise()
+        .append('path')
+        .attr('class', 'curve')
+        .style('--run', colour)
+        .attr('d', `M${corners.join('L')}`);
   });
   sayAlong(svg, plot, places, (k) =>
     [
       `at most ${valueText(places[k]!, unit)}`,
-      ...curves.map(({ name, points }) => `${of.length > 1 ? `${name}: ` : ''}${numberText(100 * shareAt(points, places[k]!), 4)} %`),
+      ...curves.map(
+        ({ name, points }) =>
+          `${of.length > 1 ? `${name}: ` : ''}${numberText(100 * shareAt(points, places[k]!), 4)} %`,
+      ),
     ].join('\n'),
   );
 }

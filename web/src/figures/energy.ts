@@ -1,4 +1,5 @@
-// The energy of one rock along its path: translational and rotational kinetic energy, potential energy, and all together.
+// The energy of one rock along its path: total kinetic energy, the rotational part of it, potential energy, and all
+// together.
 
 import { measured } from './format';
 import { extentOf, openDrawing, openPlot, sayAlong, sign, type Group, type Room } from './plot';
@@ -23,7 +24,12 @@ const curves = [
   { name: 'potential', words: 'potential', of: (row: EnergyRow) => row.potential, turns: 1 },
   { name: 'rotational', words: 'rotational', of: (row: EnergyRow) => row.rotational, turns: 0 },
   { name: 'kinetic', words: 'total kinetic', of: (row: EnergyRow) => row.translational + row.rotational, turns: -1 },
-  { name: 'mechanical', words: 'mechanical', of: (row: EnergyRow) => row.translational + row.rotational + row.potential, turns: 0 },
+  {
+    name: 'mechanical',
+    words: 'mechanical',
+    of: (row: EnergyRow) => row.translational + row.rotational + row.potential,
+    turns: 0,
+  },
 ];
 
 export interface Energy {
@@ -38,12 +44,19 @@ export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDo
   const shown = curves.filter(({ name, of }) => name !== 'rotational' || rows.some((row) => of(row) !== 0));
   const groups = shown.map(() => svg.append('g') as Group);
   const plot = openPlot(svg, room, {
-    x: extentOf(rows.map(({ place }) => place), 0.02), // prettier-ignore
+    x: extentOf(
+      rows.map(({ place }) => place),
+      0.02,
+    ),
     y: extentOf([0, ...rows.flatMap((row) => shown.map(({ of }) => kJ(of(row))))]),
     xLabel,
     yLabel: 'Energy [kJ]',
     entries: shown
-      .map(({ name, words }, k) => ({ text: `${words} energy`, draw: sign.line(`energy ${name}`), switches: groups[k]! }))
+      .map(({ name, words }, k) => ({
+        text: `${words} energy`,
+        draw: sign.line(`energy ${name}`),
+        switches: groups[k]!,
+      }))
       .reverse(),
   });
   const at = (place: number, joules: number) => `${plot.x(place).toFixed(2)},${plot.y(kJ(joules)).toFixed(2)}`;
@@ -56,14 +69,24 @@ export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDo
     });
     groups[k]!.raise().append('path').attr('class', `energy ${name}`).attr('d', path.join(''));
     if (!hasDots) return;
-    const dots = groups[k]!.selectAll('circle').data(rows).enter().append('circle').attr('class', `stop ${name}`).attr('r', 3);
+    const dots = groups[k]!.selectAll('circle')
+      .data(rows)
+      .enter()
+      .append('circle')
+      .attr('class', `stop ${name}`)
+      .attr('r', 3);
     dots.attr('cx', (row: EnergyRow) => plot.x(row.place)).attr('cy', (row: EnergyRow) => plot.y(kJ(of(row))));
   });
   const places = rows.map(({ place }) => place);
   const isAscending = places.every((place, k) => k === 0 || places[k - 1]! <= place);
   const order = isAscending ? rows : [...rows].sort((a, b) => a.place - b.place);
-  sayAlong(svg, plot, order.map(({ place }) => place), (k) => {
-    const row = order[k]!;
-    return [row.text, ...shown.map(({ words, of }) => `${words} ${measured(kJ(of(row)))} kJ`).reverse()].join('\n');
-  }); // prettier-ignore
+  sayAlong(
+    svg,
+    plot,
+    order.map(({ place }) => place),
+    (k) => {
+      const row = order[k]!;
+      return [row.text, ...shown.map(({ words, of }) => `${words} ${measured(kJ(of(row)))} kJ`).reverse()].join('\n');
+    },
+  );
 }

@@ -1,8 +1,21 @@
-// How much energy rocks have along a section, how fast and how high they come: envelopes.csv, drawn cell by cell. Of two
-// runs the greatest values are drawn, or what there is one of.
+// How much energy rocks have along a section, how fast and how high they come: envelopes.csv, drawn cell by cell. Of
+// two runs the first curve of each.
 
 import type { Cell } from './files';
-import { extentOf, fromZero, openDrawing, openPlot, rangeText, sayAlong, sign, titleOf, valueText, type Group, type Quantity, type Room } from './plot';
+import {
+  extentOf,
+  fromZero,
+  openDrawing,
+  openPlot,
+  rangeText,
+  sayAlong,
+  sign,
+  titleOf,
+  valueText,
+  type Group,
+  type Quantity,
+  type Room,
+} from './plot';
 
 /// A quantity of the file: what the names of its columns begin with, or of what has one, its whole name.
 export interface EnvelopeQuantity extends Quantity {
@@ -33,7 +46,9 @@ const dashes = ['7 3', '4 3', '2 3', '1 4'];
 export function curvesOf(columns: readonly string[], key: string): Curve[] {
   if (columns.includes(key)) return [{ column: key, title: '', style: 'greatest', dash: null }];
   const found = columns.flatMap((column): (Omit<Curve, 'dash'> & { order: number })[] => {
-    const figure = column.startsWith(`${key}_`) ? /^(max|mean|p[\d.]+)_/.exec(column.slice(key.length + 1))?.[1] : undefined;
+    const figure = column.startsWith(`${key}_`)
+      ? /^(max|mean|p[\d.]+)_/.exec(column.slice(key.length + 1))?.[1]
+      : undefined;
     if (!figure) return [];
     if (figure === 'max') return [{ column, title: 'maximum', style: 'greatest', order: Infinity }];
     if (figure === 'mean') return [{ column, title: 'mean', style: 'mean', order: -1 }];
@@ -41,7 +56,12 @@ export function curvesOf(columns: readonly string[], key: string): Curve[] {
     return [{ column, title: `percentile ${percent}`, style: 'percentile', order: percent }];
   });
   found.sort((a, b) => b.order - a.order);
-  return found.map(({ column, title, style }, k) => ({ column, title, style, dash: dashes[Math.min(k, dashes.length) - 1] ?? null }));
+  return found.map(({ column, title, style }, k) => ({
+    column,
+    title,
+    style,
+    dash: dashes[Math.min(k, dashes.length) - 1] ?? null,
+  }));
 }
 
 /// A run along the section.
@@ -79,18 +99,29 @@ export function envelope(element: SVGSVGElement, room: Room, { key, title, unit,
       group: svg.append('g') as Group,
     })),
   );
-  const drawnBy = ({ style, dash, cells }: (typeof lines)[number]) => sign.line(`envelope ${style}`, cells.colour, dash ?? '');
+  const drawnBy = ({ style, dash, cells }: (typeof lines)[number]) =>
+    sign.line(`envelope ${style}`, cells.colour, dash ?? '');
   const [low, high] = fromZero(lines.flatMap(({ values }) => values.filter((value) => value !== null)));
   const plot = openPlot(svg, room, {
-    x: extentOf(of.flatMap(({ from, to }) => [...from, ...to]), 0.02), // prettier-ignore
+    x: extentOf(
+      of.flatMap(({ from, to }) => [...from, ...to]),
+      0.02,
+    ),
     y: [low, walls.length > 0 ? 1.12 * high : high], // room for their names
     xLabel: 'x [m]',
     yLabel: titleOf({ title, unit }),
-    entries: lines.length > 1 ? lines.map((line) => ({ text: line.text, draw: drawnBy(line), switches: line.group })) : [],
+    entries:
+      lines.length > 1 ? lines.map((line) => ({ text: line.text, draw: drawnBy(line), switches: line.group })) : [],
   });
   const { side, x, y } = plot;
   for (const wall of walls) {
-    svg.append('line').attr('class', 'barrier thin').attr('x1', x(wall.x)).attr('x2', x(wall.x)).attr('y1', side.bottom).attr('y2', side.top);
+    svg
+      .append('line')
+      .attr('class', 'barrier thin')
+      .attr('x1', x(wall.x))
+      .attr('x2', x(wall.x))
+      .attr('y1', side.bottom)
+      .attr('y2', side.top);
   }
   for (const { style, dash, cells, values, group } of lines) {
     // A step between cells side by side; where no rock was the line is broken.
@@ -101,10 +132,18 @@ export function envelope(element: SVGSVGElement, room: Room, { key, title, unit,
       return `${begin}${y(value).toFixed(2)}H${x(cells.to[k]!).toFixed(2)}`;
     });
     group.raise().append('path').attr('class', `envelope ${style}`).style('--run', cells.colour);
-    group.select('path').style('stroke-dasharray', dash ?? 'none').attr('d', path.join(''));
+    group
+      .select('path')
+      .style('stroke-dasharray', dash ?? 'none')
+      .attr('d', path.join(''));
   }
   for (const wall of walls)
-    svg.append('text').attr('class', 'barrier-name halo').attr('x', x(wall.x) + 5).attr('y', side.top + 13).text(wall.name);
+    svg
+      .append('text')
+      .attr('class', 'barrier-name halo')
+      .attr('x', x(wall.x) + 5)
+      .attr('y', side.top + 13)
+      .text(wall.name);
   const first = of[0];
   if (!first) return;
   const middles = first.x;

@@ -32,9 +32,22 @@ const sizeOf = (svg: SVGSVGElement) => {
 };
 
 const kept = [
-  'display', 'fill', 'fill-opacity', 'font-family', 'font-size', 'font-weight', 'opacity', 'paint-order', 'stroke',
-  'stroke-dasharray', 'stroke-linecap', 'stroke-linejoin', 'stroke-opacity', 'stroke-width', 'text-anchor',
-]; // prettier-ignore
+  'display',
+  'fill',
+  'fill-opacity',
+  'font-family',
+  'font-size',
+  'font-weight',
+  'opacity',
+  'paint-order',
+  'stroke',
+  'stroke-dasharray',
+  'stroke-linecap',
+  'stroke-linejoin',
+  'stroke-opacity',
+  'stroke-width',
+  'text-anchor',
+];
 
 /// A drawing alone, with its title above and the page's style written into every element, so that it looks the same
 /// anywhere.
@@ -55,7 +68,13 @@ export function drawingText(svg: SVGSVGElement, title: string): string {
     Object.entries(values).forEach(([name, value]) => node.setAttribute(name, String(value)));
   set(copy, { xmlns: space, width, height, viewBox: `0 ${-headHeight} ${width} ${height}` });
   set(sheet, { y: -headHeight, width, height, fill: page.getPropertyValue('--page').trim() || '#ffffff' });
-  set(head, { x: 12, y: -10, fill: page.getPropertyValue('--ink').trim() || '#000000', 'font-size': 14, 'font-weight': 600 });
+  set(head, {
+    x: 12,
+    y: -10,
+    fill: page.getPropertyValue('--ink').trim() || '#000000',
+    'font-size': 14,
+    'font-weight': 600,
+  });
   head.setAttribute('font-family', 'system-ui, sans-serif');
   head.textContent = title;
   copy.prepend(sheet, head);
@@ -64,7 +83,8 @@ export function drawingText(svg: SVGSVGElement, title: string): string {
 
 const svgBlob = (svg: SVGSVGElement, title: string) => new Blob([drawingText(svg, title)], { type: 'image/svg+xml' });
 
-export const saveSvg = (name: string, svg: SVGSVGElement, title: string) => saveFile(`${name}.svg`, svgBlob(svg, title));
+export const saveSvg = (name: string, svg: SVGSVGElement, title: string) =>
+  saveFile(`${name}.svg`, svgBlob(svg, title));
 
 /// For print: 300 dots an inch, which the file says.
 export async function savePng(name: string, svg: SVGSVGElement, title: string): Promise<void> {
@@ -76,6 +96,8 @@ export async function savePng(name: string, svg: SVGSVGElement, title: string): 
   const canvas = document.createElement('canvas');
   canvas.width = Math.round(width * printRatio);
   canvas.height = Math.round(height * printRatio);
-  canvas.getContext('2d', { alpha: false, willReadFrequently: true })!.drawImage(picture, 0, 0, canvas.width, canvas.height);
+  canvas
+    .getContext('2d', { alpha: false, willReadFrequently: true })!
+    .drawImage(picture, 0, 0, canvas.width, canvas.height);
   saveFile(`${name}.png`, await printPng(canvas));
 }

@@ -2,7 +2,9 @@ import { expect, test } from 'vitest';
 import { counted, fixedText, measured, numberText, tickText } from './format';
 
 test('a number has so many digits that count', () => {
-  const shown = [0, 12, 1234567, 1234.5, 98.7654321, 0.00123456, -2.5, 1.23456e-7, 3e20, NaN].map((value) => numberText(value));
+  const shown = [0, 12, 1234567, 1234.5, 98.7654321, 0.00123456, -2.5, 1.23456e-7, 3e20, NaN].map((value) =>
+    numberText(value),
+  );
   expect(shown).toEqual(['0', '12', '1,234,567', '1,235', '98.77', '0.001235', '−2.5', '1.235e−7', '3e+20', '–']);
   expect(numberText(98.7654321, 6)).toBe('98.7654');
 });

@@ -1,5 +1,5 @@
-// Numbers for reading, the same in figures, tables and text: as many digits as they deserve, thousands set apart, a true
-// minus sign. Files keep all digits.
+// Numbers for reading, the same in figures, tables and text: as many digits as they deserve, thousands set apart, a
+// true minus sign. Files keep all digits.
 
 const missing = '–';
 const withMinus = (text: string) => text.replace('-', '−');

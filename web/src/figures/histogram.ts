@@ -2,7 +2,18 @@
 
 import { max, sum } from 'd3-array';
 import { counted, numberText } from './format';
-import { extentOf, fromZero, openDrawing, openPlot, rangeText, sign, titleOf, type Quantity, type Range, type Room } from './plot';
+import {
+  extentOf,
+  fromZero,
+  openDrawing,
+  openPlot,
+  rangeText,
+  sign,
+  titleOf,
+  type Quantity,
+  type Range,
+  type Room,
+} from './plot';
 import type { Cell } from './files';
 import { tip } from './tip';
 
@@ -29,13 +40,22 @@ export function histogram(element: SVGSVGElement, room: Room, { title, unit, per
   const isOne = of.length === 1;
   const series = of.map(({ name, colour, edges, counts }) => {
     const all = sum(counts);
-    const bar = (n: number, k: number) => ({ name, n, low: edges[k]! / per, high: edges[k + 1]! / per, share: all > 0 ? (100 * n) / all : 0 });
+    const bar = (n: number, k: number) => ({
+      name,
+      n,
+      low: edges[k]! / per,
+      high: edges[k + 1]! / per,
+      share: all > 0 ? (100 * n) / all : 0,
+    });
     return { name, colour, all, bars: counts.map(bar).filter(({ n }) => n > 0) };
   });
   const bars = series.flatMap((one) => one.bars);
   const heightOf = (bar: (typeof bars)[number]) => (isOne ? bar.n : bar.share);
   const { side, x, y } = openPlot(svg, room, {
-    x: extentOf(bars.flatMap(({ low, high }) => [low, high]), 0.03), // prettier-ignore
+    x: extentOf(
+      bars.flatMap(({ low, high }) => [low, high]),
+      0.03,
+    ),
     y: isOne && (max(bars, heightOf) ?? 0) < 3 ? ([0, 3] as Range) : fromZero(bars.map(heightOf)),
     xLabel: titleOf({ title, unit }),
     yLabel: isOne ? `Number of ${thing}s` : `Share of ${thing}s [%]`,
@@ -49,7 +69,14 @@ export function histogram(element: SVGSVGElement, room: Room, { title, unit, per
       const width = whole / of.length;
       return { left: x(low) + place * width, width: Math.max(width - (width > 4 ? 1 : 0), leastWidth) };
     };
-    const drawn = svg.append('g').style('--run', colour).selectAll('rect').data(bars).enter().append('rect').attr('class', 'bar');
+    const drawn = svg
+      .append('g')
+      .style('--run', colour)
+      .selectAll('rect')
+      .data(bars)
+      .enter()
+      .append('rect')
+      .attr('class', 'bar');
     drawn.attr('x', (bar) => box(bar).left).attr('width', (bar) => box(bar).width);
     drawn.attr('y', (bar) => y(heightOf(bar))).attr('height', (bar) => side.bottom - y(heightOf(bar)));
     tip(drawn, ({ name, n, low, high, share }) =>

@@ -18,9 +18,39 @@ describe('an axis round one value', () => {
 
 describe('the cumulative curve', () => {
   test('rises in steps from end to end', () =>
-    expect(cumulativeCurve([[1, 0.25], [3, 1]], [0, 4])).toEqual([[0, 0], [1, 0], [1, 25], [3, 25], [3, 100], [4, 100]])); // prettier-ignore
+    expect(
+      cumulativeCurve(
+        [
+          [1, 0.25],
+          [3, 1],
+        ],
+        [0, 4],
+      ),
+    ).toEqual([
+      [0, 0],
+      [1, 0],
+      [1, 25],
+      [3, 25],
+      [3, 100],
+      [4, 100],
+    ]));
   test('of one value is one step', () =>
-    expect(cumulativeCurve([[6.5, 1]], [6, 7])).toEqual([[6, 0], [6.5, 0], [6.5, 100], [7, 100]])); // prettier-ignore
+    expect(cumulativeCurve([[6.5, 1]], [6, 7])).toEqual([
+      [6, 0],
+      [6.5, 0],
+      [6.5, 100],
+      [7, 100],
+    ]));
   test('says the share up to a value', () =>
-    expect([0, 1, 2, 3, 9].map((value) => shareAt([[1, 0.25], [3, 1]], value))).toEqual([0, 0.25, 0.25, 1, 1])); // prettier-ignore
+    expect(
+      [0, 1, 2, 3, 9].map((value) =>
+        shareAt(
+          [
+            [1, 0.25],
+            [3, 1],
+          ],
+          value,
+        ),
+      ),
+    ).toEqual([0, 0.25, 0.25, 1, 1]));
 });

@@ -1,5 +1,5 @@
-// What all figures have in common: ranges, axes, the legend, and values along an axis. All text is set as text, never as
-// markup: names in it are the user's.
+// What all figures have in common: ranges, axes, the legend, and values along an axis. All text is set as text, never
+// as markup: names in it are the user's.
 
 import { extent, max } from 'd3-array';
 import { axisBottom, axisLeft } from 'd3-axis';
@@ -9,7 +9,7 @@ import { measured, tickText } from './format';
 import { endsAround } from './oneValue';
 import { hideTip, showTip } from './tip';
 
-// eslint-disable-next-line @typescript-eslint/no-explicit-any
+/// Whatever elements and data D3 selected.
 export type Group = Selection<any, any, any, any>;
 export type Scale = ScaleLinear<number, number>;
 export type Range = [number, number];
@@ -39,7 +39,9 @@ export const titleOf = ({ title, unit }: { title: string; unit: string }) => (un
 export const valueText = (value: number, unit: string) => `${measured(value)}${unit && ` ${unit}`}`;
 /// "1.5 to 2.0 m", with the decimals that tell its ends apart.
 export const rangeText = (low: number, high: number, unit: string) =>
-  high > low ? `${tickText(low, high - low)} to ${tickText(high, high - low)}${unit && ` ${unit}`}` : valueText(low, unit);
+  high > low
+    ? `${tickText(low, high - low)} to ${tickText(high, high - low)}${unit && ` ${unit}`}`
+    : valueText(low, unit);
 
 /// A range that holds all values, wider than they are by a share on either side.
 export function extentOf(values: readonly number[], margin = 0.04): Range {
@@ -59,7 +61,8 @@ const textOfTicks = (scale: Scale, count: number) => {
   return (value: number) => tickText(value, Math.abs(second - first));
 };
 const letter = 6.6; // how wide a digit of the axes is
-const widest = (scale: Scale, count: number) => letter * (max(scale.ticks(count), (v) => textOfTicks(scale, count)(v).length) ?? 0);
+const widest = (scale: Scale, count: number) =>
+  letter * (max(scale.ticks(count), (v) => textOfTicks(scale, count)(v).length) ?? 0);
 
 interface Labels {
   xLabel: string;
@@ -77,16 +80,40 @@ export function axes(svg: Group, x: Scale, y: Scale | null, side: Side, { xLabel
   const ny = yTicks || ticksOver(bottom - top);
   const blank = () => '';
   const grid = svg.append('g').attr('class', 'grid');
-  const across = axisBottom(x).ticks(nx).tickSize(top - bottom).tickFormat(blank);
+  const across = axisBottom(x)
+    .ticks(nx)
+    .tickSize(top - bottom)
+    .tickFormat(blank);
   grid.append('g').attr('transform', `translate(0,${bottom})`).call(across);
   const below = svg.append('g').attr('class', 'axis').attr('transform', `translate(0,${bottom})`);
-  below.call(axisBottom(x).ticks(nx).tickSizeOuter(0).tickFormat((v) => textOfTicks(x, nx)(Number(v))));
-  const label = (text: string) => svg.append('text').attr('class', 'axis-label').attr('text-anchor', 'middle').text(text);
-  label(xLabel).attr('x', (left + right) / 2).attr('y', bottom + 34);
+  below.call(
+    axisBottom(x)
+      .ticks(nx)
+      .tickSizeOuter(0)
+      .tickFormat((v) => textOfTicks(x, nx)(Number(v))),
+  );
+  const label = (text: string) =>
+    svg.append('text').attr('class', 'axis-label').attr('text-anchor', 'middle').text(text);
+  label(xLabel)
+    .attr('x', (left + right) / 2)
+    .attr('y', bottom + 34);
   if (!y) return;
-  grid.append('g').attr('transform', `translate(${left},0)`).call(axisLeft(y).ticks(ny).tickSize(left - right).tickFormat(blank));
+  grid
+    .append('g')
+    .attr('transform', `translate(${left},0)`)
+    .call(
+      axisLeft(y)
+        .ticks(ny)
+        .tickSize(left - right)
+        .tickFormat(blank),
+    );
   const beside = svg.append('g').attr('class', 'axis').attr('transform', `translate(${left},0)`);
-  beside.call(axisLeft(y).ticks(ny).tickSizeOuter(0).tickFormat((v) => textOfTicks(y, ny)(Number(v))));
+  beside.call(
+    axisLeft(y)
+      .ticks(ny)
+      .tickSizeOuter(0)
+      .tickFormat((v) => textOfTicks(y, ny)(Number(v))),
+  );
   const upright = label(yLabel);
   // A long one may reach below the rectangle, not above it.
   const half = ((upright.node() as SVGTextElement).getComputedTextLength() || yLabel.length * letter) / 2;
@@ -102,7 +129,13 @@ export interface LegendEntry {
 }
 
 /// A row of entries, broken at the right; gives the last line's y.
-export function legend(svg: Group, entries: readonly LegendEntry[], x: number, y: number, rightmost = Infinity): number {
+export function legend(
+  svg: Group,
+  entries: readonly LegendEntry[],
+  x: number,
+  y: number,
+  rightmost = Infinity,
+): number {
   let [at, line] = [x, y];
   for (const { text, draw, switches } of entries) {
     const group: Group = svg.append('g');
@@ -113,23 +146,39 @@ export function legend(svg: Group, entries: readonly LegendEntry[], x: number, y
     group.attr('transform', `translate(${at},${line})`);
     at += length;
     if (switches) {
-      group.attr('class', 'switch').node().addEventListener('click', () => {
-        const isHidden = switches.attr('display') === 'none';
-        switches.attr('display', isHidden ? null : 'none');
-        group.attr('opacity', isHidden ? null : 0.4);
-      });
+      group
+        .attr('class', 'switch')
+        .node()
+        .addEventListener('click', () => {
+          const isHidden = switches.attr('display') === 'none';
+          switches.attr('display', isHidden ? null : 'none');
+          group.attr('opacity', isHidden ? null : 0.4);
+        });
     }
   }
   return line;
 }
 
 export const sign = {
-  line: (className: string, run = '', dash = '') => (g: Group) =>
-    g.append('line').attr('class', className).attr('x2', 22).style('--run', run).style('stroke-dasharray', dash),
-  box: (className: string, run = '') => (g: Group) =>
-    g.append('rect').attr('class', className).attr('x', 2).attr('y', -6).attr('width', 18).attr('height', 12).style('--run', run),
-  circle: (className: string, run = '') => (g: Group) =>
-    g.append('circle').attr('class', className).attr('cx', 11).attr('r', 3.6).style('--run', run),
+  line:
+    (className: string, run = '', dash = '') =>
+    (g: Group) =>
+      g.append('line').attr('class', className).attr('x2', 22).style('--run', run).style('stroke-dasharray', dash),
+  box:
+    (className: string, run = '') =>
+    (g: Group) =>
+      g
+        .append('rect')
+        .attr('class', className)
+        .attr('x', 2)
+        .attr('y', -6)
+        .attr('width', 18)
+        .attr('height', 12)
+        .style('--run', run),
+  circle:
+    (className: string, run = '') =>
+    (g: Group) =>
+      g.append('circle').attr('class', className).attr('cx', 11).attr('r', 3.6).style('--run', run),
 };
 
 /// The rectangle of a figure with its scales.

@@ -18,7 +18,10 @@ export function profile(element: SVGSVGElement, room: Room, { distance, z, colou
   const svg = openDrawing(element, room);
   const plot = openPlot(svg, room, {
     x: [0, distance.at(-1) ?? 1],
-    y: extentOf(z.filter((value) => value !== null), 0.06), // prettier-ignore
+    y: extentOf(
+      z.filter((value) => value !== null),
+      0.06,
+    ),
     ...(fit && { fit }),
     xLabel: 'Distance along the line [m]',
     yLabel: 'Elevation [m]',

@@ -1,6 +1,6 @@
 // What the report's scripts draw with: bundled, it is one global, `figures`.
-/*! Drawn with D3 (https://d3js.org), copyright 2010-2023 Mike Bostock. Permission to use, copy, modify, and/or distribute
-this software for any purpose with or without fee is hereby granted, provided that the above copyright notice and this
+/*! Drawn with D3 (https://d3js.org), copyright 2010-2023 Mike Bostock. Permission to use, copy, modify, and/or
+distribute this software for any purpose with or without fee is hereby granted, provided that the above copyright notice and this
 permission notice appear in all copies. THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
 REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE
 LIABLE FOR ANY SPECIAL, DIRECT, INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM LOSS OF USE,

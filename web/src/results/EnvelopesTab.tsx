@@ -13,13 +13,16 @@ import { fileName } from './save';
 import { Waiting } from './Waiting';
 
 export function EnvelopesTab({ run }: { run: Run }) {
-  const answer = useRemote(run.id, `${run.state} ${run.done}`, (signal) => results.fileText(run.id, 'envelopes.csv', signal));
+  const answer = useRemote(run.id, `${run.state} ${run.done}`, (signal) =>
+    results.fileText(run.id, 'envelopes.csv', signal),
+  );
   const [chosen, choose] = useState('energy_total');
   const cells = useMemo(() => envelopesOf(answer.value ?? '', run.name, shownColour), [answer.value, run.name]);
   const quantities = useMemo(() => quantitiesOf(cells), [cells]);
   const quantity = quantities.find(({ key }) => key === chosen) ?? quantities[0];
   const draw = useCallback(
-    (element: SVGSVGElement, room: Room) => quantity && envelope(element, room, { ...quantity, of: [cells], walls: [] }),
+    (element: SVGSVGElement, room: Room) =>
+      quantity && envelope(element, room, { ...quantity, of: [cells], walls: [] }),
     [cells, quantity],
   );
   if (answer.value === null) return <Waiting of={answer} />;
