@@ -1,5 +1,7 @@
 // What the server answers: docs/workbench-api.md.
 
+import type { WordOf } from '../model/names';
+
 export interface About {
   version: string;
   folder: string;
@@ -68,7 +70,7 @@ export type Point3 = [number, number, number];
 
 export interface ModelSeeder {
   name: string;
-  type: 'point' | 'line' | 'polygon' | 'raster';
+  type: WordOf<'seeder', 'type'>;
   /// Of the entry in the project, such as "seeder.0".
   path: string;
   rocks: number;

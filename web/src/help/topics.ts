@@ -2,7 +2,7 @@
 
 import type { Topic } from '../model/schema';
 import { fieldOf, tableOf, tables } from '../model/settings';
-import type { Path } from '../toml/edit';
+import type { Path } from '../model/names';
 
 export const topics: readonly Topic[] = tables.flatMap(({ topic, fields }) =>
   [topic, ...fields.map((field) => field.topic)].filter((one) => one !== undefined),

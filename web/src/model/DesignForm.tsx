@@ -1,4 +1,5 @@
 import { edit, values } from '../state/document';
+import { defaultOf } from './names';
 import { TableForm } from './form/TableForm';
 
 /// The design of barriers, which is made only where the project has its table.
@@ -8,7 +9,7 @@ export function DesignForm() {
       <div class="row">
         <button
           class="button first"
-          onClick={() => edit('make a barrier design', [{ set: ['design', 'standard'], value: 'UNI 11211-4' }])}
+          onClick={() => edit('make a barrier design', [{ set: ['design', 'standard'], value: defaultOf('design', 'standard') }])}
         >
           Make a design with every run
         </button>

@@ -3,11 +3,12 @@ import type { LibraryMaterial } from '../api/types';
 import { rowsOf } from '../state/document';
 import { Dialog } from '../ui/Dialog';
 import { library, loadLibrary } from './library';
+import type { KeyOf } from './names';
 import { freshName } from './place';
 import { add } from './things';
 import { valueText } from './words';
 
-const allColumns: [string, string][] = [
+const allColumns: [KeyOf<'material'>, string][] = [
   ['normal_restitution', 'Rn'],
   ['tangential_restitution', 'Rt'],
   ['friction_angle_deg', 'Friction angle, °'],

@@ -3,7 +3,7 @@
 import { useEffect } from 'preact/hooks';
 import { nameOf, put, tableAt } from './place';
 import { rowsOf } from '../state/document';
-import type { Path } from '../toml/edit';
+import type { Path } from './names';
 import { library, loadLibrary } from './library';
 import { likeness } from './likeness';
 import { fieldOf } from './settings';

@@ -3,7 +3,7 @@
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { rowsOf } from '../state/document';
 import { chosen, helpOpen } from '../state/view';
-import type { Path } from '../toml/edit';
+import type { Path, TableName } from './names';
 import { DocumentDialog } from '../help/Document';
 import { DraftNotice } from './DraftNotice';
 import { TableForm } from './form/TableForm';
@@ -26,7 +26,7 @@ import './model.css';
 export function ModelPanel() {
   useEffect(followChosen, []);
   const path = chosen.value;
-  const isThere = path !== null && (typeof path[1] !== 'number' || rowsOf(String(path[0])).length > path[1]);
+  const isThere = path !== null && (typeof path[1] !== 'number' || rowsOf(path[0] as TableName).length > path[1]);
   // Back in the outline the keyboard stands where it left it.
   const last = useRef<string | null>(null);
   useEffect(() => {
@@ -46,7 +46,7 @@ export function ModelPanel() {
 
 function FormPage({ path }: { path: Path }) {
   const section = sectionOf(path)!;
-  const [key, index] = [String(path[0]), path[1]];
+  const [key, index] = [path[0] as TableName, path[1]];
   const isEntry = typeof index === 'number';
   const title = isEntry ? nameOf(key, index) : section.title;
   const description = tableOf(isEntry ? key : section.tables.at(-1)!)?.description ?? '';

@@ -12,6 +12,7 @@ import { materialColour } from '../view/colours';
 import { LibraryChoice } from './LibraryChoice';
 import { materialNames } from './form/references';
 import { cellText } from './numbers';
+import type { Path } from './names';
 
 function Badge({ path }: { path: string }) {
   const list = realProblemsAt(path);
@@ -31,7 +32,7 @@ function Row({
   detail,
   colour,
 }: {
-  path: (string | number)[];
+  path: Path;
   title: string;
   detail: string;
   colour?: string;

@@ -4,16 +4,17 @@ import type { Problem } from '../api/types';
 import { syntaxError } from '../state/document';
 import { chosen, sidePanel } from '../state/view';
 import { counted } from '../ui/format';
+import { pathOf, type Path } from './names';
 import { sectionOf } from './sections';
 import { realProblems, sentenceOf, toneOf } from './awaited';
 
 /// The path of the form in which a problem's field is.
-export function formOf(path: string): (string | number)[] | null {
+export function formOf(path: string): Path | null {
   if (path === '') return null;
-  const [table = '', index] = path.split('.');
+  const [table = 'analysis', index] = pathOf(path);
   const section = sectionOf([table]);
   if (section?.lists.some(({ key }) => key === table))
-    return index !== undefined && /^\d+$/.test(index) ? [table, Number(index)] : null;
+    return typeof index === 'number' ? [table, index] : null;
   return [section?.name ?? 'analysis'];
 }
 

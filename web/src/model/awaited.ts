@@ -4,7 +4,7 @@ import { computed } from '@preact/signals';
 import type { Problem } from '../api/types';
 import { values } from '../state/document';
 import { problems, problemsAt } from '../state/model';
-import type { Path } from '../toml/edit';
+import { pathOf, type Path } from './names';
 import { columnsAt } from './columns';
 import { pathText } from './place';
 import { sentence } from './problemText';
@@ -35,15 +35,15 @@ export const realProblemsAt = (path: string) =>
 
 /// The setting in which a problem is: of a table, or of an entry of a list.
 function settingOf(path: string): Path {
-  const parts = path.split('.');
-  return parts.slice(0, /^\d+$/.test(parts[1] ?? '') ? 3 : 2);
+  const parts = pathOf(path);
+  return parts.slice(0, typeof parts[1] === 'number' ? 3 : 2);
 }
 
 /// A sentence without the place, which its field shows.
 export function sentenceOf(problem: Problem): string {
   const setting = settingOf(problem.path);
   const kind = fieldOf(String(setting[0]), String(setting.at(-1)))?.type.kind;
-  const rows = kind === 'lists of rows' ? problem.path.split('.').slice(0, 3) : setting;
+  const rows = kind === 'lists of rows' ? pathOf(problem.path).slice(0, 3) : setting;
   const waiting = waitingAt(pathText(rows));
   return sentence(problem, { kind, columns: columnsAt(setting), rowAt: (row) => placeInTable(waiting, row) });
 }

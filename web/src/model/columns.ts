@@ -1,6 +1,6 @@
 // What the numbers of a setting's rows are called.
 
-import type { Path } from '../toml/edit';
+import type { Path } from './names';
 import { is2d } from './place';
 
 /// Of the rows of a setting, or of its one row.

@@ -1,7 +1,7 @@
 // What else changes when a value does, in the same step: keys that mean nothing beside a new kind, numbers of what
 // moves, what is said of each segment or row.
 
-import type { Edit, Path } from '../toml/edit';
+import type { Edit, Path, TableName } from './names';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { holds } from './applies';
 import { rowsBefore, segmentsBefore } from './rowMatch';
@@ -80,7 +80,7 @@ export function consequences(values: TomlTable, path: Path, next: TomlValue | un
   const after = next === undefined ? without(row, String(key)) : { ...row, [String(key)]: next };
   return declared.fields.flatMap((field) =>
     row[field.key] !== undefined && isOfOtherWord(field, declared.key, String(key), after)
-      ? [{ remove: [declared.key, index!, field.key] }]
+      ? [{ remove: [table as TableName, index!, field.key] }]
       : [],
   );
 }

@@ -5,6 +5,7 @@ import { api, Refused } from '../api/client';
 import type { FileKind, FolderFile } from '../api/types';
 import { sayFailure } from '../state/messages';
 import { lookAgain } from '../state/model';
+import type { Name } from './names';
 import { askToReplace } from './replacing';
 
 export const files = signal<FolderFile[]>([]);
@@ -27,7 +28,7 @@ export async function loadFiles() {
 }
 
 /// The kinds of file that a setting can name.
-const kinds: Record<string, FileKind[]> = {
+const kinds: Partial<Record<Name, FileKind[]>> = {
   mesh: ['mesh'],
   raster: ['raster'],
   mask: ['raster'],
@@ -37,7 +38,7 @@ const kinds: Record<string, FileKind[]> = {
   polygons: ['vector'],
 };
 
-export function fittingFiles(key: string, list: readonly FolderFile[]): FolderFile[] {
+export function fittingFiles(key: Name, list: readonly FolderFile[]): FolderFile[] {
   const wanted = kinds[key];
   return list.filter(({ kind }) => (wanted ? wanted.includes(kind) : kind !== 'project'));
 }
@@ -92,7 +93,7 @@ export async function keepBeside(project: string, list: readonly File[]): Promis
 }
 
 /// Of files that were chosen together the one that a setting names: not what goes along, such as the .dbf of a Shapefile.
-export function fittingName(key: string, names: readonly string[], list: readonly FolderFile[]): string | undefined {
+export function fittingName(key: Name, names: readonly string[], list: readonly FolderFile[]): string | undefined {
   const fitting = new Set(fittingFiles(key, list).map(({ name }) => name.split('/').at(-1)));
   return names.find((name) => fitting.has(name)) ?? names[0];
 }

@@ -3,7 +3,7 @@
 import type { Point3 } from '../api/types';
 import { edit, valueAt, values } from '../state/document';
 import { model } from '../state/model';
-import type { Path } from '../toml/edit';
+import type { Path, TableName } from './names';
 import type { TomlValue } from '../toml/format';
 import { shading } from '../view/settings';
 import { consequences } from './consequences';
@@ -34,7 +34,7 @@ interface Drawable {
 export function drawable(path: Path): Drawable | null {
   const [table, key] = [path[0], path.at(-1)];
   const thing = thingOf(path);
-  const drawIt = (drawing: Omit<Drawing, 'isPossible'>) => draw({ ...drawing, isPossible: asNow(String(table)) });
+  const drawIt = (drawing: Omit<Drawing, 'isPossible'>) => draw({ ...drawing, isPossible: asNow(table as TableName) });
   const set = (what: string, value: TomlValue) =>
     edit(`${what} ${thing}`, [{ set: path, value }, ...consequences(values.value, path, value)]);
   if (table === 'terrain' && key === 'section' && is2d.value) {

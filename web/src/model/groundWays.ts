@@ -1,12 +1,12 @@
 // The ways to say which ground is made of which material.
 
-import type { Edit } from '../toml/edit';
-import type { TomlTable, TomlValue } from '../toml/format';
+import type { Edit, KeyOf, Row } from './names';
+import type { TomlValue } from '../toml/format';
 
 export interface GroundWay {
   name: string;
   title: string;
-  keys: string[];
+  keys: KeyOf<'ground'>[];
 }
 
 export const groundWays: GroundWay[] = [
@@ -17,7 +17,7 @@ export const groundWays: GroundWay[] = [
   { name: 'raster', title: 'By a raster of classes', keys: ['raster', 'classes'] },
 ];
 
-export const wayOf = (ground: TomlTable): GroundWay =>
+export const wayOf = (ground: Row<'ground'>): GroundWay =>
   groundWays.find(({ keys }) => keys[0] !== undefined && ground[keys[0]] !== undefined) ?? groundWays[0]!;
 
 /// Those that a kind of terrain allows, by the key of `[terrain]` that makes it.
@@ -31,14 +31,14 @@ export function waysFor(terrainKind: string): GroundWay[] {
 }
 
 /// The edits that change to a way: what belongs to the others goes; where several materials need a default, it is given.
-export function changeWay(way: GroundWay, ground: TomlTable, materials: readonly string[]): Edit[] {
+export function changeWay(way: GroundWay, ground: Row<'ground'>, materials: readonly string[]): Edit[] {
   const removes = groundWays
     .flatMap(({ name, keys }) => (name === way.name ? [] : keys))
     .filter((key) => ground[key] !== undefined);
   const needsDefault = ground.default === undefined && materials.length > 1 && materials[0] !== undefined;
   return [
-    ...removes.map((key) => ({ remove: ['ground', key] })),
-    ...(needsDefault ? [{ set: ['ground', 'default'], value: materials[0]! }] : []),
+    ...removes.map((key) => ({ remove: ['ground', key] as const })),
+    ...(needsDefault ? [{ set: ['ground', 'default'] as const, value: materials[0]! }] : []),
   ];
 }
 

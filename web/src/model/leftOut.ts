@@ -1,11 +1,10 @@
 // Where something is typed that is not complete, in words.
 
+import { pathOf } from './names';
 import { thingOf } from './place';
 import { fieldOf } from './settings';
 import { hasTyped, unfinished } from './unfinished';
 import { isBlank, rowsText, type Waiting } from './waitingRows';
-
-const pathOf = (path: string) => path.split('.').map((part) => (/^\d+$/.test(part) ? Number(part) : part));
 
 /// "Section of terrain, row 20".
 export function placeOf(path: string, rows: readonly Waiting[]): string {

@@ -4,7 +4,7 @@ import { signal } from '@preact/signals';
 import { api } from '../api/client';
 import type { LibraryMaterial } from '../api/types';
 import { attempt } from '../state/messages';
-import type { Path } from '../toml/edit';
+import type { Path } from './names';
 import type { TomlValue } from '../toml/format';
 import { tableAt } from './place';
 import { valueText } from './words';

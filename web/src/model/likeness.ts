@@ -2,6 +2,7 @@
 
 import type { LibraryMaterial } from '../api/types';
 import type { TomlTable, TomlValue } from '../toml/format';
+import { constantKind, type KeyOf, type Row } from './names';
 import { isTable } from './tables';
 
 export interface Likeness {
@@ -17,21 +18,21 @@ export interface Likeness {
 function meanOnly(value: unknown): unknown {
   if (!isTable(value as TomlValue)) return value;
   const { mean, distribution, ...more } = value as TomlTable;
-  return (distribution ?? 'none') === 'none' && Object.keys(more).length === 0 ? mean : value;
+  return (distribution ?? constantKind) === constantKind && Object.keys(more).length === 0 ? mean : value;
 }
 
 /// "Coarse talus 2" is a name of "Coarse talus", too.
 const isNameOf = (name: unknown, of: string) => typeof name === 'string' && name.toLowerCase().replace(/ \d+$/, '') === of.toLowerCase();
 
 /// Null: it has nothing of the library.
-export function likeness(material: TomlTable, list: readonly LibraryMaterial[]): Likeness | null {
+export function likeness(material: Row<'material'>, list: readonly LibraryMaterial[]): Likeness | null {
   const named = list.find(({ name }) => isNameOf(material.name, name));
   const of = named ?? list.find(({ key }) => key === material.like);
   if (!of) return null;
   const source = list.find(({ key }) => key === material.like)?.values ?? {};
   const settings = new Set([...Object.keys(of.values), ...Object.keys(source)]);
-  for (const key of Object.keys(material)) if (key !== 'name' && key !== 'like') settings.add(key);
+  for (const key of Object.keys(material) as KeyOf<'material'>[]) if (key !== 'name' && key !== 'like') settings.add(key);
   const isSame = (key: string) =>
-    JSON.stringify(meanOnly(material[key] ?? source[key])) === JSON.stringify(meanOnly(of.values[key]));
+    JSON.stringify(meanOnly(material[key as KeyOf<'material'>] ?? source[key])) === JSON.stringify(meanOnly(of.values[key]));
   return { of, changed: [...settings].filter((key) => !isSame(key)), hasItsName: named !== undefined };
 }

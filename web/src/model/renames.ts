@@ -1,13 +1,13 @@
 // Who is called by a name when entries are renamed. One that takes the name of another is still called by its former
 // name until its own is unique: whoever calls the other by it goes on to mean the other.
 
-import type { Edit, Path } from '../toml/edit';
+import { chosenName, type Edit, type Path, type TableName } from './names';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { isTable, valueIn } from './tables';
 
 /// An entry that is called by its former name.
 export interface FormerName {
-  key: string;
+  key: TableName;
   index: number;
   name: string;
   former: string;
@@ -18,7 +18,7 @@ interface Entry extends FormerName {
 }
 
 /// Lists whose entries may not share names, and where entries are called by them.
-const families: { keys: string[]; places: Path[] }[] = [
+const families: { keys: TableName[]; places: Path[] }[] = [
   {
     keys: ['material'],
     places: [
@@ -39,14 +39,14 @@ const families: { keys: string[]; places: Path[] }[] = [
 
 function placesIn(values: TomlTable, { keys, places }: (typeof families)[number]): Path[] {
   const areas = keys.includes('material') && Array.isArray(values.area) ? values.area : [];
-  return [...places, ...areas.map((_, k) => ['area', k, 'material'])];
+  return [...places, ...areas.map((_, k) => ['area', k, 'material'] as const)];
 }
 
 /// What is below a path, and the names that stand there.
 function namesAt(value: TomlValue | undefined, path: Path): { path: Path; name: string }[] {
   if (typeof value === 'string') return [{ path, name: value }];
   if (Array.isArray(value)) return value.flatMap((part, k) => namesAt(part, [...path, k]));
-  return isTable(value) ? Object.entries(value).flatMap(([key, part]) => namesAt(part, [...path, key])) : [];
+  return isTable(value) ? Object.entries(value).flatMap(([key, part]) => namesAt(part, [...path, chosenName(key)])) : [];
 }
 
 const nameOr = (name: TomlValue | undefined, key: string, index: number) =>
@@ -56,7 +56,7 @@ const othersThan = (own: Entry, entries: readonly Entry[]) => entries.filter((en
 
 /// What is known of former names may be of another text than this one, which was undone or typed over: it counts where
 /// the name is shared and the former one is nobody's.
-function entriesOf(values: TomlTable, keys: readonly string[], known: readonly FormerName[]): Entry[] {
+function entriesOf(values: TomlTable, keys: readonly TableName[], known: readonly FormerName[]): Entry[] {
   const entries = keys.flatMap((key) => {
     const rows = values[key];
     return (Array.isArray(rows) ? rows : []).map((row, index) => {
@@ -96,7 +96,7 @@ export function renaming(
   next: TomlValue | undefined,
   known: readonly FormerName[],
 ): { edits: Edit[]; known: FormerName[] } {
-  const family = families.find(({ keys }) => keys.includes(String(table)));
+  const family = families.find(({ keys }) => keys.some((key) => key === table));
   if (!family || typeof index !== 'number') return { edits: [], known: [...known] };
   const entries = entriesOf(values, family.keys, known).map((entry) =>
     entry.key === table && entry.index === index ? { ...entry, next: nameOr(next, entry.key, index) } : entry,

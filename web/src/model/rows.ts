@@ -1,7 +1,7 @@
 // Rows of numbers between the project and an edit table.
 
 import { isSame } from '../toml/differences';
-import type { Edit, Path } from '../toml/edit';
+import type { Edit, Path } from './names';
 import type { TomlValue } from '../toml/format';
 import { cellText, typedValue } from './numbers';
 

@@ -1,6 +1,7 @@
 // What a form needs to know of each setting, read from the schema of the project file.
 
 import type { Condition } from './applies';
+import type { Name, TableName } from './names';
 import { titleOf, unitText } from './titles';
 
 export interface Range {
@@ -32,7 +33,7 @@ export type Kind =
   | { kind: 'names'; whole: boolean };
 
 export interface Field {
-  key: string;
+  key: Name;
   title: string;
   unit: string;
   type: Kind;
@@ -45,7 +46,7 @@ export interface Field {
   withoutIt: string;
   /// `inf` is a value.
   infinite: boolean;
-  excludes: string[];
+  excludes: Name[];
   /// It has an effect where of each of these lists a condition holds.
   needs: Condition[][];
   /// The only rock model on which it has an effect; '': it has on all.
@@ -61,12 +62,12 @@ export interface Topic {
 }
 
 export interface Table {
-  key: string;
+  key: TableName | '';
   repeated: boolean;
   description: string;
   fields: Field[];
   /// Ways to say one thing, each by the keys of a list; of different ways no keys may stand together.
-  choices: string[][][];
+  choices: Name[][][];
   groups: { title: string; folded: boolean }[];
   topic?: Topic;
 }
@@ -93,12 +94,12 @@ interface Node {
   'x-source'?: string;
   'x-file'?: boolean;
   'x-infinite'?: boolean;
-  'x-excludes'?: string[];
+  'x-excludes'?: Name[];
   'x-applies-when'?: Condition[][];
   'x-title'?: string;
   'x-group'?: string;
   'x-topic'?: Topic;
-  'x-choices'?: string[][][];
+  'x-choices'?: Name[][][];
   'x-groups'?: { title: string; folded: boolean }[];
 }
 
@@ -180,7 +181,7 @@ const onlyModel = (needs: readonly Condition[][]) =>
 
 function fieldsOf(table: Node): Field[] {
   return Object.entries(table.properties ?? {}).map(([key, node]) => ({
-    key,
+    key: key as Name, // the schema's own
     title: node['x-title'] ?? titleOf(key, node['x-unit']),
     unit: unitText(node['x-unit'] ?? ''),
     type: kindOf(node),
@@ -218,7 +219,7 @@ export function tablesOf(schema: unknown): Table[] {
       .map(([key, node]) => {
         const table = node.items ?? node;
         return {
-          key,
+          key: key as TableName,
           repeated: node.items !== undefined,
           description: table.description ?? '',
           fields: fieldsOf(table),

@@ -1,11 +1,13 @@
 // The sections of the model, as its outline shows them.
 
+import type { Path, TableName } from './names';
+
 export interface Section {
-  name: string;
+  name: TableName;
   title: string;
   /// The tables whose forms stand in it; of a list, each entry is an item of the section.
-  tables: string[];
-  lists: { key: string; one: string; only3d?: boolean }[];
+  tables: (TableName | '')[];
+  lists: { key: TableName; one: string; only3d?: boolean }[];
 }
 
 export const sections: Section[] = [
@@ -29,9 +31,9 @@ export const sections: Section[] = [
 ];
 
 /// The section in which the form of a path stands.
-export function sectionOf(path: readonly (string | number)[]): Section | undefined {
-  const key = String(path[0] ?? '');
+export function sectionOf(path: Path): Section | undefined {
+  const key = path[0] ?? '';
   return (
-    sections.find(({ tables, lists }) => tables.includes(key) || lists.some((list) => list.key === key)) ?? sections[0]
+    sections.find(({ tables, lists }) => tables.some((table) => table === key) || lists.some((list) => list.key === key)) ?? sections[0]
   );
 }

@@ -2,27 +2,25 @@
 // with something in the place of what is missing.
 
 import type { Model, Problem } from '../api/types';
-import { edited, valuesOf, type Edit, type Path } from '../toml/edit';
-import type { TomlTable, TomlValue } from '../toml/format';
+import { pathOf, type Edit, type Row, type TableName } from './names';
+import { edited, valuesOf } from '../toml/edit';
+import type { TomlValue } from '../toml/format';
 import { isTable } from './tables';
 
 const name = 'stands in for a seeder';
-
-/// "material.0.name" as a path.
-const pathOf = (text: string): Path => text.split('.').map((part) => (/^\d+$/.test(part) ? Number(part) : part));
 
 /// What is taken out because of a problem: an entry of a list as a whole, a key of another table.
 function removalFor(problem: Problem): Edit | null {
   const path = pathOf(problem.path);
   const [table, index] = path;
-  if (problem.severity !== 'error' || table === undefined || table === '') return null;
+  if (problem.severity !== 'error' || problem.path === '' || table === undefined) return null;
   if (table === 'material') return path.length > 2 ? { remove: path.slice(0, 3) } : null;
   if (typeof index === 'number') return { remove: [table, index] };
   return { remove: path.length > 1 ? path.slice(0, 2) : path };
 }
 
 /// On the terrain: at the first vertex of a section; elsewhere in the middle of what the engine says of its extent.
-function placeOn(terrain: TomlTable, problems: readonly Problem[]): TomlValue[] {
+function placeOn(terrain: Row<'terrain'>, problems: readonly Problem[]): TomlValue[] {
   const { section } = terrain;
   if (Array.isArray(section) && terrain.width_m === undefined && Array.isArray(section[0])) return section[0];
   const extents = problems.map(({ why }) =>
@@ -60,8 +58,8 @@ export function withStandIns(text: string, problems: readonly Problem[]): string
     );
     let next = edited(text, inOrder);
     const left = valuesOf(next);
-    const isNone = (key: string) => !Array.isArray(left[key]) || left[key].length === 0;
-    const seeder = { name, position: placeOn(terrain, errors), rocks: 1, mass_kg: 1000 };
+    const isNone = (key: TableName) => !Array.isArray(left[key]) || left[key].length === 0;
+    const seeder: Row<'seeder'> = { name, position: placeOn(terrain, errors), rocks: 1, mass_kg: 1000 };
     if (isNone('material')) next = edited(next, [{ append: ['material'], value: { name: 'Ground' } }]);
     if (isNone('seeder')) next = edited(next, [{ append: ['seeder'], value: seeder }]);
     return next === text ? null : next;

@@ -2,10 +2,11 @@
 
 import { rowsOf, valueAt, values } from '../state/document';
 import { model } from '../state/model';
-import type { TomlTable, TomlValue } from '../toml/format';
+import type { TomlValue } from '../toml/format';
 import { counted } from '../ui/format';
 import { library } from './library';
 import { likeness } from './likeness';
+import { defaultOf, type Row, type TableName } from './names';
 import { isTable, tableAt } from './place';
 import { valueText, wordText } from './words';
 
@@ -15,34 +16,36 @@ function terrain(): string {
   const { section, width_m, ...given } = tableAt(['terrain']);
   if (Array.isArray(section))
     return `section, ${counted(section.length, 'vertex', 'vertices')}${width_m === undefined ? '' : `, ${number(width_m)} m wide`}`;
-  for (const key of ['raster', 'mesh', 'points', 'lines', 'polygons'])
-    if (typeof given[key] === 'string') return given[key];
+  for (const key of ['raster', 'mesh', 'points', 'lines', 'polygons'] as const) {
+    const file = given[key];
+    if (typeof file === 'string') return file;
+  }
   if (Array.isArray(given.polylines)) return counted(given.polylines.length, 'polyline');
   if (Array.isArray(given.triangles)) return counted(given.triangles.length, 'triangle');
   return 'none yet';
 }
 
-function seeder(row: TomlTable): string {
-  const type = wordText(String(row.type ?? 'point'));
+function seeder(row: Row<'seeder'>): string {
+  const type = wordText(String(row.type ?? defaultOf('seeder', 'type')));
   const built = model.value?.seeders.find(({ name }) => name === row.name);
   const rocks =
     row.rocks_per_cell !== undefined
       ? `${number(row.rocks_per_cell)} ${row.rocks_per_cell === 1 ? 'rock' : 'rocks'} a cell`
-      : counted(built?.rocks ?? Number(row.rocks ?? 1), 'rock');
+      : counted(built?.rocks ?? Number(row.rocks ?? defaultOf('seeder', 'rocks')), 'rock');
   return `${type}, ${rocks}`;
 }
 
-function material(row: TomlTable): string {
+function material(row: Row<'material'>): string {
   const found = likeness(row, library.value);
   const entry = library.value.find(({ key }) => key === row.like);
   if (row.like !== undefined && (!found || found.changed.length === 0)) return wordText(String(row.like));
-  const valueOf = (key: string, absent: string) =>
-    number((row[key] ?? entry?.values[key]) as TomlValue | undefined) || absent;
-  const values = `Rn ${valueOf('normal_restitution', '0.35')}, Rt ${valueOf('tangential_restitution', '0.85')}`;
+  const valueOf = (key: 'normal_restitution' | 'tangential_restitution') =>
+    number(row[key] ?? (entry?.values[key] as TomlValue | undefined) ?? { ...defaultOf('material', key) });
+  const values = `Rn ${valueOf('normal_restitution')}, Rt ${valueOf('tangential_restitution')}`;
   return found && found.changed.length > 0 ? `${values}, changed` : values;
 }
 
-function barrier(key: string, row: TomlTable): string {
+function barrier(key: string, row: Row<'barrier'>): string {
   const capacity = row.capacity_kJ;
   return [
     key,
@@ -53,11 +56,11 @@ function barrier(key: string, row: TomlTable): string {
     .join(', ');
 }
 
-export function summaryOf(key: string, index?: number): string {
+export function summaryOf(key: TableName, index?: number): string {
   const row = index === undefined ? {} : (rowsOf(key)[index] ?? {});
   switch (key) {
     case 'analysis':
-      return wordText(String(valueAt(['analysis', 'model']) ?? 'lumped_mass'));
+      return wordText(String(valueAt(['analysis', 'model']) ?? defaultOf('analysis', 'model')));
     case 'terrain':
       return terrain();
     case 'ground':
@@ -72,9 +75,9 @@ export function summaryOf(key: string, index?: number): string {
     case 'collector':
       return barrier(key, row);
     case 'sampling':
-      return `seed ${valueText(valueAt(['sampling', 'seed']) ?? 1)}`;
+      return `seed ${valueText(valueAt(['sampling', 'seed']) ?? defaultOf('sampling', 'seed'))}`;
     case 'output':
-      return `paths of ${valueText(valueAt(['output', 'paths']) ?? 'all')}`;
+      return `paths of ${valueText(valueAt(['output', 'paths']) ?? defaultOf('output', 'paths'))}`;
     case 'design':
       return isTable(values.value.design) ? 'on' : 'off';
     default:

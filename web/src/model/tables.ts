@@ -1,6 +1,6 @@
 // Looking into values.
 
-import type { Path } from '../toml/edit';
+import type { Path } from './names';
 import type { TomlTable, TomlValue } from '../toml/format';
 
 export const isTable = (value: unknown): value is TomlTable =>

@@ -6,8 +6,9 @@ import { chosen, sidePanel } from '../state/view';
 import { keepBeside } from './files';
 import { tableAt } from './place';
 import { changeTo, kindOf, terrainKinds } from './terrainKinds';
+import type { KeyOf } from './names';
 
-const endings: [RegExp, string, string][] = [
+const endings: [RegExp, string, KeyOf<'terrain'>][] = [
   [/\.(tiff?|asc|vrt|img|dem)$/i, 'raster', 'raster'],
   [/\.(obj|stl|ply)$/i, 'mesh', 'mesh'],
   [/\.(csv|xyz|txt|pts|dat|las)$/i, 'survey', 'points'],
@@ -18,7 +19,7 @@ const endings: [RegExp, string, string][] = [
 const mayBeElse = /\.(shp|gpkg|geojson)$/i;
 
 /// The kind and the key of the terrain that a file would be, by its name; null: none.
-export function terrainOfFile(name: string): { kind: string; key: string } | null {
+export function terrainOfFile(name: string): { kind: string; key: KeyOf<'terrain'> } | null {
   const found = endings.find(([ending]) => ending.test(name));
   return found ? { kind: found[1], key: found[2] } : null;
 }
@@ -33,10 +34,10 @@ export function terrainAmong(names: readonly string[]) {
 }
 
 /// The terrain is this file from now on, called as the project calls it.
-export function useTerrainFile(name: string, kindName: string, key: string) {
+export function useTerrainFile(name: string, kindName: string, key: KeyOf<'terrain'>) {
   const kind = terrainKinds.find((one) => one.name === kindName)!;
   const edits = changeTo(kind, tableAt(['terrain']), undefined);
-  edit(`take ${name} as the terrain`, [...edits, { set: ['terrain', key], value: name }]);
+  edit(`take ${name} as the terrain`, [...edits, { set: ['terrain', key] as const, value: name }]);
 }
 
 /// Keeps dropped files beside the project; one that can be a terrain becomes it.

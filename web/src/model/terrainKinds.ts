@@ -1,6 +1,6 @@
 // The ways to give a terrain, and the edits that change from one to another.
 
-import type { Edit } from '../toml/edit';
+import type { Edit, KeyOf, Row } from './names';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { applies } from './applies';
 import { fieldOf } from './settings';
@@ -10,7 +10,7 @@ export interface TerrainKind {
   title: string;
   what: string;
   /// The keys of `[terrain]` that make it.
-  keys: string[];
+  keys: KeyOf<'terrain'>[];
   /// What begins it, where that is not a file.
   first?: TomlValue;
 }
@@ -52,28 +52,30 @@ export const terrainKinds: TerrainKind[] = [
   { name: 'triangles', title: 'Vertices and triangles', what: 'A mesh as two tables', keys: ['vertices', 'triangles'] },
 ];
 
-export const kindOf = (terrain: TomlTable): TerrainKind | undefined =>
+export const kindOf = (terrain: Row<'terrain'>): TerrainKind | undefined =>
   terrainKinds.find(({ keys }) => keys.some((key) => terrain[key] !== undefined));
 
 /// The edits that make a terrain of another kind; with a value, by its first key.
 export function changeTo(
   kind: TerrainKind,
-  terrain: TomlTable,
+  terrain: Row<'terrain'>,
   value: TomlValue | undefined = kind.first,
   key = kind.keys[0]!,
 ): Edit[] {
   const others = new Set(terrainKinds.flatMap(({ keys }) => keys).filter((other) => !kind.keys.includes(other)));
+  const given = Object.entries(terrain) as [KeyOf<'terrain'>, TomlValue][];
   const next: TomlTable = Object.fromEntries([
-    ...Object.entries(terrain).filter(([other]) => !others.has(other)),
+    ...given.filter(([other]) => !others.has(other)),
     ...(kind.keys.some((own) => terrain[own] !== undefined) ? [] : [[key, value ?? '']]),
   ]);
   const means = (other: string, row: TomlTable) =>
     applies(fieldOf('terrain', other)?.needs ?? [], 'terrain', row, { terrain: row });
-  const removes = Object.keys(terrain).filter(
-    (other) => others.has(other) || (means(other, terrain) && !means(other, next)),
-  );
+  const before: TomlTable = Object.fromEntries(given);
+  const removes = given
+    .map(([other]) => other)
+    .filter((other) => others.has(other) || (means(other, before) && !means(other, next)));
   return [
-    ...removes.map((other) => ({ remove: ['terrain', other] })),
-    ...(value !== undefined && terrain[key] === undefined ? [{ set: ['terrain', key], value }] : []),
+    ...removes.map((other) => ({ remove: ['terrain', other] as const })),
+    ...(value !== undefined && terrain[key] === undefined ? [{ set: ['terrain', key] as const, value }] : []),
   ];
 }

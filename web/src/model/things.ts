@@ -2,25 +2,27 @@
 
 import { edit, rowsOf, values } from '../state/document';
 import { chosen } from '../state/view';
-import type { Edit } from '../toml/edit';
+import { defaultOf, type Edit, type KeyOf, type Row, type TableName } from './names';
 import type { TomlTable } from '../toml/format';
 import { removal } from './consequences';
+import { tableOf } from './settings';
+import { kindOf } from './terrainKinds';
 import { freshName, is2d, nameOf, tableAt } from './place';
 
-const words: Record<string, string> = {
+const words: Partial<Record<TableName, string>> = {
   material: 'Material',
   area: 'Area',
   seeder: 'Seeder',
   barrier: 'Barrier',
   collector: 'Collector',
 };
-const family = (key: string) => (key === 'barrier' || key === 'collector' ? ['barrier', 'collector'] : [key]);
+const family = (key: TableName): TableName[] => (key === 'barrier' || key === 'collector' ? ['barrier', 'collector'] : [key]);
 
 /// What a new entry begins with, besides its name; what only the user can know is left out.
-function first(key: string): TomlTable {
+function first(key: TableName): Row {
   switch (key) {
     case 'seeder':
-      return { type: 'point', rocks: 50 };
+      return { type: defaultOf('seeder', 'type'), rocks: 50 };
     case 'barrier':
     case 'collector':
       return { height_m: 3 };
@@ -30,7 +32,7 @@ function first(key: string): TomlTable {
 }
 
 /// Adds an entry as one step and opens its form.
-export function add(key: string, more: TomlTable = {}, what = `add a ${key}`) {
+export function add(key: TableName, more: Row = {}, what = `add a ${key}`) {
   const value = { name: freshName(family(key), words[key] ?? key), ...first(key), ...more };
   const index = rowsOf(key).length;
   const ground = key === 'material' && index === 1 ? defaultGround() : [];
@@ -40,17 +42,17 @@ export function add(key: string, more: TomlTable = {}, what = `add a ${key}`) {
 /// With a second material the ground needs to know which one it is made of where nothing else is said.
 function defaultGround(): Edit[] {
   const ground = tableAt(['ground']);
-  const isSaid = ['default', 'segments', 'triangles'].some((key) => ground[key] !== undefined);
+  const isSaid = (['default', ...tableOf('ground')!.choices[0]!.flat()] as KeyOf<'ground'>[]).some((key) => ground[key] !== undefined);
   return isSaid ? [] : [{ set: ['ground', 'default'], value: nameOf('material', 0) }];
 }
 
-export function copy(key: string, index: number) {
+export function copy(key: TableName, index: number) {
   const row = rowsOf(key)[index];
   if (!row) return;
   add(key, { ...row, name: freshName(family(key), nameOf(key, index)) }, `copy ${nameOf(key, index)}`);
 }
 
-export function remove(key: string, index: number) {
+export function remove(key: TableName, index: number) {
   const isDone = edit(`delete ${nameOf(key, index)}`, removal(values.value, [key, index]));
   if (isDone && chosen.value?.[0] === key) chosen.value = null;
 }
@@ -62,14 +64,11 @@ export interface Step {
 
 /// What a project still needs before rocks can be thrown, in the order in which it is best done.
 export function nextSteps(project: TomlTable): Step[] {
-  const terrain = project.terrain as TomlTable | undefined;
-  const hasSurface =
-    terrain &&
-    ['mesh', 'triangles', 'raster', 'points', 'lines', 'polylines', 'polygons'].some(
-      (key) => terrain[key] !== undefined,
-    );
+  const terrain = project.terrain as Row<'terrain'> | undefined;
+  const kind = terrain && kindOf(terrain);
+  const hasSurface = kind !== undefined && kind.name !== 'section';
   const section = terrain?.section;
-  const isEmpty = (key: string) => project[key] === undefined || (project[key] as unknown[]).length === 0;
+  const isEmpty = (key: TableName) => project[key] === undefined || (project[key] as unknown[]).length === 0;
   const steps: Step[] = [];
   if (!hasSurface && !(Array.isArray(section) && section.length >= 2))
     steps.push({

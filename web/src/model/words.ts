@@ -1,5 +1,6 @@
 // Ranges, defaults and values of settings, in words.
 
+import { constantKind } from './names';
 import type { Field, Range } from './schema';
 
 /// A word of the file for people: "lumped mass".
@@ -22,7 +23,7 @@ export function valueText(value: unknown): string {
   if (Array.isArray(value)) return value.map(valueText).join(', ');
   if (typeof value === 'object' && value !== null && 'mean' in value) {
     const { mean, distribution } = value as { mean: unknown; distribution?: string };
-    return distribution && distribution !== 'none' ? `${valueText(mean)}, ${distribution}` : valueText(mean);
+    return distribution && distribution !== constantKind ? `${valueText(mean)}, ${distribution}` : valueText(mean);
   }
   return value === Infinity ? 'unlimited' : String(value);
 }

@@ -8,6 +8,7 @@ import { moved, pixelOf, placeOf, zoomed } from './frame';
 import { fit, frame } from './framed';
 import { pointer } from './picture';
 import { groundBelow, nearestSegment, profile } from './profile';
+import { pathOf, type Path } from '../model/names';
 
 const drag = 4; // pixels that make a click a drag
 const near = 12; // pixels within which a thing is meant
@@ -29,7 +30,7 @@ function meant({ x, z }: { x: number; z: number }): Place {
 }
 
 /// The setting whose thing is drawn at a place: a seeder, a barrier, the ground.
-function thingAt({ x, z }: { x: number; z: number }): (string | number)[] | null {
+function thingAt({ x, z }: { x: number; z: number }): Path | null {
   const [now, view] = [model.value, frame.value];
   if (!now || !view) return null;
   const [left, top] = pixelOf(view, x, z);
@@ -37,9 +38,8 @@ function thingAt({ x, z }: { x: number; z: number }): (string | number)[] | null
     const [a, b] = pixelOf(view, px, pz);
     return Math.hypot(a - left, b - top);
   };
-  const parts = (path: string) => path.split('.').map((part) => (/^\d+$/.test(part) ? Number(part) : part));
   const seeder = now.seeders.find(({ points }) => points.some((point) => away(point) < near));
-  if (seeder) return parts(seeder.path);
+  if (seeder) return pathOf(seeder.path);
   const barrier = now.barriers.find(({ foot, top: high }) => {
     const [a, b] = [foot[0], high[0]];
     if (!a || !b) return false;
@@ -50,7 +50,7 @@ function thingAt({ x, z }: { x: number; z: number }): (string | number)[] | null
     ]);
     return middles.some((point) => away(point) < near);
   });
-  return barrier ? parts(barrier.path) : null;
+  return barrier ? pathOf(barrier.path) : null;
 }
 
 /// `onClick`: a click that neither a tool nor a thing took.

@@ -2,7 +2,8 @@
 // from it, and a change is a change of the text.
 
 import { batch, computed, effect, signal } from '@preact/signals';
-import { edited, valuesOf, type Edit, type Path } from '../toml/edit';
+import type { Edit, Path, Row, TableName } from "../model/names";
+import { edited, valuesOf } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { say, settle as settleMessages, settleAll } from './messages';
 
@@ -65,9 +66,9 @@ export function valueAt(path: Path): TomlValue | undefined {
 }
 
 /// The tables of a kind: `rowsOf('material')`.
-export function rowsOf(key: string): TomlTable[] {
+export function rowsOf<T extends TableName>(key: T): Row<T>[] {
   const rows = values.value[key];
-  return Array.isArray(rows) ? (rows as TomlTable[]) : [];
+  return Array.isArray(rows) ? (rows as Row<T>[]) : [];
 }
 
 function remember(step: Step) {

@@ -7,13 +7,14 @@ import { close, open } from './opening';
 import { chosen, resultsTab, sidePanel, verifying, type ResultsTab, type SidePanel } from './view';
 import { allWritten } from './writes';
 import { taken } from '../ui/typing';
+import type { Path, TableName } from '../model/names';
 
 /// Where the user is, as an entry of the browser's history.
 interface Place {
   talus: 1;
   file: string | null;
   verifying: boolean;
-  chosen: (string | number)[] | null;
+  chosen: Path | null;
   sidePanel: SidePanel;
   resultsTab: ResultsTab;
 }
@@ -38,7 +39,7 @@ function isSame(a: Place, b: Place): boolean {
 }
 
 const isThere = (path: Place['chosen']) =>
-  path === null || typeof path[1] !== 'number' || rowsOf(String(path[0])).length > path[1];
+  path === null || typeof path[1] !== 'number' || rowsOf(path[0] as TableName).length > path[1];
 
 async function goTo(place: Place) {
   if (place.file !== file.value) {

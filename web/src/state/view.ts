@@ -1,6 +1,7 @@
 // How the page is looked at: what is chosen, which panels are open, light or dark.
 
 import { signal } from '@preact/signals';
+import type { Path } from '../model/names';
 import { kept } from './kept';
 import { ofProject } from './ofProject';
 
@@ -20,7 +21,7 @@ export const resultsShare = kept('results share', 0.34);
 export const allDigits = kept('all digits', false);
 
 /// A thing of the project by its path, such as ["seeder", 0]: its form is open, and the scene marks it.
-export const chosen = ofProject<(string | number)[] | null>(null);
+export const chosen = ofProject<Path | null>(null);
 /// The rock of the run that is looked at.
 export const chosenRock = ofProject<number | null>(null);
 /// The map of the run that lies on the terrain, by its name.

@@ -5,6 +5,7 @@ import type { Problem } from '../../api/types';
 import type { TomlTable, TomlValue } from '../../toml/format';
 import { problemsOf } from '../awaited';
 import { inheritedText, inheritedAt } from '../library';
+import { constantKind } from '../names';
 import { isTable, pathText, put, thingOf } from '../place';
 import { absentText, valueText } from '../words';
 import { Choice } from './Choice';
@@ -12,7 +13,7 @@ import { Curve } from './Curve';
 import { idOf, sayingsId, type FieldProps } from './fieldProps';
 import { TypedInput } from './TypedInput';
 
-const kindTitles: Record<string, string> = { none: 'constant' };
+const kindTitles: Record<string, string> = { [constantKind]: 'constant' };
 
 export function DistributionControl({ field, path }: FieldProps) {
   if (field.type.kind !== 'distribution') return null;
@@ -20,7 +21,7 @@ export function DistributionControl({ field, path }: FieldProps) {
   const given: TomlTable | null = isTable(value) ? value : null;
   const standard = isTable(field.default) ? field.default : null;
   const mean = given ? given.mean : (value as TomlValue | undefined);
-  const kind = String(given?.distribution ?? 'none');
+  const kind = String(given?.distribution ?? constantKind);
   const kinds = field.type.parts.find(({ key }) => key === 'distribution')?.type;
   const id = idOf(path);
   const parts = field.type.parts.map(({ key }) => key);
@@ -35,9 +36,9 @@ export function DistributionControl({ field, path }: FieldProps) {
 
   const inherited = inheritedAt(path);
   const chooseKind = (next: string | undefined) => {
-    const what = `${next === 'none' ? 'make constant' : `make ${next}`}: ${field.title.toLowerCase()} of ${thingOf(path)}`;
+    const what = `${next === constantKind ? 'make constant' : `make ${next}`}: ${field.title.toLowerCase()} of ${thingOf(path)}`;
     const now = mean ?? (isTable(inherited) ? inherited.mean : inherited) ?? standard?.mean;
-    if (next === undefined || next === 'none') {
+    if (next === undefined || next === constantKind) {
       edit(what, [now === undefined ? { remove: path } : { set: path, value: now }]);
     } else if (given) edit(what, [{ set: [...path, 'distribution'], value: next }]);
     else edit(what, [{ set: path, value: { ...(now !== undefined && { mean: now }), distribution: next } }]);
@@ -64,7 +65,7 @@ export function DistributionControl({ field, path }: FieldProps) {
           />
         )}
       </div>
-      {given && kind !== 'none' && (
+      {given && kind !== constantKind && (
         <>
           <div class="tuple">
             {field.type.parts

@@ -1,5 +1,5 @@
 import { model } from '../../state/model';
-import type { Path } from '../../toml/edit';
+import type { Path } from '../names';
 import { drawable } from '../geometryTools';
 
 /// Starts the drawing of a setting in the view.

@@ -1,6 +1,6 @@
 import { reading } from '../../help/Document';
 import { topicOf } from '../../help/topics';
-import type { Path } from '../../toml/edit';
+import type { Path } from '../names';
 import type { Field } from '../schema';
 import { absentText, rangeText } from '../words';
 import { Words } from './Words';

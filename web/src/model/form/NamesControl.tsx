@@ -6,6 +6,7 @@ import { isTable, thingOf } from '../place';
 import { Choice } from './Choice';
 import type { FieldProps } from './fieldProps';
 import { materialNames } from './references';
+import { chosenName } from '../names';
 
 export function NamesControl({ field, path }: FieldProps) {
   const [fresh, setFresh] = useState('');
@@ -17,7 +18,7 @@ export function NamesControl({ field, path }: FieldProps) {
   const add = () => {
     const key = fresh.trim();
     if (key === '' || given.some(([other]) => other === key)) return;
-    edit(`add a ${head.toLowerCase()} to ${thingOf(path)}`, [{ set: [...path, key], value: words[0] ?? '' }]);
+    edit(`add a ${head.toLowerCase()} to ${thingOf(path)}`, [{ set: [...path, chosenName(key)], value: words[0] ?? '' }]);
     setFresh('');
   };
   return (
@@ -45,7 +46,7 @@ export function NamesControl({ field, path }: FieldProps) {
                     value={name}
                     absent=""
                     take={(next) =>
-                      next !== undefined && edit(`make ${key} ${next}`, [{ set: [...path, key], value: next }])
+                      next !== undefined && edit(`make ${key} ${next}`, [{ set: [...path, chosenName(key)], value: next }])
                     }
                   />
                 </td>
@@ -56,7 +57,7 @@ export function NamesControl({ field, path }: FieldProps) {
                     title="Delete"
                     onClick={() =>
                       edit(`delete ${key} of ${thingOf(path)}`, [
-                        { remove: given.length === 1 ? path : [...path, key] },
+                        { remove: given.length === 1 ? path : [...path, chosenName(key)] },
                       ])
                     }
                   >

@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { edit, valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
-import type { Path } from '../../toml/edit';
+import type { Path } from '../names';
 import type { TomlValue } from '../../toml/format';
 import { isSame } from '../../toml/differences';
 import { counted } from '../../ui/format';

@@ -2,7 +2,7 @@
 
 import { edit, valueAt } from '../../state/document';
 import { model, problemsAt } from '../../state/model';
-import type { Path } from '../../toml/edit';
+import type { Path } from '../names';
 import { counted } from '../../ui/format';
 import { cellText } from '../numbers';
 import { is2d, pathText, tableAt } from '../place';

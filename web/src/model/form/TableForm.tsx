@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { edit, valueAt, values } from '../../state/document';
 import { problemsOf } from '../awaited';
-import type { Path } from '../../toml/edit';
+import type { Name, Path } from '../names';
 import { tableAt, thingOf } from '../place';
 import type { Field as Setting } from '../schema';
 import { choicesOf, groupsIn, isOffered, type Group } from '../groups';
@@ -14,7 +14,7 @@ import { Field } from './Field';
 const isGiven = (path: Path) => valueAt(path) !== undefined || problemsOf(path).length > 0;
 
 /// All of a table's settings, or only some.
-export function TableForm({ table, path, only }: { table: string; path: Path; only?: string[] }) {
+export function TableForm({ table, path, only }: { table: Table['key']; path: Path; only?: readonly Name[] }) {
   const described = tableOf(table);
   if (!described) return null;
   const groups = groupsIn(
@@ -63,7 +63,10 @@ function OneOf({ ways, path }: { ways: Setting[][]; path: Path }) {
   const now = ways.find((way) => nameOfWay(way) === picked) ?? ways.find((way) => way.some(isSaid)) ?? ways[0]!;
   const pick = (next: Setting[]) => {
     setPicked(nameOfWay(next));
-    const gone = new Set([...next.flatMap(({ excludes }) => excludes), ...ways.flatMap((way) => (way === next ? [] : way.map(({ key }) => key)))]);
+    const gone = new Set([
+      ...next.flatMap(({ excludes }) => excludes),
+      ...ways.flatMap((way) => (way === next ? [] : way.map(({ key }) => key))),
+    ]);
     const removes = [...gone]
       .filter((key) => valueAt([...path, key]) !== undefined)
       .map((key) => ({ remove: [...path, key] }));

@@ -1,6 +1,6 @@
 // What a setting's field and the control in it both know.
 
-import type { Path } from '../../toml/edit';
+import type { Path } from '../names';
 import { problemsOf } from '../awaited';
 import type { Field as Setting } from '../schema';
 

@@ -3,7 +3,7 @@
 import { useEffect } from 'preact/hooks';
 import { edit, valueAt, values } from '../../state/document';
 import { problemsAt } from '../../state/model';
-import type { Path } from '../../toml/edit';
+import type { Path } from '../names';
 import type { TomlValue } from '../../toml/format';
 import { columnsAt } from '../columns';
 import { consequences } from '../consequences';

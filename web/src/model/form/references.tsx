@@ -6,12 +6,13 @@ import { absentText } from '../words';
 import { cellText } from '../numbers';
 import { Choice } from './Choice';
 import type { Common, FieldProps } from './fieldProps';
+import type { KeyOf, TableName } from '../names';
 
-const names = (key: string) => rowsOf(key).map((_, index) => nameOf(key, index));
+const names = (key: TableName) => rowsOf(key).map((_, index) => nameOf(key, index));
 export const materialNames = () => names('material');
 
 /// Texts that are the name of something.
-export const materialFields = new Set(['ground.default', 'area.material', 'design.protect']);
+export const materialFields: ReadonlySet<string> = new Set<`${TableName}.${KeyOf}`>(['ground.default', 'area.material', 'design.protect']);
 
 export function NameChoice({ field, path, ...common }: FieldProps & Common) {
   const words = path[0] === 'design' ? names('collector') : materialNames();
