@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/sample_run.hpp"
+#include "support/sample_run.hpp"
 #include "talus/core/problems.hpp"
 
 namespace talus {
