@@ -120,7 +120,7 @@ TEST(RunFacts, RefuseWhatIsNoSummary) {
   EXPECT_EQ(complaint_about(""),
             "summary.json: there is no such file (a run's folder holds it once the run is done)" + hint);
   EXPECT_EQ(complaint_about("[1, 2"),
-            "summary.json:1: the JSON ends too early (after 6 bytes). The file was cut short or damaged; run the "
+            "summary.json:1: the JSON ends too early (after 5 bytes). The file was cut short or damaged; run the "
             "project again to get it whole");
   EXPECT_EQ(complaint_about("[1, 2]"), "summary.json: is of type array (expected an object)" + hint);
   EXPECT_EQ(complaint_about(std::string(100'000, '[')),

@@ -247,6 +247,7 @@ TEST(ReportInBrowser, SaysWhatWasAnalysed) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   auto summary = on_terrain(1000);
   summary["terrain"]["bounds"] = {{2600000, 1200000, 1052.15}, {2602190, 1202580, 2206.972}};
+  summary["energy_datum_m"] = 1000;
   summary["terrain"]["triangles"] = 2 * 438 * 516;
   summary["terrain"]["crs_wkt"] =
       R"(PROJCRS["MGI / Austria Lambert",BASEGEOGCRS["MGI",ID["EPSG",4312]],USAGE[AREA["Austria."]],ID["EPSG",31287]])";
@@ -259,7 +260,8 @@ TEST(ReportInBrowser, SaysWhatWasAnalysed) {
   EXPECT_EQ(said_of(summary, rows_of("Terrain") + "return rows.join('; ');"),
             "Kind|Raster of elevations, 3D; Raster|kot_5m.tif; Coordinate system|MGI / Austria Lambert (EPSG:31287); "
             "Extent in x|2,600,000 to 2,602,190 m (2,190 m); Extent in y|1,200,000 to 1,202,580 m (2,580 m); "
-            "Extent in z|1,052.15 to 2,206.972 m (1,154.8 m); Nodes|439 × 517; Cell size [m]|5; Triangles|452,016");
+            "Extent in z|1,052.15 to 2,206.972 m (1,154.8 m); Nodes|439 × 517; Cell size [m]|5; Triangles|452,016; "
+            "Potential energy is zero at z|1,000 m");
   EXPECT_EQ(said_of(summary, rows_of("Ground") + "return rows.join('; ');"),
             "Default|Type One; Polygons|ground_of_kot.gpkg; Attribute of the material|unit; unit = Fels|Type One; "
             "unit = Wald|Type_Two");
