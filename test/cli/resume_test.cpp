@@ -253,12 +253,12 @@ TEST(Resume, AfterADiskThatWasFullGivesTheSameBytes) {
   EXPECT_EQ(differences(files_of(work / "whole"), files_of(work / "full")), "");
 }
 
-// Files may grow to 200 kB: the report, which is made at the end, does not fit.
+// Files may grow to 100 kB: the report, which is made at the end, does not fit.
 TEST(Resume, AfterTheReportFailedMakesAllThatIsMissing) {
   const Workplace work;
   const std::string run = "run " + tutorial("2d") + " --rocks 5 --set output.vtk=true -o ";
   ASSERT_EQ(talus_says(run + (work / "whole").string()).exit_code, 0);
-  const Said said = talus_says(run + (work / "out").string() + " -q", "ulimit -f 400; ");
+  const Said said = talus_says(run + (work / "out").string() + " -q", "ulimit -f 200; ");
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_TRUE(contains(said.text, (work / "out/report.html").string() + ": cannot write to this file")) << said.text;
   EXPECT_FALSE(fs::exists(work / "out/summary.json")) << "it says that all is there";

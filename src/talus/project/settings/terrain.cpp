@@ -260,7 +260,7 @@ Table terrain_table() {
                .slot = member(&Terrain::rotate_about),
                .unit = "m",
                .range = place,
-               .applies_when = {{.any_of = {is_not("rotate_deg", {"0"})}, .why = "it needs rotate_deg"},
+               .applies_when = {{.any_of = {given("rotate_deg")}, .why = "it needs rotate_deg"},
                                 in_3d(Otherwise::refused, "is given in 2D", "a section cannot be turned",
                                       "Give width_m for 3D")},
                .group = "Turning",
