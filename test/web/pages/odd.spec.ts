@@ -29,7 +29,7 @@ test('the number of a rock is that of the table, and one rock is no rocks', asyn
   await expect(page.getByText('There is no rock 1: they are numbered from 0 to 0.')).toBeVisible();
   await page.getByRole('tab', { name: 'Distributions' }).click();
   await expect(page.getByText('1 rock', { exact: true })).toBeVisible();
-  const curve = page.getByRole('img', { name: /^Share of rocks/ }).locator('path[stroke-width="2"]');
+  const curve = page.getByRole('img', { name: /^Share of rocks/ }).locator('path.step, path.curve');
   await expect(curve).toBeVisible();
   await expect(page.getByText(/\b1 rocks\b/)).toHaveCount(0);
 });
