@@ -8,7 +8,7 @@
 #include "talus/campaign/simulate.hpp"
 #include "talus/import/survey_crs.hpp"
 #include "talus/project/echo.hpp"
-#include "talus/project/settings.hpp"
+#include "talus/project/words.hpp"
 
 namespace talus::server {
 
@@ -67,7 +67,7 @@ class Describer {
       const auto in_file = std::find_if(project_.seeders.begin(), project_.seeders.end(),
                                         [&](const project::Seeder& s) { return s.name == seeder.name; });
       list.push_back({{"name", seeder.name},
-                      {"type", project::words(in_file->type)[static_cast<std::size_t>(in_file->type)]},
+                      {"type", project::word(in_file->type)},
                       {"path", fmt::format("seeder.{}", in_file - project_.seeders.begin())},
                       {"rocks", seeder.rocks},
                       {"first_rock", seeder.first_rock},

@@ -331,7 +331,7 @@ TEST(BuildModel, SettingsOfOneRockModelChangeNothingForTheOtherAndSomethingForTh
       const bool is_bump = setting.key.starts_with("roughness_");
       for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
         const std::string analysis =
-            "[analysis]\nmodel = \"" + std::string(words(model)[static_cast<std::size_t>(model)]) + "\"\n";
+            "[analysis]\nmodel = \"" + std::string(word(model)) + "\"\n";
         const auto project = [&](const std::string& more) {
           if (table.key == "analysis") return analysis + more + ground;
           return analysis + replaced(ground, "[[material]]\n", "[[material]]\n" + more);

@@ -679,7 +679,7 @@ std::map<std::string, std::set<std::string>> keys_by_model() {
   for (const Table& table : tables())
     for (const Setting& setting : table.settings)
       if (const auto model = only_model(setting))
-        keys[std::string(words(*model)[static_cast<std::size_t>(*model)])].emplace(setting.key);
+        keys[std::string(word(*model))].emplace(setting.key);
   return keys;
 }
 

@@ -10,6 +10,7 @@
 #include "talus/meshing/polygon_mesh.hpp"
 #include "talus/model/drawn.hpp"
 #include "talus/project/settings.hpp"
+#include "talus/project/words.hpp"
 
 namespace talus::server {
 
@@ -87,12 +88,11 @@ Distribution distribution_of(const Call& call) {
   Distribution given;
   given.mean = call.number("mean");
   const std::string word = call.text("distribution", "none");
-  const auto known = project::words(given.kind);
-  const auto found = std::find(known.begin(), known.end(), word);
-  if (found == known.end())
+  const auto kind = project::value_of<DistributionKind>(word);
+  if (!kind)
     throw Refusal(400, "distribution", fmt::format("\"{}\" is none", word),
-                  fmt::format("expected one of {}", fmt::join(known, ", ")));
-  given.kind = static_cast<DistributionKind>(found - known.begin());
+                  fmt::format("expected one of {}", fmt::join(project::words<DistributionKind>(), ", ")));
+  given.kind = *kind;
   for (const auto& [key, member] : {std::pair("std_dev", &given.std_dev), std::pair("rel_min", &given.rel_min),
                                     std::pair("rel_max", &given.rel_max)}) {
     const auto value = call.body.find(key);

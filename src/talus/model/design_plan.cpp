@@ -68,7 +68,7 @@ DesignPlan design_plan(const Design& design, const Model& model) {
   plan.percentiles = design.percentiles;
   plan.design_percentile = design.design_percentile;
   if (design.standard != DesignStandard::none) {
-    plan.standard = words(design.standard)[static_cast<std::size_t>(design.standard)];
+    plan.standard = word(design.standard);
   }
   plan.factors = check_factors(design);
   plan.heights = rising(design.heights_m, 1);

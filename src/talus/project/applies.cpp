@@ -19,8 +19,7 @@ struct Subject {
 Subject subject_of(const Table& table, std::string_view key) {
   const std::size_t dot = key.find('.');
   if (dot == std::string_view::npos) return {table, key};
-  const auto found = std::ranges::find(tables(), key.substr(0, dot), &Table::key);
-  return {found == tables().end() ? table : *found, key.substr(dot + 1)};
+  return {project::table(key.substr(0, dot)), key.substr(dot + 1)};
 }
 
 std::string text_of(const toml::node& node) {

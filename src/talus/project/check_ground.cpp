@@ -29,8 +29,8 @@ void GroundRules::about_default() const {
   if (const Node node = good(row, "default")) {
     about_material("[ground]", node, "default", project.ground.default_material);
   }
-  constexpr std::string_view ways[] = {"default", "segments", "triangles", "raster", "polygons"};
-  const bool is_told = row && std::ranges::any_of(ways, [&](std::string_view key) { return row->contains(key); });
+  const auto has = [&](std::string_view key) { return row->contains(key); };
+  const bool is_told = row && (has("default") || std::ranges::any_of(table("ground").keys_of_ways(), has));
   if (is_told || project.materials.size() < 2) return;
   refuse({row, row, "default"}, "default is missing", fmt::format("there are {} materials", project.materials.size()),
          fmt::format("Write default = \"{}\"{}", project.materials.front().name,
@@ -93,10 +93,9 @@ void GroundRules::about_polygons() const {
 }
 
 void GroundRules::about_areas() const {
-  const auto declared = std::ranges::find_if(tables(), [](const Table& table) { return table.key == "area"; });
   for (std::size_t i = 0; i < areas.size() && i < project.areas.size(); ++i) {
     if (!areas[i]) continue;
-    const std::string where = name_of_row(*declared, *areas[i], i);
+    const std::string where = name_of_row(table("area"), *areas[i], i);
     if (const Node material = good(areas[i], "material")) {
       about_material(where, material, "material", project.areas[i].material);
     }

@@ -17,11 +17,7 @@ std::string_view SeederRules::refuse(std::string_view key, std::string what, std
   return key;
 }
 
-bool SeederRules::misses(std::string_view key) const {
-  static const Table& seeders =
-      *std::find_if(tables().begin(), tables().end(), [](const Table& table) { return table.key == "seeder"; });
-  return !has(key) && !is_mistyped(seeders, row, key);
-}
+bool SeederRules::misses(std::string_view key) const { return !has(key) && !is_mistyped(table("seeder"), row, key); }
 
 void SeederRules::check() const {
   if (type_is_good && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) about_cells();
@@ -36,9 +32,8 @@ std::string_view SeederRules::about_place() const {
   const bool has_position = has("position"), has_points = has("points"), has_lines = has("lines");
   const std::string_view polygon = has("polygons") ? "polygons" : has("polygon") ? "polygon" : "";
   if (is_flat && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) {
-    return refuse("type",
-                  fmt::format("type is \"{}\" in 2D", words(seeder.type)[static_cast<std::size_t>(seeder.type)]),
-                  "a section has no area", "Use a point or a line, or give terrain.width_m for 3D");
+    return refuse("type", fmt::format("type is \"{}\" in 2D", word(seeder.type)), "a section has no area",
+                  "Use a point or a line, or give terrain.width_m for 3D");
   }
   switch (seeder.type) {
     case SeederType::point:

@@ -21,10 +21,9 @@ namespace {
 
 /// Then the user is told of the key, and that there is no terrain only follows.
 bool is_mistyped(const toml::table& row) {
-  const auto terrain = std::ranges::find_if(tables(), [](const Table& table) { return table.key == "terrain"; });
-  constexpr std::string_view keys[] = {"section", "mesh",  "triangles", "vertices", "raster",
-                                       "points",  "lines", "polylines", "polygons"};
-  return std::ranges::any_of(keys, [&](std::string_view key) { return project::is_mistyped(*terrain, row, key); });
+  const Table& terrain = table("terrain");
+  return std::ranges::any_of(terrain.keys_of_ways(),
+                             [&](std::string_view key) { return project::is_mistyped(terrain, row, key); });
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::optional<DoubtOfDraws> doubt_of_draws(const std::string& name, const Distri
         fmt::format(
             "only {:.2g} % of the {} distribution lie between {:.4g} and {:.4g}: draws are spread almost evenly "
             "there, about {:.4g}",
-            100 * found.kept, words(given.kind)[static_cast<std::size_t>(given.kind)], found.least, found.most,
+            100 * found.kept, word(given.kind), found.least, found.most,
             found.mean),
         "Give a smaller std_dev, or distribution = \"uniform\""};
   }

@@ -68,9 +68,7 @@ struct Writer {
     return value->empty() ? Written() : Written(*value);
   }
   template <class Enumeration>
-  requires std::is_enum_v<Enumeration> Written operator()(const Enumeration* value) const {
-    return words(*value)[static_cast<std::size_t>(*value)];
-  }
+  requires std::is_enum_v<Enumeration> Written operator()(const Enumeration* value) const { return word(*value); }
   Written operator()(PositionSlot slot) const {
     if (slot.seeder->type != SeederType::point || slot.seeder->points.empty()) return std::nullopt;
     return position(*slot.seeder, slot.seeder->points.front(), two_dimensional);

@@ -68,7 +68,7 @@ std::string in_words(const Distribution& property) {
   if (property.kind == DistributionKind::uniform && property.rel_min && property.rel_max) {
     return fmt::format("{:.6g} to {:.6g}", property.mean - *property.rel_min, property.mean + *property.rel_max);
   }
-  const std::string_view kind = words(property.kind)[static_cast<std::size_t>(property.kind)];
+  const std::string_view kind = word(property.kind);
   if (!property.std_dev) return fmt::format("{} ({})", property.mean, kind);
   return fmt::format("{} ({}, sd {})", property.mean, kind, *property.std_dev);
 }

@@ -1,6 +1,6 @@
 #pragma once
 // A project as its file says it: plain values in the file's units, checked, not yet turned into a model. Which keys
-// there are, their units, ranges, defaults and meaning is declared in settings.cpp and nowhere else; the initial values
+// there are, their units, ranges, defaults and meaning is declared in settings/ and nowhere else; the initial values
 // below are the defaults.
 
 #include <array>

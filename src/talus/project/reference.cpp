@@ -42,13 +42,13 @@ struct Named {
   std::string operator()(const std::optional<std::int64_t>*) const { return "whole number"; }
   std::string operator()(const std::map<std::string, std::string>*) const { return "table of texts by texts"; }
   std::string operator()(const io::MapSubjects*) const {
-    return "true, false or list of " + words_text(words(io::MapSubject{}));
+    return "true, false or list of " + words_text(words<io::MapSubject>());
   }
   std::string operator()(PlanPolygonSlot) const { return "list of pairs"; }
   std::string operator()(LibrarySlot) const { return "text"; }
   template <class Enumeration>
   requires std::is_enum_v<Enumeration> std::string operator()(const Enumeration*) const {
-    return words_text(words(Enumeration{}));
+    return words_text(words<Enumeration>());
   }
   std::string operator()(PositionSlot) const { return "position"; }
   std::string operator()(PointsSlot) const { return "list of positions"; }

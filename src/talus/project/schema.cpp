@@ -78,7 +78,7 @@ struct Typed {
     return {{"type", "object"}, {"additionalProperties", text()}, {"minProperties", 1}};
   }
   Json operator()(const io::MapSubjects*) const {
-    Json names = list_of({{"enum", Json(words(io::MapSubject{}))}}, 0);
+    Json names = list_of({{"enum", Json(words<io::MapSubject>())}}, 0);
     names["uniqueItems"] = true;
     return {{"anyOf", Json::array({Json{{"type", "boolean"}}, std::move(names)})}};
   }
@@ -90,7 +90,7 @@ struct Typed {
   }
   template <class Enumeration>
   requires std::is_enum_v<Enumeration> Json operator()(const Enumeration*) const {
-    return {{"enum", Json(words(Enumeration{}))}};
+    return {{"enum", Json(words<Enumeration>())}};
   }
   Json position() const { return tuple_of({{"anyOf", Json::array({number(), Json{{"const", "surface"}}})}}, 1, 3); }
   Json operator()(PositionSlot) const { return position(); }

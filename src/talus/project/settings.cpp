@@ -15,9 +15,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-template <std::size_t count>
-using Words = std::array<std::string_view, count>;
-
 /// 1e12 and 1e-9 for a power of ten whose zeros nobody counts; others as they are.
 std::string limit_text(double limit) {
   const double size = std::abs(limit);
@@ -46,66 +43,12 @@ std::string Range::text() const {
   return fmt::format("more than {}, {} {}", from, most_excluded ? "less than" : "up to", to);
 }
 
-std::span<const std::string_view> words(RockModel) {
-  static constexpr Words<2> list{"lumped_mass", "rigid_sphere"};
-  return list;
-}
-std::span<const std::string_view> words(SlidingMethod) {
-  static constexpr Words<2> list{"stepped", "closed_form"};
-  return list;
-}
-std::span<const std::string_view> words(FrictionSource) {
-  static constexpr Words<3> list{"material", "tangential_restitution", "zero"};
-  return list;
-}
-std::span<const std::string_view> words(MaterialSampling) {
-  static constexpr Words<2> list{"per_impact", "per_rock"};
-  return list;
-}
-std::span<const std::string_view> words(SamplingMethod) {
-  static constexpr Words<2> list{"monte_carlo", "latin_hypercube"};
-  return list;
-}
-std::span<const std::string_view> words(SeederType) {
-  static constexpr Words<4> list{"point", "line", "polygon", "raster"};
-  return list;
-}
-std::span<const std::string_view> words(PlaceInCell) {
-  static constexpr Words<2> list{"random", "centre"};
-  return list;
-}
-std::span<const std::string_view> words(Forest) {
-  static constexpr Words<4> list{"none", "open", "medium", "dense"};
-  return list;
-}
-std::span<const std::string_view> words(DistributionKind) {
-  static constexpr Words<8> list{"none", "normal",      "uniform",   "triangular",
-                                 "beta", "exponential", "lognormal", "gamma"};
-  return list;
-}
-
-std::span<const std::string_view> words(DesignStandard) {
-  static constexpr Words<2> list{"UNI 11211-4", "none"};
-  return list;
-}
-std::span<const std::string_view> words(DesignLevel) {
-  static constexpr Words<2> list{"MEL", "SEL"};
-  return list;
-}
-std::span<const std::string_view> words(DesignEnergy) {
-  static constexpr Words<2> list{"translational", "total"};
-  return list;
-}
-std::span<const std::string_view> words(io::MapSubject) { return io::map_subject_names; }
-
 std::optional<RockModel> only_model(const Setting& setting) {
   for (const Need& need : setting.applies_when) {
     const auto& [key, asks, values] = need.any_of.front();
     if (need.any_of.size() != 1 || asks != Condition::Asks::one_of || values.size() != 1) continue;
     if (key != "analysis.model") continue;
-    const auto known = words(RockModel{});
-    const auto found = std::ranges::find(known, values.front());
-    if (found != known.end()) return static_cast<RockModel>(found - known.begin());
+    return value_of<RockModel>(values.front());
   }
   return std::nullopt;
 }
@@ -134,6 +77,12 @@ std::vector<std::string_view> Table::excluded_by(std::string_view setting) const
   return excluded;
 }
 
+std::vector<std::string_view> Table::keys_of_ways() const {
+  std::vector<std::string_view> keys;
+  for (const auto& way : choices.front()) keys.insert(keys.end(), way.begin(), way.end());
+  return keys;
+}
+
 std::string Table::heading() const { return fmt::format(fmt::runtime(repeated ? "[[{}]]" : "[{}]"), key); }
 
 const std::vector<Table>& tables() {
@@ -149,13 +98,17 @@ const Table& distribution_table() {
   return table;
 }
 
-const Setting& setting(std::string_view table, std::string_view key) {
-  for (const Table& candidate : tables()) {
-    if (candidate.key != table) continue;
-    if (const Setting* found = candidate.find(key)) return *found;
-  }
+const Table& table(std::string_view key) {
+  const auto found = std::ranges::find(tables(), key, &Table::key);
+  if (found != tables().end()) return *found;
+  TALUS_PROMISE(false, "only declared tables are asked for");
+  throw std::logic_error(fmt::format("no table {} is declared", key));
+}
+
+const Setting& setting(std::string_view of, std::string_view key) {
+  if (const Setting* found = table(of).find(key)) return *found;
   TALUS_PROMISE(false, "only declared settings are asked for");
-  throw std::logic_error(fmt::format("no setting {}.{} is declared", table, key));
+  throw std::logic_error(fmt::format("no setting {}.{} is declared", of, key));
 }
 
 Bounds bounds(const Range& range) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "talus/project/project.hpp"
+#include "talus/project/words.hpp"
 #include "talus/sampling/distribution.hpp"
 
 namespace talus::project {
@@ -82,21 +83,6 @@ using Slot =
 /// One row of a table: the struct that its settings are members of.
 using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Area*, Seeder*, Barrier*,
                          Design*, Output*, Distribution*>;
-
-/// The words of an enumeration in the file, in the order of its enumerators.
-std::span<const std::string_view> words(RockModel);
-std::span<const std::string_view> words(SlidingMethod);
-std::span<const std::string_view> words(FrictionSource);
-std::span<const std::string_view> words(MaterialSampling);
-std::span<const std::string_view> words(SamplingMethod);
-std::span<const std::string_view> words(SeederType);
-std::span<const std::string_view> words(PlaceInCell);
-std::span<const std::string_view> words(Forest);
-std::span<const std::string_view> words(DistributionKind);
-std::span<const std::string_view> words(DesignStandard);
-std::span<const std::string_view> words(DesignLevel);
-std::span<const std::string_view> words(DesignEnergy);
-std::span<const std::string_view> words(io::MapSubject);
 
 /// What another setting must say: of the same row (its key), or of a table that there is one of ("terrain.raster").
 struct Condition {
@@ -179,6 +165,8 @@ struct Table {
   [[nodiscard]] const Setting* find(std::string_view setting) const;
   /// Keys that may not stand beside this one: those of other ways of its choices.
   [[nodiscard]] std::vector<std::string_view> excluded_by(std::string_view setting) const;
+  /// The keys of all ways of its first choice: of a terrain those that make it.
+  [[nodiscard]] std::vector<std::string_view> keys_of_ways() const;
   /// As in the file: "[analysis]", "[[seeder]]".
   [[nodiscard]] std::string heading() const;
 };
@@ -189,6 +177,9 @@ struct Table {
 /// The keys of a random property, `{ mean = 0.5, distribution = "normal", ... }`: a table like the others, used by all
 /// settings that are a Distribution.
 [[nodiscard]] const Table& distribution_table();
+
+/// A table that is known to exist.
+[[nodiscard]] const Table& table(std::string_view key);
 
 /// A setting that is known to exist.
 [[nodiscard]] const Setting& setting(std::string_view table, std::string_view key);

@@ -62,11 +62,9 @@ std::optional<bool> is_2d(const toml::table& root) {
   const toml::table* terrain = root["terrain"].as_table();
   if (!terrain) return std::nullopt;
   if (terrain->contains("section")) return !terrain->contains("width_m");
-  for (const std::string_view key :
-       {"mesh", "vertices", "triangles", "raster", "points", "lines", "polylines", "polygons"}) {
-    if (terrain->contains(key)) return false;
-  }
-  return std::nullopt;
+  const std::vector<std::string_view> ways = table("terrain").keys_of_ways();
+  const bool is_known = std::ranges::any_of(ways, [&](std::string_view key) { return terrain->contains(key); });
+  return is_known ? std::optional(false) : std::nullopt;
 }
 
 static bool is_control(unsigned char c) { return c < ' ' || c == 127; }
@@ -287,13 +285,12 @@ bool ValueReader::into(const Value& value, std::vector<Item>* member) {
 template <class Enumeration>
 requires std::is_enum_v<Enumeration>
 bool ValueReader::into(const Value& value, Enumeration* member) {
-  const std::span<const std::string_view> known = words(Enumeration{});
+  const std::span<const std::string_view> known = words<Enumeration>();
   const std::string expected = quoted_list(known);
   const auto* text = value.node.as_string();
   if (!text) return refuse_kind(value, expected);
-  const auto found = std::find(known.begin(), known.end(), text->get());
-  if (found != known.end()) {
-    *member = static_cast<Enumeration>(found - known.begin());
+  if (const auto read = value_of<Enumeration>(text->get())) {
+    *member = *read;
     return true;
   }
   const auto near = nearest(text->get(), known);
@@ -335,8 +332,7 @@ bool ValueReader::into(const Value& value, Distribution* member) {
   }
   if (read.std_dev && is_told_by_its_limits(read)) {
     warn(value, fmt::format("std_dev of {} has no effect", value.name),
-         fmt::format("the {} distribution takes its width from rel_min and rel_max",
-                     words(read.kind)[static_cast<std::size_t>(read.kind)]),
+         fmt::format("the {} distribution takes its width from rel_min and rel_max", word(read.kind)),
          "Leave out std_dev, or the limits");
   }
   *member = read;

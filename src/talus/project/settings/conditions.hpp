@@ -15,10 +15,9 @@ inline Condition is_not(std::string_view key, std::vector<std::string_view> valu
 }
 
 /// What a rock of one model has.
-inline Need of_model(std::string_view model, Otherwise otherwise) {
-  return {.any_of = {is("analysis.model", {model})}, .otherwise = otherwise};
+inline Need of_model(RockModel model, Otherwise otherwise) {
+  return {.any_of = {is("analysis.model", {word(model)})}, .otherwise = otherwise};
 }
-constexpr std::string_view lumped_mass = "lumped_mass", rigid_sphere = "rigid_sphere";
 
 /// What a section has none of, unless it is extruded.
 inline Need in_3d(Otherwise otherwise, std::string_view what, std::string_view why, std::string_view hint = {}) {
