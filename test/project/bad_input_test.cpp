@@ -1115,15 +1115,6 @@ sliding = "closed_form"
 friction_angle = "zero")"}},
      "slope.toml:5: warning: [analysis]: sliding has no effect (it needs model = \"lumped_mass\")\n"
      "slope.toml:6: warning: [analysis]: friction_angle has no effect (it needs model = \"lumped_mass\")"},
-    {"TurnedAboutByNothing",
-     {{"section = [[0, 0], [10, -10], [20, -10]]",
-       R"(section = [[0, 0], [10, -10], [20, -10]]
-width_m = 50
-rotate_deg = 0.0
-rotate_about = [0, 25, 0])"},
-      {"position = [1, 5]", "position = [1, 1, 5]"},
-      {"line = 15", "line = [[15, 0], [15, 50]]"}},
-     "slope.toml:10: warning: [terrain]: rotate_about has no effect (it needs rotate_deg)"},
     {"TurnedAboutWithoutAngle",
      {{"section = [[0, 0], [10, -10], [20, -10]]",
        R"(section = [[0, 0], [10, -10], [20, -10]]
