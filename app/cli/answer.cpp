@@ -20,7 +20,7 @@ namespace {
 int output_error = 0;  // what fmt said of standard output, which keeps only that something went wrong
 
 int internal(const std::exception& error) {
-  tell("talus: internal error: {}\n", error.what());
+  to_stderr("talus: internal error: {}\n", error.what());
   return internal_error;
 }
 
@@ -31,21 +31,21 @@ int answer(const std::function<int()>& work) {
   try {
     return work();
   } catch (const BadInput& bad) {
-    tell("{}\n", bad.problems().text());
+    to_stderr("{}\n", bad.problems().text());
     return bad_input;
   } catch (const std::system_error& error) {
     if (error.code() == std::errc::resource_unavailable_try_again) {
-      tell("talus: a thread cannot be had: {}\n", error.code().message());
+      to_stderr("talus: a thread cannot be had: {}\n", error.code().message());
       return bad_input;
     }
     if (std::ferror(stdout) == 0) return internal(error);
     output_error = error.code().value();
     return bad_input;  // output_taken() says more
   } catch (const OutOfMemory& error) {
-    tell("talus: {}\n", error.what());
+    to_stderr("talus: {}\n", error.what());
     return internal_error;
   } catch (const std::bad_alloc&) {
-    tell("talus: not enough memory for what was asked\n");
+    to_stderr("talus: not enough memory for what was asked\n");
     return internal_error;
   } catch (const std::exception& error) {
     return internal(error);
@@ -64,7 +64,7 @@ int output_taken(int code) {
                         .what = "not all could be written to it",
                         .why = output_error != 0 ? std::strerror(output_error) : "",
                         .hint = "Free some space, or send it elsewhere"};
-  tell("{}\n", problem.text());
+  to_stderr("{}\n", problem.text());
   return code == done || code == check_failed ? bad_input : code;
 }
 

@@ -60,7 +60,7 @@ std::string about_command(const CLI::App& app, const std::vector<std::string>& w
 
 }  // namespace
 
-std::string complaint_about(const CLI::App& app, const CLI::Error& error, const std::vector<std::string>& words) {
+std::string message_about(const CLI::App& app, const CLI::Error& error, const std::vector<std::string>& words) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   std::string what;
   if (given.empty()) {

@@ -10,8 +10,8 @@ namespace talus::cli {
 
 /// What is wrong, and the command or the option that was probably meant. `words` are those of the command line, without
 /// the program's name.
-[[nodiscard]] std::string complaint_about(const CLI::App& app, const CLI::Error& error,
-                                          const std::vector<std::string>& words);
+[[nodiscard]] std::string message_about(const CLI::App& app, const CLI::Error& error,
+                                        const std::vector<std::string>& words);
 
 /// Throws CLI::ParseError of `--option=` with nothing behind it, for which CLI11 would take the next word.
 void refuse_lacking_values(const std::vector<std::string>& words);

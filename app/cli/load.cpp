@@ -23,7 +23,7 @@ void print_if_large(const Loaded& loaded, const RockRange& rocks, int threads, c
 }
 
 void print_warnings(const Problems& warnings) {
-  if (!warnings.list().empty()) tell("{}\n", warnings.text());
+  if (!warnings.list().empty()) to_stderr("{}\n", warnings.text());
 }
 
 }  // namespace talus::cli

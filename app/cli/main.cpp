@@ -174,16 +174,16 @@ int dispatch(int argc, char** argv) {
   new_command->add_flag("--force", new_options.force, "Overwrite a file that is there");
 
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  app.failure_message([&](const CLI::App*, const CLI::Error& error) { return complaint_about(app, error, words); });
+  app.failure_message([&](const CLI::App*, const CLI::Error& error) { return message_about(app, error, words); });
   try {
     refuse_lacking_values(words);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // (One that failed without a word might be the first to end, and its launcher would end the one that speaks.)
     if (!answers_for_all(words)) return done;
-    std::ostringstream out, complaint;
-    const int code = app.exit(error, out, complaint);
-    tell(complaint.str());
+    std::ostringstream out, message;
+    const int code = app.exit(error, out, message);
+    to_stderr(message.str());
     fmt::print("{}", out.str());
     return code == 0 ? done : bad_input;
   }

@@ -73,8 +73,8 @@ CLI::Validator memory_size() {
           ""};
 }
 
-CLI::Validator not_empty(std::string complaint) {
-  return {[complaint = std::move(complaint)](const std::string& text) { return text.empty() ? complaint : ""; }, ""};
+CLI::Validator not_empty(std::string message) {
+  return {[message = std::move(message)](const std::string& text) { return text.empty() ? message : ""; }, ""};
 }
 
 }  // namespace talus::cli

@@ -18,6 +18,6 @@ namespace talus::cli {
 [[nodiscard]] CLI::Validator memory_size();
 
 /// An empty text is what an unset variable of a script becomes; it is no reason to do what is done without the option.
-[[nodiscard]] CLI::Validator not_empty(std::string complaint);
+[[nodiscard]] CLI::Validator not_empty(std::string message);
 
 }  // namespace talus::cli

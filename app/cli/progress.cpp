@@ -45,7 +45,7 @@ Progress::Progress(std::uint64_t total)
     : total_(total), on_terminal_(isatty(STDERR_FILENO) == 1), begin_(Clock::now()), last_(begin_) {}
 
 Progress::~Progress() {
-  if (on_terminal_ && printed_) tell("\r\x1b[K");
+  if (on_terminal_ && printed_) to_stderr("\r\x1b[K");
 }
 
 void Progress::operator()(std::uint64_t done) {
@@ -68,9 +68,9 @@ void Progress::print(std::uint64_t done, Clock::time_point now) {
   const std::string text =
       fmt::format("{} of {} rocks ({} %), {:.0f} rocks/s, {} left", done, total_, percent, rate, clock_text(left));
   if (on_terminal_) {
-    tell("\r\x1b[K{}", line_with_bar(text, percent, columns_of_terminal()));
+    to_stderr("\r\x1b[K{}", line_with_bar(text, percent, columns_of_terminal()));
   } else {
-    tell("{}\n", text);
+    to_stderr("{}\n", text);
   }
   printed_ = true;
 }

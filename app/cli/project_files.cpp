@@ -26,7 +26,7 @@ int start_project(const NewOptions& options) {
   OutputFile file(place_of_file(options.file));
   file.write(project::starter());
   file.commit();
-  fmt::print("{0} is a small project to change as you like; `talus run {0}` throws its rocks\n", options.file.string());
+  fmt::print("{0} is a small project to change as you like; `talus run {0}` runs it\n", options.file.string());
   return done;
 }
 

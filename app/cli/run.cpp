@@ -144,7 +144,7 @@ int run_here(const RunOptions& options, Ranks* ranks) {
   }
   print_warnings(result.warnings);
   if (!result.has_results) {
-    tell(
+    to_stderr(
         "stopped after {} of {} rocks, before their results were written; the rocks are kept in {}, and --resume goes "
         "on from there\n",
         result.summary.done, result.range.count(), folder.string());
@@ -152,8 +152,8 @@ int run_here(const RunOptions& options, Ranks* ranks) {
   }
   if (!options.quiet) print_outcome(loaded, options, result, folder);
   if (result.outcome.interrupted) {
-    tell("stopped after {} of {} rocks; what is done is in {}{}\n", result.summary.done, result.range.count(),
-         folder.string(), options.checkpoint_every > 0 || shard ? ", and --resume goes on from there" : "");
+    to_stderr("stopped after {} of {} rocks; what is done is in {}{}\n", result.summary.done, result.range.count(),
+              folder.string(), options.checkpoint_every > 0 || shard ? ", and --resume goes on from there" : "");
     return stopped;
   }
   return done;
@@ -163,7 +163,7 @@ int run_or_stop(const RunOptions& options, Ranks* ranks) {
   try {
     return run_here(options, ranks);
   } catch (const Stopped&) {
-    tell("stopped before the first rock was done\n");
+    to_stderr("stopped before the first rock was done\n");
     return stopped;
   }
 }

@@ -67,11 +67,11 @@ class OpeningPage {
 /// With whatever the system opens pages with; that it has none is no reason to stop.
 void open_in_browser(const OpeningPage& page) {
   std::string program = "xdg-open", argument = page.file();
-  if (argument.empty()) return tell("no browser could be opened: there is no folder for temporary files\n");
+  if (argument.empty()) return to_stderr("no browser could be opened: there is no folder for temporary files\n");
   std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
   pid_t child = 0;
   if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0)
-    tell("no browser could be opened: xdg-open is missing\n");
+    to_stderr("no browser could be opened: xdg-open is missing\n");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace talus::cli {
 
-void tell(std::string_view text) {
+void to_stderr(std::string_view text) {
   (void)std::fwrite(text.data(), 1, text.size(), stderr);
   (void)std::fflush(stderr);
 }

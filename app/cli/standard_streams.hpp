@@ -9,11 +9,11 @@
 namespace talus::cli {
 
 /// To standard error, as far as it takes it: that nobody can be told is no reason for the work to end.
-void tell(std::string_view text);
+void to_stderr(std::string_view text);
 
 template <class... Values>
-void tell(fmt::format_string<Values...> format, Values&&... values) {
-  tell(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
+void to_stderr(fmt::format_string<Values...> format, Values&&... values) {
+  to_stderr(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
 }
 
 /// To be called before any file is opened. A standard stream that was closed is one that takes everything and gives

@@ -49,7 +49,7 @@ std::shared_ptr<Listener> EventHub::listen() {
   return listener;
 }
 
-void EventHub::tell(std::string_view event, const std::string& thing, const Json& data) {
+void EventHub::publish(std::string_view event, const std::string& thing, const Json& data) {
   // In one line, as the format wants it: a text's line ends are written as \n in JSON.
   const std::string text =
       fmt::format("event: {}\ndata: {}\n\n", event, data.dump(-1, ' ', false, Json::error_handler_t::replace));

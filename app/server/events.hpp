@@ -44,7 +44,7 @@ class EventHub {
   /// Refuses (503) where too many listen. The hub must outlive the listener.
   [[nodiscard]] std::shared_ptr<Listener> listen();
   /// An event about a thing, of which only the last matters to those who have not heard of the ones before.
-  void tell(std::string_view event, const std::string& thing, const Json& data);
+  void publish(std::string_view event, const std::string& thing, const Json& data);
   /// Ends all listening, now and later.
   void close();
 

@@ -1,5 +1,5 @@
 #pragma once
-// Threads that throw rocks make way for those that answer requests.
+// Threads that simulate rocks make way for those that answer requests.
 
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>

@@ -112,7 +112,7 @@ bool has_results(const Run& run) {
   return fs::symlink_status(run.folder / "summary.json", ignored).type() == fs::file_type::regular;
 }
 
-Json told(const Run& run, const fs::path& base) {
+Json json_of(const Run& run, const fs::path& base) {
   const bool is_running = run.state == RunState::running;
   std::optional<double> rate = run.rate;
   if (!is_running && run.seconds > 0 && run.done > 0) rate = static_cast<double>(run.done) / run.seconds;

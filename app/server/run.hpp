@@ -46,7 +46,7 @@ struct Run {
 [[nodiscard]] bool has_results(const Run& run);
 
 /// As the page is told; `base` is the folder that is worked in.
-[[nodiscard]] Json told(const Run& run, const std::filesystem::path& base);
+[[nodiscard]] Json json_of(const Run& run, const std::filesystem::path& base);
 
 inline constexpr const char* run_file_name = "run.json";
 inline constexpr const char* run_project_name = "project.toml";

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double checkpoint_every = 5;  // [s]
-constexpr auto between_tellings = std::chrono::milliseconds(100);
+constexpr auto between_events = std::chrono::milliseconds(100);
 constexpr std::size_t longest_name = 200;  // bytes
 
 /// A name that a user gives: shown as text, whatever is in it.
@@ -192,7 +192,7 @@ Run RunStore::begin(const RunOrder& order) {
   if (under_way_ != nullptr || !queue_.empty()) entry->built.reset();
   entries_[run.id] = entry;
   queue_.push_back({entry, Task::begin});
-  events_.tell("run", run.id, told(run));
+  events_.publish("run", run.id, json_of(run));
   news_.notify_all();
   return run;
 }
@@ -278,7 +278,7 @@ void RunStore::remove(const std::string& id) {
   if (error) throw refuse("cannot remove this folder", error);
   unqueue(*entry);
   entries_.erase(id);
-  events_.tell("removed", id, {{"id", id}});
+  events_.publish("removed", id, {{"id", id}});
   fs::remove_all(run.folder, error);
   if (error) throw refuse("cannot remove all of this folder", error);
   std::error_code ignored;
@@ -297,7 +297,7 @@ void RunStore::changed(Entry& entry) {
     // A full disk: the run goes on to say so itself, and here its state is known anyway.
     for (const Json& problem : as_json(bad.problems())) entry.run.problems.push_back(problem);
   }
-  events_.tell("run", entry.run.id, told(entry.run));
+  events_.publish("run", entry.run.id, json_of(entry.run));
 }
 
 void RunStore::close() {
@@ -331,7 +331,7 @@ void RunStore::work() {
       job.entry->run.is_at_work = true;
       job.entry->stop = false;
       if (job.task == Task::write_what_is_done) {
-        events_.tell("run", job.entry->run.id, told(job.entry->run));
+        events_.publish("run", job.entry->run.id, json_of(job.entry->run));
       } else {
         job.entry->run.state = RunState::running;
         changed(*job.entry);
@@ -368,7 +368,7 @@ std::shared_ptr<BuiltProject> RunStore::built(const std::string& text, const fs:
 void RunStore::do_job(const Job& job, LowPriorityArena& arena) {
   keep_memory_reserve();
   try {
-    throw_rocks(job, arena);
+    simulate_rocks(job, arena);
   } catch (const BadInput& bad) {
     fail(*job.entry, bad.problems());
   } catch (const Stopped&) {
@@ -383,7 +383,7 @@ void RunStore::do_job(const Job& job, LowPriorityArena& arena) {
   }
 }
 
-void RunStore::throw_rocks(const Job& job, LowPriorityArena& arena) {
+void RunStore::simulate_rocks(const Job& job, LowPriorityArena& arena) {
   Entry& entry = *job.entry;
   Run run;  // as it is now: no other thread changes what is needed of it
   {
@@ -413,7 +413,7 @@ void RunStore::throw_rocks(const Job& job, LowPriorityArena& arena) {
   options.only_results = job.task == Task::write_what_is_done;
   options.checkpoint_every = checkpoint_every;
   std::optional<std::uint64_t> done_before;
-  Clock::time_point begun, told_at;
+  Clock::time_point begun, published_at;
   options.campaign.progress = [&](std::uint64_t done) {
     const auto now = Clock::now();
     if (!done_before) {
@@ -426,9 +426,9 @@ void RunStore::throw_rocks(const Job& job, LowPriorityArena& arena) {
     entry.run.done = done;
     entry.run.seconds = seconds_before + seconds;
     if (seconds > 0) entry.run.rate = static_cast<double>(done - *done_before) / seconds;
-    if (now - told_at < between_tellings) return;
-    told_at = now;
-    events_.tell("run", entry.run.id, told(entry.run));
+    if (now - published_at < between_events) return;
+    published_at = now;
+    events_.publish("run", entry.run.id, json_of(entry.run));
   };
   const project::RunResult result = arena.execute([&] {
     return project::run_into(run.folder, entry.built->project, entry.built->model, entry.built->warnings, options);

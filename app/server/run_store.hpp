@@ -42,7 +42,7 @@ class RunStore {
   /// Newest first.
   [[nodiscard]] std::vector<Run> list();
   [[nodiscard]] Run find(const std::string& id);
-  [[nodiscard]] Json told(const Run& run) const { return server::told(run, workplace_.folder()); }
+  [[nodiscard]] Json json_of(const Run& run) const { return server::json_of(run, workplace_.folder()); }
   /// The project's file, which need not be there any more.
   [[nodiscard]] std::filesystem::path project_file(const Run& run) const { return workplace_.at(run.file); }
 
@@ -79,7 +79,7 @@ class RunStore {
   void find_runs();
   void work();
   void do_job(const Job& job, LowPriorityArena& arena);
-  void throw_rocks(const Job& job, LowPriorityArena& arena);
+  void simulate_rocks(const Job& job, LowPriorityArena& arena);
   void fail(Entry& entry, const Problems& problems);
   [[nodiscard]] std::shared_ptr<BuiltProject> built(const std::string& text, const std::filesystem::path& file,
                                                     const project::Overrides& overrides) const;

@@ -49,8 +49,8 @@ std::vector<Row> envelopes_of(const std::string& toml, bool has_heights = true) 
 
 double number(const Row& row, const std::string& name) { return std::stod(row.at(name)); }
 
-// Thrown from the origin of a map far away over a plain 80 m below, at 10 m/s; nothing is left of an impact.
-const std::string throw_off_a_cliff = R"(
+// Launched from the origin of a map far away over a plain 80 m below, at 10 m/s; nothing is left of an impact.
+const std::string launch_off_a_cliff = R"(
 [terrain]
 section = [[500000, 100], [500001.5, 100], [500001.5, 20], [500100, 20]]
 [[material]]
@@ -67,8 +67,8 @@ raster_cell_m = 2
 percentiles = [50, 99]
 )";
 
-TEST(EnvelopeTable, OfAThrowIsThatOfItsParabola) {
-  const std::vector<Row> rows = envelopes_of(throw_off_a_cliff);
+TEST(EnvelopeTable, OfAFlightIsThatOfItsParabola) {
+  const std::vector<Row> rows = envelopes_of(launch_off_a_cliff);
   const double g = 9.80665, start = 500001, lands = start + 10 * std::sqrt(2 * 90 / g);
   ASSERT_EQ(rows.size(), static_cast<std::size_t>((lands - 500000) / 2) + 1);
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -93,13 +93,13 @@ TEST(EnvelopeTable, OfAThrowIsThatOfItsParabola) {
 }
 
 TEST(EnvelopeTable, LeavesOutHeightsThatAreNotKnown) {
-  const Row row = envelopes_of(throw_off_a_cliff, false).front();
+  const Row row = envelopes_of(launch_off_a_cliff, false).front();
   EXPECT_TRUE(row.contains("velocity_p50_m_s"));
   EXPECT_TRUE(std::ranges::none_of(row, [](const auto& cell) { return cell.first.starts_with("bounce"); }));
 }
 
 TEST(EnvelopeTable, HasAllCellsBetweenTheFirstAndTheLast) {
-  std::string two = throw_off_a_cliff;
+  std::string two = launch_off_a_cliff;
   two.replace(two.find("horizontal_velocity_m_s = 10"), 28, "speed_m_s = 0");
   two += "[[seeder]]\nposition = [500090, 30]\nmass_kg = 1\n";
   const std::vector<Row> rows = envelopes_of(two);

@@ -21,7 +21,7 @@ ReportEnvelopes envelopes_of(const std::string& text) {
   return read_report_envelopes(folder.path / "envelopes.csv");
 }
 
-std::string complaint_about(const std::string& text) {
+std::string message_about(const std::string& text) {
   try {
     (void)envelopes_of(text);
   } catch (const BadInput& bad) {
@@ -63,13 +63,12 @@ TEST(ReportEnvelopes, OfManyCellsAreTheGreatestOfEveryFew) {
 }
 
 TEST(ReportEnvelopes, ThatAreNoneAreRefused) {
-  EXPECT_THAT(complaint_about("rock,time_s\n0,1\n"),
+  EXPECT_THAT(message_about("rock,time_s\n0,1\n"),
               HasSubstr("envelopes.csv:1: the first column is not x_m (expected envelopes of a section)"));
-  EXPECT_THAT(complaint_about("x_m,velocity_max_m_s\n0.5,fast\n"),
+  EXPECT_THAT(message_about("x_m,velocity_max_m_s\n0.5,fast\n"),
               HasSubstr("envelopes.csv:2: velocity_max_m_s: \"fast\" is not a number"));
-  EXPECT_THAT(complaint_about("x_m,velocity_max_m_s\n0.5,1\n1.5\n"),
-              HasSubstr("envelopes.csv:3: the row has 1 values"));
-  EXPECT_THAT(complaint_about(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(message_about("x_m,velocity_max_m_s\n0.5,1\n1.5\n"), HasSubstr("envelopes.csv:3: the row has 1 values"));
+  EXPECT_THAT(message_about(""), HasSubstr("the file is empty"));
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST(RunFacts, OfASectionThereIsNoGeoPackage) {
   EXPECT_TRUE(facts_of(summary).wants_geopackage);
 }
 
-std::string complaint_about(const std::string& text) {
+std::string message_about(const std::string& text) {
   const sample_run::Folder folder("run-facts");
   if (!text.empty()) folder.write("summary.json", text);
   try {
@@ -109,36 +109,35 @@ std::string complaint_about(const std::string& text) {
   return "was read";
 }
 
-std::string complaint_about_value(const char* pointer, const Json& value) {
+std::string message_about_value(const char* pointer, const Json& value) {
   Json summary = sample_run::summary_3d();
   summary[Json::json_pointer(pointer)] = value;
-  return complaint_about(summary.dump());
+  return message_about(summary.dump());
 }
 
 TEST(RunFacts, RefuseWhatIsNoSummary) {
   const std::string hint = ". Name a folder that `talus run` has written";
-  EXPECT_EQ(complaint_about(""),
+  EXPECT_EQ(message_about(""),
             "summary.json: there is no such file (a run's folder holds it once the run is done)" + hint);
-  EXPECT_EQ(complaint_about("[1, 2"),
+  EXPECT_EQ(message_about("[1, 2"),
             "summary.json:1: the JSON ends too early (after 5 bytes). The file was cut short or damaged; run the "
             "project again to get it whole");
-  EXPECT_EQ(complaint_about("[1, 2]"), "summary.json: is of type array (expected an object)" + hint);
-  EXPECT_EQ(complaint_about(std::string(100'000, '[')),
+  EXPECT_EQ(message_about("[1, 2]"), "summary.json: is of type array (expected an object)" + hint);
+  EXPECT_EQ(message_about(std::string(100'000, '[')),
             "summary.json: is damaged (it holds lists within lists, 100000 deep; expected at most 100)" + hint);
-  EXPECT_EQ(complaint_about("{}"), "summary.json: talus: is missing (a run writes it)" + hint);
-  EXPECT_EQ(complaint_about_value("/rocks/planned", -6),
+  EXPECT_EQ(message_about("{}"), "summary.json: talus: is missing (a run writes it)" + hint);
+  EXPECT_EQ(message_about_value("/rocks/planned", -6),
             "summary.json: rocks/planned: is of type number (expected a whole number, 0 or more)" + hint);
-  EXPECT_EQ(complaint_about_value("/project/output/geopackage", "some"),
+  EXPECT_EQ(message_about_value("/project/output/geopackage", "some"),
             "summary.json: project/output/geopackage: is of type string (expected a whole number, 0 or more)" + hint);
-  EXPECT_EQ(complaint_about_value("/barriers/0/line_xyz/1/2", "high"),
+  EXPECT_EQ(message_about_value("/barriers/0/line_xyz/1/2", "high"),
             "summary.json: barriers/0/line_xyz/1/2: is of type string (expected a number)" + hint);
-  EXPECT_EQ(complaint_about_value("/barriers", 3),
-            "summary.json: barriers: is of type number (expected a list)" + hint);
-  EXPECT_EQ(complaint_about_value("/barriers/1", 3),
+  EXPECT_EQ(message_about_value("/barriers", 3), "summary.json: barriers: is of type number (expected a list)" + hint);
+  EXPECT_EQ(message_about_value("/barriers/1", 3),
             "summary.json: barriers/1: is of type number (expected an object)" + hint);
-  EXPECT_EQ(complaint_about_value("/barriers/1/name", "Road"),
+  EXPECT_EQ(message_about_value("/barriers/1/name", "Road"),
             "summary.json: project/collector/Road: is missing (a run writes it)" + hint);
-  EXPECT_EQ(complaint_about_value("/sources", 3), "summary.json: sources: is of type number (expected a list)" + hint);
+  EXPECT_EQ(message_about_value("/sources", 3), "summary.json: sources: is of type number (expected a list)" + hint);
 }
 
 }  // namespace

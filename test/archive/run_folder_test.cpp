@@ -17,8 +17,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-// The complaint about the folder, with its path taken out.
-std::string complaint(const std::filesystem::path& folder) {
+// The message about the folder, with its path taken out.
+std::string message(const std::filesystem::path& folder) {
   try {
     static_cast<void>(read_run_folder(folder));
   } catch (const BadInput& bad) {
@@ -27,21 +27,21 @@ std::string complaint(const std::filesystem::path& folder) {
     for (std::size_t at = 0; (at = text.find(path, at)) != std::string::npos;) text.replace(at, path.size(), "DIR");
     return text;
   }
-  return "nothing to complain of";
+  return "no message";
 }
 
-// The complaint about an otherwise good folder in which one file holds this text.
-std::string complaint_about(const std::string& file, const std::string& text) {
+// The message about an otherwise good folder in which one file holds this text.
+std::string message_about(const std::string& file, const std::string& text) {
   const sample_run::Folder folder("run-folder");
   sample_run::write(folder);
   folder.write(file, text);
-  return complaint(folder.path);
+  return message(folder.path);
 }
 
-std::string complaint_about_summary(const char* pointer, const nlohmann::ordered_json& value) {
+std::string message_about_summary(const char* pointer, const nlohmann::ordered_json& value) {
   auto summary = sample_run::summary("Tutorial 1");
   summary[nlohmann::ordered_json::json_pointer(pointer)] = value;
-  return complaint_about("summary.json", summary.dump());
+  return message_about("summary.json", summary.dump());
 }
 
 constexpr auto name_a_run = ". Name a folder that `talus run` has written";
@@ -155,31 +155,31 @@ TEST(RunFolder, KeepsOfManyBarriersThoseWithTheMostHits) {
 
 TEST(RunFolderRefuses, FoldersThatAreNone) {
   const sample_run::Folder folder("run-folder");
-  EXPECT_EQ(complaint(folder.path / "absent"),
+  EXPECT_EQ(message(folder.path / "absent"),
             "DIR: there is no such folder (expected the folder of a run). Name a folder that `talus run` has written");
   folder.write("file", "");
-  EXPECT_EQ(complaint(folder.path / "file"),
+  EXPECT_EQ(message(folder.path / "file"),
             "DIR: is not a folder (expected the folder of a run). Name a folder that `talus run` has written");
   EXPECT_EQ(
-      complaint(folder.path),
+      message(folder.path),
       "DIR/summary.json: there is no such file (a run's folder holds it once the run is done). Name a folder that "
       "`talus run` has written");
 }
 
 TEST(RunFolderRefuses, SummariesThatAreNoJson) {
-  EXPECT_EQ(complaint_about("summary.json", "{\n\"name\": \"Tut"),
+  EXPECT_EQ(message_about("summary.json", "{\n\"name\": \"Tut"),
             std::string("DIR/summary.json:2: the JSON ends too early (after 14 bytes)") + damaged);
-  EXPECT_EQ(complaint_about("summary.json", "{\n\n\"name\": nonsense}"),
+  EXPECT_EQ(message_about("summary.json", "{\n\n\"name\": nonsense}"),
             std::string("DIR/summary.json:3: is not JSON (at byte 13)") + damaged);
-  EXPECT_EQ(complaint_about("summary.json", ""),
+  EXPECT_EQ(message_about("summary.json", ""),
             std::string("DIR/summary.json:1: the JSON ends too early (after 0 bytes)") + damaged);
-  EXPECT_EQ(complaint_about("summary.json", "[1, 2]"),
+  EXPECT_EQ(message_about("summary.json", "[1, 2]"),
             std::string("DIR/summary.json: is of type array (expected an object)") + name_a_run);
 }
 
 TEST(RunFolderRefuses, SummariesOfAnotherShape) {
   const auto refused = [](const char* pointer, const nlohmann::ordered_json& value, const std::string& expected) {
-    EXPECT_EQ(complaint_about_summary(pointer, value), "DIR/summary.json: " + expected + name_a_run);
+    EXPECT_EQ(message_about_summary(pointer, value), "DIR/summary.json: " + expected + name_a_run);
   };
   refused("/rocks", 50, "rocks: is of type number (expected an object)");
   refused("/warnings", nullptr, "warnings: is of type null (expected a list)");
@@ -210,25 +210,24 @@ TEST(RunFolderRefuses, SummariesThatLackAnything) {
   for (const auto& [key, value] : whole.items()) {
     auto summary = whole;
     summary.erase(key);
-    EXPECT_EQ(complaint_about("summary.json", summary.dump()),
+    EXPECT_EQ(message_about("summary.json", summary.dump()),
               "DIR/summary.json: " + key + ": is missing (a run writes it)" + name_a_run);
   }
 }
 
 TEST(RunFolderRefuses, TablesWithOtherColumns) {
   EXPECT_EQ(
-      complaint_about("endpoints.csv", "rock,x,y\n"),
+      message_about("endpoints.csv", "rock,x,y\n"),
       "DIR/endpoints.csv:1: the columns are \"rock,x,y\" (expected \"rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,"
       "runout_total_m,time_s,events,end_reason,mass_kg,radius_m,max_ke_J,max_bounce_m\")");
-  EXPECT_EQ(complaint_about("paths.csv", ""),
+  EXPECT_EQ(message_about("paths.csv", ""),
             std::string("DIR/paths.csv:1: the file is empty (its first line must name the columns)") + damaged);
 }
 
 TEST(RunFolderRefuses, RowsThatAreNotWhole) {
-  EXPECT_EQ(
-      complaint_about("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0) + "1,seeder 1,3\n"),
-      std::string("DIR/endpoints.csv:3: the row has 3 values (expected 15, one for each column)") + damaged);
-  EXPECT_EQ(complaint_about("barriers.csv", sample_run::barriers_head + "\"Fence,1,1.9\n"),
+  EXPECT_EQ(message_about("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0) + "1,seeder 1,3\n"),
+            std::string("DIR/endpoints.csv:3: the row has 3 values (expected 15, one for each column)") + damaged);
+  EXPECT_EQ(message_about("barriers.csv", sample_run::barriers_head + "\"Fence,1,1.9\n"),
             std::string("DIR/barriers.csv:2: a quoted value has no end (the file ends inside it)") + damaged);
 }
 
@@ -237,30 +236,30 @@ TEST(RunFolderRefuses, ValuesThatAreNoNumbers) {
     return sample_run::endpoints_head + rock + ",seeder 1," + x +
            ",0,-12.2,4.5,12.2,13.01,2.25,4,at rest,1000,0.4455,120000,1.5\n";
   };
-  EXPECT_EQ(complaint_about("endpoints.csv", row("0", "5.1m")),
+  EXPECT_EQ(message_about("endpoints.csv", row("0", "5.1m")),
             "DIR/endpoints.csv:2: x_m: \"5.1m\" is not a number (expected a finite number)");
-  EXPECT_EQ(complaint_about("endpoints.csv", row("0", "nan")),
+  EXPECT_EQ(message_about("endpoints.csv", row("0", "nan")),
             "DIR/endpoints.csv:2: x_m: \"nan\" is not a number (expected a finite number)");
-  EXPECT_EQ(complaint_about("endpoints.csv", row("0", "")),
+  EXPECT_EQ(message_about("endpoints.csv", row("0", "")),
             "DIR/endpoints.csv:2: x_m: \"\" is not a number (expected a finite number)");
-  EXPECT_EQ(complaint_about("endpoints.csv", row("-1", "5")),
+  EXPECT_EQ(message_about("endpoints.csv", row("-1", "5")),
             "DIR/endpoints.csv:2: rock: \"-1\" is not a count (expected a whole number, 0 or more)");
 }
 
 TEST(RunFolderRefuses, TablesThatWereCutShort) {
   const std::string paths = sample_run::paths_head + sample_run::path_rows(0) + sample_run::path_rows(1);
   // Inside a line.
-  EXPECT_EQ(complaint_about("paths.csv", paths.substr(0, paths.size() - 1)),
+  EXPECT_EQ(message_about("paths.csv", paths.substr(0, paths.size() - 1)),
             std::string("DIR/paths.csv:9: the last line has no line end (every row ends with one)") + damaged);
-  EXPECT_EQ(complaint_about("paths.csv", paths.substr(0, paths.size() - 60)),
+  EXPECT_EQ(message_about("paths.csv", paths.substr(0, paths.size() - 60)),
             std::string("DIR/paths.csv:8: the last line has no line end (every row ends with one)") + damaged);
   // Between two lines.
   const std::string short_paths = paths.substr(0, paths.find("1,3,ended"));
   EXPECT_EQ(
-      complaint_about("paths.csv", short_paths),
+      message_about("paths.csv", short_paths),
       std::string("DIR/paths.csv: the path of rock 1 does not end (a path's last row has the state ended)") + damaged);
   EXPECT_EQ(
-      complaint_about("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0)),
+      message_about("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0)),
       "DIR/endpoints.csv: holds 1 rock (summary.json beside it counts 2). The files are of different runs, or one was "
       "cut short; run the project again");
 }
@@ -278,13 +277,13 @@ TEST(RunFolder, TakesASampleOfTheEndPoints) {
 TEST(RunFolderRefuses, PathsThatMakeNoSense) {
   std::string paths = sample_run::paths_head + sample_run::path_rows(0);
   paths.replace(paths.find("sliding"), 7, "flying");
-  EXPECT_EQ(complaint_about("paths.csv", paths),
+  EXPECT_EQ(message_about("paths.csv", paths),
             "DIR/paths.csv:4: state: \"flying\" is not a state (expected one of projectile, impact, sliding, rolling, "
             "barrier, "
             "ended)");
   std::string mixed = sample_run::paths_head + sample_run::path_rows(7);
   mixed.replace(mixed.find("7,2,sliding"), 1, "8");
-  EXPECT_EQ(complaint_about("paths.csv", mixed),
+  EXPECT_EQ(message_about("paths.csv", mixed),
             "DIR/paths.csv:4: rock 8 begins before rock 7 has ended (a path's last row has the state ended). The file "
             "was cut or "
             "joined by hand; run the project again");
@@ -296,7 +295,7 @@ TEST(RunFolderRefuses, AllBadFilesAtOnce) {
   folder.write("summary.json", "[]");
   folder.write("endpoints.csv", "rock\n");
   folder.write("paths.csv", "");
-  const std::string text = complaint(folder.path);
+  const std::string text = message(folder.path);
   EXPECT_EQ(std::ranges::count(text, '\n'), 2);
   EXPECT_THAT(text, ::testing::AllOf(::testing::HasSubstr("summary.json"), ::testing::HasSubstr("endpoints.csv"),
                                      ::testing::HasSubstr("paths.csv")));

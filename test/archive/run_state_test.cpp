@@ -73,7 +73,7 @@ class RunStateFile : public testing::Test {
     write_run_state(file, header, observers);
   }
   /// What is said of the file when it is read; empty where nothing is wrong.
-  [[nodiscard]] std::string complaint() const {
+  [[nodiscard]] std::string message() const {
     try {
       (void)read_run_state_header(file);
       SummaryObserver observer(rocks, 1, {});
@@ -97,7 +97,7 @@ TEST_F(RunStateFile, ComesBackAsItWas) {
   SummaryObserver observer = observer_of(150);
   write(header, observer);
   EXPECT_FALSE(std::filesystem::exists(work / "run.state.part"));
-  EXPECT_EQ(complaint(), "");
+  EXPECT_EQ(message(), "");
 
   const RunStateHeader read = read_run_state_header(file);
   EXPECT_EQ(json_text(read.description), json_text(header.description));
@@ -135,7 +135,7 @@ TEST_F(RunStateFile, ReplacesTheOneBeforeOrLeavesItAsItIs) {
   const std::string before = work.read("run.state");
   write(full_header(), many);
   EXPECT_NE(work.read("run.state"), before);
-  EXPECT_EQ(complaint(), "");
+  EXPECT_EQ(message(), "");
 }
 
 TEST_F(RunStateFile, IsRefusedWithItsReason) {
@@ -144,7 +144,7 @@ TEST_F(RunStateFile, IsRefusedWithItsReason) {
   const std::string state = work.read("run.state");
   const auto of = [&](const std::string& bytes) {
     work.write("run.state", bytes);
-    return complaint();
+    return message();
   };
   EXPECT_EQ(of(""), refused("it is empty"));
   EXPECT_EQ(of("rock,seeder,x_m\n0,Crest,1.5\n"), refused("it is no state of a run"));
@@ -163,9 +163,9 @@ TEST_F(RunStateFile, IsRefusedWithItsReason) {
   other[other.size() - 400] ^= 4;
   EXPECT_EQ(of(other), refused("it was cut short, changed or damaged"));
   std::filesystem::remove(file);
-  EXPECT_EQ(complaint(), refused("No such file or directory"));
+  EXPECT_EQ(message(), refused("No such file or directory"));
   std::filesystem::create_directory(file);
-  EXPECT_NE(complaint(), "");
+  EXPECT_NE(message(), "");
 }
 
 // Not one bit can be turned, and not one byte left out, without being noticed.

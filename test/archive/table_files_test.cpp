@@ -48,7 +48,7 @@ TEST(OutputFile, KeepsItsPartOnlyIfItShould) {
   EXPECT_EQ(work.read("b.part"), "bc");
 }
 
-std::string complaint(const auto& work_that_fails) {
+std::string message(const auto& work_that_fails) {
   try {
     work_that_fails();
   } catch (const BadInput& bad) {
@@ -61,10 +61,10 @@ TEST(OutputFile, CannotGoOnWithLessThanWasKept) {
   const Workplace work;
   work.write("short.csv.part", "0123");
   EXPECT_EQ(
-      complaint([&] { OutputFile(work / "short.csv", 5); }),
+      message([&] { OutputFile(work / "short.csv", 5); }),
       (work / "short.csv.part").string() + ": cannot go on with this file (it has 4 bytes, expected 5 at the least)");
   EXPECT_EQ(work.read("short.csv.part"), "0123");
-  EXPECT_EQ(complaint([&] { OutputFile(work / "none.csv", 0); }),
+  EXPECT_EQ(message([&] { OutputFile(work / "none.csv", 0); }),
             (work / "none.csv").string() +
                 ": cannot go on with this file (No such file or directory). Choose another folder with -o");
 }
@@ -80,7 +80,7 @@ TEST(TableMark, FindsItsTableAsAPartOrFinished) {
   std::string other = rows;
   other[rows.size() - 1] = 'x';
   work.write("t.csv.part", other);
-  EXPECT_EQ(complaint([&] { (void)find_marked(work / "", mark); }),
+  EXPECT_EQ(message([&] { (void)find_marked(work / "", mark); }),
             (work / "t.csv.part").string() +
                 ": this table is not the one that the state was saved with (the rows before the saved place differ). "
                 "It was changed or taken away; run these rocks again");

@@ -279,11 +279,11 @@ Laws plain_laws(RockModel model = RockModel::lumped_mass) {
   return laws;
 }
 
-Release thrown(const Vec3& position, const Vec3& velocity) { return {{position, velocity}, rock}; }
+Release launched(const Vec3& position, const Vec3& velocity) { return {{position, velocity}, rock}; }
 
 TEST(BarrierOnAPath, StopsAFlight) {
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 4, 0, infinite)};
-  const Followed path = follow(level_ground(), ground_of({}), plain_laws(), thrown({0, 0, 7}, {10, 0, 0}), barriers);
+  const Followed path = follow(level_ground(), ground_of({}), plain_laws(), launched({0, 0, 7}, {10, 0, 0}), barriers);
   EXPECT_EQ(path.outcome.reason, EndReason::stopped_by_barrier);
   ASSERT_EQ(path.log.hits.size(), 1U);
   const BarrierHit& hit = path.log.hits[0];
@@ -306,7 +306,7 @@ TEST(BarrierOnAPath, StopsASlide) {
     laws.sliding = sliding;
     Soil soil;
     soil.phi = 0.1;
-    const Followed path = follow(level_ground(), ground_of(soil), laws, thrown({0, 0, 0}, {12, 0, 0}), barriers);
+    const Followed path = follow(level_ground(), ground_of(soil), laws, launched({0, 0, 0}, {12, 0, 0}), barriers);
     EXPECT_EQ(path.outcome.reason, EndReason::stopped_by_barrier);
     ASSERT_EQ(path.log.hits.size(), 1U);
     EXPECT_NEAR(path.log.hits[0].motion.position.x(), 10, 1e-9);
@@ -320,7 +320,7 @@ TEST(BarrierOnAPath, StopsASlide) {
 TEST(BarrierOnAPath, StopsARollingSphere) {
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 4, 0, infinite)};
   const Followed path = follow(level_ground(), ground_of({}), plain_laws(RockModel::rigid_sphere),
-                               thrown({0, 0, rock.radius}, {12, 0, 0}), barriers);
+                               launched({0, 0, rock.radius}, {12, 0, 0}), barriers);
   EXPECT_EQ(path.outcome.reason, EndReason::stopped_by_barrier);
   ASSERT_EQ(path.log.hits.size(), 1U);
   EXPECT_NEAR(path.log.hits[0].motion.position.x(), 10 - rock.radius, 1e-9);
@@ -331,7 +331,7 @@ TEST(BarrierOnAPath, BreaksThroughTwoInOneFlight) {
   const double energy = 0.5 * rock.mass * 400;
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 20, 0, 0.25 * energy),
                                       fence({12, -5, 0}, {12, 5, 0}, 20, 0, 0.25 * energy)};
-  const Followed path = follow(level_ground(), ground_of({}), plain_laws(), thrown({0, 0, 15}, {20, 0, 0}), barriers);
+  const Followed path = follow(level_ground(), ground_of({}), plain_laws(), launched({0, 0, 15}, {20, 0, 0}), barriers);
   ASSERT_EQ(path.log.hits.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(path.log.hits[k].barrier, BarrierId{static_cast<std::uint32_t>(k)});
@@ -356,7 +356,7 @@ TEST(BarrierOnAPath, ReboundsAndDoesNotPass) {
   barriers[0].restitution = Restitution{0.3, 0.9};
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
     const Followed path =
-        follow(level_ground(), ground_of({}), plain_laws(model), thrown({0, 0, 7}, {10, 0, 0}), barriers);
+        follow(level_ground(), ground_of({}), plain_laws(model), launched({0, 0, 7}, {10, 0, 0}), barriers);
     ASSERT_EQ(path.log.hits.size(), 1U);
     EXPECT_EQ(path.log.hits[0].outcome, BarrierOutcome::rebounded);
     EXPECT_LT(path.outcome.end.position.x(), 10);
@@ -366,7 +366,7 @@ TEST(BarrierOnAPath, ReboundsAndDoesNotPass) {
 
 TEST(BarrierOnAPath, PassesAboveWithItsClearance) {
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 1, 0, infinite)};
-  const Followed path = follow(level_ground(), ground_of({}), plain_laws(), thrown({0, 0, 7}, {10, 0, 0}), barriers);
+  const Followed path = follow(level_ground(), ground_of({}), plain_laws(), launched({0, 0, 7}, {10, 0, 0}), barriers);
   EXPECT_TRUE(path.log.hits.empty());
   ASSERT_EQ(path.log.passed_above.size(), 1U);
   EXPECT_NEAR(path.log.passed_above[0].clearance, 7 - 0.5 * standard_gravity - 1, 1e-12);
@@ -381,7 +381,7 @@ TEST(BarrierOnAPath, AllCollectorsOnOneSlideAreCounted) {
       Laws laws = plain_laws(model);
       laws.sliding = sliding;
       const double reach = model == RockModel::rigid_sphere ? rock.radius : 0;
-      const Release release = thrown({0, 0, reach}, {12, 0, 0});
+      const Release release = launched({0, 0, reach}, {12, 0, 0});
       const Followed path = follow(level_ground(), ground_of({}), laws, release, barriers);
       ASSERT_EQ(path.log.hits.size(), 4U);
       for (std::size_t k = 0; k < 4; ++k) {
@@ -399,7 +399,7 @@ TEST(BarrierOnAPath, AllCollectorsOnOneSlideAreCounted) {
 
 TEST(BarrierOnAPath, ACollectorInTheAirChangesNothing) {
   const std::vector<Barrier> barriers{collector(5), collector(8)};
-  const Release release = thrown({0, 0, 7}, {10, 0, 0});
+  const Release release = launched({0, 0, 7}, {10, 0, 0});
   const Followed path = follow(level_ground(), ground_of({}), plain_laws(), release, barriers);
   const Followed alone = follow(level_ground(), ground_of({}), plain_laws(), release);
   ASSERT_EQ(path.log.hits.size(), 2U);

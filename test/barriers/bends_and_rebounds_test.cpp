@@ -42,7 +42,7 @@ Laws laws_of(RockModel model, SlidingMethod sliding) {
   return laws;
 }
 
-TEST(BarrierThatThrowsBack, LetsNothingThroughThatGravityPressesAgainstIt) {
+TEST(ReboundingBarrier, LetsNothingThroughThatGravityPressesAgainstIt) {
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
     for (const SlidingMethod sliding : {SlidingMethod::stepped, SlidingMethod::closed_form}) {
       for (const double rn : {0.0, 0.1, 0.3, 0.9}) {
@@ -65,7 +65,7 @@ TEST(BarrierThatThrowsBack, LetsNothingThroughThatGravityPressesAgainstIt) {
   }
 }
 
-TEST(BarrierThatThrowsBack, LetsGoWhatGravityDrawsAway) {
+TEST(ReboundingBarrier, LetsGoWhatGravityDrawsAway) {
   // The rock comes up the slope and slides down again.
   std::vector<Barrier> barriers{standing({{-10, -5, 6}, {-10, 5, 6}}, 30, 0)};
   barriers[0].restitution = Restitution{0, 0.6};

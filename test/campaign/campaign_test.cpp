@@ -95,7 +95,7 @@ TEST(Campaign, SummarisesTheSameBitsOnAnyNumberOfThreads) {
 }
 
 // Ranges that together are all rocks, on other borders than those of blocks: each rock is seen once and in its order.
-TEST(Campaign, ThrowsTheRocksOfARange) {
+TEST(Campaign, RunsTheRocksOfARange) {
   struct Numbers : Observer {
     struct Part : ObserverPart {
       void see(const RockRecord& record, const RockLog&) override { rocks.push_back(record.rock); }

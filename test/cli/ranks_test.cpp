@@ -190,7 +190,7 @@ TEST_F(OnRanks, SayOnceWhatIsWrongWithACommandLine) {
   const Said version = on(3, {"--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_EQ(version.text, "talus " TALUS_VERSION "\n");
-  // Where each runs alone, their words may differ. (Not a complaint: mpirun may end the others after the first one.)
+  // Where each runs alone, their words may differ. (Not a message: mpirun may end the others after the first one.)
   EXPECT_EQ(count(on(3, {"run", "--alone", "--help"}).text, "Usage:"), 3);
 }
 

@@ -275,7 +275,7 @@ class FinishedRun : public testing::Test {
   const std::string run = "run " + tutorial("2d") + " --set output.vtk=true -o " + (work / "out").string();
 };
 
-TEST_F(FinishedRun, ThatLostAFileIsThrownAgain) {
+TEST_F(FinishedRun, ThatLostAFileIsRunAgain) {
   const auto whole = files_of(work / "out");
   EXPECT_TRUE(contains(talus_says(run + " --resume").text, " is already complete in "));
   for (const char* name : {"paths.vtp", "report.html", "paths.csv"}) {
@@ -291,7 +291,7 @@ TEST_F(FinishedRun, ThatLostAFileIsThrownAgain) {
 }
 
 // What reads, compares and writes lists calls itself for every list within them.
-TEST_F(FinishedRun, WhoseSummaryWasDamagedIsThrownAgain) {
+TEST_F(FinishedRun, WhoseSummaryWasDamagedIsRunAgain) {
   const auto whole = files_of(work / "out");
   for (const std::string& damaged :
        {std::string(100'000, '['), "{\"fingerprint\": \"\", \"project\": " + std::string(100'000, '[')}) {

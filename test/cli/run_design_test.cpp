@@ -214,7 +214,7 @@ heights_m = [1, 500]
 }
 
 // All of 30 rocks are 88.4 to 100 % of those that may come: too few to be sure of 95 %.
-TEST(RunDesign, SaysWhereTooFewRocksWereThrownToBeSure) {
+TEST(RunDesign, SaysWhereTooFewRocksWereRunToBeSure) {
   const Workplace work;
   const std::string project = with_collectors(work, "3d", R"(
 [[collector]]

@@ -33,7 +33,7 @@ using sample_run::summary_3d;
 using sample_run::write_3d;
 using Json = nlohmann::ordered_json;
 
-std::string complaint(const std::filesystem::path& folder) {
+std::string message(const std::filesystem::path& folder) {
   try {
     write_geopackage(read_run_facts(folder), folder);
   } catch (const BadInput& bad) {
@@ -82,7 +82,7 @@ TEST(GeoPackage, HasFourLayersInTheTerrainsCoordinateSystem) {
   Json summary = summary_3d();
   summary["terrain"]["crs_wkt"] = utm_33();
   write_3d(folder, summary);
-  EXPECT_EQ(complaint(folder.path), "was written");
+  EXPECT_EQ(message(folder.path), "was written");
   EXPECT_FALSE(std::filesystem::exists(folder.path / "results.gpkg.part"));
   const Opened file(folder.path / "results.gpkg");
   EXPECT_EQ(file.dataset->GetLayerCount(), 4);
@@ -116,7 +116,7 @@ TEST(GeoPackage, HoldsTheSectionsOfADesign) {
   summary["design"] = {{"lines", Json::array({{{"name", "Fence"},
                                                {"sections", Json::array({section(0, 30, 4), section(30, 50, 0)})}}})}};
   write_3d(folder, summary);
-  EXPECT_EQ(complaint(folder.path), "was written");
+  EXPECT_EQ(message(folder.path), "was written");
   const Opened file(folder.path / "results.gpkg");
   EXPECT_EQ(file.dataset->GetLayerCount(), 5);
   OGRLayer& layer = file.layer("design");
@@ -139,7 +139,7 @@ TEST(GeoPackage, HoldsTheSectionsOfADesign) {
 TEST(GeoPackage, WithoutACoordinateSystemLiesInAPlane) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
-  EXPECT_EQ(complaint(folder.path), "was written");
+  EXPECT_EQ(message(folder.path), "was written");
   const Opened file(folder.path / "results.gpkg");
   EXPECT_STREQ(file.layer("paths").GetSpatialRef()->GetName(), "Undefined Cartesian SRS");
 }
@@ -147,7 +147,7 @@ TEST(GeoPackage, WithoutACoordinateSystemLiesInAPlane) {
 TEST(GeoPackage, HoldsTheTableOfEndPoints) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
-  EXPECT_EQ(complaint(folder.path), "was written");
+  EXPECT_EQ(message(folder.path), "was written");
   const Opened file(folder.path / "results.gpkg");
   OGRLayer& layer = file.layer("endpoints");
   for (const std::string_view column : endpoint_columns) {
@@ -173,7 +173,7 @@ TEST(GeoPackage, HoldsTheTableOfEndPoints) {
 TEST(GeoPackage, HoldsPathsWithTheirArcsAndWhereTheyBegin) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
-  EXPECT_EQ(complaint(folder.path), "was written");
+  EXPECT_EQ(message(folder.path), "was written");
   const Opened file(folder.path / "results.gpkg");
   OGRLayer &paths = file.layer("paths"), &releases = file.layer("releases");
   EXPECT_THAT(rocks_of(paths), ElementsAre(0, 1, 2, 3, 4, 5));
@@ -200,7 +200,7 @@ TEST(GeoPackage, HoldsPathsWithTheirArcsAndWhereTheyBegin) {
 TEST(GeoPackage, HoldsBarriersWithWhatTheyAreDesignedFor) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
-  EXPECT_EQ(complaint(folder.path), "was written");
+  EXPECT_EQ(message(folder.path), "was written");
   const Opened file(folder.path / "results.gpkg");
   OGRLayer& layer = file.layer("barriers");
   EXPECT_EQ(layer.GetFeatureCount(), 2);
@@ -261,7 +261,7 @@ TEST(GeoPackage, OfManyRocksHoldsThoseThatAreEvenlySpread) {
     for (const std::int64_t rock : ways) paths += path_rows(static_cast<std::uint64_t>(rock));
     folder.write("endpoints.csv", endpoints);
     folder.write("paths.csv", paths);
-    EXPECT_EQ(complaint(folder.path), "was written");
+    EXPECT_EQ(message(folder.path), "was written");
   };
   const auto expect = [&](const std::vector<std::int64_t>& ends, const std::vector<std::int64_t>& ways) {
     const Opened file(folder.path / "results.gpkg");
@@ -290,29 +290,29 @@ TEST(GeoPackage, OfAnInterruptedRunHoldsWhatIsThere) {
   write_3d(folder);
   folder.write("endpoints.csv", endpoints_head + endpoint_row(0) + endpoint_row(1));
   folder.write("paths.csv", paths_head + path_rows(0) + path_rows(1));
-  EXPECT_EQ(complaint(folder.path), "was written");
+  EXPECT_EQ(message(folder.path), "was written");
   EXPECT_THAT(rocks_of(Opened(folder.path / "results.gpkg").layer("paths")), ElementsAre(0, 1));
   folder.write("endpoints.csv", endpoints_head);
   folder.write("paths.csv", paths_head);
-  EXPECT_EQ(complaint(folder.path), "was written");
+  EXPECT_EQ(message(folder.path), "was written");
   EXPECT_EQ(Opened(folder.path / "results.gpkg").layer("endpoints").GetFeatureCount(), 0);
 }
 
 TEST(GeoPackage, HasTheSameBytesEachTime) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
-  EXPECT_EQ(complaint(folder.path), "was written");
+  EXPECT_EQ(message(folder.path), "was written");
   const std::string once = folder.read("results.gpkg");
   EXPECT_GT(once.size(), 10'000U);
-  EXPECT_EQ(complaint(folder.path), "was written");  // over itself
+  EXPECT_EQ(message(folder.path), "was written");  // over itself
   EXPECT_TRUE(folder.read("results.gpkg") == once);
   const sample_run::Folder other("gpkg");
   write_3d(other);
-  EXPECT_EQ(complaint(other.path), "was written");
+  EXPECT_EQ(message(other.path), "was written");
   EXPECT_TRUE(other.read("results.gpkg") == once);
   folder.write("endpoints.csv", endpoints_head);
   folder.write("paths.csv", paths_head);
-  EXPECT_EQ(complaint(folder.path), "was written");
+  EXPECT_EQ(message(folder.path), "was written");
   EXPECT_FALSE(folder.read("results.gpkg") == once);
 }
 
@@ -320,30 +320,30 @@ TEST(GeoPackage, RefusesTablesThatDoNotBelongTogether) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   folder.write("paths.csv", paths_head + path_rows(7));
-  const std::string complaint_of_seven =
+  const std::string message_of_seven =
       "paths.csv: has the path of rock 7 (endpoints.csv has no such rock after those before it). The files are of "
       "different runs; run the project again";
-  EXPECT_EQ(complaint(folder.path), complaint_of_seven);
+  EXPECT_EQ(message(folder.path), message_of_seven);
   EXPECT_FALSE(std::filesystem::exists(folder.path / "results.gpkg"));
   EXPECT_FALSE(std::filesystem::exists(folder.path / "results.gpkg.part"));
   folder.write("paths.csv", paths_head + path_rows(4) + path_rows(2));
   EXPECT_EQ(
-      complaint(folder.path),
+      message(folder.path),
       "paths.csv: has the path of rock 2 (endpoints.csv has no such rock after those before it). The files are of "
       "different runs; run the project again");
   std::filesystem::remove(folder.path / "paths.csv");
-  EXPECT_EQ(complaint(folder.path), "paths.csv: cannot be opened (it must be a readable file)");
+  EXPECT_EQ(message(folder.path), "paths.csv: cannot be opened (it must be a readable file)");
 }
 
 TEST(GeoPackage, SaysWhereItCannotBeWritten) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   std::filesystem::create_directories(folder.path / "results.gpkg/in the way");
-  EXPECT_EQ(complaint(folder.path),
+  EXPECT_EQ(message(folder.path),
             "results.gpkg: cannot finish this file (Is a directory). Choose another folder with -o");
   std::filesystem::remove_all(folder.path / "results.gpkg");
   std::filesystem::create_directories(folder.path / "results.gpkg.part/in the way");
-  const std::string text = complaint(folder.path);
+  const std::string text = message(folder.path);
   EXPECT_EQ(text.find("results.gpkg: cannot write this file (GDAL: "), 0U) << text;
   EXPECT_NE(text.find("). Free some space, or choose another folder with -o"), std::string::npos) << text;
 }
@@ -359,12 +359,12 @@ TEST(GeoPackage, AFullDiskLeavesNothingHalfWritten) {
   std::string text;
   {
     const testing_tools::FileSizeLimit limit(262'144);
-    text = complaint(folder.path);
+    text = message(folder.path);
   }
   EXPECT_EQ(text.find("results.gpkg: cannot write this file (GDAL: "), 0U) << text;
   EXPECT_FALSE(std::filesystem::exists(folder.path / "results.gpkg"));
   EXPECT_FALSE(std::filesystem::exists(folder.path / "results.gpkg.part"));
-  EXPECT_EQ(complaint(folder.path), "was written");  // with room again
+  EXPECT_EQ(message(folder.path), "was written");  // with room again
 }
 
 #else
@@ -373,7 +373,7 @@ TEST(GeoPackage, WithoutGdalIsRefused) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   EXPECT_FALSE(can_write_geopackage());
-  EXPECT_EQ(complaint(folder.path),
+  EXPECT_EQ(message(folder.path),
             "results.gpkg: cannot write this file (this program was built without GDAL). Build it with GDAL, or set "
             "geopackage = \"none\"");
 }

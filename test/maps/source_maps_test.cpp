@@ -98,7 +98,7 @@ TEST(SourceMaps, OfAnEarlierRunAreRemovedAndNothingElse) {
   write_source_maps(three_sources(), three_names, {}, "", work / "by_source");
   remove_source_maps(work / "by_source");
   EXPECT_FALSE(std::filesystem::exists(work / "by_source"));
-  remove_source_maps(work / "by_source");  // nothing there, nothing to complain of
+  remove_source_maps(work / "by_source");  // nothing there, no message
 }
 
 TEST(SourceMaps, AFolderThatCannotBeMadeIsRefused) {

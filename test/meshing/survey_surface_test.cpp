@@ -122,7 +122,7 @@ TEST(SurveySurface, ABreaklineAcrossARidgeIsHonoured) {
   EXPECT_GT(greatest_without, 3);
 }
 
-TEST(SurveySurface, IsGoodEnoughToThrowRocksAt) {
+TEST(SurveySurface, IsGoodEnoughToSimulateRocksOn) {
   Dice dice(32);
   Survey survey;
   for (int i = 0; i < 3000; ++i) {

@@ -51,41 +51,41 @@ Model model_of(const std::string& text) {
   return build_model(read_project_text(text, "slope.toml").project, warnings);
 }
 
-std::string complaint_of(const std::string& text) {
+std::string message_of(const std::string& text) {
   try {
     (void)model_of(text);
   } catch (const BadInput& bad) {
     return bad.problems().text();
   }
-  return "no complaint";
+  return "no message";
 }
 
 TEST(BuildModel, RefusesASeederOffTheSection) {
-  EXPECT_EQ(complaint_of(replaced(flat_2d, "[1, 5]", "[25, 5]")),
+  EXPECT_EQ(message_of(replaced(flat_2d, "[1, 5]", "[25, 5]")),
             "slope.toml:6: seeder \"seeder 1\": x = 25 is off the terrain (the section goes from x = 0 to 20)");
 }
 
 TEST(BuildModel, RefusesASeederOffTheMesh) {
   EXPECT_EQ(
-      complaint_of(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]")),
+      message_of(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]")),
       "slope.toml:7: seeder \"seeder 1\": (5, 15) is off the terrain (on plan the terrain lies within x = 0 to 10, "
       "y = 0 to 10)");
 }
 
 TEST(BuildModel, HintsThatTurningTheTerrainTurnsNothingElse) {
   EXPECT_EQ(
-      complaint_of(replaced(replaced(square_3d, "[terrain]", "[terrain]\nrotate_deg = 90"), "[5, 5, 5]", "[5, 9, 5]")),
+      message_of(replaced(replaced(square_3d, "[terrain]", "[terrain]\nrotate_deg = 90"), "[5, 5, 5]", "[5, 9, 5]")),
       "slope.toml:8: seeder \"seeder 1\": (5, 9) is off the terrain (on plan the terrain lies within x = -10 to 0, "
       "y = 0 to 10). terrain.rotate_deg turns the terrain only, not the seeders");
 }
 
 TEST(BuildModel, RefusesABarrierOffTheTerrain) {
-  EXPECT_EQ(complaint_of(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[20, 0], [20, 10]]\nheight_m = 2\n"),
+  EXPECT_EQ(message_of(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[20, 0], [20, 10]]\nheight_m = 2\n"),
             "slope.toml:11: barrier \"Fence\": its line does not touch the terrain (a barrier stands on the ground)");
 }
 
 TEST(BuildModel, RefusesABarrierThatIsNoLine) {
-  EXPECT_EQ(complaint_of(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[5, 5], [5, 5.000001]]\nheight_m = 2\n"),
+  EXPECT_EQ(message_of(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[5, 5], [5, 5.000001]]\nheight_m = 2\n"),
             "slope.toml:11: barrier \"Fence\": its line is 1e-06 m long (expected at least 1e-05 m)");
 }
 
@@ -93,21 +93,21 @@ const std::string varied_2d = replaced(
     flat_2d, "section = ", "section_std_dev_m = [[0.5, 0], [0, 0], [1, 0]]\nsection = ");  // certain from 1.5 to 17
 
 TEST(BuildModel, RefusesASeederThatMayBeOffAVariedSection) {
-  EXPECT_EQ(complaint_of(replaced(varied_2d, "[1, 5]", "[1.5, 5]")), "no complaint");
+  EXPECT_EQ(message_of(replaced(varied_2d, "[1, 5]", "[1.5, 5]")), "no message");
   EXPECT_EQ(
-      complaint_of(varied_2d),
+      message_of(varied_2d),
       "slope.toml:7: seeder \"seeder 1\": x = 1 may be off the terrain (where section_std_dev_m moves its ends by "
       "3 standard deviations, the section goes from x = 1.5 to 17). Move it inwards, or give the end vertices "
       "less in x");
   const std::string line =
       replaced(varied_2d, "type = \"point\"\nposition = [1, 5]", "type = \"line\"\npoints = [[2, 5], [18, 5]]");
-  EXPECT_NE(complaint_of(line).find("x = 18 may be off the terrain"), std::string::npos) << complaint_of(line);
+  EXPECT_NE(message_of(line).find("x = 18 may be off the terrain"), std::string::npos) << message_of(line);
 }
 
 TEST(BuildModel, RefusesABarrierThatMayBeOffAVariedSection) {
   const std::string good = replaced(varied_2d, "[1, 5]", "[2, 5]");
-  EXPECT_EQ(complaint_of(good + "[[barrier]]\nline = 17\nheight_m = 2\n"), "no complaint");
-  EXPECT_EQ(complaint_of(good + "[[barrier]]\nline = 17.5\nheight_m = 2\n"),
+  EXPECT_EQ(message_of(good + "[[barrier]]\nline = 17\nheight_m = 2\n"), "no message");
+  EXPECT_EQ(message_of(good + "[[barrier]]\nline = 17.5\nheight_m = 2\n"),
             "slope.toml:11: barrier \"barrier 1\": x = 17.5 may be off the terrain (where section_std_dev_m moves its "
             "ends by 3 standard deviations, the section goes from x = 1.5 to 17). Move it inwards, or give the end "
             "vertices less in x");
@@ -117,7 +117,7 @@ TEST(BuildModel, LetsASectionVaryWhereItGoesBackByItself) {
   const std::string overhang =
       replaced(replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 0], [10, 0], [9.5, -2], [20, -10]]"),
                "section = ", "section_std_dev_m = [[0, 0], [0.1, 0], [0.1, 0], [0, 0]]\nsection = ");
-  EXPECT_EQ(complaint_of(overhang), "no complaint");
+  EXPECT_EQ(message_of(overhang), "no message");
 }
 
 TEST(BuildModel, TellsHowMuchOfABarrierIsOffTheTerrain) {
@@ -163,15 +163,15 @@ TEST(BuildModel, SaysNothingOfABarrierThatIsOnTheTerrainAltogether) {
 }
 
 TEST(BuildModel, LeavesAMaterialListOfTheWrongLengthToTheReader) {
-  EXPECT_EQ(complaint_of(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]") + "[ground]\ntriangles = [0, 0, 0]\n"),
+  EXPECT_EQ(message_of(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]") + "[ground]\ntriangles = [0, 0, 0]\n"),
             "slope.toml:12: [ground]: triangles has 3 entries (expected 2, one for each triangle of the terrain)")
       << "inline meshes are checked by the reader";
 }
 
 TEST(BuildModel, RefusesAMeshWithoutArea) {
-  EXPECT_NE(complaint_of(
-                replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]", "[[0,0,0],[10,0,0],[20,0,0],[30,0,0]]")),
-            "no complaint");
+  EXPECT_NE(
+      message_of(replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]", "[[0,0,0],[10,0,0],[20,0,0],[30,0,0]]")),
+      "no message");
 }
 
 TEST(BuildModel, LiftsAReleasePointBelowTheSurfaceAndCountsIt) {
@@ -217,7 +217,7 @@ TEST(BuildModel, PutsRocksOnTheSurfaceAndAboveIt) {
   EXPECT_NEAR(Simulator(above).simulate(0, false).outcome.start.position.z(), 2, 1e-12);
 }
 
-TEST(BuildModel, ThrowsRocksDownEitherSideOfARidge) {
+TEST(BuildModel, ReleasesRocksDownEitherSideOfARidge) {
   const Model ridge = model_of(R"(
 [terrain]
 section = [[-4, 0], [0, 3], [12, -2]]
@@ -330,8 +330,7 @@ TEST(BuildModel, SettingsOfOneRockModelChangeNothingForTheOtherAndSomethingForTh
       const std::string bumps = "roughness_spacing_m = 1\nroughness_amplitude_m = 0.1\n";
       const bool is_bump = setting.key.starts_with("roughness_");
       for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
-        const std::string analysis =
-            "[analysis]\nmodel = \"" + std::string(word(model)) + "\"\n";
+        const std::string analysis = "[analysis]\nmodel = \"" + std::string(word(model)) + "\"\n";
         const auto project = [&](const std::string& more) {
           if (table.key == "analysis") return analysis + more + ground;
           return analysis + replaced(ground, "[[material]]\n", "[[material]]\n" + more);

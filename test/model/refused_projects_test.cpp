@@ -21,7 +21,7 @@ std::string repeated(const std::string& part, int times) {
   return text;
 }
 
-std::string complaint_about(const std::string& text, const Overrides& overrides = {}) {
+std::string message_about(const std::string& text, const Overrides& overrides = {}) {
   try {
     (void)read_project_text(text, "slope.toml", overrides);
     return "";
@@ -38,38 +38,38 @@ std::string with_section(const std::string& section) {
 TEST(RefusedProject, AKeyOfEndlessParts) {
   const std::string why = " (the longest of a project have three, as [material.normal_restitution] mean)";
   const std::string parts = repeated("a.", 200'000) + "a";
-  EXPECT_EQ(complaint_about("name = \"x\"\n" + parts + " = 1\n"), "slope.toml:2: a key has more than 16 parts" + why);
-  EXPECT_EQ(complaint_about("\n\n[" + parts + "]\n"), "slope.toml:3: a key has more than 16 parts" + why);
-  EXPECT_EQ(complaint_about("x = { " + repeated("\"a.b\" . ", 20) + "c = 1 }"),
+  EXPECT_EQ(message_about("name = \"x\"\n" + parts + " = 1\n"), "slope.toml:2: a key has more than 16 parts" + why);
+  EXPECT_EQ(message_about("\n\n[" + parts + "]\n"), "slope.toml:3: a key has more than 16 parts" + why);
+  EXPECT_EQ(message_about("x = { " + repeated("\"a.b\" . ", 20) + "c = 1 }"),
             "slope.toml:1: a key has more than 16 parts" + why);
-  EXPECT_EQ(complaint_about("a = \"\"\"\n\n\\\"\"\"\"\n" + parts + " = 1\n"),
+  EXPECT_EQ(message_about("a = \"\"\"\n\n\\\"\"\"\"\n" + parts + " = 1\n"),
             "slope.toml:4: a key has more than 16 parts" + why);
-  EXPECT_EQ(complaint_about("a = 'b\n" + parts), "slope.toml:2: a key has more than 16 parts" + why);
+  EXPECT_EQ(message_about("a = 'b\n" + parts), "slope.toml:2: a key has more than 16 parts" + why);
 }
 
 TEST(RefusedProject, PointsInTextCommentsAndNumbersAreNoParts) {
   const std::string points = repeated("a.", 50);
-  EXPECT_EQ(complaint_about("name = \"" + points + "\"  # " + points + "\n" +
-                            with_section("[[0.5, 0.5], [1.5, 0.5], [2.5, 0.5], [3.5, 0.5], [4.5, 0.5], [5.5, 0.5], "
-                                         "[6.5, 0.5], [7.5, 0.5], [8.5, 0.5], [9.5, 0.5], [10.5, 0.5]]")),
+  EXPECT_EQ(message_about("name = \"" + points + "\"  # " + points + "\n" +
+                          with_section("[[0.5, 0.5], [1.5, 0.5], [2.5, 0.5], [3.5, 0.5], [4.5, 0.5], [5.5, 0.5], "
+                                       "[6.5, 0.5], [7.5, 0.5], [8.5, 0.5], [9.5, 0.5], [10.5, 0.5]]")),
             "");
 }
 
 TEST(RefusedProject, ValuesDeepInOneAnother) {
-  EXPECT_EQ(complaint_about("a = " + repeated("[", 100'000) + repeated("]", 100'000)),
+  EXPECT_EQ(message_about("a = " + repeated("[", 100'000) + repeated("]", 100'000)),
             "slope.toml:1: this is not TOML (Error while parsing value: exceeded maximum nested value depth of 256 "
             "(TOML_MAX_NESTED_VALUES))");
 }
 
 TEST(RefusedProject, ATableWithoutALetter) {
-  EXPECT_EQ(complaint_about("[=]\n"),
+  EXPECT_EQ(message_about("[=]\n"),
             "slope.toml:1: this is not TOML (Error while parsing key: expected bare key starting character or string "
             "delimiter, saw '=')");
 }
 
 TEST(RefusedProject, LettersThatAreAlmostBlanks) {
   for (const std::string letter : {"\u0362", "\u0100", "\u3100", "\uFE00"}) {
-    EXPECT_EQ(complaint_about("a = [1, " + letter + "2]"),
+    EXPECT_EQ(message_about("a = [1, " + letter + "2]"),
               "slope.toml:1: this is not TOML (Error while parsing value: could not determine value type)")
         << letter;
   }
@@ -78,24 +78,24 @@ TEST(RefusedProject, LettersThatAreAlmostBlanks) {
 TEST(RefusedProject, ASettingOfEndlessParts) {
   const std::string good = with_section("[[0, 0], [10, -10]]");
   const std::string key = repeated("a.", 16) + "a";
-  EXPECT_EQ(complaint_about(good, {.settings = {key + "=1"}}),
+  EXPECT_EQ(message_about(good, {.settings = {key + "=1"}}),
             "--set " + key +
                 "=1: the key has 17 parts (the longest of a project have four, as material.Rock.normal_restitution."
                 "mean)");
-  EXPECT_EQ(complaint_about(good, {.settings = {"name={" + key + " = 1}"}}),
+  EXPECT_EQ(message_about(good, {.settings = {"name={" + key + " = 1}"}}),
             "--set name={" + key + " = 1}: the value is not TOML (a key in it has more than 16 parts)");
 }
 
 TEST(RefusedProject, ASectionThatCrossesItself) {
   EXPECT_EQ(
-      complaint_about(with_section("[[0, 0], [10, -10], [10, 0], [0, -10]]")),
+      message_about(with_section("[[0, 0], [10, -10], [10, 0], [0, -10]]")),
       "slope.toml:2: [terrain]: section crosses or touches itself (at or near x = 5, z = -5). Give its vertices in "
       "order along the slope");
-  EXPECT_EQ(complaint_about(with_section("[[0, 0], [10, 0], [10, -10], [8, -12], [20, -20]]")), "") << "an overhang";
+  EXPECT_EQ(message_about(with_section("[[0, 0], [10, 0], [10, -10], [8, -12], [20, -20]]")), "") << "an overhang";
 }
 
 TEST(RefusedProject, ASectionBeyondAnyMap) {
-  EXPECT_EQ(complaint_about(with_section("[[0, 0], [1e300, 0], [20, -1e10]]")),
+  EXPECT_EQ(message_about(with_section("[[0, 0], [1e300, 0], [20, -1e10]]")),
             "slope.toml:2: [terrain]: section[1] is [1e+300, 0] (coordinates lie within 1e+09 m)\n"
             "slope.toml:2: [terrain]: section[2] is [20, -10000000000] (coordinates lie within 1e+09 m)");
 }
@@ -104,7 +104,7 @@ TEST(RefusedProject, EntriesThatShareTheirNamesAreToldSoon) {
   std::string text = with_section("[[0, 0], [10, -10]]");
   for (int k = 0; k < 30'000; ++k)
     text += "[[barrier]]\nname = \"b" + std::to_string(k / 2) + "\"\nline = 5\nheight_m = 1\n";
-  const std::string said = complaint_about(text);
+  const std::string said = message_about(text);
   EXPECT_TRUE(
       said.starts_with("slope.toml:13: two barriers or collectors are called \"b0\" (the other begins in line 8). "
                        "Give each its own name\n"))
@@ -114,13 +114,13 @@ TEST(RefusedProject, EntriesThatShareTheirNamesAreToldSoon) {
 TEST(RefusedProject, MoreEntriesThanAnyProjectHas) {
   std::string text = with_section("[[0, 0], [10, -10]]");
   for (int k = 0; k < 100'001; ++k) text += "[[barrier]]\n";
-  EXPECT_EQ(complaint_about(text), "slope.toml:8: [[barrier]] has 100001 entries (expected at most 100000)");
+  EXPECT_EQ(message_about(text), "slope.toml:8: [[barrier]] has 100001 entries (expected at most 100000)");
 }
 
 TEST(RefusedProject, OfVeryManyUnknownKeysTheFirstAreTold) {
   std::string text;
   for (int k = 1000; k < 1250; ++k) text += "qqq" + std::to_string(k) + " = 1\n";
-  const std::string said = complaint_about(text + with_section("[[0, 0], [10, -10]]"));
+  const std::string said = message_about(text + with_section("[[0, 0], [10, -10]]"));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 100);
   EXPECT_TRUE(said.starts_with("slope.toml:1: unknown key \"qqq1000\" (known are ")) << said.substr(0, 200);
   EXPECT_NE(said.find("\nslope.toml:1: 150 more keys are unknown\nslope.toml:2: unknown key \"qqq1001\""),

@@ -38,7 +38,7 @@ horizontal_velocity_m_s = 3
 
 struct BadTerrain {
   const char* name;
-  std::string terrain, complaint;
+  std::string terrain, message;
 };
 void PrintTo(const BadTerrain& bad, std::ostream* out) { *out << bad.name; }
 
@@ -49,7 +49,7 @@ TEST_P(BadSurveyTest, IsRefusedWithThisText) {
     static_cast<void>(read_project_text("[terrain]\n" + GetParam().terrain + rest, "slope.toml"));
     FAIL() << "was read";
   } catch (const BadInput& bad) {
-    EXPECT_STREQ(bad.what(), GetParam().complaint.c_str());
+    EXPECT_STREQ(bad.what(), GetParam().message.c_str());
   }
 }
 

@@ -51,7 +51,7 @@ height_m = 3
 struct BadProject {
   const char* name;
   std::vector<std::pair<std::string, std::string>> replaced;  // in the good project: this by that
-  std::string complaint;
+  std::string message;
 };
 
 std::string changed(const BadProject& bad) {
@@ -64,8 +64,8 @@ std::string changed(const BadProject& bad) {
   return text;
 }
 
-/// What the reader complains of, or nothing where it finds the project good.
-std::string complaint_about(const std::string& text, const Overrides& overrides = {}) {
+/// What the reader reports, or nothing where the project is good.
+std::string message_about(const std::string& text, const Overrides& overrides = {}) {
   try {
     const Reading reading = read_project_text(text, "slope.toml", overrides);
     return "";
@@ -83,7 +83,7 @@ std::string name_of_case(const testing::TestParamInfo<Case>& info) {
 
 class BadProjectTest : public testing::TestWithParam<BadProject> {};
 
-TEST_P(BadProjectTest, IsRefusedWithThisText) { EXPECT_EQ(complaint_about(changed(GetParam())), GetParam().complaint); }
+TEST_P(BadProjectTest, IsRefusedWithThisText) { EXPECT_EQ(message_about(changed(GetParam())), GetParam().message); }
 
 const std::vector<BadProject> bad_projects{
     {"SyntaxError",
@@ -956,7 +956,7 @@ class DoubtfulProjectTest : public testing::TestWithParam<BadProject> {};
 
 TEST_P(DoubtfulProjectTest, IsReadWithThisWarning) {
   const Reading reading = read_project_text(changed(GetParam()), "slope.toml");
-  EXPECT_EQ(reading.warnings.text(), GetParam().complaint);
+  EXPECT_EQ(reading.warnings.text(), GetParam().message);
 }
 
 const std::vector<BadProject> doubtful_projects{
@@ -1130,7 +1130,7 @@ INSTANTIATE_TEST_SUITE_P(All, DoubtfulProjectTest, testing::ValuesIn(doubtful_pr
 struct BadOverride {
   const char* name;
   std::vector<std::string> settings;
-  std::string complaint;
+  std::string message;
 };
 
 void PrintTo(const BadOverride& bad, std::ostream* out) { *out << bad.name; }
@@ -1138,8 +1138,8 @@ void PrintTo(const BadOverride& bad, std::ostream* out) { *out << bad.name; }
 class BadOverrideTest : public testing::TestWithParam<BadOverride> {};
 
 TEST_P(BadOverrideTest, IsRefusedWithThisText) {
-  EXPECT_EQ(complaint_about(good_project, {.settings = GetParam().settings, .rocks = {}, .seed = {}}),
-            GetParam().complaint);
+  EXPECT_EQ(message_about(good_project, {.settings = GetParam().settings, .rocks = {}, .seed = {}}),
+            GetParam().message);
 }
 
 const std::vector<BadOverride> bad_overrides{
@@ -1204,26 +1204,26 @@ const std::vector<BadOverride> bad_overrides{
 INSTANTIATE_TEST_SUITE_P(All, BadOverrideTest, testing::ValuesIn(bad_overrides), name_of_case<BadOverride>);
 
 TEST(BadProject, TheGoodOneIsGood) {
-  EXPECT_EQ(complaint_about(good_project), "");
+  EXPECT_EQ(message_about(good_project), "");
   EXPECT_EQ(read_project_text(good_project, "slope.toml").warnings.text(), "");
 }
 
 TEST(BadProject, EmptyText) {
-  EXPECT_EQ(complaint_about(""),
+  EXPECT_EQ(message_about(""),
             "slope.toml: [terrain] is missing (a project needs it)\n"
             "slope.toml: [[material]] is missing (a project needs at least one)\n"
             "slope.toml: [[seeder]] is missing (a project needs at least one)");
 }
 
 TEST(BadProject, NoRocksOnTheCommandLine) {
-  EXPECT_EQ(complaint_about(good_project, {.settings = {}, .rocks = 0, .seed = {}}),
+  EXPECT_EQ(message_about(good_project, {.settings = {}, .rocks = 0, .seed = {}}),
             "--rocks 0: this is no number of rocks (expected 1 to 1e12)");
 }
 
 TEST(BadProject, NoWarningRestsOnAValueThatWasRefused) {
   const std::string bad_mass = R"(mass_kg = { mean = 1000, distribution = "normal", std_dev = -1 })";
   EXPECT_EQ(
-      complaint_about(changed({"", {{"mass_kg = 1000", bad_mass}, {"rocks = 10", "rocks = 500"}}, ""})),
+      message_about(changed({"", {{"mass_kg = 1000", bad_mass}, {"rocks = 10", "rocks = 500"}}, ""})),
       "slope.toml:25: seeder \"Crest\": mass_kg std_dev is -1 (a standard deviation is a width; expected 0 or more). "
       "Did you mean 1?");
 }
@@ -1238,7 +1238,7 @@ TEST(BadProject, CallsASeederWithoutANameByItsNumber) {
 }
 
 TEST(BadProject, WarningsStandBesideErrors) {
-  EXPECT_EQ(complaint_about(changed({"", {{"mass_kg = 1000", "mass_kg = 2"}, {"rocks = 10", "rocks = 0"}}, ""})),
+  EXPECT_EQ(message_about(changed({"", {{"mass_kg = 1000", "mass_kg = 2"}, {"rocks = 10", "rocks = 0"}}, ""})),
             "slope.toml:24: seeder \"Crest\": rocks is 0 (a seeder without rocks does nothing; expected 1 to "
             "1e12)\n"
             "slope.toml:25: warning: seeder \"Crest\": mass_kg is 2 (this is a mass in kilograms, of a stone that can "
@@ -1246,8 +1246,8 @@ TEST(BadProject, WarningsStandBesideErrors) {
 }
 
 TEST(BadProject, OverridesComeAfterTheFile) {
-  EXPECT_EQ(complaint_about(changed({"", {{"height_m = 3", "height_m = 0"}}, ""}),
-                            {.settings = {"seeder.Crest.rocks=0"}, .rocks = {}, .seed = {}}),
+  EXPECT_EQ(message_about(changed({"", {{"height_m = 3", "height_m = 0"}}, ""}),
+                          {.settings = {"seeder.Crest.rocks=0"}, .rocks = {}, .seed = {}}),
             "slope.toml:30: barrier \"Fence\": height_m is 0 (it could not be hit; expected more than 0, up to 10000)\n"
             "--set seeder.Crest.rocks=0: seeder \"Crest\": rocks is 0 (a seeder without rocks does nothing; expected 1 "
             "to 1e12)");
@@ -1263,8 +1263,8 @@ class BadProjectFile : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// The complaint, without the folder, which is another at every run.
-  [[nodiscard]] std::string complaint(const std::filesystem::path& file) const {
+  /// The message, without the folder, which is another at every run.
+  [[nodiscard]] std::string message(const std::filesystem::path& file) const {
     try {
       const Reading reading = read_project(file);
       return "";
@@ -1286,19 +1286,19 @@ class BadProjectFile : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(BadProjectFile, IsReadWhereItIsGood) { EXPECT_EQ(complaint(written(good_project)), ""); }
+TEST_F(BadProjectFile, IsReadWhereItIsGood) { EXPECT_EQ(message(written(good_project)), ""); }
 
 TEST_F(BadProjectFile, Missing) {
-  EXPECT_EQ(complaint(folder_ / "slope.toml"),
+  EXPECT_EQ(message(folder_ / "slope.toml"),
             "FOLDER/slope.toml: there is no such file. `talus new` writes a project to start from");
 }
 
 TEST_F(BadProjectFile, IsADirectory) {
-  EXPECT_EQ(complaint(folder_), "FOLDER: this is a directory (expected a project file, for example slope.toml)");
+  EXPECT_EQ(message(folder_), "FOLDER: this is a directory (expected a project file, for example slope.toml)");
 }
 
 TEST_F(BadProjectFile, IsADevice) {
-  EXPECT_EQ(complaint("/dev/null"),
+  EXPECT_EQ(message("/dev/null"),
             "/dev/null: this is not a regular file (expected a project file, for example slope.toml)");
 }
 
@@ -1306,27 +1306,27 @@ TEST_F(BadProjectFile, Unreadable) {
   const std::filesystem::path file = written(good_project);
   std::filesystem::permissions(file, std::filesystem::perms::none);
   // The administrator may read everything.
-  EXPECT_EQ(complaint(file), geteuid() == 0 ? "" : "FOLDER/slope.toml: the file cannot be read (Permission denied)");
+  EXPECT_EQ(message(file), geteuid() == 0 ? "" : "FOLDER/slope.toml: the file cannot be read (Permission denied)");
 }
 
 TEST_F(BadProjectFile, TooLarge) {
   const std::filesystem::path file = written(good_project);
   std::filesystem::resize_file(file, 300u << 20u);  // a hole, no bytes on the disk
   EXPECT_EQ(
-      complaint(file),
+      message(file),
       "FOLDER/slope.toml: the file has 300 MiB (a project file has at most 64 MiB). Keep a large terrain in a mesh "
       "file and name it by terrain.mesh");
 }
 
 TEST_F(BadProjectFile, Truncated) {
   const std::string text = good_project;
-  EXPECT_EQ(complaint(written(text.substr(0, text.find("[10, -10]") + 4))),
+  EXPECT_EQ(message(written(text.substr(0, text.find("[10, -10]") + 4))),
             "FOLDER/slope.toml:7: this is not TOML (Error while parsing array: encountered end-of-file)");
 }
 
 TEST_F(BadProjectFile, IsNoText) {
   EXPECT_EQ(
-      complaint(written("name = \"\xff\"")),
+      message(written("name = \"\xff\"")),
       "FOLDER/slope.toml:1: the byte 0xff is not UTF-8 (a project file is UTF-8; Latin-1 and Windows-1252 write "
       "letters such as \u00e4 and \u00e9 as single bytes). Save it as UTF-8; editors offer that where they save under "
       "another name");
@@ -1336,7 +1336,7 @@ TEST_F(BadProjectFile, IsUtf16) {
   const std::string with_mark("\xff\xfen\0a\0", 6), without("n\0a\0m\0e\0", 8);
   for (const std::string& text : {with_mark, without}) {
     EXPECT_EQ(
-        complaint(written(text)),
+        message(written(text)),
         "FOLDER/slope.toml: the file is UTF-16 (a project file is UTF-8). Save it as UTF-8; editors offer that where "
         "they save under another name");
   }
@@ -1350,11 +1350,11 @@ TEST_F(BadProjectFile, NamesAMeshThatIsNotThere) {
                               {"line = 15", "line = [[15, 0], [15, 50]]"}},
                              ""};
   const std::filesystem::path file = written(changed(with_mesh));
-  EXPECT_EQ(complaint(file),
+  EXPECT_EQ(message(file),
             "FOLDER/slope.toml:7: [terrain]: mesh is \"bowl.obj\" (there is no file FOLDER/bowl.obj). Its path is "
             "relative to the project file");
   std::ofstream(folder_ / "bowl.obj") << "v 0 0 0\n";
-  EXPECT_EQ(complaint(file), "");
+  EXPECT_EQ(message(file), "");
 }
 
 }  // namespace

@@ -112,14 +112,14 @@ const std::vector<Case> cases{
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nlayer = \"a\"\nsource_attribute = \"b\"\n",
      "13: warning: seeder \"Cliff\": layer has no effect (it belongs to a file of lines or polygons)\n"
      "14: warning: seeder \"Cliff\": source_attribute has no effect (it belongs to a file of lines or polygons)"},
-    {"AnAreaThrownOneWay",
+    {"AnAreaLaunchedOneWay",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nhorizontal_velocity_m_s = 2\n",
      "13: warning: seeder \"Cliff\": horizontal_velocity_m_s is given without a direction (all rocks of the area start "
      "eastwards, [1, 0, 0], whatever way the slope faces). Write direction = \"downslope\", or one direction, [x, y, "
      "z]"},
     {"AnAreaWithADirection",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nspeed_m_s = 2\ndirection = [0, 1, 0]\n", ""},
-    {"AnAreaThrownDownItsSlopes",
+    {"AnAreaLaunchedDownItsSlopes",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nspeed_m_s = 2\ndirection = \"downslope\"\n",
      ""},
     {"ADefaultSaysNothing", "position = [1, 1, 1]\nplace = \"random\"\n", ""},

@@ -46,13 +46,13 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-std::string complaint(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& html) {
+std::string message(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& html) {
   try {
     write_report(folders, html);
   } catch (const BadInput& bad) {
     return bad.what();
   }
-  return "nothing to complain of";
+  return "no message";
 }
 
 TEST(Report, NeedsNothingFromOutside) {
@@ -239,15 +239,15 @@ TEST(Report, IsThereWholeOrNotAtAll) {
 }
 
 TEST(ReportRefuses, OtherThanOneOrTwoRuns) {
-  EXPECT_EQ(complaint({}, "report.html"),
+  EXPECT_EQ(message({}, "report.html"),
             "report: given 0 run folders (a report is of one run, or of two laid over each other)");
-  EXPECT_EQ(complaint({"a", "b", "c"}, "report.html"),
+  EXPECT_EQ(message({"a", "b", "c"}, "report.html"),
             "report: given 3 run folders (a report is of one run, or of two laid over each other)");
 }
 
 TEST(ReportRefuses, BothFoldersAtOnce) {
   EXPECT_EQ(
-      complaint({"absent-1", "absent-2"}, "report.html"),
+      message({"absent-1", "absent-2"}, "report.html"),
       "absent-1: there is no such folder (expected the folder of a run). Name a folder that `talus run` has written\n"
       "absent-2: there is no such folder (expected the folder of a run). Name a folder that `talus run` has written");
 }
@@ -256,10 +256,10 @@ TEST(ReportRefuses, PlacesWhereNothingCanBeWritten) {
   const sample_run::Folder folder("report");
   sample_run::write(folder);
   const auto html = folder.path / "absent" / "report.html";
-  EXPECT_EQ(complaint({folder.path}, html),
+  EXPECT_EQ(message({folder.path}, html),
             html.string() + ": cannot create this file (No such file or directory). Choose another folder with -o");
   std::filesystem::create_directories(folder.path / "taken.html" / "inside");
-  EXPECT_EQ(complaint({folder.path}, folder.path / "taken.html"),
+  EXPECT_EQ(message({folder.path}, folder.path / "taken.html"),
             (folder.path / "taken.html").string() +
                 ": cannot write this file (it is a folder). Name an ordinary file, or one that is not there yet");
   EXPECT_FALSE(std::filesystem::exists(folder.path / "taken.html.part"));
@@ -271,7 +271,7 @@ TEST(ReportRefuses, AFullDisk) {
   folder.write("report.html", "the report of before");
   const testing_tools::FileSizeLimit limit(65536);
   EXPECT_EQ(
-      complaint({folder.path}, folder.path / "report.html"),
+      message({folder.path}, folder.path / "report.html"),
       (folder.path / "report.html").string() +
           ": cannot write to this file (File too large). Allow larger files (ulimit -f), or write elsewhere with -o");
   EXPECT_EQ(folder.read("report.html"), "the report of before");

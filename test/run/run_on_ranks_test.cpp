@@ -139,9 +139,8 @@ TEST(RunOnRanks, MayBeAShard) {
   EXPECT_EQ(run_on(3, loaded, work / "empty", options).summary.done, 0U);
 }
 
-/// What rank 0 complains of; the others are let go with its exit code.
-std::string complaint(int ranks, const Loaded& loaded, const fs::path& folder,
-                      const std::function<int(Ranks&)>& other) {
+/// What rank 0 reports; the others end with its exit code.
+std::string message(int ranks, const Loaded& loaded, const fs::path& folder, const std::function<int(Ranks&)>& other) {
   std::string said = "nothing";
   with_ranks(
       ranks,
@@ -174,7 +173,7 @@ TEST(RunOnRanks, RefusesRanksWithAnotherProject) {
     const Loaded& own = mine.rank() == 2 ? other : loaded;
     return help_run(mine, own.project, own.model, own.warnings, {});
   };
-  EXPECT_EQ(complaint(4, loaded, work / "out", help),
+  EXPECT_EQ(message(4, loaded, work / "out", help),
             "rank 2 on machine 2: this rank would not compute what the others do (sampling.seed was 1 and is 7). Give "
             "all ranks the same command, the same files and the same program, on machines of one kind; or let each "
             "run alone (--alone)");
@@ -189,7 +188,7 @@ TEST(RunOnRanks, RefusesAnotherVersion) {
     mine.send(0, message_of(Hello{"0.0.7", mine.machine(), 1, {}}));
     return cannot_help(mine, "", 4);
   };
-  EXPECT_THAT(complaint(2, loaded, work / "out", help),
+  EXPECT_THAT(message(2, loaded, work / "out", help),
               testing::HasSubstr("(talus 0.0.7 runs there, and " TALUS_VERSION " here)"));
 }
 
@@ -200,7 +199,7 @@ TEST(RunOnRanks, SaysAllThatIsWrongOnOthers) {
     if (mine.rank() == 2) return help_run(mine, loaded.project, loaded.model, loaded.warnings, {});
     return cannot_help(mine, "a.toml:3: no file\na.toml:4: no number " + std::to_string(mine.rank()), 2);
   };
-  EXPECT_EQ(complaint(4, loaded, work / "out", help),
+  EXPECT_EQ(message(4, loaded, work / "out", help),
             "rank 1 on machine 1: a.toml:3: no file\nrank 1 on machine 1: a.toml:4: no number 1\n"
             "rank 3 on machine 3: a.toml:3: no file\nrank 3 on machine 3: a.toml:4: no number 3");
 }
@@ -214,7 +213,7 @@ TEST(RunOnRanks, EndsWhereOneFailsOnTheWay) {
                                   describe_run(loaded.project, loaded.model, loaded.warnings, {})}));
     return cannot_help(mine, "out of memory", 4);
   };
-  EXPECT_EQ(complaint(3, loaded, work / "out", help), "rank 1 on machine 1: out of memory");
+  EXPECT_EQ(message(3, loaded, work / "out", help), "rank 1 on machine 1: out of memory");
 }
 
 TEST(RunOnRanks, AnySignalledRankStopsAll) {

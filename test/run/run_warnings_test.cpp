@@ -50,13 +50,13 @@ io::RunDescription described(const char* model) {
   return description;
 }
 
-TEST(WarningsOfSources, TellWhichHaveNotThrownTheirRocks) {
+TEST(WarningsOfSources, NameThoseWhoseRocksWereNotRun) {
   const io::RunDescription three = described(
       R"({"sources": [{"name": "West", "rocks": [[0, 10], [50, 10]]}, {"name": "Middle", "rocks": [[10, 20]]},
                       {"name": "East", "rocks": [[30, 20]]}]})");
-  const auto told = [&](std::uint64_t first_not_thrown) {
+  const auto told = [&](std::uint64_t first_not_run) {
     Problems warnings;
-    warn_of_sources(three, first_not_thrown, warnings);
+    warn_of_sources(three, first_not_run, warnings);
     return warnings.text();
   };
   const std::string hint = "). Go on with --resume; what there is says nothing of the whole";

@@ -189,8 +189,8 @@ TEST(EventHub, KeepsTheLastOfEachThing) {
   server::EventHub hub;
   const auto listener = hub.listen();
   ASSERT_TRUE(listener->next());
-  for (int k = 0; k < 100'000; ++k) hub.tell("run", k % 2 == 0 ? "a" : "b", {{"k", k}});
-  hub.tell("removed", "a", {{"id", "a"}});
+  for (int k = 0; k < 100'000; ++k) hub.publish("run", k % 2 == 0 ? "a" : "b", {{"k", k}});
+  hub.publish("removed", "a", {{"id", "a"}});
   const auto text = listener->next();
   ASSERT_TRUE(text);
   EXPECT_EQ(*text, "event: run\ndata: {\"k\":99999}\n\nevent: removed\ndata: {\"id\":\"a\"}\n\n");

@@ -1,5 +1,5 @@
 #pragma once
-// Triangulated shapes to throw rocks at. All are manifold and wound counter-clockwise seen from outside the ground, as
+// Triangulated shapes to run rocks over. All are manifold and wound counter-clockwise seen from outside the ground, as
 // cleaned meshes are.
 
 #include <array>

@@ -117,7 +117,7 @@ TEST(Profile, Overhang) {
   const Profile profile(std::vector<Vec2>{{0, 10}, {6, 10}, {4, 5}, {12, 4}});
   EXPECT_DOUBLE_EQ(*profile.elevation(5), 10);
   EXPECT_NEAR(*profile.elevation(5, 0, 7), 4.875, 1e-12);
-  // Thrown up from beneath the nose it hits the underside.
+  // Launched up from beneath the nose it hits the underside.
   const auto under = profile.first_contact({{5.6, 0, 5.5}, {0, 0, 20}, gravity}, 0, 10);
   ASSERT_TRUE(under);
   EXPECT_LT(under->normal.z(), 0);

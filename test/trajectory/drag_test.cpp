@@ -30,7 +30,7 @@ Material grown_over(const Soil& soil, double drag, double height) {
 
 const Vec2 level[] = {{-500, 0}, {500, 0}};
 
-Release thrown(double mass, const Vec3& from, const Vec3& velocity) {
+Release launched(double mass, const Vec3& from, const Vec3& velocity) {
   Release release;
   release.rock = sphere_of_mass(mass, 2700);
   release.motion.position = from;
@@ -79,7 +79,7 @@ TEST(Forest, AFallInItIsTheClosedForm) {
   const Profile ground(level);
   for (const double mass : {40.0, 100.0, 1000.0, 50000.0}) {
     const Ground trees(grown_over({}, 500, 30));
-    const Release release = thrown(mass, {0, 0, 29}, Vec3::Zero());
+    const Release release = launched(mass, {0, 0, 29}, Vec3::Zero());
     expect_arrival(arrival(follow(ground, trees, {}, release)), {500 / mass, release.motion.position, Vec3::Zero()}, 0);
   }
 }
@@ -87,18 +87,18 @@ TEST(Forest, AFallInItIsTheClosedForm) {
 // Pebbles sink at their terminal speed; to a thousandth, they are then let sink.
 TEST(Forest, PebblesSinkInIt) {
   const Profile ground(level);
-  const Motion end = arrival(follow(ground, Ground(grown_over({}, 750, 30)), {}, thrown(2, {0, 0, 10}, {9, 0, 3})));
+  const Motion end = arrival(follow(ground, Ground(grown_over({}, 750, 30)), {}, launched(2, {0, 0, 10}, {9, 0, 3})));
   const Exact exact{375, {0, 0, 10}, {9, 0, 3}};
   const double t = exact.falls_to(0);
   EXPECT_NEAR(end.time, t, 1e-3 * t);
   EXPECT_LT((end.position - exact.place(t)).norm(), 0.02);
 }
 
-TEST(Forest, AThrowInItIsTheClosedForm) {
+TEST(Forest, AFlightInItIsTheClosedForm) {
   const Profile ground(level);
   const Ground trees(grown_over({}, 750, 100));
   for (const Vec3& v : {Vec3(15, 0, 12), Vec3(30, 0, 0), Vec3(-22, 0, -6), Vec3(8, 0, 25)}) {
-    const Release release = thrown(600, {0, 0, 20}, v);
+    const Release release = launched(600, {0, 0, 20}, v);
     expect_arrival(arrival(follow(ground, trees, {}, release)), {750.0 / 600, release.motion.position, v}, 0);
   }
 }
@@ -109,21 +109,21 @@ TEST(Forest, ASphereFallsAsItsCentreDoes) {
   const Ground trees(grown_over({}, 500, 12));
   Laws laws;
   laws.model = RockModel::rigid_sphere;
-  const Release release = thrown(2000, {0, 0, 11}, {5, 0, 0});
+  const Release release = launched(2000, {0, 0, 11}, {5, 0, 0});
   expect_arrival(arrival(follow(ground, trees, laws, release)), {0.25, {0, 0, 11}, {5, 0, 0}}, release.rock.radius);
 }
 
 TEST(Forest, ReachesTheTerminalSpeed) {
   const Profile ground(level);
   const Ground trees(grown_over({}, 500, 1e4));
-  const Motion end = arrival(follow(ground, trees, {}, thrown(250, {0, 0, 500}, {10, 0, 0})));
+  const Motion end = arrival(follow(ground, trees, {}, launched(250, {0, 0, 500}, {10, 0, 0})));
   EXPECT_LT((end.velocity - Vec3(0, 0, -0.5 * g)).norm(), 1e-9);
 }
 
 TEST(Forest, BrakesFromWhereARockFallsIntoIt) {
   const Profile ground(level);
   const Ground trees(grown_over({}, 500, 10));
-  const Motion end = arrival(follow(ground, trees, {}, thrown(1000, {0, 0, 30}, {6, 0, 0})));
+  const Motion end = arrival(follow(ground, trees, {}, launched(1000, {0, 0, 30}, {6, 0, 0})));
   // 20 m of free fall, then the forest; where it comes in is found to a millimetre.
   const double t_free = std::sqrt(2 * 20 / g);
   const Exact within{0.5, {6 * t_free, 0, 10}, {6, 0, -g * t_free}};
@@ -137,7 +137,7 @@ TEST(Forest, LeavesARockAloneThatRisesOutOfIt) {
   const Profile ground(level);
   const Ground trees(grown_over({}, 500, 10));
   RockLog log(true, true);
-  const Release release = thrown(1000, {0, 0, 2}, {3, 0, 25});
+  const Release release = launched(1000, {0, 0, 2}, {3, 0, 25});
   const Draws draws(SamplingPlan{}, 0);
   const Laws laws;
   const RockOutcome outcome = follow_rock(Scene<Profile>{ground, trees, {}, laws}, release, draws, log);
@@ -162,7 +162,7 @@ TEST(Forest, DoesNothingAboveItsHeight) {
   const std::vector<Material> materials{grown_over({}, 750, 15), material_of({})};
   const Ground trees(materials, std::vector<MaterialId>{{0}, {1}});
   const Ground bare(materials, std::vector<MaterialId>{{1}, {1}});
-  const Release release = thrown(500, {-40, 0, 40}, {30, 0, 2});
+  const Release release = launched(500, {-40, 0, 40}, {30, 0, 2});
   const Followed with = follow(ground, trees, {}, release), without = follow(ground, bare, {}, release);
   ASSERT_EQ(with.log.rows.size(), without.log.rows.size());
   for (std::size_t k = 0; k < with.log.rows.size(); ++k) {
@@ -177,7 +177,7 @@ TEST(Forest, BelongsToTheGroundBelow) {
   const Profile ground(halves);
   const Ground trees(std::vector<Material>{grown_over({}, 100, 90), grown_over({}, 800, 90)},
                      std::vector<MaterialId>{{0}, {1}});
-  const Motion end = arrival(follow(ground, trees, {}, thrown(1000, {-10, 0, 60}, {12, 0, 0})));
+  const Motion end = arrival(follow(ground, trees, {}, launched(1000, {-10, 0, 60}, {12, 0, 0})));
   const Exact first{0.1, {-10, 0, 60}, {12, 0, 0}};
   double low = 0, high = 2;
   for (int k = 0; k < 100; ++k) (first.place(0.5 * (low + high)).x() < 0 ? low : high) = 0.5 * (low + high);
@@ -197,7 +197,7 @@ TEST(Forest, ElsewhereChangesNothing) {
     laws.model = number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere;
     laws.sliding = number % 4 < 2 ? SlidingMethod::stepped : SlidingMethod::closed_form;
     const double x = dice.between(10, 30), y = dice.between(10, 50);
-    Release release = thrown(dice.magnitude(10, 5000), {x, y, *mesh.elevation(x, y) + 3}, dice.in_cube(4));
+    Release release = launched(dice.magnitude(10, 5000), {x, y, *mesh.elevation(x, y) + 3}, dice.in_cube(4));
     const std::vector<Material> both{material_of({}), grown_over({}, 750, 20)};
     const Followed bare = follow(mesh, Ground(material_of({})), laws, release);
     const Followed asked = follow(mesh, Ground(both, MaterialId{0}), laws, release);
@@ -219,7 +219,7 @@ TEST(Forest, TurnsWithTheModel) {
     Laws laws;
     laws.model = number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere;
     const double x = dice.between(10, 30), y = dice.between(10, 50);
-    Release release = thrown(dice.magnitude(50, 5000), {x, y, *mesh.elevation(x, y) + 5}, dice.in_cube(6));
+    Release release = launched(dice.magnitude(50, 5000), {x, y, *mesh.elevation(x, y) + 5}, dice.in_cube(6));
     const Mat3 turn = Eigen::AngleAxisd(dice.between(0, 2 * std::numbers::pi), Vec3::UnitZ()).toRotationMatrix();
     const TriangleMesh turned = shape.moved([&](const Vec3& v) { return Vec3(turn * v); }).mesh();
     Release turned_release = release;
@@ -263,7 +263,7 @@ TEST(Forest, IsTheSameOnARasterAndOnItsMesh) {
     laws.model = number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere;
     const double x = dice.between(3, 20), y = dice.between(10, 50);
     const Release release =
-        thrown(dice.magnitude(50, 3000), {x, y, *mesh.elevation(x, y) + 4}, dice.in_cube(5) + Vec3(4, 0, 0));
+        launched(dice.magnitude(50, 3000), {x, y, *mesh.elevation(x, y) + 4}, dice.in_cube(5) + Vec3(4, 0, 0));
     const Motion a = arrival(follow(mesh, trees, laws, release)), b = arrival(follow(raster, trees, laws, release));
     EXPECT_LT((a.position - b.position).norm(), 1e-9);
     EXPECT_LT((a.velocity - b.velocity).norm(), 1e-9);
@@ -284,7 +284,7 @@ std::vector<double> runouts(const TriangleMesh& mesh, const Ground& ground, Rock
   for (std::uint64_t number = 0; number < 150; ++number) {
     const double x = dice.between(3, 8), y = dice.between(10, 50);
     const Release release =
-        thrown(dice.magnitude(100, 3000), {x, y, *mesh.elevation(x, y) + 3}, {dice.between(0, 4), 0, 0});
+        launched(dice.magnitude(100, 3000), {x, y, *mesh.elevation(x, y) + 3}, {dice.between(0, 4), 0, 0});
     Laws laws;
     laws.model = model;
     const RockOutcome outcome = follow(mesh, ground, laws, release, {}, number).outcome;
@@ -336,7 +336,7 @@ TEST(SoftGround, BrakesASlideAsTheClosedFormSays) {
   laws.rotation = false;
   laws.sliding = SlidingMethod::closed_form;
   const Profile ground(level);
-  const Followed path = follow(ground, Ground(material), laws, thrown(1000, {0, 0, 0.5}, {10, 0, 0}));
+  const Followed path = follow(ground, Ground(material), laws, launched(1000, {0, 0, 0.5}, {10, 0, 0}));
   const double c = g * std::tan(0.3), k = 0.6, v0 = 10, t_fall = std::sqrt(1 / g);
   EXPECT_EQ(path.outcome.reason, EndReason::at_rest);
   EXPECT_NEAR(path.outcome.end.position.x(), v0 * t_fall + v0 / k - c / (k * k) * std::log1p(k * v0 / c), 2e-4);
@@ -349,14 +349,14 @@ TEST(Forest, BrakesWhatSlidesOrRollsBelowItsHeight) {
   Laws laws;
   laws.rotation = false;
   laws.sliding = SlidingMethod::closed_form;
-  const Release release = thrown(1000, {0, 0, 0}, {10, 0, -1e-3});
+  const Release release = launched(1000, {0, 0, 0}, {10, 0, -1e-3});
   const Soil soil{.rn = 0, .rt = 1, .phi = 0.3};
   const Followed path = follow(ground, Ground(grown_over(soil, 400, 5)), laws, release);
   const double c = g * std::tan(0.3), k = 0.4;
   EXPECT_NEAR(path.outcome.end.position.x(), 10 / k - c / (k * k) * std::log1p(k * 10 / c), 2e-3);
 
   laws.model = RockModel::rigid_sphere;
-  const Release sphere = thrown(1000, {0, 0, release.rock.radius}, {10, 0, -1e-3});
+  const Release sphere = launched(1000, {0, 0, release.rock.radius}, {10, 0, -1e-3});
   const auto way = [&](double height) {
     return follow(ground, Ground(grown_over(soil, 400, height)), laws, sphere).outcome.end.position.x();
   };
@@ -390,7 +390,7 @@ TEST(Forest, EveryPathIsSound) {
       const Ground ground(std::vector<Material>{open, wood}, of_facet);
       const double x = dice.between(5, 30), y = dice.between(10, 50);
       const Release release =
-          thrown(dice.magnitude(1, 1e4), {x, y, *mesh.elevation(x, y) + dice.between(1.5, 12)}, dice.in_cube(10));
+          launched(dice.magnitude(1, 1e4), {x, y, *mesh.elevation(x, y) + dice.between(1.5, 12)}, dice.in_cube(10));
       RockLog log(true, true);
       const Draws draws(SamplingPlan{}, number);
       const RockOutcome outcome = follow_rock(Scene<TriangleMesh>{mesh, ground, barriers, laws}, release, draws, log);
@@ -438,7 +438,7 @@ TEST(Forest, ThePathIsTheSameEveryTime) {
   const Ground trees(grown_over({.roughness = 0.1}, 400, 8));
   for (std::uint64_t number = 0; number < 20; ++number) {
     const double x = dice.between(10, 30), y = dice.between(10, 50);
-    const Release release = thrown(700, {x, y, *mesh.elevation(x, y) + 5}, dice.in_cube(6));
+    const Release release = launched(700, {x, y, *mesh.elevation(x, y) + 5}, dice.in_cube(6));
     const Followed once = follow(mesh, trees, {}, release, {}, number),
                    again = follow(mesh, trees, {}, release, {}, number);
     ASSERT_EQ(once.log.rows.size(), again.log.rows.size());

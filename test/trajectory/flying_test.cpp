@@ -22,12 +22,12 @@ const Profile& level() {
   static const Profile profile(std::vector<Vec2>{{0, 0}, {100, 0}});
   return profile;
 }
-Motion thrown(const Vec3& position, const Vec3& velocity) { return {position, velocity}; }
+Motion launched(const Vec3& position, const Vec3& velocity) { return {position, velocity}; }
 
 TEST(Flying, EndsOnTheGroundWhenAParabolaDoes) {
   Laws laws = laws_of(RockModel::lumped_mass);
   laws.rotation = false;
-  RockOn rock(level(), {.rn = 0.5, .rt = 0.8}, laws, thrown({10, 0, 5}, {3, 0, 0}));
+  RockOn rock(level(), {.rn = 0.5, .rt = 0.8}, laws, launched({10, 0, 5}, {3, 0, 0}));
   const RockState next = fly(*rock, Flying{});
   const double time = std::sqrt(2 * 5 / g), speed = g * time;
   ASSERT_TRUE(std::holds_alternative<Flying>(next));
@@ -42,7 +42,7 @@ TEST(Flying, EndsOnTheGroundWhenAParabolaDoes) {
 TEST(Flying, StaysOnAFacetThatTakesAllOfItsNormalVelocity) {
   Laws laws = laws_of(RockModel::lumped_mass);
   laws.rotation = false;
-  RockOn rock(level(), {.rn = 0, .rt = 0.8, .phi = 0.5}, laws, thrown({10, 0, 5}, {3, 0, 0}));
+  RockOn rock(level(), {.rn = 0, .rt = 0.8, .phi = 0.5}, laws, launched({10, 0, 5}, {3, 0, 0}));
   const RockState next = fly(*rock, Flying{});
   ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
   const OnFacet& state = std::get<OnFacet>(next);
@@ -58,7 +58,7 @@ TEST(Flying, SlidesOnWhereASlideThatFlewOnlyGrazesTheGround) {
   for (const bool hops : {false, true}) {
     Laws laws = laws_of(RockModel::lumped_mass);
     laws.rotation = false;
-    RockOn rock(level(), {.rn = 0, .rt = 0.5, .phi = phi}, laws, thrown({10, 0, 0}, {along, 0, -into}));
+    RockOn rock(level(), {.rn = 0, .rt = 0.5, .phi = phi}, laws, launched({10, 0, 0}, {along, 0, -into}));
     Flying state;
     if (hops) state.left.add(Vec3(0.6, 0, 0.8), FacetId{7});
     const RockState next = fly(*rock, state);
@@ -70,7 +70,7 @@ TEST(Flying, SlidesOnWhereASlideThatFlewOnlyGrazesTheGround) {
 
 TEST(Flying, EndsWhereTheModelOrItsTimeDoes) {
   const Laws laws = laws_of(RockModel::lumped_mass);
-  RockOn leaves(level(), {}, laws, thrown({99, 0, 5}, {10, 0, 0}));
+  RockOn leaves(level(), {}, laws, launched({99, 0, 5}, {10, 0, 0}));
   const RockState beyond = fly(*leaves, Flying{});
   ASSERT_TRUE(std::holds_alternative<Ended>(beyond));
   EXPECT_EQ(std::get<Ended>(beyond).reason, EndReason::left_model);
@@ -78,7 +78,7 @@ TEST(Flying, EndsWhereTheModelOrItsTimeDoes) {
 
   Laws short_time = laws;
   short_time.max_time = 0.25;
-  RockOn is_late(level(), {}, short_time, thrown({10, 0, 50}, {1, 0, 0}));
+  RockOn is_late(level(), {}, short_time, launched({10, 0, 50}, {1, 0, 0}));
   const RockState late = fly(*is_late, Flying{});
   ASSERT_TRUE(std::holds_alternative<Ended>(late));
   EXPECT_EQ(std::get<Ended>(late).reason, EndReason::maximum_time);

@@ -22,14 +22,14 @@ using namespace testing_tools;
 double tolerance(std::size_t row, double first) { return first * std::pow(10.0, static_cast<double>(row)); }
 constexpr double too_loose = 1e-3;
 
-struct Thrown {
+struct Launch {
   Laws laws;
   Soil soil;
   Release release;
 };
 
-Thrown random_thrown(Dice& dice, const TriangleMesh& mesh) {
-  Thrown it;
+Launch random_launch(Dice& dice, const TriangleMesh& mesh) {
+  Launch it;
   it.laws.model = dice.chance(0.5) ? RockModel::lumped_mass : RockModel::rigid_sphere;
   it.laws.rotation = dice.chance(0.7);
   it.laws.sliding = dice.chance(0.5) ? SlidingMethod::stepped : SlidingMethod::closed_form;
@@ -67,7 +67,7 @@ TEST(Invariance, TurningTheModelAboutTheVertical) {
   const Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
   const TriangleMesh mesh = shape.mesh();
   for (int number = 0; number < 120; ++number) {
-    const Thrown it = random_thrown(dice, mesh);
+    const Launch it = random_launch(dice, mesh);
     const double angle = number < 12 ? number * std::numbers::pi / 6 : dice.between(0, 2 * std::numbers::pi);
     const Mat3 turn = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
     const TriangleMesh turned_mesh = shape.moved([&](const Vec3& v) { return Vec3(turn * v); }).mesh();
@@ -90,7 +90,7 @@ TEST(Invariance, MirroringTheModel) {
   const Mat3 mirror = Vec3(-1, 1, 1).asDiagonal();
   const TriangleMesh mirrored_mesh = shape.mirrored().mesh();
   for (int number = 0; number < 120; ++number) {
-    const Thrown it = random_thrown(dice, mesh);
+    const Launch it = random_launch(dice, mesh);
     Release release = it.release;
     release.motion.position = mirror * release.motion.position;
     release.motion.velocity = mirror * release.motion.velocity;
@@ -113,7 +113,7 @@ TEST(Invariance, MovingTheModelWithinItsFrame) {
   const Vec3 shift(31'234.5, -27'890.25, 2'345.125);
   const TriangleMesh moved_mesh = shape.moved([&](const Vec3& v) { return Vec3(v + shift); }).mesh();
   for (int number = 0; number < 120; ++number) {
-    const Thrown it = random_thrown(dice, mesh);
+    const Launch it = random_launch(dice, mesh);
     Release release = it.release;
     release.motion.position += shift;
     const auto same = [](const Vec3& v) { return v; };
@@ -134,7 +134,7 @@ TEST(Invariance, FromCoordinatesOfMillionsOfMetresNothingIsLost) {
   const Shape local = global.moved([&](const Vec3& v) { return Vec3(v - origin); });
   const TriangleMesh a = shape.mesh(), b = local.mesh();
   for (int number = 0; number < 40; ++number) {
-    const Thrown it = random_thrown(dice, a);
+    const Launch it = random_launch(dice, a);
     const Followed first = follow(a, ground_of(it.soil), it.laws, it.release);
     const Followed second = follow(b, ground_of(it.soil), it.laws, it.release);
     ASSERT_EQ(first.outcome.end.position, second.outcome.end.position);
@@ -154,7 +154,7 @@ TEST(Invariance, TheOrderOfTheTriangles) {
   const TriangleMesh a = shape.mesh(), b = shuffled.mesh();
   const auto same = [](const Vec3& v) { return v; };
   for (int number = 0; number < 120; ++number) {
-    const Thrown it = random_thrown(dice, a);
+    const Launch it = random_launch(dice, a);
     expect_alike(follow(a, ground_of(it.soil), it.laws, it.release), follow(b, ground_of(it.soil), it.laws, it.release),
                  same, same, same, 1e-12, "rock " + std::to_string(number));
     if (HasFatalFailure()) return;
@@ -170,7 +170,7 @@ TEST(Invariance, SplittingAPlane) {
     const TriangleMesh whole = irregular_field(dice, 1, 1, 200, 200, height).mesh();
     const TriangleMesh split = irregular_field(dice, 30, 30, 200, 200, height).mesh();
     for (int number = 0; number < 40; ++number) {
-      Thrown it = random_thrown(dice, whole);
+      Launch it = random_launch(dice, whole);
       it.release.motion.position = {60, 100, height(60, 100) + 3};
       const Followed a = follow(whole, ground_of(it.soil), it.laws, it.release);
       const Followed b = follow(split, ground_of(it.soil), it.laws, it.release);

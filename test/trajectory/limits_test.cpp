@@ -15,7 +15,7 @@ namespace {
 using namespace testing_tools;
 
 /// Between barriers that throw everything back, nothing being slow enough to stop.
-TEST(Limits, EndRocksThatBarriersThrowBackForEver) {
+TEST(Limits, EndRocksThatReboundBetweenBarriersForEver) {
   Dice dice(22);
   int at_a_limit = 0;
   for (int k = 0; k < 3200; ++k) {

@@ -167,15 +167,15 @@ Shape terraces(Dice& dice) {
       [&](std::uint32_t, std::uint32_t) { return dice.chance(0.5); });
 }
 
-struct Throw {
+struct Launch {
   Laws laws;
   Soil soil;
   Release release;
 };
 
-Throw random_throw(const Scenery& scenery, const TriangleMesh& mesh, int ground, int number) {
+Launch random_launch(const Scenery& scenery, const TriangleMesh& mesh, int ground, int number) {
   Dice dice(static_cast<std::uint64_t>(1000 * ground + number + 1));
-  Throw it;
+  Launch it;
   it.laws = random_laws(dice);
   it.soil = random_soil(dice);
   const double x = dice.between(scenery.low, scenery.high), y = dice.between(scenery.low, scenery.high);
@@ -198,7 +198,7 @@ TEST_P(RandomRocks, PathsAreLawful) {
     Dice dice(static_cast<std::uint64_t>(ground));
     const TriangleMesh mesh = scenery.make(dice).mesh();
     for (int number = 0; number < scenery.rocks; ++number) {
-      const auto [laws, soil, release] = random_throw(scenery, mesh, ground, number);
+      const auto [laws, soil, release] = random_launch(scenery, mesh, ground, number);
       const Followed path = follow(mesh, ground_of(soil), laws, release, {}, static_cast<std::uint64_t>(number));
       verdict.add(path, release.rock, laws, soil,
                   "ground " + std::to_string(ground) + ' ' + describe(laws, soil, release, number));

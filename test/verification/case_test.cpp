@@ -53,7 +53,7 @@ std::string replaced(std::string_view part, std::string_view with) {
   return text;
 }
 
-std::string complaint(const std::string& case_text) {
+std::string message(const std::string& case_text) {
   try {
     static_cast<void>(read_case(files_with(case_text), "a"));
   } catch (const BadInput& bad) {
@@ -78,21 +78,20 @@ TEST(Case, IsReadWhole) {
 }
 
 TEST(Case, RefusesWhatItDoesNotKnow) {
-  EXPECT_THAT(complaint(replaced("tolerance = {", "tolerances = {")),
+  EXPECT_THAT(message(replaced("tolerance = {", "tolerances = {")),
               HasSubstr("a/case.toml:16: table: there is no key tolerances"));
-  EXPECT_THAT(complaint(replaced("tolerance = {", "tolerances = {")), HasSubstr("Did you mean tolerance?"));
-  EXPECT_THAT(complaint(replaced("\"path\"", "\"paths\"")), HasSubstr("kind is \"paths\" (expected one of path,"));
-  EXPECT_THAT(complaint(replaced("\"z\"", "\"height\"")), HasSubstr("y_m is \"height\" (expected one of time,"));
-  EXPECT_THAT(complaint(replaced("y_m = \"z\"", "w_m = \"z\"")),
+  EXPECT_THAT(message(replaced("tolerance = {", "tolerances = {")), HasSubstr("Did you mean tolerance?"));
+  EXPECT_THAT(message(replaced("\"path\"", "\"paths\"")), HasSubstr("kind is \"paths\" (expected one of path,"));
+  EXPECT_THAT(message(replaced("\"z\"", "\"height\"")), HasSubstr("y_m is \"height\" (expected one of time,"));
+  EXPECT_THAT(message(replaced("y_m = \"z\"", "w_m = \"z\"")),
               HasSubstr("a/t.csv has no column w_m (its columns are x_m, y_m)"));
-  EXPECT_THAT(complaint(replaced("rows = [\"1\"]", "rows = [\"7\"]")),
+  EXPECT_THAT(message(replaced("rows = [\"1\"]", "rows = [\"7\"]")),
               HasSubstr("a/t.csv has no row 7 (its rows are 0, 1)"));
-  EXPECT_THAT(complaint(replaced("runs = [\"plain\"]", "runs = [\"plan\"]")),
+  EXPECT_THAT(message(replaced("runs = [\"plain\"]", "runs = [\"plan\"]")),
               HasSubstr("there is no run \"plan\" (the runs are plain). Did you mean plain?"));
-  EXPECT_THAT(complaint(replaced("\"a.toml\"", "\"b.toml\"")), HasSubstr("there is no file b.toml"));
-  EXPECT_THAT(complaint(replaced("\"t.csv\"", "\"u.csv\"")), HasSubstr("a/u.csv: there is no such file"));
-  EXPECT_THAT(complaint(replaced("units = 1", "units = -1")),
-              HasSubstr("units is -1 (expected a number, not negative)"));
+  EXPECT_THAT(message(replaced("\"a.toml\"", "\"b.toml\"")), HasSubstr("there is no file b.toml"));
+  EXPECT_THAT(message(replaced("\"t.csv\"", "\"u.csv\"")), HasSubstr("a/u.csv: there is no such file"));
+  EXPECT_THAT(message(replaced("units = 1", "units = -1")), HasSubstr("units is -1 (expected a number, not negative)"));
 }
 
 TEST(Case, WholeNumbersThatNoDoubleEqualsAreRounded) {
@@ -102,9 +101,9 @@ TEST(Case, WholeNumbersThatNoDoubleEqualsAreRounded) {
 }
 
 TEST(Case, AsksForAReasonAndATitle) {
-  EXPECT_THAT(complaint(replaced("why = \"A misprint.\"", "")), HasSubstr("exception: why is missing"));
-  EXPECT_THAT(complaint(replaced("why = \"Because.\"", "")), HasSubstr("table: why is missing"));
-  EXPECT_THAT(complaint(replaced("title = \"A case\"", "")), HasSubstr("title is missing"));
+  EXPECT_THAT(message(replaced("why = \"A misprint.\"", "")), HasSubstr("exception: why is missing"));
+  EXPECT_THAT(message(replaced("why = \"Because.\"", "")), HasSubstr("table: why is missing"));
+  EXPECT_THAT(message(replaced("title = \"A case\"", "")), HasSubstr("title is missing"));
 }
 
 TEST(Case, SpreadsNeedManyRocks) {
@@ -198,8 +197,8 @@ TEST(RepositoryCases, CompareEveryNumberOfEveryPathOrSayWhyNot) {
                                                    &std::pair<std::string, PathQuantity>::first) != path->columns.end();
         const bool is_word = column == "state" || column == "type";
         // B-2 and B-3 print the time since the row before, which their times say, too.
-        const bool is_told_twice = column == "dt_s" && table.title.starts_with("Table B-");
-        EXPECT_TRUE(is_compared || is_word || is_told_twice) << table.title << ", column " << column;
+        const bool is_given_twice = column == "dt_s" && table.title.starts_with("Table B-");
+        EXPECT_TRUE(is_compared || is_word || is_given_twice) << table.title << ", column " << column;
       }
     }
   }

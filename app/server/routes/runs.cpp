@@ -30,29 +30,29 @@ void add_run_routes(Router& router, RunStore& runs, EventHub& events) {
                                 .name = call.text("name", ""),
                                 .rocks = number_in<std::int64_t>(call, "rocks"),
                                 .seed = number_in<std::uint64_t>(call, "seed")});
-    return json_answer(runs.told(run), 202);
+    return json_answer(runs.json_of(run), 202);
   });
   router.get("/api/runs", [&runs](const Call&) {
     Json list = Json::array();
-    for (const Run& run : runs.list()) list.push_back(runs.told(run));
+    for (const Run& run : runs.list()) list.push_back(runs.json_of(run));
     return json_answer({{"runs", std::move(list)}});
   });
-  router.get(one_run, [&runs](const Call& call) { return json_answer(runs.told(runs.find(call.part(1)))); });
+  router.get(one_run, [&runs](const Call& call) { return json_answer(runs.json_of(runs.find(call.part(1)))); });
   router.patch(one_run, [&runs](const Call& call) {
     call.only({"name"});
-    return json_answer(runs.told(runs.rename(call.part(1), call.text("name"))));
+    return json_answer(runs.json_of(runs.rename(call.part(1), call.text("name"))));
   });
   router.post(one_run + "/stop", [&runs](const Call& call) {
     call.only({});
-    return json_answer(runs.told(runs.stop(call.part(1))));
+    return json_answer(runs.json_of(runs.stop(call.part(1))));
   });
   router.post(one_run + "/resume", [&runs](const Call& call) {
     call.only({});
-    return json_answer(runs.told(runs.resume(call.part(1))), 202);
+    return json_answer(runs.json_of(runs.resume(call.part(1))), 202);
   });
   router.post(one_run + "/write", [&runs](const Call& call) {
     call.only({});
-    return json_answer(runs.told(runs.write_what_is_done(call.part(1))), 202);
+    return json_answer(runs.json_of(runs.write_what_is_done(call.part(1))), 202);
   });
   router.remove(one_run, [&runs](const Call& call) {
     runs.remove(call.part(1));

@@ -53,7 +53,7 @@ class RecentCrossings {
     for (Noted& noted : noted_) {
       if (!noted.is_passed_at(time) || noted.normal.dot(velocity) <= 0) continue;
       noted.until = noted.time;
-      noted.was_thrown_back = true;
+      noted.has_rebounded = true;
     }
     note({crossing.barrier, time, time, true, crossing.from_ahead, false, crossing.normal});
   }
@@ -63,7 +63,7 @@ class RecentCrossings {
       if (time <= noted.time - tolerance::same_crossing || time >= noted.until + tolerance::same_crossing) return false;
       // What has passed above may come down on the panel.
       if (noted.above && !crossing.above) return false;
-      return !(noted.was_thrown_back && noted.from_ahead == crossing.from_ahead);
+      return !(noted.has_rebounded && noted.from_ahead == crossing.from_ahead);
     });
   }
   /// Whether it is over a barrier that it passes above.
@@ -91,11 +91,11 @@ class RecentCrossings {
   struct Noted {
     BarrierId barrier;
     double time, until;
-    bool was_thrown_back, from_ahead, above;
+    bool has_rebounded, from_ahead, above;
     Vec3 normal;  // against the rock as it came
 
     [[nodiscard]] bool is_passed_at(double at) const {
-      return !was_thrown_back && std::abs(time - at) < tolerance::same_crossing;
+      return !has_rebounded && std::abs(time - at) < tolerance::same_crossing;
     }
   };
   void note(const Noted& noted) { noted_.push_back(noted); }

@@ -47,7 +47,7 @@ BlockWorker::BlockWorker(const Model& model, const std::vector<Observer*>& table
   thread_ = std::thread([this, &model, observers = std::move(observers), threads] {
     std::exception_ptr failure;
     try {
-      throw_blocks(
+      simulate_blocks(
           model, observers, threads,
           {[this] { return next(); }, [this](const RockRange& rocks) { finish(rocks); }, [this] { close(); }, &stop_});
     } catch (...) {

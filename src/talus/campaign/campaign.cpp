@@ -28,7 +28,7 @@ struct Block {
 
 int threads_for(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
 
-void throw_blocks(const Model& model, std::span<Observer* const> observers, int threads, const BlockFlow& flow) {
+void simulate_blocks(const Model& model, std::span<Observer* const> observers, int threads, const BlockFlow& flow) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::enumerable_thread_specific<Simulator> simulators([&] { return Simulator(model); });
 
@@ -119,7 +119,7 @@ CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> obse
     }
     if (options.progress) options.progress(outcome.done);
   };
-  throw_blocks(model, observers, outcome.threads, flow);
+  simulate_blocks(model, observers, outcome.threads, flow);
   outcome.interrupted = outcome.done < range.last;
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return outcome;

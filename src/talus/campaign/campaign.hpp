@@ -48,7 +48,7 @@ struct BlockFlow {
 };
 
 /// Throws blocks until there are no more.
-void throw_blocks(const Model& model, std::span<Observer* const> observers, int threads, const BlockFlow& flow);
+void simulate_blocks(const Model& model, std::span<Observer* const> observers, int threads, const BlockFlow& flow);
 
 /// 0: as many as there are cores for this process.
 [[nodiscard]] int threads_for(int asked);

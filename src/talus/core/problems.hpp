@@ -9,7 +9,7 @@ namespace talus {
 
 enum class Severity { warning, error };
 
-/// One complaint. Printed as `file:line: where: problem (why). hint with option`, each part only where there is one.
+/// One message. Printed as `file:line: where: problem (why). hint with option`, each part only where there is one.
 struct Problem {
   Severity severity = Severity::error;
   std::string file;    // as the user named it

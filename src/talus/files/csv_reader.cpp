@@ -14,7 +14,7 @@
 namespace talus::io {
 namespace {
 
-// What a complaint quotes of a row: enough to find it, not a whole file that has lost its line ends.
+// What a message quotes of a row: enough to find it, not a whole file that has lost its line ends.
 std::string excerpt(std::string_view text) {
   constexpr std::size_t most = 40;
   return text.size() <= most ? fmt::format("\"{}\"", text) : fmt::format("\"{}...\"", text.substr(0, most));

@@ -24,7 +24,7 @@ class CsvReader {
   /// Goes to the next row; false after the last. Throws BadInput on a row with too few or too many values, and on a
   /// last line without an end, the mark of a file that was cut short; and on one of more than a megabyte.
   [[nodiscard]] bool next();
-  /// The next row is the one that begins with this byte of the file. Complaints about it and those after it name no
+  /// The next row is the one that begins with this byte of the file. Problems about it and those after it name no
   /// line.
   void go_to(std::uint64_t byte);
 

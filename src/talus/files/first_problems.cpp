@@ -5,7 +5,7 @@
 namespace talus {
 
 void FirstProblems::add(int line, std::string what, std::string why, std::string hint) {
-  if (++count_ > most_told) return;
+  if (++count_ > most_reported) return;
   first_.add(Problem{.file = file_,
                      .line = line,
                      .where = {},
@@ -17,10 +17,10 @@ void FirstProblems::add(int line, std::string what, std::string why, std::string
 void FirstProblems::throw_if_any() const {
   if (count_ == 0) return;
   Problems all = first_;
-  if (count_ > most_told) {
+  if (count_ > most_reported) {
     all.add(Problem{.file = file_,
                     .where = {},
-                    .what = fmt::format("{} more {} are like this", count_ - most_told, things_),
+                    .what = fmt::format("{} more {} are like this", count_ - most_reported, things_),
                     .why = {},
                     .hint = {}});
   }

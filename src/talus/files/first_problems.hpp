@@ -11,7 +11,7 @@ namespace talus {
 
 class FirstProblems {
  public:
-  static constexpr std::size_t most_told = 10;
+  static constexpr std::size_t most_reported = 10;
 
   /// `things` are what has the problems, in words: "lines", "features".
   FirstProblems(std::string file, std::string things) : file_(std::move(file)), things_(std::move(things)) {}

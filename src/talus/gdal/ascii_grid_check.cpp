@@ -26,7 +26,7 @@ namespace talus {
 namespace {
 
 constexpr std::size_t chunk_bytes = 1 << 20;
-constexpr std::uint64_t most_told = 10;      // of wrong cells
+constexpr std::uint64_t most_reported = 10;  // of wrong cells
 constexpr std::size_t longest_number = 400;  // GDAL takes no more than 498 letters
 
 constexpr std::array<std::string_view, 10> keys{"ncols",     "nrows",    "xllcorner", "yllcorner", "xllcenter",
@@ -101,11 +101,12 @@ class GridCheck {
   void run() {
     const std::size_t in_header = start_of_cells(fill(0));
     read_header(text().substr(0, in_header));
-    // What the cells are held against is not known: each of them would be complained about.
+    // What the cells are held against is not known, so none of them is reported.
     throw_if_any();
     read_cells(in_header);
-    if (bad_cells_ > most_told) complain(0, fmt::format("{} more cells are no numbers", bad_cells_ - most_told), "");
-    if (cells_ != columns_ * rows_) complain_of_count();
+    if (bad_cells_ > most_reported)
+      report(0, fmt::format("{} more cells are no numbers", bad_cells_ - most_reported), "");
+    if (cells_ != columns_ * rows_) report_count();
     throw_if_any();
   }
 
@@ -116,7 +117,7 @@ class GridCheck {
     bool begins_line;
   };
 
-  void complain(int line, std::string what, std::string why, std::string hint = "") {
+  void report(int line, std::string what, std::string why, std::string hint = "") {
     problems_.add(Problem{.file = file_,
                           .line = line,
                           .where = {},
@@ -154,7 +155,7 @@ class GridCheck {
         if (word.begins_line) about_other_line(word);
         continue;
       }
-      if (given(key)) complain(word.line, fmt::format("{} is given twice", word.text), "one of them is wrong");
+      if (given(key)) report(word.line, fmt::format("{} is given twice", word.text), "one of them is wrong");
       const bool has_value = i + 1 < words.size() && words[i + 1].line == word.line;
       given_.push_back({key, has_value ? std::string(words[i + 1].text) : "", word.line});
       if (has_value) ++i;
@@ -185,9 +186,9 @@ class GridCheck {
   void about_other_line(const Word& word) {
     last_other_line_ = word.line;
     if (!is_nan(word.text) && lower(word.text) != "null") return;
-    complain(word.line, fmt::format("the first row begins with {}", in_quotes(word.text)),
-             "a line that begins with a letter is taken for one of the header",
-             "Write what means no data as a number, for example -9999, and declare it: NODATA_value -9999");
+    report(word.line, fmt::format("the first row begins with {}", in_quotes(word.text)),
+           "a line that begins with a letter is taken for one of the header",
+           "Write what means no data as a number, for example -9999, and declare it: NODATA_value -9999");
   }
 
   struct Given {
@@ -202,10 +203,10 @@ class GridCheck {
 
   void about_value(const Given& entry, std::string_view key) {
     const auto refuse = [&](const char* expected) {
-      complain(entry.line,
-               entry.value.empty() ? fmt::format("{} has no value", key)
-                                   : fmt::format("{} is {}", key, in_quotes(entry.value)),
-               fmt::format("expected {}", expected));
+      report(entry.line,
+             entry.value.empty() ? fmt::format("{} has no value", key)
+                                 : fmt::format("{} is {}", key, in_quotes(entry.value)),
+             fmt::format("expected {}", expected));
     };
     if (entry.key == "ncols" || entry.key == "nrows") {
       const auto count = count_of(entry.value);
@@ -226,12 +227,12 @@ class GridCheck {
 
   void about_what_is_missing() {
     for (const char* key : {"ncols", "nrows"}) {
-      if (!given(key)) complain(0, fmt::format("has no {}", key), "its header needs it");
+      if (!given(key)) report(0, fmt::format("has no {}", key), "its header needs it");
     }
     if (!given("cellsize") && !(given("dx") && given("dy")))
-      complain(0, "has no cellsize", "its header needs it, or dx and dy");
+      report(0, "has no cellsize", "its header needs it, or dx and dy");
     if ((given("xllcorner") && given("yllcorner")) || (given("xllcenter") && given("yllcenter"))) return;
-    complain(0, "does not say where it lies", "its header needs xllcorner and yllcorner, or xllcenter and yllcenter");
+    report(0, "does not say where it lies", "its header needs xllcorner and yllcorner, or xllcenter and yllcenter");
   }
 
   // ---- the cells ----
@@ -275,11 +276,11 @@ class GridCheck {
     ++cells_;
     if (cells_ == columns_ * rows_ + 1) first_surplus_ = line_;
     const auto refuse = [&](std::string why, std::string hint = "") {
-      if (++bad_cells_ > most_told) return;
+      if (++bad_cells_ > most_reported) return;
       const std::uint64_t cell = cells_ - 1;
-      complain(line_, fmt::format("{} is no number", in_quotes(token)),
-               fmt::format("it stands for row {}, column {}{}", cell / columns_ + 1, cell % columns_ + 1, why),
-               std::move(hint));
+      report(line_, fmt::format("{} is no number", in_quotes(token)),
+             fmt::format("it stands for row {}, column {}{}", cell / columns_ + 1, cell % columns_ + 1, why),
+             std::move(hint));
     };
     const auto number = number_of(token);
     if (number) {
@@ -294,7 +295,7 @@ class GridCheck {
     }
   }
 
-  void complain_of_count() {
+  void report_count() {
     const std::uint64_t needed = columns_ * rows_;
     std::string hint = "Copy it again from where it comes from";
     if (cells_ < needed && last_other_line_ > 0) {
@@ -305,8 +306,8 @@ class GridCheck {
     } else if (cells_ > needed && cells_ % columns_ == 0) {
       hint = fmt::format("They are {} rows: is nrows wrong?", cells_ / columns_);
     }
-    complain(cells_ > needed ? first_surplus_ : line_, fmt::format("has {} cells", cells_),
-             fmt::format("ncols {} and nrows {} make {}", columns_, rows_, needed), std::move(hint));
+    report(cells_ > needed ? first_surplus_ : line_, fmt::format("has {} cells", cells_),
+           fmt::format("ncols {} and nrows {} make {}", columns_, rows_, needed), std::move(hint));
   }
 
   GridNumbers numbers_;

@@ -91,7 +91,7 @@ double degrees_outside(OGRSpatialReference crs, const Vec2& place) {
   return std::max({beside, south - place.y(), place.y() - north});
 }
 
-/// Whether there was nothing to complain of.
+/// Whether there was no message.
 bool judge_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
                  const CrsCommands& commands) {
   const auto lengths = ground_lengths(crs, centre);

@@ -86,7 +86,7 @@ std::string DxfEntities::entities(std::uint64_t count) const {
   return fmt::format("{} of {} entities {}", count, taken_ + left_out(), count == 1 ? "is" : "are");
 }
 
-void DxfEntities::complain() {
+void DxfEntities::report() {
   if (!wanted_.empty() && !layers_.contains(wanted_)) {
     const std::vector<std::string> names(layers_.begin(), layers_.end());
     problems_.stop(fmt::format("has no layer \"{}\"", wanted_), fmt::format("it has {}", listed(names)),

@@ -28,7 +28,7 @@ class DxfEntities {
   [[nodiscard]] std::uint64_t taken() const { return taken_; }
   [[nodiscard]] std::uint64_t left_out() const { return on_paper_ + hidden_; }
   /// Warns of what was left out; throws BadInput where no entity has the layer that is asked for.
-  void complain();
+  void report();
 
  private:
   [[nodiscard]] std::string entities(std::uint64_t count) const;

@@ -138,8 +138,8 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
     }
     read.features.push_back(std::move(feature));
   }
-  shapes.complain();
-  if (entities) entities->complain();
+  shapes.report();
+  if (entities) entities->report();
   problems.throw_if_any();
   if (entities) seen = entities->taken();
   if (read.features.empty()) {

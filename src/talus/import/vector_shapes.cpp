@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 constexpr std::uint64_t most_vertices = 250'000'000;
-constexpr std::size_t most_complaints = 5;  // of one kind; more would only hide the others
+constexpr std::size_t most_reported = 5;  // of one kind; more would only hide the others
 
 /// How far apart the ends of a polygon's rings are, at most, on plan or in space; nothing where all are closed.
 std::optional<double> widest_gap(const OGRGeometry& geometry, bool in_space) {
@@ -261,12 +261,12 @@ std::optional<std::vector<Vec3>> VectorShapes::placed(const OGRLineString& line,
 
 void VectorShapes::note(Fault fault, const VectorFeature& feature, std::string what) {
   Faulty& faulty = faulty_[fault];
-  if (++faulty.count <= most_complaints) {
+  if (++faulty.count <= most_reported) {
     faulty.first.push_back({fmt::format("feature {}", feature.id), std::move(what)});
   }
 }
 
-void VectorShapes::complain() {
+void VectorShapes::report() {
   if (height_fault_ && has_heights_) {
     problems_.refuse(height_fault_->what, height_fault_->why,
                      "Bring it to one with heights in metres: " +

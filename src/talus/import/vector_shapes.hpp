@@ -29,7 +29,7 @@ class VectorShapes {
   /// Adds the parts of a geometry to the feature that has it.
   void add(const OGRGeometry& geometry, VectorFeature& feature);
   /// Adds what was wrong with all of them to `problems`.
-  void complain();
+  void report();
 
  private:
   enum Fault : std::size_t { other_kind, open_ring, invalid, not_finite, not_degrees, without_place, fault_count };

@@ -28,8 +28,8 @@ class Refusals {
   explicit Refusals(std::string source) : source_(std::move(source)) {}
 
   void add(std::string where, std::string what, std::string why, std::string hint = "") {
-    constexpr std::size_t most_told = 10;
-    if (++count_ > most_told) return;
+    constexpr std::size_t most_reported = 10;
+    if (++count_ > most_reported) return;
     problems_.add(problem(std::move(where), std::move(what), std::move(why), std::move(hint)));
   }
 

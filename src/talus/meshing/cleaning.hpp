@@ -1,6 +1,6 @@
 #pragma once
-// A mesh from outside made fit to throw rocks at: vertices at one place are one, facets have area and are there once,
-// each knows its neighbours, and all face out of the ground.
+// A mesh from outside made fit to simulate rocks on: vertices at one place are one, facets have area and are there
+// once, each knows its neighbours, and all face out of the ground.
 
 #include <array>
 #include <cstdint>

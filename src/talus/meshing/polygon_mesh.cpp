@@ -13,7 +13,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t most_told = 10;
+constexpr std::size_t most_reported = 10;
 
 std::string text(const Vec3& at) { return fmt::format("({:.3f}, {:.3f}, {:.3f})", at.x(), at.y(), at.z()); }
 
@@ -194,16 +194,17 @@ RawMesh triangulated(std::span<const SpacePolygon> polygons, const std::string& 
   for (const SpacePolygon& polygon : polygons) {
     ++report.polygons;
     const auto fault = Cut(polygon, mesh, report).fault();
-    if (!fault || ++faults > most_told) continue;
+    if (!fault || ++faults > most_reported) continue;
     problems.add(Problem{.file = source,
                          .where = "terrain",
                          .what = polygon.name + ' ' + fault->what,
                          .why = fault->why,
                          .hint = fault->hint});
   }
-  if (faults > most_told) {
-    problems.add(Problem{
-        .file = source, .where = "terrain", .what = fmt::format("{} more polygons are like this", faults - most_told)});
+  if (faults > most_reported) {
+    problems.add(Problem{.file = source,
+                         .where = "terrain",
+                         .what = fmt::format("{} more polygons are like this", faults - most_reported)});
   }
   if (faults > 0) throw BadInput(problems);
   return mesh;

@@ -18,7 +18,7 @@ namespace talus::project {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;
-constexpr std::uint64_t most_complaints = 5;  // of the vertices of one seeder
+constexpr std::uint64_t most_reported = 5;  // of the vertices of one seeder
 
 /// Adds one seeder.
 class SeederBuilder {
@@ -46,8 +46,8 @@ class SeederBuilder {
         is_placed = place_in_cells(s, seeder);
         break;
     }
-    if (off_terrain_ > most_complaints) {
-      complain(s, fmt::format("{} more places are off the terrain", off_terrain_ - most_complaints), "", "");
+    if (off_terrain_ > most_reported) {
+      report(s, fmt::format("{} more places are off the terrain", off_terrain_ - most_reported), "", "");
     }
     if (is_placed && seeder.rocks > 0) model_.seeders.push_back(std::move(seeder));
   }
@@ -61,7 +61,7 @@ class SeederBuilder {
                       model_.surface);
   }
 
-  bool complain(const Seeder& s, std::string what, std::string why, std::string hint) {
+  bool report(const Seeder& s, std::string what, std::string why, std::string hint) {
     problems_.add({Severity::error, project_.file.string(), s.line, fmt::format("seeder \"{}\"", s.name),
                    std::move(what), std::move(why), std::move(hint)});
     return false;
@@ -127,9 +127,8 @@ class SeederBuilder {
     const auto first_without = std::find_if_not(layer.features.begin(), layer.features.end(), has_z);
     if (!seeder.above_surface && first_without != layer.features.end()) {
       if (std::any_of(layer.features.begin(), layer.features.end(), has_z)) {
-        return complain(s,
-                        fmt::format("feature {} of lines \"{}\" has no heights", first_without->id, s.lines.string()),
-                        "others have", "Give height_above_m, and all start at that height above the terrain");
+        return report(s, fmt::format("feature {} of lines \"{}\" has no heights", first_without->id, s.lines.string()),
+                      "others have", "Give height_above_m, and all start at that height above the terrain");
       }
       seeder.above_surface = 0;
     }
@@ -148,7 +147,7 @@ class SeederBuilder {
         lines.add(line, source);
       }
     }
-    if (lines.length() == 0) return complain(s, fmt::format("lines \"{}\" have no length", s.lines.string()), "", "");
+    if (lines.length() == 0) return report(s, fmt::format("lines \"{}\" have no length", s.lines.string()), "", "");
     report(fmt::format("seeder \"{}\": {} lines, {:.6g} m long", s.name, layer.features.size(), lines.length()));
     seeder.where = std::move(lines);
     return good;
@@ -163,8 +162,8 @@ class SeederBuilder {
       const double rocks = static_cast<double>(*s.rocks_per_cell) * static_cast<double>(cells->cells.size());
       const double most = setting("seeder", "rocks").range.most;
       if (static_cast<double>(model_.rocks()) + rocks > most) {
-        return complain(s, fmt::format("{} rocks from each of {} cells", *s.rocks_per_cell, cells->cells.size()),
-                        fmt::format("expected at most {:g} rocks in all", most), "Give fewer, or rocks");
+        return report(s, fmt::format("{} rocks from each of {} cells", *s.rocks_per_cell, cells->cells.size()),
+                      fmt::format("expected at most {:g} rocks in all", most), "Give fewer, or rocks");
       }
       seeder.rocks = static_cast<std::uint64_t>(*s.rocks_per_cell) * cells->cells.size();
     }
@@ -201,24 +200,24 @@ class SeederBuilder {
 
   bool check_on_terrain(const Seeder& s, const Vec3& at, const std::string& which = "") {
     if (is_on_terrain(at.head(2))) return check_on_moved_slope(s, at.x());
-    if (++off_terrain_ > most_complaints) return false;
+    if (++off_terrain_ > most_reported) return false;
     const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, model_.surface);
     const Vec3 low = model_.frame.global_from_local(box.low), high = model_.frame.global_from_local(box.high);
     const Vec3 p = model_.frame.global_from_local(at);
     const bool is_within =
         at.x() >= box.low.x() && at.x() <= box.high.x() && at.y() >= box.low.y() && at.y() <= box.high.y();
     const bool is_flat = project_.is_2d();
-    return complain(s,
-                    is_flat ? fmt::format("x = {:.10g} is off the terrain", p.x())
-                            : fmt::format("{}({:.10g}, {:.10g}) is off the terrain", which, p.x(), p.y()),
-                    is_flat ? fmt::format("the section goes from x = {:.10g} to {:.10g}", low.x(), high.x())
-                    : is_within
-                        ? std::string("the terrain has a hole there, without data or triangles")
-                        : fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
-                                      low.x(), high.x(), low.y(), high.y()),
-                    project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders"
-                    : !is_flat && is_on_terrain(local({p.y(), p.x(), p.z()}).head(2)) ? exchanged_hint
-                                                                                      : "");
+    return report(s,
+                  is_flat ? fmt::format("x = {:.10g} is off the terrain", p.x())
+                          : fmt::format("{}({:.10g}, {:.10g}) is off the terrain", which, p.x(), p.y()),
+                  is_flat ? fmt::format("the section goes from x = {:.10g} to {:.10g}", low.x(), high.x())
+                  : is_within
+                      ? std::string("the terrain has a hole there, without data or triangles")
+                      : fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
+                                    low.x(), high.x(), low.y(), high.y()),
+                  project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders"
+                  : !is_flat && is_on_terrain(local({p.y(), p.x(), p.z()}).head(2)) ? exchanged_hint
+                                                                                    : "");
   }
 
   /// Of a section whose vertices vary there is ground for every rock.
@@ -227,9 +226,9 @@ class SeederBuilder {
     const CertainStretch certain = certain_stretch(project_.terrain);
     const double origin = model_.frame.origin.x();
     if (x >= certain.from - origin && x <= certain.to - origin) return true;
-    if (++off_terrain_ > most_complaints) return false;
-    return complain(s, fmt::format("x = {:.10g} may be off the terrain", x + origin), why_uncertain(certain),
-                    "Move it inwards, or give the end vertices less in x");
+    if (++off_terrain_ > most_reported) return false;
+    return report(s, fmt::format("x = {:.10g} may be off the terrain", x + origin), why_uncertain(certain),
+                  "Move it inwards, or give the end vertices less in x");
   }
 
   const Project& project_;

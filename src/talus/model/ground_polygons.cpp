@@ -16,9 +16,9 @@ namespace talus::project {
 namespace {
 
 constexpr std::uint8_t nothing = 255;    // no polygon yet
-constexpr std::size_t most_listed = 10;  // values or names in one complaint
+constexpr std::size_t most_listed = 10;  // values or names in one problem
 
-/// Values, features or materials in a complaint: the first of them, and how many more.
+/// Values, features or materials in a problem: the first of them, and how many more.
 std::string listed(const std::vector<std::string>& items) {
   std::string out;
   for (std::size_t i = 0; i < items.size() && i < most_listed; ++i) out += (i == 0 ? "" : ", ") + items[i];

@@ -146,7 +146,7 @@ class Builder {
   }
 
  private:
-  void complain(int line, std::string where, std::string what, std::string why, std::string hint) {
+  void report(int line, std::string where, std::string what, std::string why, std::string hint) {
     problems_.add({Severity::error, project_.file.string(), line, std::move(where), std::move(what), std::move(why),
                    std::move(hint)});
   }
@@ -163,11 +163,11 @@ class Builder {
     barrier.stand(panels_along(foot, b.height_m, b.inclination_deg * radians));
     constexpr double shortest = 1e-5;  // [m]
     if (foot.given > 0 && foot.given < shortest) {
-      complain(b.source_line, called(b), fmt::format("its line is {:.3g} m long", foot.given),
-               fmt::format("expected at least {:g} m", shortest), "");
+      report(b.source_line, called(b), fmt::format("its line is {:.3g} m long", foot.given),
+             fmt::format("expected at least {:g} m", shortest), "");
     } else if (barrier.panels().empty()) {
-      complain(b.source_line, called(b), "its line does not touch the terrain", "a barrier stands on the ground",
-               is_on_ground_exchanged(b) ? exchanged_hint : "");
+      report(b.source_line, called(b), "its line does not touch the terrain", "a barrier stands on the ground",
+             is_on_ground_exchanged(b) ? exchanged_hint : "");
     } else {
       warn_of_gaps(b, foot);
       check_on_moved_slope(b);
@@ -202,8 +202,8 @@ class Builder {
     const CertainStretch certain = certain_stretch(project_.terrain);
     const double x = b.line.front()[0];
     if (x >= certain.from && x <= certain.to) return;
-    complain(b.source_line, called(b), fmt::format("x = {:.10g} may be off the terrain", x), why_uncertain(certain),
-             "Move it inwards, or give the end vertices less in x");
+    report(b.source_line, called(b), fmt::format("x = {:.10g} may be off the terrain", x), why_uncertain(certain),
+           "Move it inwards, or give the end vertices less in x");
   }
 
   [[nodiscard]] bool is_ground(const Vec2& at) const {

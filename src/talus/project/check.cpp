@@ -17,7 +17,7 @@
 namespace talus::project {
 namespace {
 
-/// What the rules look at, and how they complain.
+/// What the rules look at, and how they report.
 class Rules {
  public:
   Rules(const Project& project, const Document& document, const std::unordered_set<const toml::node*>& refused,
@@ -33,7 +33,7 @@ class Rules {
       TerrainRules{project_, *terrain, is_2d(document_.root()) == true,
                    [&](std::string_view key) { return good(terrain, key); },
                    [&](const Spot& at, std::string what, std::string why, std::string hint, Severity severity) {
-                     complain(at, "[terrain]", std::move(what), std::move(why), std::move(hint), severity);
+                     report(at, "[terrain]", std::move(what), std::move(why), std::move(hint), severity);
                    }}
           .check();
     }
@@ -46,7 +46,7 @@ class Rules {
                   is_2d(document_.root()),
                   [&](const toml::table* of, std::string_view key) { return good(of, key); },
                   [&](const Spot& at, std::string where, std::string what, std::string why, std::string hint) {
-                    complain(at, std::move(where), std::move(what), std::move(why), std::move(hint));
+                    report(at, std::move(where), std::move(what), std::move(why), std::move(hint));
                   }}
           .check();
     }
@@ -61,8 +61,8 @@ class Rules {
  private:
   using Node = const toml::node*;
 
-  void complain(const Spot& spot, std::string where, std::string what, std::string why, std::string hint = {},
-                Severity severity = Severity::error) {
+  void report(const Spot& spot, std::string where, std::string what, std::string why, std::string hint = {},
+              Severity severity = Severity::error) {
     Problem problem = document_.at(spot, severity);
     problem.where = std::move(where);
     problem.what = std::move(what);
@@ -92,17 +92,17 @@ class Rules {
     const Node node = good(&document_.root(), "name");
     const std::string& name = project_.name;
     if (node && (name.find('/') != std::string::npos || name == "." || name == "..")) {
-      complain(node, "", fmt::format("name is {}", quoted(*node)), "the folder of the results is called by it",
-               "Use a name without slashes");
+      report(node, "", fmt::format("name is {}", quoted(*node)), "the folder of the results is called by it",
+             "Use a name without slashes");
     }
   }
 
   /// What was said of a row's key elsewhere is not said again.
-  void about_needs(const Table& declared, const toml::table& row, const std::string& where, std::string_view told) {
+  void about_needs(const Table& declared, const toml::table& row, const std::string& where, std::string_view reported) {
     for (const Setting& setting : declared.settings) {
-      if (setting.key == told) continue;
+      if (setting.key == reported) continue;
       if (const auto not_met = applying_.against(declared, row, setting)) {
-        complain(row.get(setting.key), where, not_met->what, not_met->why, not_met->hint, not_met->severity);
+        report(row.get(setting.key), where, not_met->what, not_met->why, not_met->hint, not_met->severity);
       }
     }
   }
@@ -138,20 +138,20 @@ class Rules {
     if (!like || project_.analysis.model != RockModel::rigid_sphere) return;
     if (row.contains("dynamic_friction") || row.contains("rolling_friction")) return;
     const Material plain;
-    complain(like, where, "the friction of a sphere is not given",
-             fmt::format("the library has restitutions, published for lumped masses; dynamic_friction = {:g} and "
-                         "rolling_friction = {:g} hold, and spheres go further and faster than points",
-                         plain.dynamic_friction.mean, plain.rolling_friction.mean),
-             "Give both, and compare with what is known of the site", Severity::warning);
+    report(like, where, "the friction of a sphere is not given",
+           fmt::format("the library has restitutions, published for lumped masses; dynamic_friction = {:g} and "
+                       "rolling_friction = {:g} hold, and spheres go further and faster than points",
+                       plain.dynamic_friction.mean, plain.rolling_friction.mean),
+           "Give both, and compare with what is known of the site", Severity::warning);
   }
 
   void about_forest(const Material& material, const toml::table& row, const std::string& where) {
     const bool has_forest = material.forest != Forest::none || material.forest_drag_kg_s;
     if (has_forest && !row.contains("forest_height_m")) {
       const Node forest = row.get(material.forest_drag_kg_s ? "forest_drag_kg_s" : "forest");
-      complain({forest, &row, "forest_height_m"}, where, "forest_height_m is missing",
-               "a forest brakes rocks up to its effective height only",
-               "Write how high above the ground its trunks and branches hold rocks up");
+      report({forest, &row, "forest_height_m"}, where, "forest_height_m is missing",
+             "a forest brakes rocks up to its effective height only",
+             "Write how high above the ground its trunks and branches hold rocks up");
     }
   }
 
@@ -164,8 +164,8 @@ class Rules {
       const toml::table* earlier = list[first.at(names[i])];
       const Node node = list[i]->contains("name") ? list[i]->get("name") : list[i];
       const int line = earlier ? document_.at(*earlier).line : 0;
-      complain(node, "", fmt::format("two {} are called \"{}\"", kinds, names[i]),
-               line > 0 ? fmt::format("the other begins in line {}", line) : "", "Give each its own name");
+      report(node, "", fmt::format("two {} are called \"{}\"", kinds, names[i]),
+             line > 0 ? fmt::format("the other begins in line {}", line) : "", "Give each its own name");
     }
   }
 
@@ -195,8 +195,8 @@ class Rules {
     about_unique("seeders", list, names);
     const double most = setting("seeder", "rocks").range.most;
     if (rocks > most) {
-      complain(list.back(), "", fmt::format("all seeders together have {} rocks", number_text(rocks)),
-               fmt::format("expected at most {}", number_text(most)));
+      report(list.back(), "", fmt::format("all seeders together have {} rocks", number_text(rocks)),
+             fmt::format("expected at most {}", number_text(most)));
     }
   }
 
@@ -232,10 +232,10 @@ class Rules {
       Seeder& seeder = copy.seeders[i];
       const bool is_one_rock = seeder.type == SeederType::point && !is_random(declaration("seeder"), &seeder);
       if (!is_one_rock || seeder.rocks < many || has_refused(list[i])) continue;
-      complain(list[i]->get("rocks"), name_of_row(declaration("seeder"), *list[i], i),
-               fmt::format("its {} rocks are all the same", seeder.rocks),
-               "nothing is random of them or of the ground, so that they follow one path",
-               "Give restitution or friction a distribution, or the ground a roughness", Severity::warning);
+      report(list[i]->get("rocks"), name_of_row(declaration("seeder"), *list[i], i),
+             fmt::format("its {} rocks are all the same", seeder.rocks),
+             "nothing is random of them or of the ground, so that they follow one path",
+             "Give restitution or friction a distribution, or the ground a roughness", Severity::warning);
     }
   }
 
@@ -249,10 +249,10 @@ class Rules {
         table("terrain") && table("terrain")->contains("raster"),
         [&](std::string_view key) { return good(&row, key); },
         [&](const Spot& at, std::string what, std::string why, std::string hint, Severity severity) {
-          complain(at, where, std::move(what), std::move(why), std::move(hint), severity);
+          report(at, where, std::move(what), std::move(why), std::move(hint), severity);
         }};
-    const std::string_view told = rules.about_place();
-    if (told != "type") about_needs(declaration("seeder"), row, where, told);
+    const std::string_view reported = rules.about_place();
+    if (reported != "type") about_needs(declaration("seeder"), row, where, reported);
     rules.check();
   }
 
@@ -276,8 +276,8 @@ class Rules {
     const bool has_normal = row.contains("normal_restitution");
     const std::string_view given = has_normal ? "normal_restitution" : "tangential_restitution";
     const std::string_view missing = has_normal ? "tangential_restitution" : "normal_restitution";
-    complain({row.get(given), &row, missing}, where, fmt::format("{} is missing", missing),
-             "a barrier has both restitutions, or neither and holds what it stops");
+    report({row.get(given), &row, missing}, where, fmt::format("{} is missing", missing),
+           "a barrier has both restitutions, or neither and holds what it stops");
   }
 
   void about_design() {
@@ -291,7 +291,7 @@ class Rules {
                 is_2d(document_.root()),
                 [&](const toml::table* of, std::string_view key) { return good(of, key); },
                 [&](Node at, std::string what, std::string why, std::string hint, Severity severity) {
-                  complain(at, "[design]", std::move(what), std::move(why), std::move(hint), severity);
+                  report(at, "[design]", std::move(what), std::move(why), std::move(hint), severity);
                 }}
         .check();
   }
@@ -301,21 +301,21 @@ class Rules {
     const Output& output = project_.output;
     if (good(row, "percentiles") && good(row, "maps") && output.maps.any() && !output.percentiles.empty() &&
         io::contents_of({output.maps, {}}).quantities() == 0) {
-      complain(row->get("percentiles"), "[output]", "percentiles has no effect", "maps names counts only",
-               "Name a quantity there, such as \"energy_total\"", Severity::warning);
+      report(row->get("percentiles"), "[output]", "percentiles has no effect", "maps names counts only",
+             "Name a quantity there, such as \"energy_total\"", Severity::warning);
     }
     if (const Node list = good(row, "percentiles")) {
       for (const std::size_t i : repeated(output.percentiles)) {
-        complain(list->as_array()->get(i), "[output]",
-                 fmt::format("percentiles[{}] is {}", i, number_text(output.percentiles[i])), "it was given before",
-                 "Leave it out");
+        report(list->as_array()->get(i), "[output]",
+               fmt::format("percentiles[{}] is {}", i, number_text(output.percentiles[i])), "it was given before",
+               "Leave it out");
       }
     }
     const toml::table* terrain = table("terrain");
     if (const Node cell = good(row, "raster_cell_m");
         cell && !output.raster_cell_m && terrain && !terrain->contains("raster")) {
-      complain(cell, "[output]", "raster_cell_m is \"terrain\"", "the terrain is no raster, so it has no cells",
-               "Give the side of a cell in metres");
+      report(cell, "[output]", "raster_cell_m is \"terrain\"", "the terrain is no raster, so it has no cells",
+             "Give the side of a cell in metres");
     }
   }
 

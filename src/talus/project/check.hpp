@@ -10,7 +10,7 @@
 
 namespace talus::project {
 
-/// `refused` are the values that are not in the project because they were complained of already.
+/// `refused` are the values that are not in the project because they were reported already.
 void check(const Project& project, const Document& document, const std::unordered_set<const toml::node*>& refused,
            Problems& problems);
 

@@ -14,8 +14,8 @@ namespace talus::project {
 
 void DesignRules::check() const {
   if (barriers.empty() && collectors.empty()) {
-    complain(&row, "there is no line to design for", "the project has no barrier and no collector",
-             "Add a [[collector]] with a line and a height_m", Severity::error);
+    report(&row, "there is no line to design for", "the project has no barrier and no collector",
+           "Add a [[collector]] with a line and a height_m", Severity::error);
     return;
   }
   about_lines();
@@ -43,8 +43,8 @@ void DesignRules::about_lines() const {
   if (!known) return;
   if (const auto* lines = good(&row, "lines")) {
     if (design.lines.empty()) {
-      complain(lines, "lines is empty", "without a line there is nothing to design for",
-               "Leave it out to take all barriers and collectors", Severity::error);
+      report(lines, "lines is empty", "without a line there is nothing to design for",
+             "Leave it out to take all barriers and collectors", Severity::error);
     }
     for (std::size_t i = 0; i < design.lines.size(); ++i) {
       const toml::node& node = *lines->as_array()->get(i);
@@ -52,8 +52,8 @@ void DesignRules::about_lines() const {
       about_name(node, key, design.lines[i], *known);
       if (std::find(design.lines.begin(), design.lines.begin() + static_cast<std::ptrdiff_t>(i), design.lines[i]) !=
           design.lines.begin() + static_cast<std::ptrdiff_t>(i)) {
-        complain(&node, fmt::format("{} is {}", key, quoted(node)), "this line was named before", "Leave it out",
-                 Severity::error);
+        report(&node, fmt::format("{} is {}", key, quoted(node)), "this line was named before", "Leave it out",
+               Severity::error);
       }
     }
   }
@@ -67,7 +67,7 @@ void DesignRules::about_name(const toml::node& node, const std::string& key, con
   for (const std::string& each : known) list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", each);
   const std::vector<std::string_view> candidates(known.begin(), known.end());
   const auto near = nearest(name, candidates);
-  complain(
+  report(
       &node, fmt::format("{} is {}", key, quoted(node)),
       fmt::format("there is no barrier or collector of this name; there {} {}", known.size() == 1 ? "is" : "are", list),
       near ? fmt::format("Did you mean \"{}\"?", *near) : "", Severity::error);
@@ -85,11 +85,11 @@ void DesignRules::about_sections() const {
       length += std::hypot(barrier.line[k][0] - barrier.line[k - 1][0], barrier.line[k][1] - barrier.line[k - 1][1]);
     }
     if (length <= design.section_m * DesignPlan::most_sections) continue;
-    complain(node ? node : &row, fmt::format("section_m is {}", number_text(design.section_m)),
-             fmt::format("line \"{}\", {:.0f} m long, would have more than {} sections", barrier.name, length,
-                         DesignPlan::most_sections),
-             fmt::format("Write {} or more", number_text(std::ceil(length / DesignPlan::most_sections))),
-             Severity::error);
+    report(node ? node : &row, fmt::format("section_m is {}", number_text(design.section_m)),
+           fmt::format("line \"{}\", {:.0f} m long, would have more than {} sections", barrier.name, length,
+                       DesignPlan::most_sections),
+           fmt::format("Write {} or more", number_text(std::ceil(length / DesignPlan::most_sections))),
+           Severity::error);
     return;
   }
 }
@@ -99,14 +99,14 @@ void DesignRules::about_lists() const {
        {std::pair("heights_m", &design.heights_m), std::pair("energies_kJ", &design.energies_kJ)}) {
     const auto* node = good(&row, key);
     if (node && list->empty()) {
-      complain(node, fmt::format("{} is empty", key), "there would be no kit to choose from", "Leave it out",
-               Severity::error);
+      report(node, fmt::format("{} is empty", key), "there would be no kit to choose from", "Leave it out",
+             Severity::error);
     }
   }
   if (const auto* node = good(&row, "percentiles")) {
     for (const std::size_t i : repeated(design.percentiles)) {
-      complain(node->as_array()->get(i), fmt::format("percentiles[{}] is {}", i, number_text(design.percentiles[i])),
-               "it was given before", "Leave it out", Severity::error);
+      report(node->as_array()->get(i), fmt::format("percentiles[{}] is {}", i, number_text(design.percentiles[i])),
+             "it was given before", "Leave it out", Severity::error);
     }
   }
 }
@@ -116,17 +116,17 @@ void DesignRules::about_standard() const {
   if (const auto* energies = good(&row, "energies_kJ");
       energies && design.standard != DesignStandard::none && design.energy_level == DesignLevel::sel &&
       !design.energies_kJ.empty() && std::ranges::all_of(design.energies_kJ, is_too_weak)) {
-    complain(energies, fmt::format("energies_kJ has nothing from {:.0f} kJ on", least_energy_with_service / 1000),
-             "energy_level is \"SEL\", and kits of class 0 are not tested at it", "", Severity::error);
+    report(energies, fmt::format("energies_kJ has nothing from {:.0f} kJ on", least_energy_with_service / 1000),
+           "energy_level is \"SEL\", and kits of class 0 are not tested at it", "", Severity::error);
   }
 }
 
 void DesignRules::about_what_is_stopped_before() const {
   const auto* protect = good(&row, "protect");
   if (!protect || barriers.empty()) return;
-  complain(protect, "protect is given, and there are barriers",
-           "rocks that a [[barrier]] stops never reach what is to be protected, so that they do not count",
-           "Make candidates [[collector]]s", Severity::warning);
+  report(protect, "protect is given, and there are barriers",
+         "rocks that a [[barrier]] stops never reach what is to be protected, so that they do not count",
+         "Make candidates [[collector]]s", Severity::warning);
 }
 
 }  // namespace talus::project

@@ -21,7 +21,7 @@ struct DesignRules {
   /// The value of a key of a table, where the file has it and it was not refused; else null.
   std::function<const toml::node*(const toml::table* of, std::string_view key)> good;
   std::function<void(const toml::node* at, std::string what, std::string why, std::string hint, Severity severity)>
-      complain;
+      report;
 
   void check() const;
 

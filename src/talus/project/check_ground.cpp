@@ -13,7 +13,7 @@
 namespace talus::project {
 
 void GroundRules::refuse(const Spot& at, std::string what, std::string why, std::string hint) const {
-  complain(at, "[ground]", std::move(what), std::move(why), std::move(hint));
+  report(at, "[ground]", std::move(what), std::move(why), std::move(hint));
 }
 
 void GroundRules::check() const {
@@ -30,8 +30,8 @@ void GroundRules::about_default() const {
     about_material("[ground]", node, "default", project.ground.default_material);
   }
   const auto has = [&](std::string_view key) { return row->contains(key); };
-  const bool is_told = row && (has("default") || std::ranges::any_of(table("ground").keys_of_ways(), has));
-  if (is_told || project.materials.size() < 2) return;
+  const bool is_reported = row && (has("default") || std::ranges::any_of(table("ground").keys_of_ways(), has));
+  if (is_reported || project.materials.size() < 2) return;
   refuse({row, row, "default"}, "default is missing", fmt::format("there are {} materials", project.materials.size()),
          fmt::format("Write default = \"{}\"{}", project.materials.front().name,
                      is_on("section") ? ", or segments with one name for each segment" : ""));
@@ -100,8 +100,8 @@ void GroundRules::about_areas() const {
       about_material(where, material, "material", project.areas[i].material);
     }
     if (is_flat == true) {
-      complain({areas[i]}, where, "an area is given in 2D", "a section has segments",
-               "Use ground.segments, with one name for each segment");
+      report({areas[i]}, where, "an area is given in 2D", "a section has segments",
+             "Use ground.segments, with one name for each segment");
     }
   }
 }
@@ -129,9 +129,9 @@ void GroundRules::about_material(const std::string& where, Node node, const std:
   std::string known;
   for (const std::string_view material : names) known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", material);
   const auto near = nearest(name, names);
-  complain(node, where, fmt::format("{} is {}", key, quoted(*node)),
-           fmt::format("there is no material of this name; there {} {}", names.size() == 1 ? "is" : "are", known),
-           near ? fmt::format("Did you mean \"{}\"?", *near) : "");
+  report(node, where, fmt::format("{} is {}", key, quoted(*node)),
+         fmt::format("there is no material of this name; there {} {}", names.size() == 1 ? "is" : "are", known),
+         near ? fmt::format("Did you mean \"{}\"?", *near) : "");
 }
 
 }  // namespace talus::project

@@ -21,7 +21,7 @@ struct GroundRules {
   std::optional<bool> is_flat;            // the analysis is 2D; nothing: nobody knows
   /// The value of a key of a table, where the file has it and it was not refused; else null.
   std::function<const toml::node*(const toml::table* of, std::string_view key)> good;
-  std::function<void(const Spot& at, std::string where, std::string what, std::string why, std::string hint)> complain;
+  std::function<void(const Spot& at, std::string where, std::string what, std::string why, std::string hint)> report;
 
   void check() const;
 

@@ -12,8 +12,8 @@ namespace talus::project {
 
 std::string_view SeederRules::refuse(std::string_view key, std::string what, std::string why, std::string hint) const {
   const toml::node* node = row.get(key);
-  complain(node || key.empty() ? Spot(node ? node : &row) : Spot(&row, &row, key), std::move(what), std::move(why),
-           std::move(hint), Severity::error);
+  report(node || key.empty() ? Spot(node ? node : &row) : Spot(&row, &row, key), std::move(what), std::move(why),
+         std::move(hint), Severity::error);
   return key;
 }
 
@@ -89,9 +89,9 @@ void SeederRules::about_cells() const {
 void SeederRules::about_heading() const {
   for (const std::string_view key : {"horizontal_velocity_m_s", "speed_m_s"}) {
     if (!good(key) || has("direction")) continue;
-    complain(good(key), fmt::format("{} is given without a direction", key),
-             "all rocks of the area start eastwards, [1, 0, 0], whatever way the slope faces",
-             "Write direction = \"downslope\", or one direction, [x, y, z]", Severity::warning);
+    report(good(key), fmt::format("{} is given without a direction", key),
+           "all rocks of the area start eastwards, [1, 0, 0], whatever way the slope faces",
+           "Write direction = \"downslope\", or one direction, [x, y, z]", Severity::warning);
   }
 }
 

@@ -19,7 +19,7 @@ struct SeederRules {
   bool has_grid;           // the terrain is a raster
   /// The value of a key, where the file has it and it was not refused; else null.
   std::function<const toml::node*(std::string_view key)> good;
-  std::function<void(const Spot& at, std::string what, std::string why, std::string hint, Severity severity)> complain;
+  std::function<void(const Spot& at, std::string what, std::string why, std::string hint, Severity severity)> report;
 
   /// Reports a key that says a place in a way of another type, or that is missing, and gives it back; "type" where the
   /// type itself is wrong, and nothing is known of the other keys.
@@ -28,9 +28,9 @@ struct SeederRules {
 
  private:
   [[nodiscard]] bool has(std::string_view key) const { return row.contains(key); }
-  /// Nor is there an unknown key that was probably meant to be it, of which the user is told anyway.
+  /// Nor is there an unknown key that was probably meant to be it, which is reported anyway.
   [[nodiscard]] bool misses(std::string_view key) const;
-  /// Gives back the key that it complained of, there or missing; "" for the whole row.
+  /// Gives back the key that it reported, there or missing; "" for the whole row.
   std::string_view refuse(std::string_view key, std::string what, std::string why, std::string hint = "") const;
   void about_cells() const;
   void about_heading() const;

@@ -41,13 +41,13 @@ void SurveyRules::about_files() const {
     if (!node) continue;
     const std::string why = why_unreadable(project, *file);
     if (why.empty()) continue;
-    complain(node, fmt::format("{} is {}", key, quoted(*node)), why, "Its path is relative to the project file",
-             Severity::error);
+    report(node, fmt::format("{} is {}", key, quoted(*node)), why, "Its path is relative to the project file",
+           Severity::error);
   }
   if (!good("points")) return;
   if (const auto* classes = good("point_classes"); classes && !is_las(terrain.points)) {
-    complain(classes, fmt::format("point_classes is given for {}", terrain.points.filename().string()),
-             "only points of LAS have classes", "Leave it out", Severity::error);
+    report(classes, fmt::format("point_classes is given for {}", terrain.points.filename().string()),
+           "only points of LAS have classes", "Leave it out", Severity::error);
   }
 }
 
@@ -55,25 +55,25 @@ void SurveyRules::about_polylines() const {
   const auto* list = good("polylines");
   if (!list) return;
   const auto& polylines = project.terrain.polylines;
-  if (polylines.empty()) complain(list, "polylines is empty", "a terrain has at least one", "", Severity::error);
-  std::size_t told = 0;
-  for (std::size_t i = 0; i < polylines.size() && told < most_complaints; ++i) {
+  if (polylines.empty()) report(list, "polylines is empty", "a terrain has at least one", "", Severity::error);
+  std::size_t reported = 0;
+  for (std::size_t i = 0; i < polylines.size() && reported < most_reported; ++i) {
     const auto& line = polylines[i];
     const toml::node* node = list->as_array()->get(i);
     const std::string name = fmt::format("polylines[{}]", i);
     if (line.size() < 4) {
-      complain(node, fmt::format("{} has {} vertices", name, line.size()),
-               "a closed one has four or more, of which the last is the first", "", Severity::error);
-      ++told;
+      report(node, fmt::format("{} has {} vertices", name, line.size()),
+             "a closed one has four or more, of which the last is the first", "", Severity::error);
+      ++reported;
       continue;
     }
     const auto& [x0, y0, z0] = line.front();
     const auto& [x1, y1, z1] = line.back();
     const double apart = std::hypot(x1 - x0, y1 - y0, z1 - z0);
     if (apart <= project.terrain.merge_tolerance_m) continue;
-    complain(node, fmt::format("{} is not closed", name), fmt::format("its ends are {:.4g} m apart", apart),
-             "Repeat its first vertex at its end", Severity::error);
-    ++told;
+    report(node, fmt::format("{} is not closed", name), fmt::format("its ends are {:.4g} m apart", apart),
+           "Repeat its first vertex at its end", Severity::error);
+    ++reported;
   }
 }
 

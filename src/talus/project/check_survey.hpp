@@ -15,7 +15,7 @@ struct SurveyRules {
   const toml::table& row;  // [terrain] as it stands in the file
   /// The value of a key, where the file has it and it was not refused; else null.
   std::function<const toml::node*(std::string_view key)> good;
-  std::function<void(const Spot& at, std::string what, std::string why, std::string hint, Severity severity)> complain;
+  std::function<void(const Spot& at, std::string what, std::string why, std::string hint, Severity severity)> report;
 
   void check() const;
 

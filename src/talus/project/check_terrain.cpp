@@ -19,7 +19,7 @@ namespace talus::project {
 
 namespace {
 
-/// Then the user is told of the key, and that there is no terrain only follows.
+/// Then the key is reported, and that there is no terrain only follows.
 bool is_mistyped(const toml::table& row) {
   const Table& terrain = table("terrain");
   return std::ranges::any_of(terrain.keys_of_ways(),
@@ -29,7 +29,7 @@ bool is_mistyped(const toml::table& row) {
 }  // namespace
 
 void TerrainRules::refuse(const Spot& at, std::string what, std::string why, std::string hint) const {
-  complain(at, std::move(what), std::move(why), std::move(hint), Severity::error);
+  report(at, std::move(what), std::move(why), std::move(hint), Severity::error);
 }
 
 void TerrainRules::check() const {
@@ -58,7 +58,7 @@ void TerrainRules::check() const {
     }
   }
   if (good("vertices") && good("triangles")) about_inline_mesh();
-  SurveyRules{project, row, good, complain}.check();
+  SurveyRules{project, row, good, report}.check();
 }
 
 void TerrainRules::about_section(Node section) const {
@@ -79,7 +79,7 @@ void TerrainRules::about_section(Node section) const {
     } else {
       continue;
     }
-    if (++wrong == most_complaints) break;
+    if (++wrong == most_reported) break;
   }
   if (wrong > 0) return;
   std::vector<Vec2> line;
@@ -101,7 +101,7 @@ void TerrainRules::about_deviations(Node deviations) const {
   }
   const bool is_leftward = project.terrain.section_runs_leftwards();
   std::size_t wrong = 0;
-  for (std::size_t i = 0; i + 1 < vertices.size() && wrong < most_complaints; ++i) {
+  for (std::size_t i = 0; i + 1 < vertices.size() && wrong < most_reported; ++i) {
     const std::size_t left = is_leftward ? i + 1 : i, right = is_leftward ? i : i + 1;
     if (vertices[left][0] >= vertices[right][0]) continue;  // the section itself goes back there
     const double left_end = vertices[left][0] + most_deviations_of_vertex * std_devs[left][0];

@@ -16,7 +16,7 @@ struct TerrainRules {
   bool is_flat;            // the analysis is 2D
   /// The value of a key, where the file has it and it was not refused; else null.
   std::function<const toml::node*(std::string_view key)> good;
-  std::function<void(const Spot& at, std::string what, std::string why, std::string hint, Severity severity)> complain;
+  std::function<void(const Spot& at, std::string what, std::string why, std::string hint, Severity severity)> report;
 
   void check() const;
 

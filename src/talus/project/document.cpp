@@ -195,7 +195,7 @@ std::string entries_of(const toml::array& list) {
 }
 
 /// Is this text a list, a table, a text in quotes or a number, well written or not? What is wrong with such a one is to
-/// be told, and it is not what somebody would call a file or a place.
+/// be reported, and it is not what somebody would call a file or a place.
 bool is_meant_as_toml(std::string_view text) {
   if (text.empty() || std::string_view("[{\"'").find(text[0]) != std::string_view::npos) return true;
   if (std::ranges::any_of(text, [](unsigned char letter) { return letter < ' ' || letter == 127; })) return true;

@@ -18,14 +18,14 @@ inline constexpr std::uintmax_t most_bytes = 64u << 20u;
 /// Reads a whole file, or says why it cannot be read.
 [[nodiscard]] std::string text_of_file(const std::filesystem::path& file);
 
-/// What a complaint is about: a value; or a key that a table lacks, told of in the place of a value (the table itself,
+/// What a problem is about: a value; or a key that a table lacks, reported in the place of a value (the table itself,
 /// or a key beside it).
 struct Spot {
   const toml::node* node;  // null: of no place
   const toml::table* lacking = nullptr;
   std::string_view key{};
 
-  Spot(const toml::node* value) : node(value) {}  // NOLINT: most complaints are about a value
+  Spot(const toml::node* value) : node(value) {}  // NOLINT: most problems are with a value
   Spot(const toml::node* place, const toml::table* table, std::string_view missing_key)
       : node(place), lacking(table), key(missing_key) {}
 };
@@ -45,16 +45,16 @@ class Document {
   [[nodiscard]] const toml::table& root() const { return root_; }
   [[nodiscard]] const std::string& file() const { return file_; }
 
-  /// A complaint about a value, in its place.
+  /// A problem about a value, in its place.
   [[nodiscard]] Problem at(const toml::node& node, Severity severity = Severity::error) const;
   [[nodiscard]] Problem at(const Spot& spot, Severity severity = Severity::error) const;
-  /// A complaint about what is not there; `key`: the table that is meant, if it is one.
+  /// A problem about what is not there; `key`: the table that is meant, if it is one.
   [[nodiscard]] Problem nowhere(std::string_view key = {}) const;
 
  private:
   toml::table root_;
   std::string file_;
-  mutable std::optional<SettingPaths> paths_;  // made for the first complaint
+  mutable std::optional<SettingPaths> paths_;  // made for the first problem
 };
 
 /// An entry of a list; the list itself where it has none of this number.
@@ -64,7 +64,7 @@ class Document {
 /// that no double equals; here it is the nearest double.)
 [[nodiscard]] std::optional<double> number_in(const toml::node& node);
 
-/// A value as a complaint quotes it: in one line, cut where it is long.
+/// A value as a problem quotes it: in one line, cut where it is long.
 [[nodiscard]] std::string quoted(const toml::node& node);
 
 }  // namespace talus::project

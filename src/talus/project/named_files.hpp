@@ -25,7 +25,7 @@ namespace talus::project {
 /// row without a line gets that of the file that it mentions.
 [[nodiscard]] Problems said_of_project(const Problems& problems, const Project& project, std::string_view where);
 
-/// Does `work(problems, warnings)`, and adds what it complained of to the two lists, said so; what it throws is said so
+/// Does `work(problems, warnings)`, and adds what it reported to the two lists, said so; what it throws is said so
 /// and goes on.
 template <class Work>
 auto naming_files(const Project& project, std::string_view where, Problems& problems, Problems& warnings,

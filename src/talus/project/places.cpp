@@ -59,7 +59,7 @@ bool ValueReader::into(const Value& value, PointsSlot slot) {
   if (!list || list->size() < 2) return refuse_kind(value, "a list of two or more positions");
   std::vector<Position> positions;
   std::size_t wrong = 0;
-  for (std::size_t i = 0; i < list->size() && wrong < most_complaints; ++i) {
+  for (std::size_t i = 0; i < list->size() && wrong < most_reported; ++i) {
     const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
     const std::optional<Position> read = position(entry);
     if (read) positions.push_back(*read);

@@ -133,7 +133,7 @@ struct Area {
   std::string name;  // default: "area N"
   std::string material;
   std::vector<std::array<double, 2>> polygon;  // on plan
-  int line = 0;                                // in the project file, for later complaints
+  int line = 0;                                // in the project file, for later problems
 };
 
 enum class SeederType { point, line, polygon, raster };
@@ -169,7 +169,7 @@ struct Seeder {
   std::optional<Distribution> speed_m_s;                      // along the full `direction`, instead of the two above
   Distribution rotational_velocity_deg_s = constant(0);       // positive: rolling forwards, about up x direction
   std::optional<std::array<double, 3>> direction{{1, 0, 0}};  // nothing: down the slope, wherever a rock starts
-  int line = 0;                                               // in the project file, for later complaints
+  int line = 0;                                               // in the project file, for later problems
 };
 
 /// [[barrier]] and [[collector]]
@@ -237,7 +237,7 @@ struct NamedFile {
   std::filesystem::path file;  // as written, relative to the project file
   std::string said_in;         // the project file, or the option that says it
   int line = 0;                // 0 in an option
-  std::string where, key;      // the row as complaints call it, for example "[terrain]", and its key
+  std::string where, key;      // the row as problems call it, for example "[terrain]", and its key
   std::string path;            // of the setting, for programs: `terrain.raster`
 };
 

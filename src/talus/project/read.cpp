@@ -16,7 +16,7 @@
 namespace talus::project {
 namespace {
 
-constexpr std::size_t most_entries = 100'000;  // of one kind; what is wrong with each is told
+constexpr std::size_t most_entries = 100'000;  // of one kind; what is wrong with each is reported
 
 void note_line(Row row, int line) {
   if (auto* area = std::get_if<Area*>(&row)) (*area)->line = line;

@@ -10,7 +10,7 @@
 namespace talus::project {
 namespace {
 
-constexpr std::size_t most_unknown = 100;  // keys of one table that are told; more would only hide the others
+constexpr std::size_t most_unknown = 100;  // keys of one table that are reported; more would only hide the others
 
 std::vector<std::string_view> keys_of(const Table& table) {
   std::vector<std::string_view> keys;
@@ -93,16 +93,18 @@ void RowKeys::refuse_unknown(const std::string& lead) const {
 }
 
 void RowKeys::refuse_exclusive() const {
-  std::vector<std::string_view> told;
-  const auto is_told = [&](std::string_view key) { return std::find(told.begin(), told.end(), key) != told.end(); };
+  std::vector<std::string_view> reported;
+  const auto is_reported = [&](std::string_view key) {
+    return std::find(reported.begin(), reported.end(), key) != reported.end();
+  };
   for (const Setting& setting : table.settings) {
-    if (!from.contains(setting.key) || is_told(setting.key)) continue;
+    if (!from.contains(setting.key) || is_reported(setting.key)) continue;
     std::vector<std::string_view> together{setting.key};
     for (const std::string_view other : table.excluded_by(setting.key)) {
-      if (from.contains(other) && !is_told(other)) together.push_back(other);
+      if (from.contains(other) && !is_reported(other)) together.push_back(other);
     }
     if (together.size() == 1) continue;
-    told.insert(told.end(), together.begin(), together.end());
+    reported.insert(reported.end(), together.begin(), together.end());
     Problem problem = document.at(*from.get(together[1]));
     problem.where = where;
     problem.what = fmt::format("{} are given together", plain_list(together, " and "));

@@ -1,5 +1,5 @@
 #pragma once
-// Where each value of a project file stands, in words for programs: a form marks the field that is complained of.
+// Where each value of a project file stands, in words for programs: a form marks the field that is reported.
 
 #include <cstdint>
 #include <string>

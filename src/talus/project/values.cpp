@@ -272,7 +272,7 @@ bool ValueReader::into(const Value& value, std::vector<Item>* member) {
   for (std::size_t i = 0; i < list->size(); ++i) {
     const Value entry{value.setting, (*list)[i], value.row, value.where, fmt::format("{}[{}]", value.name, i)};
     if (into(entry, &items[i])) continue;
-    if (++wrong == most_complaints && i + 1 < list->size()) {
+    if (++wrong == most_reported && i + 1 < list->size()) {
       return refuse(value, fmt::format("{} was read only up to entry {}", value.name, i),
                     fmt::format("{} of its entries are wrong so far", wrong));
     }
@@ -330,7 +330,7 @@ bool ValueReader::into(const Value& value, Distribution* member) {
   if (auto doubt = doubt_of_draws(value.name, read, bounds(range))) {
     warn(value, std::move(doubt->what), std::move(doubt->why), std::move(doubt->hint));
   }
-  if (read.std_dev && is_told_by_its_limits(read)) {
+  if (read.std_dev && is_given_by_its_limits(read)) {
     warn(value, fmt::format("std_dev of {} has no effect", value.name),
          fmt::format("the {} distribution takes its width from rel_min and rel_max", word(read.kind)),
          "Leave out std_dev, or the limits");

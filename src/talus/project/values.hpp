@@ -20,7 +20,7 @@ namespace talus::project {
 /// nothing where there is no terrain to say it.
 [[nodiscard]] std::optional<bool> is_2d(const toml::table& root);
 
-/// How a complaint calls a row: `[analysis]`, `material "Type One"`, `seeder 2` (counted from 1).
+/// How a problem calls a row: `[analysis]`, `material "Type One"`, `seeder 2` (counted from 1).
 [[nodiscard]] std::string name_of_row(const Table& table, const toml::table& row, std::size_t index);
 
 /// "1 vertex", "2 vertices".
@@ -29,8 +29,8 @@ namespace talus::project {
 /// A number as people write it: whole numbers without a point or an exponent.
 [[nodiscard]] std::string number_text(double value);
 
-/// How often entries of one list are complained of; more would only hide the others.
-inline constexpr std::size_t most_complaints = 10;
+/// How often entries of one list are reported; more would only hide the others.
+inline constexpr std::size_t most_reported = 10;
 
 /// The places of entries that are in the list before.
 [[nodiscard]] std::vector<std::size_t> repeated(const std::vector<double>& list);
@@ -39,15 +39,15 @@ class ValueReader {
  public:
   ValueReader(const Document& document, Problems& problems);
 
-  /// Reads every key of `from` into `row`. `where` names the row in complaints.
+  /// Reads every key of `from` into `row`. `where` names the row in problems.
   void read(const Table& table, const toml::table& from, Row row, const std::string& where);
 
   [[nodiscard]] const std::vector<NamedFile>& named_files() const { return named_files_; }
-  /// The values that were complained of and did not get into the project: rules across keys leave them alone.
+  /// The values that were reported and did not get into the project: rules across keys leave them alone.
   [[nodiscard]] const std::unordered_set<const toml::node*>& refused() const { return refused_; }
 
  private:
-  /// The value being read, and how complaints call it.
+  /// The value being read, and how problems call it.
   struct Value {
     const Setting& setting;
     const toml::node& node;
@@ -94,7 +94,7 @@ class ValueReader {
     bool on_surface = false;
   };
   std::optional<Position> position(const Value& value);
-  /// Points [x, y]; complains of the first that is none, or that repeats the one before it.
+  /// Points [x, y]; reports the first that is none, or that repeats the one before it.
   std::optional<std::vector<std::array<double, 2>>> plan_points(const Value& value);
   bool plan_coordinate(const Value& value, double* member);
   void doubt(const Value& value, double number);
@@ -108,7 +108,7 @@ class ValueReader {
   const Document& document_;
   Problems& problems_;
   // Without a terrain nobody knows how many coordinates a position has; positions then count as refused, and only the
-  // missing terrain is complained of.
+  // missing terrain is reported.
   bool dimension_is_known_;
   bool two_dimensional_;
   std::unordered_set<const toml::node*> refused_;

@@ -15,7 +15,7 @@ struct CertainStretch {
   double from, to;
 };
 [[nodiscard]] CertainStretch certain_stretch(const Terrain& terrain);
-/// Why a place beyond it is none to stand on, for a complaint.
+/// Why a place beyond it is none to stand on, for a problem.
 [[nodiscard]] std::string why_uncertain(const CertainStretch& stretch);
 
 }  // namespace talus::project

@@ -29,7 +29,7 @@ struct Part {
   [[nodiscard]] std::filesystem::path file() const { return folder / io::run_state_name; }
 };
 
-/// Runs what may complain, so that all complaints are heard.
+/// Runs what may find problems, so that all are reported.
 void gather(Problems& problems, const auto& work) {
   try {
     work();

@@ -103,8 +103,8 @@ Start find_start(const std::filesystem::path& folder, const io::RunDescription& 
 }
 
 /// Throws the rocks that are left, in this process.
-CampaignOutcome throw_rocks(const Model& model, const RunOptions& options, const RockRange& all, std::uint64_t next,
-                            RunSums& sums, io::TableFiles& tables, Checkpoints& checkpoints) {
+CampaignOutcome simulate_rocks(const Model& model, const RunOptions& options, const RockRange& all, std::uint64_t next,
+                               RunSums& sums, io::TableFiles& tables, Checkpoints& checkpoints) {
   std::vector<Observer*> observers = tables.observers();
   for (SummingObserver* observer : sums.observers()) observers.push_back(observer);
   CampaignOptions campaign = options.campaign;
@@ -164,8 +164,8 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     if (begun.done < begun.range.last && sums.lacking_memory()) throw std::bad_alloc();
     const CampaignOutcome outcome =
         options.ranks != nullptr
-            ? throw_on_ranks(*options.ranks, threads, project, model, options, begun, sums, tables, checkpoints)
-            : throw_rocks(model, options, begun.range, begun.done, sums, tables, checkpoints);
+            ? simulate_on_ranks(*options.ranks, threads, project, model, options, begun, sums, tables, checkpoints)
+            : simulate_rocks(model, options, begun.range, begun.done, sums, tables, checkpoints);
     // The state has to be on the disk where somebody may need it: of a shard for merging, of a run that was stopped or
     // has taken long for going on.
     const bool may_be_resumed =

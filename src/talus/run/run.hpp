@@ -26,7 +26,7 @@ struct RunOptions {
   bool resume = false;                          // go on from the last checkpoint in the folder
   double checkpoint_every = 20;                 // [s]; 0: never
   std::function<void(const std::string&)> say;  // what the user should know before rocks are thrown
-  Ranks* ranks = nullptr;                       // that throw rocks, too, this being rank 0; null: this process alone
+  Ranks* ranks = nullptr;                       // that simulate rocks, too, this being rank 0; null: this process alone
   const FolderLock* lock = nullptr;             // of the folder, who calls having it; null: it is locked for the run
   std::uint64_t maps_memory = 0;                // that maps may take [bytes]; 0: half of what this process may use
   bool only_results = false;                    // of the rocks done so far: no more are computed

@@ -34,7 +34,7 @@ Problems problems_of(int rank, const Cannot& cannot) {
   return problems;
 }
 
-[[noreturn]] void throw_what_is_wrong(int rank, const Cannot& cannot) {
+[[noreturn]] void throw_failure_of_rank(int rank, const Cannot& cannot) {
   if (cannot.exit_code == bad_input) throw BadInput(problems_of(rank, cannot));
   throw std::runtime_error(name_of(rank, cannot.machine) + ": " + cannot.text);
 }
@@ -110,7 +110,7 @@ class Foreman {
         --helpers_at_work_;
         break;
       case MessageKind::cannot:
-        throw_what_is_wrong(message.from, cannot_from(content_of(message)));
+        throw_failure_of_rank(message.from, cannot_from(content_of(message)));
       default:
         throw BadBytes(fmt::format("rank {} sends what only rank 0 may", message.from));
     }
@@ -204,7 +204,7 @@ std::vector<int> meet_ranks(Ranks& ranks, const io::RunDescription& description,
     --expected;
     if (kind == MessageKind::cannot) {
       const Cannot cannot = cannot_from(content_of(*message));
-      if (cannot.exit_code != bad_input) throw_what_is_wrong(message->from, cannot);
+      if (cannot.exit_code != bad_input) throw_failure_of_rank(message->from, cannot);
       problems[message->from].append(problems_of(message->from, cannot));
       continue;
     }
@@ -225,9 +225,9 @@ std::vector<int> meet_ranks(Ranks& ranks, const io::RunDescription& description,
   return threads;
 }
 
-CampaignOutcome throw_on_ranks(Ranks& ranks, std::span<const int> threads, const Project& project, const Model& model,
-                               const RunOptions& options, const io::RunStateHeader& begun, RunSums& sums,
-                               io::TableFiles& tables, Checkpoints& checkpoints) {
+CampaignOutcome simulate_on_ranks(Ranks& ranks, std::span<const int> threads, const Project& project,
+                                  const Model& model, const RunOptions& options, const io::RunStateHeader& begun,
+                                  RunSums& sums, io::TableFiles& tables, Checkpoints& checkpoints) {
   const auto begin = std::chrono::steady_clock::now();
   io::TableTexts texts(TableContext::of(model), table_rocks(project, model.rocks()));
   CampaignOutcome outcome;

@@ -21,9 +21,9 @@ namespace talus::project {
 
 /// For rank 0, after meeting: throws the rocks that `begun` leaves to be done, with the threads of each rank. Sums and
 /// tables then hold them. Throws what went wrong on any rank.
-CampaignOutcome throw_on_ranks(Ranks& ranks, std::span<const int> threads, const Project& project, const Model& model,
-                               const RunOptions& options, const io::RunStateHeader& begun, RunSums& sums,
-                               io::TableFiles& tables, Checkpoints& checkpoints);
+CampaignOutcome simulate_on_ranks(Ranks& ranks, std::span<const int> threads, const Project& project,
+                                  const Model& model, const RunOptions& options, const io::RunStateHeader& begun,
+                                  RunSums& sums, io::TableFiles& tables, Checkpoints& checkpoints);
 
 /// For rank 0, at the end of whatever happened: lets the others go with this exit code.
 void dismiss_ranks(Ranks& ranks, int exit_code);

@@ -56,14 +56,14 @@ void warn_of_rocks(const Summary& summary, Problems& warnings) {
   }
 }
 
-void warn_of_sources(const io::RunDescription& description, std::uint64_t first_not_thrown, Problems& warnings) {
+void warn_of_sources(const io::RunDescription& description, std::uint64_t first_not_run, Problems& warnings) {
   std::vector<std::string> none, some;
   for (const auto& source : description.model.at("sources")) {
     std::uint64_t rocks = 0, thrown = 0;
     for (const auto& row : source.at("rocks")) {
       const auto first = row.at(0).get<std::uint64_t>(), count = row.at(1).get<std::uint64_t>();
       rocks += count;
-      thrown += std::min(count, first_not_thrown - std::min(first, first_not_thrown));
+      thrown += std::min(count, first_not_run - std::min(first, first_not_run));
     }
     if (thrown < rocks)
       (thrown == 0 ? none : some).push_back(fmt::format("\"{}\"", source.at("name").get<std::string>()));

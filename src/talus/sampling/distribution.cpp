@@ -272,9 +272,9 @@ std::string expected(Bounds bounds) {
   return fmt::format("expected {} to {}", bounds.least, bounds.most);
 }
 
-using Complaint = std::optional<std::string>;
+using Fault = std::optional<std::string>;
 
-Complaint about_numbers(const Distribution& given, Bounds bounds) {
+Fault about_numbers(const Distribution& given, Bounds bounds) {
   if (!std::isfinite(given.mean)) return fmt::format("mean is {} (expected a finite number)", given.mean);
   if (given.mean < bounds.least || given.mean > bounds.most) {
     return fmt::format("mean is {} ({})", given.mean, expected(bounds));
@@ -294,14 +294,14 @@ Complaint about_numbers(const Distribution& given, Bounds bounds) {
 
 }  // namespace
 
-bool is_told_by_its_limits(const Distribution& given) {
+bool is_given_by_its_limits(const Distribution& given) {
   const bool is_flat_sided = given.kind == DistributionKind::uniform || given.kind == DistributionKind::triangular;
   return is_flat_sided && given.rel_min && given.rel_max;
 }
 
 namespace {
 
-Complaint about_what_is_missing(const Distribution& given) {
+Fault about_what_is_missing(const Distribution& given) {
   const char* kind = name_of(given.kind);
   switch (given.kind) {
     case DistributionKind::none:
@@ -313,7 +313,7 @@ Complaint about_what_is_missing(const Distribution& given) {
       break;
     case DistributionKind::uniform:
     case DistributionKind::triangular:
-      if (is_told_by_its_limits(given)) return {};
+      if (is_given_by_its_limits(given)) return {};
       if (!given.std_dev) {
         return fmt::format("limits are missing (the {} distribution needs rel_min and rel_max, or std_dev)", kind);
       }
@@ -345,7 +345,7 @@ constexpr double most_deviation_of_mean = 10;
 constexpr double most_variance_of_beta = 0.99;
 constexpr double least_probability = 1e-6;
 
-Complaint about_shape(const Distribution& given) {
+Fault about_shape(const Distribution& given) {
   const char* kind = name_of(given.kind);
   if (given.kind == DistributionKind::lognormal || given.kind == DistributionKind::gamma) {
     if (given.mean <= 0) {
@@ -382,7 +382,7 @@ Complaint about_shape(const Distribution& given) {
   return {};
 }
 
-Complaint about_limits(const Distribution& given, Bounds bounds) {
+Fault about_limits(const Distribution& given, Bounds bounds) {
   const Bounds limits = limits_of(given, bounds);
   if (!(limits.least < limits.most)) {
     return fmt::format(
@@ -404,10 +404,10 @@ Complaint about_limits(const Distribution& given, Bounds bounds) {
 }  // namespace
 
 std::optional<std::string> why_unusable(const Distribution& distribution, Bounds bounds) {
-  if (Complaint complaint = about_numbers(distribution, bounds)) return complaint;
+  if (Fault message = about_numbers(distribution, bounds)) return message;
   if (distribution.kind == DistributionKind::none) return {};
-  if (Complaint complaint = about_what_is_missing(distribution)) return complaint;
-  if (Complaint complaint = about_shape(distribution)) return complaint;
+  if (Fault message = about_what_is_missing(distribution)) return message;
+  if (Fault message = about_shape(distribution)) return message;
   return about_limits(distribution, bounds);
 }
 

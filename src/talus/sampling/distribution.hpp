@@ -90,7 +90,7 @@ struct Truncation {
 [[nodiscard]] Truncation truncation_of(const Distribution& distribution, Bounds bounds);
 
 /// Whether its limits alone say how wide it is, whatever its standard deviation.
-[[nodiscard]] bool is_told_by_its_limits(const Distribution& distribution);
+[[nodiscard]] bool is_given_by_its_limits(const Distribution& distribution);
 
 /// Why a sampler cannot be made of this distribution, or nothing: for example a beta without limits. In the form
 /// `problem (why). hint`, in the words and units of the project file.

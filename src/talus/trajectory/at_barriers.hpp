@@ -49,8 +49,8 @@ void take_back_passage(MovingRock<Surface>& rock, BarrierId barrier) {
 /// step, to come again and again. What only the spin of a sphere would turn back stays at the barrier as long as that
 /// lasts (is_driven_onto). `pull` is what draws it along its way [m/s2]; `on`, what it moves along, if it does.
 template <class Surface>
-[[nodiscard]] std::optional<Vec3> thrown_back(const MovingRock<Surface>& rock, const Crossing& crossing,
-                                              const Rebound& rebound, const Vec3& pull, const GroundBeneath* on) {
+[[nodiscard]] std::optional<Vec3> rebound_velocity(const MovingRock<Surface>& rock, const Crossing& crossing,
+                                                   const Rebound& rebound, const Vec3& pull, const GroundBeneath* on) {
   const Vec3& n = crossing.normal;
   Vec3 kept = on ? on->kept(rebound.velocity) : rebound.velocity;
   if (on && kept.dot(n) < 0) {
@@ -86,7 +86,7 @@ template <class Surface>
          on.footing.pull.dot(n) > -tolerance::no_pressing;
 }
 
-/// The rock has come to a barrier; `noted_time` is when, on the clock of its path. The rest as in thrown_back().
+/// The rock has come to a barrier; `noted_time` is when, on the clock of its path. The rest as in rebound_velocity().
 template <class Surface>
 [[nodiscard]] AtBarrier meet_barrier(MovingRock<Surface>& rock, const Crossing& crossing, double noted_time,
                                      const Vec3& pull, const GroundBeneath* on = nullptr) {
@@ -95,7 +95,7 @@ template <class Surface>
   take_back_passage(rock, crossing.barrier);
   BarrierResponse response = respond(barrier, motion, crossing.normal, rock.rock);
   if (response.outcome == BarrierOutcome::rebounded) {
-    const auto velocity = thrown_back(rock, crossing, *response.leaving, pull, on);
+    const auto velocity = rebound_velocity(rock, crossing, *response.leaving, pull, on);
     response = velocity ? BarrierResponse{BarrierOutcome::rebounded, Rebound{*velocity, response.leaving->spin}}
                         : BarrierResponse{BarrierOutcome::stopped, std::nullopt};
   }

@@ -57,7 +57,7 @@ template <class Surface>
   };
   while (const auto crossing = next_crossing(rock, path, flight_end.t)) {
     const Motion before = motion;
-    rock.fly_along(path, drag, crossing->t);
+    rock.advance(path, drag, crossing->t);
     if (crossing->above) {
       pass_above(rock, *crossing, std::exchange(motion, before));
       continue;
@@ -79,7 +79,7 @@ template <class Surface>
   max_bounce = flight_end.greatest_height ? *flight_end.greatest_height
                                           : greatest_height_of_flight(rock.surface, path, 0, flight_end.t, max_bounce);
   rock.log.flight(path, flight_end.t, motion, drag);
-  rock.fly_along(path, drag, flight_end.t);
+  rock.advance(path, drag, flight_end.t);
   if (flight_end.contact) return strike(rock, *flight_end.contact, state.hops());
   if (flight_end.exit) return Ended{reason_of(*flight_end.exit)};
   return std::nullopt;

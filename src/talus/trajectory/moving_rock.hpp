@@ -119,7 +119,7 @@ class MovingRock {
     return progress.is_wedged() && motion.velocity.norm() < laws.stopped_velocity;
   }
   void remember_contact(const Support& with) { last_contact = {motion.position, with}; }
-  void fly_along(const Parabola& path, const LinearDrag& drag, double t) {
+  void advance(const Parabola& path, const LinearDrag& drag, double t) {
     motion.position = path.at(t);
     motion.velocity = drag.velocity(path, t);
     motion.time += drag.time(t);

@@ -81,8 +81,8 @@ class CaseReader {
     run.settings = fields.texts("set", false);
     run.rocks = fields.whole_number("rocks", 1);
     if (!run.project.empty() && !files_.contains(path_of(run.project))) {
-      fields.complain(*from.get("project"), fmt::format("there is no file {}", run.project),
-                      "it stands beside case.toml");
+      fields.report(*from.get("project"), fmt::format("there is no file {}", run.project),
+                    "it stands beside case.toml");
     }
     fields.finish();
     return run;
@@ -91,16 +91,16 @@ class CaseReader {
   void check_run(Fields& fields, const std::string& run, const toml::node& node) {
     if (std::ranges::find(runs_, run) != runs_.end()) return;
     const std::vector<std::string_view> known(runs_.begin(), runs_.end());
-    fields.complain(node, fmt::format("there is no run \"{}\"", run),
-                    fmt::format("the runs are {}", fmt::join(known, ", ")), meant(run, known));
+    fields.report(node, fmt::format("there is no run \"{}\"", run),
+                  fmt::format("the runs are {}", fmt::join(known, ", ")), meant(run, known));
   }
 
   void check_rocks(Fields& fields, const std::vector<std::string>& runs) {
     for (std::size_t k = 0; k < runs_.size(); ++k) {
       if (rocks_[k] >= fewest_rocks_of_a_spread || std::ranges::find(runs, runs_[k]) == runs.end()) continue;
-      fields.complain(fields.from(), fmt::format("run \"{}\" has {} rocks", runs_[k], rocks_[k]),
-                      "the spread of samples needs many more rocks than the samples have",
-                      fmt::format("Give the run rocks = {} or more", fewest_rocks_of_a_spread));
+      fields.report(fields.from(), fmt::format("run \"{}\" has {} rocks", runs_[k], rocks_[k]),
+                    "the spread of samples needs many more rocks than the samples have",
+                    fmt::format("Give the run rocks = {} or more", fewest_rocks_of_a_spread));
     }
   }
 
@@ -111,8 +111,8 @@ class CaseReader {
     constexpr std::array<std::string_view, 6> kinds{"path", "statistics", "values", "count", "agreement", "soundness"};
     if (std::ranges::find(kinds, kind) == kinds.end()) {
       if (const toml::node* node = from.get("kind")) {
-        fields.complain(*node, fmt::format("kind is \"{}\"", kind),
-                        fmt::format("expected one of {}", fmt::join(kinds, ", ")), meant(kind, kinds));
+        fields.report(*node, fmt::format("kind is \"{}\"", kind),
+                      fmt::format("expected one of {}", fmt::join(kinds, ", ")), meant(kind, kinds));
       }
       return std::nullopt;
     }
@@ -152,8 +152,8 @@ class CaseReader {
     const toml::node* node = fields.find("tolerance");
     if (!node) return std::nullopt;
     if (const toml::table* from = node->as_table()) return read_tolerance(*from);
-    fields.complain(*node, fmt::format("tolerance is {}", project::quoted(*node)),
-                    "expected a table, for example { units = 1, relative = 0.001 }");
+    fields.report(*node, fmt::format("tolerance is {}", project::quoted(*node)),
+                  "expected a table, for example { units = 1, relative = 0.001 }");
     return std::nullopt;
   }
 
@@ -175,8 +175,8 @@ class CaseReader {
   void check_column(Fields& fields, const PublishedTable& published, std::string_view column, const toml::node& node) {
     if (published.column(column)) return;
     const std::vector<std::string_view> known(published.columns().begin(), published.columns().end());
-    fields.complain(node, fmt::format("{} has no column {}", published.file(), column),
-                    fmt::format("its columns are {}", fmt::join(known, ", ")), meant(column, known));
+    fields.report(node, fmt::format("{} has no column {}", published.file(), column),
+                  fmt::format("its columns are {}", fmt::join(known, ", ")), meant(column, known));
   }
 
   PathTable read_path(Fields& fields, PublishedTable published) {
@@ -193,8 +193,8 @@ class CaseReader {
         }
       }
     } else if (node) {
-      fields.complain(*node, fmt::format("columns is {}", project::quoted(*node)),
-                      "expected a table of the published table's columns and what they are");
+      fields.report(*node, fmt::format("columns is {}", project::quoted(*node)),
+                    "expected a table of the published table's columns and what they are");
     }
     read_events(fields, table);
     fields.tables("exception", false,
@@ -215,8 +215,8 @@ class CaseReader {
       }
     }
     if (table.events.size() != rows) {
-      fields.complain(*node, fmt::format("events names {} rows", table.events.size()),
-                      fmt::format("{} has {}, and each needs one", table.published.file(), rows));
+      fields.report(*node, fmt::format("events names {} rows", table.events.size()),
+                    fmt::format("{} has {}, and each needs one", table.published.file(), rows));
     }
   }
 
@@ -230,8 +230,8 @@ class CaseReader {
     for (const std::string& column : exception.columns) check_column(fields, published, column, from);
     for (const std::string& row : exception.rows) {
       if (!published.row(row)) {
-        fields.complain(from, fmt::format("{} has no row {}", published.file(), row),
-                        fmt::format("its rows are {}", fmt::join(published.rows(), ", ")));
+        fields.report(from, fmt::format("{} has no row {}", published.file(), row),
+                      fmt::format("its rows are {}", fmt::join(published.rows(), ", ")));
       }
     }
     fields.finish();
@@ -244,19 +244,19 @@ class CaseReader {
     for (const std::string& column : table.columns) {
       check_column(fields, table.published, column, *fields.from().get("columns"));
     }
-    const auto complain = [&](std::string what, std::string why) {
+    const auto report = [&](std::string what, std::string why) {
       Problem problem{
           .file = table.published.file(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = {}};
       problems_.add(std::move(problem));
     };
     for (const std::string& row : table.published.rows()) {
       if (!statistic_of(row)) {
-        complain(fmt::format("there is no statistic {}", row),
-                 fmt::format("expected one of {}", fmt::join(statistic_names(), ", ")));
+        report(fmt::format("there is no statistic {}", row),
+               fmt::format("expected one of {}", fmt::join(statistic_names(), ", ")));
       }
     }
     if (!table.published.row(name(Statistic::count))) {
-      complain("the row count is missing", "it says how large the samples have to be");
+      report("the row count is missing", "it says how large the samples have to be");
     }
     return table;
   }
@@ -280,13 +280,13 @@ class CaseReader {
         if (low && high) {
           value.published = Interval{*low, *high};
         } else {
-          fields.complain(*between, fmt::format("between is {}", project::quoted(*between)), "expected [low, high]");
+          fields.report(*between, fmt::format("between is {}", project::quoted(*between)), "expected [low, high]");
         }
       } else if (const std::string text = fields.text("published"); auto number = printed(text)) {
         value.published = std::move(*number);
       } else if (!text.empty()) {
-        fields.complain(*from.get("published"), fmt::format("published is \"{}\"", text),
-                        "expected a number as it is printed, in quotes");
+        fields.report(*from.get("published"), fmt::format("published is \"{}\"", text),
+                      "expected a number as it is printed, in quotes");
       }
       fields.finish();
       table.values.push_back(std::move(value));
@@ -301,15 +301,15 @@ class CaseReader {
     const toml::node* node = fields.need("published");
     const toml::table* columns = node ? node->as_table() : nullptr;
     if (node && !columns) {
-      fields.complain(*node, fmt::format("published is {}", project::quoted(*node)),
-                      "expected a table of whose and how many");
+      fields.report(*node, fmt::format("published is {}", project::quoted(*node)),
+                    "expected a table of whose and how many");
     }
     for (const auto& [key, value] : columns ? *columns : toml::table{}) {
       if (auto number = printed(value.value_or(std::string()))) {
         table.published.emplace_back(std::string(key.str()), std::move(*number));
       } else {
-        fields.complain(value, fmt::format("{} is {}", key.str(), project::quoted(value)),
-                        "expected a number as it is printed, in quotes");
+        fields.report(value, fmt::format("{} is {}", key.str(), project::quoted(value)),
+                      "expected a number as it is printed, in quotes");
       }
     }
     return table;

@@ -23,7 +23,7 @@ namespace talus::verification {
   return near ? fmt::format("Did you mean {}?", *near) : "";
 }
 
-/// The keys of one table of a case.toml: what is read is known, and `finish` complains of the rest.
+/// The keys of one table of a case.toml: what is read is known, and `finish` reports the rest.
 class Fields {
  public:
   Fields(const project::Document& document, const toml::table& from, std::string where, Problems& problems)
@@ -35,7 +35,7 @@ class Fields {
   }
   [[nodiscard]] const toml::node* need(std::string_view key) {
     const toml::node* node = find(key);
-    if (!node) complain(from_, fmt::format("{} is missing", key), "it is required here");
+    if (!node) report(from_, fmt::format("{} is missing", key), "it is required here");
     return node;
   }
   std::string text(std::string_view key) {
@@ -52,7 +52,7 @@ class Fields {
     if (!node) return list;
     const toml::array* array = node->as_array();
     if (!array) {
-      complain(*node, fmt::format("{} is {}", key, project::quoted(*node)), "expected a list of texts");
+      report(*node, fmt::format("{} is {}", key, project::quoted(*node)), "expected a list of texts");
       return list;
     }
     for (const toml::node& item : *array) list.push_back(text_of(item, key));
@@ -67,8 +67,8 @@ class Fields {
     if (!node) return std::nullopt;
     const auto value = node->value_exact<std::int64_t>();
     if (!value || *value < least) {
-      complain(*node, fmt::format("{} is {}", key, project::quoted(*node)),
-               fmt::format("expected a whole number from {}", least));
+      report(*node, fmt::format("{} is {}", key, project::quoted(*node)),
+             fmt::format("expected a whole number from {}", least));
       return std::nullopt;
     }
     return value;
@@ -80,8 +80,8 @@ class Fields {
                                     std::span<const std::string_view> known, const toml::node& node) {
     const auto value = read(word);
     if (!value) {
-      complain(node, fmt::format("{} is \"{}\"", key, word), fmt::format("expected one of {}", fmt::join(known, ", ")),
-               meant(word, known));
+      report(node, fmt::format("{} is \"{}\"", key, word), fmt::format("expected one of {}", fmt::join(known, ", ")),
+             meant(word, known));
     }
     return value;
   }
@@ -91,7 +91,7 @@ class Fields {
     if (!node) return;
     const toml::array* array = node->as_array();
     if (!array) {
-      complain(*node, fmt::format("{} is no list of tables", key), fmt::format("expected [[{}]]", key));
+      report(*node, fmt::format("{} is no list of tables", key), fmt::format("expected [[{}]]", key));
       return;
     }
     for (const toml::node& item : *array) {
@@ -99,11 +99,11 @@ class Fields {
       if (table) {
         each(*table);
       } else {
-        complain(item, fmt::format("{} holds {}", key, project::quoted(item)), "expected a table");
+        report(item, fmt::format("{} holds {}", key, project::quoted(item)), "expected a table");
       }
     }
   }
-  void complain(const toml::node& node, std::string what, std::string why, std::string hint = {}) {
+  void report(const toml::node& node, std::string what, std::string why, std::string hint = {}) {
     Problem problem = document_.at(node);
     problem.where = where_;
     problem.what = std::move(what);
@@ -114,8 +114,8 @@ class Fields {
   void finish() {
     for (const auto& [key, node] : from_) {
       if (std::ranges::find(known_, key.str()) != known_.end()) continue;
-      complain(node, fmt::format("there is no key {}", key.str()),
-               fmt::format("expected one of {}", fmt::join(known_, ", ")), meant(key.str(), known_));
+      report(node, fmt::format("there is no key {}", key.str()),
+             fmt::format("expected one of {}", fmt::join(known_, ", ")), meant(key.str(), known_));
     }
   }
   [[nodiscard]] const toml::table& from() const { return from_; }
@@ -126,13 +126,13 @@ class Fields {
  private:
   std::string text_of(const toml::node& node, std::string_view key) {
     if (const auto value = node.value_exact<std::string>()) return *value;
-    complain(node, fmt::format("{} is {}", key, project::quoted(node)), "expected a text");
+    report(node, fmt::format("{} is {}", key, project::quoted(node)), "expected a text");
     return {};
   }
   std::optional<double> number_of(const toml::node& node, std::string_view key) {
     const auto value = project::number_in(node);
     if (value && *value >= 0) return value;
-    complain(node, fmt::format("{} is {}", key, project::quoted(node)), "expected a number, not negative");
+    report(node, fmt::format("{} is {}", key, project::quoted(node)), "expected a number, not negative");
     return std::nullopt;
   }
 

@@ -25,7 +25,7 @@ struct Printed {
 /// cut.
 class PublishedTable {
  public:
-  /// Throws BadInput where the text is no such table; `file` is how complaints call it.
+  /// Throws BadInput where the text is no such table; `file` is how messages call it.
   PublishedTable(std::string_view text, std::string file);
 
   [[nodiscard]] const std::string& file() const { return file_; }

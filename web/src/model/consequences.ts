@@ -95,7 +95,7 @@ const isOfOtherWord = ({ needs }: Field, table: string, key: string, row: TomlTa
 const noMaterial = -1;
 
 /// The edits that take an entry out of a list. Triangles call materials by their numbers: those of a later material
-/// have it by its new number, those of the one that goes have none, which the engine complains of.
+/// have it by its new number, those of the one that goes have none, which the engine reports.
 export function removal(values: TomlTable, path: Path): Edit[] {
   const [table, index] = path;
   const edits: Edit[] = [{ remove: path }];

@@ -37,7 +37,7 @@ test('a material and a seeder stand in where there are none', () =>
     seeder: [{ position: [5, 1], rocks: 1 }],
   }));
 
-test('what is complained of goes, from the last on', () => {
+test('what has a problem is removed, the last first', () => {
   const text = `${terrain}[[material]]\nname = "A"\nrn = 3\n[[seeder]]\nrocks = 0\n[[seeder]]\nrocks = 4\n[[seeder]]\nrocks = 0\n[ground]\ndefault = "B"\n`;
   const next = withStandIns(
     text,

@@ -1,4 +1,4 @@
-// While a project cannot run yet, its terrain can be shown all the same: a text without what the engine complains of, and
+// While a project cannot run yet, its terrain can be shown all the same: a text without what has problems, and
 // with something in the place of what is missing.
 
 import type { Model, Problem } from '../api/types';

@@ -5,6 +5,17 @@
 #include "talus/project/settings/topics.hpp"
 
 namespace talus::project::declared {
+namespace {
+
+Need not_on_a_section() {
+  return {.any_of = {absent("terrain.section")},
+          .otherwise = Otherwise::refused,
+          .what = "is given for a section",
+          .why = "a section has segments",
+          .hint = "Use segments, with one name for each segment"};
+}
+
+}  // namespace
 
 Table ground_table() {
   auto [add, rows] = one_row(&Project::ground);
@@ -38,11 +49,7 @@ Table ground_table() {
                .slot = member(&Ground::triangles),
                .range = at_least(0),
                .without_it = "default everywhere",
-               .applies_when = {{.any_of = {absent("terrain.section")},
-                                 .otherwise = Otherwise::refused,
-                                 .what = "is given for a section",
-                                 .why = "a section has segments",
-                                 .hint = "Use segments, with one name for each segment"},
+               .applies_when = {not_on_a_section(),
                                 {.any_of = {absent("terrain.raster")},
                                  .otherwise = Otherwise::refused,
                                  .what = "is given for a raster",
@@ -63,11 +70,7 @@ Table ground_table() {
               {.key = "raster",
                .slot = member(&Ground::raster),
                .without_it = "default everywhere",
-               .applies_when = {{.any_of = {absent("terrain.section")},
-                                 .otherwise = Otherwise::refused,
-                                 .what = "is given for a section",
-                                 .why = "a section has segments",
-                                 .hint = "Use segments, with one name for each segment"}},
+               .applies_when = {not_on_a_section()},
                .meaning =
                    "Raster and mesh: a file of classes, in any coordinate system and with cells of any size; the "
                    "class at the middle of a cell or triangle of the terrain is that of its ground. Its path is "
@@ -83,11 +86,7 @@ Table ground_table() {
               {.key = "polygons",
                .slot = member(&Ground::polygons),
                .without_it = "default everywhere",
-               .applies_when = {{.any_of = {absent("terrain.section")},
-                                 .otherwise = Otherwise::refused,
-                                 .what = "is given for a section",
-                                 .why = "a section has segments",
-                                 .hint = "Use segments, with one name for each segment"}},
+               .applies_when = {not_on_a_section()},
                .meaning =
                    "Raster and mesh: a file of polygons (GeoPackage, Shapefile, GeoJSON, ...), in any coordinate "
                    "system; the polygon at the middle of a cell or triangle of the terrain says its ground, the "

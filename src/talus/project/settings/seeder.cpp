@@ -18,6 +18,15 @@ std::function<Slot(Row)> direction_slot() {
   return [](Row row) -> Slot { return DirectionSlot{&std::get<Seeder*>(row)->direction}; };
 }
 
+/// What says where rocks of one type of seeder start.
+Need of_type(SeederType type) {
+  return {.any_of = {is("type", {word(type)})},
+          .otherwise = Otherwise::refused,
+          .what = "is given for a {}",
+          .why = "it says where rocks of another type of seeder start",
+          .hint = "Leave it out"};
+}
+
 }  // namespace
 
 Table seeder_table() {
@@ -52,11 +61,7 @@ Table seeder_table() {
                .unit = "m",
                .range = place,
                .without_it = "required for a point",
-               .applies_when = {{.any_of = {is("type", {word(SeederType::point)})},
-                                 .otherwise = Otherwise::refused,
-                                 .what = "is given for a {}",
-                                 .why = "it says where rocks of another type of seeder start",
-                                 .hint = "Leave it out"}},
+               .applies_when = {of_type(SeederType::point)},
                .group = "Where rocks start",
                .meaning = "[x, z] in 2D, [x, y, z] in 3D; z may be `\"surface\"`, or left out with `height_above_m` "
                           "given.",
@@ -66,11 +71,7 @@ Table seeder_table() {
                .unit = "m",
                .range = place,
                .without_it = "required for a line",
-               .applies_when = {{.any_of = {is("type", {word(SeederType::line)})},
-                                 .otherwise = Otherwise::refused,
-                                 .what = "is given for a {}",
-                                 .why = "it says where rocks of another type of seeder start",
-                                 .hint = "Leave it out"}},
+               .applies_when = {of_type(SeederType::line)},
                .title = "Points of a line",
                .group = "Where rocks start",
                .meaning =
@@ -81,13 +82,8 @@ Table seeder_table() {
               {.key = "lines",
                .slot = member(&Seeder::lines),
                .without_it = "points say them",
-               .applies_when = {{.any_of = {is("type", {word(SeederType::line)})},
-                                 .otherwise = Otherwise::refused,
-                                 .what = "is given for a {}",
-                                 .why = "it says where rocks of another type of seeder start",
-                                 .hint = "Leave it out"},
-                                in_3d(Otherwise::refused, "is given in 2D", "a section lies nowhere on a map",
-                                      "Use points")},
+               .applies_when = {of_type(SeederType::line), in_3d(Otherwise::refused, "is given in 2D",
+                                                                 "a section lies nowhere on a map", "Use points")},
                .title = "Lines of a file",
                .group = "Where rocks start",
                .topic = topics::lines,
@@ -100,13 +96,8 @@ Table seeder_table() {
               {.key = "polygons",
                .slot = member(&Seeder::polygons),
                .without_it = "polygon says it",
-               .applies_when = {{.any_of = {is("type", {word(SeederType::polygon)})},
-                                 .otherwise = Otherwise::refused,
-                                 .what = "is given for a {}",
-                                 .why = "it says where rocks of another type of seeder start",
-                                 .hint = "Leave it out"},
-                                in_3d(Otherwise::refused, "is given in 2D", "a section lies nowhere on a map",
-                                      "Use points")},
+               .applies_when = {of_type(SeederType::polygon), in_3d(Otherwise::refused, "is given in 2D",
+                                                                    "a section lies nowhere on a map", "Use points")},
                .title = "Polygons of a file",
                .group = "Where rocks start",
                .topic = topics::cells,
@@ -118,13 +109,8 @@ Table seeder_table() {
                .slot = plan_polygon_slot<Seeder>(),
                .unit = "m",
                .without_it = "polygons say it",
-               .applies_when = {{.any_of = {is("type", {word(SeederType::polygon)})},
-                                 .otherwise = Otherwise::refused,
-                                 .what = "is given for a {}",
-                                 .why = "it says where rocks of another type of seeder start",
-                                 .hint = "Leave it out"},
-                                in_3d(Otherwise::refused, "is given in 2D", "a section lies nowhere on a map",
-                                      "Use points")},
+               .applies_when = {of_type(SeederType::polygon), in_3d(Otherwise::refused, "is given in 2D",
+                                                                    "a section lies nowhere on a map", "Use points")},
                .title = "Polygon",
                .group = "Where rocks start",
                .topic = topics::cells,

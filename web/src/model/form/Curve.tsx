@@ -22,7 +22,7 @@ export function Curve({ distribution, path, unit, title }: Props) {
   const key = String(path.at(-1));
   const asked = jsonText(distribution);
   useEffect(() => {
-    // Texts where numbers belong are complained of elsewhere.
+    // Texts where numbers belong are reported elsewhere.
     if (
       Object.entries(JSON.parse(asked) as TomlTable).some(
         ([part, value]) => part !== 'distribution' && typeof value !== 'number',
