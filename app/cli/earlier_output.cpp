@@ -15,10 +15,11 @@ void refuse_other_files(const std::filesystem::path& file, std::string_view begi
   stream.read(found.data(), static_cast<std::streamsize>(found.size()));
   found.resize(static_cast<std::size_t>(stream.gcount()));
   if (found.empty() || found == beginning) return;
-  throw BadInput(Problem{.file = file.string(),
-                         .what = "this file is there already",
-                         .why = fmt::format("it is no earlier {} of this command, which alone it would replace", kind),
-                         .hint = "Choose another name"});
+  throw BadInput(
+      Problem{.file = file.string(),
+              .what = "this file is there already",
+              .why = fmt::format("it is not an earlier {} of this command, which alone it would replace", kind),
+              .hint = "Choose another name"});
 }
 
 }  // namespace talus::cli

@@ -18,7 +18,7 @@ namespace {
 
 const CLI::Validator names_file = not_empty("\"\" is the name of no file"),
                      names_folder = not_empty("\"\" is the name of no folder"),
-                     names_shard = not_empty("\"\" is no shard; expected i/n with i from 1 to n, for example 2/7");
+                     names_shard = not_empty("\"\" is not a shard; expected i/n with i from 1 to n, for example 2/7");
 
 void add_project_options(CLI::App& command, ProjectOptions& options) {
   command.add_option("project", options.file, "The project file (TOML)")->required()->type_name("PROJECT.toml");

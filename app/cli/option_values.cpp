@@ -35,7 +35,7 @@ std::optional<Whole> whole(std::string_view text) {
 CLI::Validator natural_number() {
   return {[](std::string& text) -> std::string {
             const auto read = whole(text);
-            if (!read) return fmt::format("\"{}\" is no whole number", text);
+            if (!read) return fmt::format("\"{}\" is not a whole number", text);
             if (text.starts_with('-')) return "expected 0 or more";
             constexpr auto most = std::numeric_limits<std::int64_t>::max();
             if (read->is_too_large) return fmt::format("{} is too large; expected at most {}", text, most);
@@ -48,8 +48,8 @@ CLI::Validator natural_number() {
 CLI::Validator number_of_rocks() {
   return {[](std::string& text) -> std::string {
             const auto read = whole(text);
-            if (!read) return fmt::format("\"{}\" is no whole number", text);
-            if (read->is_too_large) return fmt::format("{} is no number of rocks; expected 1 to 1e12", text);
+            if (!read) return fmt::format("\"{}\" is not a whole number", text);
+            if (read->is_too_large) return fmt::format("{} is not a number of rocks; expected 1 to 1e12", text);
             text = std::to_string(read->number);
             return "";
           },
@@ -64,9 +64,10 @@ CLI::Validator memory_size() {
             const std::string_view behind(end, static_cast<std::size_t>(text.data() + text.size() - end));
             const auto unit = std::ranges::find(units, behind, &std::pair<std::string_view, double>::first);
             if (error != std::errc() || unit == std::end(units) || !std::isfinite(number))
-              return fmt::format("\"{}\" is no size; expected a number with MB, GB or TB, for example 4GB", text);
+              return fmt::format("\"{}\" is not a size; expected a number with MB, GB or TB, for example 4GB", text);
             const double bytes = number * unit->second;
-            if (bytes < 1e6 || bytes > 1e15) return fmt::format("{} is no memory; expected 1MB to 1000TB", text);
+            if (bytes < 1e6 || bytes > 1e15)
+              return fmt::format("{} is not an amount of memory; expected 1MB to 1000TB", text);
             text = fmt::format("{:.0f}", bytes);
             return "";
           },

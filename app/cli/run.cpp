@@ -76,7 +76,7 @@ std::optional<Shard> shard_of(const RunOptions& options) {
   if (options.shard.empty()) return std::nullopt;
   if (const auto shard = shard_from(options.shard)) return shard;
   throw BadInput(Problem{.where = "--shard",
-                         .what = fmt::format("\"{}\" is no shard", options.shard),
+                         .what = fmt::format("\"{}\" is not a shard", options.shard),
                          .why = "expected i/n with i from 1 to n",
                          .hint = "For example --shard 2/7"});
 }
@@ -84,7 +84,7 @@ std::optional<Shard> shard_of(const RunOptions& options) {
 void check_time_between_checkpoints(const RunOptions& options) {
   if (!std::isnan(options.checkpoint_every)) return;
   throw BadInput(
-      Problem{.where = "--checkpoint-every", .what = "nan is no time", .why = "expected seconds, 0 or more"});
+      Problem{.where = "--checkpoint-every", .what = "nan is not a time", .why = "expected seconds, 0 or more"});
 }
 
 /// Beside the project: its name, and which shard it is.

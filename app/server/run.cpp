@@ -69,7 +69,7 @@ void read_into(Run& run, const fs::path& file) {
   const std::string state = value_of<std::string>(json, "state", file);
   const auto known =
       std::find_if(states.begin(), states.end(), [&](const auto& entry) { return entry.second == state; });
-  if (known == states.end()) refuse(file, "state", fmt::format("\"{}\" is no state of a run", state), "");
+  if (known == states.end()) refuse(file, "state", fmt::format("\"{}\" is not a state of a run", state), "");
   run.state = known->first;
   run.dimension = value_of<int>(json, "dimension", file) == 2 ? 2 : 3;
   run.rocks = value_of<std::uint64_t>(json, "rocks", file);
@@ -80,7 +80,7 @@ void read_into(Run& run, const fs::path& file) {
   run.asked_rocks = value_if_any<std::int64_t>(json, "asked_rocks", file);
   run.asked_seed = value_if_any<std::uint64_t>(json, "asked_seed", file);
   const std::string project_file = value_of<std::string>(json, "file", file);
-  if (fs::path(project_file).filename() != project_file) refuse(file, "file", "is no name of a file", "");
+  if (fs::path(project_file).filename() != project_file) refuse(file, "file", "is not a name of a file", "");
   run.file = (fs::path(run.file) / project_file).generic_string();
 }
 

@@ -70,7 +70,7 @@ int bind(httplib::Server& server, int port) {
 void serve(const ServeOptions& options) {
   std::error_code error;
   if (!std::filesystem::is_directory(options.folder, error))
-    throw BadInput(Problem{.file = options.folder.string(), .what = "is no folder"});
+    throw BadInput(Problem{.file = options.folder.string(), .what = "is not a folder"});
   const Workplace workplace(options.folder);
   EventHub events;
 

@@ -33,7 +33,7 @@ Workplace::Workplace(std::filesystem::path folder)
 
 std::filesystem::path Workplace::at(std::string_view name) const {
   const auto refuse = [&](const std::string& why) {
-    return Refusal(403, std::string(name), "is no name in this folder", why);
+    return Refusal(403, std::string(name), "is not a name in this folder", why);
   };
   if (name.empty()) throw refuse("it is empty");
   if (name.size() > 1000) throw refuse("it is too long");
@@ -64,7 +64,7 @@ std::filesystem::path Workplace::existing(std::string_view name) const {
 std::filesystem::path Workplace::project(std::string_view name) const {
   std::filesystem::path path = at(name);
   if (path.extension() != ".toml")
-    throw Refusal(400, std::string(name), "is no project file", "its name does not end in .toml");
+    throw Refusal(400, std::string(name), "is not a project file", "its name does not end in .toml");
   return path;
 }
 

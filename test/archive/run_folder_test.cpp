@@ -196,7 +196,7 @@ TEST(RunFolderRefuses, SummariesOfAnotherShape) {
   refused("/terrain/section/1", nlohmann::ordered_json::array({1, 2, 3}),
           "terrain/section/1: has 3 entries (expected 2)");
   refused("/terrain/section", nlohmann::ordered_json::array({{1, 2}}),
-          "terrain: has a section that is no line (expected two or more vertices [x, z])");
+          "terrain: has a section that is not a line (expected two or more vertices [x, z])");
   const nlohmann::ordered_json relief{{"x0", 0},      {"y0", 0},   {"cell_m", 1},
                                       {"columns", 2}, {"rows", 2}, {"z_m", {1, 2, 3}}};
   refused("/terrain/relief", relief,

@@ -147,7 +147,7 @@ TEST_F(RunStateFile, IsRefusedWithItsReason) {
     return message();
   };
   EXPECT_EQ(of(""), refused("it is empty"));
-  EXPECT_EQ(of("rock,seeder,x_m\n0,Crest,1.5\n"), refused("it is no state of a run"));
+  EXPECT_EQ(of("rock,seeder,x_m\n0,Crest,1.5\n"), refused("it is not a state of a run"));
   EXPECT_EQ(of("talus ru"), refused("it was cut short"));
   EXPECT_EQ(of(state.substr(0, 24)), refused("it was cut short"));
   EXPECT_EQ(of(state.substr(0, 300)), refused("it was cut short"));

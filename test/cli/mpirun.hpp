@@ -48,7 +48,7 @@ inline std::vector<std::string> mpirun(int ranks) {
   return words;
 }
 
-/// Processes whose command has this word: the one that mpirun starts is no child of the one that starts mpirun.
+/// Processes whose command has this word: the one that mpirun starts is not a child of the one that starts mpirun.
 inline std::vector<pid_t> processes_with(const std::string& word) {
   std::vector<pid_t> found;
   std::error_code ignored;

@@ -57,17 +57,17 @@ TEST(RefusedByTheProgram, NumbersBeyond64Bits) {
             "2 --seed: 9223372036854775808 is too large; " + most + "`talus check --help` says more.\n");
   EXPECT_EQ(talus_says("check " + file + " --seed 9223372036854775807").exit_code, 0);
   EXPECT_EQ(said(place, "check " + file + " --rocks 99999999999999999999"),
-            "2 --rocks: 99999999999999999999 is no number of rocks; expected 1 to 1e12\n`talus check --help` says "
+            "2 --rocks: 99999999999999999999 is not a number of rocks; expected 1 to 1e12\n`talus check --help` says "
             "more.\n");
 }
 
 TEST(RefusedByTheProgram, TextsThatAreNoWholeNumbers) {
   const Workplace place;
   const std::string file = place.write("slope.toml", good), help = " --help` says more.\n";
-  EXPECT_EQ(said(place, "run " + file + " --rocks ''"), "2 --rocks: \"\" is no whole number\n`talus run" + help);
-  EXPECT_EQ(said(place, "run " + file + " --seed ''"), "2 --seed: \"\" is no whole number\n`talus run" + help);
-  EXPECT_EQ(said(place, "replay " + file + " --rock ''"), "2 --rock: \"\" is no whole number\n`talus replay" + help);
-  EXPECT_EQ(said(place, "run " + file + " --rocks 1e3"), "2 --rocks: \"1e3\" is no whole number\n`talus run" + help);
+  EXPECT_EQ(said(place, "run " + file + " --rocks ''"), "2 --rocks: \"\" is not a whole number\n`talus run" + help);
+  EXPECT_EQ(said(place, "run " + file + " --seed ''"), "2 --seed: \"\" is not a whole number\n`talus run" + help);
+  EXPECT_EQ(said(place, "replay " + file + " --rock ''"), "2 --rock: \"\" is not a whole number\n`talus replay" + help);
+  EXPECT_EQ(said(place, "run " + file + " --rocks 1e3"), "2 --rocks: \"1e3\" is not a whole number\n`talus run" + help);
   EXPECT_NE(said(place, "check " + file + " --rocks 010").find("no errors; 10 rocks"), std::string::npos);
 }
 
@@ -103,7 +103,7 @@ TEST(RefusedByTheProgram, ToReplaceWhatItHasNotWritten) {
   const std::string run = (place / "run").string(), file = place.write("slope.toml", good);
   ASSERT_EQ(talus_says("run " + file + " -q -o " + run).exit_code, 0);
   const auto refused = [](const std::string& name, const std::string& kind) {
-    return "2 " + name + ": this file is there already (it is no earlier " + kind +
+    return "2 " + name + ": this file is there already (it is not an earlier " + kind +
            " of this command, which alone it would replace). Choose another name\n";
   };
   for (const std::string name : {"run/endpoints.csv", "run/summary.json", "slope.toml"}) {
@@ -134,7 +134,7 @@ TEST(RefusedByTheProgram, EmptyTextsAreNotTakenForAbsent) {
   const Workplace place;
   const std::string file = place.write("slope.toml", good), run_help = "`talus run --help` says more.\n";
   EXPECT_EQ(said(place, "run " + file + " --shard ''"),
-            "2 --shard: \"\" is no shard; expected i/n with i from 1 to n, for example 2/7\n" + run_help);
+            "2 --shard: \"\" is not a shard; expected i/n with i from 1 to n, for example 2/7\n" + run_help);
   EXPECT_EQ(said(place, "run " + file + " -o ''"), "2 --output: \"\" is the name of no folder\n" + run_help);
   EXPECT_EQ(said(place, "merge a -o ''"),
             "2 --output: \"\" is the name of no folder\n`talus merge --help` says more.\n");
@@ -228,7 +228,7 @@ TEST(RefusedByTheProgram, NoTimeBetweenCheckpoints) {
   const Workplace place;
   const std::string file = place.write("slope.toml", good);
   EXPECT_EQ(said(place, "run " + file + " --checkpoint-every nan -o " + (place / "out").string()),
-            "2 --checkpoint-every: nan is no time (expected seconds, 0 or more)\n");
+            "2 --checkpoint-every: nan is not a time (expected seconds, 0 or more)\n");
 }
 
 TEST(RefusedByTheProgram, ASummaryThatIsAPipe) {

@@ -242,7 +242,7 @@ TEST(Shards, AreRefusedWhereTheyAreNone) {
     const Said said = talus_says("run " + tutorial("2d") + " --shard=" + shard);
     EXPECT_EQ(said.exit_code, 2);
     EXPECT_EQ(said.text,
-              "--shard: \"" + shard + "\" is no shard (expected i/n with i from 1 to n). For example --shard 2/7\n");
+              "--shard: \"" + shard + "\" is not a shard (expected i/n with i from 1 to n). For example --shard 2/7\n");
   }
 }
 

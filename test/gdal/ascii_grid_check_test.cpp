@@ -66,7 +66,7 @@ TEST_F(AsciiGrid, NumbersAcrossTheEndsOfWhatIsReadAtOnceAreWhole) {
   for (int i = 0; i < side * side; ++i) text += fmt::format("{}{}", 100 + 0.0001 * (i % 10007), i % 7 ? ' ' : '\n');
   EXPECT_EQ(refusal(text), "was read");
   const std::string wrong = text + "\n1x";
-  EXPECT_EQ(refusal(wrong), fmt::format("dem.asc:{0}: \"1x\" is no number (it stands for row 1001, column 1)\n"
+  EXPECT_EQ(refusal(wrong), fmt::format("dem.asc:{0}: \"1x\" is not a number (it stands for row 1001, column 1)\n"
                                         "dem.asc:{0}: has 1000001 cells (ncols 1000 and nrows 1000 make 1000000). Its "
                                         "first line of cells has 1 of them: is ncols wrong?",
                                         std::count(wrong.begin(), wrong.end(), '\n') + 1));
@@ -76,13 +76,13 @@ TEST_F(AsciiGrid, NumbersAcrossTheEndsOfWhatIsReadAtOnceAreWhole) {
 
 TEST_F(AsciiGrid, WhatIsNoNumberIsRefusedInItsPlace) {
   EXPECT_EQ(refusal(header + "1 1O0 3\n4 abc 6,5,5\n"),
-            "dem.asc:6: \"1O0\" is no number (it stands for row 1, column 2)\n"
-            "dem.asc:7: \"abc\" is no number (it stands for row 2, column 2)\n"
-            "dem.asc:7: \"6,5,5\" is no number (it stands for row 2, column 3)");
+            "dem.asc:6: \"1O0\" is not a number (it stands for row 1, column 2)\n"
+            "dem.asc:7: \"abc\" is not a number (it stands for row 2, column 2)\n"
+            "dem.asc:7: \"6,5,5\" is not a number (it stands for row 2, column 3)");
   for (const std::string bad :
        {"1.0D+03", "1.234,5", "1,234.5", "--1", "+-1", "-", "+", ".", ",", "inf", "0x10", "1e", "1.5.", "#"}) {
     EXPECT_EQ(refusal(header + "1 2 3\n4 5 " + bad + "\n"),
-              fmt::format("dem.asc:7: \"{}\" is no number (it stands for row 2, column 3)", bad));
+              fmt::format("dem.asc:7: \"{}\" is not a number (it stands for row 2, column 3)", bad));
   }
   EXPECT_EQ(refusal(header + "1 2 3\n4 5 1" + std::string(600, '0') + "\n").substr(0, 23), "dem.asc:7: \"10000000000");
 }
@@ -92,18 +92,19 @@ TEST_F(AsciiGrid, OfManyWrongNumbersTenAreTold) {
   for (int i = 1; i < 40; ++i) text += "x ";
   const std::string told = refusal(text);
   EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 10);
-  EXPECT_EQ(told.substr(told.rfind('\n') + 1), "dem.asc: 29 more cells are no numbers");
+  EXPECT_EQ(told.substr(told.rfind('\n') + 1), "dem.asc: 29 more cells are not numbers");
 }
 
 TEST_F(AsciiGrid, NanAmongWholeNumbersWouldBeZero) {
   const std::string why =
       "it stands for row 1, column 2; in a grid of whole numbers it would be read as 0). Write what means no data as a "
       "number, for example -9999, and declare it: NODATA_value -9999";
-  EXPECT_EQ(refusal(header + "1 nan 3\n4 5 6\n"), "dem.asc:6: \"nan\" is no number (" + why);
-  EXPECT_EQ(refusal_as_classes(header + "1 null 3\n4 5 6\n"), "dem.asc:6: \"null\" is no number (" + why);
-  EXPECT_EQ(refusal(header + "1 3000000000 3\n4 5 6\n"),
-            "dem.asc:6: \"3000000000\" is no number (it stands for row 1, column 2; whole numbers have 32 bits). Write "
-            "it with a point");
+  EXPECT_EQ(refusal(header + "1 nan 3\n4 5 6\n"), "dem.asc:6: \"nan\" is not a number (" + why);
+  EXPECT_EQ(refusal_as_classes(header + "1 null 3\n4 5 6\n"), "dem.asc:6: \"null\" is not a number (" + why);
+  EXPECT_EQ(
+      refusal(header + "1 3000000000 3\n4 5 6\n"),
+      "dem.asc:6: \"3000000000\" is not a number (it stands for row 1, column 2; whole numbers have 32 bits). Write "
+      "it with a point");
 }
 
 TEST_F(AsciiGrid, ARowThatBeginsWithALetterWouldBeLost) {

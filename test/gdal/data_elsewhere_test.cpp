@@ -66,7 +66,8 @@ TEST_F(DataElsewhere, DescriptionsOfServicesAreNoRasters) {
   write("project/dem.tif", "<GDAL_WMS><Service name=\"WMS\"><ServerUrl>" + listener_.address() +
                                "/?</ServerUrl><Layers>a</Layers></Service><DataWindow><SizeX>10</SizeX><SizeY>10"
                                "</SizeY></DataWindow></GDAL_WMS>");
-  EXPECT_EQ(raster("dem.tif"), "project/dem.tif: is no raster that Talus reads (it begins with <GDAL_WMS>). " + read);
+  EXPECT_EQ(raster("dem.tif"),
+            "project/dem.tif: is not a raster that Talus reads (it begins with <GDAL_WMS>). " + read);
   write("project/dem.tif", "<?xml version=\"1.0\"?>\n<WCS_GDAL><ServiceURL>" + listener_.address() +
                                "/?</ServiceURL><CoverageName>a</CoverageName></WCS_GDAL>");
   EXPECT_THAT(raster("dem.tif"), HasSubstr("it begins with <WCS_GDAL>"));
@@ -140,7 +141,7 @@ TEST_F(DataElsewhere, AMosaicNamesNothingElse) {
   EXPECT_THAT(raster("dem.vrt"), HasSubstr("names \"broken.tif\" (there is no such file)"));
   write("project/notes.txt", "not for you");
   write("project/dem.vrt", mosaic("notes.txt"));
-  EXPECT_EQ(raster("dem.vrt"), "project/dem.vrt: names \"notes.txt\" (that is no raster that Talus reads)" + hint);
+  EXPECT_EQ(raster("dem.vrt"), "project/dem.vrt: names \"notes.txt\" (that is not a raster that Talus reads)" + hint);
   write("project/inner.tif", mosaic("../secret.tif"));
   write("project/dem.vrt", mosaic("inner.tif"));
   EXPECT_EQ(raster("dem.vrt"),
@@ -193,7 +194,7 @@ TEST_F(DataElsewhere, VirtualLayersAreNoVectorFiles) {
             listener_.address() + "/%s', 'cache_file=" + cache.string() +
             "') FROM passwords</SrcSQL></OGRVRTLayer></OGRVRTDataSource>");
   EXPECT_EQ(vectors("contours.gpkg"),
-            "project/contours.gpkg: is no vector file that Talus reads (it begins with <OGRVRTDataSource>). Talus "
+            "project/contours.gpkg: is not a vector file that Talus reads (it begins with <OGRVRTDataSource>). Talus "
             "reads GeoPackage, Shapefile, GeoJSON, DXF and CSV");
   EXPECT_FALSE(fs::exists(cache));
   write("project/contours.gpkg", "<OGRWFSDataSource><URL>" + listener_.address() + "</URL></OGRWFSDataSource>");

@@ -93,7 +93,7 @@ TEST(GroundDraw, PerRockAMaterialIsTheSameWhereverItIsMet) {
   EXPECT_EQ(draw(draws, 0, 1).friction_angle(material), draw(draws, 0, 5).friction_angle(material));
   EXPECT_NE(draw(draws, 0, 1).restitution(material), draw(draws, 1, 1).restitution(material));
   EXPECT_NE(draw(draws, 0, 1).restitution(material), draw(other_rock, 0, 1).restitution(material));
-  // The ground's shape is no property of the material: it differs from place to place.
+  // The ground's shape is not a property of the material: it differs from place to place.
   EXPECT_NE(draw(draws, 0, 1).roughness(material, 1), draw(draws, 0, 5).roughness(material, 5));
 }
 

@@ -147,7 +147,7 @@ TEST_F(DxfTest, ClosedLinesArePolygonsWhereThoseAreWanted) {
   EXPECT_EQ(refusal(polygons),
             "plan.dxf: feature 0 is a line (polygons are expected). A line that is closed is read as a polygon");
   make(Drawing().polyline("0", true, {"0 0", "9 9", "9 0", "0 9"}));
-  EXPECT_THAT(refusal(polygons), HasSubstr("plan.dxf: feature 0 is no valid polygon (self-intersection"));
+  EXPECT_THAT(refusal(polygons), HasSubstr("plan.dxf: feature 0 is not a valid polygon (self-intersection"));
 }
 
 TEST_F(DxfTest, WhatCannotBeReadIsLeftOutAndNamed) {

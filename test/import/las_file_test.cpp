@@ -121,9 +121,9 @@ TEST_F(LasFileTest, ReadsWhereItIs) {
 
 TEST_F(LasFileTest, RefusesWhatIsNoLas) {
   std::ofstream(file_) << "x,y,z\n1,2,3\n";
-  EXPECT_EQ(refusal_of_file(), "p.las: is no LAS file (it has 12 bytes, less than a header)");
+  EXPECT_EQ(refusal_of_file(), "p.las: is not a LAS file (it has 12 bytes, less than a header)");
   std::ofstream(file_) << std::string(400, 'x');
-  EXPECT_EQ(refusal_of_file(), "p.las: is no LAS file (it does not begin with LASF)");
+  EXPECT_EQ(refusal_of_file(), "p.las: is not a LAS file (it does not begin with LASF)");
   std::filesystem::remove(file_);
   EXPECT_EQ(refusal_of_file(),
             "p.las: cannot be read (No such file or directory). Paths are relative to the project file");

@@ -215,7 +215,7 @@ TEST_F(MeshFile, ObjRefusals) {
   EXPECT_EQ(refusal("a.obj", "f 1 2 3\n"),
             "a.obj: has no vertices (an OBJ file has a line such as `v 1.0 2.0 3.0` for each)");
   EXPECT_EQ(refusal("a.obj", square_obj),
-            "a.obj: has no faces (points alone are no surface). Triangulate the points first");
+            "a.obj: has no faces (points alone are not a surface). Triangulate the points first");
   EXPECT_EQ(refusal("a.obj", square_obj + "f 0 1 2\n"),
             "a.obj:5: vertex 0 does not exist (OBJ counts vertices from 1)");
   EXPECT_EQ(refusal("a.obj", square_obj + "f 1 2 5\n"),
@@ -229,8 +229,9 @@ TEST_F(MeshFile, ObjRefusals) {
   EXPECT_EQ(refusal("a.obj", square_obj + "f 1 2\n"), "a.obj:5: a face with 2 corners (expected at least 3)");
   EXPECT_EQ(refusal("a.obj", square_obj + "f\n"), "a.obj:5: a face with 0 corners (expected at least 3)");
   for (const std::string corner : {"three", "3.0", "3/x", "3/1/1/1", "/3", "99999999999999999999"}) {
-    EXPECT_EQ(refusal("a.obj", square_obj + "f 1 2 " + corner + "\n"),
-              "a.obj:5: \"" + corner + "\" is no corner of a face (expected 7, 7/1, 7//3 or 7/1/3, all whole numbers)");
+    EXPECT_EQ(
+        refusal("a.obj", square_obj + "f 1 2 " + corner + "\n"),
+        "a.obj:5: \"" + corner + "\" is not a corner of a face (expected 7, 7/1, 7//3 or 7/1/3, all whole numbers)");
   }
   EXPECT_EQ(refusal("a.obj", "v 0 0 abc\n" + square_obj + "f 1 2 3\n"),
             "a.obj:1: \"abc\" is not a number (expected a coordinate in metres)");
@@ -384,9 +385,9 @@ TEST_F(MeshFile, StlBinaryWarnsOfSinglePrecision) {
 }
 
 TEST_F(MeshFile, StlRefusals) {
-  EXPECT_EQ(
-      refusal("a.stl", "hello\n"),
-      "a.stl: is no STL file (it has 6 bytes and does not begin with \"solid\"; a binary STL file has at least 84)");
+  EXPECT_EQ(refusal("a.stl", "hello\n"),
+            "a.stl: is not an STL file (it has 6 bytes and does not begin with \"solid\"; a binary STL file has at "
+            "least 84)");
   EXPECT_EQ(
       refusal("a.stl", binary_stl(3, {one_stl_triangle, one_stl_triangle})),
       "a.stl: declares 3 triangles, but its length does not fit (that takes 234 bytes; the file has 184). It may have "
@@ -495,22 +496,22 @@ TEST_F(MeshFile, PlyHeaderRefusals) {
   const auto with = [&](std::string_view old_part, std::string_view new_part) {
     return refusal("a.ply", replaced(text_ply, old_part, new_part));
   };
-  EXPECT_EQ(refusal("a.ply", "polygons\n"), "a.ply:1: is no PLY file (its first line must be `ply`)");
+  EXPECT_EQ(refusal("a.ply", "polygons\n"), "a.ply:1: is not a PLY file (its first line must be `ply`)");
   EXPECT_EQ(with("format ascii 1.0\n", ""),
             "a.ply:14: the header names no format (expected `format ascii 1.0` or the like)");
   EXPECT_EQ(with("ascii", "text"),
             "a.ply:2: the format \"text\" is unknown (expected ascii, binary_little_endian or binary_big_endian)");
   EXPECT_EQ(with("1.0", "2.0"), "a.ply:2: the version \"2.0\" is unknown (expected 1.0)");
-  EXPECT_EQ(
-      with("obj_info", "objinfo"),
-      "a.ply:4: \"objinfo\" is no statement of a PLY header (expected format, element, property, comment, obj_info or "
-      "end_header)");
+  EXPECT_EQ(with("obj_info", "objinfo"),
+            "a.ply:4: \"objinfo\" is not a statement of a PLY header (expected format, element, property, comment, "
+            "obj_info or "
+            "end_header)");
   EXPECT_EQ(refusal("a.ply", text_ply.substr(0, text_ply.find("end_header"))),
             "a.ply:14: the header has no end (expected `end_header`). The file may have been cut short");
   EXPECT_EQ(with("vertex 4", "vertex -4"),
-            "a.ply:5: \"-4\" is no number of elements (expected `element vertex 8` or the like)");
+            "a.ply:5: \"-4\" is not a number of elements (expected `element vertex 8` or the like)");
   EXPECT_EQ(with("vertex 4", "vertex"),
-            "a.ply:5: \"\" is no number of elements (expected `element vertex 8` or the like)");
+            "a.ply:5: \"\" is not a number of elements (expected `element vertex 8` or the like)");
   EXPECT_EQ(with("element vertex 4\n", ""), "a.ply:5: a property before any element (it belongs to none)");
   EXPECT_EQ(
       with("float y", "real y"),
@@ -626,13 +627,14 @@ TEST_F(MeshFile, FilesThatCannotBeRead) {
   EXPECT_EQ(refusal("folder.stl"), "folder.stl: cannot be read (it is a folder). Name a file");
   EXPECT_EQ(refusal("empty.ply", ""), "empty.ply: is empty (it has no bytes)");
   EXPECT_EQ(refusal("slope.dxf", "0\n"),
-            "slope.dxf: is no mesh that Talus can read (its name ends in \".dxf\"; expected .obj, .stl or .ply). "
+            "slope.dxf: is not a mesh that Talus can read (its name ends in \".dxf\"; expected .obj, .stl or .ply). "
             "Convert it, or "
             "name the file after its format");
-  EXPECT_EQ(refusal("slope", "0\n"),
-            "slope: is no mesh that Talus can read (its name has no ending; expected .obj, .stl or .ply). Convert it, "
-            "or name "
-            "the file after its format");
+  EXPECT_EQ(
+      refusal("slope", "0\n"),
+      "slope: is not a mesh that Talus can read (its name has no ending; expected .obj, .stl or .ply). Convert it, "
+      "or name "
+      "the file after its format");
 }
 
 TEST_F(MeshFile, FilesThatAreNotOrdinary) {

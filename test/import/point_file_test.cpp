@@ -115,9 +115,9 @@ TEST_F(PointFileTest, DecimalCommasBetweenCommasAreRefused) {
 TEST_F(PointFileTest, BadLinesAreToldOfByTheirNumbers) {
   EXPECT_EQ(
       refusal("x,y,z\n1,2,3\n1,two,3\n4,5\n6,7,nan\n8,9,-9999\n"),
-      "p.csv:3: \"two\" is no number (expected y in metres)\n"
+      "p.csv:3: \"two\" is not a number (expected y in metres)\n"
       "p.csv:4: has 2 of 3 columns (a point has a height)\n"
-      "p.csv:5: \"nan\" is no number (expected z in metres)\n"
+      "p.csv:5: \"nan\" is not a number (expected z in metres)\n"
       "p.csv:6: z is -9999 (heights lie between -9000 and 100000 m). If it stands for no data, leave the line out");
 }
 
@@ -126,7 +126,7 @@ TEST_F(PointFileTest, AfterTenBadLinesTheOthersAreCounted) {
   for (int k = 0; k < 25; ++k) text += "1,2,?\n";
   const std::string said = refusal(text);
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 10);
-  EXPECT_THAT(said, HasSubstr("p.csv:11: \"?\" is no number"));
+  EXPECT_THAT(said, HasSubstr("p.csv:11: \"?\" is not a number"));
   EXPECT_THAT(said, HasSubstr("p.csv: 15 more lines are like this"));
 }
 
@@ -163,7 +163,8 @@ TEST_F(PointFileTest, RefusesWhatHoldsNoPoints) {
             "p.csv:1: has 2 of 3 columns (a point has a height)\n"
             "p.csv:2: has 2 of 3 columns (a point has a height)");
   EXPECT_EQ(refusal("1\n"), "p.csv: has no points (its first line is a count, and none follows)");
-  EXPECT_EQ(refusal(std::string(200'000, '7')), "p.csv: is no text file of points (line 1 has more than 100000 bytes)");
+  EXPECT_EQ(refusal(std::string(200'000, '7')),
+            "p.csv: is not a text file of points (line 1 has more than 100000 bytes)");
   EXPECT_THROW(static_cast<void>(read_point_file("/nowhere/p.csv")), BadInput);
   EXPECT_THROW(static_cast<void>(read_point_file("/")), BadInput);
 }

@@ -447,13 +447,13 @@ TEST_F(RasterFileTest, ARasterWithoutSurfaceIsRefused) {
 TEST_F(RasterFileTest, FilesThatAreNoRastersAreRefused) {
   EXPECT_EQ(refusal("none.tif"),
             "none.tif: cannot be read (there is no such file). Paths are relative to the project file");
-  write("text.tif", "this is no raster");
+  write("text.tif", "this is not a raster");
   EXPECT_EQ(
       refusal("text.tif"),
-      "text.tif: is no raster that Talus reads (GDAL: `text.tif' not recognized as a supported file format). Talus "
+      "text.tif: is not a raster that Talus reads (GDAL: `text.tif' not recognized as a supported file format). Talus "
       "reads GeoTIFF, Esri ASCII grid (.asc), Esri float grid (.flt, .bil), Erdas Imagine (.img) and VRT");
   write("empty.tif", "");
-  EXPECT_THAT(refusal("empty.tif"), StartsWith("empty.tif: is no raster that Talus reads (GDAL"));
+  EXPECT_THAT(refusal("empty.tif"), StartsWith("empty.tif: is not a raster that Talus reads (GDAL"));
 }
 
 TEST_F(RasterFileTest, FilesThatAreCutShortAreRefusedAndNothingIsPrinted) {

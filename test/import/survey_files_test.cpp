@@ -329,7 +329,7 @@ TEST_F(SurveyFilesTest, ReadsClosedLinesAndPolygons) {
             "faces.gpkg: feature 2 is not closed (its ends are 0.0005 m apart). Repeat its first vertex at its end");
 }
 
-// On plan they are lines that go there and back, which is no polygon.
+// On plan they are lines that go there and back, which is not a polygon.
 TEST_F(SurveyFilesTest, PolygonsMayStandUpright) {
   add_layer(path("faces.gpkg"), "faces", "EPSG:31287", "a",
             {{"POLYGON Z ((0 0 1, 10 10 1, 10 10 9, 0 0 9, 0 0 1), (2 2 3, 4 4 3, 4 4 5, 2 2 3))", ""}});

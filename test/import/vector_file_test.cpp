@@ -178,7 +178,7 @@ TEST_F(VectorFileTest, FilesThatAreNoneAreRefused) {
   EXPECT_EQ(refusal({}, "none.gpkg"),
             "none.gpkg: cannot be read (there is no such file). Paths are relative to the project file");
   write("not.geojson", "hello");
-  EXPECT_THAT(refusal({}, "not.geojson"), StartsWith("not.geojson: is no vector file that Talus reads (GDAL: "));
+  EXPECT_THAT(refusal({}, "not.geojson"), StartsWith("not.geojson: is not a vector file that Talus reads (GDAL: "));
   make({});
   EXPECT_EQ(refusal(), "ground.gpkg: layer \"ground\" is empty (it has no features)");
   make({{"", "a"}, {"", "b"}});
@@ -212,12 +212,14 @@ TEST_F(VectorFileTest, DegreesAndFeetNeedATerrainToBeBroughtTo) {
 
 TEST_F(VectorFileTest, PolygonsThatCrossThemselvesAreRefusedWithTheirPlace) {
   make({{"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))", "a"}, {"POLYGON ((0 0, 10 10, 10 0, 0 10, 0 0))", "b"}});
-  EXPECT_EQ(refusal(polygons),
-            "ground.gpkg: feature 2 is no valid polygon (self-intersection at or near point 5 5). Mend it: ogr2ogr "
-            "-makevalid ground_valid.gpkg ground.gpkg");
+  EXPECT_EQ(
+      refusal(polygons),
+      "ground.gpkg: feature 2 is not a valid polygon (self-intersection at or near point 5 5). Repair it: ogr2ogr "
+      "-makevalid ground_valid.gpkg ground.gpkg");
   make({{"MULTIPOLYGON (((0 0, 9 0, 9 9, 0 0)), ((1 0, 9 0, 9 9, 1 0)))", "a"},
         {"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0), (5 5, 6 5, 6 6, 5 5))", "b"}});
-  EXPECT_THAT(refusal(polygons), HasSubstr("ground.gpkg: feature 2 is no valid polygon (hole lies outside shell at"));
+  EXPECT_THAT(refusal(polygons),
+              HasSubstr("ground.gpkg: feature 2 is not a valid polygon (hole lies outside shell at"));
 }
 
 TEST_F(VectorFileTest, OtherKindsAreRefused) {
@@ -233,7 +235,7 @@ TEST_F(VectorFileTest, OtherKindsAreRefused) {
 TEST_F(VectorFileTest, FilesCutShortAreRefused) {
   make(std::vector<WrittenFeature>(3000, {"LINESTRING (0 0, 1 1, 2 2, 3 3, 4 4, 5 5, 6 6)", "a"}));
   std::filesystem::resize_file(path("ground.gpkg"), std::filesystem::file_size(path("ground.gpkg")) / 2);
-  EXPECT_THAT(refusal(), AnyOf(StartsWith("ground.gpkg: is no vector file that Talus reads (GDAL: "),
+  EXPECT_THAT(refusal(), AnyOf(StartsWith("ground.gpkg: is not a vector file that Talus reads (GDAL: "),
                                StartsWith("ground.gpkg: cannot be read to its end (after ")));
 }
 

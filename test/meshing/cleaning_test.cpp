@@ -473,10 +473,11 @@ TEST(Cleaning, Refusals) {
   mesh.vertices[1].y() = nan;
   mesh.vertices[2].z() = -inf;
   mesh.triangles.push_back({0, 1, 3});
-  EXPECT_EQ(refusal(mesh),
-            "slope.obj: vertex 1 (counted from 0): (1, nan, 0) is no place (expected finite coordinates in metres)\n"
-            "slope.obj: vertex 2 (counted from 0): (0, 1, -inf) is no place (expected finite coordinates in metres)\n"
-            "slope.obj: triangle 1 (counted from 0): vertex 3 does not exist (the mesh has 3, counted from 0)");
+  EXPECT_EQ(
+      refusal(mesh),
+      "slope.obj: vertex 1 (counted from 0): (1, nan, 0) is not a place (expected finite coordinates in metres)\n"
+      "slope.obj: vertex 2 (counted from 0): (0, 1, -inf) is not a place (expected finite coordinates in metres)\n"
+      "slope.obj: triangle 1 (counted from 0): vertex 3 does not exist (the mesh has 3, counted from 0)");
   mesh = good;
   mesh.vertices[0].x() = -1e9;
   EXPECT_EQ(

@@ -286,9 +286,10 @@ diameter_m = 0.5
   EXPECT_EQ(refusal(plane + "type = \"raster\"\nmin_slope_deg = 46\ncell_m = 4\n"),
             "slope.toml:6: seeder \"seeder 1\": no cell is as steep as 46 deg (the steepest of 299 has 45 deg, at "
             "(1006, 506))");
-  EXPECT_EQ(refusal(plane + "type = \"raster\"\nmin_slope_deg = 46\n"),
-            "slope.toml:6: seeder 1: cell_m is missing (the terrain is no raster, so it has no cells of its own). Give "
-            "the side of the cells from which rocks start, in metres");
+  EXPECT_EQ(
+      refusal(plane + "type = \"raster\"\nmin_slope_deg = 46\n"),
+      "slope.toml:6: seeder 1: cell_m is missing (the terrain is not a raster, so it has no cells of its own). Give "
+      "the side of the cells from which rocks start, in metres");
 }
 
 TEST_F(GisSeeders, LinesLieOnTheTerrainOrHaveTheirHeights) {

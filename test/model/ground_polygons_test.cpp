@@ -186,12 +186,12 @@ TEST_F(GroundPolygons, ValuesWithoutAMaterialAreRefused) {
       refusal(head),
       "slope.toml:15: [ground]: 1 of 4 polygons have no kind (feature 4 of polygons \"ground.gpkg\"). Give each a "
       "value, or take it out of the file\n"
-      "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are no materials (\"Bog\" in 1, "
+      "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not materials (\"Bog\" in 1, "
       "\"Rocks\" in 2 of 4 polygons). Say which material it is: values = { \"Bog\" = \"Rock\" }");
   layer("ground.gpkg", "kind", {{box(0, 0, 50, 50), "Rocks"}});
   EXPECT_EQ(
       refusal(head),
-      "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are no materials (\"Rocks\" in 1 of "
+      "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not materials (\"Rocks\" in 1 of "
       "1 polygons). Did you mean \"Rock\" by \"Rocks\"?");
   EXPECT_EQ(
       refusal(head + "values = { Moor = \"Meadow\" }\n"),

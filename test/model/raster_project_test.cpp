@@ -217,7 +217,7 @@ TEST_F(RasterProject, AGroundWithoutAnyClassIsRefused) {
   EXPECT_EQ(
       refusal(terrain_raster + rest + from_classes),
       "slope.toml:17: [ground]: raster \"ground.tif\" has no class anywhere on the terrain (none of 741 cells has data "
-      "in it). Look at it with gdalinfo -stats: what it declares as no data is no class");
+      "in it). Look at it with gdalinfo -stats: what it declares as no data is not a class");
 }
 
 TEST_F(RasterProject, AGroundBesideTheTerrainIsRefused) {

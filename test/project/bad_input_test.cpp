@@ -903,7 +903,7 @@ raster_cell_m = "fine"
 raster_cell_m = "terrain"
 
 [terrain])"}},
-     "slope.toml:7: [output]: raster_cell_m is \"terrain\" (the terrain is no raster, so it has no cells). Give the "
+     "slope.toml:7: [output]: raster_cell_m is \"terrain\" (the terrain is not a raster, so it has no cells). Give the "
      "side of a cell in metres"},
     {"NameIsAFolder",
      {{R"(name = "Slope")", R"(name = "../Slope")"}},
@@ -1145,11 +1145,11 @@ TEST_P(BadOverrideTest, IsRefusedWithThisText) {
 const std::vector<BadOverride> bad_overrides{
     {"SetWithoutValue",
      {"analysis.gravity_m_s2"},
-     "--set analysis.gravity_m_s2: this is no setting (expected table.key=value, for example "
+     "--set analysis.gravity_m_s2: this is not a setting (expected table.key=value, for example "
      "analysis.gravity_m_s2=9.81)"},
     {"SetWithoutKey",
      {"=3"},
-     "--set =3: this is no setting (expected table.key=value, for example analysis.gravity_m_s2=9.81)"},
+     "--set =3: this is not a setting (expected table.key=value, for example analysis.gravity_m_s2=9.81)"},
     {"SetUnknownKey",
      {"analysis.gravity=9.81"},
      "--set analysis.gravity=9.81: [analysis]: unknown key \"gravity\". Did you mean \"gravity_m_s2\"?"},
@@ -1197,7 +1197,7 @@ const std::vector<BadOverride> bad_overrides{
     {"SetPartOfAWord", {"name.first=3"}, "--set name.first=3: name is \"Slope\" (it has no parts to set)"},
     {"SetQuoteLeftOpen",
      {R"(material."Rock.normal_restitution=0.4)"},
-     "--set material.\"Rock.normal_restitution=0.4: this is no setting (expected "
+     "--set material.\"Rock.normal_restitution=0.4: this is not a setting (expected "
      "table.key=value, for example analysis.gravity_m_s2=9.81)"},
 };
 
@@ -1217,7 +1217,7 @@ TEST(BadProject, EmptyText) {
 
 TEST(BadProject, NoRocksOnTheCommandLine) {
   EXPECT_EQ(message_about(good_project, {.settings = {}, .rocks = 0, .seed = {}}),
-            "--rocks 0: this is no number of rocks (expected 1 to 1e12)");
+            "--rocks 0: this is not a number of rocks (expected 1 to 1e12)");
 }
 
 TEST(BadProject, NoWarningRestsOnAValueThatWasRefused) {

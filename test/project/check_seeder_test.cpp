@@ -83,7 +83,8 @@ const std::vector<Case> cases{
     {"RocksTwice", "type = \"raster\"\ncell_m = 1\nmin_slope_deg = 9\nrocks = 5\nrocks_per_cell = 2\n",
      "14: seeder \"Cliff\": rocks and rocks_per_cell are given together (they exclude each other)"},
     {"CellMissing", "type = \"raster\"\nmin_slope_deg = 30\n",
-     "7: seeder \"Cliff\": cell_m is missing (the terrain is no raster, so it has no cells of its own). Give the side "
+     "7: seeder \"Cliff\": cell_m is missing (the terrain is not a raster, so it has no cells of its own). Give the "
+     "side "
      "of the cells from which rocks start, in metres"},
     {"MaskValueWithoutMask", "type = \"raster\"\ncell_m = 1\nmin_slope_deg = 30\nmask_value = 1\n",
      "13: seeder \"Cliff\": mask_value is given without a mask (it would have no effect)"},

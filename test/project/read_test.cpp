@@ -349,7 +349,7 @@ TEST(ReadProject, TakesNoSeedBeyondWhatTomlHolds) {
     static_cast<void>(read(smallest, {.settings = {}, .rocks = {}, .seed = largest + 1}));
     ADD_FAILURE() << "was read";
   } catch (const BadInput& bad) {
-    EXPECT_STREQ(bad.what(), "--seed 9223372036854775808: this is no seed (expected 0 to 9223372036854775807)");
+    EXPECT_STREQ(bad.what(), "--seed 9223372036854775808: this is not a seed (expected 0 to 9223372036854775807)");
   }
 }
 

@@ -64,8 +64,8 @@ TEST(SettingPaths, FollowWhatIsSetLater) {
 TEST(SettingPaths, AreNoPartOfWhatPeopleAreTold) {
   const Document document(text, "slope.toml");
   Problem problem = document.at(*document.root().get("name"));
-  problem.what = "is no name";
-  EXPECT_EQ(problem.text(), "slope.toml:1: is no name");
+  problem.what = "is not a name";
+  EXPECT_EQ(problem.text(), "slope.toml:1: is not a name");
 }
 
 TEST(ProblemPaths, AreFoundByLineFileAndTable) {

@@ -580,7 +580,7 @@ std::string broken_rule(const Json& schema, const Json& value, const std::string
   if (schema.contains("const") && schema["const"] != value) return path + " is not the constant";
   if (schema.contains("enum")) {
     const Json& words = schema["enum"];
-    return std::find(words.begin(), words.end(), value) == words.end() ? path + " is no word of the list" : "";
+    return std::find(words.begin(), words.end(), value) == words.end() ? path + " is not a word of the list" : "";
   }
   const std::string type = schema.value("type", "");
   const bool fits = type.empty() || (type == "object" && value.is_object()) || (type == "array" && value.is_array()) ||
@@ -634,7 +634,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
   };
   EXPECT_EQ(broken([](Json& p) { p["analysis"]["gravity"] = 9.81; }), ".analysis.gravity is unknown");
   EXPECT_EQ(broken([](Json& p) { p["analysis"]["gravity_m_s2"] = -9.81; }), ".analysis.gravity_m_s2 is too small");
-  EXPECT_EQ(broken([](Json& p) { p["analysis"]["model"] = "cube"; }), ".analysis.model is no word of the list");
+  EXPECT_EQ(broken([](Json& p) { p["analysis"]["model"] = "cube"; }), ".analysis.model is not a word of the list");
   EXPECT_EQ(broken([](Json& p) { p["seeder"][0]["rocks"] = 0; }), ".seeder[0].rocks is too small");
   EXPECT_EQ(broken([](Json& p) { p["seeder"] = Json::array(); }), ".seeder is too short");
   EXPECT_EQ(broken([](Json& p) { p.erase("terrain"); }), ".terrain is missing");
@@ -678,8 +678,7 @@ std::map<std::string, std::set<std::string>> keys_by_model() {
   std::map<std::string, std::set<std::string>> keys;
   for (const Table& table : tables())
     for (const Setting& setting : table.settings)
-      if (const auto model = only_model(setting))
-        keys[std::string(word(*model))].emplace(setting.key);
+      if (const auto model = only_model(setting)) keys[std::string(word(*model))].emplace(setting.key);
   return keys;
 }
 

@@ -503,7 +503,7 @@ TEST_F(ModelOf, HasTilesOfARaster) {
       }
     }
     EXPECT_EQ(tile.header["origin"][2], ours.frame.origin.z());
-    if (which[0] == '1') {  // the whole raster, but for what is no whole step
+    if (which[0] == '1') {  // the whole raster, but for what is not a whole step
       EXPECT_EQ(node(tile, 0, 0), std::pair(0L, 0L));
       EXPECT_EQ(node(tile, wide - 1, high - 1), std::pair(columns - 2L, rows - 2L));
     }

@@ -142,7 +142,8 @@ TEST_F(Results, AreOrdinaryFilesOfTheirFolder) {
   const std::filesystem::path summary = folder_ / "summary.json", elsewhere = base_ / "elsewhere.json";
   const auto expect_none = [&] {
     for (const char* what : {"/summary", "/paths", "/endpoints", "/statistics?of=x_m", "/barriers", "/maps"})
-      EXPECT_EQ(of(what).problem(), id_ + ": this run has no results (its summary.json is no ordinary file)") << what;
+      EXPECT_EQ(of(what).problem(), id_ + ": this run has no results (its summary.json is not an ordinary file)")
+          << what;
     EXPECT_EQ(run(id_)["has_results"], false);
   };
   std::filesystem::rename(summary, elsewhere);

@@ -1,4 +1,4 @@
-// Who may ask, and what is no request.
+// Who may ask, and what is not a request.
 
 #include "server/served.hpp"
 
@@ -65,10 +65,10 @@ TEST_F(Asked, RefusesWhatIsNoJson) {
   };
   for (const std::string body : {"", "{", "{\"file\": }", "{\"mean\": 1e999}", "\xff\xfe", "nul"}) {
     EXPECT_EQ(posted(body).status, 400) << body;
-    EXPECT_EQ(posted(body).problem(), "the request's body is no JSON") << body;
+    EXPECT_EQ(posted(body).problem(), "the request's body is not JSON") << body;
   }
   for (const std::string body : {"[]", "1", "\"text\"", "null"})
-    EXPECT_EQ(posted(body).problem(), "the request's body is no JSON object") << body;
+    EXPECT_EQ(posted(body).problem(), "the request's body is not a JSON object") << body;
   const Reply deep = posted("{\"text\": " + std::string(300, '[') + std::string(300, ']') + "}");
   EXPECT_EQ(deep.status, 400);
   EXPECT_EQ(deep.problem(), "lists lie too deep in the request");
@@ -83,10 +83,10 @@ TEST_F(Asked, RefusesABodyThatIsTooLarge) {
 
 TEST_F(Asked, RefusesKeysThatAreMissingUnknownOrOfAnotherType) {
   EXPECT_EQ(post("/api/model", {{"file", "a.toml"}}).problem(), "text: is missing");
-  EXPECT_EQ(post("/api/model", {{"file", "a.toml"}, {"text", 1}}).problem(), "text: is no text");
+  EXPECT_EQ(post("/api/model", {{"file", "a.toml"}, {"text", 1}}).problem(), "text: is not text");
   EXPECT_EQ(post("/api/model", {{"file", "a.toml"}, {"text", ""}, {"txt", ""}}).problem(),
             "txt: is not a key of this request");
-  EXPECT_EQ(post("/api/distribution", {{"mean", "1"}}).problem(), "mean: is no number");
+  EXPECT_EQ(post("/api/distribution", {{"mean", "1"}}).problem(), "mean: is not a number");
   EXPECT_EQ(post("/api/distribution", {{"men", 1}}).status, 400);
 }
 

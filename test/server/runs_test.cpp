@@ -403,7 +403,7 @@ TEST_F(Runs, WhoseFolderIsDamagedAreListedWithTheReasons) {
     EXPECT_EQ(with_json("PATCH", "/api/runs/" + std::string(id), {{"name", "x"}}).status, 409);
     EXPECT_EQ(get("/api/runs/" + std::string(id) + "/paths").status, 404);
   }
-  EXPECT_THAT(run("state")["problems"][0]["what"].get<std::string>(), HasSubstr("\"dancing\" is no state of a run"));
+  EXPECT_THAT(run("state")["problems"][0]["what"].get<std::string>(), HasSubstr("\"dancing\" is not a state of a run"));
   EXPECT_EQ(send("DELETE", "/api/runs/empty").status, 200);
   EXPECT_FALSE(std::filesystem::exists(path("runs/slope/empty")));
   EXPECT_EQ(list().size(), 7U);
@@ -418,7 +418,7 @@ TEST_F(Runs, WhoseResultsAreDamagedSayWhatIsWrong) {
   for (const char* what : {"/paths", "/endpoints"})
     EXPECT_EQ(get("/api/runs/" + id + what).problem(),
               path(folder + "barriers.csv").string() +
-                  ":2: barrier: is no barrier of this run (summary.json names all of them)");
+                  ":2: barrier: is not a barrier of this run (summary.json names all of them)");
   write(folder + "barriers.csv", hits);
   const std::size_t last_row = paths.rfind('\n', paths.size() - 2);
   const std::string last_rock = paths.substr(last_row, paths.find(',', last_row) + 1 - last_row);

@@ -47,7 +47,7 @@ TEST_F(Serving, NeedsAPortOfItsOwn) {
 TEST_F(Serving, NeedsAFolder) {
   server::ServeOptions other = others();
   other.folder = path("none");
-  EXPECT_EQ(refusal(other), path("none").string() + ": is no folder");
+  EXPECT_EQ(refusal(other), path("none").string() + ": is not a folder");
 }
 
 TEST_F(Serving, EndsWhenItIsStoppedBeforeItListens) {

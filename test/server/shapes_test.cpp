@@ -80,7 +80,7 @@ TEST_F(Shapes, RefusesDistributionsThatAreNone) {
             "distribution: \"bet\" is none (expected one of none, normal, uniform, triangular, beta, exponential, "
             "lognormal, gamma)");
   EXPECT_EQ(post("/api/distribution", {{"mean", 1}, {"key", "colour"}}).problem(),
-            "key: \"colour\" is no random property");
+            "key: \"colour\" is not a random property");
 }
 
 TEST_F(Shapes, ShowsThePublishedCases) {

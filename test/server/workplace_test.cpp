@@ -226,7 +226,7 @@ TEST_F(Drafts, HaveRevisionsThatAreUnderstood) {
   for (const char* wrong : {"a", "a.", ".1", "a b.1", "a.1x", "a.-1"}) {
     const Reply refused = keep("one", wrong, nullptr);
     EXPECT_EQ(refused.status, 400) << wrong;
-    EXPECT_EQ(refused.problem(), "revision: is no revision of a draft. Such as 3f9a.12");
+    EXPECT_EQ(refused.problem(), "revision: is not a revision of a draft. Such as 3f9a.12");
   }
 }
 

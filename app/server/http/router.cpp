@@ -130,8 +130,8 @@ Json read_body(const httplib::Request& request, const httplib::ContentReader& co
   if (!is_whole) throw Refusal(400, "", "the request did not arrive whole");
   if (io::depth_of_json(text) > io::deepest_json) throw Refusal(400, "", "lists lie too deep in the request");
   Json body = Json::parse(text, nullptr, false);
-  if (body.is_discarded()) throw Refusal(400, "", "the request's body is no JSON");
-  if (!body.is_object()) throw Refusal(400, "", "the request's body is no JSON object");
+  if (body.is_discarded()) throw Refusal(400, "", "the request's body is not JSON");
+  if (!body.is_object()) throw Refusal(400, "", "the request's body is not a JSON object");
   return body;
 }
 
@@ -155,7 +155,7 @@ std::uint64_t Call::query_number(const std::string& key, std::uint64_t otherwise
 std::string Call::text(const std::string& key) const {
   const auto found = body.find(key);
   if (found == body.end()) throw Refusal(400, key, "is missing");
-  if (!found->is_string()) throw Refusal(400, key, "is no text");
+  if (!found->is_string()) throw Refusal(400, key, "is not text");
   return found->get<std::string>();
 }
 
@@ -167,7 +167,7 @@ std::string Call::text(const std::string& key, const std::string& otherwise) con
 double Call::number(const std::string& key) const {
   const auto found = body.find(key);
   if (found == body.end()) throw Refusal(400, key, "is missing");
-  if (!found->is_number()) throw Refusal(400, key, "is no number");
+  if (!found->is_number()) throw Refusal(400, key, "is not a number");
   return found->get<double>();
 }
 

@@ -53,7 +53,7 @@ void read_hits(const fs::path& file, EndPoints& ends) {
     while (next != ends.rocks.end() && *next < rock) ++next;
     if (next == ends.rocks.end()) return;
     const std::optional<std::uint32_t> barrier = names.find(row.text(at("barrier")));
-    if (!barrier) row.refuse("barrier", "is no barrier of this run", "summary.json names all of them");
+    if (!barrier) row.refuse("barrier", "is not a barrier of this run", "summary.json names all of them");
     if (*next != rock) continue;
     const auto of_rock = static_cast<std::size_t>(next - ends.rocks.begin());
     ends.barriers[words * of_rock + *barrier / 32] |= 1U << *barrier % 32;

@@ -18,7 +18,7 @@ std::filesystem::path results_folder(const Run& run) {
     throw refuse("its server was killed", "Ask for what was done: POST .../write");
   std::error_code ignored;
   const bool is_there = std::filesystem::exists(run.folder / "summary.json", ignored);
-  throw refuse(is_there ? "its summary.json is no ordinary file" : "it ended before they were written");
+  throw refuse(is_there ? "its summary.json is not an ordinary file" : "it ended before they were written");
 }
 
 io::RunFacts read_facts(const Run& run) { return io::read_run_facts(results_folder(run)); }

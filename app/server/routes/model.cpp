@@ -123,7 +123,7 @@ void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& sh
   router.get("/api/models/([0-9a-f]+)/profile", [&](const Call& call) {
     const ModelShelf::Held held = shelf.find(call.part(1));
     const auto* profile = std::get_if<Profile>(&held->model.surface);
-    if (profile == nullptr) throw Refusal(404, "profile", "this model is no section", "", "Ask for its mesh");
+    if (profile == nullptr) throw Refusal(404, "profile", "this model is not a section", "", "Ask for its mesh");
     return json_answer(profile_json(held->model, *profile));
   });
   router.get("/api/models/([0-9a-f]+)/mesh",

@@ -8,7 +8,7 @@ namespace {
 
 TerrainTiles tiles_of(const ShelvedModel& shelved) {
   const auto* raster = std::get_if<RasterSurface>(&shelved.model.surface);
-  if (raster == nullptr) throw Refusal(404, "tiles", "this model is no raster", "", "Ask for its mesh or profile");
+  if (raster == nullptr) throw Refusal(404, "tiles", "this model is not a raster", "", "Ask for its mesh or profile");
   return {shelved.model, *raster};
 }
 

@@ -30,7 +30,7 @@ void check_letters(const std::string& name, std::string_view text) {
                              .hint = "Save it as UTF-8"});
 }
 
-/// Nothing where there is no such file; refused where it is no UTF-8.
+/// Nothing where there is no such file; refused where it is not UTF-8.
 std::optional<std::string> read(const fs::path& file, const std::string& name) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<Revision> revision_in(const Call& call, const char* key) {
   const std::string text = call.text(key, "");
   if (text.empty()) return std::nullopt;
   const auto revision = revision_of(text);
-  if (!revision) throw Refusal(400, key, "is no revision of a draft", "", "Such as 3f9a.12");
+  if (!revision) throw Refusal(400, key, "is not a revision of a draft", "", "Such as 3f9a.12");
   return revision;
 }
 

@@ -37,7 +37,7 @@ std::optional<double> energy_in(const Call& call, const std::string& key) {
   double energy = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), energy);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(energy))
-    throw Refusal(400, key, fmt::format("\"{}\" is no energy", text), "expected a number");
+    throw Refusal(400, key, fmt::format("\"{}\" is not an energy", text), "expected a number");
   return energy * 1000;
 }
 
@@ -67,7 +67,7 @@ const io::NumberColumn& column_in(const Call& call, const std::vector<io::Number
   if (found != known.end()) return *found;
   std::vector<std::string_view> names;
   for (const io::NumberColumn& column : known) names.push_back(column.name);
-  throw Refusal(400, "of", fmt::format("\"{}\" is no column of numbers", wanted),
+  throw Refusal(400, "of", fmt::format("\"{}\" is not a column of numbers", wanted),
                 fmt::format("expected one of {}", fmt::join(names, ", ")));
 }
 

@@ -14,7 +14,7 @@ template <class Number>
 std::optional<Number> number_in(const Call& call, const char* key) {
   const auto found = call.body.find(key);
   if (found == call.body.end() || found->is_null()) return std::nullopt;
-  if (!found->is_number_unsigned()) throw Refusal(400, key, "is no whole number", "expected 0 or more");
+  if (!found->is_number_unsigned()) throw Refusal(400, key, "is not a whole number", "expected 0 or more");
   const auto number = found->template get<std::uint64_t>();
   if (!std::in_range<Number>(number)) throw Refusal(400, key, "is too large");
   return static_cast<Number>(number);

@@ -105,7 +105,7 @@ Json distribution_json(const Call& call) {
   project::Drawn drawn{distribution_of(call), {}};
   if (const std::string key = call.text("key", ""); !key.empty()) {
     const auto of_key = project::drawn(key, drawn.distribution);
-    if (!of_key) throw Refusal(400, "key", fmt::format("\"{}\" is no random property", key));
+    if (!of_key) throw Refusal(400, "key", fmt::format("\"{}\" is not a random property", key));
     drawn = *of_key;
   }
   Problems problems;

@@ -38,7 +38,7 @@ struct NumberColumn {
 [[nodiscard]] Tally barrier_statistics(const std::filesystem::path& folder, const RunFacts& facts,
                                        std::string_view barrier, std::string_view column, const RockFilter& filter);
 
-/// The share of values that are no greater, at up to so many values, the least and the greatest among them.
+/// The share of values that are not greater, at up to so many values, the least and the greatest among them.
 struct CumulativePoint {
   double value, share;
 };

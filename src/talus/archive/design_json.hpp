@@ -10,7 +10,7 @@
 namespace talus::io {
 
 [[nodiscard]] nlohmann::ordered_json plan_json(const DesignPlan& plan);
-/// Of so many barriers and collectors. Throws BadBytes, or an exception of the library, on what is no plan for them.
+/// Of so many barriers and collectors. Throws BadBytes, or an exception of the library, on what is not a plan for them.
 [[nodiscard]] DesignPlan plan_from(const nlohmann::ordered_json& json, std::size_t barriers);
 
 /// What holds a kit back and what helps, in words; empty where nothing does.

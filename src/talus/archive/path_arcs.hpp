@@ -23,7 +23,7 @@ struct PathPoint {
 /// T^4 k^2 a/384 at most (the remainder of Hermite's interpolation), a being the acceleration at its start, and by
 /// T^2 j/60 more where the acceleration jumps by j because a forest begins or ends on the way. The flight is cut into
 /// equal times, so few that the lines depart from it by `tolerance_m` at most: a chord over the time t departs by
-/// a t^2/8. A row that is no flight is followed by a straight line: rocks slide and roll along facets.
+/// a t^2/8. A row that is not a flight is followed by a straight line: rocks slide and roll along facets.
 void for_points_along(const Path& path, double tolerance_m, const std::function<void(const PathPoint&)>& visit);
 
 /// Into no more pieces than this is a flight cut, however long it takes.

@@ -17,7 +17,7 @@ class PathReader {
   explicit PathReader(const std::filesystem::path& file);
 
   /// Goes to the next path of a rock that is wanted, in the order of the file; false after the last. Throws BadInput on
-  /// rows that are no paths.
+  /// rows that are not paths.
   [[nodiscard]] bool next(const std::function<bool(std::uint64_t rock)>& wants);
   [[nodiscard]] const Path& path() const { return path_; }
 

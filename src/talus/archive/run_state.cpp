@@ -79,7 +79,7 @@ RunStateHeader header_from(std::string_view bytes) {
 std::uint64_t header_size(std::string_view preamble) {
   const std::string_view begin = preamble.substr(0, magic.size());
   expect_bytes(!begin.empty(), "it is empty");
-  expect_bytes(begin == magic.substr(0, begin.size()), "it is no state of a run");
+  expect_bytes(begin == magic.substr(0, begin.size()), "it is not a state of a run");
   expect_bytes(preamble.size() >= preamble_size, cut_short);
   ByteReader in(preamble.substr(magic.size()));
   expect_bytes(in.get<std::uint32_t>() == format, "another version of talus wrote it");

@@ -55,7 +55,7 @@ std::optional<FieldFault> Relief::fault() const {
 
 std::optional<FieldFault> TerrainSummary::fault() const {
   if (section.size() != 1) return std::nullopt;
-  return FieldFault{"has a section that is no line", "expected two or more vertices [x, z]"};
+  return FieldFault{"has a section that is not a line", "expected two or more vertices [x, z]"};
 }
 
 Statistics BarrierSummary::statistics_of(std::string_view quantity) const {

@@ -214,7 +214,7 @@ struct RunSummary : RunIdentity {
 };
 
 /// Reads summary.json, or what is to become it. Barriers, of which there may be very many, are given to `take` one by
-/// one where it is given, and are not kept then. Throws BadInput where the file is no summary as a run writes it.
+/// one where it is given, and are not kept then. Throws BadInput where the file is not a summary as a run writes it.
 [[nodiscard]] RunSummary read_run_summary(const std::filesystem::path& file,
                                           const std::function<void(BarrierSummary)>& take = {});
 

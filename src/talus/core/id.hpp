@@ -1,5 +1,5 @@
 #pragma once
-// Typed indices: a facet's number is no material's number, and the compiler says so.
+// Typed indices: a facet's number is not a material's number, and the compiler says so.
 
 #include <compare>
 #include <cstdint>

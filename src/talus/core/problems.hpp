@@ -17,7 +17,7 @@ struct Problem {
   std::string where;   // the key or the thing, for example `material "Type One"`
   std::string what;    // the problem
   std::string why;     // why it is one, with what was expected
-  std::string hint;    // what would mend it
+  std::string hint;    // what would fix it
   std::string path;    // of the setting of a project, for programs: `material.0.roughness_deg`; no part of the text
   std::string option;  // of the command line by which the hint is followed, for example `-o`
   [[nodiscard]] std::string text() const;

@@ -32,7 +32,7 @@ bool stays_in_folder(const fs::path& name) {
   return std::ranges::none_of(name, [](const fs::path& part) { return part.empty() || part == "." || part == ".."; });
 }
 
-/// Nothing where it is no ordinary file, or cannot be read.
+/// Nothing where it is not an ordinary file, or cannot be read.
 std::optional<Json> record_of(const fs::path& file, const fs::path& name) {
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(file, error);

@@ -34,7 +34,7 @@ template <class Json>
 
 /// What a text holds, but for the entries of a list of the outermost object, `"list": [...]`: as soon as each is read
 /// it is given to take(entry), and the list stays empty. For lists that are long, of which little is needed. Where the
-/// text is no JSON: discarded, or what Json::parse() throws.
+/// text is not JSON: discarded, or what Json::parse() throws.
 template <class Json, class Take>
 [[nodiscard]] Json parse_without_list(std::string_view text, std::string_view list, Take&& take, bool throws = false) {
   bool in_list = false;

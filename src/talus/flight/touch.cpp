@@ -49,7 +49,7 @@ Roots quadratic_roots_within(const Polynomial& c, double t_max) {
     if (t > 0 && t < t_max) roots.t[static_cast<std::size_t>(roots.count++)] = t;
   };
   const double discriminant = c[1] * c[1] - 4 * c[2] * c[0];
-  if (!(discriminant > 0)) return roots;  // a double root is no change of sign
+  if (!(discriminant > 0)) return roots;  // a double root is not a change of sign
   const double q = -0.5 * (c[1] + std::copysign(std::sqrt(discriminant), c[1]));
   const double first = q / c[2], second = c[0] / q;  // not finite where there is one root only
   note(std::min(first, second));

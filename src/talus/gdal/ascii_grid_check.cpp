@@ -60,7 +60,7 @@ std::optional<double> number_of(std::string_view token) {
   const char* const end = token.data() + token.size();
   const auto [stop, error] = std::from_chars(token.data(), end, number);
   if (stop == end && error == std::errc{}) {
-    return std::isfinite(number) ? std::optional(number) : std::nullopt;  // "inf" is no number of a grid
+    return std::isfinite(number) ? std::optional(number) : std::nullopt;  // "inf" is not a number of a grid
   }
   if (stop == end) {  // near 0, or beyond what there is
     return lower(token).find("e-") != std::string::npos ? 0 : std::numeric_limits<double>::infinity();
@@ -105,7 +105,7 @@ class GridCheck {
     throw_if_any();
     read_cells(in_header);
     if (bad_cells_ > most_reported)
-      report(0, fmt::format("{} more cells are no numbers", bad_cells_ - most_reported), "");
+      report(0, fmt::format("{} more cells are not numbers", bad_cells_ - most_reported), "");
     if (cells_ != columns_ * rows_) report_count();
     throw_if_any();
   }
@@ -278,7 +278,7 @@ class GridCheck {
     const auto refuse = [&](std::string why, std::string hint = "") {
       if (++bad_cells_ > most_reported) return;
       const std::uint64_t cell = cells_ - 1;
-      report(line_, fmt::format("{} is no number", in_quotes(token)),
+      report(line_, fmt::format("{} is not a number", in_quotes(token)),
              fmt::format("it stands for row {}, column {}{}", cell / columns_ + 1, cell % columns_ + 1, why),
              std::move(hint));
     };

@@ -88,7 +88,7 @@ GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, Raste
   expect_whole(problems);
   if (dataset) return dataset;
   const std::string element = first_element(name);
-  problems.stop(kind == GdalKind::raster ? "is no raster that Talus reads" : "is no vector file that Talus reads",
+  problems.stop(kind == GdalKind::raster ? "is not a raster that Talus reads" : "is not a vector file that Talus reads",
                 element.empty() ? messages.failure() : fmt::format("it begins with {}", element),
                 fmt::format("Talus reads {}", names_of_formats(kind)));
 }

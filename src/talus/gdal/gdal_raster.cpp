@@ -100,7 +100,7 @@ GDALDatasetUniquePtr open_raster(GdalMessages& messages, RasterProblems& problem
   if (first) {
     const std::string command = fmt::format("gdal_translate {}", shell_word(first));
     const std::string whole = problems.command("", "_part.tif");
-    problems.stop("is no raster but a collection of them", fmt::format("the first is called {}", first),
+    problems.stop("is not a raster but a collection of them", fmt::format("the first is called {}", first),
                   "Take one out: " + command + whole.substr(whole.rfind(' ')));
   }
   problems.stop("has no band", "a raster of one band or more was expected");

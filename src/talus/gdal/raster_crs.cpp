@@ -41,7 +41,7 @@ std::optional<Vec2> degrees(OGRCoordinateTransformation& transformation, const V
   return Vec2(x, y);
 }
 
-/// The UTM zone of a place; nothing where it is no place of the earth.
+/// The UTM zone of a place; nothing where it is not a place of the earth.
 std::optional<int> utm_epsg(const OGRSpatialReference& crs, const Vec2& centre) {
   const Transformation transformation = to_degrees(crs);
   const auto place = transformation ? degrees(*transformation, centre) : std::nullopt;

@@ -89,7 +89,7 @@ class Sources {
     if (!why.empty()) refuse(names, why);
     messages_.files().add(place);
     const std::string driver = driver_of_raster(place.string());
-    if (driver.empty()) refuse(names, "that is no raster that Talus reads");
+    if (driver.empty()) refuse(names, "that is not a raster that Talus reads");
     if (driver == "VRT") bring(place, names + ", which ");
   }
 
@@ -106,7 +106,7 @@ class Sources {
     return {};
   }
 
-  /// Members of an archive are no links.
+  /// Members of an archive are not links.
   static std::string fault_in_archive(const fs::path& vrt, const fs::path& place) {
     if (!is_below(vrt.parent_path(), place.lexically_normal())) return elsewhere;
     VSIStatBufL found;

@@ -8,7 +8,7 @@ namespace talus {
 
 /// Brings all rasters that a VRT names into reach. They have to be ordinary files of the formats that Talus reads, in
 /// the VRT's own folder or below it, and they may be VRTs themselves. Refuses a VRT that names anything else: an
-/// address, a file elsewhere (also by a link), bytes of a file that is no raster, a way of computing.
+/// address, a file elsewhere (also by a link), bytes of a file that is not a raster, a way of computing.
 /// `problems`: of the VRT, which is in reach already. Throws BadInput.
 void bring_sources_into_reach(GdalMessages& messages, RasterProblems& problems);
 

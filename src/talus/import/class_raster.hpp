@@ -28,7 +28,7 @@ class ClassRaster {
   /// The classes of the cells that `points` (x, y) lie in; nothing outside the raster and where it has no data. Points
   /// next to each other in the list should be near each other: the file is read piece by piece. With another
   /// coordinate system, points in a row along x are placed to a twentieth of a cell. Throws BadInput where the file
-  /// cannot be read or holds what is no whole number of at most 32 bits.
+  /// cannot be read or holds what is not a whole number of at most 32 bits.
   [[nodiscard]] std::vector<std::optional<std::int32_t>> at(std::span<const Vec2> points);
 
   /// How many of the points asked for so far lay within the raster, with data or without.

@@ -82,9 +82,9 @@ class LasReader {
   }
 
   void read_header() {
-    if (size_ < shortest_header) stop("is no LAS file", fmt::format("it has {} bytes, less than a header", size_));
+    if (size_ < shortest_header) stop("is not a LAS file", fmt::format("it has {} bytes, less than a header", size_));
     const auto header = bytes(0, std::min<std::uint64_t>(size_, header_of_14));
-    if (std::string_view(header.data(), 4) != "LASF") stop("is no LAS file", "it does not begin with LASF");
+    if (std::string_view(header.data(), 4) != "LASF") stop("is not a LAS file", "it does not begin with LASF");
     const int major = header[24], minor = header[25];
     if (major != 1 || minor < 0 || minor > 4) {
       stop(fmt::format("is LAS {}.{}", major, minor), "Talus reads 1.0 to 1.4");

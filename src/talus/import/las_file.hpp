@@ -36,8 +36,8 @@ struct LasFile {
 /// Which classes are noise: left out unless they are asked for (ASPRS standard classes 7 and 18).
 [[nodiscard]] constexpr bool is_noise(int las_class) { return las_class == 7 || las_class == 18; }
 
-/// Reads the points of some classes, or of all but noise. Throws BadInput for a file that is no LAS, is compressed, cut
-/// short, or declares what it cannot hold, and where no point is of the classes.
+/// Reads the points of some classes, or of all but noise. Throws BadInput for a file that is not LAS, is compressed,
+/// cut short, or declares what it cannot hold, and where no point is of the classes.
 [[nodiscard]] LasFile read_las_file(const std::filesystem::path& path, const std::vector<std::int64_t>& classes);
 
 }  // namespace talus

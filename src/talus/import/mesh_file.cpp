@@ -20,7 +20,7 @@ Reader reader_for(const std::filesystem::path& path, MeshProblems& problems) {
   if (ending == ".obj") return read_obj;
   if (ending == ".stl") return read_stl;
   if (ending == ".ply") return read_ply;
-  problems.stop({}, "is no mesh that Talus can read",
+  problems.stop({}, "is not a mesh that Talus can read",
                 (ending.empty() ? "its name has no ending" : "its name ends in " + in_quotes(ending)) +
                     "; expected .obj, .stl or .ply",
                 "Convert it, or name the file after its format");

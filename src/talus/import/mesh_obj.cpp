@@ -45,7 +45,7 @@ class ObjReader {
       problems_.stop({}, "has no vertices", "an OBJ file has a line such as `v 1.0 2.0 3.0` for each");
     }
     if (mesh_.ends.empty() && !bad_face_) {
-      problems_.stop({}, "has no faces", "points alone are no surface", "Triangulate the points first");
+      problems_.stop({}, "has no faces", "points alone are not a surface", "Triangulate the points first");
     }
     return triangulated(std::move(mesh_), problems_);
   }
@@ -119,7 +119,7 @@ class ObjReader {
     const bool others_fit =
         count < 3 && (parts[1].empty() || whole_number(parts[1])) && (parts[2].empty() || whole_number(parts[2]));
     if (!vertex_number || !others_fit) {
-      problems_.refuse(place_, in_quotes(word) + " is no corner of a face",
+      problems_.refuse(place_, in_quotes(word) + " is not a corner of a face",
                        "expected 7, 7/1, 7//3 or 7/1/3, all whole numbers");
       return std::nullopt;
     }

@@ -70,7 +70,7 @@ class HeaderReader {
   HeaderReader(std::string_view bytes, MeshProblems& problems) : lines_(bytes), problems_(problems) {}
 
   Header read() {
-    if (lines_.next() != "ply") problems_.stop({1, ""}, "is no PLY file", "its first line must be `ply`");
+    if (lines_.next() != "ply") problems_.stop({1, ""}, "is not a PLY file", "its first line must be `ply`");
     bool has_format = false;
     while (auto line = lines_.next()) {
       place_.line = lines_.number();
@@ -92,7 +92,7 @@ class HeaderReader {
       } else if (keyword == "property") {
         property(*line);
       } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-        problems_.stop(place_, in_quotes(keyword) + " is no statement of a PLY header",
+        problems_.stop(place_, in_quotes(keyword) + " is not a statement of a PLY header",
                        "expected format, element, property, comment, obj_info or end_header");
       }
     }
@@ -124,7 +124,8 @@ class HeaderReader {
     const std::string_view word = take_word(line);
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), element.count);
     if (error != std::errc() || end != word.data() + word.size()) {
-      problems_.stop(place_, in_quotes(word) + " is no number of elements", "expected `element vertex 8` or the like");
+      problems_.stop(place_, in_quotes(word) + " is not a number of elements",
+                     "expected `element vertex 8` or the like");
     }
     header_.elements.push_back(std::move(element));
   }

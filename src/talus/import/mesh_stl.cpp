@@ -132,7 +132,7 @@ class StlTextReader {
 
 RawMesh read_binary(std::string_view bytes, MeshProblems& problems) {
   if (bytes.size() < header_bytes) {
-    problems.stop({}, "is no STL file",
+    problems.stop({}, "is not an STL file",
                   fmt::format("it has {} bytes and does not begin with \"solid\"; a binary STL file has "
                               "at least {}",
                               bytes.size(), header_bytes));

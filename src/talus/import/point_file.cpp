@@ -184,7 +184,7 @@ class PointReader {
       if (c == '\n') break;
       line += static_cast<char>(c);
       if (line.size() > longest_line) {
-        stop("is no text file of points", fmt::format("line {} has more than {} bytes", number_ + 1, longest_line));
+        stop("is not a text file of points", fmt::format("line {} has more than {} bytes", number_ + 1, longest_line));
       }
     }
     if (c == std::char_traits<char>::eof() && line.empty()) return false;
@@ -333,7 +333,7 @@ class PointReader {
       }
       const auto value = number(words_[columns_[axis]], comma_is_point());
       if (!value || !std::isfinite(*value)) {
-        problems_.add(line_number(), fmt::format("{} is no number", in_quotes(words_[columns_[axis]])),
+        problems_.add(line_number(), fmt::format("{} is not a number", in_quotes(words_[columns_[axis]])),
                       fmt::format("expected {} in metres", axis == 0   ? "x"
                                                            : axis == 1 ? "y"
                                                                        : "z"));

@@ -17,7 +17,7 @@
 namespace talus {
 
 /// Reads the points as they stand in the file, in metres. Throws BadInput with the first ten bad lines and the number
-/// of others: too few or too many columns, no numbers, heights that are no ground of the earth; and where the columns
+/// of others: too few or too many columns, no numbers, heights that are not ground of the earth; and where the columns
 /// are not x, y and z, are in feet, or where there are no points, or not as many as the file says.
 [[nodiscard]] std::vector<Vec3> read_point_file(const std::filesystem::path& path);
 

@@ -341,8 +341,8 @@ class BandReader {
     }
   }
 
-  /// Zeros at the foot of walls are no ground: no data that the file does not declare. (The sea and a lowest point of 0
-  /// have beaches.)
+  /// Zeros at the foot of walls are not ground: no data that the file does not declare. (The sea and a lowest point of
+  /// 0 have beaches.)
   void judge_zeros(const RasterGrid& grid) {
     constexpr double wall = 5;  // height over width
     std::uint64_t zeros = 0, borders = 0, walls = 0;

@@ -96,7 +96,7 @@ void warn_of_unknown_crs(const OGRSpatialReference* crs, const GdalMessages& mes
                 "Say which it is: " + ogr2ogr("-a_srs EPSG:XXXX", problems.file(), "_placed.gpkg"));
 }
 
-/// `entities` is null where the file is no DXF.
+/// `entities` is null where the file is not a DXF.
 void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities* entities, VectorShapes& shapes,
                    VectorLayer& read, GdalMessages& messages, RasterProblems& problems) {
   messages.clear();
@@ -105,7 +105,7 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
   for (;; ++seen) {
     stop_point(seen);
     const OGRFeatureUniquePtr from(layer.GetNextFeature());
-    if (!from) stop_point();  // a query that was ended is no end of the layer
+    if (!from) stop_point();  // a query that was ended is not an end of the layer
     if (messages.has_failure() && entities && (from || is_whole_dxf(problems.file()))) {
       entities->note_unreadable(messages.failure());
       messages.clear();

@@ -55,8 +55,8 @@ struct VectorLayer {
 /// lines are polygons where polygons alone are wanted, and only the model is read, not its layouts or hidden layers.
 /// Throws BadInput with all that is wrong: no such file, layer or attribute, an empty layer, degrees or feet without a
 /// terrain to bring them to, a DXF that names another unit than metres, other kinds than those wanted, polygons on plan
-/// that cross themselves, coordinates that are no numbers or have no place in the terrain's coordinate system, heights
-/// in another unit, attributes that are no UTF-8, more than Talus takes; and where the program was built without GDAL.
+/// that cross themselves, coordinates that are not numbers or have no place in the terrain's coordinate system, heights
+/// in another unit, attributes that are not UTF-8, more than Talus takes; and where the program was built without GDAL.
 /// What is only doubtful is added to `warnings`.
 [[nodiscard]] VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequest& request,
                                            Problems& warnings);

@@ -294,8 +294,8 @@ void VectorShapes::report() {
           problems_.refuse(feature + " is not closed", what, "Repeat its first vertex at its end");
           continue;
         case invalid:
-          problems_.refuse(feature + " is no valid polygon", what,
-                           "Mend it: " + ogr2ogr("-makevalid", problems_.file(), "_valid.gpkg"));
+          problems_.refuse(feature + " is not a valid polygon", what,
+                           "Repair it: " + ogr2ogr("-makevalid", problems_.file(), "_valid.gpkg"));
           continue;
         case not_finite:
           why = "a coordinate is a finite number";

@@ -43,7 +43,7 @@ struct Known {
   ClassLimits limits;
 };
 
-/// The kind of map that a file's name stands for; nothing where it is no map of a run.
+/// The kind of map that a file's name stands for; nothing where it is not a map of a run.
 std::optional<Known> known(const std::string& stem) {
   static const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}});
   const auto found = std::ranges::find(kinds, kind_of(stem), &MapKind::name);
@@ -146,7 +146,7 @@ std::vector<MapFile> maps_of_run(const fs::path& folder) {
   while (row.next()) {
     const std::string name(row.text(0));
     if (fs::path(name).filename() != name || name.starts_with('.'))
-      row.refuse("folder", fmt::format("\"{}\" is no name of a folder", name), "each source has its own");
+      row.refuse("folder", fmt::format("\"{}\" is not a name of a folder", name), "each source has its own");
     add_maps(folder, by_source + name + "/", std::string(row.text(1)), maps);
   }
   return maps;

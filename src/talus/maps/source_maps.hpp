@@ -17,7 +17,7 @@ inline constexpr const char* list_of_sources = "sources.csv";
 
 /// A folder's name for each name of a list. Letters of any script, digits, spaces and most signs stay; what some system
 /// does not take in a name (/ \ : * ? " < > | and control characters) becomes _, as do dots and spaces at either end,
-/// where they are cut off. A name is at most 100 bytes long, is no device of Windows, and no two differ in capitals
+/// where they are cut off. A name is at most 100 bytes long, is not a device of Windows, and no two differ in capitals
 /// only: later ones have -2, -3 ... behind them.
 [[nodiscard]] std::vector<std::string> folder_names(std::span<const std::string> names);
 

@@ -69,7 +69,7 @@ void check(const RawMesh& mesh, Refusals& refusals) {
     const Vec3& v = mesh.vertices[i];
     const auto where = [&] { return fmt::format("vertex {} (counted from 0)", i); };
     if (!v.allFinite()) {
-      refusals.add(where(), fmt::format("({}, {}, {}) is no place", v.x(), v.y(), v.z()),
+      refusals.add(where(), fmt::format("({}, {}, {}) is not a place", v.x(), v.y(), v.z()),
                    "expected finite coordinates in metres");
     } else if (v.cwiseAbs().maxCoeff() >= largest_coordinate_m) {
       refusals.add(where(), fmt::format("({}, {}, {}) is too far away", v.x(), v.y(), v.z()),

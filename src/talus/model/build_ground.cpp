@@ -77,7 +77,7 @@ class Classifier {
     } else if (without_ == asked_) {
       problems.add(about_ground(project_, fmt::format("raster \"{}\" has no class anywhere on the terrain", file),
                                 fmt::format("none of {} {} has data in it", asked_, parts),
-                                "Look at it with gdalinfo -stats: what it declares as no data is no class"));
+                                "Look at it with gdalinfo -stats: what it declares as no data is not a class"));
     } else if (!unknown_.empty()) {
       constexpr std::size_t most_listed = 10;
       std::string list;

@@ -15,7 +15,7 @@ namespace talus::project {
 /// neighbours, so that the slope is known and every place in it is on the terrain, but for holes smaller than a cell.
 class CellHeights {
  public:
-  /// `cell` is the side of the squares [m], used where the terrain is no raster. Expects count() below 2^32.
+  /// `cell` is the side of the squares [m], used where the terrain is not a raster. Expects count() below 2^32.
   CellHeights(const Model& model, double cell);
   /// How many cells there would be.
   [[nodiscard]] static double count(const Model& model, double cell);

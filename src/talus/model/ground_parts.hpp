@@ -31,7 +31,7 @@ class GroundParts {
   [[nodiscard]] double area(std::size_t part) const {
     return raster_ ? grid_.dx * grid_.dy : terrain_.facet_areas[part];
   }
-  /// Holes of a raster are no ground.
+  /// Holes of a raster are not ground.
   [[nodiscard]] bool is_ground(std::size_t part) const {
     return !raster_ || raster_->has_data(part % grid_.columns, part / grid_.columns);
   }

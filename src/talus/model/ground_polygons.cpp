@@ -124,7 +124,7 @@ class Assignment {
     const std::string& first = unknown.begin()->first;
     const auto near = nearest(first, names);
     return about(fmt::format("{} has values of {} {}", file(), ground.attribute,
-                             ground.values.empty() ? "that are no materials" : "that are not in values"),
+                             ground.values.empty() ? "that are not materials" : "that are not in values"),
                  fmt::format("{} of {} polygons", listed(values), layer_.features.size()),
                  near                    ? fmt::format("Did you mean \"{}\" by \"{}\"?", *near, first)
                  : ground.values.empty() ? fmt::format("Say which material it is: values = {{ \"{}\" = \"{}\" }}",

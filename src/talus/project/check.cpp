@@ -79,7 +79,7 @@ class Rules {
     return node && !refused_.contains(node) ? node : nullptr;
   }
 
-  /// The rows of [[key]] as they stand in the file; null for an entry that is no table.
+  /// The rows of [[key]] as they stand in the file; null for an entry that is not a table.
   [[nodiscard]] std::vector<const toml::table*> rows(std::string_view key) const {
     std::vector<const toml::table*> list;
     if (const toml::array* array = document_.root()[key].as_array()) {
@@ -314,7 +314,7 @@ class Rules {
     const toml::table* terrain = table("terrain");
     if (const Node cell = good(row, "raster_cell_m");
         cell && !output.raster_cell_m && terrain && !terrain->contains("raster")) {
-      report(cell, "[output]", "raster_cell_m is \"terrain\"", "the terrain is no raster, so it has no cells",
+      report(cell, "[output]", "raster_cell_m is \"terrain\"", "the terrain is not a raster, so it has no cells",
              "Give the side of a cell in metres");
     }
   }

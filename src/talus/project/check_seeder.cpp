@@ -79,7 +79,7 @@ void SeederRules::about_cells() const {
            fmt::format("min_slope_deg is {:g}, and no cell could be both", *seeder.min_slope_deg));
   }
   if (!has_grid && !is_flat && misses("cell_m")) {
-    refuse("cell_m", "cell_m is missing", "the terrain is no raster, so it has no cells of its own",
+    refuse("cell_m", "cell_m is missing", "the terrain is not a raster, so it has no cells of its own",
            "Give the side of the cells from which rocks start, in metres");
   }
   about_heading();

@@ -31,7 +31,7 @@ std::string_view line_of(std::string_view text, std::size_t number) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Where a line that is no TOML has a decimal comma.
+/// Where a line that is not TOML has a decimal comma.
 std::string comma_hint(std::string_view line) {
   const std::string number = first_with_point(line);
   return number.empty() ? "" : fmt::format("Write {}: a number has no comma", number);
@@ -221,7 +221,7 @@ std::string_view without_spaces_around(std::string_view text) {
   return text;
 }
 
-/// The value of an override, as `value` in a table. What is no TOML is taken for a text without its quotes, such as
+/// The value of an override, as `value` in a table. What is not TOML is taken for a text without its quotes, such as
 /// ../dem.tif; whether one is wanted there, the reader of values says. Throws what toml++ finds wrong.
 toml::table table_of(std::string_view value_text, const std::string& source) {
   const auto parse = [&](std::string_view value) {
@@ -295,7 +295,7 @@ void Document::set(const std::string& override_text, Problems& problems) {
   const std::size_t equals = override_text.find('=');
   const auto path = parts_of(std::string_view(override_text).substr(0, equals));
   if (equals == std::string::npos || !path) {
-    refuse("this is no setting", "expected table.key=value, for example analysis.gravity_m_s2=9.81");
+    refuse("this is not a setting", "expected table.key=value, for example analysis.gravity_m_s2=9.81");
     return;
   }
   if (path->size() > most_parts_of_a_key) {

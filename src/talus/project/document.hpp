@@ -32,7 +32,7 @@ struct Spot {
 
 class Document {
  public:
-  /// Throws BadInput where the text is no TOML.
+  /// Throws BadInput where the text is not TOML.
   Document(std::string_view text, std::string file);
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;

@@ -156,7 +156,7 @@ struct Seeder {
   std::optional<double> min_slope_deg, max_slope_deg;  // of the cells of a polygon or raster seeder
   std::filesystem::path mask;              // a raster whose cells say where rocks start; relative to the project file
   std::optional<std::int64_t> mask_value;  // the value that does; without it, all but 0
-  std::optional<double> cell_m;            // side of a cell where the terrain is no raster
+  std::optional<double> cell_m;            // side of a cell where the terrain is not a raster
   PlaceInCell place = PlaceInCell::random;
   std::int64_t rocks = 1;
   std::optional<std::int64_t> rocks_per_cell;  // instead of rocks

@@ -159,13 +159,13 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
 
   const Range& rocks = setting("seeder", "rocks").range;
   if (overrides.rocks && !rocks.contains(static_cast<double>(*overrides.rocks))) {
-    problems.add(about_option(fmt::format("--rocks {}", *overrides.rocks), "this is no number of rocks",
+    problems.add(about_option(fmt::format("--rocks {}", *overrides.rocks), "this is not a number of rocks",
                               fmt::format("expected {}", rocks.text())));
   }
   // As a file's, which is a signed number of 64 bits: what a run echoes can be run again.
   constexpr auto most_seed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (overrides.seed && *overrides.seed > most_seed) {
-    problems.add(about_option(fmt::format("--seed {}", *overrides.seed), "this is no seed",
+    problems.add(about_option(fmt::format("--seed {}", *overrides.seed), "this is not a seed",
                               fmt::format("expected 0 to {}", most_seed)));
   }
   if (overrides.rocks && project.seeders.size() > 1) refuse_rocks_per_cell(project, *overrides.rocks, problems);

@@ -3,7 +3,7 @@
 
 // Two promises of toml++ 3.3 that some files break, and that it need not have made. Of a table's name that it begins
 // with a letter, which `[=]` does not: two lines later it says so kindly. And of a letter outside of quotes that it is
-// a blank or far from one (U+0362 is neither): it is no blank. Nobody includes toml++ but through here: of functions
+// a blank or far from one (U+0362 is neither): it is not a blank. Nobody includes toml++ but through here: of functions
 // that two files define differently the linker takes any.
 // clang-format off
 #include <cstdint>

@@ -19,7 +19,7 @@ namespace talus::project {
 template <std::size_t count>
 using Words = std::array<std::string_view, count>;
 
-/// By enumeration. There is no other: an enumeration without words is no setting.
+/// By enumeration. There is no other: an enumeration without words is not a setting.
 template <class Enumeration>
 inline constexpr auto words_of = nullptr;
 

@@ -14,8 +14,8 @@
 
 namespace talus {
 
-/// The greatest bounce height [m] of each part of a piece, which is no glide, between two of `borders` of its parameter
-/// (trajectory/piece_maxima.hpp).
+/// The greatest bounce height [m] of each part of a piece, which is not a glide, between two of `borders` of its
+/// parameter (trajectory/piece_maxima.hpp).
 using GreatestHeights =
     std::function<void(const PathPiece& piece, std::span<const double> borders, std::span<double> heights)>;
 

@@ -156,7 +156,7 @@ void check_that_results_have_room(const std::filesystem::path& folder, const io:
     }
     const std::filesystem::path above = place.parent_path();
     if (std::filesystem::exists(above, ignored) && !std::filesystem::is_directory(above, ignored))
-      refuse(above, "it is no folder", problems);
+      refuse(above, "it is not a folder", problems);
   }
   if (problems.has_errors()) throw BadInput(std::move(problems));
 }

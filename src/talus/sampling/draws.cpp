@@ -13,7 +13,7 @@ std::array<double, 2> Draws::pair(Stream stream, std::uint32_t index) const {
       const auto words = philox(plan_.seed, plan_.first, which, index);
       const std::uint64_t rank = (rock_ - plan_.first) % plan_.count;
       const auto cell = static_cast<double>(permuted(rank, plan_.count, {words[0], words[1]}));
-      // The sum may round up to the next cell's edge; 1 itself is no argument of a quantile function.
+      // The sum may round up to the next cell's edge; 1 itself is not an argument of a quantile function.
       u[part] = std::min((cell + u[part]) / static_cast<double>(plan_.count), 1.0 - 0x1p-53);
     }
   }

@@ -52,7 +52,7 @@ double BinEdges::edge(std::uint64_t i) const {
 
 BinEdges nice_bins(double least, double most, std::uint64_t most_bins) {
   TALUS_PROMISE(std::isfinite(least) && std::isfinite(most) && least <= most, "a range has two ends in order");
-  TALUS_PROMISE(std::abs(least) < 1e100 && std::abs(most) < 1e100, "beyond, steps are no numbers for a reader");
+  TALUS_PROMISE(std::abs(least) < 1e100 && std::abs(most) < 1e100, "beyond, steps are not numbers for a reader");
   TALUS_PROMISE(most_bins >= 2 && most_bins <= 1000, "a step that fits exists for two bins and more");
   const double magnitude = std::max(std::abs(least), std::abs(most));
   // A step of at least 1e-12 of the magnitude keeps the edges distinct and the number of steps to them an integer that

@@ -132,7 +132,7 @@ void meet_sides(const Parabola& path, SpherePath kind, double radius, const Time
                 FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best) {
   const auto offer = [&](double t, const Vec3& away, Feature feature, std::size_t what) {
     const Vec3 out = away.normalized();
-    // A rock that rolls on a plane touches that plane's own edges from above, which is no new contact.
+    // A rock that rolls on a plane touches that plane's own edges from above, which is not a new contact.
     if (kind == SpherePath::leg && left.contain(out, tolerance::facet_normal)) return;
     if (!best.beaten_by(t, feature, name.source) || !sharp(what, t)) return;
     best = {t, out, name.facet, name.source, feature};

@@ -56,7 +56,7 @@ Files cases_in(const std::filesystem::path& folder) {
                            .why = "expected a folder that holds one folder a case, each with a case.toml",
                            .hint = "Leave --cases out to run the cases that are built in"});
   };
-  if (!std::filesystem::is_directory(folder, error)) refuse("this is no folder");
+  if (!std::filesystem::is_directory(folder, error)) refuse("this is not a folder");
   Files files;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     if (!entry.is_directory()) continue;

@@ -91,7 +91,7 @@ class Fields {
     if (!node) return;
     const toml::array* array = node->as_array();
     if (!array) {
-      report(*node, fmt::format("{} is no list of tables", key), fmt::format("expected [[{}]]", key));
+      report(*node, fmt::format("{} is not a list of tables", key), fmt::format("expected [[{}]]", key));
       return;
     }
     for (const toml::node& item : *array) {

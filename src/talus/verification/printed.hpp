@@ -15,7 +15,7 @@ struct Printed {
   double unit = 1;  // one unit of the last printed digit
 };
 
-/// A number from its text: `-0.0260` has the unit 0.0001, `3.97E-05` 1e-7, `57` 1. Nothing where it is no number.
+/// A number from its text: `-0.0260` has the unit 0.0001, `3.97E-05` 1e-7, `57` 1. Nothing where it is not a number.
 [[nodiscard]] std::optional<Printed> printed(std::string_view text);
 
 /// A published table: comma-separated, names of the columns first, the name of each row in the first column.

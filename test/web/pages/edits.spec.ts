@@ -90,7 +90,7 @@ test('a drawing ends with the project or entry for which it was begun', async ({
   expect(await projectText(page)).toBe(twoTriangles);
 });
 
-test('while the text is no TOML, forms say that they cannot change it', async ({ workbench: page, server }) => {
+test('while the text is not TOML, forms say that they cannot change it', async ({ workbench: page, server }) => {
   server.write('a.toml', twoTriangles);
   server.write('b.toml', '[[broken\n');
   await page.reload();
@@ -100,7 +100,7 @@ test('while the text is no TOML, forms say that they cannot change it', async ({
   await page.getByRole('tab', { name: 'Model' }).click();
   await openForm(page, /^Project and analysis/);
   await fillField(page, 'Name', 'Lost');
-  await expect(page.getByText(/^Could not change Name of the project: the text is no TOML \(line 21/)).toBeVisible();
+  await expect(page.getByText(/^Could not change Name of the project: the text is not TOML \(line 21/)).toBeVisible();
   await expect(page.getByLabel('Name', { exact: true })).toHaveValue('Two triangles');
   await toStartPage(page);
   // Nothing of it is told of the next one.

@@ -35,7 +35,7 @@ test('a file that is there already begins a project, too', async ({ workbench: p
   await asked(page, 'valley.tif').getByRole('button', { name: 'Close' }).click();
   await expect(asked(page, 'valley.tif')).toHaveCount(0);
   await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible();
-  await expect(page.getByText('That is no terrain')).toHaveCount(0);
+  await expect(page.getByText('That is not a terrain')).toHaveCount(0);
   // The same once more.
   await terrainFile(page).setInputFiles(valley);
   await asked(page, 'valley.tif').getByRole('button', { name: 'Take the one that is there' }).click();

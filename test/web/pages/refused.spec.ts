@@ -3,7 +3,7 @@
 import { openForm, openProject } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-test('a project that is no UTF-8 is not opened, and stays as it is', async ({ workbench: page, server }) => {
+test('a project that is not UTF-8 is not opened, and stays as it is', async ({ workbench: page, server }) => {
   const latin = Buffer.from('# Gel\xe4nde am Fu\xdf der Wand\nname = "One"\n', 'latin1');
   server.write('latin.toml', latin);
   await page.reload();
@@ -57,7 +57,7 @@ test('terrain that cannot be read is said before there is anything else', async 
   await expect(page.locator('.problems')).toHaveCount(0);
 });
 
-test('what is no list of materials is said, and nothing is put beside it', async ({ workbench: page, server }) => {
+test('what is not a list of materials is said, and nothing is put beside it', async ({ workbench: page, server }) => {
   const odd = 'name = "odd"\nmaterial = 3\n';
   server.write('odd.toml', odd);
   await page.reload();
@@ -65,7 +65,7 @@ test('what is no list of materials is said, and nothing is put beside it', async
   await expect(page.locator('.problems')).toContainText(/material/);
   await page.getByRole('button', { name: '+ Add material' }).click();
   await expect(
-    page.getByText('Could not add a material: material is there already, and is no list of tables'),
+    page.getByText('Could not add a material: material is there already, and is not a list of tables'),
   ).toBeVisible();
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 });

@@ -71,7 +71,7 @@ test('a line that is drawn gives the ground along it, with the heights of the en
     expect(Math.abs(way[k]! - along)).toBeLessThan(1e-6);
   });
 
-  // It is no part of the project, and stays while that changes.
+  // It is not a part of the project, and stays while that changes.
   const again = page.waitForResponse(isSection);
   await page.getByRole('button', { name: '+ Add material' }).click();
   expect((await again).url()).not.toContain(model);

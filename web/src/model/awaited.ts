@@ -1,4 +1,4 @@
-// The engine's problems as the page tells them: what is still to come is no reproach.
+// The engine's problems as the page tells them: what is still to come is not a reproach.
 
 import { computed } from '@preact/signals';
 import type { Problem } from '../api/types';

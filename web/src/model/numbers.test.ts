@@ -24,7 +24,7 @@ describe('numbers as they are typed', () => {
     expect(numberOf(text)).toBeUndefined();
     expect(typedValue(text)).toBe(text);
   });
-  test('what is no number goes to the engine as it is', () => {
+  test('what is not a number goes to the engine as it is', () => {
     expect(typedValue('0,8')).toBe('0,8');
     expect(typedValue('  ')).toBeUndefined();
   });

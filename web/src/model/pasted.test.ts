@@ -22,7 +22,7 @@ describe('rows from a spreadsheet', () => {
     expect(rowsOf('  1   2\t3'.replace('\t', ' '))).toEqual([['1', '2', '3']]);
   });
   test('a heading, empty lines and quotes', () => expect(rowsOf('X\tY\n\n"1"\t"2"\n')).toEqual([['1', '2']]));
-  test('a row of numbers that cannot be kept is no heading', () =>
+  test('a row of numbers that cannot be kept is not a heading', () =>
     expect(rowsOf('1e999;1e999')).toEqual([['1e999', '1e999']]));
   test('a comma at the end of every line', () =>
     expect(rowsOf('1,2,\n3,4,')).toEqual([

@@ -21,7 +21,7 @@ test('rows that wait count, too', () =>
     'section, row 6, x is "a"',
   ));
 
-test('a number that cannot be kept is no text for who typed it', () => {
+test('a number that cannot be kept is not a text for who typed it', () => {
   const { what, why, hint } = { what: 'height_m is "1e999"', why: 'expected a number', hint: 'Leave out the quotes' };
   expect(sentence(problem(what, why, hint), counting())).toBe(
     'height_m is 1e999 (it is too large, or too small, to be kept; expected a number)',

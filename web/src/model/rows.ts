@@ -5,7 +5,7 @@ import type { Edit, Path } from './names';
 import type { TomlValue } from '../toml/format';
 import { cellText, typedValue } from './numbers';
 
-/// The cells of a table as text; a row that is no list has one.
+/// The cells of a table as text; a row that is not a list has one.
 export function cellsOf(value: unknown, columns: number): string[][] {
   if (!Array.isArray(value)) return [];
   return value.map((row: unknown) => {

@@ -10,7 +10,7 @@ import { leftByFilter } from './shownPassing';
 type ListKey = 'reasons' | 'seeders' | 'sources' | 'barriers';
 const titles: Record<ListKey, string> = { reasons: 'Ended', seeders: 'Seeder', sources: 'Source', barriers: 'Hit' };
 
-/// A name is taken in or out; all of them are no condition, nor is none for barriers.
+/// A name is taken in or out; all of them are not a condition, nor is none for barriers.
 function toggled(key: ListKey, all: string[], name: string): RockFilter {
   const now = filter.value;
   const isOfHits = key === 'barriers';

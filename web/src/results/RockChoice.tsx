@@ -11,7 +11,7 @@ export function RockChoice({ run }: { run: Run }) {
     refuse(null);
     chosenRock.value = to;
   };
-  /// What is no rock gives way to the one that is shown.
+  /// What is not a rock gives way to the one that is shown.
   const take = (field: HTMLInputElement) => {
     const to = field.valueAsNumber;
     if (Number.isInteger(to) && to >= 0 && to <= last) return go(to);

@@ -34,7 +34,7 @@ export async function beginWith(list: readonly File[], name = '') {
   else if (kept.length > 0)
     say(
       'note',
-      'That is no terrain that Talus reads: a raster (.tif, .asc), a mesh (.obj, .stl, .ply), points (.csv, .xyz, .las) or lines (.dxf, .shp, .gpkg, .geojson).',
+      'That is not a terrain that Talus reads: a raster (.tif, .asc), a mesh (.obj, .stl, .ply), points (.csv, .xyz, .las) or lines (.dxf, .shp, .gpkg, .geojson).',
     );
 }
 

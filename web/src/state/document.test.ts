@@ -33,7 +33,7 @@ describe('a step', () => {
   });
 });
 
-describe('a text that is no TOML', () => {
+describe('a text that is not TOML', () => {
   const broken = `${saved}\n[[broken\n`;
   test('is not changed by forms, which say so once', () => {
     replaceText(broken, 'edit the text');
@@ -41,7 +41,7 @@ describe('a text that is no TOML', () => {
     expect(text.value).toBe(broken);
     expect(undoes.value).toBe('edit the text');
     expect(messages.value.map(({ kind, text: said }) => `${kind}: ${said}`)).toEqual([
-      'error: Could not change Rocks: the text is no TOML (line 5: Unterminated table-key). Correct it under Text first',
+      'error: Could not change Rocks: the text is not TOML (line 5: Unterminated table-key). Correct it under Text first',
     ]);
   });
   test('says what it said last', () => {

@@ -34,7 +34,7 @@ export const redoes = computed(() => future.value.at(-1)?.what ?? null);
 /// A draft that was taken up, or the file of which changed while it was made, until the user has seen it.
 export const takenUp = signal<'of the file' | 'of an earlier file' | 'of a file that is gone' | null>(null);
 
-/// What the text says; while it is no TOML (in the text editor), what it said last.
+/// What the text says; while it is not TOML (in the text editor), what it said last.
 let last: { opening: number; values: TomlTable } = { opening: 0, values: {} };
 export const syntaxError = signal<{ line: number; message: string } | null>(null);
 export const values = computed<TomlTable>(() => {
@@ -50,7 +50,7 @@ effect(() => {
   try {
     valuesOf(text.value);
     syntaxError.value = null;
-    settleMessages('edit'); // could not be done to a text that was no TOML
+    settleMessages('edit'); // could not be done to a text that was not TOML
   } catch (error) {
     const { lineNumber, message } = error as { lineNumber?: number; message: string };
     syntaxError.value = { line: lineNumber ?? 0, message };
@@ -104,7 +104,7 @@ export function edit(what: string, edits: readonly Edit[], merge = ''): boolean 
   } catch (error) {
     const wrong = syntaxError.value;
     const why = wrong
-      ? `the text is no TOML (line ${wrong.line}: ${wrong.message}). Correct it under Text first`
+      ? `the text is not TOML (line ${wrong.line}: ${wrong.message}). Correct it under Text first`
       : (error as Error).message;
     say('error', `Could not ${what}: ${why}`, 'edit');
     return false;

@@ -27,7 +27,7 @@ test('errors of a project end with it; what was done stays said', () => {
   expect(texts()).toEqual(['Saved a.toml']);
 });
 
-test('what is given up is no failure', async () => {
+test('what is given up is not a failure', async () => {
   await attempt('draw', () => Promise.reject(new DOMException('', 'AbortError')));
   expect(texts()).toEqual([]);
 });

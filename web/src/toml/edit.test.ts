@@ -207,8 +207,8 @@ test('the mark with which some editors begin a file stays', () => {
   );
 });
 
-test('what is no list of tables gets no table', () => {
+test('what is not a list of tables gets no table', () => {
   const append = () => [{ append: ['material'], value: { name: 'A' } }];
   for (const text of ['material = 3\n', 'material = { name = "B" }\n', '[material]\nname = "B"\n'])
-    expect(() => edited(text, append())).toThrow('material is there already, and is no list of tables');
+    expect(() => edited(text, append())).toThrow('material is there already, and is not a list of tables');
 });

@@ -221,7 +221,7 @@ function appendTable(text: string, path: Path, value: TomlTable): string {
   if (found && found.rest.length === 0 && found.pair.value.type === 'TOMLArray')
     return setInside(text, found.pair.value, [found.pair.value.elements.length], value);
   if (found || tablesOf(top).some(({ path: own }) => isSame(own, path)))
-    throw new Error(`${path.join('.')} is there already, and is no list of tables`);
+    throw new Error(`${path.join('.')} is there already, and is not a list of tables`);
   const piece = tableText(path.map(String), value);
   const last = tablesOf(top).findLast(({ path: own }) => own.length > path.length && isPrefix(path, own));
   if (!last) return `${text.trimEnd()}${text.trim() ? '\n\n' : ''}${piece}\n`;

@@ -12,7 +12,7 @@ function keepDigits(node: AST.TOMLNode) {
 /// Some editors begin a file with this mark, which says nothing of UTF-8.
 export const withoutMark = (text: string) => text.replace(/^\ufeff/, '');
 
-/// Throws where it is no TOML (ParseError, with `lineNumber`).
+/// Throws where it is not TOML (ParseError, with `lineNumber`).
 export function valuesOf(text: string): TomlTable {
   const program = parseTOML(withoutMark(text), { tomlVersion: '1.0' });
   traverseNodes(program, { enterNode: keepDigits, leaveNode: () => undefined });

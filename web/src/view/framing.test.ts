@@ -38,7 +38,7 @@ test('what stands over nothing of the picture changes nothing', () => {
 test('a picture that is covered still shows the thing', () => {
   expect(bestBox(room, [{ left: -1, top: -1, right: 1001, bottom: 401 }], panel(2))!.size).toBe(400);
 });
-test('between two places along a line there are not more than so many pixels', () => {
+test('between two places along a line there are no more than so many pixels', () => {
   const places = [...alongLine([[0, 0], [100, 0], [100, 3]], 8)];
   expect(places).toContainEqual([100, 3]);
   places.slice(1).forEach(([x, y], k) => expect(Math.hypot(x - places[k]![0], y - places[k]![1])).toBeLessThanOrEqual(8));

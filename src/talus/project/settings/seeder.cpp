@@ -193,7 +193,7 @@ Table seeder_table() {
                          .most = largest_coordinate_m,
                          .too_low = "nothing is known of the ground on that scale"},
                .without_it =
-                   "required for a polygon or raster seeder where the terrain is no raster, which has its own",
+                   "required for a polygon or raster seeder where the terrain is not a raster, which has its own",
                .applies_when = {{.any_of = {is("type", {word(SeederType::polygon), word(SeederType::raster)})},
                                  .why = "a {} seeder has no cells"},
                                 {.any_of = {absent("terrain.raster")},
