@@ -41,8 +41,12 @@ int replay(const ReplayOptions& options) {
   const RockLog& log = simulator.log();
   const TableContext context = TableContext::of(loaded.model);
   if (options.csv) {
-    std::string text(path_header());
-    for (std::size_t k = 0; k < log.rows.size(); ++k) append_path_row(text, context, record, k, log.rows[k]);
+    std::string text = io::header_of<io::PathEventRow>();
+    io::PathEventRow row;
+    for (std::size_t k = 0; k < log.rows.size(); ++k) {
+      fill(row, context, record, k, log.rows[k]);
+      append_row(text, row);
+    }
     fmt::print("{}", text);
     return done;
   }

@@ -11,7 +11,7 @@ using enum PathState;
 
 constexpr double gravity = 9.80665, mass = 800, datum = -30, rotational = 120;
 
-PathRow row(PathState state, double time, double x, double z, double vx, double vz) {
+PathEventRow row(PathState state, double time, double x, double z, double vx, double vz) {
   return {.state = state,
           .time_s = time,
           .position_m = {x, 0, z},
@@ -50,7 +50,7 @@ TEST(EnergiesAlongAPath, AreThoseOfTheTableAtItsRows) {
   const Path path = flight_and_slide(2.5);
   const auto energies = energies_along(path, 0.01);
   std::size_t next = 0;
-  for (const PathRow& at : path.rows) {
+  for (const PathEventRow& at : path.rows) {
     while (next < energies.size() && energies[next].time_s != at.time_s) ++next;
     ASSERT_LT(next, energies.size()) << at.time_s;
     EXPECT_EQ(energies[next].ke_translational_J, at.ke_translational_J);

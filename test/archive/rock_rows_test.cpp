@@ -16,6 +16,13 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
+template <class Row>
+std::vector<Texts> texts_of_rows(const std::vector<Row>& rows) {
+  std::vector<Texts> texts;
+  for (const Row& row : rows) texts.push_back(texts_of(row));
+  return texts;
+}
+
 /// Rocks 0, 3, 6 ...: of each 0 to 2 hits on barriers whose names need quotes, some with the line's end that a row has.
 struct Hits {
   std::string text = sample_run::barriers_head;
@@ -45,8 +52,8 @@ TEST(RowsOfARock, AreFoundWhereverTheyStand) {
   ASSERT_GT(hits.text.size(), 5U << 16U) << "too small to be searched";
   folder.write("barriers.csv", hits.text);
   for (std::uint64_t rock = 0; rock < rocks; rock += rock < 40 || rock > rocks - 40 ? 1 : 193)
-    EXPECT_EQ(rows_of_rock(folder.path / "barriers.csv", barrier_columns, rock), hits.of_rock[rock]) << rock;
-  EXPECT_TRUE(rows_of_rock(folder.path / "barriers.csv", barrier_columns, rocks + 5).empty());
+    EXPECT_EQ(texts_of_rows(rows_of_rock<HitRow>(folder.path, rock)), hits.of_rock[rock]) << rock;
+  EXPECT_TRUE(rows_of_rock<HitRow>(folder.path, rocks + 5).empty());
 }
 
 TEST(RowsOfARock, AreAllRowsOfItsPath) {
@@ -56,7 +63,7 @@ TEST(RowsOfARock, AreAllRowsOfItsPath) {
   ASSERT_GT(text.size(), 5U << 16U);
   folder.write("paths.csv", text);
   for (const std::uint64_t rock : {0, 1, 999, 1000, 2047, 2999}) {
-    const auto rows = rows_of_rock(folder.path / "paths.csv", path_columns, rock);
+    const auto rows = texts_of_rows(rows_of_rock<PathEventRow>(folder.path, rock));
     ASSERT_EQ(rows.size(), 4U) << rock;
     EXPECT_EQ(rows[1], (Texts{std::to_string(rock), "1", "impact", "1.577", "3.1", "0", "-12.2", "1.5", "0", "-15.47",
                               "0", "0", "0", "120766.13", "0", "0"}));
@@ -66,10 +73,10 @@ TEST(RowsOfARock, AreAllRowsOfItsPath) {
 TEST(RowsOfARock, OfAnotherFileAreRefused) {
   const sample_run::Folder folder("rock-rows");
   folder.write("endpoints.csv", "rock,seeder\n0,Crest\n");
-  EXPECT_THROW((void)rows_of_rock(folder.path / "endpoints.csv", endpoint_columns, 0), BadInput);
+  EXPECT_THROW((void)rows_of_rock<EndpointRow>(folder.path, 0), BadInput);
   folder.write("endpoints.csv", sample_run::endpoints_head + "0,cut");
-  EXPECT_THROW((void)rows_of_rock(folder.path / "endpoints.csv", endpoint_columns, 0), BadInput);
-  EXPECT_THROW((void)rows_of_rock(folder.path / "nothing.csv", endpoint_columns, 0), BadInput);
+  EXPECT_THROW((void)rows_of_rock<EndpointRow>(folder.path, 0), BadInput);
+  EXPECT_THROW((void)rows_of_rock<EndpointRow>(folder.path / "nothing", 0), BadInput);
 }
 
 }  // namespace

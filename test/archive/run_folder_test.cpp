@@ -59,7 +59,7 @@ TEST(RunFolder, ReadsWhatARunWrites) {
   EXPECT_EQ(run.endpoints.total, 2u);
   EXPECT_EQ(run.endpoints.items[1].rock, 1u);
   EXPECT_EQ(run.endpoints.items[1].seeder, "seeder 1");
-  EXPECT_EQ(run.endpoints.items[1].end_reason, "at rest");
+  EXPECT_EQ(run.endpoints.items[1].end_reason, EndReason::at_rest);
   EXPECT_THAT(run.endpoints.items[1].position_m, ElementsAre(5.25, 0, -12.2));
   EXPECT_EQ(run.endpoints.items[1].max_ke_J, 120000);
 
@@ -74,7 +74,7 @@ TEST(RunFolder, ReadsWhatARunWrites) {
   ASSERT_EQ(run.hits.items.size(), 1u);
   EXPECT_EQ(run.hits.items[0].barrier, "Fence");
   EXPECT_EQ(run.hits.items[0].impact_height_m, 0.75);
-  EXPECT_EQ(run.hits.items[0].outcome, "stopped");
+  EXPECT_EQ(run.hits.items[0].outcome, BarrierOutcome::stopped);
 }
 
 TEST(RunFolder, AddsUpTheLossOfEachImpactOverAllRocks) {
@@ -119,7 +119,7 @@ TEST(RunFolder, ReadsNamesWithCommasQuotesAndLineEnds) {
   const RunFolder run = read_run_folder(folder.path);
   ASSERT_EQ(run.hits.items.size(), 2u);
   EXPECT_EQ(run.hits.items[0].barrier, "Fence \"A\", upper\n\nrow");
-  EXPECT_EQ(run.hits.items[0].outcome, "stopped");
+  EXPECT_EQ(run.hits.items[0].outcome, BarrierOutcome::stopped);
   EXPECT_EQ(run.hits.items[1].barrier, "");
 }
 
@@ -319,7 +319,7 @@ TEST(RunFolder, KeepsTheSameRocksOfManyInAnyOrder) {
     const RunFolder run = read_run_folder(folder.path);
     EXPECT_EQ(run.endpoints.total, rocks);
     std::vector<std::uint64_t> numbers;
-    for (const EndPoint& end : run.endpoints.items) {
+    for (const EndpointRow& end : run.endpoints.items) {
       EXPECT_EQ(end.position_m[0], static_cast<double>(end.rock));
       numbers.push_back(end.rock);
     }

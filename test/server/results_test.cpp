@@ -181,7 +181,7 @@ TEST_F(Results, OfEveryPathAreItsPointsWithTheRowsAmongThem) {
     ASSERT_EQ(reader.path().rock, rocks[rock]);
     std::size_t k = starts[rock];
     float highest = 0;
-    for (const io::PathRow& row : reader.path().rows) {
+    for (const io::PathEventRow& row : reader.path().rows) {
       while (k < starts[rock + 1] &&
              (times[k] != static_cast<float>(row.time_s) || states[k] != static_cast<std::uint8_t>(row.state)))
         highest = std::max(highest, heights[k++]);

@@ -46,12 +46,12 @@ DrawnPaths drawn_paths(const std::filesystem::path& folder, const io::RunFacts& 
   paths.rocks.total = total;
 
   const auto refuse = [&] {
-    return BadInput(Problem{.file = (folder / "paths.csv").string(),
+    return BadInput(Problem{.file = (folder / io::PathEventRow::file_name).string(),
                             .what = "has other rocks than endpoints.csv",
                             .why = "rocks are missing in one of the two"});
   };
   const HeightAboveGround height(model);
-  io::PathReader reader(folder / "paths.csv");
+  io::PathReader reader(folder / io::PathEventRow::file_name);
   while (paths.starts.size() < paths.rocks.rocks.size() && reader.next(wants)) {
     const io::Path& path = reader.path();
     if (path.rock != paths.rocks.rocks[paths.starts.size()]) throw refuse();

@@ -5,7 +5,6 @@
 
 #include "talus/archive/run_folder.hpp"
 #include "talus/archive/table_columns.hpp"
-#include "talus/files/csv_reader.hpp"
 
 namespace talus::server {
 
@@ -13,47 +12,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::uint8_t reason_in(const io::CsvReader& row, std::size_t column) {
-  for (int reason = 0; reason < end_reason_count; ++reason)
-    if (row.text(column) == name(static_cast<EndReason>(reason))) return static_cast<std::uint8_t>(reason);
-  row.refuse("end_reason", "is no reason to end", "expected one that this program knows");
-}
-
 void read_ends(const fs::path& file, const io::RunFacts& facts, const std::function<bool(std::uint64_t)>& wants,
                EndPoints& ends) {
-  constexpr auto at = [](std::string_view name) { return io::place_of(io::endpoint_columns, name); };
-  io::CsvReader row(file, io::endpoint_columns);
+  using R = io::EndpointRow;
+  io::TableReader<R> row(file);
   while (row.next()) {
-    const auto rock = static_cast<std::uint64_t>(row.whole_number(at("rock")));
+    const std::uint64_t rock = row.get<&R::rock>();
     if (!wants(rock)) continue;
-    const Vec3 place(row.number(at("x_m")), row.number(at("y_m")), row.number(at("z_m")));
+    const auto position = row.get<&R::position_m>();
+    const Vec3 place(position.data());
     if (ends.rocks.empty()) ends.origin = origin_near(place);
     for (int axis = 0; axis < 3; ++axis) ends.positions.push_back(static_cast<float>(place[axis] - ends.origin[axis]));
     ends.rocks.push_back(static_cast<std::uint32_t>(rock));
     ends.sources.push_back(static_cast<std::uint16_t>(ends.source_names.number(facts.source_of(rock))));
-    ends.seeders.push_back(static_cast<std::uint16_t>(ends.seeder_names.number(row.text(at("seeder")))));
-    ends.reasons.push_back(reason_in(row, at("end_reason")));
-    ends.masses.push_back(static_cast<float>(row.number(at("mass_kg"))));
-    ends.radii.push_back(static_cast<float>(row.number(at("radius_m"))));
-    ends.max_energies.push_back(static_cast<float>(row.number(at("max_ke_J")) / 1000));
-    ends.max_heights.push_back(static_cast<float>(row.number(at("max_bounce_m"))));
+    ends.seeders.push_back(static_cast<std::uint16_t>(ends.seeder_names.number(row.get<&R::seeder>())));
+    ends.reasons.push_back(static_cast<std::uint8_t>(row.get<&R::end_reason>()));
+    ends.masses.push_back(static_cast<float>(row.get<&R::mass_kg>()));
+    ends.radii.push_back(static_cast<float>(row.get<&R::radius_m>()));
+    ends.max_energies.push_back(static_cast<float>(row.get<&R::max_ke_J>() / 1000));
+    ends.max_heights.push_back(static_cast<float>(row.get<&R::max_bounce_m>()));
   }
 }
 
 void read_hits(const fs::path& file, EndPoints& ends) {
-  constexpr auto at = [](std::string_view name) { return io::place_of(io::barrier_columns, name); };
   const std::size_t words = std::max<std::size_t>(1, (ends.barrier_names.size() + 31) / 32);
   ends.barriers.resize(words * ends.rocks.size());
   if (ends.barrier_names.empty()) return;
   const Names names(ends.barrier_names);
-  io::CsvReader row(file, io::barrier_columns);
+  io::TableReader<io::HitRow> row(file);
   auto next = ends.rocks.begin();
   while (row.next()) {  // in the order of the rocks, as those are
-    const auto rock = static_cast<std::uint64_t>(row.whole_number(at("rock")));
+    const std::uint64_t rock = row.get<&io::HitRow::rock>();
     while (next != ends.rocks.end() && *next < rock) ++next;
     if (next == ends.rocks.end()) return;
-    const std::optional<std::uint32_t> barrier = names.find(row.text(at("barrier")));
-    if (!barrier) row.refuse("barrier", "is not a barrier of this run", "summary.json names all of them");
+    const std::optional<std::uint32_t> barrier = names.find(row.get<&io::HitRow::barrier>());
+    if (!barrier) row.csv().refuse("barrier", "is not a barrier of this run", "summary.json names all of them");
     if (*next != rock) continue;
     const auto of_rock = static_cast<std::size_t>(next - ends.rocks.begin());
     ends.barriers[words * of_rock + *barrier / 32] |= 1U << *barrier % 32;
@@ -68,8 +61,8 @@ EndPoints end_points(const fs::path& folder, const io::RunFacts& facts,
   ends.source_names = Names(sources_of(facts));
   ends.seeder_names = Names(seeders_of(facts));
   ends.barrier_names = barriers_of(facts);
-  read_ends(folder / "endpoints.csv", facts, wants, ends);
-  read_hits(folder / "barriers.csv", ends);
+  read_ends(folder / io::EndpointRow::file_name, facts, wants, ends);
+  read_hits(folder / io::HitRow::file_name, ends);
   return ends;
 }
 

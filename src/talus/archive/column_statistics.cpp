@@ -2,28 +2,40 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "talus/archive/foot_stretch.hpp"
 #include "talus/archive/run_folder.hpp"
 #include "talus/archive/table_columns.hpp"
 #include "talus/core/check.hpp"
 #include "talus/core/vec.hpp"
-#include "talus/files/csv_reader.hpp"
 
 namespace talus::io {
 
 namespace {
 
-constexpr std::size_t of_endpoints(std::string_view name) { return place_of(endpoint_columns, name); }
-constexpr std::size_t of_hits(std::string_view name) { return place_of(barrier_columns, name); }
-
 constexpr std::string_view velocity = "velocity_m_s", station = "station_m";
 
-template <std::size_t n>
-std::size_t column_of(const std::array<std::string_view, n>& columns, std::string_view name) {
-  const auto found = std::find(columns.begin(), columns.end(), name);
-  TALUS_PROMISE(found != columns.end(), "the table has the column");
-  return static_cast<std::size_t>(found - columns.begin());
+/// The place of a column of a table.
+template <TableRow Row>
+std::size_t place_of_column(std::string_view name) {
+  const auto found = std::ranges::find(column_names<Row>, name);
+  TALUS_PROMISE(found != column_names<Row>.end(), "the table has the column");
+  return static_cast<std::size_t>(found - column_names<Row>.begin());
+}
+
+/// What can be added up in a table.
+template <TableRow Row>
+std::vector<NumberColumn> quantities_of() {
+  std::vector<NumberColumn> quantities;
+  for_columns<Row>([&](const auto& column) {
+    if (column.kind == ColumnKind::quantity) quantities.push_back({column.name, column.unit});
+  });
+  return quantities;
+}
+
+void insert_after(std::string_view name, NumberColumn column, std::vector<NumberColumn>& columns) {
+  columns.insert(std::next(std::ranges::find(columns, name, &NumberColumn::name)), column);
 }
 
 /// What numbers of a column are counted next to: the origin, if they are positions.
@@ -37,58 +49,69 @@ bool is_one_of(const std::vector<std::string>& names, std::string_view name) {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::uint64_t rock_in(const CsvReader& row, std::size_t column) {
-  return static_cast<std::uint64_t>(row.whole_number(column));
-}
-
 /// Which rocks hit one of some barriers; asked in the order of the rocks.
 class RocksThatHit {
  public:
   RocksThatHit(const std::filesystem::path& folder, const std::vector<std::string>& barriers) : barriers_(barriers) {
     if (barriers.empty()) return;
-    row_.emplace(folder / "barriers.csv", barrier_columns);
+    row_.emplace(folder / HitRow::file_name);
     has_row_ = row_->next();
   }
   [[nodiscard]] bool contain(std::uint64_t rock) {
     if (!row_) return true;
     bool hit = false;
-    for (; has_row_ && rock_in(*row_, of_hits("rock")) <= rock; has_row_ = row_->next())
-      hit = hit || (rock_in(*row_, of_hits("rock")) == rock && is_one_of(barriers_, row_->text(of_hits("barrier"))));
+    for (; has_row_ && row_->get<&HitRow::rock>() <= rock; has_row_ = row_->next())
+      hit = hit || (row_->get<&HitRow::rock>() == rock && is_one_of(barriers_, row_->get<&HitRow::barrier>()));
     return hit;
   }
 
  private:
   const std::vector<std::string>& barriers_;
-  std::optional<CsvReader> row_;
+  std::optional<TableReader<HitRow>> row_;
   bool has_row_ = false;
 };
 
 /// Calls visit(row) for each row of endpoints.csv whose rock passes.
 template <class Visit>
 void for_rocks(const std::filesystem::path& folder, const RunFacts& facts, const RockFilter& filter, Visit&& visit) {
-  CsvReader row(folder / "endpoints.csv", endpoint_columns);
+  using R = EndpointRow;
+  TableReader<R> row(folder / R::file_name);
   RocksThatHit hitting(folder, filter.barriers);
   const bool asks_for_energy = filter.least_energy_J || filter.most_energy_J;
   while (row.next()) {
-    const std::uint64_t rock = rock_in(row, of_endpoints("rock"));
-    if (!hitting.contain(rock) || !is_one_of(filter.end_reasons, row.text(of_endpoints("end_reason"))) ||
-        !is_one_of(filter.seeders, row.text(of_endpoints("seeder"))) ||
+    const std::uint64_t rock = row.get<&R::rock>();
+    if (!hitting.contain(rock) || !is_one_of(filter.end_reasons, name(row.get<&R::end_reason>())) ||
+        !is_one_of(filter.seeders, row.get<&R::seeder>()) ||
         (!filter.sources.empty() && !is_one_of(filter.sources, facts.source_of(rock))))
       continue;
     if (asks_for_energy) {
-      const double energy = row.number(of_endpoints("max_ke_J"));
+      const double energy = row.get<&R::max_ke_J>();
       if (energy < filter.least_energy_J.value_or(energy) || energy > filter.most_energy_J.value_or(energy)) continue;
     }
     visit(row);
   }
 }
 
-double number_of_hit(const CsvReader& row, const BarrierFacts& barrier, std::string_view column) {
-  constexpr std::size_t x = of_hits("x_m"), vx = of_hits("vx_m_s");
-  if (column == velocity) return Vec3(row.number(vx), row.number(vx + 1), row.number(vx + 2)).norm();
-  if (column == station) return station_of(barrier.line_xyz, barrier.stations, row.number(x), row.number(x + 1));
-  return row.number(column_of(barrier_columns, column));
-}
+/// What is asked of hits on a barrier: a column, or what follows from some.
+class NumberOfHit {
+ public:
+  NumberOfHit(const BarrierFacts& barrier, std::string_view column) : barrier_(barrier), column_(column) {
+    if (column != velocity && column != station) place_ = place_of_column<HitRow>(column);
+  }
+  [[nodiscard]] double operator()(const TableReader<HitRow>& row) const {
+    if (column_ == velocity) return Vec3(row.get<&HitRow::velocity_m_s>().data()).norm();
+    if (column_ == station) {
+      const auto place = row.get<&HitRow::position_m>();
+      return station_of(barrier_.line_xyz, barrier_.stations, place[0], place[1]);
+    }
+    return row.csv().number(place_);
+  }
+
+ private:
+  const BarrierFacts& barrier_;
+  std::string_view column_;
+  std::size_t place_ = 0;
+};
 
 }  // namespace
 
@@ -98,57 +121,47 @@ bool RockFilter::is_empty() const {
 }
 
 const std::vector<NumberColumn>& endpoint_numbers() {
-  static const std::vector<NumberColumn> numbers{{"x_m", "m"},         {"y_m", "m"},        {"z_m", "m"},
-                                                 {"runout_xy_m", "m"}, {"runout_z_m", "m"}, {"runout_total_m", "m"},
-                                                 {"time_s", "s"},      {"events", ""},      {"mass_kg", "kg"},
-                                                 {"radius_m", "m"},    {"max_ke_J", "J"},   {"max_bounce_m", "m"}};
+  static const std::vector<NumberColumn> numbers = quantities_of<EndpointRow>();
   return numbers;
 }
 
 const std::vector<NumberColumn>& barrier_numbers() {
-  static const std::vector<NumberColumn> numbers{{"time_s", "s"},
-                                                 {"x_m", "m"},
-                                                 {"y_m", "m"},
-                                                 {"z_m", "m"},
-                                                 {station, "m"},
-                                                 {"impact_height_m", "m"},
-                                                 {"vx_m_s", "m/s"},
-                                                 {"vy_m_s", "m/s"},
-                                                 {"vz_m_s", "m/s"},
-                                                 {velocity, "m/s"},
-                                                 {"angle_deg", "°"},
-                                                 {"ke_translational_J", "J"},
-                                                 {"ke_rotational_J", "J"},
-                                                 {"ke_total_J", "J"}};
+  static const std::vector<NumberColumn> numbers = [] {
+    auto columns = quantities_of<HitRow>();
+    insert_after("z_m", {station, "m"}, columns);
+    insert_after("vz_m_s", {velocity, "m/s"}, columns);
+    return columns;
+  }();
   return numbers;
 }
 
 Tally endpoint_statistics(const std::filesystem::path& folder, const RunFacts& facts, std::string_view column,
                           const RockFilter& filter) {
-  const std::size_t at = column_of(endpoint_columns, column);
+  const std::size_t at = place_of_column<EndpointRow>(column);
   Tally tally(facts.planned_rocks(), origin_of(facts, column));
-  for_rocks(folder, facts, filter, [&](const CsvReader& row) { tally.add(row.number(at)); });
+  for_rocks(folder, facts, filter, [&](const TableReader<EndpointRow>& row) { tally.add(row.csv().number(at)); });
   return tally;
 }
 
 Tally barrier_statistics(const std::filesystem::path& folder, const RunFacts& facts, std::string_view barrier,
                          std::string_view column, const RockFilter& filter) {
   Tally tally(facts.planned_rocks(), origin_of(facts, column));
-  CsvReader row(folder / "barriers.csv", barrier_columns);
+  TableReader<HitRow> row(folder / HitRow::file_name);
   const auto known = std::ranges::find(facts.barriers, barrier, &BarrierFacts::name);
   TALUS_PROMISE(known != facts.barriers.end(), "the run has the barrier");
+  const NumberOfHit number(*known, column);
   const auto add = [&] {
-    if (row.text(of_hits("barrier")) == barrier) tally.add(number_of_hit(row, *known, column));
+    if (row.get<&HitRow::barrier>() == barrier) tally.add(number(row));
   };
   if (filter.is_empty()) {
     while (row.next()) add();
     return tally;
   }
   bool has_row = row.next();
-  for_rocks(folder, facts, filter, [&](const CsvReader& endpoint) {
-    const std::uint64_t rock = rock_in(endpoint, of_endpoints("rock"));
-    for (; has_row && rock_in(row, of_hits("rock")) <= rock; has_row = row.next())
-      if (rock_in(row, of_hits("rock")) == rock) add();
+  for_rocks(folder, facts, filter, [&](const TableReader<EndpointRow>& endpoint) {
+    const std::uint64_t rock = endpoint.get<&EndpointRow::rock>();
+    for (; has_row && row.get<&HitRow::rock>() <= rock; has_row = row.next())
+      if (row.get<&HitRow::rock>() == rock) add();
   });
   return tally;
 }

@@ -12,7 +12,7 @@ namespace {
 Vec3 vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-PathPoint point_of(const PathRow& row) {
+PathPoint point_of(const PathEventRow& row) {
   return {.time_s = row.time_s,
           .position_m = row.position_m,
           .velocity_m_s = row.velocity_m_s,
@@ -23,14 +23,14 @@ PathPoint point_of(const PathRow& row) {
 /// The flight between two rows.
 class Arc {
  public:
-  Arc(const PathRow& from, const PathRow& to)
+  Arc(const PathEventRow& from, const PathEventRow& to)
       : from_(from), duration_(to.time_s - from.time_s), p_(vector(from.position_m)), v_(vector(from.velocity_m_s)) {
     if (duration_ <= 0) return;
     const Vec3 way = vector(to.position_m) - p_, v_end = vector(to.velocity_m_s);
     // p + v t + a t^2/2 + j t^3/6
     a_ = (6 * way / duration_ - 4 * v_ - 2 * v_end) / duration_;
     j_ = (6 * (v_ + v_end) - 12 * way / duration_) / (duration_ * duration_);
-    const PathRow& faster = v_end.squaredNorm() > v_.squaredNorm() ? to : from;
+    const PathEventRow& faster = v_end.squaredNorm() > v_.squaredNorm() ? to : from;
     const double squared = vector(faster.velocity_m_s).squaredNorm();
     if (squared > 0) mass_ = 2 * faster.ke_translational_J / squared;
   }
@@ -54,7 +54,7 @@ class Arc {
   [[nodiscard]] double duration() const { return duration_; }
 
  private:
-  const PathRow& from_;
+  const PathEventRow& from_;
   double duration_, mass_ = 0;
   Vec3 p_, v_, a_ = Vec3::Zero(), j_ = Vec3::Zero();
 };
@@ -63,7 +63,7 @@ class Arc {
 
 void for_points_along(const Path& path, double tolerance_m, const std::function<void(const PathPoint&)>& visit) {
   for (std::size_t k = 0; k < path.rows.size(); ++k) {
-    const PathRow& row = path.rows[k];
+    const PathEventRow& row = path.rows[k];
     visit(point_of(row));
     if (row.state != PathState::projectile || k + 1 == path.rows.size()) continue;
     const Arc arc(row, path.rows[k + 1]);

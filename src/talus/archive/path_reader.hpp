@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "talus/archive/run_folder.hpp"
-#include "talus/files/csv_reader.hpp"
 
 namespace talus::io {
 
@@ -23,15 +22,13 @@ class PathReader {
 
  private:
   std::filesystem::path file_;
-  CsvReader row_;
+  TableReader<PathEventRow> row_;
   Path path_;
 };
 
-/// The path that rows of such a file make (rock_rows.hpp); expects at least one. Throws BadInput where they are no
-/// path.
-[[nodiscard]] Path path_of(const std::vector<std::vector<std::string>>& rows);
-
-/// The state in a column of the current row; throws BadInput where it is none.
-[[nodiscard]] PathState state_in(const CsvReader& row, std::size_t column);
+// What all readers of paths ask of a row: its values but for the spin; and what they refuse.
+[[nodiscard]] PathEventRow path_row(const TableReader<PathEventRow>& row);
+[[noreturn]] void refuse_other_rock(const TableReader<PathEventRow>& row, std::uint64_t rock, std::uint64_t unfinished);
+[[noreturn]] void refuse_unfinished_path(const std::filesystem::path& file, std::uint64_t rock);
 
 }  // namespace talus::io

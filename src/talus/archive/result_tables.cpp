@@ -1,8 +1,8 @@
 #include "talus/archive/result_tables.hpp"
 
+#include <array>
 #include <numbers>
 
-#include "talus/files/csv_text.hpp"
 #include "talus/results/summary.hpp"
 
 namespace talus {
@@ -22,75 +22,97 @@ double translational_energy(const Rock& rock, const Motion& motion) {
 double rotational_energy(const Rock& rock, const Motion& motion) {
   return 0.5 * rock.inertia * motion.spin.squaredNorm();
 }
-CsvRow& operator<<(CsvRow& row, const Vec3& v) { return row << v.x() << v.y() << v.z(); }
+std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+/// The text of a block's rows.
 struct TextPart : ObserverPart {
   explicit TextPart(const TableContext& c) : context(c) {}
   const TableContext& context;
   std::string text;
 };
+template <class Row>
+struct RowsPart : TextPart {
+  using TextPart::TextPart;
+  template <class... Seen>
+  void add(const Seen&... seen) {
+    fill(row, context, seen...);
+    append_row(text, row, &memory);
+  }
+  Row row;
+  CsvMemory memory;
+};
 
-struct EndpointsPart : TextPart {
-  EndpointsPart(const TableContext& c, const io::TableRocks& r) : TextPart(c), rocks(r) {}
+struct EndpointsPart : RowsPart<io::EndpointRow> {
+  EndpointsPart(const TableContext& c, const io::TableRocks& r) : RowsPart(c), rocks(r) {}
   void see(const RockRecord& record, const RockLog&) override {
-    if (rocks.has_endpoint(record.rock)) append_endpoint_row(text, context, record, &memory);
+    if (rocks.has_endpoint(record.rock)) add(record);
   }
   const io::TableRocks& rocks;
-  CsvMemory memory;
 };
 
-struct PathsPart : TextPart {
-  PathsPart(const TableContext& c, const PathsTable& t) : TextPart(c), table(t) {}
+struct PathsPart : RowsPart<io::PathEventRow> {
+  PathsPart(const TableContext& c, const PathsTable& t) : RowsPart(c), table(t) {}
   void see(const RockRecord& record, const RockLog& log) override {
     if (!table.wants_rows(record.rock)) return;
-    for (std::size_t k = 0; k < log.rows.size(); ++k) append_path_row(text, context, record, k, log.rows[k], &memory);
+    for (std::size_t k = 0; k < log.rows.size(); ++k) add(record, k, log.rows[k]);
   }
   const PathsTable& table;
-  CsvMemory memory;
 };
 
-struct BarriersPart : TextPart {
-  using TextPart::TextPart;
+struct BarriersPart : RowsPart<io::HitRow> {
+  using RowsPart::RowsPart;
   void see(const RockRecord& record, const RockLog& log) override {
-    for (const BarrierHit& hit : log.hits) {
-      const double translational = translational_energy(record.body, hit.motion);
-      const double rotational = rotational_energy(record.body, hit.motion);
-      CsvRow row(text, &memory);
-      row << context.barriers[hit.barrier.index] << record.rock << hit.motion.time
-          << context.frame.global_from_local(hit.motion.position) << hit.height << hit.motion.velocity
-          << hit.angle * 180 / std::numbers::pi << translational << rotational << translational + rotational
-          << name(hit.outcome);
-      row.end();
-    }
+    for (const BarrierHit& hit : log.hits) add(record, hit);
   }
-  CsvMemory memory;
 };
 
 }  // namespace
 
-void append_endpoint_row(std::string& text, const TableContext& context, const RockRecord& record, CsvMemory* memory) {
+void fill(io::EndpointRow& row, const TableContext& context, const RockRecord& record) {
   const RockOutcome& outcome = record.outcome;
   const Runout way = runout(outcome);
-  CsvRow row(text, memory);
-  row << record.rock << context.seeders[record.seeder.index] << context.frame.global_from_local(outcome.end.position)
-      << way.plan << way.drop << way.total << outcome.end.time << outcome.events << name(outcome.reason)
-      << record.body.mass << record.body.radius << outcome.max_kinetic_energy << outcome.max_bounce;
-  row.end();
+  row.rock = record.rock;
+  row.seeder = context.seeders[record.seeder.index];
+  row.position_m = numbers(context.frame.global_from_local(outcome.end.position));
+  row.runout_xy_m = way.plan;
+  row.runout_z_m = way.drop;
+  row.runout_total_m = way.total;
+  row.time_s = outcome.end.time;
+  row.events = static_cast<std::uint64_t>(outcome.events);
+  row.end_reason = outcome.reason;
+  row.mass_kg = record.body.mass;
+  row.radius_m = record.body.radius;
+  row.max_ke_J = outcome.max_kinetic_energy;
+  row.max_bounce_m = outcome.max_bounce;
 }
 
-void append_path_row(std::string& text, const TableContext& context, const RockRecord& record, std::size_t event,
-                     const PathRow& row, CsvMemory* memory) {
-  const Vec3 position = context.frame.global_from_local(row.motion.position);
-  CsvRow out(text, memory);
-  out << record.rock << event << name(row.state) << row.motion.time << position << row.motion.velocity
-      << row.motion.spin << translational_energy(record.body, row.motion) << rotational_energy(record.body, row.motion)
-      << record.body.mass * context.gravity * (position.z() - context.energy_datum);
-  out.end();
+void fill(io::PathEventRow& row, const TableContext& context, const RockRecord& record, std::size_t event,
+          const PathRow& seen) {
+  const Vec3 position = context.frame.global_from_local(seen.motion.position);
+  row.rock = record.rock;
+  row.event = event;
+  row.state = seen.state;
+  row.time_s = seen.motion.time;
+  row.position_m = numbers(position);
+  row.velocity_m_s = numbers(seen.motion.velocity);
+  row.spin_rad_s = numbers(seen.motion.spin);
+  row.ke_translational_J = translational_energy(record.body, seen.motion);
+  row.ke_rotational_J = rotational_energy(record.body, seen.motion);
+  row.pe_J = record.body.mass * context.gravity * (position.z() - context.energy_datum);
 }
 
-std::string_view path_header() {
-  return "rock,event,state,time_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,ke_translational_J,"
-         "ke_rotational_J,pe_J\n";
+void fill(io::HitRow& row, const TableContext& context, const RockRecord& record, const BarrierHit& hit) {
+  row.barrier = context.barriers[hit.barrier.index];
+  row.rock = record.rock;
+  row.time_s = hit.motion.time;
+  row.position_m = numbers(context.frame.global_from_local(hit.motion.position));
+  row.impact_height_m = hit.height;
+  row.velocity_m_s = numbers(hit.motion.velocity);
+  row.angle_deg = hit.angle * 180 / std::numbers::pi;
+  row.ke_translational_J = translational_energy(record.body, hit.motion);
+  row.ke_rotational_J = rotational_energy(record.body, hit.motion);
+  row.ke_total_J = row.ke_translational_J + row.ke_rotational_J;
+  row.outcome = hit.outcome;
 }
 
 void TableObserver::commit(ObserverPart& part) { sink_.write(static_cast<TextPart&>(part).text); }
@@ -100,20 +122,11 @@ EndpointsTable::EndpointsTable(TableContext context, TextSink& sink, const io::T
 std::unique_ptr<ObserverPart> EndpointsTable::new_part() const {
   return std::make_unique<EndpointsPart>(context(), rocks_);
 }
-std::string_view EndpointsTable::header() const {
-  return "rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,runout_total_m,time_s,events,end_reason,mass_kg,radius_m,"
-         "max_ke_J,max_bounce_m\n";
-}
 
 PathsTable::PathsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks)
     : TableObserver(std::move(context), sink), rocks_(rocks) {}
 std::unique_ptr<ObserverPart> PathsTable::new_part() const { return std::make_unique<PathsPart>(context(), *this); }
-std::string_view PathsTable::header() const { return path_header(); }
 
 std::unique_ptr<ObserverPart> BarriersTable::new_part() const { return std::make_unique<BarriersPart>(context()); }
-std::string_view BarriersTable::header() const {
-  return "barrier,rock,time_s,x_m,y_m,z_m,impact_height_m,vx_m_s,vy_m_s,vz_m_s,angle_deg,ke_translational_J,"
-         "ke_rotational_J,ke_total_J,outcome\n";
-}
 
 }  // namespace talus

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "talus/archive/table_columns.hpp"
 #include "talus/archive/table_rocks.hpp"
 #include "talus/campaign/model.hpp"
-#include "talus/files/csv_text.hpp"
 #include "talus/files/text_sink.hpp"
 #include "talus/results/record.hpp"
 
@@ -34,7 +34,7 @@ class TableObserver : public Observer {
 
   /// The name of its file, and the first line there.
   [[nodiscard]] virtual std::string_view file_name() const = 0;
-  [[nodiscard]] virtual std::string_view header() const = 0;
+  [[nodiscard]] virtual std::string header() const = 0;
 
  protected:
   [[nodiscard]] const TableContext& context() const { return context_; }
@@ -50,8 +50,8 @@ class EndpointsTable : public TableObserver {
   EndpointsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks);
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
-  [[nodiscard]] std::string_view file_name() const override { return "endpoints.csv"; }
-  [[nodiscard]] std::string_view header() const override;
+  [[nodiscard]] std::string_view file_name() const override { return io::EndpointRow::file_name; }
+  [[nodiscard]] std::string header() const override { return io::header_of<io::EndpointRow>(); }
 
  private:
   io::TableRocks rocks_;
@@ -63,8 +63,8 @@ class PathsTable : public TableObserver {
   PathsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks);
   [[nodiscard]] bool wants_rows(std::uint64_t rock) const override { return rocks_.has_path(rock); }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
-  [[nodiscard]] std::string_view file_name() const override { return "paths.csv"; }
-  [[nodiscard]] std::string_view header() const override;
+  [[nodiscard]] std::string_view file_name() const override { return io::PathEventRow::file_name; }
+  [[nodiscard]] std::string header() const override { return io::header_of<io::PathEventRow>(); }
 
  private:
   io::TableRocks rocks_;
@@ -76,16 +76,14 @@ class BarriersTable : public TableObserver {
   using TableObserver::TableObserver;
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
-  [[nodiscard]] std::string_view file_name() const override { return "barriers.csv"; }
-  [[nodiscard]] std::string_view header() const override;
+  [[nodiscard]] std::string_view file_name() const override { return io::HitRow::file_name; }
+  [[nodiscard]] std::string header() const override { return io::header_of<io::HitRow>(); }
 };
 
-/// A rock's row of endpoints.csv, and a row of its path, for those who show a rock elsewhere; `memory` (may be null) of
-/// the rows before.
-void append_endpoint_row(std::string& text, const TableContext& context, const RockRecord& record,
-                         CsvMemory* memory = nullptr);
-void append_path_row(std::string& text, const TableContext& context, const RockRecord& record, std::size_t event,
-                     const PathRow& row, CsvMemory* memory = nullptr);
-[[nodiscard]] std::string_view path_header();
+// What rocks say of themselves as rows, into one that is used again and again.
+void fill(io::EndpointRow& row, const TableContext& context, const RockRecord& record);
+void fill(io::PathEventRow& row, const TableContext& context, const RockRecord& record, std::size_t event,
+          const PathRow& seen);
+void fill(io::HitRow& row, const TableContext& context, const RockRecord& record, const BarrierHit& hit);
 
 }  // namespace talus

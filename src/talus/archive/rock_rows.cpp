@@ -6,9 +6,6 @@
 #include <optional>
 #include <system_error>
 
-#include "talus/core/check.hpp"
-#include "talus/files/csv_reader.hpp"
-
 namespace talus::io {
 
 namespace {
@@ -70,22 +67,8 @@ std::uint64_t begin_before(const std::filesystem::path& file, std::size_t column
 
 }  // namespace
 
-std::vector<std::vector<std::string>> rows_of_rock(const std::filesystem::path& file,
-                                                   std::span<const std::string_view> columns, std::uint64_t rock) {
-  const auto found = std::find(columns.begin(), columns.end(), "rock");
-  TALUS_PROMISE(found != columns.end(), "the table has rocks");
-  const auto column = static_cast<std::size_t>(found - columns.begin());
-  CsvReader row(file, columns);
-  if (const std::uint64_t begin = begin_before(file, column, columns.size(), rock); begin > 0) row.go_to(begin);
-  std::vector<std::vector<std::string>> rows;
-  while (row.next()) {
-    const auto current = static_cast<std::uint64_t>(row.whole_number(column));
-    if (current > rock) break;
-    if (current < rock) continue;
-    std::vector<std::string>& texts = rows.emplace_back();
-    for (std::size_t k = 0; k < columns.size(); ++k) texts.emplace_back(row.text(k));
-  }
-  return rows;
+void go_near_rock(CsvReader& row, const std::filesystem::path& file, std::size_t column, std::uint64_t rock) {
+  if (const std::uint64_t begin = begin_before(file, column, row.columns().size(), rock); begin > 0) row.go_to(begin);
 }
 
 }  // namespace talus::io

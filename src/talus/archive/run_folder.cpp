@@ -11,9 +11,7 @@
 #include "talus/archive/envelope_table.hpp"
 #include "talus/archive/path_reader.hpp"
 #include "talus/archive/spread_sample.hpp"
-#include "talus/archive/table_columns.hpp"
 #include "talus/core/problems.hpp"
-#include "talus/files/csv_reader.hpp"
 
 namespace talus::io {
 namespace {
@@ -32,7 +30,6 @@ constexpr std::size_t most_impacts = 100;  // for which losses are kept by numbe
 
 constexpr std::size_t most_barriers = 100;  // that a report shows one by one
 
-constexpr auto cut_short = "The file was cut short or damaged; run the project again to get it whole";
 constexpr auto name_a_run = "Name a folder that `talus run` has written";
 
 std::string date_of(const std::filesystem::path& file) {
@@ -104,28 +101,17 @@ void read_summary(const std::filesystem::path& file, RunFolder& run) {
 
 // ---- the tables
 
-std::array<double, 3> triple(const CsvReader& row, std::size_t first) {
-  return {row.number(first), row.number(first + 1), row.number(first + 2)};
-}
-
-Kept<EndPoint> read_endpoints(const std::filesystem::path& file, std::size_t limit) {
-  constexpr auto at = [](std::string_view name) { return place_of(endpoint_columns, name); };
-  CsvReader row(file, endpoint_columns);
-  SpreadSample<EndPoint> sample(limit, std::numeric_limits<std::size_t>::max());
-  Kept<EndPoint> kept{.has_file = true};
+Kept<EndpointRow> read_endpoints(const std::filesystem::path& file, std::size_t limit) {
+  using R = EndpointRow;
+  TableReader<R> row(file);
+  SpreadSample<R> sample(limit, std::numeric_limits<std::size_t>::max());
+  Kept<R> kept{.has_file = true};
   for (; row.next(); ++kept.total) {
-    const auto rock = static_cast<std::uint64_t>(row.whole_number(at("rock")));
+    const std::uint64_t rock = row.get<&R::rock>();
     if (!sample.wants(rock)) continue;
     sample.add(rock, 1,
-               {.rock = rock,
-                .seeder = std::string(row.text(at("seeder"))),
-                .end_reason = std::string(row.text(at("end_reason"))),
-                .position_m = triple(row, at("x_m")),
-                .runout_xy_m = row.number(at("runout_xy_m")),
-                .runout_total_m = row.number(at("runout_total_m")),
-                .time_s = row.number(at("time_s")),
-                .max_ke_J = row.number(at("max_ke_J")),
-                .max_bounce_m = row.number(at("max_bounce_m"))});
+               row.part<&R::rock, &R::seeder, &R::end_reason, &R::position_m, &R::runout_xy_m, &R::runout_total_m,
+                        &R::time_s, &R::max_ke_J, &R::max_bounce_m>());
   }
   kept.items = sample.take();
   return kept;
@@ -136,31 +122,20 @@ class PathTable {
  public:
   explicit PathTable(const Limits& limits) : sample_(limits.paths, limits.path_rows) {}
 
-  void add(const CsvReader& row) {
-    constexpr auto at = [](std::string_view name) { return place_of(path_columns, name); };
-    const auto rock = static_cast<std::uint64_t>(row.whole_number(at("rock")));
-    const PathState state = state_in(row, at("state"));
+  void add(const TableReader<PathEventRow>& row) {
+    using R = PathEventRow;
+    const std::uint64_t rock = row.get<&R::rock>();
+    const PathState state = row.get<&R::state>();
     if (!in_path_) {
       begin(rock);
     } else if (rock != path_.rock) {
-      row.refuse("", fmt::format("rock {} begins before rock {} has ended", rock, path_.rock),
-                 "a path's last row has the state ended", "The file was cut or joined by hand; run the project again");
+      refuse_other_rock(row, rock, path_.rock);
     }
-    const double energy_J =
-        row.number(at("ke_translational_J")) + row.number(at("ke_rotational_J")) + row.number(at("pe_J"));
+    const double energy_J = row.part<&R::ke_translational_J, &R::ke_rotational_J, &R::pe_J>().total_J();
     if (arrived_with_J_) count_loss(*arrived_with_J_ - energy_J);
     arrived_with_J_.reset();
     if (state == PathState::impact) arrived_with_J_ = energy_J;
-    if (wanted_) {
-      path_.rows.push_back({.event = static_cast<std::uint64_t>(row.whole_number(at("event"))),
-                            .state = state,
-                            .time_s = row.number(at("time_s")),
-                            .position_m = triple(row, at("x_m")),
-                            .velocity_m_s = triple(row, at("vx_m_s")),
-                            .ke_translational_J = row.number(at("ke_translational_J")),
-                            .ke_rotational_J = row.number(at("ke_rotational_J")),
-                            .pe_J = row.number(at("pe_J"))});
-    }
+    if (wanted_) path_.rows.push_back(path_row(row));
     if (state == PathState::ended) end();
   }
 
@@ -206,35 +181,25 @@ class PathTable {
 };
 
 void read_paths(const std::filesystem::path& file, const Limits& limits, RunFolder& run) {
-  CsvReader row(file, path_columns);
+  TableReader<PathEventRow> row(file);
   PathTable table(limits);
   while (row.next()) table.add(row);
-  if (const auto rock = table.unfinished()) {
-    refuse(file, "", fmt::format("the path of rock {} does not end", *rock), "a path's last row has the state ended",
-           cut_short);
-  }
+  if (const auto rock = table.unfinished()) refuse_unfinished_path(file, *rock);
   run.paths = table.take();
   run.impact_losses = table.losses();
 }
 
-Kept<BarrierHit> read_hits(const std::filesystem::path& file, std::size_t limit) {
-  constexpr auto at = [](std::string_view name) { return place_of(barrier_columns, name); };
-  CsvReader row(file, barrier_columns);
-  SpreadSample<BarrierHit> sample(std::numeric_limits<std::size_t>::max(), limit);
-  Kept<BarrierHit> kept{.has_file = true};
+Kept<HitRow> read_hits(const std::filesystem::path& file, std::size_t limit) {
+  using R = HitRow;
+  TableReader<R> row(file);
+  SpreadSample<R> sample(std::numeric_limits<std::size_t>::max(), limit);
+  Kept<R> kept{.has_file = true};
   for (; row.next(); ++kept.total) {
-    const auto rock = static_cast<std::uint64_t>(row.whole_number(at("rock")));
+    const std::uint64_t rock = row.get<&R::rock>();
     if (!sample.wants(rock)) continue;
     sample.add(rock, 1,
-               {.barrier = std::string(row.text(at("barrier"))),
-                .outcome = std::string(row.text(at("outcome"))),
-                .rock = rock,
-                .time_s = row.number(at("time_s")),
-                .position_m = triple(row, at("x_m")),
-                .impact_height_m = row.number(at("impact_height_m")),
-                .angle_deg = row.number(at("angle_deg")),
-                .ke_translational_J = row.number(at("ke_translational_J")),
-                .ke_total_J = row.number(at("ke_total_J"))});
+               row.part<&R::barrier, &R::outcome, &R::rock, &R::time_s, &R::position_m, &R::impact_height_m,
+                        &R::angle_deg, &R::ke_translational_J, &R::ke_total_J>());
   }
   kept.items = sample.take();
   return kept;
@@ -282,12 +247,12 @@ RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& lim
     read_summary(file, run);
     has_summary = true;
   });
-  attempt("endpoints.csv", true, [&](const auto& file) {
+  attempt(EndpointRow::file_name, true, [&](const auto& file) {
     run.endpoints = read_endpoints(file, limits.endpoints);
     if (has_summary) check_count(run, file);
   });
-  attempt("paths.csv", true, [&](const auto& file) { read_paths(file, limits, run); });
-  attempt("barriers.csv", true, [&](const auto& file) { run.hits = read_hits(file, limits.hits); });
+  attempt(PathEventRow::file_name, true, [&](const auto& file) { read_paths(file, limits, run); });
+  attempt(HitRow::file_name, true, [&](const auto& file) { run.hits = read_hits(file, limits.hits); });
   attempt("maps", true, [&](const auto&) { run.maps = read_report_maps(folder); });
   attempt(envelopes_name, true, [&](const auto& file) { run.envelopes = read_report_envelopes(file); });
   if (problems.has_errors()) throw BadInput(std::move(problems));

@@ -12,7 +12,7 @@
 #include "talus/archive/report_envelopes.hpp"
 #include "talus/archive/report_maps.hpp"
 #include "talus/archive/run_summary.hpp"
-#include "talus/rocks/motion.hpp"
+#include "talus/archive/table_columns.hpp"
 
 namespace talus::io {
 
@@ -24,35 +24,9 @@ struct Limits {
   std::size_t hits = 2'000;  // of all barriers together
 };
 
-struct EndPoint {
-  std::uint64_t rock = 0;
-  std::string seeder{}, end_reason{};
-  std::array<double, 3> position_m{};
-  double runout_xy_m = 0, runout_total_m = 0, time_s = 0;
-  double max_ke_J = 0, max_bounce_m = 0;
-};
-
-struct PathRow {
-  std::uint64_t event = 0;
-  PathState state = PathState::projectile;
-  double time_s = 0;
-  std::array<double, 3> position_m{}, velocity_m_s{};
-  double ke_translational_J = 0, ke_rotational_J = 0, pe_J = 0;
-  [[nodiscard]] double total_J() const { return ke_translational_J + ke_rotational_J + pe_J; }
-};
-
 struct Path {
   std::uint64_t rock = 0;
-  std::vector<PathRow> rows{};
-};
-
-struct BarrierHit {
-  std::string barrier{}, outcome{};
-  std::uint64_t rock = 0;
-  double time_s = 0;
-  std::array<double, 3> position_m{};
-  double impact_height_m = 0, angle_deg = 0;
-  double ke_translational_J = 0, ke_total_J = 0;
+  std::vector<PathEventRow> rows{};  // without spin
 };
 
 /// Energy lost at the k-th impact on the ground, over all rocks in paths.csv that got that far.
@@ -73,9 +47,9 @@ struct RunFolder {
   std::filesystem::path folder;
   RunSummary summary{};  // of barriers those with the most hits; of the project no long lists
   std::string date{};    // when its file was written (UTC)
-  Kept<EndPoint> endpoints{};
+  Kept<EndpointRow> endpoints{};
   Kept<Path> paths{};
-  Kept<BarrierHit> hits{};
+  Kept<HitRow> hits{};
   std::vector<ImpactLoss> impact_losses{};  // [0]: first impact; the first hundred are kept
   std::vector<ReportMap> maps{};
   ReportEnvelopes envelopes{};

@@ -18,14 +18,22 @@ namespace talus::io {
 
 namespace {
 
-constexpr std::size_t column(std::string_view name) { return place_of(endpoint_columns, name); }
-
 constexpr std::pair<const char*, const char*> quantities_of_hits[] = {
     {"ke_total", "J"}, {"ke_translational", "J"}, {"impact_height", "m"}, {"velocity", "m_s"}};
 
-OGRFieldType type_of(std::string_view name) {
-  if (name == "rock" || name == "events") return OFTInteger64;
-  return name == "seeder" || name == "end_reason" ? OFTString : OFTReal;
+template <class Value>
+constexpr OGRFieldType type_of(const Value&) {
+  if constexpr (std::same_as<Value, std::uint64_t>) {
+    return OFTInteger64;
+  } else {
+    return std::same_as<Value, double> ? OFTReal : OFTString;
+  }
+}
+
+/// As a column of endpoints.csv.
+template <auto member>
+GeoField field_of() {
+  return {std::string(column_names<EndpointRow>[place_of(member)]), type_of(EndpointRow{}.*member)};
 }
 
 /// Sets fields one after the other.
@@ -42,6 +50,10 @@ class Row {
   }
   Row& operator<<(const std::string& text) {
     feature_.SetField(next_++, text.c_str());
+    return *this;
+  }
+  Row& operator<<(EndReason reason) {
+    feature_.SetField(next_++, name(reason));
     return *this;
   }
   Row& operator<<(const std::optional<double>& x) {
@@ -68,36 +80,26 @@ class Layers {
     add_barriers();
     if (!facts.design_sections.empty()) add_design();
     std::vector<GeoField> fields;
-    for (const std::string_view name : endpoint_columns) fields.push_back({std::string(name), type_of(name)});
+    const EndpointRow example;
+    for_columns<EndpointRow>([&](const auto& column) {
+      fields.push_back({std::string(column.name), type_of(column.in(example))});
+    });
     fields.push_back({"source", OFTString});
     endpoints_ = &file.add_layer("endpoints", wkbPoint25D, "Where rocks ended", fields);
     paths_ = &file.add_layer("paths", wkbLineString25D, "Ways of rocks, arcs of flights included", fields_of_a_path);
     releases_ = &file.add_layer("releases", wkbPoint25D, "Where the rocks of the layer paths began", fields_of_a_path);
   }
 
-  /// The current row of endpoints.csv.
-  void add_endpoint(const CsvReader& row, std::uint64_t rock) {
+  void add_endpoint(const EndpointRow& end) {
     Row feature(*endpoints_);
-    for (std::size_t k = 0; k < endpoint_columns.size(); ++k) {
-      switch (type_of(endpoint_columns[k])) {
-        case OFTInteger64:
-          feature << static_cast<std::uint64_t>(row.whole_number(k));
-          break;
-        case OFTString:
-          feature << std::string(row.text(k));
-          break;
-        default:
-          feature << row.number(k);
-      }
-    }
-    feature << facts_.source_of(rock);
-    constexpr std::size_t x = column("x_m");
-    feature.put_at(OGRPoint(row.number(x), row.number(x + 1), row.number(x + 2)));
+    for_columns<EndpointRow>([&](const auto& column) { feature << column.in(end); });
+    feature << facts_.source_of(end.rock);
+    feature.put_at(point(end.position_m));
     file_.add(*endpoints_, feature.feature());
   }
 
-  /// The path of the rock whose end is the current row of endpoints.csv.
-  void add_path(const Path& path, const CsvReader& end) {
+  /// The path of the rock that ended so.
+  void add_path(const Path& path, const EndpointRow& end) {
     OGRLineString line;
     for_points_along(path, geopackage_tolerance_m, [&](const PathPoint& at) {
       const auto& [x, y, z] = at.position_m;
@@ -107,23 +109,21 @@ class Layers {
       line.addPoint(x, y, z);
     });
     if (line.getNumPoints() == 1) line.addPoint(line.getX(0), line.getY(0), line.getZ(0));  // a line has two
-    add_with_values(*paths_, line, path, end);
-    add_with_values(*releases_, point(path.rows.front().position_m), path, end);
+    add_with_values(*paths_, line, end);
+    add_with_values(*releases_, point(path.rows.front().position_m), end);
   }
 
  private:
   static inline const std::vector<GeoField> fields_of_a_path{
-      {"rock", OFTInteger64}, {"seeder", OFTString},    {"source", OFTString},    {"end_reason", OFTString},
-      {"time_s", OFTReal},    {"events", OFTInteger64}, {"runout_xy_m", OFTReal}, {"mass_kg", OFTReal},
-      {"radius_m", OFTReal},  {"max_ke_J", OFTReal},    {"max_bounce_m", OFTReal}};
+      field_of<&EndpointRow::rock>(),        field_of<&EndpointRow::seeder>(),      {"source", OFTString},
+      field_of<&EndpointRow::end_reason>(),  field_of<&EndpointRow::time_s>(),      field_of<&EndpointRow::events>(),
+      field_of<&EndpointRow::runout_xy_m>(), field_of<&EndpointRow::mass_kg>(),     field_of<&EndpointRow::radius_m>(),
+      field_of<&EndpointRow::max_ke_J>(),    field_of<&EndpointRow::max_bounce_m>()};
 
-  void add_with_values(OGRLayer& layer, const OGRGeometry& geometry, const Path& path, const CsvReader& end) {
+  void add_with_values(OGRLayer& layer, const OGRGeometry& geometry, const EndpointRow& end) {
     Row feature(layer);
-    feature << path.rock << std::string(end.text(column("seeder"))) << facts_.source_of(path.rock)
-            << std::string(end.text(column("end_reason"))) << end.number(column("time_s"))
-            << static_cast<std::uint64_t>(end.whole_number(column("events"))) << end.number(column("runout_xy_m"))
-            << end.number(column("mass_kg")) << end.number(column("radius_m")) << end.number(column("max_ke_J"))
-            << end.number(column("max_bounce_m"));
+    feature << end.rock << end.seeder << facts_.source_of(end.rock) << end.end_reason << end.time_s << end.events
+            << end.runout_xy_m << end.mass_kg << end.radius_m << end.max_ke_J << end.max_bounce_m;
     feature.put_at(geometry);
     file_.add(layer, feature.feature());
   }
@@ -231,13 +231,13 @@ bool can_write_geopackage() { return true; }
 void write_geopackage(const RunFacts& facts, const std::filesystem::path& folder) {
   GeoPackageFile file(folder / geopackage_name, facts.summary.terrain.crs_wkt);
   Layers layers(file, facts);
-  PathsInStep paths(folder / "paths.csv", facts);
+  PathsInStep paths(folder / PathEventRow::file_name, facts);
   const EvenChoice ends(facts.geopackage_rocks, facts.in_tables.endpoints());
-  for (CsvReader row(folder / "endpoints.csv", endpoint_columns); row.next();) {
-    const auto rock = static_cast<std::uint64_t>(row.whole_number(column("rock")));
-    if (ends.contains(facts.in_tables.endpoints_before(rock))) layers.add_endpoint(row, rock);
+  for (TableReader<EndpointRow> row(folder / EndpointRow::file_name); row.next();) {
+    const std::uint64_t rock = row.get<&EndpointRow::rock>();
+    if (ends.contains(facts.in_tables.endpoints_before(rock))) layers.add_endpoint(row.whole());
     if (const Path* path = paths.of(rock)) {
-      layers.add_path(*path, row);
+      layers.add_path(*path, row.whole());
       paths.go_on();
     }
   }

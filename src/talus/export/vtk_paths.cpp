@@ -112,7 +112,7 @@ std::string head(const Counts& counts, Arrays& arrays) {
 }  // namespace
 
 void write_vtk_paths(const std::filesystem::path& folder) {
-  const std::filesystem::path paths = folder / "paths.csv";
+  const std::filesystem::path paths = folder / PathEventRow::file_name;
   const Counts counts = count(paths);
   Arrays arrays(counts);
   OutputFile file(folder / vtk_paths_name);

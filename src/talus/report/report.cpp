@@ -35,9 +35,9 @@ double drawn_J(double value) { return std::round(value * 10) / 10; }
 
 Json endpoints_of(const RunFolder& run) {
   auto rows = Json::array();
-  for (const EndPoint& end : run.endpoints.items) {
+  for (const EndpointRow& end : run.endpoints.items) {
     rows.push_back({end.rock, end.seeder, drawn(end.position_m[0]), drawn(end.position_m[1]), drawn(end.position_m[2]),
-                    drawn(end.runout_xy_m), drawn(end.runout_total_m), drawn(end.time_s), end.end_reason,
+                    drawn(end.runout_xy_m), drawn(end.runout_total_m), drawn(end.time_s), name(end.end_reason),
                     drawn_J(end.max_ke_J), drawn(end.max_bounce_m)});
   }
   return {
@@ -53,7 +53,7 @@ Json paths_of(const RunFolder& run) {
   for (const Path& path : run.paths.items) {
     stop_point();
     auto rows = Json::array();
-    for (const PathRow& row : path.rows) {
+    for (const PathEventRow& row : path.rows) {
       const auto& [x, y, z] = row.position_m;
       const auto& [vx, vy, vz] = row.velocity_m_s;
       rows.push_back({name(row.state), drawn(row.time_s), drawn(x), drawn(y), drawn(z), drawn(vx), drawn(vy), drawn(vz),
@@ -69,10 +69,10 @@ Json paths_of(const RunFolder& run) {
 
 Json hits_of(const RunFolder& run) {
   auto rows = Json::array();
-  for (const BarrierHit& hit : run.hits.items) {
+  for (const HitRow& hit : run.hits.items) {
     rows.push_back({hit.barrier, hit.rock, drawn(hit.time_s), drawn(hit.position_m[0]), drawn(hit.position_m[1]),
                     drawn(hit.position_m[2]), drawn(hit.impact_height_m), drawn(hit.angle_deg),
-                    drawn_J(hit.ke_translational_J), drawn_J(hit.ke_total_J), hit.outcome});
+                    drawn_J(hit.ke_translational_J), drawn_J(hit.ke_total_J), name(hit.outcome)});
   }
   return {{"has_file", run.hits.has_file},
           {"total", run.hits.total},
@@ -92,7 +92,7 @@ Json losses_of(const RunFolder& run) {
     std::uint64_t impact = 0;
     double travelled_m = 0;  // on plan
     for (std::size_t i = 0; i + 1 < path.rows.size(); ++i) {
-      const PathRow& row = path.rows[i];
+      const PathEventRow& row = path.rows[i];
       if (i > 0) {
         const auto& before = path.rows[i - 1].position_m;
         travelled_m += std::hypot(row.position_m[0] - before[0], row.position_m[1] - before[1]);
