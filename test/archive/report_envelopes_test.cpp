@@ -64,7 +64,7 @@ TEST(ReportEnvelopes, OfManyCellsAreTheGreatestOfEveryFew) {
 
 TEST(ReportEnvelopes, ThatAreNoneAreRefused) {
   EXPECT_THAT(message_about("rock,time_s\n0,1\n"),
-              HasSubstr("envelopes.csv:1: the first column is not x_m (expected envelopes of a section)"));
+              HasSubstr("envelopes.csv:1: the columns are \"rock,time_s\" (expected \"x_m,...\")"));
   EXPECT_THAT(message_about("x_m,velocity_max_m_s\n0.5,fast\n"),
               HasSubstr("envelopes.csv:2: velocity_max_m_s: \"fast\" is not a number"));
   EXPECT_THAT(message_about("x_m,velocity_max_m_s\n0.5,1\n1.5\n"), HasSubstr("envelopes.csv:3: the row has 1 values"));

@@ -18,10 +18,9 @@
 
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
-#include "talus/barriers/barrier.hpp"
+#include "talus/archive/table_columns.hpp"
 #include "talus/maps/map_list.hpp"
 #include "talus/project/schema.hpp"
-#include "talus/rocks/motion.hpp"
 
 namespace talus::test {
 namespace {
@@ -87,19 +86,12 @@ std::string wrong_setting(const std::string& name, const std::string& word) {
 /// The words of a column of words.
 std::set<std::string> words_of(const std::string& column) {
   std::set<std::string> words;
-  if (column == "end_reason") {
-    for (int k = 0; k < end_reason_count; ++k) words.insert(name(static_cast<EndReason>(k)));
-  } else if (column == "state") {
-    for (const PathState state : {PathState::projectile, PathState::impact, PathState::sliding, PathState::rolling,
-                                  PathState::barrier, PathState::ended}) {
-      words.insert(name(state));
-    }
-  } else if (column == "outcome") {
-    for (const BarrierOutcome outcome :
-         {BarrierOutcome::stopped, BarrierOutcome::rebounded, BarrierOutcome::broke_through, BarrierOutcome::passed}) {
-      words.insert(name(outcome));
-    }
-  }
+  const auto add_all = [&](const auto& values) {
+    for (const auto value : values) words.insert(name(value));
+  };
+  if (column == "end_reason") add_all(io::Words<EndReason>::values);
+  if (column == "state") add_all(io::Words<PathState>::values);
+  if (column == "outcome") add_all(io::Words<BarrierOutcome>::values);
   return words;
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <ranges>
 
+#include "talus/archive/design_tables.hpp"
 #include "talus/core/bytes.hpp"
 
 namespace talus::io {
@@ -137,18 +138,14 @@ Json percentiles_json(const DesignPlan& plan, const std::vector<Estimate>& estim
 }
 
 Json figures_json(const DesignPlan& plan, const DesignFigures& figures) {
-  const auto percentiles = [&](CrossingQuantity quantity) {
-    return percentiles_json(plan, figures.percentiles[static_cast<std::size_t>(quantity)]);
-  };
+  Json percentiles;
+  for (std::size_t k = 0; k < design_quantities.size(); ++k)
+    percentiles[key_of(design_quantities[k])] = percentiles_json(plan, figures.percentiles[k]);
   return {{"from_m", figures.from},
           {"to_m", figures.to},
           {"rocks", figures.rocks},
           {"share", share_json(figures.share)},
-          {"percentiles",
-           {{"ke_translational_J", percentiles(CrossingQuantity::energy_translational)},
-            {"ke_total_J", percentiles(CrossingQuantity::energy_total)},
-            {"velocity_m_s", percentiles(CrossingQuantity::velocity)},
-            {"height_m", percentiles(CrossingQuantity::height)}}},
+          {"percentiles", std::move(percentiles)},
           {"needs", demand_json(figures.demand)},
           {"needs_at_upper_end", demand_json(figures.demand_at_upper_end)}};
 }

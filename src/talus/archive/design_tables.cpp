@@ -2,109 +2,126 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "talus/archive/design_json.hpp"
-#include "talus/files/csv_text.hpp"
 #include "talus/files/output_file.hpp"
 
 namespace talus::io {
 
 namespace {
 
-constexpr const char* design_name = "design.csv";
-constexpr const char* ranking_name = "design_ranking.csv";
+constexpr const char* ends[] = {"", "_low", "_high"};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, crossing_quantity_count - 1> quantities{
-    {{"ke_translational", "J"}, {"ke_total", "J"}, {"velocity", "m_s"}, {"height", "m"}}};
-
-void put(CsvRow& row, const std::optional<double>& value) {
-  if (value) {
-    row << *value;
-  } else {
-    row << "";
-  }
+std::optional<std::uint64_t> class_of(const std::optional<int>& kit_class) {
+  return kit_class ? std::optional(static_cast<std::uint64_t>(*kit_class)) : std::nullopt;
 }
 
-void put(CsvRow& row, const std::optional<RockShare>& share) {
-  put(row, share ? std::optional(share->value) : std::nullopt);
-  put(row, share ? std::optional(share->low) : std::nullopt);
-  put(row, share ? std::optional(share->high) : std::nullopt);
-}
-
-void put(CsvRow& row, const std::optional<KitDemand>& demand) {
-  if (!demand) {
-    row << ""
-        << ""
-        << "";
-    return;
-  }
-  row << demand->maximum_energy / 1000 << demand->kit_class << demand->height;
-}
-
-std::string heading(const DesignPlan& plan) {
-  std::string text = "line,section,from_m,to_m,rocks,share,share_low,share_high";
-  for (const auto& [quantity, unit] : quantities) {
-    for (const double percentile : plan.percentiles) {
-      for (const char* end : {"", "_low", "_high"}) {
-        text += fmt::format(",{}_p{}{}_{}", quantity, percentile, end, unit);
-      }
+std::vector<std::string> percentile_columns(const std::vector<double>& percentiles) {
+  std::vector<std::string> names;
+  for (const DesignQuantity& quantity : design_quantities) {
+    for (const double percentile : percentiles) {
+      for (const char* end : ends) names.push_back(design_column(quantity, fmt::format("{}", percentile), end));
     }
   }
-  for (const char* end : {"", "_high"}) text += fmt::format(",needs{0}_mel_kJ,needs{0}_class,needs{0}_height_m", end);
-  return text + "\n";
+  return names;
 }
 
-void append(std::string& text, const DesignPlan& plan, const DesignLine& line, std::string_view section,
-            const DesignFigures& figures) {
-  CsvRow row(text);
-  row << line.name << section << figures.from << figures.to << figures.rocks;
-  put(row, figures.share);
+DesignRow row_of(const DesignPlan& plan, const DesignLine& line, std::string section, const DesignFigures& figures) {
+  DesignRow row{.line = line.name,
+                .section = std::move(section),
+                .from_m = figures.from,
+                .to_m = figures.to,
+                .rocks = figures.rocks};
+  if (const auto& share = figures.share) {
+    row.share = share->value;
+    row.share_low = share->low;
+    row.share_high = share->high;
+  }
   for (const std::vector<Estimate>& estimates : figures.percentiles) {
     for (std::size_t k = 0; k < plan.percentiles.size(); ++k) {
       const bool is_known = k < estimates.size();
-      put(row, is_known ? std::optional(estimates[k].value) : std::nullopt);
-      put(row, is_known ? estimates[k].low : std::nullopt);
-      put(row, is_known ? estimates[k].high : std::nullopt);
+      row.percentiles.push_back(is_known ? std::optional(estimates[k].value) : std::nullopt);
+      row.percentiles.push_back(is_known ? estimates[k].low : std::nullopt);
+      row.percentiles.push_back(is_known ? estimates[k].high : std::nullopt);
     }
   }
-  put(row, figures.demand);
-  put(row, figures.demand_at_upper_end);
-  row.end();
+  if (const auto& demand = figures.demand) {
+    row.needs_mel_kJ = demand->maximum_energy / 1000;
+    row.needs_class = class_of(demand->kit_class);
+    row.needs_height_m = demand->height;
+  }
+  if (const auto& demand = figures.demand_at_upper_end) {
+    row.needs_high_mel_kJ = demand->maximum_energy / 1000;
+    row.needs_high_class = class_of(demand->kit_class);
+    row.needs_high_height_m = demand->height;
+  }
+  return row;
+}
+
+RankingRow row_of(const DesignPlan& plan, const KitChoice& kit, std::uint64_t rank) {
+  const DesignLine& line = plan.lines[kit.line];
+  RankingRow row{.rank = rank,
+                 .line = line.name,
+                 .length_m = line.length,
+                 .height_m = kit.height,
+                 .mel_kJ = kit.maximum_energy / 1000,
+                 .kit_class = class_of(kit.kit_class),
+                 .suffices = kit.suffices,
+                 .is_sure = kit.is_sure,
+                 .cost = kit.cost};
+  if (const auto& caught = kit.caught) {
+    row.rocks = caught->of;
+    row.caught = caught->rocks;
+    row.caught_share = caught->value;
+    row.caught_share_low = caught->low;
+    row.caught_share_high = caught->high;
+  }
+  row.above = kit.above;
+  row.through = kit.through;
+  row.beside = kit.beside;
+  row.limit = limit_text(plan, kit);
+  return row;
 }
 
 }  // namespace
 
+std::string key_of(const DesignQuantity& quantity) {
+  return fmt::format("{}_{}", quantity.name, quantity.unit_in_name);
+}
+
+std::string design_column(const DesignQuantity& quantity, std::string_view percentile, std::string_view end) {
+  return fmt::format("{}_p{}{}_{}", quantity.name, percentile, end, quantity.unit_in_name);
+}
+
+std::vector<ColumnText> DesignRow::family_texts() {
+  std::vector<ColumnText> texts;
+  const auto add = [&](const DesignQuantity& quantity, const char* end, std::string meaning) {
+    texts.push_back({design_column(quantity, "…", end), std::string(quantity.unit), std::move(meaning)});
+  };
+  for (const DesignQuantity& quantity : design_quantities) {
+    add(quantity, ends[0], fmt::format("{}: each of `percentiles`", quantity.meaning));
+    add(quantity, ends[1], "lower end of its confidence interval");
+    add(quantity, ends[2], "upper end of its confidence interval");
+  }
+  return texts;
+}
+
 std::string design_table(const DesignPlan& plan, const DesignResult& result) {
-  std::string text = heading(plan);
+  std::string text = header_of<DesignRow>(percentile_columns(plan.percentiles));
   for (std::size_t k = 0; k < plan.lines.size(); ++k) {
     const DesignResult::Line& line = result.lines[k];
-    append(text, plan, plan.lines[k], "all", line.whole);
-    for (std::size_t s = 0; s < line.sections.size(); ++s) {
-      append(text, plan, plan.lines[k], fmt::format("{}", s + 1), line.sections[s]);
-    }
+    append_row(text, row_of(plan, plan.lines[k], "all", line.whole));
+    for (std::size_t s = 0; s < line.sections.size(); ++s)
+      append_row(text, row_of(plan, plan.lines[k], fmt::format("{}", s + 1), line.sections[s]));
   }
   return text;
 }
 
 std::string ranking_table(const DesignPlan& plan, const DesignResult& result) {
-  std::string text =
-      "rank,line,length_m,height_m,mel_kJ,class,suffices,sure,cost,rocks,caught,caught_share,caught_share_low,"
-      "caught_share_high,above,through,beside,limit\n";
-  std::size_t rank = 0;
-  for (const KitChoice& kit : result.ranking) {
-    CsvRow row(text);
-    row << ++rank << plan.lines[kit.line].name << plan.lines[kit.line].length << kit.height << kit.maximum_energy / 1000
-        << (kit.kit_class ? fmt::format("{}", *kit.kit_class) : "") << (kit.suffices ? "yes" : "no")
-        << (kit.is_sure ? "yes" : "no") << kit.cost << (kit.caught ? kit.caught->of : 0)
-        << (kit.caught ? kit.caught->rocks : 0);
-    put(row, kit.caught);
-    row << kit.above << kit.through << kit.beside << limit_text(plan, kit);
-    row.end();
-  }
+  std::string text = header_of<RankingRow>();
+  std::uint64_t rank = 0;
+  for (const KitChoice& kit : result.ranking) append_row(text, row_of(plan, kit, ++rank));
   return text;
 }
 
@@ -114,14 +131,14 @@ void write_design_tables(const std::filesystem::path& folder, const DesignPlan& 
     file.write(text);
     file.commit();
   };
-  write(design_name, design_table(plan, result));
-  write(ranking_name, ranking_table(plan, result));
+  write(DesignRow::file_name, design_table(plan, result));
+  write(RankingRow::file_name, ranking_table(plan, result));
 }
 
 void remove_design_tables(const std::filesystem::path& folder) {
   std::error_code ignored;
-  std::filesystem::remove(folder / design_name, ignored);
-  std::filesystem::remove(folder / ranking_name, ignored);
+  std::filesystem::remove(folder / DesignRow::file_name, ignored);
+  std::filesystem::remove(folder / RankingRow::file_name, ignored);
 }
 
 }  // namespace talus::io

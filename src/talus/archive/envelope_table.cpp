@@ -4,23 +4,26 @@
 #include <system_error>
 #include <vector>
 
-#include "talus/files/csv_text.hpp"
 #include "talus/files/output_file.hpp"
 #include "talus/maps/map_list.hpp"
 
 namespace talus::io {
 
+std::vector<ColumnText> EnvelopeRow::family_texts() {
+  std::vector<ColumnText> texts;
+  for (MapKind& kind : map_families()) texts.push_back({std::move(kind.name), kind.unit, std::move(kind.meaning)});
+  return texts;
+}
+
 std::string envelope_table(const Maps& maps, const MapSelection& selection, bool has_heights) {
   MapSelection shown = selection;
   if (!has_heights) shown.subjects.reset(static_cast<std::size_t>(MapSubject::bounce_height));
   const std::vector<MapGroup> groups = map_groups(maps.rocks(), shown);
-  std::string text;
-  CsvRow heading(text);
-  heading << "x_m";
-  for (const MapGroup& group : groups) {
-    for (const MapKind& kind : group.kinds) heading << kind.name;
-  }
-  heading.end();
+  std::vector<MapKind> kinds;
+  for (const MapGroup& group : groups) kinds.insert(kinds.end(), group.kinds.begin(), group.kinds.end());
+  std::vector<std::string> names;
+  for (const MapKind& kind : kinds) names.push_back(kind.name);
+  std::string text = header_of<EnvelopeRow>(names);
 
   const auto extent = maps.extent();
   if (!extent) return text;
@@ -31,36 +34,35 @@ std::string envelope_table(const Maps& maps, const MapSelection& selection, bool
       if (tally) cells[static_cast<std::size_t>(tile->first().column + k - extent->first.column)] = tally;
     }
   }
+  EnvelopeRow row;
   std::vector<double> values;
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    CsvRow row(text);
-    row << maps.grid().origin().x() + (extent->first.column + static_cast<double>(k) + 0.5) * maps.grid().cell().x();
-    for (const MapGroup& group : groups) {
-      values.assign(group.kinds.size(), 0);
-      if (cells[k]) group.values(*cells[k], values);
-      for (std::size_t n = 0; n < values.size(); ++n) {
-        if (cells[k]) {
-          row << values[n];
-        } else {
-          row << (group.kinds[n].is_count ? "0" : "");
-        }
+    row.x_m = maps.grid().origin().x() + (extent->first.column + static_cast<double>(k) + 0.5) * maps.grid().cell().x();
+    row.values.clear();
+    if (cells[k]) {
+      for (const MapGroup& group : groups) {
+        values.assign(group.kinds.size(), 0);
+        group.values(*cells[k], values);
+        row.values.insert(row.values.end(), values.begin(), values.end());
       }
+    } else {
+      for (const MapKind& kind : kinds) row.values.push_back(kind.is_count ? std::optional(0.0) : std::nullopt);
     }
-    row.end();
+    append_row(text, row);
   }
   return text;
 }
 
 void write_envelopes(const std::filesystem::path& folder, const Maps& maps, const MapSelection& selection,
                      bool has_heights) {
-  OutputFile file(folder / envelopes_name);
+  OutputFile file(folder / EnvelopeRow::file_name);
   file.write(envelope_table(maps, selection, has_heights));
   file.commit();
 }
 
 void remove_envelopes(const std::filesystem::path& folder) {
   std::error_code ignored;
-  std::filesystem::remove(folder / envelopes_name, ignored);
+  std::filesystem::remove(folder / EnvelopeRow::file_name, ignored);
 }
 
 }  // namespace talus::io

@@ -3,17 +3,32 @@
 
 #include <filesystem>
 #include <string>
+#include <tuple>
+#include <vector>
 
+#include "talus/files/csv_table.hpp"
 #include "talus/maps/map_list.hpp"
 #include "talus/results/maps.hpp"
 
 namespace talus::io {
 
-inline constexpr const char* envelopes_name = "envelopes.csv";
+/// A row of envelopes.csv: a cell of a grid along x.
+struct EnvelopeRow {
+  static constexpr const char* file_name = "envelopes.csv";
 
-/// A row for each cell of a grid along x, from the first to the last that rocks touched: the x of its middle in the
-/// user's coordinates, then the maps of the selection. A cell that no rock touched has counts of 0 and nothing else.
-/// Without heights those of bounces are left out. Expects maps of a section, in one row.
+  double x_m = 0;
+  FamilyValues values{};  // of the maps that were chosen
+
+  static constexpr auto columns() {
+    using R = EnvelopeRow;
+    return std::tuple(quantity("x_m", "m", "middle of the cell", &R::x_m), family(&R::values));
+  }
+  [[nodiscard]] static std::vector<ColumnText> family_texts();
+};
+
+/// A row for each cell from the first to the last that rocks touched. A cell that no rock touched has counts of 0, and
+/// its other values are empty. Without `has_heights` there are no bounce heights. Expects maps of a section, in one
+/// row.
 [[nodiscard]] std::string envelope_table(const Maps& maps, const MapSelection& selection, bool has_heights);
 
 /// Writes it into a run's folder; throws BadInput where it cannot be written.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "talus/files/csv_reader.hpp"
+#include "talus/archive/envelope_table.hpp"
 
 namespace talus::io {
 namespace {
@@ -16,34 +16,32 @@ bool is_shown(std::string_view column) {
 
 std::uint64_t rows_of(const std::filesystem::path& file) {
   std::uint64_t rows = 0;
-  for (CsvReader row(file); row.next();) ++rows;
+  for (TableReader<EnvelopeRow> row(file); row.next();) ++rows;
   return rows;
 }
 
 }  // namespace
 
 ReportEnvelopes read_report_envelopes(const std::filesystem::path& file) {
-  CsvReader row(file);
-  if (row.columns().front() != "x_m") row.refuse("", "the first column is not x_m", "expected envelopes of a section");
+  TableReader<EnvelopeRow> row(file);
   ReportEnvelopes out;
+  const auto names = row.family_names();
   std::vector<std::size_t> places;
-  for (std::size_t k = 1; k < row.columns().size(); ++k) {
-    if (!is_shown(row.columns()[k])) continue;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!is_shown(names[k])) continue;
     places.push_back(k);
-    out.columns.push_back(row.columns()[k]);
+    out.columns.push_back(names[k]);
   }
   out.cells_each = rows_of(file) / (most_report_envelope_cells + 1) + 1;
   for (std::uint64_t k = 0; row.next(); ++k) {
-    const double x_m = row.number(0);
+    const double x_m = row.get<&EnvelopeRow::x_m>();
     if (k % out.cells_each == 0)
       out.cells.push_back({.from_x_m = x_m, .values = decltype(out.cells[0].values)(places.size())});
     auto& cell = out.cells.back();
     cell.to_x_m = x_m;
-    for (std::size_t n = 0; n < places.size(); ++n) {
-      if (row.text(places[n]).empty()) continue;
-      // An optional without a value is less than any with one.
-      cell.values[n] = std::max(cell.values[n], std::optional(row.number(places[n])));
-    }
+    const FamilyValues values = row.get<&EnvelopeRow::values>();
+    // An optional without a value is less than any with one.
+    for (std::size_t n = 0; n < places.size(); ++n) cell.values[n] = std::max(cell.values[n], values[places[n]]);
   }
   return out;
 }

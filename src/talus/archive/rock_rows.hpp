@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "talus/archive/typed_columns.hpp"
+#include "talus/files/csv_table.hpp"
 
 namespace talus::io {
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "talus/archive/design_tables.hpp"
 #include "talus/archive/foot_stretch.hpp"
 
 namespace talus::io {
@@ -145,14 +146,11 @@ std::vector<SourceStretch> source_stretches(const RunSummary& summary) {
   return stretches;
 }
 
-constexpr std::array<std::pair<const char*, const char*>, 4> design_quantities{
-    {{"ke_translational", "J"}, {"ke_total", "J"}, {"velocity", "m_s"}, {"height", "m"}}};
-
 /// The figures of a section, in the order of their names.
 std::vector<std::optional<double>> figures_of(const SectionFigures& section, const GivenDesign& design) {
   std::vector<std::optional<double>> figures;
-  for (const auto& [quantity, unit] : design_quantities) {
-    const auto* const known = find_named(section.percentiles, fmt::format("{}_{}", quantity, unit));
+  for (const DesignQuantity& quantity : design_quantities) {
+    const auto* const known = find_named(section.percentiles, key_of(quantity));
     for (const double percentile : design.percentiles) {
       const auto* const ends = known == nullptr ? nullptr : find_named(*known, fmt::format("{}", percentile));
       figures.push_back(ends == nullptr ? std::nullopt : (*ends)[0]);
@@ -168,9 +166,9 @@ std::vector<std::optional<double>> figures_of(const SectionFigures& section, con
 }
 
 void add_design(const GivenDesign& design, RunFacts& facts) {
-  for (const auto& [quantity, unit] : design_quantities) {
+  for (const DesignQuantity& quantity : design_quantities) {
     for (const double percentile : design.percentiles)
-      facts.design_figures.push_back(fmt::format("{}_p{}_{}", quantity, percentile, unit));
+      facts.design_figures.push_back(design_column(quantity, fmt::format("{}", percentile)));
   }
   for (const char* need : {"energy_J", "class", "height_m"})
     facts.design_figures.push_back(fmt::format("needs_{}", need));

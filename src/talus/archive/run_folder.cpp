@@ -254,7 +254,7 @@ RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& lim
   attempt(PathEventRow::file_name, true, [&](const auto& file) { read_paths(file, limits, run); });
   attempt(HitRow::file_name, true, [&](const auto& file) { run.hits = read_hits(file, limits.hits); });
   attempt("maps", true, [&](const auto&) { run.maps = read_report_maps(folder); });
-  attempt(envelopes_name, true, [&](const auto& file) { run.envelopes = read_report_envelopes(file); });
+  attempt(EnvelopeRow::file_name, true, [&](const auto& file) { run.envelopes = read_report_envelopes(file); });
   if (problems.has_errors()) throw BadInput(std::move(problems));
   note_what_is_missing(run);
   return run;

@@ -1,13 +1,13 @@
 #pragma once
-// The tables of a run: their rows and columns, for what writes them and what reads them.
+// The rows and columns of endpoints.csv, paths.csv and barriers.csv, for writers and readers.
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <tuple>
 
-#include "talus/archive/typed_columns.hpp"
 #include "talus/barriers/barrier.hpp"
+#include "talus/files/csv_table.hpp"
 #include "talus/rocks/motion.hpp"
 
 namespace talus::io {
@@ -34,7 +34,7 @@ struct Words<BarrierOutcome> {
   static constexpr const char* fault = "is not an outcome";
 };
 
-/// A row of endpoints.csv: how a rock ended. Positions are the user's.
+/// A row of endpoints.csv: how a rock ended. Positions are in the project's coordinates.
 struct EndpointRow {
   static constexpr const char* file_name = "endpoints.csv";
 
@@ -51,24 +51,25 @@ struct EndpointRow {
     return std::tuple(
         key("rock", "number of the rock, from 0, seeder after seeder", &R::rock),
         word("seeder", "name of its seeder", &R::seeder),
-        quantity("x_m", "m", "where its centre ended", &R::position_m, 0),
-        quantity("y_m", "m", "likewise", &R::position_m, 1), quantity("z_m", "m", "likewise", &R::position_m, 2),
-        quantity("runout_xy_m", "m", "from start to end on plan", &R::runout_xy_m),
-        quantity("runout_z_m", "m", "start's z less end's z: positive downwards", &R::runout_z_m),
-        quantity("runout_total_m", "m", "from start to end, the straight line in space", &R::runout_total_m),
-        quantity("time_s", "s", "from release to end", &R::time_s),
-        quantity("events", "", "arrivals: impacts and barriers", &R::events),
-        word("end_reason", "why the path ended", &R::end_reason), quantity("mass_kg", "kg", "mass", &R::mass_kg),
+        quantity("x_m", "m", "x of its centre where it ended", &R::position_m, 0),
+        quantity("y_m", "m", "y of its centre", &R::position_m, 1),
+        quantity("z_m", "m", "z of its centre", &R::position_m, 2),
+        quantity("runout_xy_m", "m", "distance from release to end on plan", &R::runout_xy_m),
+        quantity("runout_z_m", "m", "z at the release minus z at the end: positive downwards", &R::runout_z_m),
+        quantity("runout_total_m", "m", "straight distance from release to end in space", &R::runout_total_m),
+        quantity("time_s", "s", "time from release to end", &R::time_s),
+        quantity("events", "", "number of impacts and hits on barriers", &R::events),
+        word("end_reason", "why the trajectory ended", &R::end_reason), quantity("mass_kg", "kg", "mass", &R::mass_kg),
         quantity("radius_m", "m", "radius of the equivalent sphere", &R::radius_m),
-        quantity("max_ke_J", "J", "greatest kinetic energy, translational and rotational", &R::max_ke_J),
+        quantity("max_ke_J", "J", "maximum total kinetic energy: translational and rotational", &R::max_ke_J),
         quantity("max_bounce_m", "m",
-                 "greatest bounce height: of the centre above the ground below it, in flight, and of a sphere on the "
-                 "ground, too",
+                 "maximum bounce height: of the centre above the ground straight below it, in flight, and for a sphere "
+                 "also on the ground",
                  &R::max_bounce_m));
   }
 };
 
-/// A row of paths.csv: a rock in one moment of its path.
+/// A row of paths.csv: a moment of a rock's trajectory.
 struct PathEventRow {
   static constexpr const char* file_name = "paths.csv";
 
@@ -82,18 +83,20 @@ struct PathEventRow {
   static constexpr auto columns() {
     using R = PathEventRow;
     return std::tuple(
-        key("rock", "number of the rock", &R::rock), key("event", "number of the row, from 0", &R::event),
-        word("state", "what it does from now on; `impact`, `barrier`: it arrives", &R::state),
-        quantity("time_s", "s", "since release", &R::time_s), quantity("x_m", "m", "of the centre", &R::position_m, 0),
-        quantity("y_m", "m", "likewise", &R::position_m, 1), quantity("z_m", "m", "likewise", &R::position_m, 2),
-        quantity("vx_m_s", "m/s", "velocity", &R::velocity_m_s, 0),
-        quantity("vy_m_s", "m/s", "likewise", &R::velocity_m_s, 1),
-        quantity("vz_m_s", "m/s", "likewise", &R::velocity_m_s, 2),
-        quantity("wx_rad_s", "rad/s", "spin about the axes of the coordinates", &R::spin_rad_s, 0),
-        quantity("wy_rad_s", "rad/s", "likewise: rolling towards +x is positive", &R::spin_rad_s, 1),
-        quantity("wz_rad_s", "rad/s", "likewise", &R::spin_rad_s, 2),
-        quantity("ke_translational_J", "J", "kinetic energy of the motion", &R::ke_translational_J),
-        quantity("ke_rotational_J", "J", "kinetic energy of the spin", &R::ke_rotational_J),
+        key("rock", "number of the rock", &R::rock), key("event", "number of the row of this rock, from 0", &R::event),
+        word("state", "state of the rock from this row on; `impact` and `barrier`: it arrives", &R::state),
+        quantity("time_s", "s", "time since the release", &R::time_s),
+        quantity("x_m", "m", "x of its centre", &R::position_m, 0),
+        quantity("y_m", "m", "y of its centre", &R::position_m, 1),
+        quantity("z_m", "m", "z of its centre", &R::position_m, 2),
+        quantity("vx_m_s", "m/s", "x of its velocity", &R::velocity_m_s, 0),
+        quantity("vy_m_s", "m/s", "y of its velocity", &R::velocity_m_s, 1),
+        quantity("vz_m_s", "m/s", "z of its velocity", &R::velocity_m_s, 2),
+        quantity("wx_rad_s", "rad/s", "x of its spin, about the axes of the coordinates", &R::spin_rad_s, 0),
+        quantity("wy_rad_s", "rad/s", "y of its spin: rolling towards +x is positive", &R::spin_rad_s, 1),
+        quantity("wz_rad_s", "rad/s", "z of its spin", &R::spin_rad_s, 2),
+        quantity("ke_translational_J", "J", "translational kinetic energy", &R::ke_translational_J),
+        quantity("ke_rotational_J", "J", "rotational kinetic energy", &R::ke_rotational_J),
         quantity("pe_J", "J", "potential energy above the datum", &R::pe_J));
   }
 };
@@ -115,19 +118,23 @@ struct HitRow {
   static constexpr auto columns() {
     using R = HitRow;
     return std::tuple(
-        word("barrier", "its name", &R::barrier), key("rock", "number of the rock", &R::rock),
-        quantity("time_s", "s", "since release", &R::time_s), quantity("x_m", "m", "of the centre", &R::position_m, 0),
-        quantity("y_m", "m", "likewise", &R::position_m, 1), quantity("z_m", "m", "likewise", &R::position_m, 2),
+        word("barrier", "name of the barrier or collector", &R::barrier), key("rock", "number of the rock", &R::rock),
+        quantity("time_s", "s", "time since the release", &R::time_s),
+        quantity("x_m", "m", "x of its centre", &R::position_m, 0),
+        quantity("y_m", "m", "y of its centre", &R::position_m, 1),
+        quantity("z_m", "m", "z of its centre", &R::position_m, 2),
         quantity("impact_height_m", "m",
-                 "above the foot, along the face: of the contact point; at a collector, of the centre",
+                 "height above the foot, along the face: of the contact point, at a collector of the centre",
                  &R::impact_height_m),
-        quantity("vx_m_s", "m/s", "velocity as it arrives", &R::velocity_m_s, 0),
-        quantity("vy_m_s", "m/s", "likewise", &R::velocity_m_s, 1),
-        quantity("vz_m_s", "m/s", "likewise", &R::velocity_m_s, 2),
-        quantity("angle_deg", "°", "between velocity and the face's normal, positive towards the foot", &R::angle_deg),
-        quantity("ke_translational_J", "J", "kinetic energy of the motion", &R::ke_translational_J),
-        quantity("ke_rotational_J", "J", "kinetic energy of the spin", &R::ke_rotational_J),
-        quantity("ke_total_J", "J", "both", &R::ke_total_J), word("outcome", "what came of it", &R::outcome));
+        quantity("vx_m_s", "m/s", "x of its velocity on arrival", &R::velocity_m_s, 0),
+        quantity("vy_m_s", "m/s", "y of its velocity", &R::velocity_m_s, 1),
+        quantity("vz_m_s", "m/s", "z of its velocity", &R::velocity_m_s, 2),
+        quantity("angle_deg", "°", "angle between the velocity and the face's normal, positive towards the foot",
+                 &R::angle_deg),
+        quantity("ke_translational_J", "J", "translational kinetic energy", &R::ke_translational_J),
+        quantity("ke_rotational_J", "J", "rotational kinetic energy", &R::ke_rotational_J),
+        quantity("ke_total_J", "J", "total kinetic energy", &R::ke_total_J),
+        word("outcome", "outcome of the hit", &R::outcome));
   }
 };
 

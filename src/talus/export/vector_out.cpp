@@ -11,58 +11,57 @@
 
 #include "talus/archive/path_arcs.hpp"
 #include "talus/archive/path_reader.hpp"
-#include "talus/archive/table_columns.hpp"
 #include "talus/export/geopackage_file.hpp"
+#include "talus/export/geopackage_rows.hpp"
 
 namespace talus::io {
 
 namespace {
 
-constexpr std::pair<const char*, const char*> quantities_of_hits[] = {
-    {"ke_total", "J"}, {"ke_translational", "J"}, {"impact_height", "m"}, {"velocity", "m_s"}};
-
 template <class Value>
-constexpr OGRFieldType type_of(const Value&) {
-  if constexpr (std::same_as<Value, std::uint64_t>) {
-    return OFTInteger64;
-  } else {
-    return std::same_as<Value, double> ? OFTReal : OFTString;
-  }
+constexpr OGRFieldType type_of() {
+  if constexpr (std::same_as<Value, std::uint64_t>) return OFTInteger64;
+  return std::same_as<Value, double> || std::same_as<Value, std::optional<double>> ? OFTReal : OFTString;
 }
 
-/// As a column of endpoints.csv.
-template <auto member>
-GeoField field_of() {
-  return {std::string(column_names<EndpointRow>[place_of(member)]), type_of(EndpointRow{}.*member)};
+template <TableRow Row>
+std::vector<GeoField> fields_of(std::span<const std::string> of_family = {}) {
+  std::vector<GeoField> fields;
+  const Row example;
+  for_columns<Row>([&](const auto& column) {
+    if constexpr (is_family<std::remove_cvref_t<decltype(column)>>) {
+      for (const std::string& name : of_family) fields.push_back({name});
+    } else {
+      fields.push_back({std::string(column.name), type_of<std::remove_cvref_t<decltype(column.in(example))>>()});
+    }
+  });
+  return fields;
 }
 
 /// Sets fields one after the other.
-class Row {
+class Fields {
  public:
-  explicit Row(OGRLayer& layer) : feature_(layer.GetLayerDefn()) {}
-  Row& operator<<(double x) {
-    feature_.SetField(next_++, x);
-    return *this;
+  explicit Fields(OGRLayer& layer) : feature_(layer.GetLayerDefn()) {}
+  template <TableRow Row>
+  void set(const Row& row) {
+    for_columns<Row>([&](const auto& column) {
+      if constexpr (is_family<std::remove_cvref_t<decltype(column)>>) {
+        for (const std::optional<double>& value : row.*column.member) set(value);
+      } else {
+        set(column.in(row));
+      }
+    });
   }
-  Row& operator<<(std::uint64_t x) {
-    feature_.SetField(next_++, static_cast<GIntBig>(x));
-    return *this;
-  }
-  Row& operator<<(const std::string& text) {
-    feature_.SetField(next_++, text.c_str());
-    return *this;
-  }
-  Row& operator<<(EndReason reason) {
-    feature_.SetField(next_++, name(reason));
-    return *this;
-  }
-  Row& operator<<(const std::optional<double>& x) {
-    if (x) return *this << *x;
-    ++next_;
-    return *this;
-  }
-  Row& operator<<(const Statistics& values) {
-    return *this << values.percentiles.p95 << values.percentiles.p99 << values.maximum;
+  void set(double x) { feature_.SetField(next_++, x); }
+  void set(std::uint64_t x) { feature_.SetField(next_++, static_cast<GIntBig>(x)); }
+  void set(const std::string& text) { feature_.SetField(next_++, text.c_str()); }
+  void set(EndReason reason) { feature_.SetField(next_++, name(reason)); }
+  void set(const std::optional<double>& x) {
+    if (x) {
+      set(*x);
+    } else {
+      ++next_;
+    }
   }
   void put_at(const OGRGeometry& geometry) { feature_.SetGeometry(&geometry); }
   [[nodiscard]] OGRFeature& feature() { return feature_; }
@@ -74,31 +73,34 @@ class Row {
 
 OGRPoint point(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 
+OGRLineString line_along(const std::vector<std::array<double, 3>>& points) {
+  OGRLineString line;
+  for (const auto& [x, y, z] : points) line.addPoint(x, y, z);
+  return line;
+}
+
 class Layers {
  public:
   Layers(GeoPackageFile& file, const RunFacts& facts) : file_(file), facts_(facts) {
     add_barriers();
     if (!facts.design_sections.empty()) add_design();
-    std::vector<GeoField> fields;
-    const EndpointRow example;
-    for_columns<EndpointRow>([&](const auto& column) {
-      fields.push_back({std::string(column.name), type_of(column.in(example))});
-    });
+    std::vector<GeoField> fields = fields_of<EndpointRow>();
     fields.push_back({"source", OFTString});
     endpoints_ = &file.add_layer("endpoints", wkbPoint25D, "Where rocks ended", fields);
-    paths_ = &file.add_layer("paths", wkbLineString25D, "Ways of rocks, arcs of flights included", fields_of_a_path);
-    releases_ = &file.add_layer("releases", wkbPoint25D, "Where the rocks of the layer paths began", fields_of_a_path);
+    const std::vector<GeoField> of_rock = fields_of<RockLayerRow>();
+    paths_ = &file.add_layer("paths", wkbLineString25D, "Ways of rocks, arcs of flights included", of_rock);
+    releases_ = &file.add_layer("releases", wkbPoint25D, "Where the rocks of the layer paths began", of_rock);
   }
 
   void add_endpoint(const EndpointRow& end) {
-    Row feature(*endpoints_);
-    for_columns<EndpointRow>([&](const auto& column) { feature << column.in(end); });
-    feature << facts_.source_of(end.rock);
-    feature.put_at(point(end.position_m));
-    file_.add(*endpoints_, feature.feature());
+    Fields fields(*endpoints_);
+    fields.set(end);
+    fields.set(facts_.source_of(end.rock));
+    fields.put_at(point(end.position_m));
+    file_.add(*endpoints_, fields.feature());
   }
 
-  /// The path of the rock that ended so.
+  /// The path of the rock that `end` is of.
   void add_path(const Path& path, const EndpointRow& end) {
     OGRLineString line;
     for_points_along(path, geopackage_tolerance_m, [&](const PathPoint& at) {
@@ -109,74 +111,69 @@ class Layers {
       line.addPoint(x, y, z);
     });
     if (line.getNumPoints() == 1) line.addPoint(line.getX(0), line.getY(0), line.getZ(0));  // a line has two
-    add_with_values(*paths_, line, end);
-    add_with_values(*releases_, point(path.rows.front().position_m), end);
+    const RockLayerRow row{.rock = end.rock,
+                           .seeder = end.seeder,
+                           .source = facts_.source_of(end.rock),
+                           .end_reason = end.end_reason,
+                           .time_s = end.time_s,
+                           .events = end.events,
+                           .runout_xy_m = end.runout_xy_m,
+                           .mass_kg = end.mass_kg,
+                           .radius_m = end.radius_m,
+                           .max_ke_J = end.max_ke_J,
+                           .max_bounce_m = end.max_bounce_m};
+    add(*paths_, line, row);
+    add(*releases_, point(path.rows.front().position_m), row);
   }
 
  private:
-  static inline const std::vector<GeoField> fields_of_a_path{
-      field_of<&EndpointRow::rock>(),        field_of<&EndpointRow::seeder>(),      {"source", OFTString},
-      field_of<&EndpointRow::end_reason>(),  field_of<&EndpointRow::time_s>(),      field_of<&EndpointRow::events>(),
-      field_of<&EndpointRow::runout_xy_m>(), field_of<&EndpointRow::mass_kg>(),     field_of<&EndpointRow::radius_m>(),
-      field_of<&EndpointRow::max_ke_J>(),    field_of<&EndpointRow::max_bounce_m>()};
-
-  void add_with_values(OGRLayer& layer, const OGRGeometry& geometry, const EndpointRow& end) {
-    Row feature(layer);
-    feature << end.rock << end.seeder << facts_.source_of(end.rock) << end.end_reason << end.time_s << end.events
-            << end.runout_xy_m << end.mass_kg << end.radius_m << end.max_ke_J << end.max_bounce_m;
-    feature.put_at(geometry);
-    file_.add(layer, feature.feature());
+  template <TableRow Row>
+  void add(OGRLayer& layer, const OGRGeometry& geometry, const Row& row) {
+    Fields fields(layer);
+    fields.set(row);
+    fields.put_at(geometry);
+    file_.add(layer, fields.feature());
   }
 
   void add_barriers() {
-    std::vector<GeoField> fields{{"name", OFTString},
-                                 {"kind", OFTString},
-                                 {"height_m"},
-                                 {"inclination_deg"},
-                                 {"capacity_kJ"},
-                                 {"hits", OFTInteger64},
-                                 {"rocks_hit", OFTInteger64},
-                                 {"passed_above", OFTInteger64},
-                                 {"stopped", OFTInteger64},
-                                 {"rebounded", OFTInteger64},
-                                 {"broke_through", OFTInteger64},
-                                 {"passed", OFTInteger64},
-                                 {"least_clearance_m"}};
-    for (const auto& [quantity, unit] : quantities_of_hits) {
-      for (const char* part : {"p95", "p99", "max"}) fields.push_back({fmt::format("{}_{}_{}", quantity, part, unit)});
+    std::vector<std::string> names;
+    for (const HitQuantity& quantity : hit_quantities) {
+      for (const char* part : {"p95", "p99", "max"}) names.push_back(BarrierLayerRow::column(quantity, part));
     }
     OGRLayer& layer = file_.add_layer("barriers", wkbLineString25D,
-                                      "Feet of barriers and collectors, with what the rocks ask of them", fields);
+                                      "Feet of barriers and collectors, with what the rocks ask of them",
+                                      fields_of<BarrierLayerRow>(names));
     for (const BarrierFacts& barrier : facts_.barriers) {
-      Row feature(layer);
-      feature << barrier.name << barrier.kind << barrier.height_m << barrier.inclination_deg << barrier.capacity_kJ
-              << barrier.hits << barrier.rocks_hit << barrier.passed_above << barrier.outcomes.stopped
-              << barrier.outcomes.rebounded << barrier.outcomes.broke_through << barrier.outcomes.passed
-              << barrier.least_clearance_m;
-      for (const auto& [quantity, unit] : quantities_of_hits)
-        feature << barrier.statistics_of(fmt::format("{}_{}", quantity, unit));
-      OGRLineString foot;
-      for (const auto& [x, y, z] : barrier.line_xyz) foot.addPoint(x, y, z);
-      feature.put_at(foot);
-      file_.add(layer, feature.feature());
+      BarrierLayerRow row{.name = barrier.name,
+                          .kind = barrier.kind,
+                          .height_m = barrier.height_m,
+                          .inclination_deg = barrier.inclination_deg,
+                          .capacity_kJ = barrier.capacity_kJ,
+                          .hits = barrier.hits,
+                          .rocks_hit = barrier.rocks_hit,
+                          .passed_above = barrier.passed_above,
+                          .stopped = barrier.outcomes.stopped,
+                          .rebounded = barrier.outcomes.rebounded,
+                          .broke_through = barrier.outcomes.broke_through,
+                          .passed = barrier.outcomes.passed,
+                          .least_clearance_m = barrier.least_clearance_m};
+      for (const HitQuantity& quantity : hit_quantities) {
+        const Statistics of_hits = barrier.statistics_of(fmt::format("{}_{}", quantity.name, quantity.unit_in_name));
+        row.statistics.insert(row.statistics.end(),
+                              {of_hits.percentiles.p95, of_hits.percentiles.p99, of_hits.maximum});
+      }
+      add(layer, line_along(barrier.line_xyz), row);
     }
   }
 
   void add_design() {
-    std::vector<GeoField> fields{
-        {"line", OFTString}, {"section", OFTInteger64}, {"from_m"}, {"to_m"}, {"rocks", OFTInteger64}, {"share"}};
-    for (const std::string& figure : facts_.design_figures) fields.push_back({figure});
-    OGRLayer& layer = file_.add_layer("design", wkbLineString25D,
-                                      "Sections of lines, with what the rocks ask of a barrier there", fields);
-    for (const DesignSection& section : facts_.design_sections) {
-      Row feature(layer);
-      feature << section.line << section.number << section.from_m << section.to_m << section.rocks << section.share;
-      for (const std::optional<double>& figure : section.figures) feature << figure;
-      OGRLineString foot;
-      for (const auto& [x, y, z] : section.foot_m) foot.addPoint(x, y, z);
-      feature.put_at(foot);
-      file_.add(layer, feature.feature());
-    }
+    OGRLayer& layer =
+        file_.add_layer("design", wkbLineString25D, "Sections of lines, with what the rocks ask of a barrier there",
+                        fields_of<DesignLayerRow>(facts_.design_figures));
+    for (const DesignSection& section : facts_.design_sections)
+      add(layer, line_along(section.foot_m),
+          DesignLayerRow{section.line, section.number, section.from_m, section.to_m, section.rocks, section.share,
+                         section.figures});
   }
 
   GeoPackageFile& file_;

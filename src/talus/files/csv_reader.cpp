@@ -37,10 +37,18 @@ CsvReader::CsvReader(const std::filesystem::path& file)
   columns_.assign(fields_.begin(), fields_.end());
 }
 
-CsvReader::CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns) : CsvReader(file) {
-  if (std::ranges::equal(columns_, columns)) return;
+CsvReader::CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns,
+                     std::optional<std::size_t> more_at)
+    : CsvReader(file) {
+  const std::size_t before = more_at.value_or(columns.size()), after = columns.size() - before;
+  const bool has_all = more_at ? columns_.size() >= columns.size() : columns_.size() == columns.size();
+  if (has_all && std::ranges::equal(columns.first(before), std::span(columns_).first(before)) &&
+      std::ranges::equal(columns.last(after), std::span(columns_).last(after)))
+    return;
+  std::vector<std::string_view> expected(columns.begin(), columns.end());
+  if (more_at) expected.insert(expected.begin() + static_cast<std::ptrdiff_t>(before), "...");
   refuse("", fmt::format("the columns are {}", excerpt(record_)),
-         fmt::format("expected \"{}\"", fmt::join(columns, ",")));
+         fmt::format("expected \"{}\"", fmt::join(expected, ",")));
 }
 
 bool CsvReader::read_record() {
@@ -138,6 +146,11 @@ void CsvReader::refuse(std::string where, std::string what, std::string why, std
                   .what = std::move(what),
                   .why = std::move(why),
                   .hint = std::move(hint)});
+}
+
+void CsvReader::refuse_word(std::size_t column, std::string_view fault, std::span<const std::string_view> known) const {
+  refuse(columns_[column], fmt::format("\"{}\" {}", fields_[column], fault),
+         fmt::format("expected one of {}", fmt::join(known, ", ")));
 }
 
 }  // namespace talus::io

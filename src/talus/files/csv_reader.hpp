@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,8 +15,10 @@ namespace talus::io {
 
 class CsvReader {
  public:
-  /// Expects exactly these columns in the file's first line; throws BadInput otherwise.
-  CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns);
+  /// Expects exactly these columns in the file's first line, and any number of others at the place `more_at` if it is
+  /// given; throws BadInput otherwise.
+  CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns,
+            std::optional<std::size_t> more_at = {});
   /// Takes the columns that the file's first line names.
   explicit CsvReader(const std::filesystem::path& file);
 
@@ -35,6 +38,9 @@ class CsvReader {
 
   /// Throws BadInput about the current row.
   [[noreturn]] void refuse(std::string where, std::string what, std::string why, std::string hint = {}) const;
+  /// About a value that is none of the known words; `fault` follows it in the message.
+  [[noreturn]] void refuse_word(std::size_t column, std::string_view fault,
+                                std::span<const std::string_view> known) const;
 
  private:
   [[nodiscard]] bool read_record();

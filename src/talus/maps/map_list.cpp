@@ -48,14 +48,27 @@ constexpr Quantity quantities[] = {
     {MapSubject::bounce_height, MapQuantity::bounce_height, "bounce height", "m", "m", 1, {0.5, 1, 2, 5, 10}},
 };
 
+MapKind kind_of(const Count& count) {
+  return {std::string(name_of(count.subject)), count.meaning, "", count.limits, count.is_whole, MapOverview::greatest};
+}
+
+/// `part`: max, mean or a percentile.
+MapKind kind_of(const Quantity& q, const std::string& part, const std::string& meaning, MapOverview overview) {
+  return {fmt::format("{}_{}_{}", name_of(q.subject), part, q.unit_in_name),
+          fmt::format("{}: {}", q.meaning, meaning),
+          q.unit,
+          q.limits,
+          false,
+          overview};
+}
+
 MapGroup counts_of(std::uint64_t rocks, const MapSubjects& subjects) {
   MapGroup group;
   std::vector<const Count*> chosen;
   for (const Count& count : counted) {
     if (!holds(subjects, count.subject)) continue;
     chosen.push_back(&count);
-    group.kinds.push_back(
-        {std::string(name_of(count.subject)), count.meaning, "", count.limits, count.is_whole, MapOverview::greatest});
+    group.kinds.push_back(kind_of(count));
   }
   group.values = [rocks, chosen = std::move(chosen)](const MapTally& cell, std::span<double> values) {
     for (std::size_t k = 0; k < chosen.size(); ++k) values[k] = chosen[k]->value(cell, static_cast<double>(rocks));
@@ -66,8 +79,7 @@ MapGroup counts_of(std::uint64_t rocks, const MapSubjects& subjects) {
 MapGroup group_of(const Quantity& q, const std::vector<double>& percentiles) {
   MapGroup group;
   const auto add = [&](const std::string& part, const std::string& meaning, MapOverview overview) {
-    group.kinds.push_back({fmt::format("{}_{}_{}", name_of(q.subject), part, q.unit_in_name),
-                           fmt::format("{}: {}", q.meaning, meaning), q.unit, q.limits, false, overview});
+    group.kinds.push_back(kind_of(q, part, meaning, overview));
   };
   add("max", "greatest of all rocks", MapOverview::greatest);
   add("mean", "mean over the rocks", MapOverview::mean);
@@ -102,6 +114,14 @@ std::vector<MapGroup> map_groups(std::uint64_t rocks, const MapSelection& select
     if (holds(selection.subjects, q.subject)) groups.push_back(group_of(q, selection.percentiles));
   }
   return groups;
+}
+
+std::vector<MapKind> map_families() {
+  std::vector<MapKind> kinds;
+  for (const Count& count : counted) kinds.push_back(kind_of(count));
+  for (const Quantity& q : quantities)
+    kinds.push_back(kind_of(q, "…", "`max`, `mean` and the percentiles", MapOverview::greatest));
+  return kinds;
 }
 
 std::vector<MapKind> map_kinds(const MapSelection& selection) {

@@ -43,6 +43,9 @@ struct MapSelection {
 /// For maps of so many rocks; groups without a map are left out.
 [[nodiscard]] std::vector<MapGroup> map_groups(std::uint64_t rocks, const MapSelection& selection);
 
+/// One for each subject, with … in the name for max, mean or a percentile.
+[[nodiscard]] std::vector<MapKind> map_families();
+
 /// All of them, in their order.
 [[nodiscard]] std::vector<MapKind> map_kinds(const MapSelection& selection);
 

@@ -12,9 +12,9 @@
 #include <system_error>
 
 #include "talus/core/problems.hpp"
-#include "talus/files/csv_reader.hpp"
 #include "talus/files/ordinary_file.hpp"
 #include "talus/maps/map_list.hpp"
+#include "talus/maps/source_maps.hpp"
 
 #ifdef TALUS_HAS_GDAL
 #include "talus/gdal/gdal_raster.hpp"
@@ -138,16 +138,15 @@ GDALRasterBand& level_of(GDALRasterBand& whole, int pixels) {
 std::vector<MapFile> maps_of_run(const fs::path& folder) {
   std::vector<MapFile> maps;
   add_maps(folder, "", "", maps);
-  const fs::path list = folder / "maps" / by_source / "sources.csv";
+  const fs::path list = folder / "maps" / by_source / SourceRow::file_name;
   std::error_code ignored;
   if (!fs::exists(list, ignored)) return maps;
-  static constexpr std::array<std::string_view, 3> columns{"folder", "source", "rocks"};
-  CsvReader row(list, columns);
+  TableReader<SourceRow> row(list);
   while (row.next()) {
-    const std::string name(row.text(0));
+    const std::string name(row.get<&SourceRow::folder>());
     if (fs::path(name).filename() != name || name.starts_with('.'))
-      row.refuse("folder", fmt::format("\"{}\" is not a name of a folder", name), "each source has its own");
-    add_maps(folder, by_source + name + "/", std::string(row.text(1)), maps);
+      row.csv().refuse("folder", fmt::format("\"{}\" is not a name of a folder", name), "each source has its own");
+    add_maps(folder, by_source + name + "/", std::string(row.get<&SourceRow::source>()), maps);
   }
   return maps;
 }

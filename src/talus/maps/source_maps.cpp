@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "talus/core/check.hpp"
-#include "talus/files/csv_text.hpp"
 #include "talus/files/output_file.hpp"
 #include "talus/maps/map_files.hpp"
 
@@ -78,16 +77,14 @@ void write_source_maps(std::span<const Maps> maps, std::span<const std::string> 
                        const std::string& crs_wkt, const std::filesystem::path& folder) {
   TALUS_PROMISE(maps.size() == sources.size(), "every source has its maps");
   const std::vector<std::string> folders = folder_names(sources);
-  std::string list = "folder,source,rocks\n";
+  std::string list = header_of<SourceRow>();
   for (std::size_t k = 0; k < maps.size(); ++k) {
     if (maps[k].rocks() == 0) continue;
     (void)write_maps(maps[k], selection, crs_wkt, folder / folders[k]);
-    CsvRow row(list);
-    row << folders[k] << sources[k] << maps[k].rocks();
-    row.end();
+    append_row(list, SourceRow{folders[k], sources[k], maps[k].rocks()});
   }
   make_output_folder(folder);
-  OutputFile file(folder / list_of_sources);
+  OutputFile file(folder / SourceRow::file_name);
   file.write(list);
   file.commit();
 }
@@ -102,7 +99,7 @@ void remove_source_maps(const std::filesystem::path& folder) {
     remove_maps(each);
     std::filesystem::remove(each, ignored);  // only if it is empty
   }
-  std::filesystem::remove(folder / list_of_sources, ignored);
+  std::filesystem::remove(folder / SourceRow::file_name, ignored);
   std::filesystem::remove(folder, ignored);
 }
 

@@ -8,8 +8,10 @@
 #include <string_view>
 #include <system_error>
 
+#include "talus/archive/design_tables.hpp"
 #include "talus/archive/envelope_table.hpp"
 #include "talus/archive/run_state.hpp"
+#include "talus/archive/table_columns.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/export/vector_out.hpp"
 #include "talus/export/vtk_paths.hpp"
@@ -54,25 +56,33 @@ namespace {
 /// Whether a run writes a file of this name, or removes what an earlier one wrote; relative to its folder.
 bool is_name_of_result(const std::filesystem::path& name) {
   const std::string first = name.begin()->string();
-  if (first == "maps") return io::is_name_of_map_file(name) || name.filename() == io::list_of_sources;
+  if (first == "maps") return io::is_name_of_map_file(name) || name.filename() == io::SourceRow::file_name;
   std::string plain = name.string();
   if (plain.ends_with(".part")) plain.erase(plain.size() - std::string_view(".part").size());
-  constexpr std::array<std::string_view, 7> names{"endpoints.csv", "barriers.csv",       "paths.csv", "summary.json",
-                                                  "report.html",   "design_ranking.csv", "design.csv"};
-  return std::ranges::find(names, plain) != names.end() || plain == io::envelopes_name ||
-         plain == io::geopackage_name || plain == io::vtk_paths_name || plain == io::run_state_name ||
-         plain == io::file_record_name;
+  constexpr std::array<std::string_view, 12> names{io::EndpointRow::file_name,
+                                                   io::HitRow::file_name,
+                                                   io::PathEventRow::file_name,
+                                                   io::DesignRow::file_name,
+                                                   io::RankingRow::file_name,
+                                                   io::EnvelopeRow::file_name,
+                                                   io::geopackage_name,
+                                                   io::vtk_paths_name,
+                                                   io::run_state_name,
+                                                   io::file_record_name,
+                                                   "summary.json",
+                                                   "report.html"};
+  return std::ranges::find(names, plain) != names.end();
 }
 
 }  // namespace
 
 std::vector<std::string> result_files(const io::RunDescription& description, const std::optional<Shard>& shard) {
-  std::vector<std::string> names{"endpoints.csv", "barriers.csv", "paths.csv"};
+  std::vector<std::string> names{io::EndpointRow::file_name, io::HitRow::file_name, io::PathEventRow::file_name};
   if (!shard) {
     if (description.wants_maps && description.maps && io::can_write_maps() && description.rocks > 0)
       names.push_back("maps/" + io::map_kinds(description.maps->selection).front().name + ".tif");
-    if (description.wants_envelopes) names.emplace_back(io::envelopes_name);
-    if (description.design) names.insert(names.end(), {"design.csv", "design_ranking.csv"});
+    if (description.wants_envelopes) names.emplace_back(io::EnvelopeRow::file_name);
+    if (description.design) names.insert(names.end(), {io::DesignRow::file_name, io::RankingRow::file_name});
     if (description.wants_geopackage && io::can_write_geopackage()) names.emplace_back(io::geopackage_name);
     if (wants_vtk(description)) names.emplace_back(io::vtk_paths_name);
     if (description.wants_report) names.emplace_back("report.html");
@@ -103,7 +113,7 @@ std::vector<std::string> written_files(const std::filesystem::path& folder, cons
        !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
     // Styles are the user's to change.
     const std::filesystem::path& file = entry->path();
-    if ((file.extension() == ".tif" && io::is_name_of_map_file(file)) || file.filename() == io::list_of_sources)
+    if ((file.extension() == ".tif" && io::is_name_of_map_file(file)) || file.filename() == io::SourceRow::file_name)
       names.push_back(file.lexically_relative(folder).generic_string());
   }
   std::ranges::sort(names);

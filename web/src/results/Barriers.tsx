@@ -6,7 +6,7 @@ import type { Run } from '../api/types';
 import { filter } from '../state/filter';
 import { counted } from '../ui/format';
 import { BarrierCounts } from './BarrierCounts';
-import { ColumnChoice, hitColumns } from './ColumnChoice';
+import { ColumnChoice, hitChoices } from './ColumnChoice';
 import { titleOf } from './columns';
 import { DesignTable } from './DesignTable';
 import { DistributionFigures } from './DistributionFigures';
@@ -40,7 +40,7 @@ function Hits({ run, barrier, number }: { run: Run; barrier: BarrierAnswer; numb
   return (
     <>
       <div class="tab-tools">
-        <ColumnChoice columns={hitColumns} now={column} choose={choose} />
+        <ColumnChoice columns={hitChoices} now={column} choose={choose} />
         <FilterNote />
       </div>
       {!found ? (

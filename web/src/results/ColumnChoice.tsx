@@ -1,4 +1,4 @@
-import { readingOf, titleOf, unitOf, withUnit } from './columns';
+import { type EndpointNumber, type HitNumber, readingOf, titleOf, unitOf, withUnit } from './columns';
 
 /// Which column of a table is looked at.
 export function ColumnChoice({
@@ -24,7 +24,7 @@ export function ColumnChoice({
   );
 }
 
-export const endpointColumns = [
+export const endpointChoices: readonly EndpointNumber[] = [
   'runout_xy_m',
   'runout_z_m',
   'runout_total_m',
@@ -40,7 +40,7 @@ export const endpointColumns = [
 ];
 
 /// Of the hits on a barrier.
-export const hitColumns = [
+export const hitChoices: readonly HitNumber[] = [
   'ke_total_J',
   'ke_translational_J',
   'ke_rotational_J',

@@ -11,7 +11,7 @@ import { RunDifferences } from '../runs/Differences';
 import { filter } from '../state/filter';
 import { compared, comparedId, hasResults, ownRuns } from '../state/runs';
 import { Chart } from './Chart';
-import { ColumnChoice, endpointColumns, hitColumns } from './ColumnChoice';
+import { ColumnChoice, endpointChoices, hitChoices } from './ColumnChoice';
 import { readingOf, savingOf, titleOf, withUnit } from './columns';
 import { BarrierCounts } from './BarrierCounts';
 import { DistributionFigures } from './DistributionFigures';
@@ -139,7 +139,7 @@ function ComparedBarriers({ run, other }: Pair) {
         key={name}
         run={run}
         other={other}
-        columns={hitColumns}
+        columns={hitChoices}
         thing="hit"
         barrier={name}
         tools={
@@ -181,7 +181,7 @@ export function Compare({ run }: { run: Run }) {
     <div class="tab-page">
       {other ? (
         <>
-          <Figures run={run} other={other} columns={endpointColumns} thing="rock" barrier={null} tools={choice} />
+          <Figures run={run} other={other} columns={endpointChoices} thing="rock" barrier={null} tools={choice} />
           <ComparedBarriers run={run} other={other} />
           <div class="tab-block">
             <h3>Settings that differ</h3>

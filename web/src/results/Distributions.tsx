@@ -5,7 +5,7 @@ import { results } from '../api/results';
 import type { Run } from '../api/types';
 import { filter, isFiltering } from '../state/filter';
 import { counted } from '../ui/format';
-import { ColumnChoice, endpointColumns } from './ColumnChoice';
+import { ColumnChoice, endpointChoices } from './ColumnChoice';
 import { titleOf } from './columns';
 import { DistributionFigures } from './DistributionFigures';
 import { shownColour, type Layer } from './layers';
@@ -32,7 +32,7 @@ export function Distributions({ run }: { run: Run }) {
   return (
     <div class="tab-page">
       <div class="tab-tools">
-        <ColumnChoice columns={endpointColumns} now={column} choose={choose} />
+        <ColumnChoice columns={endpointChoices} now={column} choose={choose} />
         <FilterNote left={found?.statistics.count} of={run.done} />
         {found && <SampleNote of={found.statistics} />}
         {found && !isFiltering(now) && <span class="faint">{counted(found.statistics.count, 'rock')}</span>}

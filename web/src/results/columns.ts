@@ -1,19 +1,30 @@
-// Columns of the result files: what they are called on the page, and in which unit they are read.
+// Columns of the result files: their titles on the page, and the units in which they are read.
 
-const unitsByEnding: readonly (readonly [string, string])[] = [
-  ['_rad_s', 'rad/s'],
-  ['_m_s', 'm/s'],
-  ['_kJ', 'kJ'],
-  ['_kg', 'kg'],
-  ['_deg', '°'],
-  ['_J', 'J'],
-  ['_m', 'm'],
-  ['_s', 's'],
-];
+import {
+  designQuantities,
+  endpointColumns,
+  endpointNumbers,
+  hitColumns,
+  hitNumbers,
+  pathColumns,
+} from '../generated/columns';
 
-const titles: Record<string, string> = {
-  rock: 'Rock',
-  seeder: 'Seeder',
+/// What statistics can be asked for: of end points, and of the hits on a barrier.
+export type EndpointNumber = keyof typeof endpointNumbers;
+export type HitNumber = keyof typeof hitNumbers;
+export type PathColumn = keyof typeof pathColumns;
+export type HitColumn = keyof typeof hitColumns;
+
+const units: ReadonlyMap<string, string> = new Map(
+  [endpointColumns, pathColumns, hitColumns, endpointNumbers, hitNumbers, designQuantities].flatMap((table) =>
+    Object.entries(table).map(([column, { unit }]) => [column, unit] as const),
+  ),
+);
+
+const titles: Record<
+  EndpointNumber | Exclude<HitNumber, 'vx_m_s' | 'vy_m_s' | 'vz_m_s'> | keyof typeof designQuantities | 'end_x_m',
+  string
+> = {
   x_m: 'End point, x',
   y_m: 'End point, y',
   z_m: 'End point, z',
@@ -23,7 +34,6 @@ const titles: Record<string, string> = {
   runout_total_m: 'Runout in space',
   time_s: 'Time',
   events: 'Events',
-  end_reason: 'End',
   mass_kg: 'Mass',
   radius_m: 'Radius',
   max_ke_J: 'Greatest total kinetic energy',
@@ -42,19 +52,11 @@ const titles: Record<string, string> = {
 const endpointColumnsOfSummary: Record<string, string> = { end_x_m: 'x_m' };
 export const endpointColumnOf = (key: string): string => endpointColumnsOfSummary[key] ?? key;
 
-/// "max_ke_J" is in "J"; nothing for numbers without a unit.
-export function unitOf(column: string): string {
-  return unitsByEnding.find(([ending]) => column.endsWith(ending))?.[1] ?? '';
-}
+/// "max_ke_J" is in "J"; '' for numbers without a unit.
+export const unitOf = (column: string): string => units.get(endpointColumnOf(column)) ?? '';
 
-/// "Greatest kinetic energy"; of a column that is not known, its name in words.
-export function titleOf(column: string): string {
-  const known = titles[column];
-  if (known) return known;
-  const ending = unitsByEnding.find(([end]) => column.endsWith(end))?.[0] ?? '';
-  const words = column.slice(0, column.length - ending.length).replaceAll('_', ' ');
-  return words.charAt(0).toUpperCase() + words.slice(1);
-}
+/// "Runout on plan"; of a column without a title, its name.
+export const titleOf = (column: string): string => titles[column as keyof typeof titles] ?? column;
 
 /// Energies are read in kJ: the unit on the page, and by what a file's numbers are divided for it, a power of ten.
 export function readingOf(unit: string): { unit: string; per: number; places: number } {

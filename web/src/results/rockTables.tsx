@@ -1,32 +1,45 @@
 import type { RockAnswer, Run } from '../api/types';
+import { hitColumns, pathColumns } from '../generated/columns';
 import { allDigits } from '../state/view';
 import { numberText } from '../ui/format';
 import { DataTable, type Column } from './DataTable';
+import type { HitColumn, PathColumn } from './columns';
 import { DigitsSwitch } from './DigitsSwitch';
 import { fileName } from './save';
 
-const column = (key: string, title: string, unit = ''): Column => ({ key, title, unit });
-
 /// As the manual heads its path tables.
-const pathColumns: Record<string, Column> = {
-  event: column('event', 'Id'),
-  state: { key: 'state', title: 'State', isText: true },
-  time_s: column('time_s', 'Time', 's'),
-  x_m: column('x_m', 'x', 'm'),
-  y_m: column('y_m', 'y', 'm'),
-  z_m: column('z_m', 'z', 'm'),
-  vx_m_s: column('vx_m_s', 'Velocity x', 'm/s'),
-  vy_m_s: column('vy_m_s', 'Velocity y', 'm/s'),
-  vz_m_s: column('vz_m_s', 'Velocity z', 'm/s'),
-  wx_rad_s: column('wx_rad_s', 'Spin x', 'rad/s'),
-  wy_rad_s: column('wy_rad_s', 'Spin y', 'rad/s'),
-  wz_rad_s: column('wz_rad_s', 'Spin z', 'rad/s'),
-  ke_translational_J: column('ke_translational_J', 'Kinetic, translational', 'J'),
-  ke_rotational_J: column('ke_rotational_J', 'Kinetic, rotational', 'J'),
-  ke_J: column('ke_J', 'Kinetic, total', 'J'),
-  pe_J: column('pe_J', 'Potential', 'J'),
-  total_J: column('total_J', 'Kinetic and potential', 'J'),
+const pathTitles: Record<Exclude<PathColumn, 'rock'>, string> = {
+  event: 'Id',
+  state: 'State',
+  time_s: 'Time',
+  x_m: 'x',
+  y_m: 'y',
+  z_m: 'z',
+  vx_m_s: 'Velocity x',
+  vy_m_s: 'Velocity y',
+  vz_m_s: 'Velocity z',
+  wx_rad_s: 'Spin x',
+  wy_rad_s: 'Spin y',
+  wz_rad_s: 'Spin z',
+  ke_translational_J: 'Kinetic, translational',
+  ke_rotational_J: 'Kinetic, rotational',
+  pe_J: 'Potential',
 };
+const hitTitles: Record<Exclude<HitColumn, 'rock' | PathColumn>, string> = {
+  barrier: 'Barrier',
+  impact_height_m: 'Height',
+  angle_deg: 'Angle',
+  ke_total_J: 'Kinetic, total',
+  outcome: 'Outcome',
+};
+const tableTitles: Readonly<Record<string, string>> = { ...pathTitles, ...hitTitles };
+
+const columnOf = (key: string, declared: Readonly<Record<string, { kind: string; unit: string }>>): Column => ({
+  key,
+  title: tableTitles[key] ?? key,
+  unit: declared[key]?.unit ?? '',
+  isText: declared[key]?.kind === 'word',
+});
 
 interface Props {
   run: Run;
@@ -43,21 +56,12 @@ export function PathTable({ run, rock, path }: Props) {
       file={fileName(run.name, `rock ${rock} path`)}
       isSeries
       tools={<DigitsSwitch all={allDigits} />}
-      columns={kept.map((k) => pathColumns[path.columns[k]!] ?? column(path.columns[k]!, path.columns[k]!))}
+      columns={kept.map((k) => columnOf(path.columns[k]!, pathColumns))}
       rows={path.rows.map((row) => kept.map((k) => row[k]!))}
       rowClass={(k) => `state-${path.rows[k]![path.columns.indexOf('state')]}`}
     />
   );
 }
-
-const hitColumns: Record<string, Column> = {
-  ...pathColumns,
-  barrier: { key: 'barrier', title: 'Barrier', isText: true },
-  impact_height_m: column('impact_height_m', 'Height', 'm'),
-  angle_deg: column('angle_deg', 'Angle', '°'),
-  ke_total_J: column('ke_total_J', 'Kinetic, total', 'J'),
-  outcome: { key: 'outcome', title: 'Outcome', isText: true },
-};
 
 export function HitsTable({ run, rock, path }: Props) {
   const first = path.hits[0];
@@ -68,7 +72,7 @@ export function HitsTable({ run, rock, path }: Props) {
       caption="Barriers that it hit"
       file={fileName(run.name, `rock ${rock} hits`)}
       isSeries
-      columns={keys.map((key) => hitColumns[key] ?? column(key, key))}
+      columns={keys.map((key) => columnOf(key, hitColumns))}
       rows={path.hits.map((hit) => keys.map((key) => hit[key] ?? ''))}
     />
   );

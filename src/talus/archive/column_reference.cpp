@@ -1,0 +1,79 @@
+#include "talus/archive/column_reference.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "talus/archive/column_statistics.hpp"
+#include "talus/archive/design_tables.hpp"
+#include "talus/archive/table_columns.hpp"
+
+namespace talus::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* kind_name(ColumnKind kind) {
+  switch (kind) {
+    case ColumnKind::word:
+      return "word";
+    case ColumnKind::key:
+      return "key";
+    case ColumnKind::quantity:
+      return "quantity";
+  }
+  return "";
+}
+
+void add_object(const char* name, const std::vector<std::pair<std::string, Json>>& members, std::string& out) {
+  out += fmt::format("\nexport const {} = {{\n", name);
+  for (const auto& [member, value] : members) out += fmt::format("  {}: {},\n", member, value.dump());
+  out += "} as const;\n";
+}
+
+void add_table(const char* name, const std::vector<ColumnText>& columns, std::string& out) {
+  std::vector<std::pair<std::string, Json>> members;
+  for (const ColumnText& column : columns)
+    members.emplace_back(column.name,
+                         Json{{"kind", kind_name(column.kind)}, {"unit", column.unit}, {"meaning", column.meaning}});
+  add_object(name, members, out);
+}
+
+void add_numbers(const char* name, const std::vector<NumberColumn>& columns, std::string& out) {
+  std::vector<std::pair<std::string, Json>> members;
+  for (const NumberColumn& column : columns)
+    members.emplace_back(std::string(column.name), Json{{"unit", std::string(column.unit)}});
+  add_object(name, members, out);
+}
+
+}  // namespace
+
+std::string column_table(std::span<const ColumnText> columns) {
+  std::string out = "| column | unit | what |\n| --- | --- | --- |\n";
+  for (const ColumnText& column : columns)
+    out += fmt::format("| `{}` | {} | {} |\n", column.name, column.unit, column.meaning);
+  return out;
+}
+
+std::string columns_module() {
+  std::string out =
+      R"(// Made from the declarations of the tables of a run (src/talus/archive/table_columns.hpp) by column_reference.cpp; not
+// written by hand. To renew it: TALUS_RENEW_REFERENCE=1 and run the test ColumnsModule.IsNotStale.
+)";
+  add_table("endpointColumns", column_texts<EndpointRow>(), out);
+  add_table("pathColumns", column_texts<PathEventRow>(), out);
+  add_table("hitColumns", column_texts<HitRow>(), out);
+  out += "\n// What statistics are made of: the quantities of a table, and what follows from them.\n";
+  add_numbers("endpointNumbers", endpoint_numbers(), out);
+  add_numbers("hitNumbers", barrier_numbers(), out);
+  out += "\n// The quantities of a design, as summary.json names them.\n";
+  std::vector<std::pair<std::string, Json>> members;
+  for (const DesignQuantity& quantity : design_quantities)
+    members.emplace_back(key_of(quantity), Json{{"unit", std::string(quantity.unit)}});
+  add_object("designQuantities", members, out);
+  return out;
+}
+
+}  // namespace talus::io
