@@ -287,7 +287,7 @@ class Chooser {
     cells.dx = grid_.dx;
     cells.dy = grid_.dy;
     cells.columns = grid_.columns;
-    cells.place = seeder_.place == PlaceInCell::centre ? talus::PlaceInCell::centre : talus::PlaceInCell::random;
+    cells.place = seeder_.place;
     cells.cells.reserve(kept_.size());
     for (const Candidate& kept : kept_) {
       if (cells.sources.empty() || cells.sources.back().source != kept.source) {

@@ -48,34 +48,21 @@ talus::Material material_of(const Material& m, RockModel model) {
 Laws laws_of(const Project& project) {
   const Analysis& a = project.analysis;
   Laws laws;
-  laws.model = a.model == RockModel::rigid_sphere ? talus::RockModel::rigid_sphere : talus::RockModel::lumped_mass;
+  laws.model = a.model;
   laws.rotation = a.rotation;
   laws.gravity = {0, 0, -a.gravity_m_s2};
-  laws.sliding =
-      a.sliding == SlidingMethod::stepped ? talus::SlidingMethod::stepped : talus::SlidingMethod::closed_form;
+  laws.sliding = a.sliding;
   laws.timestep = a.max_timestep_s;
   laws.normal_velocity_cutoff = a.normal_velocity_cutoff_m_s;
   laws.grazing = std::sin(a.grazing_angle_deg * radians);
   laws.stopped_velocity = a.stopped_velocity_m_s;
   laws.max_steps = a.max_steps;
   laws.max_time = a.max_time_s;
-  switch (a.friction_angle) {
-    case FrictionSource::material:
-      laws.friction_source = talus::FrictionSource::material;
-      break;
-    case FrictionSource::tangential_restitution:
-      laws.friction_source = talus::FrictionSource::tangential_restitution;
-      break;
-    case FrictionSource::zero:
-      laws.friction_source = talus::FrictionSource::zero;
-      break;
-  }
+  laws.friction_source = a.friction_angle;
   if (a.scale_rn_by_velocity) laws.restitution_scaling.normal_speed = a.rn_velocity_scale_m_s;
   if (a.scale_rn_by_mass) laws.restitution_scaling.mass = a.rn_mass_scale_kg;
   laws.tangential_crsp_damping = a.tangential_crsp_damping;
-  laws.material_sampling = project.sampling.materials == MaterialSampling::per_rock
-                               ? talus::MaterialSampling::per_rock
-                               : talus::MaterialSampling::per_impact;
+  laws.material_sampling = project.sampling.materials;
   laws.in_section = project.is_2d();
   return laws;
 }

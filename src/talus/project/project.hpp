@@ -17,13 +17,10 @@
 #include "talus/maps/map_subjects.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
+#include "talus/seeding/release_cells.hpp"
+#include "talus/trajectory/scene.hpp"
 
 namespace talus::project {
-
-enum class RockModel { lumped_mass, rigid_sphere };
-enum class SlidingMethod { stepped, closed_form };
-enum class FrictionSource { material, tangential_restitution, zero };
-enum class MaterialSampling { per_impact, per_rock };
 
 /// A property that is the same number every time.
 [[nodiscard]] inline Distribution constant(double value) {
@@ -137,7 +134,6 @@ struct Area {
 };
 
 enum class SeederType { point, line, polygon, raster };
-enum class PlaceInCell { random, centre };
 
 /// [[seeder]]
 struct Seeder {
