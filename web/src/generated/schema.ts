@@ -137,7 +137,7 @@ export const schema = {
           "polygon": {"type":"array","items":{"type":"array","items":{"type":"number"},"minItems":2,"maxItems":2},"minItems":3,"description":"Its corners [x, y] on plan, three or more, in the coordinates of the terrain. A cell or triangle of the terrain belongs to it where its middle does.","x-unit":"m","x-source":"Talus"},
         },
         "additionalProperties": false,
-        "x-topic": {"document":"gis.md","heading":"Areas drawn on it"},
+        "x-topic": {"document":"gis.md","heading":"Areas drawn on plan"},
         "required": ["material","polygon"],
       },
       "minItems": 0,

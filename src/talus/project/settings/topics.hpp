@@ -15,7 +15,7 @@ constexpr Topic rasters{"terrain.md", "Rasters"};
 constexpr Topic survey{"terrain.md", "A survey as terrain"};
 constexpr Topic library{"materials.md", "The library of materials"};
 constexpr Topic ground{"gis.md", "Ground from polygons"};
-constexpr Topic areas{"gis.md", "Areas drawn on it"};
+constexpr Topic areas{"gis.md", "Areas drawn on plan"};
 constexpr Topic lines{"gis.md", "Lines"};
 constexpr Topic vector_files{"gis.md", "Vector files"};
 constexpr Topic cells{"gis.md", "Seeders on cells"};
