@@ -13,7 +13,7 @@ namespace {
 using namespace testing_tools;
 using Vertex = Triangulation::Vertex;
 
-constexpr std::int32_t step = 1 << 20;  // of a grid of 2^-20 m: a metre
+constexpr std::int32_t step = 1 << 20;  // grid steps of 2^-20 m in a metre
 
 struct Scene {
   explicit Scene(std::vector<GridPoint> points, std::vector<double> z)
@@ -41,8 +41,8 @@ bool is_chain(const Triangulation& t, GridPoint a, GridPoint b, double slack) {
     do {
       const Vertex v = t.to(side);
       if (v != Triangulation::infinity && t.is_fixed(side)) {
-        const double beside = std::abs(static_cast<double>(doubled_area(a, b, t.point(v)))) / length;
-        if (beside <= slack && along(t.point(v)) > along(t.point(at))) next = v;
+        const double off = std::abs(static_cast<double>(doubled_area(a, b, t.point(v)))) / length;
+        if (off <= slack && along(t.point(v)) > along(t.point(at))) next = v;
       }
       side = t.next_around(side);
     } while (side.triangle != first.triangle);
@@ -57,13 +57,13 @@ bool is_fixed(const Scene& scene, Vertex a, Vertex b) {
   return side && scene.triangulation.is_fixed(*side);
 }
 
-TEST(ConstrainedTriangulation, ASegmentAcrossAGridIsASide) {
+TEST(ConstrainedTriangulation, ASegmentAcrossAGridBecomesASide) {
   std::vector<GridPoint> points;
   for (std::int32_t i = 0; i <= 10; ++i) {
     for (std::int32_t j = 0; j <= 10; ++j) points.push_back({i * step, j * step});
   }
   Scene scene(points, std::vector<double>(121));
-  scene.lines.add(0, 9 * 11 + 10);  // (0, 0) to (9, 10): no grid point between
+  scene.lines.add(0, 9 * 11 + 10);  // (0, 0) to (9, 10): passes no grid point
   EXPECT_TRUE(scene.triangulation.side(0, 9 * 11 + 10));
   EXPECT_EQ(scene.triangulation.vertex_count(), 121U);
   expect_sound(scene.triangulation);
@@ -71,7 +71,7 @@ TEST(ConstrainedTriangulation, ASegmentAcrossAGridIsASide) {
   EXPECT_EQ(scene.lines.report().crossings.count, 0U);
 }
 
-TEST(ConstrainedTriangulation, AVertexOnTheWayCutsASegmentInTwo) {
+TEST(ConstrainedTriangulation, AVertexOnASegmentSplitsIt) {
   std::vector<GridPoint> points;
   std::vector<double> z;
   for (std::int32_t i = 0; i <= 10; ++i) {
@@ -87,10 +87,10 @@ TEST(ConstrainedTriangulation, AVertexOnTheWayCutsASegmentInTwo) {
   expect_sound(scene.triangulation);
   // The vertex in the middle keeps its height, 2 m above the segment; the other eight are on it.
   EXPECT_EQ(scene.heights[60], 2.5);
-  EXPECT_EQ(scene.lines.report().vertices_beside.count, 1U);
-  EXPECT_NEAR(scene.lines.report().greatest_beside_m, 2, 1e-12);
-  ASSERT_EQ(scene.lines.report().vertices_beside.examples.size(), 1U);
-  EXPECT_EQ(scene.lines.report().vertices_beside.examples[0], Vec3(5, 5, 2.5));
+  EXPECT_EQ(scene.lines.report().vertices_at_odds.count, 1U);
+  EXPECT_NEAR(scene.lines.report().largest_vertex_difference_m, 2, 1e-12);
+  ASSERT_EQ(scene.lines.report().vertices_at_odds.examples.size(), 1U);
+  EXPECT_EQ(scene.lines.report().vertices_at_odds.examples[0], Vec3(5, 5, 2.5));
 }
 
 TEST(ConstrainedTriangulation, CrossingsGetAVertexAtTheMeanHeight) {
@@ -104,11 +104,11 @@ TEST(ConstrainedTriangulation, CrossingsGetAVertexAtTheMeanHeight) {
   expect_sound(scene.triangulation);
   EXPECT_EQ(scene.lines.report().crossings.count, 1U);
   EXPECT_EQ(scene.lines.report().crossings_at_odds.count, 1U);
-  EXPECT_EQ(scene.lines.report().greatest_odds_m, 2);
+  EXPECT_EQ(scene.lines.report().largest_difference_m, 2);
   EXPECT_EQ(scene.lines.report().crossings.examples.front(), Vec3(5, 5, 4));
 }
 
-TEST(ConstrainedTriangulation, CrossingsAtOneHeightAreNotAtOdds) {
+TEST(ConstrainedTriangulation, CrossingsAtEqualHeightsAreNotAtOdds) {
   Scene scene({{0, 0}, {10 * step, 10 * step}, {10 * step, 0}, {0, 10 * step}}, {0, 10, 4, 6});
   scene.lines.add(0, 1);
   scene.lines.add(2, 3);
@@ -117,26 +117,26 @@ TEST(ConstrainedTriangulation, CrossingsAtOneHeightAreNotAtOdds) {
   EXPECT_EQ(scene.lines.report().crossings_at_odds.count, 0U);
 }
 
-TEST(ConstrainedTriangulation, SegmentsUponEachOtherShareTheirSides) {
+TEST(ConstrainedTriangulation, OverlappingSegmentsShareTheirSides) {
   Scene scene({{0, 0}, {4 * step, 0}, {7 * step, 0}, {10 * step, 0}, {5 * step, 5 * step}, {5 * step, -0 + 9 * step}},
               std::vector<double>(6));
   scene.lines.add(0, 2);
   scene.lines.add(1, 3);
   scene.lines.add(3, 0);
   EXPECT_EQ(scene.triangulation.vertex_count(), 6U);
-  EXPECT_EQ(scene.lines.report().upon_another, 1U + 3U);
+  EXPECT_EQ(scene.lines.report().overlapping, 1U + 3U);
   expect_sound(scene.triangulation);
 }
 
 TEST(ConstrainedTriangulation, ASegmentWithoutLengthIsLeftOut) {
   Scene scene({{0, 0}, {step, 0}, {0, step}}, {0, 0, 0});
   scene.lines.add(1, 1);
-  EXPECT_EQ(scene.lines.report().without_length, 1U);
+  EXPECT_EQ(scene.lines.report().zero_length, 1U);
   EXPECT_EQ(scene.lines.report().segments, 0U);
 }
 
-// Crossings half a step beside a vertex, of lines that are almost one: all end, and stay where they belong.
-TEST(ConstrainedTriangulation, CrossingsOnTheFinestScaleEnd) {
+// Crossings half a step from a vertex, and lines that almost coincide: the insertion terminates and stays sound.
+TEST(ConstrainedTriangulation, CrossingsAtTheScaleOfTheGridTerminate) {
   Dice dice(21);
   for (int i = 0; i < 300; ++i) {
     const std::int32_t end = 4 + static_cast<std::int32_t>(dice.below(30));
@@ -174,12 +174,12 @@ TEST(ConstrainedTriangulation, RandomSegmentsAreChainsOfSidesAndTheRestIsDelauna
   }
 }
 
-// Crossings bend a line by less than a micrometre; what is drawn upon it again, there, back and in part, follows it.
-TEST(ConstrainedTriangulation, LinesDrawnAgainCrossNowhereElse) {
+// Crossings bend a line by less than a micrometre; a line drawn on it again, backwards or in part follows it.
+TEST(ConstrainedTriangulation, LinesDrawnAgainAddNoCrossings) {
   Dice dice(24);
   for (int i = 0; i < 20; ++i) {
     auto points = scattered(dice, 240, grid_end);
-    for (std::size_t k = 0; k < 60; ++k) {  // halfway along each line, but for rounding
+    for (std::size_t k = 0; k < 60; ++k) {  // the midpoint of each line, rounded
       const GridPoint a = points[2 * k], b = points[2 * k + 1];
       points.push_back({a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2});
     }
@@ -188,7 +188,7 @@ TEST(ConstrainedTriangulation, LinesDrawnAgainCrossNowhereElse) {
     const std::size_t once = scene.lines.report().crossings.count;
     EXPECT_GT(once, 100U);
     for (Vertex k = 60; k-- > 0;) scene.lines.add(2 * k + 1, 2 * k);
-    EXPECT_EQ(scene.lines.report().upon_another, 2 * (60 + once));
+    EXPECT_EQ(scene.lines.report().overlapping, 2 * (60 + once));
     for (Vertex k = 0; k < 60; ++k) scene.lines.add(240 + k, 2 * k);
     EXPECT_EQ(scene.lines.report().crossings.count, once);
     EXPECT_EQ(scene.triangulation.vertex_count(), points.size() + once);
@@ -197,21 +197,21 @@ TEST(ConstrainedTriangulation, LinesDrawnAgainCrossNowhereElse) {
   }
 }
 
-TEST(ConstrainedTriangulation, AVertexWithinRoundingIsOnTheWay) {
-  for (const std::int32_t beside : {0, 2, 5}) {
-    SCOPED_TRACE(beside);
-    Scene scene({{0, 0}, {10 * step, 5 * step}, {4 * step, 2 * step + beside}, {9 * step, 0}, {0, 9 * step}},
+TEST(ConstrainedTriangulation, AVertexWithinRoundingIsOnTheSegment) {
+  for (const std::int32_t off : {0, 2, 5}) {
+    SCOPED_TRACE(off);
+    Scene scene({{0, 0}, {10 * step, 5 * step}, {4 * step, 2 * step + off}, {9 * step, 0}, {0, 9 * step}},
                 std::vector<double>(5));
     scene.lines.add(0, 1);
-    EXPECT_EQ(is_fixed(scene, 0, 2) && is_fixed(scene, 2, 1), beside < 5);
-    EXPECT_EQ(is_fixed(scene, 0, 1), beside == 5);
+    EXPECT_EQ(is_fixed(scene, 0, 2) && is_fixed(scene, 2, 1), off < 5);
+    EXPECT_EQ(is_fixed(scene, 0, 1), off == 5);
     EXPECT_EQ(scene.triangulation.vertex_count(), 5U);
     expect_sound(scene.triangulation);
   }
 }
 
-TEST(ConstrainedTriangulation, ALineThatEndsAtAnotherButForRoundingBendsIt) {
-  // The end lies a step beyond.
+TEST(ConstrainedTriangulation, ALineThatEndsOnAnotherWithinRoundingBendsIt) {
+  // The end is a grid step beyond the other line.
   Scene scene({{0, 0}, {10 * step, 5 * step}, {4 * step, 2 * step + 1}, {7 * step, 0}}, {0, 5, 2, 0});
   scene.lines.add(0, 1);
   scene.lines.add(3, 2);
@@ -220,8 +220,8 @@ TEST(ConstrainedTriangulation, ALineThatEndsAtAnotherButForRoundingBendsIt) {
   expect_sound(scene.triangulation);
 }
 
-// A chain that is not there is not found.
-TEST(ConstrainedTriangulation, AMissingChainIsSeen) {
+// The check of the tests above must be able to fail.
+TEST(ConstrainedTriangulation, AMissingChainIsNotFound) {
   Dice dice(23);
   const auto points = scattered(dice, 300, grid_end);
   Scene scene(points, std::vector<double>(points.size()));
@@ -230,8 +230,8 @@ TEST(ConstrainedTriangulation, AMissingChainIsSeen) {
   EXPECT_FALSE(is_chain(scene.triangulation, points[0], points[2], 2.0));
 }
 
-// Contours of a cone, densely crossed by a line straight down: thousands of crossings, each on both.
-TEST(ConstrainedTriangulation, ALineDownACone) {
+// Closed contours of a cone and a line straight down, which crosses each of them once.
+TEST(ConstrainedTriangulation, ALineDownAConeCrossesEachContour) {
   std::vector<GridPoint> points;
   std::vector<double> z;
   constexpr int rings = 40, around = 90;

@@ -12,7 +12,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 const Vec3 far_away{2'600'000, 1'200'000, 500};
 
-// Rectangles with corners of their own, each of two triangles; the ground at a height.
+// Rectangles of two triangles each, which share no vertices.
 class Sheets {
  public:
   Sheets& add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -26,60 +26,60 @@ class Sheets {
     return add({x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z});
   }
 
-  [[nodiscard]] LooseEdges look() const { return loose_edges(vertices_, triangles_, free_edges(triangles_), 0.01); }
+  [[nodiscard]] LooseEdges find() const { return loose_edges(vertices_, triangles_, free_edges(triangles_), 0.01); }
 
  private:
   std::vector<Vec3> vertices_;
   std::vector<Triangle> triangles_;
 };
 
-TEST(LooseEdges, TheRimIsNone) {
-  const LooseEdges found = Sheets().level(0, 10, 0, 10).look();
+TEST(LooseEdges, TheRimIsNotLoose) {
+  const LooseEdges found = Sheets().level(0, 10, 0, 10).find();
   EXPECT_EQ(found.cracks.count, 0U);
   EXPECT_EQ(found.covered.count, 0U);
 }
 
-TEST(LooseEdges, AGapIsACrackUpToItsWidth) {
+TEST(LooseEdges, AGapUpToTheWidthOfACrackIsOne) {
   for (const double gap : {0.0, 0.002, 0.009, 0.011, 1.0}) {
     SCOPED_TRACE(gap);
-    const LooseEdges found = Sheets().level(0, 10, 0, 10).level(10 + gap, 20, 0, 10).look();
+    const LooseEdges found = Sheets().level(0, 10, 0, 10).level(10 + gap, 20, 0, 10).find();
     EXPECT_EQ(found.cracks.count, gap < 0.01 ? 2U : 0U);
     EXPECT_EQ(found.covered.count, 0U);
   }
 }
 
-TEST(LooseEdges, SaysWhere) {
-  EXPECT_THAT(Sheets().level(0, 10, 0, 10).level(10.002, 20, 0, 10).look().cracks.examples,
+TEST(LooseEdges, ReportsThePlaces) {
+  EXPECT_THAT(Sheets().level(0, 10, 0, 10).level(10.002, 20, 0, 10).find().cracks.examples,
               ElementsAre(far_away + Vec3{10, 5, 0}, far_away + Vec3{10.002, 5, 0}));
 }
 
 TEST(LooseEdges, ACornerOnASideIsACrack) {
-  EXPECT_EQ(Sheets().level(0, 10, 0, 10).level(10, 20, 0, 5).level(10, 20, 5, 10).look().cracks.count, 3U + 2U);
+  EXPECT_EQ(Sheets().level(0, 10, 0, 10).level(10, 20, 0, 5).level(10, 20, 5, 10).find().cracks.count, 3U + 2U);
 }
 
 TEST(LooseEdges, ASmallStepIsACrackAndALargeOneAnEnd) {
-  EXPECT_EQ(Sheets().level(0, 10, 0, 10).level(10, 20, 0, 10, -0.004).look().cracks.count, 2U);
-  EXPECT_EQ(Sheets().level(0, 10, 0, 10).level(10, 20, 0, 10, -0.1).look().cracks.count, 0U);
+  EXPECT_EQ(Sheets().level(0, 10, 0, 10).level(10, 20, 0, 10, -0.004).find().cracks.count, 2U);
+  EXPECT_EQ(Sheets().level(0, 10, 0, 10).level(10, 20, 0, 10, -0.1).find().cracks.count, 0U);
 }
 
 TEST(LooseEdges, AnEdgeBelowGroundIsCoveredAndOneAboveIsNot) {
-  const LooseEdges found = Sheets().level(0, 10, 0, 10).level(5, 15, 0, 10, 3).look();
+  const LooseEdges found = Sheets().level(0, 10, 0, 10).level(5, 15, 0, 10, 3).find();
   EXPECT_EQ(found.cracks.count, 0U);
   EXPECT_EQ(found.covered.count, 1U);
   EXPECT_THAT(found.covered.examples, ElementsAre(far_away + Vec3{10, 5, 0}));
-  // Ground below it as well: what leaves it falls on that.
-  EXPECT_THAT(Sheets().level(0, 10, 0, 10).level(5, 15, 0, 10, 3).level(-5, 30, -5, 15, -3).look().covered.examples,
+  // With ground below it, a rock that leaves the edge falls onto that.
+  EXPECT_THAT(Sheets().level(0, 10, 0, 10).level(5, 15, 0, 10, 3).level(-5, 30, -5, 15, -3).find().covered.examples,
               IsEmpty());
 }
 
-TEST(LooseEdges, AWallWhoseFootIsUnderTheGroundEndsThere) {
-  const LooseEdges found = Sheets().level(0, 20, 0, 10).add({10, 2, -1}, {10, 8, -1}, {6, 8, 9}, {6, 2, 9}).look();
+TEST(LooseEdges, TheFootOfAWallBelowTheGroundIsCovered) {
+  const LooseEdges found = Sheets().level(0, 20, 0, 10).add({10, 2, -1}, {10, 8, -1}, {6, 8, 9}, {6, 2, 9}).find();
   EXPECT_EQ(found.cracks.count, 0U);
   EXPECT_THAT(found.covered.examples, ElementsAre(far_away + Vec3{10, 5, -1}));
 }
 
 // Small steps of a rim, and a facet at the rim that is lower than a crack is wide.
-TEST(LooseEdges, WhatIsNarrowIsNotACrackForThat) {
+TEST(LooseEdges, NarrowPartsOfTheRimAreNotCracks) {
   const std::vector<Vec3> steps{{0, 0, 0},       {0.01, 0, 0},    {0.01, 0.01, 0},
                                 {0.02, 0.01, 0}, {0.02, 0.02, 0}, {-0.02, 0.02, 0}};
   const std::vector<Triangle> of_steps{{0, 1, 2}, {0, 2, 5}, {5, 2, 4}, {2, 3, 4}};

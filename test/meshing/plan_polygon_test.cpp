@@ -16,7 +16,7 @@ namespace {
 using namespace testing_tools;
 using Ring = std::vector<Vec3>;
 
-/// A star-shaped ring of n corners about a place: it never crosses itself.
+/// A star-shaped ring of n corners, which does not cross itself.
 Ring star(Dice& dice, const Vec2& centre, double radius, int n, bool clockwise = false) {
   Ring ring;
   for (int k = 0; k < n; ++k) {
@@ -27,7 +27,7 @@ Ring star(Dice& dice, const Vec2& centre, double radius, int n, bool clockwise =
   return ring;
 }
 
-/// By the angle that the ring turns about a place, edge by edge: another way than the one that is tested.
+/// Whether a ring contains p, from the angle it turns about p: independent of the method under test.
 bool winds_about(const Ring& ring, const Vec2& p) {
   double turned = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -37,7 +37,7 @@ bool winds_about(const Ring& ring, const Vec2& p) {
   return std::abs(turned) > std::numbers::pi;
 }
 
-TEST(PlanPolygon, HoldsWhatItsBorderWindsAboutButNotItsHoles) {
+TEST(PlanPolygon, ContainsWhatItsOuterRingWindsAboutExceptHoles) {
   Dice dice(3);
   for (int round = 0; round < 60; ++round) {
     const Vec2 centre(dice.between(-5, 5), dice.between(-5, 5));
@@ -51,8 +51,8 @@ TEST(PlanPolygon, HoldsWhatItsBorderWindsAboutButNotItsHoles) {
   }
 }
 
-TEST(PlanPolygon, OfAClosedFormHasItsArea) {
-  // A disc of radius 10 with a hole of radius 5 as polygons of 720 corners; points of a grid of 0.05 m.
+TEST(PlanPolygon, AnAnnulusHasItsArea) {
+  // Radii of 10 and 5 m, as polygons of 720 corners; grid points 0.05 m apart.
   std::vector<Ring> rings(2);
   for (int k = 0; k < 720; ++k) {
     const double a = k * std::numbers::pi / 360;
@@ -63,11 +63,11 @@ TEST(PlanPolygon, OfAClosedFormHasItsArea) {
   std::uint64_t points = 0;
   visit_points_within(PlanPolygon(rings), grid,
                       [&](std::uint32_t, std::uint32_t from, std::uint32_t to) { points += to - from; });
-  // The points on both borders are in doubt: one in 0.05 m of 94 m, less than 1 % even if all fell on one side.
+  // Points on the borders (94 m in all, one every 0.05 m) may fall on either side: less than 1 %.
   EXPECT_NEAR(static_cast<double>(points) * 0.0025, 75 * std::numbers::pi, 1);
 }
 
-TEST(PlanPolygon, PointsOfAGridAreThoseThatItHolds) {
+TEST(PlanPolygon, VisitsTheGridPointsThatItContains) {
   Dice dice(5);
   for (int round = 0; round < 40; ++round) {
     const PlanPolygon polygon(
@@ -89,9 +89,9 @@ TEST(PlanPolygon, PointsOfAGridAreThoseThatItHolds) {
   }
 }
 
-// A square cut by a crooked line: every point of a grid, those on the corners and on the cut too, is in one half and
-// only in one; points on the outer border to the south and west belong to it, those to the north and east do not.
-TEST(PlanPolygon, NeighboursShareNoPointAndLoseNone) {
+// A square cut by a crooked line: every grid point, also on corners and on the cut, is in exactly one half. Points on
+// the southern and western borders belong to the square, those on the northern and eastern borders do not.
+TEST(PlanPolygon, NeighboursShareNoPointAndMissNone) {
   const Ring cut{{4, 0, 0}, {6, 3, 0}, {3, 5, 0}, {5, 5, 0}, {2, 8, 0}, {7, 10, 0}};
   Ring left = cut, right(cut.rbegin(), cut.rend());
   left.insert(left.end(), {{0, 10, 0}, {0, 0, 0}});
@@ -105,13 +105,13 @@ TEST(PlanPolygon, NeighboursShareNoPointAndLoseNone) {
   }
 }
 
-TEST(PlanPolygon, WithoutAreaHoldsNothing) {
+TEST(PlanPolygon, WithoutAreaContainsNothing) {
   EXPECT_FALSE(PlanPolygon(std::vector<Ring>{}).contains({0, 0}));
   EXPECT_FALSE(PlanPolygon(std::vector<Ring>{{{0, 0, 0}, {5, 0, 0}, {2, 0, 0}}}).contains({1, 0}));
 }
 
-TEST(PlanPolygon, TallEdgesDoNotMakeItLarge) {
-  // A comb of 20,000 teeth, each as high as the whole: bands must not multiply.
+TEST(PlanPolygon, TallEdgesDoNotTakeMuchMemory) {
+  // A comb of 20,000 teeth, each as high as the polygon: the entries in bands must stay few.
   Ring comb;
   for (int k = 0; k < 20'000; ++k) {
     comb.emplace_back(k, 0, 0);
@@ -124,15 +124,15 @@ TEST(PlanPolygon, TallEdgesDoNotMakeItLarge) {
   EXPECT_FALSE(polygon.contains({10'000.01, 50}));
 }
 
-TEST(SelfCrossing, IsFoundWhereItIs) {
+TEST(SelfCrossing, IsFoundAtItsPlace) {
   using Points = std::vector<Vec2>;
   EXPECT_EQ(self_crossing(Points{{0, 0}, {1, 0}, {1, 1}, {0, 1}}), std::nullopt);
   EXPECT_EQ(self_crossing(Points{{0, 0}, {1, 0}, {1, 1}}), std::nullopt);
   EXPECT_LT((self_crossing(Points{{0, 0}, {10, 10}, {10, 0}, {0, 10}}).value() - Vec2(5, 5)).norm(), 1e-12);
-  // A corner that touches another side; a side that runs back over the one before.
+  // A corner that touches another side; a side that doubles back over the one before.
   EXPECT_EQ(self_crossing(Points{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}).value(), Vec2(2, 0));
   EXPECT_EQ(self_crossing(Points{{0, 0}, {4, 0}, {2, 0}, {2, 3}}).value(), Vec2(4, 0));
-  // The first corner plays no part.
+  // The result does not depend on the first corner.
   EXPECT_TRUE(self_crossing(Points{{2, 0}, {2, 3}, {0, 0}, {4, 0}}));
   EXPECT_TRUE(self_crossing(Points{{4, 0}, {2, 0}, {2, 3}, {0, 0}}));
   Dice dice(8);
@@ -145,15 +145,15 @@ TEST(SelfCrossing, IsFoundWhereItIs) {
   }
 }
 
-TEST(LineCrossing, IsFoundWhereItIs) {
+TEST(LineCrossing, IsFoundAtItsPlace) {
   using Points = std::vector<Vec2>;
   EXPECT_EQ(line_crossing(Points{}), std::nullopt);
   EXPECT_EQ(line_crossing(Points{{0, 0}, {10, -5}}), std::nullopt);
   EXPECT_EQ(line_crossing(Points{{0, 0}, {10, 0}, {10, -10}, {8, -12}, {20, -20}}), std::nullopt) << "an overhang";
   EXPECT_LT((line_crossing(Points{{0, 0}, {10, -10}, {10, 0}, {0, -10}}).value() - Vec2(5, -5)).norm(), 1e-12);
-  EXPECT_EQ(line_crossing(Points{{0, 0}, {10, 0}, {5, 0}}).value(), Vec2(10, 0)) << "back over itself";
+  EXPECT_EQ(line_crossing(Points{{0, 0}, {10, 0}, {5, 0}}).value(), Vec2(10, 0)) << "doubles back";
   EXPECT_EQ(line_crossing(Points{{0, 0}, {10, 0}, {10, 5}, {0, 0}}).value(), Vec2(0, 0)) << "its ends touch";
-  // As of a ring without its last side, in whatever order its pieces begin along x.
+  // Open rings, whose pieces begin in any order along x.
   Dice dice(9);
   for (int round = 0; round < 50; ++round) {
     Points line;
@@ -164,13 +164,13 @@ TEST(LineCrossing, IsFoundWhereItIs) {
   }
 }
 
-TEST(LineCrossing, IsQuickForASlopeOfMillionsOfVertices) {
+TEST(LineCrossing, IsFastForASlopeOfAMillionVertices) {
   std::vector<Vec2> line;
   for (int k = 0; k < 1'000'000; ++k) line.emplace_back(k, k % 2);
   EXPECT_EQ(line_crossing(line), std::nullopt);
 }
 
-TEST(PointBuckets, GiveEveryPointOfABoxOnceAndFewOthers) {
+TEST(PointBuckets, VisitEveryPointOfABoxOnceAndFewOthers) {
   Dice dice(21);
   std::vector<Vec2> points;
   for (int k = 0; k < 5000; ++k) points.emplace_back(dice.between(0, 1000), dice.between(0, 20));
@@ -196,8 +196,8 @@ TEST(PointBuckets, GiveEveryPointOfABoxOnceAndFewOthers) {
   EXPECT_EQ(found, 1);
 }
 
-// A comb of so many teeth that a row of the grid is crossed more often than it has points.
-TEST(PlanPolygon, OfManyCrossingsHoldsTheSamePointsOneByOne) {
+// A comb with so many teeth that a grid row has more crossings than points.
+TEST(PlanPolygon, VisitsTheSamePointsWithMoreCrossingsThanPoints) {
   Dice dice(11);
   Ring comb;
   for (int k = 0; k < 4000; ++k)

@@ -22,10 +22,10 @@ double area(const std::vector<Vec3>& vertices, const std::vector<Triangle>& tria
   return sum;
 }
 
-// A facet, and two more on the far side of its second edge, which meet in the middle of it.
+// A facet, and two more beyond its second edge that meet at the middle of that edge.
 const std::vector<Vec3> junction{{0, 0, 0}, {2, 0, 0}, {2, 4, 0}, {2, 2, 0}, {5, 2, 1}};
 
-TEST(SideCorners, ASideIsCutAtACornerThatLiesOnIt) {
+TEST(SideCorners, ASideIsSplitAtACornerOnIt) {
   CutFacets facets{{{0, 1, 2}, {1, 4, 3}, {3, 4, 2}}, {0, 1, 2}};
   const Findings found = put_corners_into_sides(junction, facets, 0.001);
   EXPECT_EQ(found.count, 1U);
@@ -36,12 +36,12 @@ TEST(SideCorners, ASideIsCutAtACornerThatLiesOnIt) {
 }
 
 TEST(SideCorners, OnlyWithinTheTolerance) {
-  for (const double beside : {0.0009, 0.0011}) {
+  for (const double off : {0.0009, 0.0011}) {
     std::vector<Vec3> vertices = junction;
-    vertices[3].z() = beside;
+    vertices[3].z() = off;
     CutFacets facets{{{0, 1, 2}, {1, 4, 3}, {3, 4, 2}}, {0, 1, 2}};
-    EXPECT_EQ(put_corners_into_sides(vertices, facets, 0.001).count, beside < 0.001 ? 1U : 0U);
-    EXPECT_EQ(facets.triangles.size(), beside < 0.001 ? 4U : 3U);
+    EXPECT_EQ(put_corners_into_sides(vertices, facets, 0.001).count, off < 0.001 ? 1U : 0U);
+    EXPECT_EQ(facets.triangles.size(), off < 0.001 ? 4U : 3U);
   }
 }
 
@@ -53,7 +53,7 @@ TEST(SideCorners, OnlyOnTheBoundary) {
   EXPECT_EQ(facets.triangles.size(), 3U);
 }
 
-TEST(SideCorners, AFacetIsCutOnAllItsSides) {
+TEST(SideCorners, AFacetIsSplitOnAllItsSides) {
   const std::vector<Vec3> vertices{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {3, 0, 0}, {3, -3, 0},
                                    {3, 3, 0}, {5, 5, 0}, {0, 3, 0}, {-3, 3, 0}};
   CutFacets facets{{{0, 1, 2}, {0, 4, 3}, {3, 4, 1}, {1, 6, 5}, {5, 6, 2}, {2, 8, 7}, {7, 8, 0}},
@@ -64,16 +64,16 @@ TEST(SideCorners, AFacetIsCutOnAllItsSides) {
   EXPECT_NEAR(area(vertices, facets.triangles), before, 1e-12);
 }
 
-TEST(SideCorners, AFacetThatWouldTurnOverStaysWhole) {
-  // Lower than the tolerance: the corner lies beyond its apex.
+TEST(SideCorners, AFacetThatWouldTurnOverIsNotSplit) {
+  // The facet is lower than the tolerance, and the corner lies beyond its apex.
   const std::vector<Vec3> vertices{{0, 0, 0}, {4, 0, 0}, {2, 0.0005, 0}, {2, 0.0009, 0}, {1, 3, 0}, {3, 3, 0}};
   CutFacets facets{{{0, 1, 2}, {3, 5, 4}}, {0, 1}};
   EXPECT_EQ(put_corners_into_sides(vertices, facets, 0.001).count, 0U);
   EXPECT_EQ(facets.triangles.size(), 2U);
 }
 
-// Two fans whose common side each has cut in its own way, somewhere: one sheet, as large as before.
-TEST(SideCorners, SidesThatEachHasCutInItsOwnWayBecomeOne) {
+// Two fans that divide their common side independently become one component with the same area.
+TEST(SideCorners, SidesDividedIndependentlyAreJoined) {
   Dice dice(31);
   for (int run = 0; run < 50; ++run) {
     RawMesh mesh;

@@ -50,7 +50,7 @@ std::string refusal(const Survey& survey, SurveyOptions options = {}) {
   } catch (const BadInput& bad) {
     return bad.what();
   }
-  return "was read";
+  return "accepted";
 }
 
 PlanPolygon square(double low, double high) {
@@ -58,7 +58,7 @@ PlanPolygon square(double low, double high) {
   return PlanPolygon(rings);
 }
 
-/// Points of a grid a metre apart, 0 to `last` both ways.
+/// Grid points a metre apart, from 0 to `last` along x and y.
 template <class Height>
 Survey grid(int last, Height&& height) {
   Survey survey;
@@ -68,7 +68,7 @@ Survey grid(int last, Height&& height) {
   return survey;
 }
 
-// ---- what must be true ----
+// ---- properties ----
 
 TEST(SurveySurface, APlaneStaysAPlane) {
   Dice dice(31);
@@ -87,10 +87,10 @@ TEST(SurveySurface, APlaneStaysAPlane) {
   }
   const SurveySurface surface = surface_of(survey);
   for (const Vec3& v : surface.mesh.vertices) EXPECT_NEAR(v.z(), height(v.x(), v.y()), 5e-6);
-  EXPECT_GT(surface.report.lines_laid.crossings.count, 1000U);
-  EXPECT_EQ(surface.report.lines_laid.crossings_at_odds.count, 0U);
-  EXPECT_LT(surface.report.greatest_departure_m, 5e-6);
-  EXPECT_EQ(surface.report.stand_out.count, 0U);
+  EXPECT_GT(surface.report.constraints.crossings.count, 1000U);
+  EXPECT_EQ(surface.report.constraints.crossings_at_odds.count, 0U);
+  EXPECT_LT(surface.report.largest_departure_m, 5e-6);
+  EXPECT_EQ(surface.report.outliers.count, 0U);
 }
 
 TEST(SurveySurface, WholeMetresAreKeptToTheBit) {
@@ -103,26 +103,26 @@ TEST(SurveySurface, WholeMetresAreKeptToTheBit) {
   EXPECT_EQ(surface.report.holes, 0U);
 }
 
-// A ridge between points that know nothing of it: along the line the heights are the line's, not those of the
-// triangles that Delaunay would make across it.
+// A breakline on a ridge that the points miss: along the line the heights are the line's, not those of the Delaunay
+// triangles across it.
 TEST(SurveySurface, ABreaklineAcrossARidgeIsHonoured) {
   Survey survey = grid(20, [](int i, int) { return 10.0 - std::abs(i - 10); });
-  // Along the ridge, a hand beside the points there and 3 m above them, with its ends only.
+  // Along the ridge, 0.2 to 0.3 m off the points there and 3 m above them; only its ends are given.
   survey.lines.push_back({{10.3, 0.2, 13}, {9.8, 19.7, 14}});
   const RawMesh without = surface_of(Survey{survey.points, {}}).mesh, with = surface_of(survey).mesh;
-  double greatest_without = 0;
+  double largest_without = 0;
   for (int k = 0; k <= 1000; ++k) {
     const double share = k / 1000.0, x = std::lerp(10.3, 9.8, share), y = std::lerp(0.2, 19.7, share);
     const auto height = height_at(with, x, y);
     ASSERT_TRUE(height);
-    // Where the line passes through a grid point, that one keeps its height: here it passes through none.
+    // The line passes through no grid point, which would keep its own height.
     EXPECT_NEAR(*height, 13 + share, 1e-4);
-    greatest_without = std::max(greatest_without, std::abs(*height_at(without, x, y) - (13 + share)));
+    largest_without = std::max(largest_without, std::abs(*height_at(without, x, y) - (13 + share)));
   }
-  EXPECT_GT(greatest_without, 3);
+  EXPECT_GT(largest_without, 3);
 }
 
-TEST(SurveySurface, IsGoodEnoughToSimulateRocksOn) {
+TEST(SurveySurface, NeedsNoCleaning) {
   Dice dice(32);
   Survey survey;
   for (int i = 0; i < 3000; ++i) {
@@ -137,8 +137,8 @@ TEST(SurveySurface, IsGoodEnoughToSimulateRocksOn) {
   EXPECT_TRUE(cleaned.report.every_facet_faces_up());
 }
 
-// Points on a grid make the surface that a raster has, diagonals and all. Turned by 30 degrees, where rounding would
-// choose the diagonals, they make the same.
+// Points on a grid make the same surface as a raster, including the diagonals; also when rotated (by 0.5 rad), where
+// rounding would otherwise decide the diagonals.
 TEST(SurveySurface, PointsOfAGridAreARaster) {
   Dice dice(35);
   constexpr std::uint32_t columns = 30, rows = 25;
@@ -169,9 +169,9 @@ TEST(SurveySurface, PointsOfAGridAreARaster) {
   }
 }
 
-// ---- places that are one ----
+// ---- coincident points ----
 
-TEST(SurveySurface, PointsAtOnePlaceAreOneAtTheirMeanHeight) {
+TEST(SurveySurface, PointsAtOnePlaceGetTheirMeanHeight) {
   Survey survey = grid(4, [](int, int) { return 0.0; });
   survey.points.emplace_back(2, 2, 0);
   survey.points.emplace_back(1, 1, 3);
@@ -180,28 +180,28 @@ TEST(SurveySurface, PointsAtOnePlaceAreOneAtTheirMeanHeight) {
   EXPECT_EQ(surface.mesh.vertices.size(), 25U);
   EXPECT_EQ(surface.report.repeated, 3U);
   EXPECT_EQ(surface.report.at_odds.count, 1U);
-  EXPECT_EQ(surface.report.greatest_odds_m, 6);
+  EXPECT_EQ(surface.report.largest_difference_m, 6);
   EXPECT_EQ(surface.mesh.vertices[6], Vec3(1, 1, 3));
   EXPECT_THAT(surface.report.text(),
-              HasSubstr("warning: 1 place has several heights, up to 6 m apart (their mean is taken, that of lines "
-                        "before that of points), at (1.000, 1.000, 3.000)"));
+              HasSubstr("warning: 1 place has several heights, up to 6 m apart (their mean is used; heights of lines "
+                        "precede those of points), at (1.000, 1.000, 3.000)"));
 }
 
-TEST(SurveySurface, HeightsOfLinesComeBeforeThoseOfPoints) {
+TEST(SurveySurface, HeightsOfLinesPrecedeThoseOfPoints) {
   Survey survey = grid(4, [](int, int) { return 0.0; });
   survey.lines.push_back({{1, 1, 5}, {3, 1, 7}});
   const SurveySurface surface = surface_of(survey);
   EXPECT_EQ(surface.mesh.vertices[6].z(), 5);
   EXPECT_EQ(surface.mesh.vertices[16].z(), 7);
-  EXPECT_EQ(surface.mesh.vertices[11].z(), 0);  // on the way of the line: a point keeps its height
-  EXPECT_EQ(surface.report.lines_laid.vertices_beside.count, 1U);
-  EXPECT_EQ(surface.report.lines_laid.greatest_beside_m, 6);
+  EXPECT_EQ(surface.mesh.vertices[11].z(), 0);  // a point that the line passes keeps its height
+  EXPECT_EQ(surface.report.constraints.vertices_at_odds.count, 1U);
+  EXPECT_EQ(surface.report.constraints.largest_vertex_difference_m, 6);
 }
 
 // ---- the rim ----
 
-// Points along the edge of a survey, out of line by millimetres: without peeling, walls a millimetre wide.
-TEST(SurveySurface, TrianglesThatAreAlmostALineAreLeftOutAtTheRim) {
+// Points along the edge of a survey, out of line by millimetres, would make walls a millimetre wide.
+TEST(SurveySurface, DropsTrianglesAtTheRimThatAreAlmostALine) {
   Dice dice(33);
   Survey survey;
   for (int i = 0; i <= 50; ++i) {
@@ -221,16 +221,16 @@ TEST(SurveySurface, TrianglesThatAreAlmostALineAreLeftOutAtTheRim) {
   }
 }
 
-TEST(SurveySurface, ABreaklineAtTheRimIsNotPeeled) {
-  // The rim is a hair concave between two corners; there runs a line.
+TEST(SurveySurface, KeepsABreaklineAtTheRim) {
+  // The rim is slightly concave between two corners that a line joins.
   Survey survey{{{0, 0, 0}, {10, 0, 0}, {5, 0.01, 0}, {5, 8, 0}}, {}};
   EXPECT_EQ(surface_of(survey).mesh.triangles.size(), 2U);
   survey.lines.push_back({{0, 0, 0}, {10, 0, 0}});
   EXPECT_EQ(surface_of(survey).mesh.triangles.size(), 3U);
 }
 
-// A strip of narrow triangles is thin throughout, but none of them is almost a line: nothing goes.
-TEST(SurveySurface, AStripOfNarrowTrianglesStays) {
+// All triangles of the strip are narrow, but none is almost a line.
+TEST(SurveySurface, KeepsAStripOfNarrowTriangles) {
   Survey survey;
   for (int i = 0; i <= 100; ++i) {
     survey.points.emplace_back(0, 0.1 * i, 0);
@@ -241,7 +241,7 @@ TEST(SurveySurface, AStripOfNarrowTrianglesStays) {
   EXPECT_EQ(surface.mesh.triangles.size(), 200U);
 }
 
-// An L: the hull spans its bay with long triangles.
+// An L-shaped survey, whose convex hull spans the bay with long triangles.
 Survey bay() {
   Survey survey;
   for (int i = 0; i <= 40; ++i) {
@@ -252,18 +252,18 @@ Survey bay() {
   return survey;
 }
 
-TEST(SurveySurface, LongSidesAreLeftOutFromTheRimInwards) {
+TEST(SurveySurface, DropsLongSidesFromTheRimInwards) {
   const SurveySurface hull = surface_of(bay()), cut = surface_of(bay(), {.max_edge_m = 2});
   EXPECT_NEAR(plan_area(hull.mesh), 700 + 450, 1);
   EXPECT_EQ(plan_area(cut.mesh), 700.5);  // and half a square in the inner corner
   EXPECT_EQ(cut.report.holes, 0U);
   EXPECT_GT(cut.report.with_long_sides, 10U);
   EXPECT_THAT(hull.report.text(),
-              HasSubstr("warning: the longest side at the rim is 42.43 m, 42 times the middle one, at ("));
+              HasSubstr("warning: the longest side at the rim is 42.43 m, 42 times the median, at ("));
   EXPECT_THAT(cut.report.text(), Not(HasSubstr("warning")));
 }
 
-TEST(SurveySurface, LongSidesWithinAreKept) {
+TEST(SurveySurface, KeepsLongSidesInTheInterior) {
   // A pond without points, in the middle of a grid.
   Survey survey;
   for (const Vec3& p : grid(40, [](int, int) { return 1.0; }).points) {
@@ -273,7 +273,7 @@ TEST(SurveySurface, LongSidesWithinAreKept) {
   EXPECT_EQ(plan_area(surface.mesh), 1600);
 }
 
-TEST(SurveySurface, ABoundaryLeavesOutWhatLiesBeyond) {
+TEST(SurveySurface, DropsTrianglesBeyondTheBoundary) {
   const Survey survey = grid(40, [](int i, int) { return 0.1 * i; });
   EXPECT_EQ(plan_area(surface_of(survey, {.boundary = {square(10, 30)}}).mesh), 400);
   const SurveySurface two = surface_of(survey, {.boundary = {square(0, 10), square(20, 25)}});
@@ -283,11 +283,11 @@ TEST(SurveySurface, ABoundaryLeavesOutWhatLiesBeyond) {
   EXPECT_EQ(clean(two.mesh).report.unused_vertices, 1681U - 121U - 36U);
 }
 
-TEST(SurveySurface, HolesAreCounted) {
+TEST(SurveySurface, CountsHoles) {
   const Survey survey = grid(40, [](int i, int) { return 0.1 * i; });
   const std::vector<std::vector<Vec3>> rings{{{0, 0, 0}, {40, 0, 0}, {40, 40, 0}, {0, 40, 0}},
                                              {{5, 5, 0}, {10, 5, 0}, {10, 10, 0}, {5, 10, 0}},
-                                             // Two that touch in a corner: one way leads around both.
+                                             // Two that touch in a corner: one loop leads around both.
                                              {{20, 20, 0}, {25, 20, 0}, {25, 25, 0}, {20, 25, 0}},
                                              {{25, 25, 0}, {30, 25, 0}, {30, 30, 0}, {25, 30, 0}}};
   const SurveySurface surface = surface_of(survey, {.boundary = {PlanPolygon(rings)}});
@@ -296,40 +296,40 @@ TEST(SurveySurface, HolesAreCounted) {
   EXPECT_THAT(surface.report.text(), HasSubstr("triangles around 2 holes;"));
 }
 
-// ---- single points ----
+// ---- spikes ----
 
-TEST(SurveySurface, SpikesAreToldOfAndRemovedWhereThatIsWanted) {
+TEST(SurveySurface, ReportsSpikesAndRemovesThemOnRequest) {
   Dice dice(34);
   Survey survey = grid(40, [&](int i, int j) { return 0.5 * i - 0.2 * j + dice.between(-0.05, 0.05); });
   survey.points[20 * 41 + 20].z() += 12;
   survey.points[5 * 41 + 30].z() -= 7;
-  survey.points[5 * 41 + 31].z() -= 8;  // two beside each other
+  survey.points[5 * 41 + 31].z() -= 8;  // next to each other
   const SurveySurface kept = surface_of(survey);
   EXPECT_EQ(kept.report.removed_spikes.count, 0U);
-  EXPECT_EQ(kept.report.stand_out.count, 1U);  // of the two side by side each hides the other
-  EXPECT_NEAR(kept.report.greatest_departure_m, 12, 0.2);
-  ASSERT_TRUE(kept.report.greatest_departure_at);
-  EXPECT_EQ(kept.report.greatest_departure_at->head<2>(), Vec2(20, 20));
+  EXPECT_EQ(kept.report.outliers.count, 1U);  // the two adjacent ones mask each other
+  EXPECT_NEAR(kept.report.largest_departure_m, 12, 0.2);
+  ASSERT_TRUE(kept.report.largest_departure_at);
+  EXPECT_EQ(kept.report.largest_departure_at->head<2>(), Vec2(20, 20));
 
   const SurveySurface cleaned = surface_of(survey, {.remove_spikes_m = 1});
   EXPECT_EQ(cleaned.report.removed_spikes.count, 3U);
   EXPECT_EQ(cleaned.mesh.vertices.size(), survey.points.size() - 3);
-  EXPECT_LT(cleaned.report.greatest_departure_m, 0.2);
-  EXPECT_EQ(cleaned.report.stand_out.count, 0U);
+  EXPECT_LT(cleaned.report.largest_departure_m, 0.2);
+  EXPECT_EQ(cleaned.report.outliers.count, 0U);
   EXPECT_EQ(plan_area(cleaned.mesh), 1600);
 }
 
-// The edge of a cliff departs from the plane of its neighbours too, but so do they.
-TEST(SurveySurface, TheEdgeOfACliffDoesNotStandOut) {
+// Points at the edge of a cliff depart from the plane of their neighbours, but so do the neighbours.
+TEST(SurveySurface, TheEdgeOfACliffIsNoOutlier) {
   const Survey survey =
       grid(40, [](int i, int j) { return (i < 20 ? 50.0 : 0.0) - 0.3 * i + 0.02 * ((i * 7 + j * 3) % 5); });
   const SurveySurface surface = surface_of(survey);
-  EXPECT_GT(surface.report.greatest_departure_m, 15);
-  EXPECT_EQ(surface.report.stand_out.count, 0U);
+  EXPECT_GT(surface.report.largest_departure_m, 15);
+  EXPECT_EQ(surface.report.outliers.count, 0U);
 }
 
-TEST(SurveySurface, ADepartureIsTheHeightOverThePlaneOfTheNeighbours) {
-  // Six neighbours on a plane, of which one is a metre high; three at different distances have no spread.
+TEST(SurveySurface, ADepartureIsTheHeightAboveThePlaneOfTheNeighbours) {
+  // Six neighbours on a plane; three neighbours at different distances have no spread.
   std::vector<GridPoint> points{{100, 100}, {110, 100}, {105, 110}, {95, 110}, {90, 100}, {95, 90}, {105, 90}};
   std::vector<double> heights{7, 10.0 + 1, 10 + 0.5, 10 - 0.5, 10 - 1, 10 - 0.5, 10 + 0.5};
   const auto plane = departure(Triangulation(points), heights, 0);
@@ -337,7 +337,7 @@ TEST(SurveySurface, ADepartureIsTheHeightOverThePlaneOfTheNeighbours) {
   EXPECT_NEAR(plane->height_m, -3, 1e-12);
   EXPECT_NEAR(plane->spread_m, 0, 1e-7);
   EXPECT_FALSE(departure(Triangulation(points), heights, 1));  // at the rim
-  heights = {7, 1, -1, 1, -1, 1, -1};                          // a saddle of the third order: its plane is level
+  heights = {7, 1, -1, 1, -1, 1, -1};                          // a monkey saddle, whose plane is level
   const auto saddle = departure(Triangulation(points), heights, 0);
   EXPECT_NEAR(saddle->height_m, 7, 0.2);
   EXPECT_NEAR(saddle->spread_m, std::sqrt(6.0 / 3), 0.1);
@@ -347,7 +347,7 @@ TEST(SurveySurface, ADepartureIsTheHeightOverThePlaneOfTheNeighbours) {
   EXPECT_TRUE(std::isinf(three->spread_m));
 }
 
-TEST(SurveySurface, VerticesOfLinesAreNoSpikes) {
+TEST(SurveySurface, VerticesOfLinesAreNotSpikes) {
   Survey survey = grid(10, [](int, int) { return 0.0; });
   survey.lines.push_back({{5.5, 2.5, 9}, {5.5, 7.5, 9}});  // a wall
   const SurveySurface surface = surface_of(survey, {.remove_spikes_m = 20});
@@ -355,8 +355,8 @@ TEST(SurveySurface, VerticesOfLinesAreNoSpikes) {
   EXPECT_EQ(*height_at(surface.mesh, 5.5, 5), 9);
 }
 
-// Numbers with which rounded crossings once crossed again at every step of the grid.
-TEST(SurveySurface, ALineDrawnThereAndBackIsOne) {
+// With these numbers rounded crossings once crossed again at every grid step.
+TEST(SurveySurface, ALineDrawnBackOnItselfAddsNoCrossings) {
   Survey survey;
   survey.lines = {{{5.0750109687, 12.99599449, 1998.14},
                    {11.0414635658, 32.346285991, 1996.48},
@@ -366,16 +366,16 @@ TEST(SurveySurface, ALineDrawnThereAndBackIsOne) {
   const SurveySurface once = surface_of(survey);
   survey.lines[1].push_back(survey.lines[1].front());
   const SurveySurface twice = surface_of(survey);
-  EXPECT_EQ(once.report.lines_laid.crossings.count, 3U);
-  EXPECT_EQ(twice.report.lines_laid.crossings.count, 3U);
-  EXPECT_EQ(twice.report.lines_laid.upon_another, 3U);
+  EXPECT_EQ(once.report.constraints.crossings.count, 3U);
+  EXPECT_EQ(twice.report.constraints.crossings.count, 3U);
+  EXPECT_EQ(twice.report.constraints.overlapping, 3U);
   EXPECT_EQ(twice.mesh.vertices, once.mesh.vertices);
 }
 
 // ---- contours ----
 
-TEST(SurveySurface, LevelTrianglesBetweenContoursAreToldOf) {
-  // A cone of contours with its top cut off: within the highest contour all is level, elsewhere nothing is.
+TEST(SurveySurface, ReportsLevelTrianglesBetweenContours) {
+  // Contours of a truncated cone: only within the highest contour are triangles level.
   Survey survey;
   for (int ring = 1; ring <= 5; ++ring) {
     auto& line = survey.lines.emplace_back();
@@ -385,7 +385,7 @@ TEST(SurveySurface, LevelTrianglesBetweenContoursAreToldOf) {
     }
   }
   const SurveySurface surface = surface_of(survey);
-  EXPECT_EQ(surface.report.flat.count, 62U);  // of a polygon with 64 corners
+  EXPECT_EQ(surface.report.flat.count, 62U);  // a polygon with 64 corners
   EXPECT_NEAR(surface.report.flat_area_m2, 32 * 100 * std::sin(2 * std::numbers::pi / 64), 1e-3);
   EXPECT_THAT(surface.report.text(),
               HasSubstr("warning: 62 triangles are level, with all corners on lines at one height, "
@@ -396,33 +396,33 @@ TEST(SurveySurface, LevelTrianglesBetweenContoursAreToldOf) {
 
 // ---- refusals ----
 
-TEST(SurveySurface, RefusesWhatIsNoSurface) {
+TEST(SurveySurface, RefusesPointsThatSpanNoSurface) {
   EXPECT_EQ(refusal({}), "survey.csv: terrain: the survey has no points (a surface needs three or more)");
   EXPECT_EQ(refusal({{{0, 0, 0}, {1, 1, 1}, {0, 0, 2}}, {}}),
             "survey.csv: terrain: the survey has 2 places (a surface needs three or more)");
   EXPECT_EQ(refusal({{{0, 0, 0}, {1, 1, 1}, {2, 2, 5}, {7, 7, 0}}, {}}),
-            "survey.csv: terrain: all 4 places of the survey lie on one line (they span no surface). For a slope in "
-            "section use section");
+            "survey.csv: terrain: all 4 places of the survey lie on one line (they span no surface). For a 2D slope "
+            "use section");
 }
 
-TEST(SurveySurface, RefusesWhatIsTooWide) {
+TEST(SurveySurface, RefusesASurveyThatIsTooWide) {
   EXPECT_EQ(
       refusal({{{0, 0, 0}, {1, 1, 1}, {0, 2e6, 2}}, {}}),
-      "survey.csv: terrain: the survey is 2000000 m wide (Talus triangulates up to 1048576 m). Does a point lie far "
-      "from the others, or are they not in metres?");
+      "survey.csv: terrain: the survey is 2000000 m wide (Talus triangulates up to 1048576 m). Is a point far from "
+      "the others, or are they not in metres?");
   EXPECT_EQ(
       refusal({{{0, 0, 0}, {1, 1, 1}, {0, 3e9, 2}}, {}}),
-      "survey.csv: terrain: (0, 3000000000, 2) is too far away (coordinates must be smaller than 1e+09 m). Are they in "
-      "metres?");
+      "survey.csv: terrain: (0, 3000000000, 2) is too far from the origin (coordinates must be smaller than 1e+09 m). "
+      "Are they in metres?");
 }
 
-TEST(SurveySurface, RefusesABoundaryThatLeavesNothing) {
+TEST(SurveySurface, RefusesASurveyOfWhichNoTriangleRemains) {
   EXPECT_EQ(refusal(grid(4, [](int, int) { return 0.0; }), {.boundary = {square(3.9, 4.1)}}),
-            "survey.csv: terrain: nothing is left of the survey (of its triangles 32 lie beyond the boundary, 0 have a "
-            "longer side than max_edge_m at the rim, and 0 there are almost a line)");
+            "survey.csv: terrain: no triangle of the survey remains (32 are beyond the boundary, 0 at the rim have a "
+            "side longer than max_edge_m, and 0 at the rim are almost a line)");
   EXPECT_EQ(refusal(grid(4, [](int, int) { return 0.0; }), {.max_edge_m = 0.5}),
-            "survey.csv: terrain: nothing is left of the survey (of its triangles 0 lie beyond the boundary, 32 have a "
-            "longer side than max_edge_m at the rim, and 0 there are almost a line)");
+            "survey.csv: terrain: no triangle of the survey remains (0 are beyond the boundary, 32 at the rim have a "
+            "side longer than max_edge_m, and 0 at the rim are almost a line)");
 }
 
 }  // namespace

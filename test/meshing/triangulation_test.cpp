@@ -39,7 +39,7 @@ TEST(ExactGrid, KeepsCoordinatesThatAreWholeSteps) {
   }
 }
 
-TEST(ExactGrid, MovesOthersByHalfAStepAtMost) {
+TEST(ExactGrid, MovesOtherCoordinatesByHalfAStepAtMost) {
   Dice dice(2);
   for (int i = 0; i < 1000; ++i) {
     const Vec2 low(dice.between(-3e6, 3e6), dice.between(-3e6, 3e6));
@@ -58,8 +58,8 @@ TEST(ExactGrid, MovesOthersByHalfAStepAtMost) {
 
 // ---- the predicates ----
 
-TEST(ExactPlan, TellsPointsOfACircleFromItsNeighbours) {
-  // (3, 4, 5) and its like: whole points on a circle, as wide as the grid.
+TEST(ExactPlan, DistinguishesPointsOnACircleFromTheirNeighbours) {
+  // Integer points on a circle about as wide as the grid, from the triple (3, 4, 5).
   constexpr std::int32_t s = 100'000'000, m = 5 * s;
   const GridPoint a{m + 3 * s, m + 4 * s}, b{m - 4 * s, m + 3 * s}, c{m - 3 * s, m - 4 * s}, d{m + 5 * s, m};
   EXPECT_GT(doubled_area(a, b, c), 0);
@@ -70,7 +70,7 @@ TEST(ExactPlan, TellsPointsOfACircleFromItsNeighbours) {
   EXPECT_EQ(doubled_area({0, 0}, {grid_end, grid_end - 1}, {grid_end - 1, grid_end - 2}), -1);
 }
 
-TEST(ExactPlan, CornersOfTheGridAreNotTooFarApart) {
+TEST(ExactPlan, PredicatesDoNotOverflowBetweenCornersOfTheGrid) {
   const GridPoint sw{0, 0}, se{grid_end, 0}, ne{grid_end, grid_end}, nw{0, grid_end};
   EXPECT_EQ(doubled_area(sw, se, ne), std::int64_t{1} << 60);
   EXPECT_FALSE(in_circle(sw, se, ne, nw));
@@ -78,9 +78,9 @@ TEST(ExactPlan, CornersOfTheGridAreNotTooFarApart) {
   EXPECT_TRUE(in_circle({0, 1}, {grid_end, 0}, {grid_end, grid_end}, {grid_end - 1, 1}));
 }
 
-TEST(ExactPlan, OnTheWayIsWithinTwoStepsAndTheBox) {
+TEST(ExactPlan, OnASegmentMeansWithinTwoStepsAndTheBox) {
   EXPECT_TRUE(is_on_way({0, 0}, {100, 50}, {40, 20}));
-  EXPECT_TRUE(is_on_way({100, 50}, {0, 0}, {40, 23}));  // three steps above, a little more than one beside
+  EXPECT_TRUE(is_on_way({100, 50}, {0, 0}, {40, 23}));  // three steps above the line
   EXPECT_FALSE(is_on_way({0, 0}, {100, 50}, {40, 24}));
   EXPECT_FALSE(is_on_way({0, 0}, {100, 50}, {102, 51}));
   EXPECT_FALSE(is_on_way({0, 0}, {100, 0}, {40, 1}));
@@ -90,7 +90,7 @@ TEST(ExactPlan, OnTheWayIsWithinTwoStepsAndTheBox) {
   EXPECT_FALSE(is_on_way({far, 0}, {0, far}, {far, far}));
 }
 
-TEST(ExactPlan, CrossingIsTheNearestGridPointWithinBothBoxes) {
+TEST(ExactPlan, ACrossingIsTheNearestGridPointWithinBothBoxes) {
   EXPECT_EQ(crossing({0, 0}, {10, 10}, {0, 10}, {10, 0}), (GridPoint{5, 5}));
   EXPECT_EQ(crossing({0, 0}, {3, 1}, {2, 0}, {2, 2}), (GridPoint{2, 1}));
   Dice dice(3);
@@ -107,7 +107,7 @@ TEST(ExactPlan, CrossingIsTheNearestGridPointWithinBothBoxes) {
       const GridPoint a = p[static_cast<std::size_t>(first)], b = p[static_cast<std::size_t>(first) + 1];
       EXPECT_TRUE(at.x >= std::min(a.x, b.x) && at.x <= std::max(a.x, b.x));
       EXPECT_TRUE(at.y >= std::min(a.y, b.y) && at.y <= std::max(a.y, b.y));
-      // No further from the line than half a step along x and along y.
+      // At most half a step along x and along y from the line.
       const double length = std::hypot(double{1} * b.x - a.x, double{1} * b.y - a.y);
       EXPECT_LE(std::abs(static_cast<double>(doubled_area(a, b, at))) / length, 0.70710679);
     }
@@ -116,7 +116,7 @@ TEST(ExactPlan, CrossingIsTheNearestGridPointWithinBothBoxes) {
 
 // ---- Delaunay ----
 
-TEST(Triangulation, ThreePointsAreATriangle) {
+TEST(Triangulation, ThreePointsMakeATriangle) {
   const Triangulation t({{0, 0}, {0, 5}, {5, 0}});
   expect_sound(t);
 }
@@ -145,8 +145,8 @@ TEST(Triangulation, IsSoundForRandomPoints) {
   }
 }
 
-// Not only across each side: no circle around any triangle holds any point at all.
-TEST(Triangulation, EveryCircleIsEmpty) {
+// The global property: no triangle's circumcircle contains any point.
+TEST(Triangulation, EveryCircumcircleIsEmpty) {
   Dice dice(5);
   for (const std::int32_t end : {12, 3000, grid_end}) {
     const Triangulation t(scattered(dice, 150, end));
@@ -160,7 +160,7 @@ TEST(Triangulation, EveryCircleIsEmpty) {
   }
 }
 
-// The dual of Boost's Voronoi diagram: it has an edge, if only one without length, for each of our sides.
+// The dual of Boost's Voronoi diagram has an edge, possibly of zero length, for each side.
 TEST(Triangulation, AgreesWithTheVoronoiDiagramOfBoost) {
   Dice dice(6);
   const auto points = scattered(dice, 20000, grid_end);
@@ -182,7 +182,7 @@ TEST(Triangulation, AgreesWithTheVoronoiDiagramOfBoost) {
   EXPECT_EQ(ours, theirs);
 }
 
-TEST(Triangulation, GridsOfCocircularPoints) {
+TEST(Triangulation, IsSoundForGridsOfCocircularPoints) {
   for (const std::int32_t step : {1, 1000, 10'000'000}) {
     std::vector<GridPoint> points;
     for (std::int32_t i = 0; i < 40; ++i) {
@@ -201,9 +201,9 @@ TEST(Triangulation, GridsOfCocircularPoints) {
   }
 }
 
-TEST(Triangulation, PointsOfOneCircle) {
+TEST(Triangulation, IsSoundForPointsOfOneCircle) {
   std::vector<GridPoint> points;
-  // All whole points on the circle of radius 5 x 13 x 17 x 29 about its middle.
+  // All integer points on the circle of radius 5 x 13 x 17 x 29.
   constexpr std::int32_t r = 5 * 13 * 17 * 29;
   for (std::int32_t x = -r; x <= r; ++x) {
     const auto y = static_cast<std::int32_t>(std::lround(std::sqrt(double{1} * r * r - double{1} * x * x)));
@@ -215,7 +215,7 @@ TEST(Triangulation, PointsOfOneCircle) {
   expect_sound(Triangulation(points));
 }
 
-TEST(Triangulation, LinesOfPointsFarFromEachOther) {
+TEST(Triangulation, IsSoundForDistantLinesOfPoints) {
   std::vector<GridPoint> points;
   for (std::int32_t i = 0; i < 2000; ++i) {
     points.push_back({i, 0});
@@ -224,7 +224,7 @@ TEST(Triangulation, LinesOfPointsFarFromEachOther) {
   expect_sound(Triangulation(points));
 }
 
-TEST(Triangulation, PointsPutInLaterAreWhereTheyWouldHaveBeen) {
+TEST(Triangulation, InsertsFurtherPointsOnce) {
   Dice dice(7);
   for (int i = 0; i < 100; ++i) {
     const std::int32_t end = dice.chance(0.5) ? 20 : grid_end;
@@ -245,8 +245,8 @@ TEST(Triangulation, PointsPutInLaterAreWhereTheyWouldHaveBeen) {
   }
 }
 
-// A million points would do in seconds; here there are enough to see that nothing in it is quadratic.
-TEST(Triangulation, ManyPoints) {
+// Enough points to notice a quadratic step.
+TEST(Triangulation, IsSoundForManyPoints) {
   Dice dice(8);
   expect_sound(Triangulation(scattered(dice, 100'000, grid_end)));
 }
@@ -263,7 +263,7 @@ TEST(Triangulation, ASideThatIsNotDelaunayIsFound) {
       ++flipped;
       bool found = false;
       for (std::uint32_t j = 0; j < t.triangles().size(); ++j) {
-        for (std::uint32_t m = 0; m < 3; ++m) found = found || t.wants_flip({j, m});
+        for (std::uint32_t m = 0; m < 3; ++m) found = found || t.needs_flip({j, m});
       }
       EXPECT_TRUE(found);
     }

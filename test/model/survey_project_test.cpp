@@ -164,8 +164,8 @@ TEST_F(SurveyProject, RocksRunOnItAsOnTheSamePlaneOfTriangles) {
   EXPECT_EQ(warnings_.text(), "");
   EXPECT_THAT(
       survey.terrain_report,
-      HasSubstr("p.csv: 861 points\nsurvey: 861 points, placed to 0.00048 mm\ntriangulated: 1600 triangles; sides of "
-                "5 m in the middle, at most 7.071 m, at (2.500, 2.500, 1498.750)\n"));
+      HasSubstr("p.csv: 861 points\nsurvey: 861 points, placed to 0.00048 mm\ntriangulated: 1600 triangles; median "
+                "side 5 m, longest 7.071 m, at (2.500, 2.500, 1498.750)\n"));
   const Model mesh = model(
       "[terrain]\nvertices = [[0,0,1500],[200,0,1400],[200,100,1400],[0,100,1500]]\ntriangles = [[0,1,2],[0,2,3]]\n" +
       rest);
@@ -278,8 +278,8 @@ TEST_F(SurveyProject, RefusesPolylinesThatCrossThemselves) {
             "its vertices in order?");
   // Halves that undo each other leave no plane to look for the crossing in.
   EXPECT_EQ(refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 10, 0], [0, 0, 0]]]\n" + rest),
-            "slope.toml: terrain: polylines[0] has no area (its corners lie on one line, go there and back the same "
-            "way, or its sides cross)");
+            "slope.toml: terrain: polylines[0] has no area (its corners lie on one line, its border doubles back, or "
+            "its sides cross)");
 }
 
 TEST_F(SurveyProject, RefusesFilesThatAreNotThere) {

@@ -1,6 +1,6 @@
 #pragma once
-// Triangulated shapes to run rocks over. All are manifold and wound counter-clockwise seen from outside the ground, as
-// cleaned meshes are.
+// Triangulated shapes for simulations. All are manifold and wound counter-clockwise seen from outside the ground, like
+// cleaned meshes.
 
 #include <array>
 #include <cmath>
@@ -35,7 +35,7 @@ struct Shape {
   }
   [[nodiscard]] TriangleMesh mesh() const { return {vertices, triangles, neighbours()}; }
 
-  /// Every vertex through a map that keeps orientation.
+  /// With `map`, which must preserve orientation, applied to every vertex.
   template <class Map>
   [[nodiscard]] Shape moved(Map&& map) const {
     Shape shape = *this;
@@ -79,7 +79,7 @@ template <class Place, class Slash>
   return shape;
 }
 
-/// A height field on an irregular net with random diagonals. `height(x, y)` gives the ground.
+/// A height field on an irregular net with random diagonals. `height(x, y)` is the ground elevation.
 template <class Height>
 [[nodiscard]] Shape irregular_field(Dice& dice, std::uint32_t columns, std::uint32_t rows, double width, double depth,
                                     Height&& height) {
@@ -87,7 +87,7 @@ template <class Height>
   return net(
       columns, rows,
       [&](std::uint32_t i, std::uint32_t j) {
-        // The rim stays straight; inside, vertices stray by less than the quarter that could turn a triangle over.
+        // The rim stays straight; interior vertices move by less than the quarter cell that could turn a triangle over.
         const double x = dx * (i + (i > 0 && i < columns ? dice.between(-0.24, 0.24) : 0.0));
         const double y = dy * (j + (j > 0 && j < rows ? dice.between(-0.24, 0.24) : 0.0));
         return Vec3(x, y, height(x, y));
@@ -109,7 +109,7 @@ template <class Height>
       [&](std::uint32_t, std::uint32_t) { return dice.chance(0.5); });
 }
 
-/// An icosahedron, `levels` times divided by four, on the sphere of radius 1 about the origin; facing outwards.
+/// An icosahedron, subdivided `levels` times, on the unit sphere about the origin; facing outwards.
 [[nodiscard]] inline Shape icosphere(int levels) {
   const double q = (1 + std::sqrt(5.0)) / 2;
   Shape shape;
@@ -137,7 +137,7 @@ template <class Height>
   return shape;
 }
 
-/// A closed body, star-shaped about the origin: an icosphere whose vertices were pushed in and out.
+/// A closed body, star-shaped about the origin: an icosphere with randomly scaled vertices.
 [[nodiscard]] inline Shape random_boulder(Dice& dice, int levels, double radius, double noise) {
   return icosphere(levels).moved([&](const Vec3& v) { return Vec3(radius * (1 + dice.between(-noise, noise)) * v); });
 }

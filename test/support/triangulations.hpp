@@ -1,5 +1,5 @@
 #pragma once
-// What must be true of every triangulation, checked with whole numbers, and how to make points for one.
+// Checks what is true of every triangulation, in exact arithmetic; and points to triangulate.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace talus::testing_tools {
 
 inline constexpr std::int32_t grid_end = 1 << ExactGrid::bits;
 
-/// Distinct points; of a grid that is small on purpose many lie on lines and circles.
+/// Distinct random points of a grid from 0 to `end`. On a small grid many are on common lines and circles.
 [[nodiscard]] inline std::vector<GridPoint> scattered(Dice& dice, std::size_t count, std::int32_t end) {
   std::set<GridPoint> seen;
   std::vector<GridPoint> points;
@@ -51,12 +51,12 @@ inline constexpr std::int32_t grid_end = 1 << ExactGrid::bits;
   return area;
 }
 
-/// Neighbours know each other, triangles are counter-clockwise and cover the hull once, Euler's formula holds, and
+/// Neighbours link to each other, triangles are counter-clockwise and cover the hull once, Euler's formula is true, and
 /// every side that is not fixed is Delaunay.
 inline void expect_sound(const Triangulation& t) {
   std::vector<GridPoint> points;
   for (std::uint32_t v = 0; v < t.vertex_count(); ++v) points.push_back(t.point(v));
-  std::size_t real = 0, rim = 0, twins_apart = 0, turned = 0, want_flip = 0, half_fixed = 0;
+  std::size_t real = 0, rim = 0, twins_apart = 0, clockwise = 0, not_delaunay = 0, half_fixed = 0;
   Wide area = 0;
   for (std::uint32_t i = 0; i < t.triangles().size(); ++i) {
     const auto& [corner, neighbour] = t.triangles()[i];
@@ -64,20 +64,20 @@ inline void expect_sound(const Triangulation& t) {
       const Triangulation::Side side{i, k}, twin = t.twin(side);
       twins_apart += t.from(twin) != t.to(side) || t.to(twin) != t.from(side) || t.twin(twin).triangle != i;
       half_fixed += t.is_fixed(side) != t.is_fixed(twin);
-      want_flip += !t.is_fixed(side) && t.wants_flip(side);
+      not_delaunay += !t.is_fixed(side) && t.needs_flip(side);
       rim += t.is_real(i) && !t.is_real(neighbour[k]);
     }
     if (!t.is_real(i)) continue;
     ++real;
     const std::int64_t own = doubled_area(t.point(corner[0]), t.point(corner[1]), t.point(corner[2]));
-    turned += own <= 0;
+    clockwise += own <= 0;
     area += own;
   }
   EXPECT_EQ(twins_apart, 0U);
-  EXPECT_EQ(turned, 0U);
+  EXPECT_EQ(clockwise, 0U);
   EXPECT_EQ(half_fixed, 0U);
-  EXPECT_EQ(want_flip, 0U);
-  // V - E + F = 2 with the outside as a face: of n vertices, h of them on the rim, 2 n - 2 - h triangles.
+  EXPECT_EQ(not_delaunay, 0U);
+  // V - E + F = 2 with the outside as a face: n vertices, h of them on the rim, make 2 n - 2 - h triangles.
   EXPECT_EQ(real, 2 * t.vertex_count() - 2 - rim);
   EXPECT_EQ(t.triangles().size(), 2 * t.vertex_count() - 2);
   EXPECT_TRUE(area == doubled_area_of(hull_of(points)));

@@ -20,9 +20,9 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// ---- what cannot be cleaned ----
+// ---- input that cannot be cleaned ----
 
-// Collects problems of one file; from a wrong mesh every vertex may have one, so only the first few are told.
+// Collects the problems of one file. A bad mesh may have one at every vertex, so only the first few are reported.
 class Refusals {
  public:
   explicit Refusals(std::string source) : source_(std::move(source)) {}
@@ -35,8 +35,8 @@ class Refusals {
 
   void throw_if_any() {
     if (count_ == 0) return;
-    const std::size_t told = problems_.list().size();
-    if (count_ > told) problems_.add(problem("", fmt::format("{} more of the kind", count_ - told), "", ""));
+    const std::size_t reported = problems_.list().size();
+    if (count_ > reported) problems_.add(problem("", fmt::format("{} more of this kind", count_ - reported), "", ""));
     throw BadInput(problems_);
   }
 
@@ -67,12 +67,12 @@ void check(const RawMesh& mesh, Refusals& refusals) {
   refusals.throw_if_any();
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Vec3& v = mesh.vertices[i];
-    const auto where = [&] { return fmt::format("vertex {} (counted from 0)", i); };
+    const auto where = [&] { return fmt::format("vertex {} (zero-based)", i); };
     if (!v.allFinite()) {
-      refusals.add(where(), fmt::format("({}, {}, {}) is not a place", v.x(), v.y(), v.z()),
+      refusals.add(where(), fmt::format("({}, {}, {}) is not a position", v.x(), v.y(), v.z()),
                    "expected finite coordinates in metres");
     } else if (v.cwiseAbs().maxCoeff() >= largest_coordinate_m) {
-      refusals.add(where(), fmt::format("({}, {}, {}) is too far away", v.x(), v.y(), v.z()),
+      refusals.add(where(), fmt::format("({}, {}, {}) is too far from the origin", v.x(), v.y(), v.z()),
                    fmt::format("coordinates must be smaller than {:g} m", largest_coordinate_m), "Are they in metres?");
     }
   }
@@ -80,13 +80,13 @@ void check(const RawMesh& mesh, Refusals& refusals) {
     const Corners& t = mesh.triangles[i];
     const auto missing = std::find_if(t.begin(), t.end(), [&](auto v) { return v >= mesh.vertices.size(); });
     if (missing == t.end()) continue;
-    refusals.add(fmt::format("triangle {} (counted from 0)", i), fmt::format("vertex {} does not exist", *missing),
-                 fmt::format("the mesh has {}, counted from 0", mesh.vertices.size()));
+    refusals.add(fmt::format("triangle {} (zero-based)", i), fmt::format("vertex {} does not exist", *missing),
+                 fmt::format("the mesh has {}, numbered from 0", counted(mesh.vertices.size(), "vertex", "vertices")));
   }
   refusals.throw_if_any();
 }
 
-// ---- vertices and facets that are left out ----
+// ---- vertices and facets to drop ----
 
 Vec3 area_vector(const std::vector<Vec3>& vertices, const Corners& t) {
   return 0.5 * (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]);
@@ -154,7 +154,7 @@ void drop_duplicates(CleanMesh& mesh) {
   mesh.original.resize(kept);
 }
 
-// ---- sides that pass corners ----
+// ---- corners on the sides of other facets ----
 
 void join_along_sides(CleanMesh& mesh, double tolerance) {
   CutFacets facets{std::move(mesh.triangles), std::move(mesh.original)};
@@ -166,8 +166,8 @@ void join_along_sides(CleanMesh& mesh, double tolerance) {
   drop_duplicates(mesh);
 }
 
-// `stands_for` tells kept vertices from welded ones, which are no more there and count as welded, not as unused.
-void drop_unused_vertices(CleanMesh& mesh, const std::vector<std::uint32_t>& stands_for) {
+// A vertex that is not its own `representative` was welded to another; it counts as welded, not as unused.
+void drop_unused_vertices(CleanMesh& mesh, const std::vector<std::uint32_t>& representative) {
   std::vector<bool> used(mesh.vertices.size());
   for (const Corners& t : mesh.triangles) {
     for (const std::uint32_t v : t) used[v] = true;
@@ -178,7 +178,7 @@ void drop_unused_vertices(CleanMesh& mesh, const std::vector<std::uint32_t>& sta
     if (used[i]) {
       renumbered[i] = kept;
       mesh.vertices[kept++] = mesh.vertices[i];
-    } else if (stands_for[i] == i) {
+    } else if (representative[i] == i) {
       ++mesh.report.unused_vertices;
     }
   }
@@ -188,10 +188,10 @@ void drop_unused_vertices(CleanMesh& mesh, const std::vector<std::uint32_t>& sta
   }
 }
 
-// ---- who lies beside whom ----
+// ---- neighbours ----
 
-// The end vertices of the edges that more than two facets share are counted; those facets stay without neighbour there.
-// Returns the boundary's edges.
+// An edge shared by more than two facets is reported as non-manifold, and none of them gets a neighbour there.
+// Returns the boundary edges.
 std::vector<MeshEdge> find_neighbours(CleanMesh& mesh) {
   mesh.neighbours.assign(mesh.triangles.size(), {});
   std::vector<MeshEdge> boundary;
@@ -213,10 +213,10 @@ std::vector<MeshEdge> find_neighbours(CleanMesh& mesh) {
   return boundary;
 }
 
-// ---- which way is out of the ground ----
+// ---- orientation: every facet faces out of the ground ----
 
-// Which triangles are to be turned over. Winding is made consistent by flooding from one facet to the next, as in
-// painting a connected sheet; then each sheet is turned as a whole.
+// Finds the triangles to flip. A flood fill from facet to facet makes the winding of each component consistent; then
+// each component is flipped as a whole if it faces into the ground.
 class Orientation {
  public:
   explicit Orientation(CleanMesh& mesh) : mesh_(mesh), turned_(mesh.triangles.size()), seen_(mesh.triangles.size()) {}
@@ -265,7 +265,7 @@ class Orientation {
           closed_ = false;
           continue;
         }
-        // Two facets agree when they run along their common edge in opposite directions.
+        // Two facets agree if they traverse their common edge in opposite directions.
         const std::uint32_t j = (*neighbour).index;
         const bool agree = !has_edge(j, mesh_.triangles[i][k], mesh_.triangles[i][(k + 1) % 3]);
         const std::uint8_t wanted = agree ? turned_[i] : !turned_[i];
@@ -293,7 +293,7 @@ class Orientation {
   }
 
   void turn_as_a_whole() {
-    // Sums too close to zero to have a sign: rounding, relative to their largest possible value.
+    // Relative to their largest possible value, sums below this are rounding and have no meaningful sign.
     constexpr double relative_rounding = 1e-9;
     double area = 0;
     double plan_area = 0;
@@ -322,7 +322,7 @@ class Orientation {
   CleanMesh& mesh_;
   std::vector<std::uint8_t> turned_;
   std::vector<std::uint8_t> seen_;
-  std::vector<std::uint32_t> component_;  // the triangles of the one that was flooded last
+  std::vector<std::uint32_t> component_;  // triangles of the component flooded last
   bool closed_ = true;
   bool one_sided_ = false;
 };
@@ -350,15 +350,15 @@ CleanMesh clean(RawMesh raw, const CleaningOptions& options) {
   mesh.original.resize(mesh.triangles.size());
   for (std::uint32_t i = 0; i < mesh.original.size(); ++i) mesh.original[i] = i;
 
-  const std::vector<std::uint32_t> stands_for = welded(mesh.vertices, options.weld_tolerance_m);
-  for (std::uint32_t i = 0; i < stands_for.size(); ++i) mesh.report.welded_vertices += stands_for[i] != i;
+  const std::vector<std::uint32_t> representative = welded(mesh.vertices, options.weld_tolerance_m);
+  for (std::uint32_t i = 0; i < representative.size(); ++i) mesh.report.welded_vertices += representative[i] != i;
   for (Corners& t : mesh.triangles) {
-    for (std::uint32_t& v : t) v = stands_for[v];
+    for (std::uint32_t& v : t) v = representative[v];
   }
   drop_degenerate(mesh);
   if (mesh.triangles.empty()) {
     refusals.add("terrain", "the mesh has no facet with an area",
-                 fmt::format("all {} have a corner twice or are lower than {:g} m", mesh.report.degenerate.count,
+                 fmt::format("all {} repeat a corner or are lower than {:g} m", mesh.report.degenerate.count,
                              smallest_facet_height_m),
                  "Are its coordinates in metres?");
     refusals.throw_if_any();
@@ -366,7 +366,7 @@ CleanMesh clean(RawMesh raw, const CleaningOptions& options) {
   drop_duplicates(mesh);
   stop_point();
   if (options.weld_tolerance_m > 0) join_along_sides(mesh, options.weld_tolerance_m);
-  drop_unused_vertices(mesh, stands_for);
+  drop_unused_vertices(mesh, representative);
   const std::vector<MeshEdge> boundary = find_neighbours(mesh);
   mesh.report.crack_m = std::max(widest_crack_m, options.weld_tolerance_m);
   mesh.report.loose_edges = loose_edges(mesh.vertices, mesh.triangles, boundary, mesh.report.crack_m);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Triangulation::Vertex infinity = Triangulation::infinity;
 
-// Whether `c`, which lies on the line through `a` and `b`, does so on b's side of a.
+// Whether `c`, on the line through `a` and `b`, is on b's side of a.
 bool is_ahead(GridPoint a, GridPoint b, GridPoint c) {
   return (std::int64_t{b.x} - a.x) * (std::int64_t{c.x} - a.x) + (std::int64_t{b.y} - a.y) * (std::int64_t{c.y} - a.y) >
          0;
@@ -21,7 +21,7 @@ bool is_ahead(GridPoint a, GridPoint b, GridPoint c) {
 
 void ConstrainedTriangulation::add(Vertex a, Vertex b) {
   if (a == b) {
-    ++report_.without_length;
+    ++report_.zero_length;
     return;
   }
   ++report_.segments;
@@ -52,12 +52,12 @@ void ConstrainedTriangulation::lay(const Segment& segment) {
 ConstrainedTriangulation::Meeting ConstrainedTriangulation::way_of(const Segment& segment) const {
   const Triangulation& t = triangulation_;
   const GridPoint a = t.point(segment.a), b = t.point(segment.b);
-  // To which side of the segment's line a vertex lies: positive to the left.
+  // Positive for vertices to the left of the segment's line.
   const auto side_of = [&](Vertex v) { return doubled_area(a, b, t.point(v)); };
   const auto passes = [&](Vertex v) { return is_on_way(a, b, t.point(v)); };
   Meeting meeting;
 
-  // Out of which triangle around its beginning does it go?
+  // Find the triangle around the start through which the segment leaves.
   const Triangulation::Side first = t.side_from(segment.a);
   Triangulation::Side leaving = first;
   for (;; leaving = t.next_around(leaving)) {
@@ -71,7 +71,7 @@ ConstrainedTriangulation::Meeting ConstrainedTriangulation::way_of(const Segment
       if (left != infinity && to_right < 0 && side_of(left) > 0) break;
     }
     TALUS_PROMISE(t.next_around(leaving).triangle != first.triangle,
-                  "the end is on plan, so some triangle leads there");
+                  "the end is finite, so the segment leaves through some triangle");
   }
 
   for (const Vertex beside : {t.to(leaving), t.apex(leaving)}) {
@@ -80,7 +80,7 @@ ConstrainedTriangulation::Meeting ConstrainedTriangulation::way_of(const Segment
     return meeting;
   }
 
-  // From triangle to triangle, each time across the side between a vertex to the right and one to the left.
+  // Walk from triangle to triangle, always across the side between a vertex to the right and one to the left.
   Triangulation::Side across = t.next_side(leaving);
   for (;;) {
     if (t.is_fixed(across)) {
@@ -108,7 +108,7 @@ void ConstrainedTriangulation::flip_out_of_the_way(const Segment& segment, std::
     const std::array<Vertex, 2> ends = waiting.front();
     waiting.pop_front();
     const auto side = t.side(ends[0], ends[1]);
-    TALUS_PROMISE(side.has_value(), "a side waits until it is flipped");
+    TALUS_PROMISE(side.has_value(), "a side stays until it is flipped");
     if (!t.can_flip(*side)) {
       waiting.push_back(ends);
       continue;
@@ -120,19 +120,19 @@ void ConstrainedTriangulation::flip_out_of_the_way(const Segment& segment, std::
     (is_beside ? static_cast<void>(flipped.push_back({c, d})) : static_cast<void>(waiting.push_back({c, d})));
   }
   const auto side = t.side(segment.a, segment.b);
-  TALUS_PROMISE(side.has_value(), "nothing is left in the way");
+  TALUS_PROMISE(side.has_value(), "all sides in the way have been flipped");
   if (t.is_fixed(*side)) {
-    ++report_.upon_another;
+    ++report_.overlapping;
   } else {
     t.fix(*side);
   }
   t.flip_until_delaunay(std::move(flipped));
 }
 
-// Both segments are laid again in pieces, from and to the grid point next to the crossing, or to the segment's end
-// where that lies on the fixed one but for rounding. It lies in the boxes around both, so that |dx| + |dy| of a segment
-// is that of its pieces together: however often pieces cross again, each of them once has a single step left, and it
-// ends. It ends soon, because pieces that run along others meet at their vertices, and cross nowhere else.
+// Both segments are inserted again in pieces that meet at the grid point next to the crossing, or at an end of the
+// segment that lies on the fixed one within rounding. That point is in the bounding boxes of both, so |dx| + |dy| of a
+// segment is the sum over its pieces: however often pieces cross again, each ends up a single step long, and the
+// recursion terminates. It terminates soon, because overlapping pieces meet at their vertices and cross nowhere else.
 void ConstrainedTriangulation::cross(const Segment& segment, const Segment& fixed) {
   Triangulation& t = triangulation_;
   GridPoint at = crossing(t.point(segment.a), t.point(segment.b), t.point(fixed.a), t.point(fixed.b));
@@ -163,7 +163,7 @@ void ConstrainedTriangulation::cross(const Segment& segment, const Segment& fixe
   report_.crossings.add(place(vertex));
   if (high - low >= same_height_m) {
     report_.crossings_at_odds.add(place(vertex));
-    report_.greatest_odds_m = std::max(report_.greatest_odds_m, high - low);
+    report_.largest_difference_m = std::max(report_.largest_difference_m, high - low);
   }
   if (!meets_fixed_end) waiting_.insert(waiting_.end(), {between(fixed.a, vertex), between(vertex, fixed.b)});
   waiting_.push_back({vertex, segment.b, z, segment.z_b});
@@ -185,8 +185,8 @@ Vec3 ConstrainedTriangulation::place(Vertex v) const {
 void ConstrainedTriangulation::note_beside(Vertex v, double line_height) {
   const double apart = std::abs(heights_[v] - line_height);
   if (apart < same_height_m) return;
-  report_.vertices_beside.add(place(v));
-  report_.greatest_beside_m = std::max(report_.greatest_beside_m, apart);
+  report_.vertices_at_odds.add(place(v));
+  report_.largest_vertex_difference_m = std::max(report_.largest_vertex_difference_m, apart);
 }
 
 }  // namespace talus

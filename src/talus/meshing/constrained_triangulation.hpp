@@ -1,16 +1,16 @@
 #pragma once
-// Lines brought into a triangulation, so that its sides run along them: a constrained Delaunay triangulation, and the
+// Inserts lines into a triangulation so that its sides run along them: a constrained Delaunay triangulation, with the
 // heights of its vertices.
 //
-// A segment is put in by flipping the sides that cross it (Sloan 1993, "A fast algorithm for generating constrained
-// Delaunay triangulations", Computers and Structures 47), then what was flipped is flipped on until it is Delaunay
-// again wherever no segment is in the way. What meets a segment on its way is settled first:
-// - a vertex that lies on it but for rounding (is_on_way) cuts it in two; the vertex keeps its own height;
-// - where two segments cross there will be a vertex, at the grid point next to the crossing, so that both bend by at
-//   most half a step of the grid. Its height is the mean of theirs;
-// - segments that lie upon each other share their sides: what is bent at crossings draws to it what runs along it
-//   (iterated snap rounding: Halperin and Packer 2002, Computational Geometry 23), so that a line drawn twice has as
-//   many crossings as one.
+// A segment is inserted by flipping the sides that cross it (Sloan 1993, "A fast algorithm for generating constrained
+// Delaunay triangulations", Computers and Structures 47); the flipped sides are then flipped again until the
+// triangulation is Delaunay wherever no segment prevents it. Obstacles along a segment are resolved first:
+// - a vertex on the segment, within rounding (is_on_way), splits it in two and keeps its own height;
+// - two crossing segments get a vertex at the grid point next to the crossing, so that both bend by at most half a
+//   grid step. Its height is the mean of theirs;
+// - overlapping segments share their sides: a segment bent at a crossing attracts those that run along it (iterated
+//   snap rounding: Halperin and Packer 2002, Computational Geometry 23), so that a line drawn twice has as many
+//   crossings as one.
 
 #include <cstddef>
 #include <vector>
@@ -20,25 +20,26 @@
 
 namespace talus {
 
-/// Heights that differ by less are the same [m].
+/// Heights that differ by less are equal [m].
 inline constexpr double same_height_m = 0.001;
 
 struct ConstraintReport {
-  std::size_t segments = 0;        // that were put in
-  std::size_t without_length = 0;  // left out: both ends at one place on plan
-  std::size_t upon_another = 0;    // pieces that lie upon a piece that was there before
-  Findings crossings;              // of two segments
-  Findings crossings_at_odds;      // of them, where the two have different heights
-  double greatest_odds_m = 0;      // of those
-  Findings vertices_beside;        // on the way of a segment that is at another height there; they keep theirs
-  double greatest_beside_m = 0;    // of those
+  std::size_t segments = 0;                // inserted
+  std::size_t zero_length = 0;             // left out: both ends at one place on plan
+  std::size_t overlapping = 0;             // pieces that coincide with an earlier one
+  Findings crossings;                      // of two segments
+  Findings crossings_at_odds;              // crossings of segments at different heights
+  double largest_difference_m = 0;         // between the heights at such a crossing
+  Findings vertices_at_odds;               // vertices on a segment at another height; they keep their own
+  double largest_vertex_difference_m = 0;  // between such a vertex and the segment
 };
 
 class ConstrainedTriangulation {
  public:
   using Vertex = Triangulation::Vertex;
 
-  /// `heights` [m] has one for each vertex and gets those of new vertices. `grid` only tells where things are.
+  /// `heights` [m] holds one entry for each vertex; those of new vertices are appended. `grid` gives the places in
+  /// metres for the report.
   ConstrainedTriangulation(Triangulation& triangulation, std::vector<double>& heights, const ExactGrid& grid)
       : triangulation_(triangulation), heights_(heights), grid_(grid) {}
 
@@ -50,14 +51,14 @@ class ConstrainedTriangulation {
  private:
   struct Segment {
     Vertex a = 0, b = 0;
-    double z_a = 0, z_b = 0;  // of the line there, which need not be those of the vertices
+    double z_a = 0, z_b = 0;  // heights of the line, which may differ from those of the vertices
   };
 
-  /// What a segment meets first on its way.
+  /// The first obstacle along a segment, or its end.
   struct Meeting {
-    Vertex reached = 0;                          // its end or a vertex on the way, where nothing fixed is before it
-    std::optional<Segment> blocked;              // else the first fixed side
-    std::vector<std::array<Vertex, 2>> crossed;  // the sides to be flipped until there
+    Vertex reached = 0;                          // the end or a vertex on the way, unless a fixed side comes first
+    std::optional<Segment> blocked;              // the fixed side that comes first, if any
+    std::vector<std::array<Vertex, 2>> crossed;  // sides to flip on the way there
   };
 
   [[nodiscard]] Segment between(Vertex a, Vertex b) const { return {a, b, heights_[a], heights_[b]}; }

@@ -1,5 +1,5 @@
 #pragma once
-// A section carried along y: two triangles a segment, so that triangle i belongs to segment i / 2.
+// Extrudes a section along y: two triangles per segment, so that triangle i belongs to segment i / 2.
 
 #include <span>
 
@@ -7,10 +7,10 @@
 
 namespace talus {
 
-/// `section` holds (x, z) from left to right; the slope goes from y = 0 to y = `width` [m].
+/// `section` is (x, z) from left to right; the mesh extends from y = 0 to y = `width` [m].
 [[nodiscard]] RawMesh extruded(std::span<const Vec2> section, double width);
 
-/// Turns a mesh about the vertical through `about`, counter-clockwise seen from above [degrees]. Quarter turns are
+/// Rotates a mesh about the vertical through `about`, counter-clockwise seen from above [degrees]. Quarter turns are
 /// exact.
 void turn(RawMesh& mesh, double degrees, const Vec3& about);
 

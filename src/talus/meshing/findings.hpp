@@ -1,5 +1,5 @@
 #pragma once
-// Things found, counted, with the places of the first few, and how reports tell of them.
+// Counts of findings with the places of the first few, and their words in reports.
 
 #include <cstddef>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace talus {
 
-/// A count of things found, and where the first few of them are.
+/// How many were found, and where the first few are.
 struct Findings {
   static constexpr std::size_t most_examples = 3;
 
@@ -18,7 +18,7 @@ struct Findings {
   std::vector<Vec3> examples;  // global coordinates [m]
 
   void add(const Vec3& where);
-  /// ", for example at (1.000, 2.000, 3.000)"; empty where there is nothing.
+  /// ", for example at (1.000, 2.000, 3.000)"; empty if nothing was found.
   [[nodiscard]] std::string places() const;
 };
 

@@ -15,7 +15,7 @@
 namespace talus {
 namespace {
 
-// A facet in coordinates near the origin.
+// A facet in local coordinates, close to the origin.
 struct Facet {
   std::array<Vec3, 3> corner;
 
@@ -33,7 +33,7 @@ struct Facet {
     return is_inside && std::abs((place - corner[0]).dot(normal)) <= reach;
   }
 
-  // Where it lies above or below a place.
+  // The elevation of its plane straight above or below a place; nullopt if it is vertical or to the side.
   [[nodiscard]] std::optional<double> height_at(const Vec3& place) const {
     const Vec3 normal = area_vector().normalized();
     if (std::abs(normal.z()) <= vertical_n_z) return std::nullopt;
@@ -45,13 +45,13 @@ struct Facet {
   }
 };
 
-// In front of a boundary edge.
-struct Brink {
+// A place just in front of a boundary edge, and how near another facet must be to make a crack.
+struct Probe {
   Vec3 place;
   double reach;
 };
 
-Brink brink_of(const Facet& facet, std::size_t k, double crack) {
+Probe probe_of(const Facet& facet, std::size_t k, double crack) {
   const Vec3 along = facet.corner[(k + 1) % 3] - facet.corner[k];
   const double reach = std::min(0.5 * crack, 0.125 * along.norm());
   const Vec3 out = along.cross(facet.area_vector()).normalized();
@@ -68,11 +68,11 @@ LooseEdges loose_edges(const std::vector<Vec3>& vertices, std::span<const std::a
     const auto& [a, b, c] = triangles[i];
     return Facet{{vertices[a] - origin, vertices[b] - origin, vertices[c] - origin}};
   };
-  std::vector<Brink> brinks;
+  std::vector<Probe> probes;
   std::vector<Box> boxes;
   for (const MeshEdge& edge : boundary) {
-    const Brink& brink = brinks.emplace_back(brink_of(facet(edge.triangle), edge.edge, crack_m));
-    boxes.push_back({brink.place - Vec3::Constant(brink.reach), brink.place + Vec3::Constant(brink.reach)});
+    const Probe& probe = probes.emplace_back(probe_of(facet(edge.triangle), edge.edge, crack_m));
+    boxes.push_back({probe.place - Vec3::Constant(probe.reach), probe.place + Vec3::Constant(probe.reach)});
   }
 
   const Bvh tree{boxes};
@@ -91,9 +91,9 @@ LooseEdges loose_edges(const std::vector<Vec3>& vertices, std::span<const std::a
         for (std::uint32_t place = first; place < last; ++place) {
           const std::uint32_t k = tree.order()[place];
           if (boundary[k].triangle == i) continue;
-          if (other.is_within(brinks[k].reach, brinks[k].place)) is_crack[k].store(true, std::memory_order_relaxed);
-          if (const auto height = other.height_at(brinks[k].place))
-            (*height > brinks[k].place.z() ? is_below : is_above)[k].store(true, std::memory_order_relaxed);
+          if (other.is_within(probes[k].reach, probes[k].place)) is_crack[k].store(true, std::memory_order_relaxed);
+          if (const auto height = other.height_at(probes[k].place))
+            (*height > probes[k].place.z() ? is_below : is_above)[k].store(true, std::memory_order_relaxed);
         }
       });
     }

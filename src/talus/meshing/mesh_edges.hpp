@@ -1,5 +1,5 @@
 #pragma once
-// The edges of a mesh's facets, in an order that puts those between the same two vertices side by side.
+// The edges of a mesh's facets, sorted so that those between the same two vertices are adjacent.
 
 #include <tbb/parallel_sort.h>
 
@@ -11,7 +11,7 @@
 
 namespace talus {
 
-/// An edge as one facet has it: edge k joins corners k and k + 1.
+/// An edge of one facet: edge k joins corners k and k + 1.
 struct MeshEdge {
   std::uint64_t ends;  // the smaller vertex in the upper half
   std::uint32_t triangle;
@@ -33,7 +33,7 @@ struct MeshEdge {
   return edges;
 }
 
-/// Calls take(edges) with the edges of all facets between two vertices, for each such two.
+/// Calls take(edges) for each group of `edges` (sorted) that join the same two vertices.
 template <class Take>
 void each_shared(std::span<const MeshEdge> edges, Take&& take) {
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
@@ -42,7 +42,7 @@ void each_shared(std::span<const MeshEdge> edges, Take&& take) {
   }
 }
 
-/// Edges that one facet only has.
+/// Edges of one facet only.
 [[nodiscard]] inline std::vector<MeshEdge> free_edges(std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<MeshEdge> out;
   each_shared(sorted_edges(triangles), [&](std::span<const MeshEdge> of) {

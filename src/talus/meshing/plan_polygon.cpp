@@ -13,7 +13,7 @@ namespace talus {
 
 namespace {
 
-// Which side of the line from a to b a place is on: positive to the left, exactly 0 only as far as rounding goes.
+// Positive if p is to the left of the line from a to b; 0 on it, within rounding.
 double side(const Vec2& a, const Vec2& b, const Vec2& p) {
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
 }
@@ -23,7 +23,7 @@ bool lies_between(const Vec2& a, const Vec2& b, const Vec2& p) {
          p.y() <= std::max(a.y(), b.y());
 }
 
-// A common point of two segments.
+// A common point of two segments, if there is one.
 std::optional<Vec2> meeting(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const double sc = side(a, b, c), sd = side(a, b, d), sa = side(c, d, a), sb = side(c, d, b);
   if (sc * sd < 0 && sa * sb < 0) return Vec2(a + sa / (sa - sb) * (b - a));
@@ -44,12 +44,12 @@ PlanPolygon::PlanPolygon(std::span<const std::vector<Vec3>> rings)
       const Vec2 a = ring[k].head(2), b = ring[k + 1 < ring.size() ? k + 1 : 0].head(2);
       low_ = low_.cwiseMin(a);
       high_ = high_.cwiseMax(a);
-      if (a.y() == b.y()) continue;  // a line along x does not cross it
+      if (a.y() == b.y()) continue;  // parallel to the lines along x that are intersected with it
       edges_.push_back(a.y() < b.y() ? Edge(a, b) : Edge(b, a));
       heights += std::abs(b.y() - a.y());
     }
   }
-  // So many bands that no more than four entries an edge are needed: an edge of height h reaches into h / band + 1.
+  // An edge of height h has entries in h / band + 1 bands; this number of bands keeps the mean at four an edge or less.
   const double height = edges_.empty() ? 0 : high_.y() - low_.y();
   const double wanted = edges_.empty() ? 1 : 3 * static_cast<double>(edges_.size()) * height / heights;
   const std::size_t bands = std::max<std::size_t>(1, static_cast<std::size_t>(wanted));
@@ -88,7 +88,7 @@ bool PlanPolygon::contains(const Vec2& place) const {
 
 namespace {
 
-/// The first number n from 0 to count whose place first + n step is at or beyond `limit`.
+/// The smallest n from 0 to count for which first + n * step is at or beyond `limit`.
 std::uint32_t first_at(double first, double step, std::uint32_t count, double limit) {
   const double guess = std::ceil((limit - first) / step);
   std::uint32_t n = guess <= 0 ? 0 : guess >= count ? count : static_cast<std::uint32_t>(guess);
@@ -106,7 +106,7 @@ std::pair<std::uint32_t, std::uint32_t> PointsWithin::rows() const {
 
 void PointsWithin::runs_in(std::uint32_t row, std::vector<Run>& runs) const {
   runs.clear();
-  // The first point east of each crossing: there begins what is within, or ends.
+  // The first point east of each crossing: there a run begins or ends.
   std::vector<std::uint32_t> turns;
   polygon_.visit_crossings(grid_.y(row),
                            [&](double x) { turns.push_back(first_at(grid_.first.x(), grid_.dx, grid_.columns, x)); });
@@ -117,7 +117,7 @@ void PointsWithin::runs_in(std::uint32_t row, std::vector<Run>& runs) const {
     }
     return;
   }
-  // More crossings than points: what counts is whether an odd number of them lies before each.
+  // More crossings than points: a point is within if an odd number of crossings precede it.
   std::vector<bool> is_odd(std::size_t{grid_.columns} + 1);
   for (const std::uint32_t turn : turns) is_odd[turn] = !is_odd[turn];
   bool within = false;
@@ -141,8 +141,8 @@ void runs_in_rows(const PointsWithin& points, std::uint32_t first, std::size_t w
     stop_point();
     points.runs_in(first + static_cast<std::uint32_t>(k), runs[k]);
   };
-  constexpr std::size_t much = std::size_t{1} << 20;  // edges to look at: a millisecond or more
-  if (work_a_row * runs.size() > much) {
+  constexpr std::size_t worth_threads = std::size_t{1} << 20;  // edges to visit: a millisecond or more
+  if (work_a_row * runs.size() > worth_threads) {
     tbb::parallel_for(std::size_t{0}, runs.size(), find);
   } else {
     for (std::size_t k = 0; k < runs.size(); ++k) find(k);
@@ -157,7 +157,7 @@ std::optional<Vec2> self_crossing(std::span<const Vec2> ring) {
       const Vec2 &c = ring[j], &d = ring[(j + 1) % n];
       const bool follows = j == i + 1, leads = (j + 1) % n == i;
       if (follows || leads) {
-        // Neighbours share a vertex; they may not run back over each other.
+        // Neighbours share a vertex, but must not double back over each other.
         const Vec2 &common = follows ? b : a, &before = follows ? a : b, &after = follows ? d : c;
         if (side(before, common, after) == 0 && (after - common).dot(before - common) > 0) return common;
       } else if (const auto at = meeting(a, b, c, d)) {
@@ -170,7 +170,7 @@ std::optional<Vec2> self_crossing(std::span<const Vec2> ring) {
 
 std::optional<Vec2> line_crossing(std::span<const Vec2> line) {
   if (line.size() < 3) return std::nullopt;
-  // Pieces in the order in which they begin along x: those that can meet a piece begin before it ends.
+  // Pieces sorted by where they begin along x: only those that begin before a piece ends can meet it.
   std::vector<std::size_t> pieces(line.size() - 1);
   std::iota(pieces.begin(), pieces.end(), std::size_t{0});
   const auto begin = [&](std::size_t k) { return std::min(line[k].x(), line[k + 1].x()); };

@@ -1,10 +1,9 @@
 #pragma once
-// Polygons on plan, with holes: what lies within, for points and for the cells of grids.
+// Polygons on plan, with holes: containment of points and of the cells of grids.
 //
-// A place is within where a line to its west crosses the border an odd number of times (even-odd rule, half-open: the
-// western and southern borders belong to a polygon, the eastern and northern ones do not). Where a border lies is
-// computed alike for the polygons on both sides of it, so that no place between two neighbours is lost or counted
-// twice.
+// A place is within if a line to its west crosses the border an odd number of times (even-odd rule, half-open: the
+// western and southern borders belong to a polygon, the eastern and northern ones do not). A common border is computed
+// identically for the polygons on both sides, so that no place between neighbours is lost or counted twice.
 
 #include <algorithm>
 #include <cstdint>
@@ -19,16 +18,16 @@ namespace talus {
 
 class PlanPolygon {
  public:
-  /// An outer ring and its holes; a ring does not repeat its first vertex. Only x and y count.
+  /// An outer ring and its holes; a ring does not repeat its first vertex. Only x and y are used.
   explicit PlanPolygon(std::span<const std::vector<Vec3>> rings);
 
   [[nodiscard]] const Vec2& low() const { return low_; }
   [[nodiscard]] const Vec2& high() const { return high_; }
   [[nodiscard]] bool contains(const Vec2& place) const;
-  /// Where the border crosses a line along x, ascending, an even number of times: within is from the first to before
-  /// the second, from the third to before the fourth and so on. Replaces what `x` held.
+  /// Where the border crosses the line along x at `y`, ascending; an even number. The polygon is [x0, x1), [x2, x3) and
+  /// so on. Replaces the contents of `x`.
   void crossings(double y, std::vector<double>& x) const;
-  /// The same in any order: calls visit(x) for each.
+  /// Calls visit(x) for each crossing, in any order.
   template <class Visit>
   void visit_crossings(double y, Visit&& visit) const {
     if (!(y >= low_.y() && y < high_.y())) return;
@@ -44,19 +43,19 @@ class PlanPolygon {
   struct Edge {
     Edge(const Vec2& a, const Vec2& b) : from(a), to(b), slope((b.x() - a.x()) / (b.y() - a.y())) {}
     [[nodiscard]] double x(double y) const { return from.x() + (y - from.y()) * slope; }
-    Vec2 from, to;  // upwards
-    double slope;   // of x over y
+    Vec2 from, to;  // from.y() < to.y()
+    double slope;   // dx / dy
   };
   [[nodiscard]] std::size_t band_of(double y) const;
 
   std::vector<Edge> edges_;
-  // Edges by bands of equal height: those of band b stand in entries_ from first_[b] to first_[b + 1].
+  // Edges by bands of equal height: those of band b are entries_[first_[b]] to before entries_[first_[b + 1]].
   std::vector<std::uint32_t> entries_, first_;
   double bands_per_metre_ = 0;
   Vec2 low_, high_;
 };
 
-/// Points of a regular grid, for example the middles of a raster's cells.
+/// Points of a regular grid, for example the centres of a raster's cells.
 struct PlanGrid {
   Vec2 first;             // the south-western point [m]
   double dx = 1, dy = 1;  // between points, positive [m]
@@ -71,14 +70,14 @@ class PointsWithin {
  public:
   PointsWithin(const PlanPolygon& polygon, const PlanGrid& grid) : polygon_(polygon), grid_(grid) {}
 
-  /// Rows that the polygon may reach: from the first to before the second.
+  /// Rows that the polygon may reach: [first, second).
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> rows() const;
-  /// Points of a row, from the first column to before the last.
+  /// Points of a row: columns [first, last).
   struct Run {
     std::uint32_t first, last;
   };
-  /// Of one row, from west to east. Replaces what `runs` held. In time that grows with the border's crossings of the
-  /// row, and no faster.
+  /// The runs of one row, from west to east. Replaces the contents of `runs`. The time is proportional to the border's
+  /// crossings of the row.
   void runs_in(std::uint32_t row, std::vector<Run>& runs) const;
 
  private:
@@ -86,12 +85,12 @@ class PointsWithin {
   const PlanGrid& grid_;
 };
 
-/// The runs of several rows at a time, on all cores where there is much to do: of row first + k into runs[k].
+/// The runs of several rows, of row first + k into runs[k]; on all cores if the work is worth it.
 void runs_in_rows(const PointsWithin& points, std::uint32_t first, std::size_t work_a_row,
                   std::span<std::vector<PointsWithin::Run>> runs);
 
-/// Calls visit(row, first column, column after the last) for each run of points of a grid within a polygon, from south
-/// to north.
+/// Calls visit(row, first column, column after the last) for each run of grid points within a polygon, from south to
+/// north.
 template <class Visit>
 void visit_points_within(const PlanPolygon& polygon, const PlanGrid& grid, Visit&& visit) {
   const PointsWithin points(polygon, grid);
@@ -107,12 +106,12 @@ void visit_points_within(const PlanPolygon& polygon, const PlanGrid& grid, Visit
   }
 }
 
-/// Where a ring crosses or touches itself, if it does; in time that grows with the square of its vertices. Rings of
-/// polygons from files have been judged before.
+/// Where a ring crosses or touches itself, if it does. Quadratic in the vertices; rings of polygons from files have
+/// been checked before.
 [[nodiscard]] std::optional<Vec2> self_crossing(std::span<const Vec2> ring);
 
-/// The same of a line, whose ends may not touch it either. A line that goes one way along x costs time in proportion to
-/// its vertices.
+/// Where a line crosses or touches itself, its ends included. Linear in the vertices for a line that runs one way
+/// along x.
 [[nodiscard]] std::optional<Vec2> line_crossing(std::span<const Vec2> line);
 
 }  // namespace talus

@@ -1,5 +1,5 @@
 #pragma once
-// Points on plan sorted into the squares of a grid, to find those in a box.
+// Points on plan in the squares of a grid, for box queries.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace talus {
 
 class PointBuckets {
  public:
-  /// Keeps `points`, which must outlive it: about two in a square. Expects fewer than 2^32.
+  /// Refers to `points`, which must outlive it. About two points a square; fewer than 2^32 in all.
   explicit PointBuckets(std::span<const Vec2> points) : points_(points) {
     Vec2 high = Vec2::Constant(-std::numeric_limits<double>::infinity());
     for (const Vec2& p : points) {
@@ -36,7 +36,7 @@ class PointBuckets {
       numbers_[next[bucket_of(points[i])]++] = static_cast<std::uint32_t>(i);
   }
 
-  /// Calls visit(number) for every point from low to high, both included, and for some around.
+  /// Calls visit(number) for every point in the closed box from low to high, and for some around it.
   template <class Visit>
   void visit_near(const Vec2& low, const Vec2& high, Visit&& visit) const {
     if (points_.empty()) return;

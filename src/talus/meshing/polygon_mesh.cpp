@@ -17,19 +17,19 @@ constexpr std::size_t most_reported = 10;
 
 std::string text(const Vec3& at) { return fmt::format("({:.3f}, {:.3f}, {:.3f})", at.x(), at.y(), at.z()); }
 
-// Why a polygon cannot be cut.
+// Why a polygon cannot be triangulated.
 struct Fault {
   std::string what, why, hint;
 };
 
-// Twice the area vector of a ring, its points taken from one of them.
+// Twice the area vector of a ring, computed relative to its first point.
 Vec3 area_vector(const std::vector<Vec3>& ring) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += (ring[i] - ring[0]).cross(ring[i + 1] - ring[0]);
   return sum;
 }
 
-// One polygon in its plane.
+// Triangulates one polygon in its plane.
 class Cut {
  public:
   Cut(const SpacePolygon& polygon, RawMesh& mesh, PolygonReport& report)
@@ -64,8 +64,7 @@ class Cut {
     for (const Vec3& p : outer) reach = std::max(reach, (p - outer[0]).norm());
     const Vec3 area = area_vector(outer);
     if (area.norm() <= smallest_facet_height_m * reach) {
-      return Fault{"has no area", "its corners lie on one line, go there and back the same way, or its sides cross",
-                   ""};
+      return Fault{"has no area", "its corners lie on one line, its border doubles back, or its sides cross", ""};
     }
     normal_ = area.normalized();
     Eigen::Index across = 0;
@@ -75,7 +74,7 @@ class Cut {
     return std::nullopt;
   }
 
-  // The corners on a grid in the plane, each there once.
+  // Rounds the corners to a grid in the plane; no two may coincide.
   std::optional<Fault> lay_out() {
     Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
     double farthest = 0;
@@ -103,14 +102,14 @@ class Cut {
       if (points_[order[k]] == points_[order[k - 1]]) return touches(corners_[order[k]]);
     }
     if (farthest > bent_m) report_.bent.add(middle_);
-    report_.greatest_departure_m = std::max(report_.greatest_departure_m, farthest);
+    report_.largest_departure_m = std::max(report_.largest_departure_m, farthest);
     return std::nullopt;
   }
 
   std::optional<Fault> cut() {
     if (!Triangulation::span_a_plane(points_)) return Fault{"has no area", "its corners lie on one line", ""};
     Triangulation triangulation(points_);
-    std::vector<double> heights(points_.size());  // of no use here
+    std::vector<double> heights(points_.size());  // required, but not used here
     ConstrainedTriangulation sides(triangulation, heights, grid_);
     std::uint32_t first = 0;
     for (const auto& ring : polygon_.rings) {
@@ -119,7 +118,7 @@ class Cut {
       first += corners;
     }
     if (sides.report().crossings.count > 0) return crosses(sides.report().crossings.examples.front().head<2>());
-    // Every corner begins one side of its ring and ends another: more or fewer where a side leads through a corner.
+    // Every corner has two sides of its ring: more or fewer if a side passes through a corner.
     for (std::uint32_t v = 0; v < points_.size(); ++v) {
       if (fixed_sides(triangulation, v) != 2) return touches(corners_[v]);
     }
@@ -138,7 +137,7 @@ class Cut {
     return count;
   }
 
-  // From outside inwards: each side of a ring leads in or out.
+  // Flood fill from outside: each side of a ring leads in or out.
   void take_inside(const Triangulation& t) {
     enum : std::uint8_t { unknown, outside, inside };
     std::vector<std::uint8_t> where(t.triangles().size(), unknown);
@@ -169,7 +168,7 @@ class Cut {
   }
 
   [[nodiscard]] static Fault touches(const Vec3& at) {
-    return {"touches itself at " + text(at), "a polygon passes each place once", "Split it there in two"};
+    return {"touches itself at " + text(at), "a polygon may pass each place only once", "Split it in two there"};
   }
   [[nodiscard]] Fault crosses(const Vec2& at) const {
     return {"crosses itself at " + text(middle_ + at.x() * u_ + at.y() * v_), "it cannot be cut into triangles",
@@ -214,9 +213,9 @@ std::string PolygonReport::text() const {
   constexpr double rounding_m = 1e-9;
   std::string out = fmt::format("polygons: {}, cut into {}; corners lie within {:.2g} m of their polygon's plane",
                                 polygons, counted(triangles, "triangle", "triangles"),
-                                greatest_departure_m > rounding_m ? greatest_departure_m : 0);
+                                largest_departure_m > rounding_m ? largest_departure_m : 0);
   if (bent.count > 0) {
-    out += "\nwarning: " + counted(bent.count, "polygon is", "polygons are") + " not plane, and bent where it is cut" +
+    out += "\nwarning: " + counted(bent.count, "polygon is", "polygons are") + " not plane and bent along the cuts" +
            bent.places();
   }
   return out;

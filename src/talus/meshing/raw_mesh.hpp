@@ -1,6 +1,6 @@
 #pragma once
-// A triangle mesh as it came from outside: nothing about it is promised, not even that its indices exist. cleaning.hpp
-// turns it into one that the rest of the terrain can trust.
+// A triangle mesh as read from outside, unchecked: not even its indices need exist. cleaning.hpp turns it into one that
+// the rest of the terrain can rely on.
 
 #include <array>
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace talus {
 
 struct RawMesh {
   std::vector<Vec3> vertices;                           // global coordinates [m]
-  std::vector<std::array<std::uint32_t, 3>> triangles;  // into the vertices, counted from 0; any winding
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // zero-based indices of vertices; any winding
 };
 
 }  // namespace talus

@@ -13,7 +13,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// A facet on its way into pieces.
+// A facet, or a part of one, that is being split.
 struct Piece {
   Corners corners;
   std::array<bool, 3> is_free;  // whether edge k is one of the boundary
@@ -23,7 +23,7 @@ class Cut {
  public:
   Cut(const std::vector<Vec3>& vertices, double tolerance) : vertices_(vertices), tolerance_(tolerance) {}
 
-  // Hands take(corners) the pieces of a facet that passes these vertices.
+  // Calls take(corners) for each piece of a facet whose sides pass these vertices.
   template <class Take>
   void into_pieces(const Piece& piece, const std::vector<std::uint32_t>& passed, Take&& take) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -47,7 +47,7 @@ class Cut {
     take(piece.corners);
   }
 
-  // How far along the edge a vertex beside it lies, between its ends.
+  // How far along the edge a vertex lies (0 to 1), if it is within the tolerance of the edge and between its ends.
   [[nodiscard]] std::optional<double> place_on(std::uint32_t a, std::uint32_t b, std::uint32_t v) const {
     const Vec3 along = vertices_[b] - vertices_[a], to_v = vertices_[v] - vertices_[a];
     const double share = to_v.dot(along) / along.squaredNorm();
@@ -58,7 +58,7 @@ class Cut {
   [[nodiscard]] const Findings& found() const { return found_; }
 
  private:
-  // The vertices that edge k passes, on the way along it, as long as no piece is turned over.
+  // The vertices that edge k passes, in order along it, without those that would turn a piece over.
   [[nodiscard]] std::vector<std::uint32_t> row_on(const Piece& piece, std::size_t k,
                                                   const std::vector<std::uint32_t>& passed) const {
     if (!piece.is_free[k]) return {};

@@ -10,9 +10,9 @@
 namespace talus {
 namespace {
 
-// A point stands out when it departs so many times as far as its neighbours do, and not by less: at the edge of a cliff
-// the neighbours depart as well.
-constexpr double stands_out = 10;
+// A point is an outlier if it departs by at least least_m, and this many times as far as its neighbours do: at the edge
+// of a cliff the neighbours depart as well.
+constexpr double outlier_ratio = 10;
 constexpr double least_m = 1;
 
 std::vector<std::optional<Departure>> departures(const Triangulation& t, const SurveyPlaces& places) {
@@ -32,7 +32,7 @@ std::optional<Departure> departure(const Triangulation& t, const std::vector<dou
                                    Triangulation::Vertex vertex) {
   const GridPoint at = t.point(vertex);
   const auto first = t.side_from(vertex);
-  const double base = heights[vertex];  // taken off, so that large heights lose no digits
+  const double base = heights[vertex];  // subtracted, so that large elevations lose no digits
   const auto each_neighbour = [&](auto&& take) {
     auto side = first;
     do {
@@ -56,12 +56,12 @@ std::optional<Departure> departure(const Triangulation& t, const std::vector<dou
     ++count;
   });
   if (!is_within) return std::nullopt;
-  const Vec3 plane = squares.ldlt().solve(right);  // neighbours all round span one
+  const Vec3 plane = squares.ldlt().solve(right);  // neighbours on all sides span a plane
   if (count < 4) return Departure{-plane.z(), std::numeric_limits<double>::infinity()};
   double sum = 0;
   each_neighbour([&](const Vec3& row, double weight, double height) {
-    const double off = height - plane.dot(row);
-    sum += weight * off * off;
+    const double residual = height - plane.dot(row);
+    sum += weight * residual * residual;
   });
   return Departure{-plane.z(), std::sqrt(sum / weights * count / (count - 3))};
 }
@@ -71,15 +71,15 @@ std::vector<std::uint32_t> spikes(const Triangulation& t, const SurveyPlaces& pl
   std::vector<std::uint32_t> out;
   for (std::uint32_t v = 0; v < all.size(); ++v) {
     if (!all[v] || std::abs(all[v]->height_m) <= limit_m) continue;
-    bool is_greatest = true;
+    bool is_largest = true;
     const auto first = t.side_from(v);
     auto side = first;
     do {
       const auto& other = all[t.to(side)];
-      is_greatest = is_greatest && (!other || std::abs(other->height_m) <= std::abs(all[v]->height_m));
+      is_largest = is_largest && (!other || std::abs(other->height_m) <= std::abs(all[v]->height_m));
       side = t.next_around(side);
     } while (side.triangle != first.triangle);
-    if (is_greatest) out.push_back(v);
+    if (is_largest) out.push_back(v);
   }
   return out;
 }
@@ -90,12 +90,12 @@ void report_departures(const Triangulation& t, const SurveyPlaces& places, Surve
   for (std::uint32_t v = 0; v < all.size(); ++v) {
     if (!all[v]) continue;
     sizes.push_back(std::abs(all[v]->height_m));
-    if (sizes.back() > std::max(least_m, stands_out * all[v]->spread_m)) report.stand_out.add(places.place(v));
-    if (sizes.back() <= report.greatest_departure_m) continue;
-    report.greatest_departure_m = sizes.back();
-    report.greatest_departure_at = places.place(v);
+    if (sizes.back() > std::max(least_m, outlier_ratio * all[v]->spread_m)) report.outliers.add(places.place(v));
+    if (sizes.back() <= report.largest_departure_m) continue;
+    report.largest_departure_m = sizes.back();
+    report.largest_departure_at = places.place(v);
   }
-  report.judged = sizes.size();
+  report.interior_points = sizes.size();
   if (sizes.empty()) return;
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());

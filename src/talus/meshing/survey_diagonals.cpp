@@ -13,7 +13,7 @@ using Side = Triangulation::Side;
 
 constexpr double least_gain_m = 1e-9;
 
-// How far `d` lies off the circle through a, b and c, as a share of its radius.
+// The distance of `d` from the circle through a, b and c, as a share of its radius.
 double off_circle(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
   const auto from_a = [&](GridPoint p) { return Vec2(double{1} * p.x - a.x, double{1} * p.y - a.y); };
   const Vec2 u = from_a(b), v = from_a(c);
@@ -23,32 +23,32 @@ double off_circle(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
   return std::abs((from_a(d) - centre).norm() / centre.norm() - 1);
 }
 
-class Turner {
+class DiagonalFlips {
  public:
-  Turner(Triangulation& t, const SurveyPlaces& places) : t_(t), places_(places) {}
+  DiagonalFlips(Triangulation& t, const SurveyPlaces& places) : t_(t), places_(places) {}
 
-  // Every turn makes the sum of the height differences along all sides smaller: it ends.
-  std::size_t work() {
+  // Every flip reduces the sum of the height differences along all sides, so this terminates.
+  std::size_t run() {
     for (std::uint32_t i = 0; i < t_.triangles().size(); ++i) {
       stop_point(i);
       for (std::uint32_t k = 0; k < 3; ++k) {
         const Side side{i, k};
-        if (t_.from(side) < t_.to(side) && is_to_be_turned(side)) turn(side);
+        if (t_.from(side) < t_.to(side) && should_flip(side)) flip(side);
       }
       while (!waiting_.empty()) {
         const auto [a, b] = waiting_.back();
         waiting_.pop_back();
         const auto side = t_.side(a, b);
-        if (side && is_to_be_turned(*side)) turn(*side);
+        if (side && should_flip(*side)) flip(*side);
       }
     }
-    return turned_;
+    return flipped_;
   }
 
  private:
   [[nodiscard]] bool is_off_lines(Vertex v) const { return v != Triangulation::infinity && places_.is_on_line[v] == 0; }
 
-  [[nodiscard]] bool is_to_be_turned(Side side) const {
+  [[nodiscard]] bool should_flip(Side side) const {
     const Vertex a = t_.from(side), b = t_.to(side), c = t_.apex(side);
     if (!is_off_lines(a) || !is_off_lines(b) || !is_off_lines(c)) return false;
     const Vertex d = t_.apex(t_.twin(side));
@@ -61,23 +61,23 @@ class Turner {
            off_circle(at_a, at_b, at_d, at_c) <= cocircular_share;
   }
 
-  void turn(Side side) {
+  void flip(Side side) {
     const Vertex a = t_.from(side), b = t_.to(side), c = t_.apex(side), d = t_.apex(t_.twin(side));
     t_.flip(side);
-    ++turned_;
+    ++flipped_;
     waiting_.insert(waiting_.end(), {{a, d}, {d, b}, {b, c}, {c, a}});
   }
 
   Triangulation& t_;
   const SurveyPlaces& places_;
   std::vector<std::array<Vertex, 2>> waiting_;
-  std::size_t turned_ = 0;
+  std::size_t flipped_ = 0;
 };
 
 }  // namespace
 
-std::size_t turn_diagonals(Triangulation& triangulation, const SurveyPlaces& places) {
-  return Turner(triangulation, places).work();
+std::size_t choose_diagonals(Triangulation& triangulation, const SurveyPlaces& places) {
+  return DiagonalFlips(triangulation, places).run();
 }
 
 }  // namespace talus

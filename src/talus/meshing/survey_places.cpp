@@ -29,7 +29,7 @@ ExactGrid grid_over(const Survey& survey, const std::string& source) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
   each_vertex(survey, [&](const Vec3& p) {
     if (!(p.cwiseAbs().maxCoeff() < largest_coordinate_m)) {
-      refuse(source, fmt::format("({:.10g}, {:.10g}, {:.10g}) is too far away", p.x(), p.y(), p.z()),
+      refuse(source, fmt::format("({:.10g}, {:.10g}, {:.10g}) is too far from the origin", p.x(), p.y(), p.z()),
              fmt::format("coordinates must be smaller than {:g} m", largest_coordinate_m), "Are they in metres?");
     }
     low = low.cwiseMin(p.head<2>());
@@ -39,16 +39,16 @@ ExactGrid grid_over(const Survey& survey, const std::string& source) {
   if (width > ExactGrid::widest_m) {
     refuse(source, fmt::format("the survey is {:.0f} m wide", width),
            fmt::format("Talus triangulates up to {:.0f} m", ExactGrid::widest_m),
-           "Does a point lie far from the others, or are they not in metres?");
+           "Is a point far from the others, or are they not in metres?");
   }
   return ExactGrid::over(low, high);
 }
 
-// A vertex of the survey, by its place.
-struct Visit {
+// A vertex of the survey, sorted by place.
+struct VertexAt {
   GridPoint at;
   std::uint32_t vertex;
-  bool operator<(const Visit& o) const { return at != o.at ? at < o.at : vertex < o.vertex; }
+  bool operator<(const VertexAt& o) const { return at != o.at ? at < o.at : vertex < o.vertex; }
 };
 
 }  // namespace
@@ -61,49 +61,49 @@ SurveyPlaces places_of(const Survey& survey, const std::string& source, SurveyRe
   if (count == 0) refuse(source, "the survey has no points", "a surface needs three or more");
   if (count >= most_survey_places) {
     refuse(source, fmt::format("the survey has {} points", count),
-           fmt::format("Talus triangulates fewer than {}", most_survey_places), "Thin it, or make a raster of it");
+           fmt::format("Talus triangulates fewer than {}", most_survey_places), "Thin it or make a raster from it");
   }
 
   SurveyPlaces places;
   places.grid = grid_over(survey, source);
   report.grid_step_m = places.grid.spacing_m();
-  std::vector<Visit> visits;
+  std::vector<VertexAt> vertices;
   std::vector<double> heights;
-  visits.reserve(count);
+  vertices.reserve(count);
   heights.reserve(count);
   each_vertex(survey, [&](const Vec3& p) {
-    visits.push_back({places.grid.snapped(p.x(), p.y()), static_cast<std::uint32_t>(visits.size())});
+    vertices.push_back({places.grid.snapped(p.x(), p.y()), static_cast<std::uint32_t>(vertices.size())});
     heights.push_back(p.z());
   });
-  tbb::parallel_sort(visits);
+  tbb::parallel_sort(vertices);
 
-  // For each vertex the first one at its place; there, in `heights`, the height of the place.
+  // For each vertex the first vertex at its place; the entry of that one in `heights` becomes the place's height.
   std::vector<std::uint32_t> first(count);
   std::vector<std::uint8_t> is_on_line(count);
   const auto lines_from = static_cast<std::uint32_t>(report.points);
   for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
-    while (end < count && visits[end].at == visits[begin].at) ++end;
-    const std::uint32_t stands_for_all = visits[begin].vertex;
-    const bool on_line = visits[end - 1].vertex >= lines_from;  // sorted: those of lines come last
+    while (end < count && vertices[end].at == vertices[begin].at) ++end;
+    const std::uint32_t representative = vertices[begin].vertex;
+    const bool on_line = vertices[end - 1].vertex >= lines_from;  // sorted: those of lines come last
     double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
     std::size_t summed = 0;
     for (std::size_t k = begin; k < end; ++k) {
-      const double z = heights[visits[k].vertex];
-      first[visits[k].vertex] = stands_for_all;
+      const double z = heights[vertices[k].vertex];
+      first[vertices[k].vertex] = representative;
       low = std::min(low, z);
       high = std::max(high, z);
-      if (on_line && visits[k].vertex < lines_from) continue;
+      if (on_line && vertices[k].vertex < lines_from) continue;
       sum += z;
       ++summed;
     }
     report.repeated += end - begin - 1;
     // Where all agree, the height is theirs to the bit.
-    heights[stands_for_all] = low == high ? low : sum / static_cast<double>(summed);
-    is_on_line[stands_for_all] = on_line;
+    heights[representative] = low == high ? low : sum / static_cast<double>(summed);
+    is_on_line[representative] = on_line;
     if (high - low < same_height_m) continue;
-    const Vec2 plan = places.grid.place(visits[begin].at);
-    report.at_odds.add({plan.x(), plan.y(), heights[stands_for_all]});
-    report.greatest_odds_m = std::max(report.greatest_odds_m, high - low);
+    const Vec2 plan = places.grid.place(vertices[begin].at);
+    report.at_odds.add({plan.x(), plan.y(), heights[representative]});
+    report.largest_difference_m = std::max(report.largest_difference_m, high - low);
   }
 
   std::vector<std::uint32_t> number(count);

@@ -1,5 +1,5 @@
 #pragma once
-// The places of a survey on plan, each there once, with one height.
+// The distinct places of a survey on plan, each with one height.
 
 #include <cstdint>
 #include <string>
@@ -13,10 +13,10 @@ namespace talus {
 
 struct SurveyPlaces {
   ExactGrid grid;
-  std::vector<GridPoint> at;             // distinct; in the order in which they first appear, points before lines
-  std::vector<double> height;            // [m]
-  std::vector<std::uint8_t> is_on_line;  // whether a line has a vertex there
-  std::vector<std::vector<std::uint32_t>> lines;  // the places of their vertices
+  std::vector<GridPoint> at;                      // distinct; in order of first appearance, points before lines
+  std::vector<double> height;                     // [m]
+  std::vector<std::uint8_t> is_on_line;           // whether a line has a vertex there
+  std::vector<std::vector<std::uint32_t>> lines;  // for each line, the places of its vertices
 
   [[nodiscard]] Vec3 place(std::uint32_t i) const {
     const Vec2 plan = grid.place(at[i]);
@@ -24,7 +24,7 @@ struct SurveyPlaces {
   }
 };
 
-/// Fills what `report` says of points and lines. Throws BadInput for a survey that is empty, too wide or too large.
+/// Fills in the points and lines in `report`. Throws BadInput for a survey that is empty, too wide or too large.
 [[nodiscard]] SurveyPlaces places_of(const Survey& survey, const std::string& source, SurveyReport& report);
 
 }  // namespace talus

@@ -5,8 +5,8 @@
 namespace talus {
 namespace {
 
-// A side at the rim that is so many times as long as the middle side spans a bay of the survey.
-constexpr double bay = 20;
+// A side at the rim this many times as long as the median side spans a bay of the survey.
+constexpr double bay_ratio = 20;
 
 class Text {
  public:
@@ -34,12 +34,11 @@ std::string SurveyReport::text() const {
   const std::string of_points = counted(points, "point", "points");
   text.line("survey: {}{}{}, placed to {:.2g} mm", points > 0 ? of_points : "", points > 0 && lines > 0 ? " and " : "",
             lines > 0 ? of_lines : "", 500 * grid_step_m);
-  text.line("triangulated: {}{}; sides of {:.3g} m in the middle, at most {:.4g} m{}",
-            counted(triangles, "triangle", "triangles"),
+  text.line("triangulated: {}{}; median side {:.3g} m, longest {:.4g} m{}", counted(triangles, "triangle", "triangles"),
             holes > 0 ? fmt::format(" around {}", counted(holes, "hole", "holes")) : "", median_side_m, longest_side_m,
             at(longest_side_at));
   if (repeated > 0) {
-    text.line("left out: {} where another lies", counted(repeated, "point or vertex", "points or vertices"));
+    text.line("left out: {} at the same place as another", counted(repeated, "point or vertex", "points or vertices"));
   }
   if (beyond_boundary > 0) {
     text.line("left out: {} beyond the boundary", counted(beyond_boundary, "triangle", "triangles"));
@@ -54,24 +53,23 @@ std::string SurveyReport::text() const {
   if (removed_spikes.count > 0) {
     text.line("removed: {}{}", counted(removed_spikes.count, "spike", "spikes"), removed_spikes.places());
   }
-  if (judged > 0) {
-    text.line("heights depart from the plane of their neighbours by {:.2g} m in the middle, by {:.3g} m at most{}",
-              median_departure_m, greatest_departure_m, at(greatest_departure_at));
+  if (interior_points > 0) {
+    text.line("departure of heights from the plane of their neighbours: median {:.2g} m, maximum {:.3g} m{}",
+              median_departure_m, largest_departure_m, at(largest_departure_at));
   }
-  if (stand_out.count > 0) {
-    text.line("{} out where the neighbours are smooth (remove_spikes_m removes such){}",
-              counted(stand_out.count, "point stands", "points stand"), stand_out.places());
+  if (outliers.count > 0) {
+    text.line("{} out from smooth surroundings (remove_spikes_m removes such points){}",
+              counted(outliers.count, "point stands", "points stand"), outliers.places());
   }
-  const ConstraintReport& laid = lines_laid;
+  const ConstraintReport& laid = constraints;
   if (laid.crossings.count > 0) {
     text.line("lines cross in {}{}", counted(laid.crossings.count, "place", "places"), laid.crossings.places());
   }
-  if (laid.without_length > 0) {
-    text.line("left out: {} without length on plan",
-              counted(laid.without_length, "piece of a line", "pieces of lines"));
+  if (laid.zero_length > 0) {
+    text.line("left out: {} without length on plan", counted(laid.zero_length, "piece of a line", "pieces of lines"));
   }
-  if (laid.upon_another > 0) {
-    text.line("{} upon another", counted(laid.upon_another, "piece of a line lies", "pieces of lines lie"));
+  if (laid.overlapping > 0) {
+    text.line("{} on another", counted(laid.overlapping, "piece of a line lies", "pieces of lines lie"));
   }
   if (slivers.count > 0) {
     text.line("{} an angle below {:g} degree on plan{}", counted(slivers.count, "triangle has", "triangles have"),
@@ -79,32 +77,30 @@ std::string SurveyReport::text() const {
   }
   if (at_odds.count > 0) {
     text.line(
-        "warning: {} several heights, up to {:.3g} m apart (their mean is taken, that of lines before that of "
+        "warning: {} several heights, up to {:.3g} m apart (their mean is used; heights of lines precede those of "
         "points){}",
-        counted(at_odds.count, "place has", "places have"), greatest_odds_m, at_odds.places());
+        counted(at_odds.count, "place has", "places have"), largest_difference_m, at_odds.places());
   }
   if (laid.crossings_at_odds.count > 0) {
-    text.line("warning: {} at different heights, up to {:.3g} m apart (their mean is taken){}",
-              counted(laid.crossings_at_odds.count, "crossing has lines", "crossings have lines"), laid.greatest_odds_m,
-              laid.crossings_at_odds.places());
+    text.line("warning: {} at different heights, up to {:.3g} m apart (their mean is used){}",
+              counted(laid.crossings_at_odds.count, "crossing has lines", "crossings have lines"),
+              laid.largest_difference_m, laid.crossings_at_odds.places());
   }
-  if (laid.vertices_beside.count > 0) {
-    text.line("warning: {} through a point at another height, up to {:.3g} m apart (the point's is taken){}",
-              counted(laid.vertices_beside.count, "line passes", "lines pass"), laid.greatest_beside_m,
-              laid.vertices_beside.places());
+  if (laid.vertices_at_odds.count > 0) {
+    text.line("warning: {} through a point at another height, up to {:.3g} m apart (the point's height is used){}",
+              counted(laid.vertices_at_odds.count, "line passes", "lines pass"), laid.largest_vertex_difference_m,
+              laid.vertices_at_odds.places());
   }
   if (flat.count > 0) {
     text.line(
-        "warning: {} level, with all corners on lines at one height, {:.4g} m2 in all (contours say nothing between "
-        "them; "
-        "add spot heights or ridge and valley lines){}",
+        "warning: {} level, with all corners on lines at one height, {:.4g} m2 in all (contours give no heights "
+        "between them; add spot heights or ridge and valley lines){}",
         counted(flat.count, "triangle is", "triangles are"), flat_area_m2, flat.places());
   }
-  if (longest_rim_m > bay * median_side_m) {
+  if (longest_rim_m > bay_ratio * median_side_m) {
     text.line(
-        "warning: the longest side at the rim is {:.4g} m, {:.0f} times the middle one{} (max_edge_m or boundary "
-        "leaves out "
-        "what spans a bay)",
+        "warning: the longest side at the rim is {:.4g} m, {:.0f} times the median{} (max_edge_m or boundary leaves "
+        "out triangles across a bay)",
         longest_rim_m, longest_rim_m / median_side_m, at(longest_rim_at));
   }
   return text.take();

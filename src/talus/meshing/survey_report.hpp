@@ -1,5 +1,5 @@
 #pragma once
-// What was found in survey data while they were made into a surface, for the user to read.
+// What was found while survey data were made into a surface, as text for the user.
 
 #include <cstddef>
 #include <optional>
@@ -11,25 +11,25 @@
 namespace talus {
 
 struct SurveyReport {
-  // What came in.
+  // Input.
   std::size_t points = 0;
   std::size_t lines = 0, line_vertices = 0;
-  double grid_step_m = 0;  // to which places on plan were rounded
+  double grid_step_m = 0;  // places on plan were rounded to this grid
 
-  // Places that are one.
-  std::size_t repeated = 0;  // points and vertices where another lies, on plan
+  // Coincident points.
+  std::size_t repeated = 0;  // points and vertices at the same place on plan as another
   Findings at_odds;          // places with several heights
-  double greatest_odds_m = 0;
+  double largest_difference_m = 0;
 
-  // Single points that stand out from their surroundings.
-  std::size_t judged = 0;         // points all round which there are others
-  double median_departure_m = 0;  // from the plane through the neighbours
-  double greatest_departure_m = 0;
-  std::optional<Vec3> greatest_departure_at;
-  Findings stand_out;  // that depart far more from that plane than the neighbours do
+  // Points that stand out from their surroundings.
+  std::size_t interior_points = 0;  // with neighbours on all sides: only these are checked
+  double median_departure_m = 0;    // from the plane through the neighbours
+  double largest_departure_m = 0;
+  std::optional<Vec3> largest_departure_at;
+  Findings outliers;  // points that depart far more from that plane than their neighbours do
   Findings removed_spikes;
 
-  ConstraintReport lines_laid;
+  ConstraintReport constraints;
 
   // Triangles that were left out.
   std::size_t beyond_boundary = 0;
@@ -40,14 +40,14 @@ struct SurveyReport {
   std::size_t triangles = 0;
   std::size_t holes = 0;
   double median_side_m = 0, longest_side_m = 0;
-  std::optional<Vec3> longest_side_at;  // its middle
-  double longest_rim_m = 0;             // of the sides at the rim along which no line runs
+  std::optional<Vec3> longest_side_at;  // its midpoint
+  double longest_rim_m = 0;             // longest side at the rim that is not on a line
   std::optional<Vec3> longest_rim_at;
   Findings slivers;  // triangles with an angle below sliver_angle_deg, on plan
   Findings flat;     // triangles with all three corners on lines at one height
   double flat_area_m2 = 0;
 
-  /// A few lines, without a line feed at the end; those that begin with `warning:` come last.
+  /// A few lines without a final line feed; those that begin with `warning:` come last.
   [[nodiscard]] std::string text() const;
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 using Side = Triangulation::Side;
 
-// Takes triangles off the rim until none there is too long or too flat. Whether one goes depends on its own shape and
-// on its side at the rim alone, so that the order makes no difference.
+// Removes triangles from the rim until none there is too long or too flat. Whether one is removed depends only on its
+// shape and its side at the rim, so that the order makes no difference.
 class Rim {
  public:
   Rim(const Triangulation& t, const ExactGrid& grid, const SurveyOptions& options, std::vector<std::uint8_t>& kept,
@@ -23,12 +23,12 @@ class Rim {
     for (std::uint32_t i = 0; i < kept_.size(); ++i) {
       stop_point(i);
       for (std::uint32_t k = 0; k < 3; ++k) waiting_.push_back({i, k});
-      work();
+      remove_pending();
     }
   }
 
  private:
-  void work() {
+  void remove_pending() {
     while (!waiting_.empty()) {
       const Side side = waiting_.back();
       waiting_.pop_back();
@@ -97,9 +97,9 @@ void report_rim(const Triangulation& t, const SurveyPlaces& places, const std::v
 }
 
 std::size_t holes_in(const Triangulation& t, const std::vector<std::uint8_t>& kept) {
-  std::vector<std::uint8_t> seen(kept.size());  // a bit for each side at the rim; the highest for the triangle itself
+  std::vector<std::uint8_t> seen(kept.size());  // a bit per side at the rim; the highest bit for the triangle itself
   constexpr std::uint8_t reached = 1U << 7U;
-  std::size_t pieces = 0, ways = 0;
+  std::size_t pieces = 0, loops = 0;
   std::vector<std::uint32_t> waiting;
   for (std::uint32_t i = 0; i < kept.size(); ++i) {
     if (!kept[i]) continue;
@@ -118,16 +118,16 @@ std::size_t holes_in(const Triangulation& t, const std::vector<std::uint8_t>& ke
     }
     for (std::uint32_t k = 0; k < 3; ++k) {
       if (kept[t.triangles()[i].neighbour[k]] || (seen[i] >> k & 1U) != 0) continue;
-      ++ways;
+      ++loops;
       for (Side side{i, k}; (seen[side.triangle] >> side.k & 1U) == 0;) {
         seen[side.triangle] = static_cast<std::uint8_t>(seen[side.triangle] | 1U << side.k);
-        // The next side of the rim: around the end of this one, through the kept triangles there.
+        // The next side of the rim: turn around the end of this one through the kept triangles.
         side = t.next_side(side);
         while (kept[t.twin(side).triangle]) side = t.next_side(t.twin(side));
       }
     }
   }
-  return ways - pieces;
+  return loops - pieces;
 }
 
 }  // namespace talus

@@ -1,5 +1,5 @@
 #pragma once
-// Which triangles of a survey's triangulation belong to the surface, and the shape of what is left.
+// Which triangles of a survey's triangulation belong to the surface, and the shape of its rim.
 
 #include <cstdint>
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace talus {
 
-/// For each triangle whether it stays (survey_surface.hpp says which do); fills what `report` says of others.
+/// Whether each triangle is kept (survey_surface.hpp has the rules); counts the others in `report`.
 [[nodiscard]] std::vector<std::uint8_t> kept_triangles(const Triangulation& triangulation, const ExactGrid& grid,
                                                        const SurveyOptions& options, SurveyReport& report);
 
-/// Fills what `report` says of the longest side at the rim.
+/// Fills in the longest side at the rim in `report`.
 void report_rim(const Triangulation& triangulation, const SurveyPlaces& places, const std::vector<std::uint8_t>& kept,
                 SurveyReport& report);
 
-/// How many holes the kept triangles have: closed ways along their rim, less one for each piece of the surface.
+/// The number of holes in the kept triangles: closed loops of their rim, less one per connected piece.
 [[nodiscard]] std::size_t holes_in(const Triangulation& triangulation, const std::vector<std::uint8_t>& kept);
 
 }  // namespace talus

@@ -21,18 +21,18 @@ namespace {
       .file = source, .where = "terrain", .what = std::move(what), .why = std::move(why), .hint = std::move(hint)});
 }
 
-void judge(const SurveyPlaces& places, const std::string& source) {
+void check_extent(const SurveyPlaces& places, const std::string& source) {
   if (places.at.size() < 3) {
     refuse(source, fmt::format("the survey has {}", counted(places.at.size(), "place", "places")),
            "a surface needs three or more");
   }
   if (!Triangulation::span_a_plane(places.at)) {
     refuse(source, fmt::format("all {} places of the survey lie on one line", places.at.size()), "they span no surface",
-           "For a slope in section use section");
+           "For a 2D slope use section");
   }
 }
 
-// Without some of the places, which no line has.
+// Removes some places, none of which is on a line.
 SurveyPlaces without(const SurveyPlaces& places, const std::vector<std::uint32_t>& removed) {
   SurveyPlaces out;
   out.grid = places.grid;
@@ -55,7 +55,7 @@ SurveyPlaces without(const SurveyPlaces& places, const std::vector<std::uint32_t
   return out;
 }
 
-// Spikes are taken out in rounds, since one draws its neighbours with it.
+// Removes spikes in rounds, since each makes its neighbours depart, too.
 Triangulation without_spikes(SurveyPlaces& places, const SurveyOptions& options, SurveyReport& report) {
   Triangulation triangulation(places.at);
   while (options.remove_spikes_m) {
@@ -63,7 +63,7 @@ Triangulation without_spikes(SurveyPlaces& places, const SurveyOptions& options,
     if (found.empty()) break;
     for (const std::uint32_t v : found) report.removed_spikes.add(places.place(v));
     places = without(places, found);
-    judge(places, options.source);
+    check_extent(places, options.source);
     triangulation = Triangulation(places.at);
   }
   return triangulation;
@@ -110,7 +110,7 @@ SurveySurface surface_of(const Survey& survey, const SurveyOptions& options) {
   SurveySurface surface;
   SurveyReport& report = surface.report;
   SurveyPlaces places = places_of(survey, options.source, report);
-  judge(places, options.source);
+  check_extent(places, options.source);
   Triangulation triangulation = without_spikes(places, options, report);
   if (!survey.points.empty()) report_departures(triangulation, places, report);
 
@@ -121,13 +121,13 @@ SurveySurface surface_of(const Survey& survey, const SurveyOptions& options) {
       lines.add(line[k - 1], line[k]);
     }
   }
-  report.lines_laid = lines.report();
+  report.constraints = lines.report();
   for (auto v = static_cast<std::uint32_t>(places.at.size()); v < triangulation.vertex_count(); ++v) {
     places.at.push_back(triangulation.point(v));  // where lines cross
     places.is_on_line.push_back(1);
   }
 
-  turn_diagonals(triangulation, places);
+  choose_diagonals(triangulation, places);
   const auto kept = kept_triangles(triangulation, places.grid, options, report);
   RawMesh& mesh = surface.mesh;
   mesh.vertices.reserve(places.at.size());
@@ -136,9 +136,9 @@ SurveySurface surface_of(const Survey& survey, const SurveyOptions& options) {
     if (kept[i]) mesh.triangles.push_back(triangulation.triangles()[i].corner);
   }
   if (mesh.triangles.empty()) {
-    refuse(options.source, "nothing is left of the survey",
-           fmt::format("of its triangles {} lie beyond the boundary, {} have a longer side than max_edge_m at the rim, "
-                       "and {} there are almost a line",
+    refuse(options.source, "no triangle of the survey remains",
+           fmt::format("{} are beyond the boundary, {} at the rim have a side longer than max_edge_m, and {} at the "
+                       "rim are almost a line",
                        report.beyond_boundary, report.with_long_sides, report.flat_at_rim));
   }
   report.holes = holes_in(triangulation, kept);

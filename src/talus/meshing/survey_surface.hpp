@@ -1,15 +1,15 @@
 #pragma once
-// From points and lines of a survey to a surface over the plan.
+// Builds a surface from the points and lines of a survey.
 //
-// Every point and every vertex of a line becomes a vertex of the surface, every piece of a line a side of triangles
-// (constrained_triangulation.hpp); elsewhere the triangles are Delaunay's, and where those are not unique, as between
-// points on a grid, follow the heights (survey_diagonals.hpp). Places on plan are rounded to a grid that is at least as
-// fine as 2^-29 of the survey's width (triangulation_grid.hpp), heights are kept to the bit.
-// - Of points at one place one is kept, with their mean height; where lines pass through it, with that of the lines.
-// - Triangles at the rim that are almost a line are left out (an angle above flattest_rim_angle_deg opposite the rim;
-//   they would be walls a hand wide where the survey's edge is not quite straight), unless the rim is a line there.
-// - With a boundary, triangles whose middle lies beyond it are left out; with a longest side, triangles at the rim
-//   whose side there is longer, from the rim inwards, unless it is a line.
+// Every point and every vertex of a line becomes a vertex of the surface, and every piece of a line a side of triangles
+// (constrained_triangulation.hpp). Elsewhere the triangulation is Delaunay; where that is not unique, as for points on
+// a grid, it follows the heights (survey_diagonals.hpp). Places on plan are rounded to a grid at least as fine as 2^-29
+// of the survey's width (triangulation_grid.hpp); heights are kept to the bit.
+// - Points at one place are merged and get their mean height, or the mean height of the lines that have a vertex there.
+// - Triangles at the rim that are almost a line (an angle above flattest_rim_angle_deg opposite the rim) are left out,
+//   unless the rim is a line there. They would be narrow walls where the survey's edge is not quite straight.
+// - With a boundary, triangles whose centre is beyond it are left out. With a maximum side length, triangles with a
+//   longer side at the rim are left out, from the rim inwards, unless that side is a line.
 
 #include <optional>
 #include <span>
@@ -24,19 +24,19 @@ namespace talus {
 
 inline constexpr double flattest_rim_angle_deg = 175;
 
-/// What a surface can be made of, at most: triangles are counted with 32 bits, two for each place.
+/// A survey must have fewer places: triangles are numbered with 32 bits, and there are about two per place.
 inline constexpr std::size_t most_survey_places = std::size_t{1} << 30U;
 
 struct Survey {
   std::vector<Vec3> points;              // global coordinates [m]
-  std::vector<std::vector<Vec3>> lines;  // a closed one repeats its first vertex at its end
+  std::vector<std::vector<Vec3>> lines;  // a closed line repeats its first vertex at its end
 };
 
 struct SurveyOptions {
   std::string source;                     // the files as the user named them, for messages
-  std::vector<PlanPolygon> boundary;      // what lies in one of them is within; none: the convex hull
-  std::optional<double> max_edge_m;       // of triangles at the rim
-  std::optional<double> remove_spikes_m;  // points further than this above or below the plane of their neighbours go
+  std::vector<PlanPolygon> boundary;      // the surface is within their union; none: the convex hull
+  std::optional<double> max_edge_m;       // maximum side length at the rim
+  std::optional<double> remove_spikes_m;  // removes points further than this above or below their neighbours' plane
 };
 
 struct SurveySurface {
@@ -44,8 +44,8 @@ struct SurveySurface {
   SurveyReport report;
 };
 
-/// Throws BadInput where there is no surface: fewer than three places, all on one line, a survey too wide or too large,
-/// or nothing left within the boundary.
+/// Throws BadInput if there is no surface: fewer than three places, all on one line, a survey too wide or too large, or
+/// no triangle within the boundary.
 [[nodiscard]] SurveySurface surface_of(const Survey& survey, const SurveyOptions& options = {});
 
 }  // namespace talus

@@ -12,7 +12,7 @@
 namespace talus {
 namespace {
 
-// How far along Hilbert's curve over the grid a point lies (Skilling 2004, in two dimensions).
+// The position of a point along the Hilbert curve over the grid (Skilling 2004, in two dimensions).
 std::uint64_t along_hilbert_curve(GridPoint p) {
   auto x = static_cast<std::uint32_t>(p.x), y = static_cast<std::uint32_t>(p.y);
   std::uint64_t way = 0;
@@ -30,8 +30,8 @@ std::uint64_t along_hilbert_curve(GridPoint p) {
   return way;
 }
 
-// A round for each point: half of them in round 0, a quarter in round 1, and so on; decided by their numbers, so that
-// the order is the same every time (SplitMix64, Steele, Lea and Flood 2014).
+// The insertion round of a point: half of them are in round 0, a quarter in round 1 and so on. It is a hash of the
+// number, so that the order is always the same (SplitMix64: Steele, Lea and Flood 2014).
 std::uint64_t round_of(std::uint64_t number) {
   std::uint64_t z = number + 0x9E3779B97F4A7C15U;
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> order_of_insertion(std::span<const GridPoint> points)
     std::uint64_t way;
     std::uint32_t round, vertex;
     bool operator<(const Place& o) const {
-      if (round != o.round) return round > o.round;  // the smallest round first
+      if (round != o.round) return round > o.round;  // the round with the fewest points first
       return way != o.way ? way < o.way : vertex < o.vertex;
     }
   };
@@ -85,7 +85,7 @@ Triangulation::Triangulation(std::vector<GridPoint> points) : points_(std::move(
   std::size_t done = 0;
   for (const std::uint32_t v : order_of_insertion(points_)) {
     stop_point(++done);
-    if (v > 1 && v != *third) put_in(v);
+    if (v > 1 && v != *third) insert_vertex(v);
   }
 }
 
@@ -133,7 +133,7 @@ void Triangulation::set(std::uint32_t t, const std::array<Vertex, 3>& corner,
 
 void Triangulation::replace_neighbour(std::uint32_t of, std::uint32_t old, std::uint32_t now, Vertex from) {
   std::uint32_t& neighbour = triangles_[of].neighbour[corner_number(of, from)];
-  TALUS_PROMISE(neighbour == old, "both triangles of a side know each other");
+  TALUS_PROMISE(neighbour == old, "both triangles of a side link to each other");
   static_cast<void>(old);
   neighbour = now;
 }
@@ -147,16 +147,16 @@ void Triangulation::begin(Vertex a, Vertex b, Vertex c) {
   set(3, {a, c, infinity}, {0, 2, 1}, 0);
 }
 
-// Walks from triangle to triangle towards the point. In a triangulation that is not Delaunay such a walk can run in a
-// circle, unless it looks at the sides in an order left to chance (Devillers, Pion and Teillaud 2002).
+// Walks from triangle to triangle towards the point. In a triangulation that is not Delaunay such a walk can cycle,
+// unless the sides are tested in random order (Devillers, Pion and Teillaud 2002).
 Triangulation::Located Triangulation::locate(GridPoint p) {
   std::uint32_t t = last_;
   while (is_real(t)) {
     const Triangle& triangle = triangles_[t];
-    dice_ ^= dice_ << 13U;
-    dice_ ^= dice_ >> 17U;
-    dice_ ^= dice_ << 5U;
-    std::uint32_t k = dice_ % 3, on_sides = 0;
+    random_ ^= random_ << 13U;
+    random_ ^= random_ >> 17U;
+    random_ ^= random_ << 5U;
+    std::uint32_t k = random_ % 3, on_sides = 0;
     bool found = true;
     for (int side = 0; side < 3; ++side, k = next(k)) {
       const std::int64_t area = doubled_area(points_[triangle.corner[k]], points_[triangle.corner[next(k)]], p);
@@ -174,17 +174,17 @@ Triangulation::Located Triangulation::locate(GridPoint p) {
 
 Triangulation::Inserted Triangulation::insert(GridPoint p) {
   const Located at = locate(p);
-  if (std::popcount(at.on_sides) == 2) {  // where its two sides meet: the second one begins there
+  if (std::popcount(at.on_sides) == 2) {  // at the corner where the two sides meet
     const std::uint32_t k = at.on_sides == 0b011 ? 1 : at.on_sides == 0b110 ? 2 : 0;
     return {triangles_[at.triangle].corner[k], false, std::nullopt};
   }
   points_.push_back(p);
   triangle_of_.push_back(at.triangle);
   last_ = at.triangle;
-  return put_in(static_cast<Vertex>(points_.size() - 1));
+  return insert_vertex(static_cast<Vertex>(points_.size() - 1));
 }
 
-Triangulation::Inserted Triangulation::put_in(Vertex v) {
+Triangulation::Inserted Triangulation::insert_vertex(Vertex v) {
   const Located at = locate(points_[v]);
   Inserted result{v, true, std::nullopt};
   if (at.on_sides == 0) {
@@ -196,7 +196,7 @@ Triangulation::Inserted Triangulation::put_in(Vertex v) {
   }
   flip_around(v);
   last_ = triangle_of_[v];
-  // The search for the next point starts on plan.
+  // The next search must start in a finite triangle.
   if (!is_real(last_)) last_ = triangles_[last_].neighbour[next(corner_number(last_, infinity))];
   return result;
 }
@@ -242,16 +242,16 @@ void Triangulation::flip_around(Vertex v) {
     const std::uint32_t t = waiting_.back();
     waiting_.pop_back();
     const Side opposite{t, next(corner_number(t, v))};
-    if (is_fixed(opposite) || !wants_flip(opposite)) continue;
+    if (is_fixed(opposite) || !needs_flip(opposite)) continue;
     const std::uint32_t other = twin(opposite).triangle;
     flip(opposite);
     waiting_.insert(waiting_.end(), {t, other});
   }
 }
 
-// A triangle beyond the hull stands for a half plane, the outside of its side: the limit of a circle. Where two of them
-// meet, their common side goes to infinity, and is flipped where the hull would be concave.
-bool Triangulation::wants_flip(Side s) const {
+// The circle of a triangle beyond the hull degenerates to the half plane outside its finite side. The common side of
+// two such triangles goes to infinity; it is flipped where the hull would be concave.
+bool Triangulation::needs_flip(Side s) const {
   const Vertex a = from(s), b = to(s), c = apex(s), d = apex(twin(s));
   if (c == infinity || d == infinity) return false;
   if (a == infinity) return doubled_area(points_[d], points_[b], points_[c]) > 0;
@@ -285,7 +285,7 @@ void Triangulation::flip_until_delaunay(std::vector<std::array<Vertex, 2>> sides
     const auto [a, b] = sides.back();
     sides.pop_back();
     const auto s = side(a, b);
-    if (!s || is_fixed(*s) || !wants_flip(*s)) continue;
+    if (!s || is_fixed(*s) || !needs_flip(*s)) continue;
     const Vertex c = apex(*s), d = apex(twin(*s));
     flip(*s);
     sides.insert(sides.end(), {{a, d}, {d, b}, {b, c}, {c, a}});

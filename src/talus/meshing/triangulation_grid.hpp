@@ -1,6 +1,6 @@
 #pragma once
-// Plan coordinates as whole numbers on a fine square grid, so that "left of", "on" and "within the circle" have exact
-// answers. A grid of up to 2^30 steps: 10 km in steps of 15 micrometres.
+// Plan coordinates as integers on a fine square grid, so that "left of", "on" and "within the circle" are decided
+// exactly. The grid has up to 2^30 steps: 10 km in steps of 15 micrometres.
 
 #include <algorithm>
 #include <cmath>
@@ -11,23 +11,23 @@
 
 namespace talus {
 
-/// A place on plan in steps of the grid, each coordinate in [0, 2^30].
+/// A place on plan in grid steps, each coordinate in [0, 2^30].
 struct GridPoint {
   std::int32_t x = 0, y = 0;
   friend constexpr bool operator==(GridPoint, GridPoint) = default;
   friend constexpr auto operator<=>(GridPoint, GridPoint) = default;
 };
 
-/// The steps are a power of two of a metre and the origin is a whole number of them, so that a grid point's
-/// coordinates in metres are exact, and coordinates that are whole steps already (integers, halves, ...) do not move.
+/// The step is a power of two of a metre and the origin a whole number of steps. So a grid point's coordinates in
+/// metres are exact, and coordinates that are whole steps already (integers, halves, ...) do not move.
 class ExactGrid {
  public:
   static constexpr int bits = 30;
-  /// No finer than this: 2^-20 m, a micrometre.
+  /// The smallest step: 2^-20 m, a micrometre.
   static constexpr int finest = -20;
-  /// Nor coarser: 2^-10 m, a millimetre.
+  /// The largest step: 2^-10 m, a millimetre.
   static constexpr int coarsest = -10;
-  /// The widest terrain [m]: 2^20 m.
+  /// The widest terrain: 2^20 m.
   static constexpr double widest_m = 1048576;
 
   ExactGrid() = default;
@@ -36,7 +36,7 @@ class ExactGrid {
     const double width = (high - low).maxCoeff();
     ExactGrid grid;
     int power = finest;
-    // One step is kept free on each side: both ends are rounded.
+    // One step is kept free on each side because both ends are rounded.
     while (power < coarsest && std::ldexp(width, -power) > (1 << bits) - 2) ++power;
     grid.power_ = power;
     grid.x0_ = std::floor(std::ldexp(low.x(), -power));
@@ -46,7 +46,7 @@ class ExactGrid {
 
   [[nodiscard]] double spacing_m() const { return std::ldexp(1.0, power_); }
 
-  /// The grid point next to a place in the box: no further than half a step along x and along y.
+  /// The grid point nearest to a place in the box: at most half a step away along x and along y.
   [[nodiscard]] GridPoint snapped(double x, double y) const {
     return {static_cast<std::int32_t>(std::round(std::ldexp(x, -power_)) - x0_),
             static_cast<std::int32_t>(std::round(std::ldexp(y, -power_)) - y0_)};
@@ -59,20 +59,20 @@ class ExactGrid {
   double x0_ = 0, y0_ = 0;  // of the grid's origin, in steps
 };
 
-// ---- exact answers ----
+// ---- exact predicates ----
 
 /// 128 bits, which g++ and clang have beyond the standard.
 __extension__ using Wide = __int128;
 
-/// Twice the area of the triangle: positive where `c` lies to the left of the way from `a` to `b`, 0 on its line.
-/// Exact: of 62 bits at most.
+/// Twice the area of the triangle: positive if `c` is to the left of the line from `a` to `b`, 0 on it. Exact: 62 bits
+/// at most.
 [[nodiscard]] constexpr std::int64_t doubled_area(GridPoint a, GridPoint b, GridPoint c) {
   const std::int64_t bx = std::int64_t{b.x} - a.x, by = std::int64_t{b.y} - a.y;
   const std::int64_t cx = std::int64_t{c.x} - a.x, cy = std::int64_t{c.y} - a.y;
   return bx * cy - by * cx;
 }
 
-/// Whether `d` lies within the circle through the counter-clockwise triangle a, b, c, not on it. Exact: with
+/// Whether `d` is strictly within the circle through the counter-clockwise triangle a, b, c. Exact: with
 /// coordinates below 2^30 the determinant (Guibas and Stolfi 1985) is less than 3 x 2^122.
 [[nodiscard]] constexpr bool in_circle(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
   const std::int64_t ax = std::int64_t{a.x} - d.x, ay = std::int64_t{a.y} - d.y;
@@ -83,9 +83,9 @@ __extension__ using Wide = __int128;
   return sum > 0;
 }
 
-/// Whether `p` lies on the way from `a` to `b` but for the rounding of places to the grid: in the box around it, and no
-/// further than two steps along x and y from its line. A way that is bent by half a step wherever it crosses another,
-/// and its pieces again where they do, is found by what runs along the unbent one.
+/// Whether `p` is on the segment from `a` to `b` within the rounding to the grid: in its bounding box, and at most two
+/// steps along x and y from its line. A segment bends by half a step at each crossing, and its pieces again at theirs;
+/// two steps are enough for a line along the original segment to find the bent one.
 [[nodiscard]] constexpr bool is_on_way(GridPoint a, GridPoint b, GridPoint p) {
   const bool is_in_box =
       std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
@@ -94,8 +94,8 @@ __extension__ using Wide = __int128;
   return (area < 0 ? -area : area) <= 2 * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
 }
 
-/// Where the segments from `a` to `b` and from `c` to `d`, which cross, do so: the nearest grid point. It lies in the
-/// boxes around both.
+/// The grid point nearest to where the segments a-b and c-d cross, which they must. It is in the bounding boxes of
+/// both.
 [[nodiscard]] constexpr GridPoint crossing(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
   const std::int64_t ux = std::int64_t{b.x} - a.x, uy = std::int64_t{b.y} - a.y;
   const std::int64_t vx = std::int64_t{d.x} - c.x, vy = std::int64_t{d.y} - c.y;
@@ -108,7 +108,7 @@ __extension__ using Wide = __int128;
   const auto along = [&](std::int64_t length) {
     const Wide doubled = Wide{2} * part * length + whole, divisor = Wide{2} * whole;
     Wide quotient = doubled / divisor;
-    if (doubled % divisor < 0) --quotient;  // down, also below zero
+    if (doubled % divisor < 0) --quotient;  // round down, also below zero
     return static_cast<std::int32_t>(quotient);
   };
   return {a.x + along(ux), a.y + along(uy)};

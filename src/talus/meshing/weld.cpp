@@ -13,7 +13,7 @@
 namespace talus {
 namespace {
 
-std::vector<std::uint32_t> each_for_itself(std::size_t count) {
+std::vector<std::uint32_t> identity(std::size_t count) {
   std::vector<std::uint32_t> out(count);
   for (std::uint32_t i = 0; i < count; ++i) out[i] = i;
   return out;
@@ -35,15 +35,15 @@ std::vector<std::uint32_t> welded_exactly(const std::vector<Vec3>& vertices) {
   places.reserve(vertices.size());
   for (const Vec3& v : vertices) places.push_back({v.x(), v.y(), v.z(), static_cast<std::uint32_t>(places.size())});
   tbb::parallel_sort(places);
-  std::vector<std::uint32_t> out = each_for_itself(vertices.size());
+  std::vector<std::uint32_t> out = identity(vertices.size());
   for (std::size_t i = 1; i < places.size(); ++i) {
     if (places[i].same_place(places[i - 1])) out[places[i].vertex] = out[places[i - 1].vertex];
   }
   return out;
 }
 
-// Kept vertices in cubes a few tolerances wide, so that a ball of the tolerance mostly lies in one or two of them. A
-// cube holds a bounded number, since kept vertices are further apart than the tolerance.
+// Kept vertices in cubes a few tolerances wide, so that a ball with the tolerance as radius mostly touches one or two
+// of them. A cube has a bounded number of vertices, since kept ones are further apart than the tolerance.
 class Cubes {
  public:
   explicit Cubes(double tolerance) : tolerance_(tolerance), width_(4 * tolerance) {}
@@ -77,7 +77,7 @@ class Cubes {
   void keep(std::uint32_t vertex, const Vec3& place) { cubes_[cube_of(place)].push_back(vertex); }
 
  private:
-  using Cube = std::array<double, 3>;  // whole numbers, too large for an integer type when the tolerance is tiny
+  using Cube = std::array<double, 3>;  // integers that may exceed an integer type if the tolerance is tiny
 
   [[nodiscard]] Cube cube_of(const Vec3& place) const {
     return {std::floor(place.x() / width_), std::floor(place.y() / width_), std::floor(place.z() / width_)};
@@ -97,9 +97,9 @@ std::vector<std::uint32_t> welded(const std::vector<Vec3>& vertices, double tole
   Cubes cubes{tolerance_m};
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
     if (out[i] != i) {
-      out[i] = out[out[i]];  // goes where the first vertex at its place went, which came before it
-    } else if (const auto standing_for_it = cubes.nearest(vertices, vertices[i])) {
-      out[i] = *standing_for_it;
+      out[i] = out[out[i]];  // the first vertex at its place came earlier and may have been merged itself
+    } else if (const auto representative = cubes.nearest(vertices, vertices[i])) {
+      out[i] = *representative;
     } else {
       cubes.keep(i, vertices[i]);
     }
