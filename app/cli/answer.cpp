@@ -17,7 +17,7 @@ namespace talus::cli {
 
 namespace {
 
-int output_error = 0;  // what fmt said of standard output, which keeps only that something went wrong
+int output_error = 0;  // errno of a failed write to standard output: stdio keeps only the fact of a failure
 
 int internal(const std::exception& error) {
   to_stderr("talus: internal error: {}\n", error.what());
@@ -35,35 +35,35 @@ int answer(const std::function<int()>& work) {
     return bad_input;
   } catch (const std::system_error& error) {
     if (error.code() == std::errc::resource_unavailable_try_again) {
-      to_stderr("talus: a thread cannot be had: {}\n", error.code().message());
+      to_stderr("talus: cannot start a thread: {}\n", error.code().message());
       return bad_input;
     }
     if (std::ferror(stdout) == 0) return internal(error);
     output_error = error.code().value();
-    return bad_input;  // output_taken() says more
+    return bad_input;  // finish_output() prints the reason
   } catch (const OutOfMemory& error) {
     to_stderr("talus: {}\n", error.what());
     return internal_error;
   } catch (const std::bad_alloc&) {
-    to_stderr("talus: not enough memory for what was asked\n");
+    to_stderr("talus: not enough memory\n");
     return internal_error;
   } catch (const std::exception& error) {
     return internal(error);
   }
 }
 
-void show_now() {
+void flush_output() {
   if (std::fflush(stdout) != 0) output_error = errno;
 }
 
-int output_taken(int code) {
-  show_now();
+int finish_output(int code) {
+  flush_output();
   if (std::ferror(stdout) == 0) return code;
   if (output_error == EPIPE) end_by_closed_pipe();
   const Problem problem{.where = "standard output",
-                        .what = "not all could be written to it",
+                        .what = "the output is incomplete",
                         .why = output_error != 0 ? std::strerror(output_error) : "",
-                        .hint = "Free some space, or send it elsewhere"};
+                        .hint = "Free some space, or redirect it elsewhere"};
   to_stderr("{}\n", problem.text());
   return code == done || code == check_failed ? bad_input : code;
 }

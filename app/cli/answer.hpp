@@ -1,18 +1,18 @@
 #pragma once
-// What becomes of a command that fails.
+// Exit codes and messages of commands that fail.
 
 #include <functional>
 
 namespace talus::cli {
 
-/// The exit code that the work gives; or, where it throws, says why on standard error and gives the code for that.
+/// Returns the exit code of `work`. If it throws, prints the reason to standard error and returns the matching code.
 int answer(const std::function<int()>& work);
 
-/// Sends on what was printed so far, for a log that is read meanwhile; output_taken() says what failed.
-void show_now();
+/// Flushes standard output, so that a log can be followed. Failures are reported by finish_output().
+void flush_output();
 
-/// Sends on what is still to be printed: the exit code of the work, or, where a full disk did not take all of what was
-/// printed, that of bad input, and standard error says why.
-int output_taken(int code);
+/// Flushes standard output and returns `code`. If the output could not be written completely (a full disk), prints the
+/// reason to standard error and returns the code of bad input instead.
+int finish_output(int code);
 
 }  // namespace talus::cli

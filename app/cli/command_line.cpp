@@ -35,8 +35,8 @@ std::optional<std::string> nearest_of(const std::string& word, const std::vector
   return near ? std::optional(std::string(*near)) : std::nullopt;
 }
 
-/// The option that the first unknown one was probably meant to be: " Did you mean ...?", or nothing.
-std::string about_options(const CLI::App& command, const std::vector<std::string>& words) {
+/// A suggestion for the first unknown option: ". Did you mean ...?", or empty.
+std::string suggested_option(const CLI::App& command, const std::vector<std::string>& words) {
   const std::vector<std::string> known = option_names(command);
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('='));
@@ -47,11 +47,11 @@ std::string about_options(const CLI::App& command, const std::vector<std::string
   return "";
 }
 
-std::string about_command(const CLI::App& app, const std::vector<std::string>& words) {
+std::string message_about_command(const CLI::App& app, const std::vector<std::string>& words) {
   const std::vector<std::string> known = command_names(app);
-  const std::string list = fmt::format("known are {}", fmt::join(known, ", "));
+  const std::string list = fmt::format("known commands: {}", fmt::join(known, ", "));
   const auto word = std::ranges::find_if(words, [](const std::string& each) { return !each.starts_with('-'); });
-  if (word == words.end()) return fmt::format("the command is missing ({}){}", list, about_options(app, words));
+  if (word == words.end()) return fmt::format("the command is missing ({}){}", list, suggested_option(app, words));
   const std::string what = fmt::format("there is no command \"{}\"", *word);
   if (word->ends_with(".toml")) return fmt::format("{}. Did you mean `talus run {}`?", what, *word);
   if (const auto near = nearest_of(*word, known)) return fmt::format("{}. Did you mean \"{}\"?", what, *near);
@@ -64,25 +64,25 @@ std::string message_about(const CLI::App& app, const CLI::Error& error, const st
   const std::vector<CLI::App*> given = app.get_subcommands();
   std::string what;
   if (given.empty()) {
-    what = error.get_name() == "RequiredError" ? about_command(app, words) : error.what();
+    what = error.get_name() == "RequiredError" ? message_about_command(app, words) : error.what();
   } else {
     what = error.what();
-    // (The name of this error is that of the command.)
+    // The error's name cannot tell: here it is the name of the command.
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
-      what += about_options(*given.front(), words);
+      what += suggested_option(*given.front(), words);
   }
   const std::string help = given.empty() ? "talus --help" : fmt::format("talus {} --help", given.front()->get_name());
-  return fmt::format("{}\n`{}` says more.\n", what, help);
+  return fmt::format("{}\nSee `{}`.\n", what, help);
 }
 
-void refuse_lacking_values(const std::vector<std::string>& words) {
+void refuse_missing_values(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (!word.starts_with("--") || word.find('=') + 1 != word.size()) continue;
-    throw CLI::ArgumentMismatch(fmt::format("{} has no value behind it", word));
+    throw CLI::ArgumentMismatch(fmt::format("{} has no value", word));
   }
 }
 
-bool answers_for_all(const std::vector<std::string>& words) {
+bool reports_for_all(const std::vector<std::string>& words) {
   const auto launch = find_launch();
   return !launch || launch->rank == 0 || std::ranges::find(words, "--alone") != words.end();
 }

@@ -11,7 +11,7 @@ namespace talus::cli {
 
 enum ExitCode { done = 0, check_failed = 1, bad_input = 2, stopped = 3, internal_error = 4 };
 
-/// What several commands say about a project differently from its file.
+/// Options that override settings of a project file.
 struct ProjectOptions {
   std::filesystem::path file;
   std::vector<std::string> settings;
@@ -21,19 +21,19 @@ struct ProjectOptions {
 
 struct RunOptions {
   ProjectOptions project;
-  std::filesystem::path folder;  // empty: the project's name, beside its file
+  std::filesystem::path folder;  // empty: named after the project, next to its file
   int threads = 0;
   bool quiet = false;
   std::string shard;  // "2/7"; empty: the whole campaign
   bool resume = false;
   double checkpoint_every = 20;   // [s]; 0: never
-  bool alone = false;             // even if a launcher started others, too
-  std::uint64_t maps_memory = 0;  // [bytes]; 0: half of what there is
+  bool alone = false;             // even if a launcher started several processes
+  std::uint64_t maps_memory = 0;  // [bytes]; 0: half of the available memory
 };
 int run(const RunOptions& options);
 
 struct ServeOptions {
-  std::filesystem::path project;  // or a folder; empty: this folder
+  std::filesystem::path project;  // or a folder; empty: the current folder
   int port = 8425;
   bool open = false;
 };
@@ -41,10 +41,10 @@ int serve(const ServeOptions& options);
 
 struct MergeOptions {
   std::vector<std::filesystem::path> folders;
-  std::filesystem::path folder;  // empty: the only one, or the project's name
+  std::filesystem::path folder;  // empty: the only input folder, or the project's name
   bool partial = false;
   int threads = 0;
-  std::uint64_t maps_memory = 0;  // as of a run
+  std::uint64_t maps_memory = 0;  // as in RunOptions
   bool quiet = false;
 };
 int merge(const MergeOptions& options);
@@ -68,7 +68,7 @@ struct VerifyOptions {
   std::vector<std::string> cases;  // empty: all
   std::filesystem::path json;      // empty: none
   std::filesystem::path page;      // empty: none
-  std::filesystem::path folder;    // of the cases; empty: where they were installed
+  std::filesystem::path folder;    // of the cases; empty: those built into the program
 };
 int verify(const VerifyOptions& options);
 

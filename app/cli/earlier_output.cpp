@@ -17,8 +17,8 @@ void refuse_other_files(const std::filesystem::path& file, std::string_view begi
   if (found.empty() || found == beginning) return;
   throw BadInput(
       Problem{.file = file.string(),
-              .what = "this file is there already",
-              .why = fmt::format("it is not an earlier {} of this command, which alone it would replace", kind),
+              .what = "this file already exists",
+              .why = fmt::format("it is not a {} written by this command, and only those are replaced", kind),
               .hint = "Choose another name"});
 }
 

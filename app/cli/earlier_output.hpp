@@ -6,8 +6,8 @@
 
 namespace talus::cli {
 
-/// Throws BadInput where a file is there that does not begin as what a command writes: it is not an earlier output of
-/// it, and may be anything, even a table of the run that was asked for. `kind` says what is replaced: "page".
+/// Throws BadInput if `file` exists and does not start with `beginning`, the start of every output of the command: then
+/// it is not an earlier output, and could be anything, even a table of the run. `kind` names the output: "page".
 void refuse_other_files(const std::filesystem::path& file, std::string_view beginning, std::string_view kind);
 
 }  // namespace talus::cli

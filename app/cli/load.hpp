@@ -17,11 +17,11 @@ struct Loaded {
   Problems warnings;
 };
 
-/// Throws BadInput with every problem of the file; or, if the file is sound, of what it refers to.
+/// Throws BadInput with all problems of the file or, if it has none, of the files that it names.
 [[nodiscard]] Loaded load(const ProjectOptions& options);
 
-/// How large a run of these rocks will be and how long it will take on so many threads, where it is large. `stop`, once
-/// it is set, ends the estimate.
+/// If the run is large, prints the expected size of its results and its duration on `threads` threads. Setting `stop`
+/// ends the estimate.
 void print_if_large(const Loaded& loaded, const RockRange& rocks, int threads, const std::atomic<bool>* stop = nullptr);
 
 /// To standard error, one a line.

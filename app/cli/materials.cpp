@@ -1,4 +1,4 @@
-// `talus materials`: the library that `like = "..."` in a [[material]] names.
+// `talus materials`: the library of materials for `like = "..."` in a [[material]].
 
 #include <fmt/format.h>
 
@@ -33,8 +33,9 @@ int materials() {
   fmt::print("\n");
   for (std::size_t k = 0; k < sources.size(); ++k) fmt::print("[{}] {}\n", k + 1, sources[k]);
   fmt::print(
-      "\nA project names one: [[material]] name = \"Scree\" like = \"talus_cover\". Its own keys override it; what a\n"
-      "source does not give has the default. docs/materials.md says how the numbers were checked.\n");
+      "\nTo use one: [[material]] name = \"Scree\" like = \"talus_cover\". Other keys of the material override its\n"
+      "values; keys without a value from the source keep their defaults. docs/materials.md describes how the numbers\n"
+      "were checked.\n");
   return done;
 }
 

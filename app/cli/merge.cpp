@@ -24,7 +24,7 @@ int merge(const MergeOptions& options) {
       fmt::print("  missing: rocks {} to {}\n", rocks.first, rocks.last - 1);
     }
     fmt::print("Results are in {}{}\n", result.output.string(),
-               result.description.wants_report ? ", to look at: report.html" : "");
+               result.description.wants_report ? "; open report.html to view them" : "");
   }
   return done;
 }

@@ -19,7 +19,7 @@ namespace {
 
 struct Whole {
   std::int64_t number = 0;
-  bool is_too_large = false;  // for 64 bits, on either side of 0
+  bool is_too_large = false;  // does not fit into 64 bits, positive or negative
 };
 
 std::optional<Whole> whole(std::string_view text) {

@@ -1,6 +1,6 @@
 #pragma once
-// What may stand behind an option: CLI11 itself takes an empty text for 0, 010 for 8, and what needs more than 64 bits
-// for the largest number there is.
+// Validators of option values. CLI11 itself reads an empty text as 0, 010 as 8, and a number of more than 64 bits as
+// the largest number.
 
 #include <string>
 
@@ -8,16 +8,16 @@
 
 namespace talus::cli {
 
-/// 0 or more, and at most what a project file can hold.
+/// A whole number from 0 to the largest that a project file can hold.
 [[nodiscard]] CLI::Validator natural_number();
 
-/// A whole number; of its range the project says more.
+/// A whole number; its range is checked with the project.
 [[nodiscard]] CLI::Validator number_of_rocks();
 
-/// "500MB", "4GB": becomes bytes.
+/// "500MB", "4GB": converted to bytes.
 [[nodiscard]] CLI::Validator memory_size();
 
-/// An empty text is what an unset variable of a script becomes; it is no reason to do what is done without the option.
+/// Refuses an empty text: it comes from an unset variable of a script, and must not act like a missing option.
 [[nodiscard]] CLI::Validator not_empty(std::string message);
 
 }  // namespace talus::cli

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_printed = 20;  // barriers
 
-/// All in their order, or those that were hit most.
+/// All in order, or if there are too many those with the most hits.
 std::vector<std::size_t> barriers_to_print(const Summary& summary) {
   std::vector<std::size_t> numbers(summary.barriers.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
@@ -32,7 +32,7 @@ void print_summary(const Summary& summary, const std::vector<std::string>& barri
   }
   const Descriptive way = summary.runout_plan.describe();
   if (way.mean && way.maximum)
-    fmt::print("  runout on plan: mean {:.2f} m, greatest {:.2f} m\n", *way.mean, *way.maximum);
+    fmt::print("  runout on plan: mean {:.2f} m, maximum {:.2f} m\n", *way.mean, *way.maximum);
   for (const std::string& note : notes_of(summary)) fmt::print("  note: {}\n", note);
   for (const std::size_t b : barriers_to_print(summary)) {
     const BarrierTally& tally = summary.barriers[b];
@@ -43,8 +43,9 @@ void print_summary(const Summary& summary, const std::vector<std::string>& barri
   }
   if (summary.barriers.size() > most_printed) {
     const auto hit = std::ranges::count_if(summary.barriers, [](const auto& tally) { return tally.rocks_hit > 0; });
-    fmt::print("  these {} of {} barriers and collectors were hit most; {} were hit, and summary.json has all\n",
-               most_printed, summary.barriers.size(), hit);
+    fmt::print(
+        "  shown are the {} of {} barriers and collectors with the most hits; {} were hit; all are in summary.json\n",
+        most_printed, summary.barriers.size(), hit);
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the rocks did, in a few lines for the terminal.
+// A run's results in a few lines for the terminal.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace talus::cli {
 
-/// Ends by reason, runout, notes, and a line a barrier, whose names are given in their order.
+/// Prints the end reasons, runout, notes and one line per barrier. `barriers`: their names, in order.
 void print_summary(const Summary& summary, const std::vector<std::string>& barriers);
 
 }  // namespace talus::cli

@@ -28,8 +28,8 @@ std::size_t columns_of_terminal() {
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
 }
 
-/// The text behind a bar that takes the room that is left for it, if that is worth drawing. In all it has a column less
-/// than there are: a line that reaches the last one is broken by some terminals.
+/// The text after a progress bar, if the bar fits. The line stays one column short of the terminal's width: some
+/// terminals wrap a line that fills the last column.
 std::string line_with_bar(const std::string& text, int percent, std::size_t columns) {
   constexpr std::size_t least = 8, most = 24, around = 3;  // "[", "] "
   const std::size_t room = columns - 1;

@@ -1,5 +1,5 @@
 #pragma once
-// How far a campaign is: a line that renews itself on a terminal, plain lines now and then elsewhere.
+// Progress of a campaign: one line that is updated in place on a terminal, occasional plain lines elsewhere.
 
 #include <chrono>
 #include <cstdint>
@@ -20,7 +20,7 @@ class Progress {
   std::uint64_t total_;
   bool on_terminal_;
   bool printed_ = false;
-  std::optional<std::uint64_t> done_before_;  // when the first call came: what was done then tells nothing of the rate
+  std::optional<std::uint64_t> done_before_;  // at the first call: these rocks do not count for the rate
   Clock::time_point begin_, last_;
 };
 

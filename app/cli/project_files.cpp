@@ -1,4 +1,4 @@
-// `talus schema` and `talus new`: what helps to write a project file.
+// `talus schema` and `talus new`: help for writing a project file.
 
 #include <fmt/format.h>
 
@@ -16,17 +16,16 @@ int schema() {
 }
 
 int start_project(const NewOptions& options) {
-  std::error_code unknown;  // writing says what is wrong with the name
+  std::error_code unknown;  // writing the file reports a bad name
   if (!options.force && std::filesystem::exists(options.file, unknown)) {
     throw BadInput(Problem{.file = options.file.string(),
-                           .what = "this file is there already",
-                           .why = "talus new does not overwrite",
-                           .hint = "Choose another name, or say --force"});
+                           .what = "this file already exists",
+                           .hint = "Choose another name, or overwrite it with --force"});
   }
   OutputFile file(place_of_file(options.file));
   file.write(project::starter());
   file.commit();
-  fmt::print("{0} is a small project to change as you like; `talus run {0}` runs it\n", options.file.string());
+  fmt::print("Wrote {0}, a small project to start from; run it with `talus run {0}`\n", options.file.string());
   return done;
 }
 

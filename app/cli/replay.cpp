@@ -72,7 +72,7 @@ int replay(const ReplayOptions& options) {
     fmt::print("{}: passed above with {:.3f} m to spare\n", context.barriers[passed.barrier.index], passed.clearance);
   }
   const RockOutcome& outcome = record.outcome;
-  fmt::print("ended: {}; greatest total kinetic energy {:.3f} kJ, greatest bounce height {:.3f} m\n",
+  fmt::print("ended: {}; maximum total kinetic energy {:.3f} kJ, maximum bounce height {:.3f} m\n",
              name(outcome.reason), outcome.max_kinetic_energy / 1000, outcome.max_bounce);
   return done;
 }

@@ -17,7 +17,7 @@ int report(const ReportOptions& options) {
   const std::filesystem::path file = options.file.empty() ? options.folders.front() / page : options.file;
   (void)place_of_file(file);
   refuse_other_files(file, "<!DOCTYPE html>", "page");
-  std::optional<FolderLock> lock;  // of a run's folder, which may be that of a run under way
+  std::optional<FolderLock> lock;  // a run into this folder may be in progress
   if (options.file.empty()) lock.emplace(lock_output_folder(options.folders.front()));
   io::write_report(options.folders, file);
   if (options.file.empty()) io::renew_in_record(options.folders.front(), page);

@@ -31,8 +31,8 @@ namespace {
 std::atomic<bool> stop_wanted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
-// The first signal asks the campaign to stop and keep what it has. One that comes two seconds later or more ends the
-// program; until then it is taken for the same wish, since some callers signal a program and its group.
+// The first signal stops the campaign, which keeps its results so far. Another one at least two seconds later ends the
+// program. Earlier ones count as the first: some callers signal a program and its group.
 volatile std::sig_atomic_t stop_asked_at = 0;
 extern "C" void ask_to_stop(int signal) {
   const auto now = static_cast<std::sig_atomic_t>(std::time(nullptr));
@@ -44,7 +44,7 @@ extern "C" void ask_to_stop(int signal) {
   }
 }
 
-std::string name_of(const RunOptions& options, const project::RunResult& result) {
+std::string shard_name(const RunOptions& options, const project::RunResult& result) {
   const RockRange& range = result.range;
   if (options.shard.empty()) return "";
   if (range.count() == 0) return fmt::format(", shard {} (no rocks)", options.shard);
@@ -56,19 +56,19 @@ void print_outcome(const Loaded& loaded, const RunOptions& options, const projec
   const Summary& summary = result.summary;
   const CampaignOutcome& outcome = result.outcome;
   const std::uint64_t now = summary.done - result.done_before;
-  fmt::print("{}{}: {} rocks in {:.2f} s ({:.0f} rocks/s on {} {}{})\n", loaded.project.name, name_of(options, result),
-             now, outcome.seconds, static_cast<double>(now) / std::max(outcome.seconds, 1e-9), outcome.threads,
-             outcome.threads == 1 ? "thread" : "threads",
-             outcome.ranks > 1 ? fmt::format(" of {} ranks", outcome.ranks) : "");
-  if (result.done_before > 0) fmt::print("  with those done before {} rocks\n", summary.done);
+  fmt::print(
+      "{}{}: {} rocks in {:.2f} s ({:.0f} rocks/s on {} {}{})\n", loaded.project.name, shard_name(options, result), now,
+      outcome.seconds, static_cast<double>(now) / std::max(outcome.seconds, 1e-9), outcome.threads,
+      outcome.threads == 1 ? "thread" : "threads", outcome.ranks > 1 ? fmt::format(" of {} ranks", outcome.ranks) : "");
+  if (result.done_before > 0) fmt::print("  {} rocks including the earlier ones\n", summary.done);
   std::vector<std::string> barriers;
   for (const Barrier& barrier : loaded.model.barriers) barriers.push_back(barrier.name);
   print_summary(summary, barriers);
   if (!options.shard.empty()) {
-    fmt::print("The shard is in {}, for `talus merge`\n", folder.string());
+    fmt::print("The shard is in {}; combine all shards with `talus merge`\n", folder.string());
   } else {
     fmt::print("Results are in {}{}\n", folder.string(),
-               loaded.project.output.report ? ", to look at: report.html" : "");
+               loaded.project.output.report ? "; open report.html to view them" : "");
   }
 }
 
@@ -87,21 +87,21 @@ void check_time_between_checkpoints(const RunOptions& options) {
       Problem{.where = "--checkpoint-every", .what = "nan is not a time", .why = "expected seconds, 0 or more"});
 }
 
-/// Beside the project: its name, and which shard it is.
+/// Next to the project file, named after the project and the shard.
 std::filesystem::path default_folder(const Loaded& loaded, const std::optional<Shard>& shard) {
   const std::filesystem::path folder = loaded.project.file.parent_path() / loaded.project.name;
   if (!shard) return folder;
   return folder.string() + fmt::format("-shard-{}-of-{}", shard->number, shard->of);
 }
 
-/// SIGUSR1 is what reaches a program under mpirun, which takes the others for a wish to kill it, and what batch systems
-/// can send before the time is up.
+/// mpirun forwards SIGUSR1 to the program, whereas it kills the program on the others. Batch systems can send SIGUSR1
+/// before the time limit.
 void catch_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, ask_to_stop);
   catch_hangup(ask_to_stop);
 }
 
-project::RunOptions how_to_run(const RunOptions& options, const std::optional<Shard>& shard) {
+project::RunOptions run_options(const RunOptions& options, const std::optional<Shard>& shard) {
   return {.campaign = {options.threads, &stop_wanted, {}},
           .shard = shard,
           .resume = options.resume,
@@ -109,7 +109,7 @@ project::RunOptions how_to_run(const RunOptions& options, const std::optional<Sh
           .maps_memory = options.maps_memory};
 }
 
-/// In this process alone, or as the first of several.
+/// Runs in this process alone, or as rank 0 of several.
 int run_here(const RunOptions& options, Ranks* ranks) {
   const std::optional<Shard> shard = shard_of(options);
   check_time_between_checkpoints(options);
@@ -119,7 +119,7 @@ int run_here(const RunOptions& options, Ranks* ranks) {
   const std::filesystem::path folder = options.folder.empty() ? default_folder(loaded, shard) : options.folder;
 
   catch_signals();
-  project::RunOptions how = how_to_run(options, shard);
+  project::RunOptions how = run_options(options, shard);
   how.ranks = ranks;
   std::optional<Progress> progress;
   if (!options.quiet) {
@@ -133,7 +133,7 @@ int run_here(const RunOptions& options, Ranks* ranks) {
     how.campaign.progress = [&](std::uint64_t done) { (*progress)(done); };
     how.say = [](const std::string& text) {
       fmt::print("{}\n", text);
-      show_now();
+      flush_output();
     };
   }
   const project::RunResult result = project::run_into(folder, loaded.project, loaded.model, loaded.warnings, how);
@@ -145,15 +145,16 @@ int run_here(const RunOptions& options, Ranks* ranks) {
   print_warnings(result.warnings);
   if (!result.has_results) {
     to_stderr(
-        "stopped after {} of {} rocks, before their results were written; the rocks are kept in {}, and --resume goes "
-        "on from there\n",
+        "stopped after {} of {} rocks, before their results were written; the rocks are kept in {}, and --resume "
+        "continues from there\n",
         result.summary.done, result.range.count(), folder.string());
     return stopped;
   }
   if (!options.quiet) print_outcome(loaded, options, result, folder);
   if (result.outcome.interrupted) {
-    to_stderr("stopped after {} of {} rocks; what is done is in {}{}\n", result.summary.done, result.range.count(),
-              folder.string(), options.checkpoint_every > 0 || shard ? ", and --resume goes on from there" : "");
+    to_stderr("stopped after {} of {} rocks; the results so far are in {}{}\n", result.summary.done,
+              result.range.count(), folder.string(),
+              options.checkpoint_every > 0 || shard ? ", and --resume continues from there" : "");
     return stopped;
   }
   return done;
@@ -163,15 +164,15 @@ int run_or_stop(const RunOptions& options, Ranks* ranks) {
   try {
     return run_here(options, ranks);
   } catch (const Stopped&) {
-    to_stderr("stopped before the first rock was done\n");
+    to_stderr("stopped before the first rock was finished\n");
     return stopped;
   }
 }
 
-/// As one of several processes, but not the first, which speaks for all.
-int help(const RunOptions& options, Ranks& ranks) {
+/// Runs as a rank other than 0. Only rank 0 prints.
+int help_rank_0(const RunOptions& options, Ranks& ranks) {
   try {
-    const project::RunOptions how = how_to_run(options, shard_of(options));
+    const project::RunOptions how = run_options(options, shard_of(options));
     const Loaded loaded = load(options.project);
     catch_signals();
     return project::help_run(ranks, loaded.project, loaded.model, loaded.warnings, how);
@@ -189,14 +190,14 @@ int run(const RunOptions& options) {
   try {
     if (!options.alone) ranks = join_ranks();
   } catch (const BadInput&) {
-    // All processes see it, and the first one says it.
+    // All processes get this error; only the first one reports it.
     if (find_launch()->rank > 0) return done;
     throw;
   }
   if (!ranks) return run_or_stop(options, nullptr);
-  if (ranks->rank() > 0) return help(options, *ranks);
+  if (ranks->rank() > 0) return help_rank_0(options, *ranks);
   const int code = answer([&] { return run_or_stop(options, ranks.get()); });
-  std::fflush(nullptr);  // before a launcher may end this program because another one has ended
+  std::fflush(nullptr);  // once another rank ends, the launcher may end this one
   project::dismiss_ranks(*ranks, code);
   return code;
 }

@@ -39,17 +39,17 @@ extern "C" void stop_serving(int signal) {
   }
 }
 
-/// By a page that leads to the address, since all users of the machine can read what programs are called with: in a
-/// folder of this user alone, which goes with the object.
+/// A temporary page that redirects to the address. The address itself is not passed on a command line, which all users
+/// of the machine can read. The page is in a folder that only this user may enter, and is removed with the object.
 class OpeningPage {
  public:
   explicit OpeningPage(const std::string& address) {
     std::string folder = (std::filesystem::temp_directory_path() / "talus-XXXXXX").string();
-    if (mkdtemp(folder.data()) == nullptr) return;  // which only this user may enter
+    if (mkdtemp(folder.data()) == nullptr) return;
     folder_ = folder;
     std::ofstream(folder_ / "workbench.html") << fmt::format(
         "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0; url={0}\">"
-        "<title>Talus</title><a href=\"{0}\">To the workbench</a>\n",
+        "<title>Talus</title><a href=\"{0}\">Open the workbench</a>\n",
         address);
   }
   OpeningPage(const OpeningPage&) = delete;
@@ -64,14 +64,14 @@ class OpeningPage {
   std::filesystem::path folder_;
 };
 
-/// With whatever the system opens pages with; that it has none is no reason to stop.
+/// Uses the system's default browser. The server goes on without one.
 void open_in_browser(const OpeningPage& page) {
   std::string program = "xdg-open", argument = page.file();
-  if (argument.empty()) return to_stderr("no browser could be opened: there is no folder for temporary files\n");
+  if (argument.empty()) return to_stderr("cannot open a browser: there is no folder for temporary files\n");
   std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
   pid_t child = 0;
   if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0)
-    to_stderr("no browser could be opened: xdg-open is missing\n");
+    to_stderr("cannot open a browser: xdg-open is missing\n");
 }
 
 }  // namespace
@@ -99,9 +99,9 @@ int serve(const ServeOptions& options) {
   how.stop = &stop_wanted;
   how.ready = [&](const std::string& address) {
     fmt::print(
-        "The workbench is at {}\nIt is open to this machine alone, and this address works once. Ctrl-C ends it.\n",
+        "The workbench is at {}\nOnly this machine can reach it, and the address works once. Press Ctrl-C to stop.\n",
         address);
-    show_now();
+    flush_output();
     if (options.open) open_in_browser(page.emplace(address));
   };
   how.hangs = [&] {

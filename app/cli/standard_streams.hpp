@@ -1,5 +1,5 @@
 #pragma once
-// Standard error, and what the program does about streams that are closed or full.
+// Standard error, and protection against standard streams that are closed or full.
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 namespace talus::cli {
 
-/// To standard error, as far as it takes it: that nobody can be told is no reason for the work to end.
+/// Prints to standard error. A closed or full standard error does not end the run.
 void to_stderr(std::string_view text);
 
 template <class... Values>
@@ -16,15 +16,15 @@ void to_stderr(fmt::format_string<Values...> format, Values&&... values) {
   to_stderr(std::string_view(fmt::format(format, std::forward<Values>(values)...)));
 }
 
-/// To be called before any file is opened. A standard stream that was closed is one that takes everything and gives
-/// nothing: a file would be given its number, and would get what is printed. Writing into a pipe that nobody reads, and
-/// beyond the largest file that is allowed, fails instead of ending the program.
+/// Call before opening any file. Connects closed standard streams to /dev/null: otherwise the next file opened would
+/// get the stream's descriptor and receive the printed text. Ignores SIGPIPE and SIGXFSZ, so that writing to a closed
+/// pipe or beyond the file size limit fails instead of ending the program.
 void make_streams_safe();
 
-/// Ends the program as others end that print into a pipe which nobody reads.
+/// Ends the program by SIGPIPE, as is usual for programs whose output pipe was closed.
 [[noreturn]] void end_by_closed_pipe();
 
-/// Has SIGHUP handled, but where the program was started with it ignored, as `nohup` does.
+/// Handles SIGHUP, unless the program was started with SIGHUP ignored, as by `nohup`.
 void catch_hangup(void (*handler)(int));
 
 }  // namespace talus::cli

@@ -25,7 +25,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 int verify(const VerifyOptions& options) {
   using namespace verification;
   for (const auto& file : {options.json, options.page}) {
-    if (!file.empty()) (void)place_of_file(file);  // before the minutes that the cases take
+    if (!file.empty()) (void)place_of_file(file);  // fails before the cases run, which takes minutes
   }
   if (!options.json.empty()) refuse_other_files(options.json, "{\n  \"passes\":", "comparison");
   if (!options.page.empty()) refuse_other_files(options.page, "# Verification\n", "page");

@@ -1,4 +1,4 @@
-// --resume of a run whose results were lost, cut or changed since.
+// --resume of a run whose results have been lost, truncated or changed.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ class ChangedResults : public ::testing::Test {
   void cut(const std::string& name, std::uintmax_t bytes) const {
     fs::resize_file(out_ / name, fs::file_size(out_ / name) - bytes);
   }
-  /// What is said of a change, which is undone by then.
+  /// Makes a change, resumes the run and expects the original results; returns the output.
   [[nodiscard]] std::string after(const std::function<void()>& change) const {
     change();
     const Said said = talus_says(command_ + " --resume");
@@ -69,8 +69,8 @@ TEST_F(ChangedResults, AreRebuilt) {
   EXPECT_THAT(after([&] { std::ofstream(out_ / "files.json") << "{\"files\": 3}"; }), begins_anew("files.json"));
 }
 
-// What a later version calls otherwise, or does not make at all, is told from what is somebody's by the record alone.
-TEST_F(ChangedResults, AreRemovedWhereThisRunDoesNotMakeThem) {
+// Only the record distinguishes results of an earlier version, which may have other names, from the user's own files.
+TEST_F(ChangedResults, AreRemovedIfThisRunDoesNotMakeThem) {
   const fs::path outside = work_ / "elsewhere";
   fs::create_directories(outside);
   fs::create_directories(out_ / "maps/folder.tif");
@@ -103,13 +103,13 @@ TEST_F(ChangedResults, AreRemovedWhereThisRunDoesNotMakeThem) {
   EXPECT_TRUE(fs::is_symlink(out_ / "link.csv"));
   EXPECT_TRUE(fs::is_directory(out_ / "maps/folder.tif"));
   EXPECT_TRUE(fs::exists(out_ / "files.json"));
-  // A run that is not taken over leaves all as it is.
+  // A run that is refused changes nothing.
   work_.write("out/mine.csv", "rocks");
   EXPECT_EQ(talus_says(command_ + " --resume").exit_code, 2);
   EXPECT_TRUE(fs::exists(out_ / "mine.csv"));
 }
 
-TEST_F(ChangedResults, AreNotRemovedWhereTheyAreReadNow) {
+TEST_F(ChangedResults, AreNotRemovedIfTheyAreInputOfThisRun) {
   auto record = nlohmann::json::parse(bytes_of(out_ / "files.json"));
   record["files"]["old.toml"] = {{"bytes", 5}};
   work_.write("out/files.json", record.dump());
@@ -123,7 +123,7 @@ TEST_F(ChangedResults, AreNotRemovedWhereTheyAreReadNow) {
   EXPECT_EQ(bytes_of(out_ / "old.toml"), before);
 }
 
-TEST_F(ChangedResults, AReportMadeAgainIsNoChange) {
+TEST_F(ChangedResults, DoNotIncludeAReportWrittenAgain) {
   EXPECT_EQ(talus_says("report " + out_.string()).exit_code, 0);
   EXPECT_THAT(talus_says(command_ + " --resume").text, HasSubstr("is already complete in"));
 }

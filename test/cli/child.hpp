@@ -1,5 +1,5 @@
 #pragma once
-// The program as a child that can be killed, and whose memory is measured.
+// The program as a child process that can be killed and whose memory is measured.
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -18,7 +18,7 @@ extern char** environ;
 
 namespace talus::test {
 
-/// Whether something comes true that a child brings about, within a time that is long for any machine.
+/// Waits until the condition is true; false after a time that is long for any machine.
 template <class Condition>
 bool comes_true(Condition&& condition) {
   constexpr std::chrono::minutes patience(10);
@@ -36,7 +36,8 @@ inline bool appears(const std::filesystem::path& file) {
 
 class Child {
  public:
-  /// Starts the program, or what stands before it and starts it in turn; what it says goes to a file.
+  /// Starts the program, or the launcher `before` with the program as its arguments; the output goes to the file
+  /// `said`.
   Child(const std::vector<std::string>& arguments, const std::filesystem::path& said,
         const std::vector<std::string>& before = {}) {
     std::vector<std::string> words = before;
@@ -63,7 +64,7 @@ class Child {
   void signal(int which) const {
     if (process_ > 0) kill(process_, which);
   }
-  /// The exit code, or 128 and the signal that ended it.
+  /// The exit code, or 128 plus the signal that ended the program.
   int wait() {
     if (process_ <= 0) return -1;
     int status = 0;
@@ -73,7 +74,7 @@ class Child {
     peak_memory_ = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
-  /// After wait(): how much memory it held at most [bytes].
+  /// After wait(): the peak of the resident memory [bytes].
   [[nodiscard]] std::size_t peak_memory() const { return peak_memory_; }
 
  private:

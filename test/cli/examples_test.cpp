@@ -1,4 +1,4 @@
-// Every example that the repository carries is found good and runs.
+// Every example of the repository passes `talus check` and runs.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-TEST(Examples, AreFoundGoodAndRun) {
+TEST(Examples, PassTheCheckAndRun) {
   const Workplace place;
   int count = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(TALUS_SOURCE_DIR "/examples")) {

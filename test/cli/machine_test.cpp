@@ -1,4 +1,4 @@
-// What the machine does to a run: no database of coordinate systems, few files, a terminal that goes, no memory.
+// Faults of the machine: no database of coordinate systems, too few files, a closed terminal, too little memory.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ const std::string crater = TALUS_SOURCE_DIR "/examples/maungawhau/";
 
 #ifdef TALUS_HAS_GDAL
 
-TEST(Machine, WithoutPROJsDatabaseIsSaidToBe) {
+TEST(Machine, WithoutPROJsDatabaseIsReported) {
   const Said said = talus_says("check " + gis, "PROJ_DATA=/nowhere PROJ_LIB=/nowhere ");
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_THAT(said.text, HasSubstr("valley.tif: coordinate systems cannot be looked up (GDAL: PROJ: "));
@@ -36,11 +36,11 @@ TEST(Machine, WithoutPROJsDatabaseIsSaidToBe) {
   EXPECT_THAT(said.text, Not(HasSubstr("names no coordinate system")));
 }
 
-TEST(Machine, WithFewFilesIsSaidToHaveTooFew) {
+TEST(Machine, WithTooFewOpenFilesIsReported) {
   int refused = 0;
   for (int files = 4; files < 40; ++files) {
     const Said said = talus_says("check " + gis, "prlimit --nofile=" + std::to_string(files) + " ");
-    if (said.exit_code == 127) continue;  // not even the program itself
+    if (said.exit_code == 127) continue;  // the program itself could not start
     if (said.exit_code == 0) break;
     EXPECT_EQ(said.exit_code, 2) << said.text;
     EXPECT_THAT(said.text, Not(HasSubstr("no coordinate system"))) << files;
@@ -50,7 +50,7 @@ TEST(Machine, WithFewFilesIsSaidToHaveTooFew) {
   EXPECT_GT(refused, 0);
 }
 
-TEST(Machine, APathToTheProjectIsInNoResult) {
+TEST(Machine, ResultsDoNotContainThePathToTheProject) {
   const Workplace work;
   fs::create_directories(work / "site");
   fs::copy_file(crater + "maungawhau.asc", work / "site/maungawhau.asc");
@@ -75,7 +75,7 @@ TEST(Machine, APathToTheProjectIsInNoResult) {
 
 #endif
 
-TEST(Machine, ARunDoesNotTakeThePlaceOfWhatItReads) {
+TEST(Machine, ARunDoesNotOverwriteItsInput) {
   const Workplace work;
   const std::string points = "x,y,z\n0,0,9\n50,0,8\n50,50,0\n0,50,1\n25,25,4\n";
   (void)work.write("endpoints.csv", points);
@@ -124,9 +124,9 @@ std::vector<std::string> long_run(const Workplace& work, const char* folder) {
           "0.01"};
 }
 
-TEST(Machine, ATerminalThatIsClosedStopsARunInGoodOrder) {
+TEST(Machine, AClosedTerminalStopsARunWithItsResults) {
   const Workplace work;
-  std::signal(SIGHUP, SIG_DFL);  // whatever started the tests may have it ignored
+  std::signal(SIGHUP, SIG_DFL);  // it may be ignored by the process that started the tests
   Child child(long_run(work, "out"), work / "said");
   ASSERT_TRUE(appears(work / "out/run.state"));
   child.signal(SIGHUP);
@@ -144,8 +144,8 @@ TEST(Machine, ATerminalThatIsClosedStopsARunInGoodOrder) {
 
 #if defined(TALUS_HAS_GDAL) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
-// Wherever memory runs out - in a checkpoint, a table, a destructor - the program says so, and keeps what is done.
-TEST(Machine, WithoutEnoughMemoryARunKeepsWhatIsDone) {
+// Wherever memory runs out - in a checkpoint, a table, a destructor - the program reports it and keeps its results.
+TEST(Machine, WithoutEnoughMemoryARunKeepsItsResults) {
   const Workplace work;
   const auto arguments = [&](const std::string& folder) {
     return "run " + crater +
@@ -160,7 +160,7 @@ TEST(Machine, WithoutEnoughMemoryARunKeepsWhatIsDone) {
   for (int megabytes = 190; megabytes <= 300; megabytes += 10) {
     fs::remove_all(work / "out");
     const Said said = talus_says(arguments("out"), "ulimit -c 0; ulimit -v " + std::to_string(megabytes * 1000) + "; ");
-    if (said.exit_code == 127) continue;  // not even the program itself
+    if (said.exit_code == 127) continue;  // the program itself could not start
     EXPECT_THAT(said.exit_code, AnyOf(0, 2, 4)) << megabytes << " MB: " << said.text;
     if (said.exit_code != 4) continue;
     EXPECT_THAT(said.text, HasSubstr("not enough memory")) << megabytes;

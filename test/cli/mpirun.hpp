@@ -1,5 +1,5 @@
 #pragma once
-// The program as several processes that mpirun starts.
+// The program as several processes started by mpirun.
 
 #include <sys/types.h>
 
@@ -14,10 +14,10 @@ namespace talus::test {
 
 inline bool has_mpirun() { return std::system("command -v mpirun >/dev/null 2>&1") == 0; }
 
-/// NAME=value: what sanitizers are told of a program that calls MPI, which is not instrumented itself.
+/// NAME=value: options of the sanitizers for a program that calls MPI, which is not instrumented.
 inline std::vector<std::string> environment_of_mpi() {
 #if defined(__SANITIZE_ADDRESS__)
-  // Whole stacks, through code without frame pointers: what MPI keeps is known by who called the part that took it.
+  // Whole stacks, through code without frame pointers: suppressions match MPI's leaks by their callers.
   return {"ASAN_OPTIONS=fast_unwind_on_malloc=0:malloc_context_size=50",
           "LSAN_OPTIONS=print_suppressions=0:suppressions=" TALUS_SOURCE_DIR "/cmake/asan/suppressions"};
 #elif defined(__SANITIZE_THREAD__)
@@ -27,7 +27,7 @@ inline std::vector<std::string> environment_of_mpi() {
 #endif
 }
 
-/// What stands before the program: works for root, on fewer cores than ranks, and without a network.
+/// The words before the program: work for root, on fewer cores than ranks, and without a network.
 inline std::vector<std::string> mpirun(int ranks) {
   std::vector<std::string> words{"mpirun",
                                  "--allow-run-as-root",
@@ -48,7 +48,7 @@ inline std::vector<std::string> mpirun(int ranks) {
   return words;
 }
 
-/// Processes whose command has this word: the one that mpirun starts is not a child of the one that starts mpirun.
+/// Processes with this word in their command line. (The ranks are not children of the process that starts mpirun.)
 inline std::vector<pid_t> processes_with(const std::string& word) {
   std::vector<pid_t> found;
   std::error_code ignored;

@@ -1,4 +1,4 @@
-// Programs that would write into the same folder.
+// Several programs that write into the same folder.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ class OneFolder : public testing::Test {
   const Workplace work;
 };
 
-TEST_F(OneFolder, IsOfOneRunAtATimeAndFreeAfterAKill) {
+TEST_F(OneFolder, TakesOneRunAtATimeAndIsFreeAfterAKill) {
   ASSERT_EQ(
       talus_says("run " + tutorial("3d") + " -q --rocks 50 --shard 1/1 -o " + (work / "shard").string()).exit_code, 0);
   ASSERT_EQ(talus_says(few_rocks()).exit_code, 0);
@@ -45,7 +45,7 @@ TEST_F(OneFolder, IsOfOneRunAtATimeAndFreeAfterAKill) {
   expect_refused("merge -q " + (work / "shard").string() + " -o " + folder());
   expect_refused("report " + folder());
   EXPECT_EQ(talus_says("report " + folder() + " -o " + (work / "page.html").string()).exit_code, 0)
-      << "the results that are still there can be read";
+      << "the earlier results can still be read";
   EXPECT_EQ(work.read("results/endpoints.csv"), before.at("endpoints.csv"));
 
   first.signal(SIGKILL);
@@ -55,7 +55,7 @@ TEST_F(OneFolder, IsOfOneRunAtATimeAndFreeAfterAKill) {
   EXPECT_EQ(Child(resumed, work / "said").wait(), 0) << work.read("said");
 }
 
-TEST_F(OneFolder, OfTheShardsOfARunIsRefused) {
+TEST_F(OneFolder, IsRefusedForTwoShardsOfARun) {
   auto shard = run("200000");
   shard.insert(shard.end(), {"--shard", "1/2"});
   Child first(shard, work / "said");

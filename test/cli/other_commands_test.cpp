@@ -1,4 +1,4 @@
-// Commands that throw no rocks.
+// Commands that run no rocks.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,11 +27,11 @@ TEST(TalusNew, WritesAProjectThatRuns) {
   EXPECT_EQ(talus_says("run " + file + " -o " + out).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(out + "/report.html"));
 
-  EXPECT_EQ(talus_says("new " + file).exit_code, 2) << "it is there already";
+  EXPECT_EQ(talus_says("new " + file).exit_code, 2) << "it already exists";
   EXPECT_EQ(talus_says("new --force " + file).exit_code, 0);
 }
 
-TEST(TalusNew, RefusesANameThatNoFileCanHave) {
+TEST(TalusNew, RefusesAnImpossibleFileName) {
   const Workplace place;
   const Said said = talus_says("new " + (place / std::string(300, 'a')).string() + ".toml");
   EXPECT_EQ(said.exit_code, 2) << said.text;

@@ -1,5 +1,5 @@
 #pragma once
-// Runs the program itself and catches what it says.
+// Runs the program itself and captures its output.
 
 #include <sys/wait.h>
 
@@ -15,10 +15,10 @@ namespace talus::test {
 
 struct Said {
   int exit_code = -1;
-  std::string text;  // standard output and standard error, in the order they came
+  std::string text;  // standard output and standard error, interleaved
 };
 
-/// Of a command of the shell.
+/// Runs a shell command.
 inline Said says(const std::string& command) {
   Said said;
   std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
@@ -34,7 +34,7 @@ inline Said talus_says(const std::string& arguments, const std::string& before =
   return says(before + TALUS_PROGRAM " " + arguments);
 }
 
-/// A folder of its own for one test, removed with it.
+/// A temporary folder for one test, removed with the object.
 class Workplace {
  public:
   Workplace() {

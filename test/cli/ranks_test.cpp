@@ -1,4 +1,4 @@
-// `mpirun talus run` as a user meets it. What ranks say to each other is tested in test/run/run_on_ranks_test.cpp.
+// `mpirun talus run` on the command line. The messages between ranks are tested in test/run/run_on_ranks_test.cpp.
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ class OnRanks : public testing::Test {
     said.text = work.read("said");
     return said;
   }
-  /// All processes of a run into this folder, at once: if mpirun alone is killed its ranks go on for a moment.
+  /// Kills all processes of a run into this folder: if only mpirun is killed its ranks continue for a moment.
   void kill_all(const std::string& folder) const {
     const std::string word = (work / folder).string();
     for (const pid_t process : processes_with(word)) kill(process, SIGKILL);
@@ -67,7 +67,7 @@ class OnRanks : public testing::Test {
     }
     ASSERT_TRUE(processes_with(word).empty());
   }
-  /// Of a run into the folder `ranks`.
+  /// Compares a run into the folder `ranks`, on several numbers of ranks, with one on a single thread.
   void expect_bytes_of_one_thread(std::vector<std::string> there) const {
     const std::string there_folder = (work / "ranks").string();
     there.insert(there.end(), {"--threads", "1"});
@@ -115,7 +115,7 @@ TEST_F(OnRanks, ShardsAreMergedToTheBytesOfOneThread) {
   EXPECT_EQ(differences(files_of(work / "whole"), files_of(work / "merged")), "");
 }
 
-TEST_F(OnRanks, AKilledRunIsResumedByOneProcessAndTheOtherWayRound) {
+TEST_F(OnRanks, AKilledRunIsResumedByOneProcessAndViceVersa) {
   const auto run = [&](const char* folder) {
     return with(run_3d(folder, "40000"),
                 {"--set", "output.paths=500", "--set", "output.report=false", "--set", "output.geopackage=\"none\"",
@@ -140,7 +140,7 @@ TEST_F(OnRanks, AKilledRunIsResumedByOneProcessAndTheOtherWayRound) {
   }
 }
 
-TEST_F(OnRanks, AreStoppedBySigusr1AndKeepWhatIsDone) {
+TEST_F(OnRanks, AreStoppedBySigusr1AndKeepTheirResults) {
   const auto run = [&](const char* folder) {
     return with(run_3d(folder, "100000"),
                 {"--set", "output.paths=500", "--set", "output.report=false", "--set", "output.geopackage=\"none\"",
@@ -151,7 +151,7 @@ TEST_F(OnRanks, AreStoppedBySigusr1AndKeepWhatIsDone) {
   ASSERT_TRUE(comes_true([&] { return io::read_header(work.read("stopped/run.state")).done > 0; }));
   child.signal(SIGUSR1);
   EXPECT_EQ(child.wait(), 3) << work.read("said");
-  EXPECT_EQ(count(work.read("said"), ", and --resume goes on from there"), 1) << work.read("said");
+  EXPECT_EQ(count(work.read("said"), ", and --resume continues from there"), 1) << work.read("said");
   const auto summary = nlohmann::json::parse(work.read("stopped/summary.json"));
   EXPECT_EQ(summary["interrupted"], true);
   const auto done = summary["rocks"]["done"].get<std::int64_t>();
@@ -161,7 +161,7 @@ TEST_F(OnRanks, AreStoppedBySigusr1AndKeepWhatIsDone) {
   EXPECT_EQ(std::count(endpoints.begin(), endpoints.end(), '\n'), done + 1);
 }
 
-TEST_F(OnRanks, AreStoppedInTheMiddleOfLongRocks) {
+TEST_F(OnRanks, AreStoppedDuringLongRocks) {
   const std::string project = work.write("endless.toml", testing_tools::endless_slope(650, 3, 947));
   Child child({"run", project, "--threads", "1", "-q", "-o", (work / "out").string()}, work / "said", mpirun(2));
   ASSERT_TRUE(appears(work / "out/endpoints.csv.part")) << work.read("said");
@@ -173,7 +173,7 @@ TEST_F(OnRanks, AreStoppedInTheMiddleOfLongRocks) {
   EXPECT_EQ(count(work.read("said"), "stopped after 650 of 1600 rocks"), 1) << work.read("said");
 }
 
-TEST_F(OnRanks, SayOnceWhatIsWrongWithAProject) {
+TEST_F(OnRanks, ReportErrorsOfAProjectOnce) {
   const std::string project = work.write("bad.toml", "name = \"Bad\"\n[analysis]\ngravity_m_s2 = -1\nslinding = 3\n");
   const Said expected = alone({"run", project});
   ASSERT_EQ(expected.exit_code, 2);
@@ -183,25 +183,26 @@ TEST_F(OnRanks, SayOnceWhatIsWrongWithAProject) {
   EXPECT_EQ(count(said.text, "slinding"), count(expected.text, "slinding")) << said.text;
 }
 
-TEST_F(OnRanks, SayOnceWhatIsWrongWithACommandLine) {
+TEST_F(OnRanks, ReportErrorsOfACommandLineOnce) {
   const Said mistyped = on(3, {"rnu", tutorial("2d")});
   EXPECT_EQ(mistyped.exit_code, 2);
   EXPECT_EQ(count(mistyped.text, "Did you mean \"run\"?"), 1) << mistyped.text;
   const Said version = on(3, {"--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_EQ(version.text, "talus " TALUS_VERSION "\n");
-  // Where each runs alone, their words may differ. (Not a message: mpirun may end the others after the first one.)
+  // With --alone each process may have other arguments. (Tested with --help: after an error in one process mpirun may
+  // end the others.)
   EXPECT_EQ(count(on(3, {"run", "--alone", "--help"}).text, "Usage:"), 3);
 }
 
-TEST_F(OnRanks, SayOnceThatTheFolderCannotBeWritten) {
+TEST_F(OnRanks, ReportOnceThatTheFolderCannotBeWritten) {
   work.write("file", "");
   const Said said = on(3, {"run", tutorial("2d"), "-o", (work / "file").string()});
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_EQ(count(said.text, (work / "file").string() + ": cannot create this folder"), 1) << said.text;
 }
 
-TEST_F(OnRanks, AFullDiskEndsAllOfThem) {
+TEST_F(OnRanks, AreAllEndedByAFullDisk) {
   const std::vector<std::string> run = {"run",
                                         tutorial("2d"),
                                         "-q",
@@ -230,7 +231,7 @@ TEST_F(OnRanks, AFullDiskEndsAllOfThem) {
   EXPECT_TRUE(fs::exists(work / "full/run.state"));
 }
 
-// As where srun starts shards: each process its own, into a folder of its own.
+// As when srun starts shards: each process runs its own shard into its own folder.
 TEST_F(OnRanks, MayEachRunAlone) {
   auto before = mpirun(2);
   before.insert(before.end(),
@@ -243,9 +244,9 @@ TEST_F(OnRanks, MayEachRunAlone) {
   EXPECT_EQ(differences(files_of(work / "whole"), files_of(work / "merged")), "");
 }
 
-// A launcher of which this program's MPI knows nothing: each process would throw all rocks, into one folder.
+// Under a launcher that this program's MPI does not support, each process would run all rocks, into the same folder.
 TEST(Ranks, ThatDoNotFindEachOtherAreRefused) {
-  if (!has_mpirun()) GTEST_SKIP() << "there is no mpirun, whose parts MPI needs";
+  if (!has_mpirun()) GTEST_SKIP() << "there is no mpirun, parts of which MPI needs";
   const Workplace work;
   const std::string run = "run " + tutorial("2d") + " -o " + (work / "out").string();
   std::string launched = "PMI_SIZE=3 OMPI_MCA_btl=self ";

@@ -1,4 +1,4 @@
-// Hostile input through the program itself: a message, exit code 2, and soon.
+// Hostile input to the program itself: it exits with a message and code 2 within a short time.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -27,51 +27,52 @@ std::string without(std::string text, const std::string& folder) {
   return text;
 }
 
-/// The exit code and what was said, without the folder's name.
+/// The exit code and the output, without the folder's name.
 std::string said(const Workplace& place, const std::string& arguments, const std::string& before = "") {
   const Said answer = talus_says(arguments, before);
   return std::to_string(answer.exit_code) + ' ' + without(answer.text, (place / "").string());
 }
 
-TEST(RefusedByTheProgram, ANameOfNoFile) {
+TEST(RefusedByTheProgram, AnEmptyFileName) {
   const Workplace place;
   EXPECT_EQ(said(place, "check ''"), "2 \"\": this is the name of no file (expected that of a project file)\n");
 }
 
-TEST(RefusedByTheProgram, NumbersBelowNothing) {
+TEST(RefusedByTheProgram, NegativeNumbers) {
   const Workplace place;
   const std::string file = place.write("slope.toml", good);
-  EXPECT_EQ(said(place, "run " + file + " --seed -1"), "2 --seed: expected 0 or more\n`talus run --help` says more.\n");
-  EXPECT_EQ(said(place, "replay " + file + " --rock -1"),
-            "2 --rock: expected 0 or more\n`talus replay --help` says more.\n");
+  EXPECT_EQ(said(place, "run " + file + " --seed -1"), "2 --seed: expected 0 or more\nSee `talus run --help`.\n");
+  EXPECT_EQ(said(place, "replay " + file + " --rock -1"), "2 --rock: expected 0 or more\nSee `talus replay --help`.\n");
 }
 
 TEST(RefusedByTheProgram, NumbersBeyond64Bits) {
   const Workplace place;
   const std::string file = place.write("slope.toml", good), most = "expected at most 9223372036854775807\n";
   EXPECT_EQ(said(place, "check " + file + " --seed 99999999999999999999"),
-            "2 --seed: 99999999999999999999 is too large; " + most + "`talus check --help` says more.\n");
+            "2 --seed: 99999999999999999999 is too large; " + most + "See `talus check --help`.\n");
   EXPECT_EQ(said(place, "replay " + file + " --rock 18446744073709551616"),
-            "2 --rock: 18446744073709551616 is too large; " + most + "`talus replay --help` says more.\n");
+            "2 --rock: 18446744073709551616 is too large; " + most + "See `talus replay --help`.\n");
   EXPECT_EQ(said(place, "check " + file + " --seed 9223372036854775808"),
-            "2 --seed: 9223372036854775808 is too large; " + most + "`talus check --help` says more.\n");
+            "2 --seed: 9223372036854775808 is too large; " + most + "See `talus check --help`.\n");
   EXPECT_EQ(talus_says("check " + file + " --seed 9223372036854775807").exit_code, 0);
   EXPECT_EQ(said(place, "check " + file + " --rocks 99999999999999999999"),
             "2 --rocks: 99999999999999999999 is not a number of rocks; expected 1 to 1e12\n`talus check --help` says "
             "more.\n");
 }
 
-TEST(RefusedByTheProgram, TextsThatAreNoWholeNumbers) {
+TEST(RefusedByTheProgram, TextsThatAreNotWholeNumbers) {
   const Workplace place;
-  const std::string file = place.write("slope.toml", good), help = " --help` says more.\n";
-  EXPECT_EQ(said(place, "run " + file + " --rocks ''"), "2 --rocks: \"\" is not a whole number\n`talus run" + help);
-  EXPECT_EQ(said(place, "run " + file + " --seed ''"), "2 --seed: \"\" is not a whole number\n`talus run" + help);
-  EXPECT_EQ(said(place, "replay " + file + " --rock ''"), "2 --rock: \"\" is not a whole number\n`talus replay" + help);
-  EXPECT_EQ(said(place, "run " + file + " --rocks 1e3"), "2 --rocks: \"1e3\" is not a whole number\n`talus run" + help);
+  const std::string file = place.write("slope.toml", good), help = " --help`.\n";
+  EXPECT_EQ(said(place, "run " + file + " --rocks ''"), "2 --rocks: \"\" is not a whole number\nSee `talus run" + help);
+  EXPECT_EQ(said(place, "run " + file + " --seed ''"), "2 --seed: \"\" is not a whole number\nSee `talus run" + help);
+  EXPECT_EQ(said(place, "replay " + file + " --rock ''"),
+            "2 --rock: \"\" is not a whole number\nSee `talus replay" + help);
+  EXPECT_EQ(said(place, "run " + file + " --rocks 1e3"),
+            "2 --rocks: \"1e3\" is not a whole number\nSee `talus run" + help);
   EXPECT_NE(said(place, "check " + file + " --rocks 010").find("no errors; 10 rocks"), std::string::npos);
 }
 
-TEST(TheProgram, TakesSettingsBeforeAndBehindTheProject) {
+TEST(TheProgram, AcceptsSettingsBeforeAndAfterTheProject) {
   const Workplace place;
   const std::string file = place.write("slope.toml", good), set = " --set analysis.gravity_m_s2=9 ";
   const std::string out = " -q -o " + (place / "out").string();
@@ -81,13 +82,13 @@ TEST(TheProgram, TakesSettingsBeforeAndBehindTheProject) {
   EXPECT_EQ(said(place, "replay" + set + file + " --rock 0"), said(place, "replay " + file + " --rock 0" + set));
 }
 
-// A user other than the superuser may be held to so many processes: threads count, too.
-TEST(RefusedByTheProgram, MoreThreadsThanCanBeHad) {
+// The limit of processes, which counts threads, does not apply to the superuser.
+TEST(RefusedByTheProgram, MoreThreadsThanTheSystemAllows) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer has a thread of its own";
 #endif
   if (geteuid() != 0 || std::system("setpriv --version > /dev/null && prlimit --version > /dev/null") != 0)
-    GTEST_SKIP() << "no other user can be taken";
+    GTEST_SKIP() << "cannot run as another user";
   const Workplace place;
   std::filesystem::permissions(place / "", std::filesystem::perms::all);
   const std::string run = "run " + place.write("slope.toml", good) + " -q -o " + (place / "out").string();
@@ -98,13 +99,13 @@ TEST(RefusedByTheProgram, MoreThreadsThanCanBeHad) {
   EXPECT_EQ(said(place, "replay " + (place / "slope.toml").string() + " --rock 0 > /dev/null", alone), "0 ");
 }
 
-TEST(RefusedByTheProgram, ToReplaceWhatItHasNotWritten) {
+TEST(RefusedByTheProgram, ToReplaceFilesThatItHasNotWritten) {
   const Workplace place;
   const std::string run = (place / "run").string(), file = place.write("slope.toml", good);
   ASSERT_EQ(talus_says("run " + file + " -q -o " + run).exit_code, 0);
   const auto refused = [](const std::string& name, const std::string& kind) {
-    return "2 " + name + ": this file is there already (it is not an earlier " + kind +
-           " of this command, which alone it would replace). Choose another name\n";
+    return "2 " + name + ": this file already exists (it is not a " + kind +
+           " written by this command, and only those are replaced). Choose another name\n";
   };
   for (const std::string name : {"run/endpoints.csv", "run/summary.json", "slope.toml"}) {
     const std::string before = place.read(name), at = (place / name).string();
@@ -123,31 +124,27 @@ TEST(RefusedByTheProgram, ToReplaceWhatItHasNotWritten) {
   }
 }
 
-TEST(RefusedByTheProgram, ToServeWhatIsNoProject) {
+TEST(RefusedByTheProgram, ToServeADevice) {
   const Workplace place;
   const std::string answer = said(place, "serve /dev/null --port 0", "timeout 20 ");
   if (answer.find("without the workbench") != std::string::npos) GTEST_SKIP() << answer;
   EXPECT_EQ(answer, "2 /dev/null: this is not a regular file (expected a project file, for example slope.toml)\n");
 }
 
-TEST(RefusedByTheProgram, EmptyTextsAreNotTakenForAbsent) {
+TEST(RefusedByTheProgram, EmptyValuesOfOptions) {
   const Workplace place;
-  const std::string file = place.write("slope.toml", good), run_help = "`talus run --help` says more.\n";
+  const std::string file = place.write("slope.toml", good), run_help = "See `talus run --help`.\n";
   EXPECT_EQ(said(place, "run " + file + " --shard ''"),
             "2 --shard: \"\" is not a shard; expected i/n with i from 1 to n, for example 2/7\n" + run_help);
-  EXPECT_EQ(said(place, "run " + file + " -o ''"), "2 --output: \"\" is the name of no folder\n" + run_help);
-  EXPECT_EQ(said(place, "merge a -o ''"),
-            "2 --output: \"\" is the name of no folder\n`talus merge --help` says more.\n");
-  EXPECT_EQ(said(place, "report a -o ''"),
-            "2 --output: \"\" is the name of no file\n`talus report --help` says more.\n");
-  EXPECT_EQ(said(place, "verify --json ''"),
-            "2 --json: \"\" is the name of no file\n`talus verify --help` says more.\n");
-  EXPECT_EQ(said(place, "run " + file + " --output= --quiet"),
-            "2 --output= has no value behind it\n`talus --help` says more.\n");
-  EXPECT_EQ(said(place, "new ''"), "2 file: \"\" is the name of no file\n`talus new --help` says more.\n");
+  EXPECT_EQ(said(place, "run " + file + " -o ''"), "2 --output: \"\" is not a folder name\n" + run_help);
+  EXPECT_EQ(said(place, "merge a -o ''"), "2 --output: \"\" is not a folder name\nSee `talus merge --help`.\n");
+  EXPECT_EQ(said(place, "report a -o ''"), "2 --output: \"\" is not a file name\nSee `talus report --help`.\n");
+  EXPECT_EQ(said(place, "verify --json ''"), "2 --json: \"\" is not a file name\nSee `talus verify --help`.\n");
+  EXPECT_EQ(said(place, "run " + file + " --output= --quiet"), "2 --output= has no value\nSee `talus --help`.\n");
+  EXPECT_EQ(said(place, "new ''"), "2 file: \"\" is not a file name\nSee `talus new --help`.\n");
 }
 
-TEST(RefusedByTheProgram, PlacesThatNoFileCanTake) {
+TEST(RefusedByTheProgram, ToWriteToPipesFoldersAndDevices) {
   const Workplace place;
   ASSERT_EQ(::mkfifo((place / "pipe").c_str(), 0600), 0);
   std::filesystem::create_directories(place / "folder");
@@ -173,30 +170,28 @@ TEST(TheProgram, WritesThroughLinks) {
   EXPECT_NE(place.read("real.toml"), "old");
 }
 
-TEST(TheProgram, SaysThatStandardOutputIsFull) {
-  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "there is no device that is full";
+TEST(TheProgram, ReportsThatStandardOutputIsFull) {
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   const Workplace place;
   const std::string file = place.write("slope.toml", good);
+  const std::string expected =
+      "2 standard output: the output is incomplete (No space left on device). Free some space, or redirect it "
+      "elsewhere\n";
   for (const std::string command : {"schema", "materials", "--version", "--help"}) {
     SCOPED_TRACE(command);
-    EXPECT_EQ(
-        said(place, command + " 2>&1 > /dev/full )", "( "),
-        "2 standard output: not all could be written to it (No space left on device). Free some space, or send it "
-        "elsewhere\n");
+    EXPECT_EQ(said(place, command + " 2>&1 > /dev/full )", "( "), expected);
   }
   for (const std::string command : {"check ", "replay --rock 0 --csv ", "replay --rock 0 "}) {
     SCOPED_TRACE(command);
-    EXPECT_EQ(
-        said(place, command + file + " 2>&1 > /dev/full )", "( "),
-        "2 standard output: not all could be written to it (No space left on device). Free some space, or send it "
-        "elsewhere\n");
+    EXPECT_EQ(said(place, command + file + " 2>&1 > /dev/full )", "( "), expected);
   }
 }
 
-TEST(RefusedByTheProgram, ACommandThatThereIsNot) {
+TEST(RefusedByTheProgram, AnUnknownCommand) {
   const Workplace place;
-  const std::string known = "(known are run, serve, merge, check, replay, report, verify, materials, schema, new)",
-                    help = "\n`talus --help` says more.\n";
+  const std::string known =
+                        "(known commands: run, serve, merge, check, replay, report, verify, materials, schema, new)",
+                    help = "\nSee `talus --help`.\n";
   EXPECT_EQ(said(place, "rnu slope.toml"), "2 there is no command \"rnu\". Did you mean \"run\"?" + help);
   EXPECT_EQ(said(place, "slope.toml"),
             "2 there is no command \"slope.toml\". Did you mean `talus run slope.toml`?" + help);
@@ -205,16 +200,16 @@ TEST(RefusedByTheProgram, ACommandThatThereIsNot) {
   EXPECT_EQ(said(place, "--verison"), "2 the command is missing " + known + ". Did you mean --version?" + help);
 }
 
-TEST(RefusedByTheProgram, AnOptionThatThereIsNot) {
+TEST(RefusedByTheProgram, AnUnknownOption) {
   const Workplace place;
   EXPECT_EQ(said(place, "run slope.toml --thread=2"),
             "2 The following argument was not expected: --thread=2. Did you mean --threads?\n"
-            "`talus run --help` says more.\n");
+            "See `talus run --help`.\n");
   EXPECT_EQ(said(place, "check slope.toml --gravity"),
-            "2 The following argument was not expected: --gravity\n`talus check --help` says more.\n");
+            "2 The following argument was not expected: --gravity\nSee `talus check --help`.\n");
 }
 
-TEST(RefusedByTheProgram, AKeyOfEndlessParts) {
+TEST(RefusedByTheProgram, AKeyOfVeryManyParts) {
   const Workplace place;
   std::string parts;
   for (int k = 0; k < 300'000; ++k) parts += "a.";
@@ -224,7 +219,7 @@ TEST(RefusedByTheProgram, AKeyOfEndlessParts) {
             "[material.normal_restitution] mean)\n");
 }
 
-TEST(RefusedByTheProgram, NoTimeBetweenCheckpoints) {
+TEST(RefusedByTheProgram, NanAsTimeBetweenCheckpoints) {
   const Workplace place;
   const std::string file = place.write("slope.toml", good);
   EXPECT_EQ(said(place, "run " + file + " --checkpoint-every nan -o " + (place / "out").string()),
@@ -264,7 +259,7 @@ std::string vrt(const std::string& columns, const std::string& rows) {
          "dataType=\"Float32\" band=\"1\"/></VRTDataset>";
 }
 
-TEST(RefusedByTheProgram, ARasterOfMoreCellsThanCanBeCounted) {
+TEST(RefusedByTheProgram, ARasterOfTooManyCells) {
   const Workplace place;
   const std::string file = place.write("slope.toml", on_raster);
   place.write("dem.vrt", vrt("1000000", "1000000"));
@@ -274,9 +269,9 @@ TEST(RefusedByTheProgram, ARasterOfMoreCellsThanCanBeCounted) {
             "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif\n");
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which take terabytes of addresses themselves
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers reserve terabytes of addresses
 
-TEST(RefusedByTheProgram, ARasterThatTakesMoreMemoryThanThereIs) {
+TEST(RefusedByTheProgram, ARasterThatNeedsTooMuchMemory) {
   const Workplace place;
   const std::string file = place.write("slope.toml", on_raster);
   place.write("dem.vrt", vrt("40000", "30000"));
@@ -286,8 +281,8 @@ TEST(RefusedByTheProgram, ARasterThatTakesMoreMemoryThanThereIs) {
             "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif\n");
 }
 
-// What takes much of the memory is said before anything is read.
-TEST(RefusedByTheProgram, NotALargeRasterThatFits) {
+// The warning is printed before the raster is read.
+TEST(TheProgram, WarnsOfALargeRasterThatFits) {
   const Workplace place;
   const std::string file = place.write("slope.toml", on_raster);
   place.write("dem.vrt", vrt("8800", "8800"));

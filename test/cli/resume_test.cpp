@@ -1,4 +1,4 @@
-// Runs that do not come to their end, and --resume: nothing is lost, and nothing differs.
+// --resume of runs that were killed, stopped or failed: nothing is lost, and nothing differs.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -55,7 +55,7 @@ std::vector<std::string> resuming(std::vector<std::string> arguments) {
 }
 
 TEST(Resume, AfterKillsAtTwentyRandomMomentsGivesTheSameBytes) {
-  Dice dice(static_cast<std::uint64_t>(Clock::now().time_since_epoch().count()));  // other moments each time
+  Dice dice(static_cast<std::uint64_t>(Clock::now().time_since_epoch().count()));  // differs between runs of the test
   const Workplace work;
   const auto arguments = [&](const char* folder) { return run_3d(work, "25000", folder); };
   const auto begin = Clock::now();
@@ -63,23 +63,23 @@ TEST(Resume, AfterKillsAtTwentyRandomMomentsGivesTheSameBytes) {
   const double duration = std::chrono::duration<double>(Clock::now() - begin).count();
   const auto whole = files_of(work / "whole");
 
-  int killed = 0, went_on = 0;
+  int killed = 0, continued = 0;
   for (int round = 0; killed < 20; ++round) {
-    if (round % 5 == 0) fs::remove_all(work / "killed");  // begin anew, so that no moment is too late
+    if (round % 5 == 0) fs::remove_all(work / "killed");  // restart, so that the kill does not come too late
     Child child(resuming(arguments("killed")), work / "said");
     std::this_thread::sleep_for(std::chrono::duration<double>(duration * dice.between(0, 0.7)));
     child.signal(SIGKILL);
     const int code = child.wait();
     ASSERT_TRUE(code == 0 || code == 128 + SIGKILL) << work.read("said");
     killed += code != 0 ? 1 : 0;
-    went_on += contains(work.read("said"), "going on after") ? 1 : 0;
+    continued += contains(work.read("said"), "going on after") ? 1 : 0;
     ASSERT_LT(round, 100) << "it is never killed in time";
     if (round % 5 == 4) {  // to the end
       ASSERT_EQ(Child(resuming(arguments("killed")), work / "said").wait(), 0) << work.read("said");
       EXPECT_EQ(differences(whole, files_of(work / "killed")), "");
     }
   }
-  EXPECT_GT(went_on, 0) << "no checkpoint was ever gone on from";
+  EXPECT_GT(continued, 0) << "no run continued from a checkpoint";
   ASSERT_EQ(Child(resuming(arguments("killed")), work / "said").wait(), 0) << work.read("said");
   EXPECT_EQ(differences(whole, files_of(work / "killed")), "");
 }
@@ -108,7 +108,7 @@ class StoppedRun : public testing::Test {
     ASSERT_EQ(child.wait(), 3) << work.read("said");
   }
   [[nodiscard]] std::vector<std::string> run(const char* folder) const { return run_3d(work, "40000", folder); }
-  /// The files of a run that nobody stopped.
+  /// The files of an uninterrupted run.
   [[nodiscard]] std::map<std::string, std::string> whole() const {
     EXPECT_EQ(Child(run("whole"), work / "said").wait(), 0) << work.read("said");
     return files_of(work / "whole");
@@ -126,8 +126,8 @@ class StoppedRun : public testing::Test {
 };
 
 TEST_F(StoppedRun, IsWholeAfterBeingResumed) {
-  // As far as it came, everything is there under its final name.
-  EXPECT_TRUE(contains(work.read("said"), ", and --resume goes on from there"));
+  // All results so far have their final names.
+  EXPECT_TRUE(contains(work.read("said"), ", and --resume continues from there"));
   for (const char* file : {"endpoints.csv", "barriers.csv", "paths.csv", "summary.json", "run.state"}) {
     EXPECT_TRUE(fs::exists(work / "stopped" / file)) << file;
   }
@@ -140,7 +140,7 @@ TEST_F(StoppedRun, IsWholeAfterBeingResumed) {
   EXPECT_TRUE(
       contains(said.text, "going on after " + std::to_string(summary["rocks"]["done"].get<int>()) + " of 40000 rocks"))
       << said.text;
-  EXPECT_TRUE(contains(said.text, "with those done before 40000 rocks")) << said.text;
+  EXPECT_TRUE(contains(said.text, "  40000 rocks including the earlier ones\n")) << said.text;
   EXPECT_EQ(differences(whole(), files_of(work / "stopped")), "");
 
   const Said again = resumed();
@@ -148,7 +148,7 @@ TEST_F(StoppedRun, IsWholeAfterBeingResumed) {
   EXPECT_TRUE(contains(again.text, "Tutorial 1, extruded is already complete in ")) << again.text;
 }
 
-TEST_F(StoppedRun, CanBeMergedAsFarAsItCame) {
+TEST_F(StoppedRun, CanBeMergedPartially) {
   const auto expected = files_of(work / "stopped");
   EXPECT_EQ(talus_says("merge -q " + (work / "stopped").string() + " -o " + (work / "merged").string()).exit_code, 2);
   const Said said =
@@ -176,7 +176,7 @@ TEST_F(StoppedRun, IsRefusedIfOtherRocksAreAskedFor) {
       << said.text;
 }
 
-TEST_F(StoppedRun, IsRefusedIfItsTablesAreNotTheOnes) {
+TEST_F(StoppedRun, IsRefusedIfItsTablesHaveChanged) {
   const std::string endpoints = work.read("stopped/endpoints.csv");
   work.write("stopped/endpoints.csv", endpoints.substr(0, endpoints.size() / 2));
   const Said said = resumed();
@@ -192,7 +192,7 @@ TEST_F(StoppedRun, BeginsAnewWithoutBeingResumed) {
   EXPECT_EQ(differences(whole(), files_of(work / "stopped")), "");
 }
 
-// A state that is cut short or in which bits were turned, here and there.
+// The state is truncated, or single bits are flipped.
 TEST_F(StoppedRun, IsRefusedIfItsStateIsDamaged) {
   Dice dice(17);
   const std::string state = work.read("stopped/run.state");
@@ -234,8 +234,8 @@ TEST(Resume, OfAFinishedShardHasNothingToDo) {
   EXPECT_EQ(differences(before, files_of(work / "out")), "");
 }
 
-// Files may grow to 6 MB: the table of end points does not fit. What was done stays, and goes on when there is room.
-TEST(Resume, AfterADiskThatWasFullGivesTheSameBytes) {
+// With a limit of 6 MB per file the table of end points does not fit.
+TEST(Resume, AfterAFullDiskGivesTheSameBytes) {
   const Workplace work;
   const std::string run = "run " + tutorial("2d") + " -q --rocks 120000 --set output.paths=100 " +
                           "--set output.report=false --checkpoint-every 0.002 -o ";
@@ -253,15 +253,15 @@ TEST(Resume, AfterADiskThatWasFullGivesTheSameBytes) {
   EXPECT_EQ(differences(files_of(work / "whole"), files_of(work / "full")), "");
 }
 
-// Files may grow to 100 kB: the report, which is made at the end, does not fit.
-TEST(Resume, AfterTheReportFailedMakesAllThatIsMissing) {
+// With a limit of 100 kB per file the report, which is written last, does not fit.
+TEST(Resume, AfterAFailedReportWritesTheMissingFiles) {
   const Workplace work;
   const std::string run = "run " + tutorial("2d") + " --rocks 5 --set output.vtk=true -o ";
   ASSERT_EQ(talus_says(run + (work / "whole").string()).exit_code, 0);
   const Said said = talus_says(run + (work / "out").string() + " -q", "ulimit -f 200; ");
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_TRUE(contains(said.text, (work / "out/report.html").string() + ": cannot write to this file")) << said.text;
-  EXPECT_FALSE(fs::exists(work / "out/summary.json")) << "it says that all is there";
+  EXPECT_FALSE(fs::exists(work / "out/summary.json")) << "it would mark the run as complete";
   const Said again = talus_says(run + (work / "out").string() + " --resume");
   EXPECT_EQ(again.exit_code, 0) << again.text;
   EXPECT_TRUE(contains(again.text, ": the run begins anew\n")) << again.text;
@@ -290,7 +290,7 @@ TEST_F(FinishedRun, ThatLostAFileIsRunAgain) {
   EXPECT_EQ(differences(whole, files_of(work / "out")), "");
 }
 
-// What reads, compares and writes lists calls itself for every list within them.
+// Deeply nested lists must not overflow the stack of recursive functions.
 TEST_F(FinishedRun, WhoseSummaryWasDamagedIsRunAgain) {
   const auto whole = files_of(work / "out");
   for (const std::string& damaged :
@@ -322,7 +322,7 @@ TEST_F(FinishedRun, OfAnotherProjectIsNotOverwritten) {
   EXPECT_EQ(talus_says(run + " --seed 7").exit_code, 0) << "without --resume";
 }
 
-TEST(Resume, IsNotPromisedWhereTheFolderVanished) {
+TEST(Resume, IsNotOfferedIfTheFolderHasVanished) {
   const Workplace work;
   Child child({"run", tutorial("2d"), "-q", "--rocks", "100000000", "--set", "output.paths=none", "--checkpoint-every",
                "0.002", "-o", (work / "out").string()},
@@ -336,7 +336,7 @@ TEST(Resume, IsNotPromisedWhereTheFolderVanished) {
   EXPECT_FALSE(contains(said, "--resume")) << said;
 }
 
-TEST(Resume, AStaleStateIsNotTakenForThatOfALaterRun) {
+TEST(Resume, IgnoresAStaleStateOfAnEarlierRun) {
   const Workplace work;
   const std::string run = "run " + tutorial("2d") + " -q -o " + (work / "out").string();
   fs::create_directory(work / "out");
@@ -349,10 +349,9 @@ TEST(Resume, AStaleStateIsNotTakenForThatOfALaterRun) {
   EXPECT_FALSE(fs::exists(work / "out/endpoints.csv.part"));
 }
 
-// Memory is that of the terrain and the maps, whatever the number of rocks.
 TEST(Memory, DoesNotGrowWithTheNumberOfRocks) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "a sanitizer keeps memory of its own";
+  GTEST_SKIP() << "sanitizers keep additional memory";
 #endif
   const Workplace work;
   const auto peak = [&](const char* rocks, const char* maps) {
@@ -362,7 +361,7 @@ TEST(Memory, DoesNotGrowWithTheNumberOfRocks) {
     EXPECT_EQ(child.wait(), 0) << work.read("said");
     return static_cast<double>(child.peak_memory());
   };
-  constexpr double waiting_visits = 33.6e6;  // of maps, as many as there may be at a time
+  constexpr double waiting_visits = 33.6e6;  // buffered for the maps at most [bytes]
   for (const auto& [maps, more] : {std::pair{"output.maps=false", 0.0}, {"output.maps=true", waiting_visits}}) {
     const double few = peak("100000", maps), many = peak("1000000", maps);
     EXPECT_LT(many, 1.1 * few + 4e6 + more) << maps;

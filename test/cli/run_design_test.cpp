@@ -1,4 +1,4 @@
-// `talus run` with [design], as a user meets it: tables that agree with the hits that they are made of.
+// `talus run` with [design]: the tables agree with the hits that they summarise.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The tutorial with collectors so high that every rock which crosses them is a row of barriers.csv.
+/// The tutorial with collectors so high that every crossing rock is a row of barriers.csv.
 std::string with_collectors(const Workplace& work, const char* dimensions, const std::string& more) {
   std::ifstream in(tutorial(dimensions));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -128,7 +128,7 @@ section_m = 20
   expect_section("3", 40, 50);
 }
 
-/// Numbers of a row of design_ranking.csv by column.
+/// The first row of design_ranking.csv by column.
 std::map<std::string, std::string> best_kit(const std::string& csv) {
   std::istringstream in(csv);
   std::string names, values;
@@ -142,9 +142,9 @@ std::map<std::string, std::string> best_kit(const std::string& csv) {
   return kit;
 }
 
-// Whoever has the hits can check the ranking: of the rocks that reach the lower line, those that the check would let
-// the best kit stand against where they crossed the upper one.
-TEST(RunDesign, RanksAsTheHitsSay) {
+// Recomputes the ranking from the hits: of the rocks that reach the lower line, those that the best kit catches at the
+// upper one.
+TEST(RunDesign, RanksKitsAsTheHitsDemand) {
   const Workplace work;
   const std::string project = with_collectors(work, "3d", R"(
 [[collector]]
@@ -176,10 +176,10 @@ heights_m = [1, 2, 3, 4, 6, 8]
       continue;
     }
     const Hit& hit = found->second;
-    const bool is_low = hit.height_m * 1.1 * 1.1 + 0.5 <= height_m;  // the blocks' radius is 0.45 m
-    const bool is_weak = hit.ke_translational_J * 1.1 * 1.1 * 1.1 * 1.1 * 1.1 * 1.2 <= mel_kJ * 1000;
-    caught += is_low && is_weak ? 1 : 0;
-    above += is_low ? 0 : 1;
+    const bool is_below_top = hit.height_m * 1.1 * 1.1 + 0.5 <= height_m;  // the blocks' radius is 0.45 m
+    const bool is_within_mel = hit.ke_translational_J * 1.1 * 1.1 * 1.1 * 1.1 * 1.1 * 1.2 <= mel_kJ * 1000;
+    caught += is_below_top && is_within_mel ? 1 : 0;
+    above += is_below_top ? 0 : 1;
   }
   EXPECT_EQ(kit.at("rocks"), std::to_string(lower.size()));
   EXPECT_EQ(kit.at("caught"), std::to_string(caught));
@@ -187,10 +187,10 @@ heights_m = [1, 2, 3, 4, 6, 8]
   EXPECT_EQ(kit.at("above"), std::to_string(above));
   EXPECT_GT(beside, 0u);
   EXPECT_GT(caught, lower.size() / 2);
-  EXPECT_LT(caught, lower.size() - beside) << "the comparison says something";
+  EXPECT_LT(caught, lower.size() - beside) << "otherwise the comparison proves nothing";
 }
 
-TEST(RunDesign, ShowsTheCostAlsoOfKitsThatCatchTooLittle) {
+TEST(RunDesign, ShowsTheCostOfKitsThatCatchTooFewRocks) {
   if (!testing_tools::has_browser()) GTEST_SKIP() << "there is no chromium";
   const Workplace work;
   const std::string project = with_collectors(work, "3d", R"(
@@ -213,8 +213,8 @@ heights_m = [1, 500]
   EXPECT_EQ(rows, "Catches enough Cost index; yes number; no: height number");
 }
 
-// All of 30 rocks are 88.4 to 100 % of those that may come: too few to be sure of 95 %.
-TEST(RunDesign, SaysWhereTooFewRocksWereRunToBeSure) {
+// The confidence interval of 30 caught of 30 rocks is 88.4 to 100 %: too wide to be sure of 95 %.
+TEST(RunDesign, ReportsThatTooFewRocksWereRunToBeSure) {
   const Workplace work;
   const std::string project = with_collectors(work, "3d", R"(
 [[collector]]
@@ -243,7 +243,7 @@ heights_m = [1, 500]
       "the share. Run more rocks to tell, or choose a kit that is sure.");
 }
 
-TEST(RunDesign, OfALineThatLeavesTheTerrainCountsFromItsFirstPoint) {
+TEST(RunDesign, MeasuresALineThatLeavesTheTerrainFromItsFirstPoint) {
   const Workplace work;
   const std::string project = with_collectors(work, "3d", R"(
 [[collector]]
@@ -303,7 +303,7 @@ lines = ["Tall"]
   EXPECT_EQ(summary["design"]["standard"], nullptr);
 }
 
-TEST(RunDesign, LeavesNoTablesOfAnEarlierRun) {
+TEST(RunDesign, RemovesTablesOfAnEarlierRun) {
   const Workplace work;
   const std::string run = "run -q " + write_slope_with_barrier(work) + " --rocks 40 -o " + (work / "out").string();
   ASSERT_EQ(talus_says(run).exit_code, 0);

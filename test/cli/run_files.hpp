@@ -1,5 +1,5 @@
 #pragma once
-// All files of a run's folder, to compare two runs by.
+// All files of a run's folder, for comparing runs.
 
 #include <filesystem>
 #include <fstream>
@@ -14,8 +14,8 @@
 
 namespace talus::test {
 
-/// The tutorial's slope in 3D with a barrier that some rocks break through, a collector, both of them to be designed,
-/// and two sources of rocks.
+/// The tutorial's slope in 3D with a barrier that some rocks break through, a collector, both with a design, and two
+/// sources of rocks.
 inline std::string write_slope_with_barrier(const Workplace& work) {
   std::ifstream in(tutorial("3d"));
   std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -45,8 +45,8 @@ inline std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// By path in the folder; without what may differ between two runs of one project: timings, and in the report the date
-/// and the folder's name.
+/// Contents by path in the folder, without the parts that may differ between two runs of one project: timings, and in
+/// the report the date and the folder's name.
 inline std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -71,7 +71,7 @@ inline std::map<std::string, std::string> files_of(const std::filesystem::path& 
   return files;
 }
 
-/// The names of files that only one of two folders has, or that differ: nothing if they are the same.
+/// Lists the files that are missing in one of two folders or that differ; empty if the folders are the same.
 inline std::string differences(const std::map<std::string, std::string>& a,
                                const std::map<std::string, std::string>& b) {
   std::string text;
@@ -84,7 +84,7 @@ inline std::string differences(const std::map<std::string, std::string>& a,
     }
   }
   for (const auto& [name, bytes] : b) {
-    if (!a.contains(name)) text += name + " is more; ";
+    if (!a.contains(name)) text += name + " is additional; ";
   }
   return text;
 }

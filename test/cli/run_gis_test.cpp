@@ -1,4 +1,4 @@
-// A whole run on a raster terrain with a coordinate system: what a geographic information system finds in its folder.
+// A whole run on raster terrain with a coordinate system: the results as a geographic information system reads them.
 
 #ifdef TALUS_HAS_GDAL
 
@@ -36,7 +36,8 @@ class RunGis : public RasterFolder {
         spec.cells.push_back(500 + 6.0 * std::max(0, 45 - i) + 2 * std::sin(0.9 * i) * std::cos(0.7 * j));
       }
     }
-    spec.geotransform = std::array<double, 6>{400'003, 10, 0, 300'407, 0, -8};  // neither squares nor multiples
+    spec.geotransform =
+        std::array<double, 6>{400'003, 10, 0, 300'407, 0, -8};  // cells not square, origin not a multiple of them
     make("slope.tif", spec);
     write("slope.toml", R"(
 [terrain]
@@ -99,15 +100,15 @@ TEST_F(RunGis, MapsLieOnTheCellsOfTheTerrain) {
   EXPECT_GE(t[0], 400'003);
   EXPECT_LE(t[0] + t[1] * map->GetRasterXSize(), 400'003 + 600);
   EXPECT_STREQ(map->GetSpatialRef()->GetAuthorityCode(nullptr), "31287");
-  // Anywhere else its borders are at multiples of the cell.
+  // With any other cell size the borders are at multiples of it.
   run("multiples", "--set output.raster_cell_m=10");
   const GDALDatasetUniquePtr other(GDALDataset::Open(path("multiples/maps/passages.tif").c_str()));
   other->GetGeoTransform(t.data());
   EXPECT_EQ(std::remainder(t[0], 10), 0);
 }
 
-// Of a seeder whose rocks come from several polygons, or lines, each rock has the source in whose place it starts.
-TEST_F(RunGis, RocksHaveTheSourceOfTheirPlace) {
+// Each rock of a seeder with several polygons or lines has the source of the one in which it starts.
+TEST_F(RunGis, RocksHaveTheSourceOfTheirReleasePlace) {
   const auto feature = [](const char* name, const char* type, const char* places) {
     return fmt::format(
         R"({{"type":"Feature","properties":{{"name":"{}"}},"geometry":{{"type":"{}","coordinates":{}}}}})", name, type,
@@ -147,7 +148,7 @@ TEST_F(RunGis, RocksHaveTheSourceOfTheirPlace) {
   }
 }
 
-TEST_F(RunGis, TheGeoPackageSaysWhatTheTablesSay) {
+TEST_F(RunGis, TheGeoPackageAgreesWithTheTables) {
   run("out");
   const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/results.gpkg").c_str(), GDAL_OF_VECTOR));
   ASSERT_TRUE(file);
@@ -158,7 +159,7 @@ TEST_F(RunGis, TheGeoPackageSaysWhatTheTablesSay) {
   EXPECT_EQ(releases.GetFeatureCount(), 100);
   EXPECT_STREQ(paths.GetSpatialRef()->GetAuthorityCode(nullptr), "31287");
 
-  // A path ends where the end point is, and begins at the release.
+  // A path begins at the release and ends at the end point.
   std::map<std::int64_t, std::pair<OGRPoint, double>> ends;
   for (const auto& feature : endpoints) {
     ends.emplace(feature->GetFieldAsInteger64("rock"),
@@ -183,8 +184,8 @@ TEST_F(RunGis, TheGeoPackageSaysWhatTheTablesSay) {
   EXPECT_EQ(barrier->GetFieldAsDouble("ke_total_p95_J"), net["statistics"]["ke_total_J"]["percentiles"]["95"]);
   EXPECT_EQ(barrier->GetFieldAsDouble("impact_height_max_m"), net["statistics"]["impact_height_m"]["maximum"]);
   EXPECT_EQ(barrier->GetFieldAsDouble("inclination_deg"), 5);
-  EXPECT_FALSE(barrier->IsFieldSetAndNotNull(barrier->GetFieldIndex("capacity_kJ")));  // without limit
-  // Its foot is laid on the ground: it has a point on each border of a facet that it crosses.
+  EXPECT_FALSE(barrier->IsFieldSetAndNotNull(barrier->GetFieldIndex("capacity_kJ")));  // unlimited
+  // The foot follows the ground: it has a point on each facet border that it crosses.
   const OGRLineString& foot = *barrier->GetGeometryRef()->toLineString();
   EXPECT_GT(foot.getNumPoints(), 35);
   EXPECT_EQ(foot.getX(0), 400'200);
@@ -208,7 +209,7 @@ TEST_F(RunGis, AllFilesHaveTheSameBytesOnAnyNumberOfThreads) {
   EXPECT_FALSE(bytes("another/results.gpkg") == geopackage);
 }
 
-TEST_F(RunGis, ShardsGiveTheSameFilesWhenTheyAreMerged) {
+TEST_F(RunGis, MergedShardsGiveTheSameFiles) {
   const std::string settings = "--set output.maps_by_source=true";
   run("whole", settings);
   std::string shards;

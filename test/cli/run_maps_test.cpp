@@ -1,4 +1,4 @@
-// The maps of a whole run.
+// Maps of whole runs.
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(RunMaps, AreTheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-/// A slope that falls along x, with two cliffs, of which one is the source of two seeders.
+/// A slope falling along x, with two cliffs; one of them is the source of two seeders.
 const char* const two_cliffs = R"(
 [terrain]
 vertices = [[0, 0, 60], [200, 0, 0], [200, 100, 0], [0, 100, 60], [260, 0, 0], [260, 100, 0]]
@@ -85,7 +85,7 @@ report = false
 geopackage = "none"
 )";
 
-TEST(RunMaps, SplitBySourceLeaveThoseOfAllRocksAsTheyAre) {
+TEST(RunMaps, SplittingBySourceDoesNotChangeTheMapsOfAllRocks) {
   if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
   const std::string project = work.write("cliffs.toml", two_cliffs);
@@ -115,7 +115,7 @@ TEST(RunMaps, SplitBySourceLeaveThoseOfAllRocksAsTheyAre) {
   EXPECT_FALSE(std::filesystem::exists(work / "split/maps/by_source"));
 }
 
-TEST(RunMaps, OfAnEarlierRunDoNotStay) {
+TEST(RunMaps, OfAnEarlierRunAreRemoved) {
   if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
   const auto run = [&](const std::string& settings) {
@@ -126,17 +126,17 @@ TEST(RunMaps, OfAnEarlierRunDoNotStay) {
   run("--set output.percentiles=[50,97.5]");
   const auto first = contents(work, "out/maps");
   EXPECT_EQ(first.count("velocity_p97.5_m_s.tif"), 1U);
-  work.write("out/maps/velocity_mine.tif", "somebody else's");
+  work.write("out/maps/velocity_mine.tif", "not from Talus");
   run("--set output.percentiles=[90]");
   const auto second = contents(work, "out/maps");
   EXPECT_EQ(second.count("velocity_p97.5_m_s.tif") + second.count("velocity_p50_m_s.qml"), 0U);
   EXPECT_EQ(second.count("velocity_p90_m_s.tif"), 1U);
   run("--set output.maps=false");
   EXPECT_EQ(contents(work, "out/maps").size(), 1U);
-  EXPECT_EQ(work.read("out/maps/velocity_mine.tif"), "somebody else's");
+  EXPECT_EQ(work.read("out/maps/velocity_mine.tif"), "not from Talus");
 }
 
-TEST(RunMaps, AreWrittenOnlyWhereTheProjectWantsThem) {
+TEST(RunMaps, AreWrittenOnlyIfTheProjectAsksForThem) {
   const Workplace work;
   EXPECT_EQ(
       talus_says("run " + tutorial("3d") + " --set output.maps=false -o " + (work / "without").string()).exit_code, 0);
@@ -153,7 +153,7 @@ std::set<std::string> names_in(const Workplace& work, const std::string& folder)
   return names;
 }
 
-TEST(RunMaps, AreThoseThatAreNamedWithTheBytesThatTheyHaveAmongAll) {
+TEST(RunMaps, ASelectionHasTheSameBytesAsAllMaps) {
   if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
   const std::string project = work.write("cliffs.toml", two_cliffs);
@@ -174,14 +174,14 @@ TEST(RunMaps, AreThoseThatAreNamedWithTheBytesThatTheyHaveAmongAll) {
     EXPECT_EQ(names_in(work, "some/" + folder), expected);
     for (const auto& [name, bytes] : some) EXPECT_TRUE(all[name] == bytes) << name;
   }
-  // In the folder of a run with more maps none of those stay; an empty list is no maps.
+  // Maps of an earlier run with more maps are removed; an empty list means no maps.
   run("all", R"(--set 'output.maps=["impacts"]')");
   EXPECT_EQ(names_in(work, "all/maps"), (std::set<std::string>{"impacts.tif", "impacts.qml"}));
   run("all", "--set output.maps=[]");
   EXPECT_EQ(names_in(work, "all/maps"), std::set<std::string>{});
 }
 
-TEST(RunMaps, ThatAreNamedAreMergedAndResumedAsThoseOfAWholeRun) {
+TEST(RunMaps, ASelectionIsMergedAndResumedToTheSameBytes) {
   if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
   const std::string project = work.write("cliffs.toml", two_cliffs);
@@ -209,7 +209,7 @@ TEST(RunMaps, ThatAreNamedAreMergedAndResumedAsThoseOfAWholeRun) {
                             "--resume to begin anew\n");
 }
 
-TEST(RunMaps, OfASectionAreItsColumns) {
+TEST(RunMaps, SelectTheColumnsOfEnvelopesInSection) {
   const Workplace work;
   const auto run = [&](const std::string& settings) {
     const Said said = talus_says("run " + tutorial("2d") + " -q " + settings + " -o " + (work / "out").string());
@@ -223,7 +223,7 @@ TEST(RunMaps, OfASectionAreItsColumns) {
   EXPECT_FALSE(std::filesystem::exists(work / "out/envelopes.csv"));
 }
 
-TEST(RunMaps, GatherOnlyWhatIsNamed) {
+TEST(RunMaps, GatherOnlyTheSelectedQuantities) {
   const auto gathered = [](const std::string& maps, const std::string& percentiles) {
     Problems warnings;
     const auto project =
@@ -239,7 +239,6 @@ TEST(RunMaps, GatherOnlyWhatIsNamed) {
   EXPECT_EQ(gathered(R"(["velocity","energy_total"])", "[]"), MapContents({true, false, true, false}, {}));
 }
 
-// What the maps say of all rocks is what the summary says of them.
 TEST(RunMaps, AgreeWithTheSummary) {
   for (const char* kind : {"lumped_mass", "rigid_sphere"}) {
     Problems warnings;
@@ -267,9 +266,9 @@ TEST(RunMaps, AgreeWithTheSummary) {
     EXPECT_EQ(maps->maps().rocks(), summary.done);
     EXPECT_EQ(deposits, summary.ends[static_cast<std::size_t>(EndReason::at_rest)] +
                             summary.ends[static_cast<std::size_t>(EndReason::stopped_by_barrier)]);
-    const double greatest = *summary.max_kinetic_energy.describe().maximum;
-    EXPECT_NEAR(energy, greatest, 1e-6 * greatest);
-    // Samples: never above the greatest height, and close to it.
+    const double expected = *summary.max_kinetic_energy.describe().maximum;
+    EXPECT_NEAR(energy, expected, 1e-6 * expected);
+    // Heights in maps are samples: never above the maximum, and close to it.
     const double highest = *summary.max_bounce.describe().maximum;
     EXPECT_LE(height, highest * (1 + 1e-6));
     EXPECT_GE(height, highest * 0.95);

@@ -1,4 +1,4 @@
-// `talus run` as a user meets it: outputs, exit codes, threads, interruption, places that cannot be written to.
+// `talus run` on the command line: outputs, exit codes, threads, interruption, and folders that cannot be written.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using test::talus_says;
 using test::tutorial;
 using test::Workplace;
 
-TEST(TalusRun, WritesEveryFileOfTheContract) {
+TEST(TalusRun, WritesEveryDocumentedFile) {
   const Workplace place;
   const auto said = talus_says("run " + tutorial("2d") + " -o " + (place / "out").string());
   ASSERT_EQ(said.exit_code, 0) << said.text;
@@ -42,7 +42,7 @@ TEST(TalusRun, WritesEveryFileOfTheContract) {
   }
 }
 
-TEST(TalusRun, LeavesNoReportOfAnEarlierRun) {
+TEST(TalusRun, RemovesTheReportOfAnEarlierRun) {
   const Workplace place;
   const std::string run = "run " + tutorial("2d") + " -q --rocks 5 -o " + (place / "out").string();
   ASSERT_EQ(talus_says(run).exit_code, 0);
@@ -51,7 +51,7 @@ TEST(TalusRun, LeavesNoReportOfAnEarlierRun) {
   EXPECT_FALSE(std::filesystem::exists(place / "out/report.html"));
 }
 
-TEST(TalusRun, WritesTheRowsThatTheContractAllowsAndNoOthers) {
+TEST(TalusRun, WritesPathsOnlyInTheDocumentedOrderOfStates) {
   const Workplace place;
   ASSERT_EQ(talus_says("run " + tutorial("3d") + " -q --rocks 300 -o " + (place / "out").string()).exit_code, 0);
   std::istringstream rows(place.read("out/paths.csv"));
@@ -99,11 +99,11 @@ TEST(TalusRun, GivesTheSameBytesOnOneTwoAndEightThreads) {
   }
 }
 
-TEST(TalusRun, SaysBeforehandThatItWillWriteMoreThanAGigabyte) {
+TEST(TalusRun, AnnouncesResultsOfMoreThanAGigabyte) {
   const Workplace place;
   const std::string project = tutorial("3d") + " --rocks 2000000 ";
   const auto said = [&](const std::string& settings) {
-    // The run takes long; what is said before it is enough.
+    // Only the output before the run is needed.
     return talus_says("run " + project + settings + " -o " + (place / "out").string(), "timeout -s INT 3 ").text;
   };
   // 20,000 of these rocks fill 59.8 MB of paths, and 4.2 MB of ends.
@@ -142,7 +142,7 @@ TEST(TalusRun, KeepsThePathsOfTwoThousandRocksAndTheEndsOfAll) {
   EXPECT_EQ(summary["rocks"]["with_path"], 0);
 }
 
-TEST(TalusRun, DefaultsToTheProjectsNameBesideItsFile) {
+TEST(TalusRun, WritesToAFolderNamedAfterTheProjectByDefault) {
   const Workplace place;
   ASSERT_EQ(talus_says("new " + (place / "slope.toml").string()).exit_code, 0);
   const auto said = talus_says("run " + (place / "slope.toml").string() + " --set name=Cliff -q");
@@ -150,9 +150,9 @@ TEST(TalusRun, DefaultsToTheProjectsNameBesideItsFile) {
   EXPECT_TRUE(std::filesystem::exists(place / "Cliff/summary.json"));
 }
 
-TEST(TalusRun, KeepsWhatIsDoneWhenItIsStopped) {
+TEST(TalusRun, KeepsItsResultsWhenItIsStopped) {
   const Workplace place;
-  // The signal comes when the first results are on their way, and long before two hundred million rocks are done.
+  // The signal comes after the first results, and long before two hundred million rocks are finished.
   const auto said = talus_says(
       "run " + tutorial("2d") + " --rocks 200000000 -q --set output.paths=none -o " + (place / "out").string(),
       "timeout --preserve-status -s INT 2 ");
@@ -166,7 +166,7 @@ TEST(TalusRun, KeepsWhatIsDoneWhenItIsStopped) {
   EXPECT_EQ(static_cast<std::uint64_t>(std::count(endpoints.begin(), endpoints.end(), '\n')), done + 1);
 }
 
-TEST(TalusRun, SaysWhereItCannotWrite) {
+TEST(TalusRun, ReportsAFolderThatItCannotCreate) {
   const Workplace place;
   place.write("taken", "a file");
   const auto said = talus_says("run " + tutorial("2d") + " -q -o " + (place / "taken").string());
@@ -175,9 +175,9 @@ TEST(TalusRun, SaysWhereItCannotWrite) {
                            ": cannot create this folder (Not a directory). Choose another folder with -o\n");
 }
 
-TEST(TalusRun, SaysThatAFileMayNotGrow) {
+TEST(TalusRun, ReportsTheFileSizeLimit) {
   const Workplace place;
-  // Without paths the end points are the only table that grows.
+  // Without paths only the table of end points grows.
   const auto said = talus_says("run " + tutorial("2d") + " -q --set output.paths=none -o " + (place / "out").string(),
                                "ulimit -f 1; ");
   EXPECT_EQ(said.exit_code, 2);
@@ -188,7 +188,7 @@ TEST(TalusRun, SaysThatAFileMayNotGrow) {
   EXPECT_FALSE(std::filesystem::exists(place / "out/endpoints.csv"));
 }
 
-TEST(TalusRun, SaysBeforehandWhatStandsInTheWayOfItsResults) {
+TEST(TalusRun, ReportsBeforehandWhatBlocksItsResults) {
   const Workplace place;
   for (const char* folder : {"out/endpoints.csv", "out/summary.json", "out/report.html.part", "out/run.state"})
     std::filesystem::create_directories(place / folder);
@@ -201,7 +201,7 @@ TEST(TalusRun, SaysBeforehandWhatStandsInTheWayOfItsResults) {
   EXPECT_EQ(said.text, expected);
 }
 
-TEST(TalusRun, SpreadsTheWantedPathsOverTheRocks) {
+TEST(TalusRun, SpreadsTheRequestedPathsOverTheRocks) {
   const Workplace place;
   ASSERT_EQ(talus_says("run " + tutorial("2d") + " -q --rocks 100 --set output.paths=4 -o " + (place / "out").string())
                 .exit_code,
@@ -231,13 +231,13 @@ TEST(TalusReplay, RepeatsARockExactly) {
   EXPECT_EQ(said.text, rock_17);
 }
 
-TEST(TalusReplay, KnowsWhichRocksThereAre) {
+TEST(TalusReplay, RefusesARockBeyondTheLast) {
   const auto said = talus_says("replay " + tutorial("2d") + " --rock 50");
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_EQ(said.text, tutorial("2d") + ": --rock: there is no rock 50 (the project has rocks 0 to 49)\n");
 }
 
-TEST(TalusCommandLine, SaysItsVersionAndRefusesWhatItDoesNotKnow) {
+TEST(TalusCommandLine, PrintsItsVersionAndRefusesUnknownCommands) {
   EXPECT_EQ(talus_says("--version").text, "talus 0.1.0\n");
   EXPECT_EQ(talus_says("").exit_code, 2);
   EXPECT_EQ(talus_says("rnu").exit_code, 2);
@@ -246,7 +246,7 @@ TEST(TalusCommandLine, SaysItsVersionAndRefusesWhatItDoesNotKnow) {
   EXPECT_EQ(talus_says("run /nowhere/slope.toml").exit_code, 2);
 }
 
-TEST(TalusReport, LaysTwoRunsOverEachOther) {
+TEST(TalusReport, ComparesTwoRuns) {
   const Workplace place;
   for (const std::string d : {"2d", "3d"}) {
     ASSERT_EQ(talus_says("run " + tutorial(d.c_str()) + " -q -o " + (place / d).string()).exit_code, 0);

@@ -1,4 +1,4 @@
-// `talus run --shard` and `talus merge` as a user meets them.
+// `talus run --shard` and `talus merge` on the command line.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing_tools::Dice;
 
-/// On 3D terrain with a barrier, maps and maps by source, and some of the paths.
+/// Maps and maps by source, and some of the paths.
 const std::string settings =
     " -q --rocks 3000 --set output.paths=200 --set output.maps_by_source=true --set output.percentiles=[95] ";
 
@@ -46,7 +46,7 @@ TEST(Shards, MergedInAnyOrderGiveTheBytesOfOneRun) {
   ASSERT_GT(whole.size(), 5U);
   ASSERT_TRUE(whole.contains("design.csv") && whole.contains("design_ranking.csv"));
   for (const char* outcome : {"stopped", "broke through", "passed"}) {
-    ASSERT_NE(whole.at("barriers.csv").find(outcome), std::string::npos) << "the project has no such case";
+    ASSERT_NE(whole.at("barriers.csv").find(outcome), std::string::npos) << "the project does not cover this outcome";
   }
   for (const std::string threads : {"1", "2", "8"}) {
     for (const int shards : {1, 3, 7}) {
@@ -61,7 +61,7 @@ TEST(Shards, MergedInAnyOrderGiveTheBytesOfOneRun) {
   }
 }
 
-TEST(Shards, HoldTheirRocksAndWhatMergingNeeds) {
+TEST(Shards, ContainTheirRocksAndTheStateForMerging) {
   const Workplace work;
   run_shard(work, tutorial("3d"), 2, 3);
   const auto files = files_of(work / "2-of-3");
@@ -78,14 +78,14 @@ TEST(Shards, HoldTheirRocksAndWhatMergingNeeds) {
   EXPECT_EQ(std::count(endpoints.begin(), endpoints.end(), '\n'), 1001);
 }
 
-TEST(Shards, GoBesideTheProjectUnlessTold) {
+TEST(Shards, AreWrittenNextToTheProjectByDefault) {
   const Workplace work;
   ASSERT_EQ(talus_says("new " + (work / "slope.toml").string()).exit_code, 0);
   const std::string run = "run " + (work / "slope.toml").string() + " -q --set name=Cliff --shard ";
   for (const std::string shard : {"1/2", "2/2"}) expect_done(talus_says(run + shard));
   EXPECT_TRUE(fs::exists(work / "Cliff-shard-1-of-2/run.state"));
   EXPECT_TRUE(fs::exists(work / "Cliff-shard-2-of-2/run.state"));
-  // Of several folders the result goes to the project's name, here; of one that has them all, into it.
+  // Merging several folders writes into a folder named after the project; merging one folder writes into that folder.
   const std::string here = "cd " + (work / "").string() + " && ";
   expect_done(talus_says("merge -q Cliff-shard-1-of-2 Cliff-shard-2-of-2", here));
   EXPECT_TRUE(fs::exists(work / "Cliff/summary.json"));
@@ -117,7 +117,7 @@ TEST(Shards, NeedNoProjectToBeMerged) {
   EXPECT_EQ(differences(files_of(work / "whole"), files_of(work / "merged")), "");
 }
 
-// The sums know positions by their distance from the model's origin, which merging has from the states alone.
+// Sums hold positions relative to the model's origin, which merging reads from the states.
 TEST(Shards, InMapCoordinatesGiveTheBytesOfOneRun) {
   const Workplace work;
   const std::string project = work.write("map.toml", R"(
@@ -160,7 +160,7 @@ class MergeRefuses : public testing::Test {
   const Workplace work;
 };
 
-TEST_F(MergeRefuses, RocksThatAreMissing) {
+TEST_F(MergeRefuses, MissingRocks) {
   expect_refused(
       folders(work, {2}, 3),
       "merge: rocks 0 to 999 of 3000 are missing (no folder has them). Name all folders, run the shards that "
@@ -179,7 +179,7 @@ TEST_F(MergeRefuses, RocksThatAreMissing) {
   EXPECT_EQ(std::count(endpoints.begin(), endpoints.end(), '\n'), 2001);
 }
 
-TEST_F(MergeRefuses, RocksThatAreThereTwice) {
+TEST_F(MergeRefuses, DuplicateRocks) {
   run_shard(work, tutorial("3d"), 3, 4);  // rocks 1500 to 2249
   expect_refused(folders(work, {1, 2, 3}, 3) + at("3-of-4"),
                  at("3-of-4/run.state") + ": rocks 1500 to 1999 are also in " + at("2-of-3") +
@@ -197,7 +197,7 @@ TEST_F(MergeRefuses, RunsOfAnotherProject) {
                      "project, unchanged, with one build of talus\n");
 }
 
-TEST_F(MergeRefuses, StatesAndTablesThatAreNotAsTheyWereWritten) {
+TEST_F(MergeRefuses, ChangedStatesAndTables) {
   std::string state = work.read("1-of-3/run.state");
   work.write("1-of-3/run.state", state.substr(0, state.size() - 100));
   fs::remove(work / "2-of-3/run.state");
@@ -229,7 +229,7 @@ TEST_F(MergeRefuses, StatesAndTablesThatAreNotAsTheyWereWritten) {
           " at the least). It was changed or taken away; run these rocks again\n");
 }
 
-TEST_F(MergeRefuses, ToWriteOverWhatItReads) {
+TEST_F(MergeRefuses, ToOverwriteItsInput) {
   const Said said = talus_says("merge " + folders(work, {1, 2, 3}, 3) + "-o " + at("2-of-3"));
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_EQ(said.text, at("2-of-3") +
@@ -237,7 +237,7 @@ TEST_F(MergeRefuses, ToWriteOverWhatItReads) {
                            "Choose another folder with -o\n");
 }
 
-TEST(Shards, AreRefusedWhereTheyAreNone) {
+TEST(Shards, AreRefusedIfMalformed) {
   for (const std::string shard : {"0/3", "4/3", "3", "1/", "/2", "a/b", "1/2/3", "-1/2", "1/0"}) {
     const Said said = talus_says("run " + tutorial("2d") + " --shard=" + shard);
     EXPECT_EQ(said.exit_code, 2);

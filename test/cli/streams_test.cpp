@@ -1,4 +1,4 @@
-// Standard streams that are closed, full or narrow: what cannot be said changes nothing of what is done.
+// Standard streams that are closed, full or narrow: they do not change the results.
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 namespace talus::test {
 namespace {
 
-/// The exit code of a shell's command, in which TALUS stands for the program.
+/// The exit code of a shell command, in which TALUS is replaced by the program.
 int code_of(std::string command) {
   const std::string name = "TALUS";
   for (auto at = command.find(name); at != std::string::npos; at = command.find(name))
@@ -28,10 +28,8 @@ int code_of(std::string command) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-bool has_no_device_that_is_full() { return !std::filesystem::is_character_file("/dev/full"); }
-
-TEST(StandardError, ThatIsFullLeavesTheExitCodeAsItIs) {
-  if (has_no_device_that_is_full()) GTEST_SKIP() << "there is no device that is full";
+TEST(StandardError, ThatIsFullDoesNotChangeTheExitCode) {
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   const Workplace place;
   EXPECT_EQ(code_of("TALUS check nofile.toml 2> /dev/full"), 2);
   EXPECT_EQ(code_of("TALUS rnu 2> /dev/full"), 2);
@@ -47,7 +45,7 @@ TEST(StandardError, ThatIsClosedByItsReaderDoesNotEndTheProgram) {
   EXPECT_EQ(place.read("code"), "2\n");
 }
 
-TEST(StandardStreams, ThatAreClosedGetNothingIntoTheTables) {
+TEST(StandardStreams, ThatAreClosedDoNotChangeTheTables) {
   const Workplace place;
   const auto run_into = [&](const char* folder) {
     return "TALUS run " + tutorial("2d") + " --rocks 2000 --set output.report=false -o " + (place / folder).string();
@@ -57,27 +55,27 @@ TEST(StandardStreams, ThatAreClosedGetNothingIntoTheTables) {
   EXPECT_EQ(differences(files_of(place / "whole"), files_of(place / "closed")), "");
 }
 
-TEST(StandardOutput, ThatIsClosedByItsReaderEndsTheProgramAsOthers) {
+TEST(StandardOutput, ThatIsClosedByItsReaderEndsTheProgramBySigpipe) {
   const Workplace place;
   EXPECT_EQ(code_of("{ TALUS schema; echo $? > " + (place / "code").string() + "; } | true"), 0);
   EXPECT_EQ(place.read("code"), "141\n");
 }
 
-TEST(Files, ThatMayNotGrowAreAnsweredByEveryCommand) {
+TEST(FileSizeLimit, EndsEveryCommandWithBadInput) {
   const Workplace place;
   EXPECT_EQ(code_of("ulimit -f 1; TALUS new " + (place / "a.toml").string() + " > /dev/null 2>&1"), 2);
   EXPECT_EQ(code_of("ulimit -f 1; TALUS schema > " + (place / "schema").string() + " 2> /dev/null"), 2);
   EXPECT_FALSE(std::filesystem::exists(place / "a.toml.part"));
 }
 
-/// What a terminal of so many columns gets on standard error.
+/// Standard error of a command on a terminal of `columns`.
 std::string on_terminal(std::uint16_t columns, const std::string& command, int& code) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
   if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) return "";
   const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
   ioctl(terminal, TIOCSWINSZ, &size);
   const std::string name = ptsname(terminal);
-  const int held = open(name.c_str(), O_RDWR | O_NOCTTY);  // or reading ends before the program begins
+  const int held = open(name.c_str(), O_RDWR | O_NOCTTY);  // keeps the terminal open after the command has ended
   code = code_of(command + " > /dev/null 2> " + name);
   std::string text(1 << 16, '\0');
   fcntl(terminal, F_SETFL, O_NONBLOCK);
@@ -88,7 +86,7 @@ std::string on_terminal(std::uint16_t columns, const std::string& command, int& 
   return text;
 }
 
-TEST(Progress, FitsIntoTheTerminal) {
+TEST(Progress, FitsTheTerminal) {
   const Workplace place;
   for (const std::uint16_t columns : std::initializer_list<std::uint16_t>{40, 56, 200}) {
     int code = -1;
