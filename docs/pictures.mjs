@@ -1,0 +1,69 @@
+// Renews the pictures of the documentation: node docs/pictures.mjs [PROGRAM], after a build and the tests of the page,
+// which install Playwright. PROGRAM is build/talus if it is not given.
+
+import { execFileSync, spawn } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+
+const sources = resolve(import.meta.dirname, '..');
+const program = resolve(process.argv[2] ?? join(sources, 'build/talus'));
+const { chromium } = createRequire(join(sources, 'test/web/package.json'))('@playwright/test');
+
+/// The beginning of the report of Tutorial 1, down to its first figure.
+async function pictureOfReport(browser, folder) {
+  const project = join(sources, 'examples/tutorial-1/tutorial-1-2d.toml');
+  execFileSync(program, ['run', project, '--quiet', '-o', join(folder, 'tutorial-1-2d')]);
+  const page = await browser.newPage({ viewport: { width: 1000, height: 1100 } });
+  await page.goto(`file://${folder}/tutorial-1-2d/report.html`);
+  const figure = await page.locator('figure').first().boundingBox();
+  const height = Math.round(figure.y + figure.height + 24);
+  await page.screenshot({ path: join(sources, 'docs/tutorial-1.png'), clip: { x: 0, y: 0, width: 1000, height } });
+}
+
+/// The workbench with the rocks of Tutorial 1 half way down.
+async function pictureOfWorkbench(browser, folder) {
+  const server = spawn(program, ['serve', folder, '--port', '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
+  try {
+    let printed = '';
+    const address = await new Promise((found) =>
+      server.stdout.on('data', (bytes) => {
+        printed += bytes;
+        const match = /http:\/\/127\.0\.0\.1:\d+\/\?token=\w+/.exec(printed);
+        if (match) found(match[0]);
+      }),
+    );
+    const page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await page.goto(address);
+    await page.getByRole('button', { name: /^Tutorial 1, in 3D/ }).click();
+    await page.getByRole('group', { name: 'Time of the rocks' }).waitFor();
+    await page.getByRole('tab', { name: 'Barriers' }).click();
+    await page.getByRole('slider', { name: 'Time', exact: true }).fill('2.9');
+    await page.getByRole('img', { name: /^Histogram/ }).waitFor();
+    await page.mouse.move(683, 340);
+    await page.waitForTimeout(3000); // until the view is drawn
+    await page.screenshot({ path: join(sources, 'docs/workbench.png') });
+  } finally {
+    server.kill();
+  }
+}
+
+const folder = mkdtempSync(join(tmpdir(), 'talus-pictures-'));
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  args: [
+    '--use-gl=angle',
+    '--use-angle=swiftshader',
+    '--enable-unsafe-swiftshader',
+    ...(process.getuid() === 0 ? ['--no-sandbox'] : []),
+  ],
+});
+try {
+  await pictureOfReport(browser, folder);
+  await pictureOfWorkbench(browser, folder);
+} finally {
+  await browser.close();
+  rmSync(folder, { recursive: true, force: true });
+}
