@@ -77,10 +77,10 @@ int main(int argc, char** argv) {
   fmt::print("  hash {:016x}\n", hash_of(maps));
 
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "talus-bench-maps";
-  const io::MapSelection selection{.percentiles = {50, 95, 99}};
+  const MapSelection selection{.percentiles = {50, 95, 99}};
   std::size_t files = 0;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  const double writing = bench::seconds([&] { files = io::write_maps(made, selection, "", folder).size(); });
+  const double writing = bench::seconds([&] { files = write_maps(made, selection, "", folder).size(); });
   std::filesystem::remove_all(folder);
   fmt::print("writing {} maps: {:.2f} s\n", files, writing);
   fmt::print("  in all {:.2f} times the time without maps (wanted: at most 2)\n", (mapped + writing) / bare);

@@ -9,7 +9,7 @@ set(TALUS_REPORT_SCRIPTS format figure run tables statistics overview terrain in
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(code "// Made by cmake/embed.cmake; do not edit.\n")
-  string(APPEND code "#include \"talus/report/page/assets.hpp\"\n\nnamespace talus::io::assets {\n")
+  string(APPEND code "#include \"talus/report/page/assets.hpp\"\n\nnamespace talus::assets {\n")
   function(embed name)
     string(APPEND code "const std::string_view ${name} =")
     foreach(file IN LISTS ARGN)
@@ -27,7 +27,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   embed(style "${FIGURES}/figures.css" "${FOLDER}/style.css")
   embed(script ${TALUS_REPORT_SCRIPTS})
   embed(figures "${BUNDLE}")
-  file(WRITE "${OUTPUT}" "${code}}  // namespace talus::io::assets\n")
+  file(WRITE "${OUTPUT}" "${code}}  // namespace talus::assets\n")
   return()
 endif()
 

@@ -160,14 +160,14 @@ Verdict read_results(std::string_view input, const fs::path& folder) {
   written(folder / "summary.json", summary_of_no_rocks);
   const fs::path file = written(folder / names[choice], input);
   return verdict_of([&] {
-    const io::RunFolder run = io::read_run_folder(folder, {.paths = 3, .path_rows = 100, .endpoints = 3, .hits = 3});
+    const RunFolder run = read_run_folder(folder, {.paths = 3, .path_rows = 100, .endpoints = 3, .hits = 3});
     if (choice == 2) {
-      io::PathReader reader(file);
+      PathReader reader(file);
       while (reader.next([](std::uint64_t rock) { return rock % 2 == 0; })) {
-        io::for_points_along(reader.path(), 0.1, [](const io::PathPoint&) {});
+        for_points_along(reader.path(), 0.1, [](const PathPoint&) {});
       }
     }
-    if (choice == 0) (void)io::report_page({&run, 1});  // a megabyte, and of the tables it shows but numbers
+    if (choice == 0) (void)report_page({&run, 1});  // a megabyte, and of the tables it shows but numbers
   });
 }
 
@@ -180,10 +180,10 @@ Verdict read_state(std::string_view input, const fs::path&) {
   // The file as write_run_state() would make it around these bytes.
   ByteWriter out;
   for (const char c : std::string_view("talus run state\n")) out.put(c);
-  out.put(io::run_state_format);
+  out.put(run_state_format);
   out.text(header);
   const auto put_digest = [&](std::string_view bytes) {
-    const io::Digest digest = io::checksum_of(bytes);
+    const Digest digest = checksum_of(bytes);
     out.put(digest.high);
     out.put(digest.low);
   };
@@ -191,10 +191,10 @@ Verdict read_state(std::string_view input, const fs::path&) {
   for (const char c : input.substr(header.size())) out.put(c);
   put_digest(out.bytes());
   return verdict_of([&] {
-    const io::RunStateHeader state = io::read_header(out.bytes());
+    const RunStateHeader state = read_header(out.bytes());
     project::RunSums sums(state.description);
     const auto observers = sums.observers();
-    io::merge_state(out.bytes(), observers);
+    merge_state(out.bytes(), observers);
     ByteWriter again;
     for (SummingObserver* observer : observers) observer->save(again);
   });

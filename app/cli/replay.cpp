@@ -41,8 +41,8 @@ int replay(const ReplayOptions& options) {
   const RockLog& log = simulator.log();
   const TableContext context = TableContext::of(loaded.model);
   if (options.csv) {
-    std::string text = io::header_of<io::PathEventRow>();
-    io::PathEventRow row;
+    std::string text = header_of<PathEventRow>();
+    PathEventRow row;
     for (std::size_t k = 0; k < log.rows.size(); ++k) {
       fill(row, context, record, k, log.rows[k]);
       append_row(text, row);

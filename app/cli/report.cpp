@@ -19,8 +19,8 @@ int report(const ReportOptions& options) {
   refuse_other_files(file, "<!DOCTYPE html>", "page");
   std::optional<FolderLock> lock;  // a run into this folder may be in progress
   if (options.file.empty()) lock.emplace(lock_output_folder(options.folders.front()));
-  io::write_report(options.folders, file);
-  if (options.file.empty()) io::renew_in_record(options.folders.front(), page);
+  write_report(options.folders, file);
+  if (options.file.empty()) renew_in_record(options.folders.front(), page);
   fmt::print("{}\n", file.string());
   return done;
 }

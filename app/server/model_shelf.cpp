@@ -66,12 +66,12 @@ ModelShelf::Held ModelShelf::build(const fs::path& file, std::string_view text) 
     what += state ? *state : fmt::format("unknown {}\n", random_hex(16));
     files += state.value_or(read.string() + '\n');
   }
-  std::string id = io::text_of(io::checksum_of(what));
+  std::string id = text_of(checksum_of(what));
 
   Held held = kept(id);
   if (!held) {
     held = reading_.read<ShelvedModel>(
-        id, [id, files_id = io::text_of(io::checksum_of(files)), reading = std::move(reading)]() mutable {
+        id, [id, files_id = text_of(checksum_of(files)), reading = std::move(reading)]() mutable {
           ShelvedModel built{.id = id, .files = files_id};
           built.model = project::build_model(reading.project, reading.warnings);
           built.bytes = bytes_of(built.model);

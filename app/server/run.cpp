@@ -33,7 +33,7 @@ const char* name(RunState state) {
 constexpr const char* hint = "The run's other files may be whole";
 
 [[noreturn]] void refuse(const fs::path& file, std::string where, std::string what, std::string why) {
-  io::refuse_json_file(file, std::move(where), std::move(what), std::move(why), hint);
+  refuse_json_file(file, std::move(where), std::move(what), std::move(why), hint);
 }
 
 /// A value of a kind; refused where it is missing or of another.
@@ -63,7 +63,7 @@ std::optional<Value> value_if_any(const Json& json, const char* key, const fs::p
 
 void read_into(Run& run, const fs::path& file) {
   constexpr std::uintmax_t most_bytes = 16U << 20U;  // far beyond any
-  const Json json = io::read_json_object<Json>(file, hint, most_bytes);
+  const Json json = read_json_object<Json>(file, hint, most_bytes);
   run.name = value_of<std::string>(json, "name", file);
   run.project = value_of<std::string>(json, "project", file);
   const std::string state = value_of<std::string>(json, "state", file);
@@ -88,10 +88,10 @@ void read_into(Run& run, const fs::path& file) {
 void find_checkpoint(Run& run) {
   run.done = 0;
   run.seconds = 0;
-  const fs::path file = run.folder / io::run_state_name;
+  const fs::path file = run.folder / run_state_name;
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return;
-  const io::RunStateHeader header = io::read_run_state_header(file);
+  const RunStateHeader header = read_run_state_header(file);
   run.done = header.rocks().count();
   run.seconds = header.seconds;
 }

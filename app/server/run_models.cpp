@@ -18,7 +18,7 @@ std::shared_ptr<const BuiltProject> build_again(const Run& run, const fs::path& 
     return reading.read<BuiltProject>("run " + run.id, [run, file] {
       BuiltProject built = build(project::text_of_file(run.folder / run_project_name), file, overrides_of(run));
       const std::string fingerprint = project::fingerprint_of(project::echo(built.project), built.model);
-      if (io::read_run_identity(results_folder(run) / "summary.json").fingerprint != fingerprint)
+      if (read_run_identity(results_folder(run) / "summary.json").fingerprint != fingerprint)
         throw BadInput(Problem{.file = file.string(), .what = "the files of this project have changed since the run"});
       return built;
     });

@@ -255,7 +255,7 @@ Run RunStore::write_what_is_done(const std::string& id) {
   std::error_code ignored;
   if (run.state != RunState::interrupted) throw not_now(run, what, "it was not interrupted");
   const bool has_done_some =
-      fs::exists(run.folder / io::run_state_name, ignored) || fs::exists(run.folder / "summary.json", ignored);
+      fs::exists(run.folder / run_state_name, ignored) || fs::exists(run.folder / "summary.json", ignored);
   if (!has_done_some) throw not_now(run, what, "no rock was done");
   unqueue(*entry);
   queue_.push_back({entry, Task::write_what_is_done});
@@ -403,8 +403,8 @@ void RunStore::simulate_rocks(const Job& job, LowPriorityArena& arena) {
   }
   std::error_code ignored;
   const bool goes_on = job.task != Task::begin;
-  const fs::path state = run.folder / io::run_state_name;
-  const double seconds_before = goes_on && fs::exists(state, ignored) ? io::read_run_state_header(state).seconds : 0;
+  const fs::path state = run.folder / run_state_name;
+  const double seconds_before = goes_on && fs::exists(state, ignored) ? read_run_state_header(state).seconds : 0;
 
   project::RunOptions options;
   options.campaign.stop = &entry.stop;

@@ -23,7 +23,7 @@ bool lies_below(const std::filesystem::path& folder, const std::filesystem::path
 std::string identity_of(const std::filesystem::path& folder) {
   struct stat status {};
   stat(folder.c_str(), &status);
-  return io::text_of(io::checksum_of(fmt::format("{} {}", folder.string(), status.st_ino)));
+  return text_of(checksum_of(fmt::format("{} {}", folder.string(), status.st_ino)));
 }
 
 }  // namespace

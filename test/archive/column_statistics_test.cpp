@@ -23,7 +23,7 @@
 #include "talus/project/read.hpp"
 #include "talus/run/run.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -247,4 +247,4 @@ TEST(Cumulative, OfFewValuesHasAll) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -12,7 +12,7 @@
 #include "talus/core/bytes.hpp"
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -151,4 +151,4 @@ TEST(DesignJson, RefusesAPlanThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -14,7 +14,7 @@
 #include "talus/project/read.hpp"
 #include "talus/run/run_results.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using Row = std::map<std::string, std::string>;
@@ -114,4 +114,4 @@ TEST(EnvelopeTable, HasAllCellsBetweenTheFirstAndTheLast) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 TEST(EvenChoice, IsOfAsManyAsAreWantedAndEvenlySpread) {
@@ -64,4 +64,4 @@ TEST(EvenChoice, KeepsNoStepWithWhatComesBackInARhythm) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

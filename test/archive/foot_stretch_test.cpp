@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using testing::ElementsAre;
@@ -52,4 +52,4 @@ TEST(AlongAFoot, ALineThatBeginsBeforeItsFootIsCountedFromThere) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

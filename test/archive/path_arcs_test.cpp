@@ -10,7 +10,7 @@
 #include "support/dice.hpp"
 #include "talus/core/vec.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using testing_tools::Dice;
@@ -139,4 +139,4 @@ TEST(PathArcs, AVeryLongFlightHasNoMorePointsThanIsWorthIt) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using enum PathState;
@@ -68,4 +68,4 @@ TEST(EnergiesAlongAPath, OfALevelPathAreThoseOfItsRows) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -8,7 +8,7 @@
 #include "support/sample_run.hpp"
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using sample_run::path_rows;
@@ -70,4 +70,4 @@ TEST(PathReader, RefusesWhatIsNoPath) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

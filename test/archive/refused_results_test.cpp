@@ -10,7 +10,7 @@
 #include "talus/files/csv_reader.hpp"
 #include "talus/files/json_text.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using sample_run::Folder;
@@ -97,4 +97,4 @@ TEST(DepthOfJson, CountsWhatIsNotText) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

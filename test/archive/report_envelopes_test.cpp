@@ -8,7 +8,7 @@
 #include "support/sample_run.hpp"
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using ::testing::ElementsAre;
@@ -72,4 +72,4 @@ TEST(ReportEnvelopes, ThatAreNoneAreRefused) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

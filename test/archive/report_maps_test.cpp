@@ -15,7 +15,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/maps/map_files.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using sample_run::Folder;
@@ -113,4 +113,4 @@ TEST(ReportMaps, RefusesADamagedMap) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

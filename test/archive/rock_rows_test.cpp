@@ -11,7 +11,7 @@
 #include "talus/archive/table_columns.hpp"
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -80,4 +80,4 @@ TEST(RowsOfARock, OfAnotherFileAreRefused) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

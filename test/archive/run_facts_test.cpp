@@ -7,7 +7,7 @@
 #include "support/sample_run_3d.hpp"
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -141,4 +141,4 @@ TEST(RunFacts, RefuseWhatIsNoSummary) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

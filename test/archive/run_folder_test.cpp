@@ -11,7 +11,7 @@
 #include "talus/archive/spread_sample.hpp"
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using ::testing::ElementsAre;
@@ -380,4 +380,4 @@ TEST(SpreadSample, TakesItemsOfOneRockTogether) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

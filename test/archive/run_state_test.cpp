@@ -13,7 +13,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/results/summary.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using testing_tools::Dice;
@@ -244,4 +244,4 @@ TEST(RunDescription, IsRefusedWhereItIsNone) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -18,8 +18,8 @@ struct Text : TextSink {
   std::string text;
 };
 
-io::RunDescription description_of(std::size_t barriers) {
-  io::RunDescription description;
+RunDescription description_of(std::size_t barriers) {
+  RunDescription description;
   description.name = "Wall \"two\"";
   description.rocks = 10;
   description.barriers = barriers;
@@ -33,7 +33,7 @@ io::RunDescription description_of(std::size_t barriers) {
   return description;
 }
 
-std::string written(const io::RunDescription& description, const Summary& summary) {
+std::string written(const RunDescription& description, const Summary& summary) {
   Text out;
   write_summary(out, description, {"a file named \xff"}, summary, {.range = {0, 10}, .shard = {}});
   return out.text;
@@ -75,35 +75,35 @@ TEST(SummaryFile, IsReadAsItWasWritten) {
   summary.ends[static_cast<std::size_t>(EndReason::at_rest)] = 10;
   for (int k = 0; k < 10; ++k) summary.end_x.add(0.1 * k);
   summary.barriers[1].translational_energy.add(5);
-  const io::sample_run::Folder folder("summary-file");
+  const sample_run::Folder folder("summary-file");
   Text out;
   const RunCourse course{.range = {2, 8}, .shard = Shard{2, 3}, .missing = {{3, 4}}, .seconds = 0.5, .threads = 2};
   write_summary(out, description_of(2), {"one"}, summary, course);
   folder.write("summary.json", out.text);
-  const io::RunSummary read = io::read_run_summary(folder.path / "summary.json");
-  EXPECT_EQ(io::json_of(read).dump(1) + "\n", out.text);
+  const RunSummary read = read_run_summary(folder.path / "summary.json");
+  EXPECT_EQ(json_of(read).dump(1) + "\n", out.text);
   EXPECT_EQ(read.shard->first_rock, 2U);
   EXPECT_EQ(read.barriers[1].hits, 1U);
   EXPECT_EQ(read.statistics[0].second.count, 10U);
   std::vector<std::string> taken;
-  const auto take = [&](const io::BarrierSummary& barrier) { taken.push_back(barrier.name); };
-  EXPECT_TRUE(io::read_run_summary(folder.path / "summary.json", take).barriers.empty());
+  const auto take = [&](const BarrierSummary& barrier) { taken.push_back(barrier.name); };
+  EXPECT_TRUE(read_run_summary(folder.path / "summary.json", take).barriers.empty());
   EXPECT_EQ(taken, (std::vector<std::string>{"c0", "c1"}));
 }
 
 // Which run it is of is known also where the rest is of another version of the program.
 TEST(SummaryFile, SaysWhichRunItIsOf) {
-  const io::sample_run::Folder folder("summary-file");
-  Json summary = io::sample_run::summary("Slope");
+  const sample_run::Folder folder("summary-file");
+  Json summary = sample_run::summary("Slope");
   for (const char* key : {"statistics", "histograms", "notes", "timings"}) summary.erase(key);
   summary["barriers"] = {1, 2};
   folder.write("summary.json", summary.dump());
-  const io::RunIdentity run = io::read_run_identity(folder.path / "summary.json");
+  const RunIdentity run = read_run_identity(folder.path / "summary.json");
   EXPECT_EQ(run.fingerprint, "46d0eda3684e621596ce0884751bc736");
   EXPECT_EQ(run.talus.version, "0.1.0");
   EXPECT_EQ(run.rocks.planned, 2U);
   EXPECT_EQ(run.project->at("name"), "Slope");
-  EXPECT_THROW((void)io::read_run_summary(folder.path / "summary.json"), BadInput);
+  EXPECT_THROW((void)read_run_summary(folder.path / "summary.json"), BadInput);
 }
 
 }  // namespace

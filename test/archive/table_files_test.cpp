@@ -7,7 +7,7 @@
 #include "cli/program.hpp"
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using test::Workplace;
@@ -137,4 +137,4 @@ TEST(TableFiles, GoOnWhereTheyWere) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

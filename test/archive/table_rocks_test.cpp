@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 TEST(TableRocks, HaveAnEndWhereverTheyHaveAPath) {
@@ -31,4 +31,4 @@ TEST(TableRocks, HaveAnEndWhereverTheyHaveAPath) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -148,7 +148,7 @@ TEST_F(OnRanks, AreStoppedBySigusr1AndKeepTheirResults) {
   };
   Child child(run("stopped"), work / "said", mpirun(2));
   ASSERT_TRUE(appears(work / "stopped/run.state")) << work.read("said");
-  ASSERT_TRUE(comes_true([&] { return io::read_header(work.read("stopped/run.state")).done > 0; }));
+  ASSERT_TRUE(comes_true([&] { return read_header(work.read("stopped/run.state")).done > 0; }));
   child.signal(SIGUSR1);
   EXPECT_EQ(child.wait(), 3) << work.read("said");
   EXPECT_EQ(count(work.read("said"), ", and --resume continues from there"), 1) << work.read("said");

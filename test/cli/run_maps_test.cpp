@@ -30,7 +30,7 @@ std::map<std::string, std::string> contents(const Workplace& work, const std::st
 }
 
 TEST(RunMaps, AreTheSameBytesOnAnyNumberOfThreads) {
-  if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
+  if (!can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
   const auto run = [&](const std::string& folder, const std::string& settings, int threads) {
     const Said said = talus_says("run " + tutorial("3d") + " -q --set output.report=false " + settings + " --threads " +
@@ -86,7 +86,7 @@ geopackage = "none"
 )";
 
 TEST(RunMaps, SplittingBySourceDoesNotChangeTheMapsOfAllRocks) {
-  if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
+  if (!can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
   const std::string project = work.write("cliffs.toml", two_cliffs);
   const auto run = [&](const std::string& folder, const std::string& settings) {
@@ -116,7 +116,7 @@ TEST(RunMaps, SplittingBySourceDoesNotChangeTheMapsOfAllRocks) {
 }
 
 TEST(RunMaps, OfAnEarlierRunAreRemoved) {
-  if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
+  if (!can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
   const auto run = [&](const std::string& settings) {
     const Said said =
@@ -154,7 +154,7 @@ std::set<std::string> names_in(const Workplace& work, const std::string& folder)
 }
 
 TEST(RunMaps, ASelectionHasTheSameBytesAsAllMaps) {
-  if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
+  if (!can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
   const std::string project = work.write("cliffs.toml", two_cliffs);
   const auto run = [&](const std::string& folder, const std::string& settings) {
@@ -182,7 +182,7 @@ TEST(RunMaps, ASelectionHasTheSameBytesAsAllMaps) {
 }
 
 TEST(RunMaps, ASelectionIsMergedAndResumedToTheSameBytes) {
-  if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
+  if (!can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
   const std::string project = work.write("cliffs.toml", two_cliffs);
   const std::string run = "run " + project + R"( -q --set 'output.maps=["velocity","deposits"]' )";

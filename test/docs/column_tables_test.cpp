@@ -19,7 +19,7 @@
 #include "talus/export/geopackage_rows.hpp"
 #include "talus/maps/source_maps.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 std::string text_of(const std::string& file) {
@@ -104,4 +104,4 @@ TEST(Columns, ThatAreNoQuantitiesHaveNoUnit) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

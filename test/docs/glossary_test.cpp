@@ -89,9 +89,9 @@ std::set<std::string> words_of(const std::string& column) {
   const auto add_all = [&](const auto& values) {
     for (const auto value : values) words.insert(name(value));
   };
-  if (column == "end_reason") add_all(io::Words<EndReason>::values);
-  if (column == "state") add_all(io::Words<PathState>::values);
-  if (column == "outcome") add_all(io::Words<BarrierOutcome>::values);
+  if (column == "end_reason") add_all(Words<EndReason>::values);
+  if (column == "state") add_all(Words<PathState>::values);
+  if (column == "outcome") add_all(Words<BarrierOutcome>::values);
   return words;
 }
 
@@ -118,8 +118,8 @@ class RunWithTables {
 };
 
 bool is_map(const std::string& name) {
-  const std::vector<io::MapKind> kinds = io::map_kinds({.percentiles = {50, 95, 99}});
-  return std::ranges::any_of(kinds, [&](const io::MapKind& kind) { return kind.name == name; });
+  const std::vector<MapKind> kinds = map_kinds({.percentiles = {50, 95, 99}});
+  return std::ranges::any_of(kinds, [&](const MapKind& kind) { return kind.name == name; });
 }
 
 /// What is wrong with a name in the glossary; empty if nothing.

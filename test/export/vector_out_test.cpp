@@ -22,7 +22,7 @@
 #include "talus/gdal/gdal_raster.hpp"
 #endif
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using sample_run::endpoint_row;
@@ -396,4 +396,4 @@ TEST(DerivedFiles, AreThoseThatTheProjectAsksFor) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -19,7 +19,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/rocks/motion.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using sample_run::path_rows;
@@ -210,4 +210,4 @@ TEST(VtkPaths, AFullDiskLeavesNothingHalfWritten) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -9,7 +9,7 @@ namespace talus {
 namespace {
 
 TEST(FolderLock, IsHeldByOneUntilItGoes) {
-  const io::sample_run::Folder folder{"lock-held"}, other{"lock-other"};
+  const sample_run::Folder folder{"lock-held"}, other{"lock-other"};
   {
     const auto lock = FolderLock::take(folder.path);
     ASSERT_TRUE(lock);
@@ -21,7 +21,7 @@ TEST(FolderLock, IsHeldByOneUntilItGoes) {
 }
 
 TEST(FolderLock, OfAnotherIsAReasonNotToWrite) {
-  const io::sample_run::Folder folder{"lock-taken"};
+  const sample_run::Folder folder{"lock-taken"};
   const FolderLock lock = lock_output_folder(folder.path);
   try {
     static_cast<void>(lock_output_folder(folder.path));
@@ -35,7 +35,7 @@ TEST(FolderLock, OfAnotherIsAReasonNotToWrite) {
 
 // What is wrong with such a folder says who writes there.
 TEST(FolderLock, OfWhatCannotBeLockedKeepsNobodyOut) {
-  const io::sample_run::Folder folder{"lock-absent"};
+  const sample_run::Folder folder{"lock-absent"};
   const auto first = FolderLock::take(folder.path / "not there"), second = FolderLock::take(folder.path / "not there");
   EXPECT_TRUE(first && second);
 }

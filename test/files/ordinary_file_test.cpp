@@ -37,7 +37,7 @@ class OrdinaryFile : public ::testing::Test {
     return "was read";
   }
 
-  io::sample_run::Folder folder_{"ordinary"};
+  sample_run::Folder folder_{"ordinary"};
 };
 
 TEST_F(OrdinaryFile, IsToldFromWhatHasNoEnd) {
@@ -62,12 +62,12 @@ TEST_F(OrdinaryFile, NoReaderWaitsForAPipe) {
 
 TEST_F(OrdinaryFile, NoReaderOfResultsWaitsForAPipe) {
   const auto& folder = folder_.path;
-  EXPECT_EQ(refusal([&] { io::CsvReader(folder / "pipe.csv", io::endpoint_columns); }),
+  EXPECT_EQ(refusal([&] { CsvReader(folder / "pipe.csv", endpoint_columns); }),
             "pipe.csv: cannot be opened (it is a pipe)");
-  EXPECT_EQ(refusal([&] { io::CsvReader(folder, io::endpoint_columns); }),
+  EXPECT_EQ(refusal([&] { CsvReader(folder, endpoint_columns); }),
             folder.string() + ": cannot be opened (it is a folder)");
   ASSERT_EQ(::mkfifo((folder / "summary.json").c_str(), 0600), 0);
-  EXPECT_EQ(refusal([&] { (void)io::read_run_folder(folder); }),
+  EXPECT_EQ(refusal([&] { (void)read_run_folder(folder); }),
             "summary.json: cannot be opened (it is a pipe). Name a folder that `talus run` has written");
 }
 

@@ -25,11 +25,11 @@ class PlaceOfFile : public ::testing::Test {
     return place_of_file(folder_.path / name).lexically_normal().lexically_relative(folder_.path).string();
   }
 
-  io::sample_run::Folder folder_{"output"};
+  sample_run::Folder folder_{"output"};
 };
 
 TEST(OutputFile, DoesNotWriteThroughWhatLiesInItsWay) {
-  const io::sample_run::Folder folder{"output_part"};
+  const sample_run::Folder folder{"output_part"};
   folder.write("other", "stays");
   const auto write = [&](const char* name) {
     OutputFile file(folder.path / name);
@@ -47,7 +47,7 @@ TEST(OutputFile, DoesNotWriteThroughWhatLiesInItsWay) {
 }
 
 TEST(OutputFile, GathersSmallPiecesForTheDisk) {
-  const io::sample_run::Folder folder{"output_gathered"};
+  const sample_run::Folder folder{"output_gathered"};
   const auto written = [&] { return fs::file_size(folder.path / "table.part"); };
   const std::string row(99, 'x');
   for (const bool goes_on : {false, true}) {

@@ -28,7 +28,7 @@
 #include "talus/gdal/gdal_raster.hpp"
 #endif
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using test::Workplace;
@@ -347,4 +347,4 @@ TEST(MapStyle, HasFixedClassesAndTheRangeOfTheValues) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

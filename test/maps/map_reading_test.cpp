@@ -16,7 +16,7 @@
 #include "talus/maps/map_files.hpp"
 #include "talus/maps/source_maps.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using sample_run::Folder;
@@ -168,4 +168,4 @@ TEST(MapClasses, FollowEachOtherFromZeroWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -22,7 +22,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/maps/map_files.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 /// From now on fsync() fails in this thread, as on a disk that is broken.
@@ -60,6 +60,6 @@ TEST(MapSync, AMapThatTheDiskDoesNotTakeIsNone) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus
 
 #endif

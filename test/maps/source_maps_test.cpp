@@ -12,7 +12,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/maps/map_files.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using test::Workplace;
@@ -117,4 +117,4 @@ TEST(SourceMaps, AFolderThatCannotBeMadeIsRefused) {
 #endif
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

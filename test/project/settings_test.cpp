@@ -696,7 +696,7 @@ TEST(SettingsOfOneRockModel, AreSaidToBeInTheSchemaAndTheReference) {
 
 TEST(SettingsOfOneRockModel, AreLeftOutOfReportsOfTheOther) {
   // The report knows no settings: it has a list of its own.
-  const std::string_view script = io::assets::script;
+  const std::string_view script = assets::script;
   const std::size_t begin = script.find('{', script.find("const onlyFor = ")), end = script.find('}', begin);
   const Json list = Json::parse(script.substr(begin, end + 1 - begin));
   std::map<std::string, std::set<std::string>> listed;

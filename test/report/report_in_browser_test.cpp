@@ -12,7 +12,7 @@
 #include "talus/maps/map_files.hpp"
 #include "talus/report/report.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using testing_tools::has_browser;
@@ -424,4 +424,4 @@ TEST(ReportInBrowser, NumbersHaveTheDigitsThatTheyDeserve) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -15,7 +15,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/report/page/assets.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using ::testing::HasSubstr;
@@ -278,4 +278,4 @@ TEST(ReportRefuses, AFullDisk) {
 }
 
 }  // namespace
-}  // namespace talus::io
+}  // namespace talus

@@ -48,7 +48,7 @@ TEST(RunSize, IsAboutWhatIsWritten) {
 }
 
 TEST(RunSize, OfMapsIsAboutWhatIsWritten) {
-  if (!io::can_write_maps()) GTEST_SKIP() << "built without GDAL";
+  if (!can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const test::Workplace work;
   for (const char* maps : {"true", R"(["bounce_height"])"}) {
     for (const char* cell : {"1", "0.2"}) {

@@ -44,14 +44,14 @@ TEST(WarningsOfRocks, TakeTheEdgeOfTheModelForMeant) {
   EXPECT_EQ(warned_after(100, {{EndReason::left_model, 100}}), "");
 }
 
-io::RunDescription described(const char* model) {
-  io::RunDescription description;
+RunDescription described(const char* model) {
+  RunDescription description;
   description.model = nlohmann::ordered_json::parse(model);
   return description;
 }
 
 TEST(WarningsOfSources, NameThoseWhoseRocksWereNotRun) {
-  const io::RunDescription three = described(
+  const RunDescription three = described(
       R"({"sources": [{"name": "West", "rocks": [[0, 10], [50, 10]]}, {"name": "Middle", "rocks": [[10, 20]]},
                       {"name": "East", "rocks": [[30, 20]]}]})");
   const auto told = [&](std::uint64_t first_not_run) {
@@ -74,7 +74,7 @@ TEST(WarningsOfSources, NameThoseWhoseRocksWereNotRun) {
 }
 
 TEST(WarningsOfCollectors, TellHowManyRocksPassedAbove) {
-  const io::RunDescription two =
+  const RunDescription two =
       described(R"({"barriers": [{"name": "Net", "kind": "barrier"}, {"name": "Road", "kind": "collector"}]})");
   const auto told = [&](std::uint64_t above) {
     Summary summary(1000, 2);

@@ -39,15 +39,15 @@ class Results : public ServedRuns {
   [[nodiscard]] Reply of(const std::string& what) const { return get("/api/runs/" + id_ + what); }
   [[nodiscard]] std::vector<Texts> rows_of(const char* name, std::span<const std::string_view> columns) const {
     std::vector<Texts> rows;
-    io::CsvReader row(folder_ / name, columns);
+    CsvReader row(folder_ / name, columns);
     while (row.next()) {
       Texts& texts = rows.emplace_back();
       for (std::size_t k = 0; k < columns.size(); ++k) texts.emplace_back(row.text(k));
     }
     return rows;
   }
-  [[nodiscard]] std::vector<Texts> endpoints() const { return rows_of("endpoints.csv", io::endpoint_columns); }
-  [[nodiscard]] std::vector<Texts> hits() const { return rows_of("barriers.csv", io::barrier_columns); }
+  [[nodiscard]] std::vector<Texts> endpoints() const { return rows_of("endpoints.csv", endpoint_columns); }
+  [[nodiscard]] std::vector<Texts> hits() const { return rows_of("barriers.csv", barrier_columns); }
 
   std::string text_, id_;
   std::filesystem::path folder_;
@@ -95,7 +95,7 @@ TEST_F(Results, OfTwoRunsAreCountedInTheSameBins) {
   ASSERT_EQ(wait_for(other, "done")["state"], "done");
   const auto column_of = [&](const std::string& id, std::size_t column) {
     std::vector<double> numbers;
-    io::CsvReader row(folder_of(id) / "endpoints.csv", io::endpoint_columns);
+    CsvReader row(folder_of(id) / "endpoints.csv", endpoint_columns);
     while (row.next()) numbers.push_back(row.number(column));
     return numbers;
   };
@@ -105,7 +105,7 @@ TEST_F(Results, OfTwoRunsAreCountedInTheSameBins) {
     EXPECT_EQ(runs[0]["histogram"]["edges"], runs[1]["histogram"]["edges"]);
     EXPECT_LE(runs[0]["histogram"]["counts"].size(), 50u);
     const auto column =
-        static_cast<std::size_t>(std::ranges::find(io::endpoint_columns, quantity) - std::begin(io::endpoint_columns));
+        static_cast<std::size_t>(std::ranges::find(endpoint_columns, quantity) - std::begin(endpoint_columns));
     expect_counts_of(runs[0]["histogram"], column_of(id_, column));
     expect_counts_of(runs[1]["histogram"], column_of(other, column));
     // All else is as of each alone.
@@ -174,14 +174,14 @@ TEST_F(Results, OfEveryPathAreItsPointsWithTheRowsAmongThem) {
   EXPECT_EQ(paths.header["total"], 75);
   EXPECT_EQ(paths.header["states"][4], "barrier");
 
-  io::PathReader reader(folder_ / "paths.csv");
+  PathReader reader(folder_ / "paths.csv");
   std::size_t rock = 0, rows = 0;
   float greatest_difference = 0;
   for (; reader.next([](std::uint64_t) { return true; }); ++rock) {
     ASSERT_EQ(reader.path().rock, rocks[rock]);
     std::size_t k = starts[rock];
     float highest = 0;
-    for (const io::PathEventRow& row : reader.path().rows) {
+    for (const PathEventRow& row : reader.path().rows) {
       while (k < starts[rock + 1] &&
              (times[k] != static_cast<float>(row.time_s) || states[k] != static_cast<std::uint8_t>(row.state)))
         highest = std::max(highest, heights[k++]);
@@ -277,15 +277,14 @@ TEST_F(Results, OfTheEndsAreWhereTheyEnd) {
 TEST_F(Results, OfOneRockAreItsRowsAsTheyStand) {
   const std::vector<Texts> ends = endpoints(), all_hits = hits();
   std::map<std::string, std::vector<Texts>> paths;
-  for (const Texts& row : rows_of("paths.csv", io::path_columns)) paths[row[0]].push_back(row);
+  for (const Texts& row : rows_of("paths.csv", path_columns)) paths[row[0]].push_back(row);
   for (const Texts& end : ends) {
     const Json rock = of("/rocks/" + end[0]).json();
     EXPECT_EQ(rock["in_table"], true);
-    EXPECT_EQ(rock["columns"], Json(io::path_columns));
+    EXPECT_EQ(rock["columns"], Json(path_columns));
     EXPECT_EQ(rock["rows"], Json(paths[end[0]]));
     ASSERT_EQ(rock["endpoint"].size(), end.size());
-    for (std::size_t k = 0; k < end.size(); ++k)
-      EXPECT_EQ(rock["endpoint"][std::string(io::endpoint_columns[k])], end[k]);
+    for (std::size_t k = 0; k < end.size(); ++k) EXPECT_EQ(rock["endpoint"][std::string(endpoint_columns[k])], end[k]);
     std::size_t count = 0;
     for (const Texts& hit : all_hits) count += hit[1] == end[0] ? 1 : 0;
     EXPECT_EQ(rock["hits"].size(), count);

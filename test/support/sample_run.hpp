@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace talus::io::sample_run {
+namespace talus::sample_run {
 
 /// A folder of its own that goes away with the object.
 class Folder {
@@ -136,4 +136,4 @@ inline void write(const Folder& folder, const std::string& name = "Tutorial 1") 
                barriers_head + "Fence,1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766.13,60766.13,stopped\n");
 }
 
-}  // namespace talus::io::sample_run
+}  // namespace talus::sample_run

@@ -5,7 +5,7 @@
 
 #include "support/sample_run.hpp"
 
-namespace talus::io::sample_run {
+namespace talus::sample_run {
 
 /// Statistics of hits with these values at 95 %, 99 % and the maximum.
 inline nlohmann::ordered_json design_statistics(double p95, double p99, double greatest) {
@@ -62,4 +62,4 @@ inline void write_3d(const Folder& folder, const nlohmann::ordered_json& summary
   folder.write("paths.csv", paths);
 }
 
-}  // namespace talus::io::sample_run
+}  // namespace talus::sample_run

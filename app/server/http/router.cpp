@@ -128,7 +128,7 @@ Json read_body(const httplib::Request& request, const httplib::ContentReader& co
   if (is_too_large)
     throw Refusal(413, "", "the request is too large", fmt::format("at most {} bytes are read", limits.json_bytes));
   if (!is_whole) throw Refusal(400, "", "the request did not arrive whole");
-  if (io::depth_of_json(text) > io::deepest_json) throw Refusal(400, "", "lists lie too deep in the request");
+  if (depth_of_json(text) > deepest_json) throw Refusal(400, "", "lists lie too deep in the request");
   Json body = Json::parse(text, nullptr, false);
   if (body.is_discarded()) throw Refusal(400, "", "the request's body is not JSON");
   if (!body.is_object()) throw Refusal(400, "", "the request's body is not a JSON object");

@@ -33,11 +33,11 @@ class HeightAboveGround {
 
 }  // namespace
 
-DrawnPaths drawn_paths(const std::filesystem::path& folder, const io::RunFacts& facts, std::uint64_t rocks,
+DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks,
                        const Model* model) {
   constexpr double tolerance = 0.05;  // of the arcs [m]
   const std::uint64_t total = facts.in_tables.paths_before(facts.summary.rocks.done);
-  const io::EvenChoice chosen(rocks, total);
+  const EvenChoice chosen(rocks, total);
   const auto wants = [&](std::uint64_t rock) {
     return facts.in_tables.has_path(rock) && chosen.contains(facts.in_tables.paths_before(rock));
   };
@@ -46,18 +46,18 @@ DrawnPaths drawn_paths(const std::filesystem::path& folder, const io::RunFacts& 
   paths.rocks.total = total;
 
   const auto refuse = [&] {
-    return BadInput(Problem{.file = (folder / io::PathEventRow::file_name).string(),
+    return BadInput(Problem{.file = (folder / PathEventRow::file_name).string(),
                             .what = "has other rocks than endpoints.csv",
                             .why = "rocks are missing in one of the two"});
   };
   const HeightAboveGround height(model);
-  io::PathReader reader(folder / io::PathEventRow::file_name);
+  PathReader reader(folder / PathEventRow::file_name);
   while (paths.starts.size() < paths.rocks.rocks.size() && reader.next(wants)) {
-    const io::Path& path = reader.path();
+    const Path& path = reader.path();
     if (path.rock != paths.rocks.rocks[paths.starts.size()]) throw refuse();
     if (paths.starts.empty()) paths.rocks.origin = origin_near(Vec3(path.rows[0].position_m.data()));
     paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));
-    io::for_points_along(path, tolerance, [&](const io::PathPoint& point) {
+    for_points_along(path, tolerance, [&](const PathPoint& point) {
       const Vec3 place(point.position_m.data());
       paths.times.push_back(static_cast<float>(point.time_s));
       for (int axis = 0; axis < 3; ++axis)

@@ -25,7 +25,7 @@ struct DrawnPaths {
 
 /// So many paths of a finished run, evenly spread over those in its table, of which `rocks.total` says how many there
 /// are. `model` (may be null): for the heights. Throws BadInput where a table is damaged.
-[[nodiscard]] DrawnPaths drawn_paths(const std::filesystem::path& folder, const io::RunFacts& facts,
-                                     std::uint64_t rocks, const Model* model);
+[[nodiscard]] DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks,
+                                     const Model* model);
 
 }  // namespace talus::server

@@ -12,10 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void read_ends(const fs::path& file, const io::RunFacts& facts, const std::function<bool(std::uint64_t)>& wants,
+void read_ends(const fs::path& file, const RunFacts& facts, const std::function<bool(std::uint64_t)>& wants,
                EndPoints& ends) {
-  using R = io::EndpointRow;
-  io::TableReader<R> row(file);
+  using R = EndpointRow;
+  TableReader<R> row(file);
   while (row.next()) {
     const std::uint64_t rock = row.get<&R::rock>();
     if (!wants(rock)) continue;
@@ -39,13 +39,13 @@ void read_hits(const fs::path& file, EndPoints& ends) {
   ends.barriers.resize(words * ends.rocks.size());
   if (ends.barrier_names.empty()) return;
   const Names names(ends.barrier_names);
-  io::TableReader<io::HitRow> row(file);
+  TableReader<HitRow> row(file);
   auto next = ends.rocks.begin();
   while (row.next()) {  // in the order of the rocks, as those are
-    const std::uint64_t rock = row.get<&io::HitRow::rock>();
+    const std::uint64_t rock = row.get<&HitRow::rock>();
     while (next != ends.rocks.end() && *next < rock) ++next;
     if (next == ends.rocks.end()) return;
-    const std::optional<std::uint32_t> barrier = names.find(row.get<&io::HitRow::barrier>());
+    const std::optional<std::uint32_t> barrier = names.find(row.get<&HitRow::barrier>());
     if (!barrier) row.csv().refuse("barrier", "is not a barrier of this run", "summary.json names all of them");
     if (*next != rock) continue;
     const auto of_rock = static_cast<std::size_t>(next - ends.rocks.begin());
@@ -55,20 +55,19 @@ void read_hits(const fs::path& file, EndPoints& ends) {
 
 }  // namespace
 
-EndPoints end_points(const fs::path& folder, const io::RunFacts& facts,
-                     const std::function<bool(std::uint64_t)>& wants) {
+EndPoints end_points(const fs::path& folder, const RunFacts& facts, const std::function<bool(std::uint64_t)>& wants) {
   EndPoints ends;
   ends.source_names = Names(sources_of(facts));
   ends.seeder_names = Names(seeders_of(facts));
   ends.barrier_names = barriers_of(facts);
-  read_ends(folder / io::EndpointRow::file_name, facts, wants, ends);
-  read_hits(folder / io::HitRow::file_name, ends);
+  read_ends(folder / EndpointRow::file_name, facts, wants, ends);
+  read_hits(folder / HitRow::file_name, ends);
   return ends;
 }
 
-EndPoints end_points(const fs::path& folder, const io::RunFacts& facts, std::uint64_t rocks) {
+EndPoints end_points(const fs::path& folder, const RunFacts& facts, std::uint64_t rocks) {
   const std::uint64_t total = facts.in_tables.endpoints_before(facts.summary.rocks.done);
-  const io::EvenChoice chosen(rocks, total);
+  const EvenChoice chosen(rocks, total);
   EndPoints ends = end_points(
       folder, facts, [&](std::uint64_t rock) { return chosen.contains(facts.in_tables.endpoints_before(rock)); });
   ends.total = total;

@@ -32,10 +32,10 @@ struct EndPoints {
 };
 
 /// So many rocks of a finished run, evenly spread over their numbers. Throws BadInput where a table is damaged.
-[[nodiscard]] EndPoints end_points(const std::filesystem::path& folder, const io::RunFacts& facts, std::uint64_t rocks);
+[[nodiscard]] EndPoints end_points(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks);
 
 /// Those that are wanted, of rocks in ascending order.
-[[nodiscard]] EndPoints end_points(const std::filesystem::path& folder, const io::RunFacts& facts,
+[[nodiscard]] EndPoints end_points(const std::filesystem::path& folder, const RunFacts& facts,
                                    const std::function<bool(std::uint64_t rock)>& wants);
 
 /// Whole metres near a place: what is relative to it keeps its millimetres as a float.

@@ -18,44 +18,43 @@ namespace {
 namespace fs = std::filesystem;
 template <class Row>
 Json by_column(const Row& row) {
-  const std::vector<std::string> texts = io::texts_of(row);
+  const std::vector<std::string> texts = texts_of(row);
   Json json = Json::object();
-  for (std::size_t k = 0; k < texts.size(); ++k) json[std::string(io::column_names<Row>[k])] = texts[k];
+  for (std::size_t k = 0; k < texts.size(); ++k) json[std::string(column_names<Row>[k])] = texts[k];
   return json;
 }
 
 /// What the tables say of a rock's end and of its path.
 struct RockRows {
-  std::vector<io::EndpointRow> endpoint;
-  io::Path path;
+  std::vector<EndpointRow> endpoint;
+  Path path;
 };
 
 RockRows computed_again(const Model& model, std::uint64_t rock) {
   Simulator simulator(model);
   const RockRecord record = simulator.simulate(rock, true);
   const TableContext context = TableContext::of(model);
-  RockRows rows{std::vector<io::EndpointRow>(1), {rock}};
+  RockRows rows{std::vector<EndpointRow>(1), {rock}};
   fill(rows.endpoint.front(), context, record);
   for (std::size_t k = 0; k < simulator.log().rows.size(); ++k)
     fill(rows.path.rows.emplace_back(), context, record, k, simulator.log().rows[k]);
   return rows;
 }
 
-Json energies(const io::Path& path) {
+Json energies(const Path& path) {
   constexpr double tolerance = 0.05;  // of the arcs [m]
   Json json = Json::array();
-  for (const io::PathEnergies& at : io::energies_along(path, tolerance))
+  for (const PathEnergies& at : energies_along(path, tolerance))
     json.push_back({at.time_s, at.ke_translational_J, at.ke_rotational_J, at.pe_J});
   return json;
 }
 
 }  // namespace
 
-Json one_rock(const fs::path& folder, std::uint64_t rock, const io::RunFacts& facts,
+Json one_rock(const fs::path& folder, std::uint64_t rock, const RunFacts& facts,
               const std::function<std::shared_ptr<const BuiltProject>()>& model) {
   const std::string name = std::to_string(rock);
-  RockRows rows{io::rows_of_rock<io::EndpointRow>(folder, rock),
-                {rock, io::rows_of_rock<io::PathEventRow>(folder, rock)}};
+  RockRows rows{rows_of_rock<EndpointRow>(folder, rock), {rock, rows_of_rock<PathEventRow>(folder, rock)}};
   if (rows.endpoint.empty() && (rock >= facts.summary.rocks.done || facts.in_tables.has_endpoint(rock)))
     throw Refusal(404, name, "there is no such rock", "it was not run");
   const bool is_in_table = !rows.path.rows.empty();
@@ -67,11 +66,11 @@ Json one_rock(const fs::path& folder, std::uint64_t rock, const io::RunFacts& fa
     rows = computed_again(built->model, rock);
   }
   Json hits = Json::array(), path = Json::array();
-  for (const io::HitRow& row : io::rows_of_rock<io::HitRow>(folder, rock)) hits.push_back(by_column(row));
-  for (const io::PathEventRow& row : rows.path.rows) path.push_back(io::texts_of(row));
+  for (const HitRow& row : rows_of_rock<HitRow>(folder, rock)) hits.push_back(by_column(row));
+  for (const PathEventRow& row : rows.path.rows) path.push_back(texts_of(row));
   return {{"rock", rock},
           {"endpoint", by_column(rows.endpoint.front())},
-          {"columns", io::path_columns},
+          {"columns", path_columns},
           {"rows", std::move(path)},
           {"in_table", is_in_table},
           {"hits", std::move(hits)},

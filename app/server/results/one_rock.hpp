@@ -15,7 +15,7 @@ namespace talus::server {
 /// Its rows as they stand in the tables; those of its end and its path are computed again where the tables do not have
 /// them, with the model that is asked for then. Refuses (404) a rock that was not run, and a path that
 /// can no longer be computed (no model).
-[[nodiscard]] Json one_rock(const std::filesystem::path& folder, std::uint64_t rock, const io::RunFacts& facts,
+[[nodiscard]] Json one_rock(const std::filesystem::path& folder, std::uint64_t rock, const RunFacts& facts,
                             const std::function<std::shared_ptr<const BuiltProject>()>& model);
 
 }  // namespace talus::server

@@ -21,7 +21,7 @@ std::filesystem::path results_folder(const Run& run) {
   throw refuse(is_there ? "its summary.json is not an ordinary file" : "it ended before they were written");
 }
 
-io::RunFacts read_facts(const Run& run) { return io::read_run_facts(results_folder(run)); }
+RunFacts read_facts(const Run& run) { return read_run_facts(results_folder(run)); }
 
 Json settings_of(const Run& run, const std::filesystem::path& project_file) {
   return project::echo(
@@ -41,7 +41,7 @@ std::optional<std::uint32_t> Names::find(std::string_view name) const {
   return found->second;
 }
 
-std::vector<std::string> seeders_of(const io::RunFacts& facts) {
+std::vector<std::string> seeders_of(const RunFacts& facts) {
   std::vector<std::string> names;
   for (const Json& seeder : facts.summary.project->value("seeder", Json::array()))
     names.push_back(seeder.is_object() && seeder.contains("name") && seeder["name"].is_string() ? seeder["name"]
@@ -49,15 +49,15 @@ std::vector<std::string> seeders_of(const io::RunFacts& facts) {
   return names;
 }
 
-std::vector<std::string> sources_of(const io::RunFacts& facts) {
+std::vector<std::string> sources_of(const RunFacts& facts) {
   std::vector<std::string> names;
-  for (const io::SourceRocks& source : facts.summary.sources) names.push_back(source.name);
+  for (const SourceRocks& source : facts.summary.sources) names.push_back(source.name);
   return names;
 }
 
-std::vector<std::string> barriers_of(const io::RunFacts& facts) {
+std::vector<std::string> barriers_of(const RunFacts& facts) {
   std::vector<std::string> names;
-  for (const io::BarrierFacts& barrier : facts.barriers) names.push_back(barrier.name);
+  for (const BarrierFacts& barrier : facts.barriers) names.push_back(barrier.name);
   return names;
 }
 

@@ -19,7 +19,7 @@ namespace talus::server {
 [[nodiscard]] std::filesystem::path results_folder(const Run& run);
 
 /// What its summary.json says. Throws BadInput where it is damaged, and refuses as above.
-[[nodiscard]] io::RunFacts read_facts(const Run& run);
+[[nodiscard]] RunFacts read_facts(const Run& run);
 
 /// The settings with which it was thrown, every default filled in: of its text, which is there before any result.
 /// Throws BadInput where this program no longer takes the text.
@@ -44,8 +44,8 @@ class Names {
 };
 
 // The names of a run's seeders (empty: it has none), sources, and barriers and collectors, in its order.
-[[nodiscard]] std::vector<std::string> seeders_of(const io::RunFacts& facts);
-[[nodiscard]] std::vector<std::string> sources_of(const io::RunFacts& facts);
-[[nodiscard]] std::vector<std::string> barriers_of(const io::RunFacts& facts);
+[[nodiscard]] std::vector<std::string> seeders_of(const RunFacts& facts);
+[[nodiscard]] std::vector<std::string> sources_of(const RunFacts& facts);
+[[nodiscard]] std::vector<std::string> barriers_of(const RunFacts& facts);
 
 }  // namespace talus::server

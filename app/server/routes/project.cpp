@@ -51,7 +51,7 @@ void write(const fs::path& path, std::string_view text) {
 
 std::optional<std::string> hash_of(const std::optional<std::string>& text) {
   if (!text) return std::nullopt;
-  return io::text_of(io::checksum_of(*text));
+  return text_of(checksum_of(*text));
 }
 
 Json text_or_null(const std::optional<std::string>& text) { return text ? Json(*text) : Json(); }
@@ -124,7 +124,7 @@ void add_project_routes(Router& router, const Workplace& workplace) {
     fs::create_directories(file.parent_path(), ignored);
     write(workplace.written(file), text);
     if (may_replace(draft_of(file), call)) remove_draft(file);
-    return json_answer({{"saved", io::text_of(io::checksum_of(text))}});
+    return json_answer({{"saved", text_of(checksum_of(text))}});
   });
   router.put("/api/draft", [&workplace](const Call& call) {
     call.only({"file", "text", "saved", "workplace", "revision", "after"});

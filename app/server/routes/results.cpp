@@ -26,7 +26,7 @@ std::vector<std::pair<std::string, std::uintmax_t>> files_of(const fs::path& fol
     const std::string name = path.lexically_relative(folder).generic_string();
     std::error_code ignored;
     if (entry->is_symlink(ignored) || !entry->is_regular_file(ignored)) continue;
-    if (name == run_file_name || name == io::run_state_name || path.extension() == ".part" || name.starts_with('.'))
+    if (name == run_file_name || name == run_state_name || path.extension() == ".part" || name.starts_with('.'))
       continue;
     files.emplace_back(name, entry->file_size(ignored));
   }

@@ -11,9 +11,9 @@ namespace talus::server {
 namespace {
 
 /// Where each class begins and ends (the last: null), and its colour.
-Json classes_of(const io::MapFile& map) {
+Json classes_of(const MapFile& map) {
   Json classes = Json::array();
-  for (const io::MapClass& each : io::map_classes(map.limits)) {
+  for (const MapClass& each : map_classes(map.limits)) {
     classes.push_back(
         {{"from", each.from}, {"to", std::isfinite(each.to) ? Json(each.to) : Json()}, {"colour", each.colour}});
   }
@@ -25,7 +25,7 @@ Json classes_of(const io::MapFile& map) {
 void add_map_routes(Router& router, RunStore& runs) {
   router.get(one_run + "/maps", [&runs](const Call& call) {
     Json list = Json::array();
-    for (const io::MapFile& map : io::maps_of_run(results_folder(runs.find(call.part(1)))))
+    for (const MapFile& map : maps_of_run(results_folder(runs.find(call.part(1)))))
       list.push_back({{"name", map.name},
                       {"meaning", map.meaning},
                       {"unit", map.unit},
@@ -40,10 +40,10 @@ void add_map_routes(Router& router, RunStore& runs) {
     const auto folder = results_folder(runs.find(call.part(1)));
     const auto pixels = static_cast<int>(call.query_number("pixels", 1024, most_pixels));
     // Only names that are listed: nothing leads out of the folder.
-    const auto maps = io::maps_of_run(folder);
-    const auto map = std::ranges::find(maps, call.part(2), &io::MapFile::name);
+    const auto maps = maps_of_run(folder);
+    const auto map = std::ranges::find(maps, call.part(2), &MapFile::name);
     if (map == maps.end()) throw Refusal(404, call.part(2), "there is no such map of this run");
-    const io::MapValues values = io::read_map(folder, *map, std::max(pixels, io::least_pixels));
+    const MapValues values = read_map(folder, *map, std::max(pixels, least_pixels));
     Arrays arrays({{"origin", values.origin},
                    {"cell", values.cell},
                    {"columns", values.columns},

@@ -42,13 +42,13 @@ std::optional<double> energy_in(const Call& call, const std::string& key) {
 }
 
 /// Of one run, or of two, of which either may have a name.
-io::RockFilter filter_in(const Call& call, std::initializer_list<const io::RunFacts*> runs) {
+RockFilter filter_in(const Call& call, std::initializer_list<const RunFacts*> runs) {
   std::vector<std::string> reasons, seeders, sources, barriers;
   for (int k = 0; k < end_reason_count; ++k) reasons.emplace_back(name(static_cast<EndReason>(k)));
   const auto append = [](std::vector<std::string>& known, const std::vector<std::string>& more) {
     known.insert(known.end(), more.begin(), more.end());
   };
-  for (const io::RunFacts* facts : runs) {
+  for (const RunFacts* facts : runs) {
     append(seeders, seeders_of(*facts));
     append(sources, sources_of(*facts));
     append(barriers, barriers_of(*facts));
@@ -61,23 +61,23 @@ io::RockFilter filter_in(const Call& call, std::initializer_list<const io::RunFa
           .most_energy_J = energy_in(call, "max_energy_kJ")};
 }
 
-const io::NumberColumn& column_in(const Call& call, const std::vector<io::NumberColumn>& known) {
+const NumberColumn& column_in(const Call& call, const std::vector<NumberColumn>& known) {
   const std::string wanted = call.query("of");
-  const auto found = std::ranges::find(known, wanted, &io::NumberColumn::name);
+  const auto found = std::ranges::find(known, wanted, &NumberColumn::name);
   if (found != known.end()) return *found;
   std::vector<std::string_view> names;
-  for (const io::NumberColumn& column : known) names.push_back(column.name);
+  for (const NumberColumn& column : known) names.push_back(column.name);
   throw Refusal(400, "of", fmt::format("\"{}\" is not a column of numbers", wanted),
                 fmt::format("expected one of {}", fmt::join(names, ", ")));
 }
 
 /// How many rocks the filter has to choose from, of how many done; null: of all.
-Json sample_json(const io::RunFacts& facts) {
+Json sample_json(const RunFacts& facts) {
   const std::uint64_t done = facts.summary.rocks.done, there = facts.in_tables.endpoints_before(done);
   return there == done ? Json() : Json{{"rocks", there}, {"of", done}};
 }
 
-Json statistics_answer(const Tally& tally, const io::NumberColumn& column, const std::optional<Histogram>& histogram,
+Json statistics_answer(const Tally& tally, const NumberColumn& column, const std::optional<Histogram>& histogram,
                        Json sample = {}) {
   Json edges = Json::array(), counts = Json::array(), cumulative = Json::array(), box;
   if (histogram) {
@@ -85,7 +85,7 @@ Json statistics_answer(const Tally& tally, const io::NumberColumn& column, const
     for (std::uint64_t k = 0; k <= bins.bins; ++k) edges.push_back(bins.edge(k));
     counts = histogram->counts();
   }
-  for (const auto& [value, share] : io::cumulative(tally, cumulative_points)) cumulative.push_back({value, share});
+  for (const auto& [value, share] : cumulative(tally, cumulative_points)) cumulative.push_back({value, share});
   if (const auto plot = box_plot(tally.sketch())) {
     const Descriptive all = tally.describe();
     box = {{"least", *all.minimum},  {"whisker_low", plot->lower_whisker}, {"q1", plot->lower_quartile},
@@ -96,14 +96,14 @@ Json statistics_answer(const Tally& tally, const io::NumberColumn& column, const
           {"unit", column.unit},
           {"count", tally.count()},
           {"sample", std::move(sample)},
-          {"statistics", io::json_of(statistics_of(tally))},
+          {"statistics", json_of(statistics_of(tally))},
           {"histogram", {{"edges", std::move(edges)}, {"counts", std::move(counts)}}},
           {"cumulative", std::move(cumulative)},
           {"box", std::move(box)}};
 }
 
 /// Of two runs, counted in the same bins.
-Json compared_answer(const Tally& here, const Tally& there, const io::NumberColumn& column) {
+Json compared_answer(const Tally& here, const Tally& there, const NumberColumn& column) {
   auto a = here.histogram(histogram_bins), b = there.histogram(histogram_bins);
   if (a && b) {
     const BinEdges edges = common_bins(a->edges(), b->edges(), compared_bins);
@@ -114,15 +114,15 @@ Json compared_answer(const Tally& here, const Tally& there, const io::NumberColu
 }
 
 /// The hits on the barrier of this name; none where the run has no such barrier.
-Tally hits_in(const std::filesystem::path& folder, const io::RunFacts& facts, std::string_view barrier,
-              std::string_view column, const io::RockFilter& filter) {
-  if (std::ranges::find(facts.barriers, barrier, &io::BarrierFacts::name) == facts.barriers.end())
+Tally hits_in(const std::filesystem::path& folder, const RunFacts& facts, std::string_view barrier,
+              std::string_view column, const RockFilter& filter) {
+  if (std::ranges::find(facts.barriers, barrier, &BarrierFacts::name) == facts.barriers.end())
     return Tally(facts.planned_rocks());
-  return io::barrier_statistics(folder, facts, barrier, column, filter);
+  return barrier_statistics(folder, facts, barrier, column, filter);
 }
 
 /// What the summary says of a barrier, and how it is to be designed, if that was asked for.
-Json barrier_json(const io::BarrierFacts& barrier, const io::RunSummary& summary) {
+Json barrier_json(const BarrierFacts& barrier, const RunSummary& summary) {
   Json design;
   if (summary.design)
     for (const Json& line : summary.design->at("lines"))
@@ -137,7 +137,7 @@ Json barrier_json(const io::BarrierFacts& barrier, const io::RunSummary& summary
           {"rebounded", barrier.outcomes.rebounded},
           {"passed_through", barrier.outcomes.broke_through + barrier.outcomes.passed},
           {"passed_above", barrier.passed_above},
-          {"statistics", barrier.statistics.empty() ? Json() : io::json_of(barrier.statistics)},
+          {"statistics", barrier.statistics.empty() ? Json() : json_of(barrier.statistics)},
           {"design", std::move(design)}};
 }
 
@@ -147,49 +147,49 @@ void add_statistics_routes(Router& router, RunStore& runs) {
   router.get(one_run + "/statistics", [&runs](const Call& call) {
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
-    const io::NumberColumn& column = column_in(call, io::endpoint_numbers());
-    const io::RunFacts facts = read_facts(run);
-    const io::RockFilter filter = filter_in(call, {&facts});
-    const Tally tally = io::endpoint_statistics(folder, facts, column.name, filter);
+    const NumberColumn& column = column_in(call, endpoint_numbers());
+    const RunFacts facts = read_facts(run);
+    const RockFilter filter = filter_in(call, {&facts});
+    const Tally tally = endpoint_statistics(folder, facts, column.name, filter);
     return json_answer(statistics_answer(tally, column, tally.histogram(histogram_bins), sample_json(facts)));
   });
   router.get(one_run + "/compared/([A-Za-z0-9._-]+)/statistics", [&runs](const Call& call) {
     const Run here = runs.find(call.part(1)), there = runs.find(call.part(2));
     const auto folder = results_folder(here), other = results_folder(there);
-    const io::RunFacts facts = read_facts(here), others = read_facts(there);
-    const io::RockFilter filter = filter_in(call, {&facts, &others});
+    const RunFacts facts = read_facts(here), others = read_facts(there);
+    const RockFilter filter = filter_in(call, {&facts, &others});
     if (const std::string barrier = call.query("hits_on"); !barrier.empty()) {
-      const io::NumberColumn& column = column_in(call, io::barrier_numbers());
+      const NumberColumn& column = column_in(call, barrier_numbers());
       return json_answer(compared_answer(hits_in(folder, facts, barrier, column.name, filter),
                                          hits_in(other, others, barrier, column.name, filter), column));
     }
-    const io::NumberColumn& column = column_in(call, io::endpoint_numbers());
-    return json_answer(compared_answer(io::endpoint_statistics(folder, facts, column.name, filter),
-                                       io::endpoint_statistics(other, others, column.name, filter), column));
+    const NumberColumn& column = column_in(call, endpoint_numbers());
+    return json_answer(compared_answer(endpoint_statistics(folder, facts, column.name, filter),
+                                       endpoint_statistics(other, others, column.name, filter), column));
   });
   router.get(one_run + "/barriers", [&runs](const Call& call) {
     const Run run = runs.find(call.part(1));
-    const io::RunFacts facts = read_facts(run);
+    const RunFacts facts = read_facts(run);
     Json list = Json::array();
-    for (const io::BarrierFacts& barrier : facts.barriers) list.push_back(barrier_json(barrier, facts.summary));
+    for (const BarrierFacts& barrier : facts.barriers) list.push_back(barrier_json(barrier, facts.summary));
     return json_answer({{"barriers", std::move(list)}});
   });
   router.get(one_run + "/barriers/([0-9]{1,9})/statistics", [&runs](const Call& call) {
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
-    const io::RunFacts facts = read_facts(run);
+    const RunFacts facts = read_facts(run);
     const std::size_t number = std::stoull(call.part(2));
     if (number >= facts.barriers.size())
       throw Refusal(404, call.part(2), "there is no such barrier",
                     fmt::format("this run has {}, counted from 0", facts.barriers.size()));
-    const io::NumberColumn& column = column_in(call, io::barrier_numbers());
-    const io::RockFilter filter = filter_in(call, {&facts});
-    const Tally tally = io::barrier_statistics(folder, facts, facts.barriers[number].name, column.name, filter);
+    const NumberColumn& column = column_in(call, barrier_numbers());
+    const RockFilter filter = filter_in(call, {&facts});
+    const Tally tally = barrier_statistics(folder, facts, facts.barriers[number].name, column.name, filter);
     Json answer = statistics_answer(tally, column, tally.histogram(histogram_bins),
                                     filter.is_empty() ? Json() : sample_json(facts));
     // The summary squares the size of the velocity, the table adds squares up: their energies differ in the last bit.
-    const io::Statistics* const known = io::find_named(facts.barriers[number].statistics, column.name);
-    if (filter.is_empty() && known != nullptr) answer["statistics"] = io::json_of(*known);
+    const Statistics* const known = find_named(facts.barriers[number].statistics, column.name);
+    if (filter.is_empty() && known != nullptr) answer["statistics"] = json_of(*known);
     return json_answer(answer);
   });
 }

@@ -9,7 +9,7 @@
 #include "talus/archive/design_tables.hpp"
 #include "talus/archive/table_columns.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::string columns_module() {
   return out;
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -6,7 +6,7 @@
 
 #include "talus/files/csv_table.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// A Markdown table with a row for each column.
 [[nodiscard]] std::string column_table(std::span<const ColumnText> columns);
@@ -14,4 +14,4 @@ namespace talus::io {
 /// A TypeScript module with the columns of the tables that the page shows.
 [[nodiscard]] std::string columns_module();
 
-}  // namespace talus::io
+}  // namespace talus

@@ -10,7 +10,7 @@
 #include "talus/core/check.hpp"
 #include "talus/core/vec.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -183,4 +183,4 @@ std::vector<CumulativePoint> cumulative(const Tally& tally, std::size_t most_poi
   return points;
 }
 
-}  // namespace talus::io
+}  // namespace talus

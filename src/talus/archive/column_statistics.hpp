@@ -10,7 +10,7 @@
 #include "talus/archive/run_facts.hpp"
 #include "talus/results/summary.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// Which rocks count. An empty list lets all pass; of several names in one any will do.
 struct RockFilter {
@@ -44,4 +44,4 @@ struct CumulativePoint {
 };
 [[nodiscard]] std::vector<CumulativePoint> cumulative(const Tally& tally, std::size_t most_points);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -9,7 +9,7 @@
 #include "talus/archive/design_tables.hpp"
 #include "talus/core/bytes.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -230,4 +230,4 @@ Json design_json(const DesignPlan& plan, const DesignResult& result) {
           {"ranking", std::move(ranking)}};
 }
 
-}  // namespace talus::io
+}  // namespace talus

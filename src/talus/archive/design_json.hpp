@@ -7,7 +7,7 @@
 
 #include "talus/results/design_result.hpp"
 
-namespace talus::io {
+namespace talus {
 
 [[nodiscard]] nlohmann::ordered_json plan_json(const DesignPlan& plan);
 /// Of so many barriers and collectors. Throws BadBytes, or an exception of the library, on what is not a plan for them.
@@ -19,4 +19,4 @@ namespace talus::io {
 /// The value of the key `design` of summary.json.
 [[nodiscard]] nlohmann::ordered_json design_json(const DesignPlan& plan, const DesignResult& result);
 
-}  // namespace talus::io
+}  // namespace talus

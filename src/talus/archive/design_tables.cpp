@@ -7,7 +7,7 @@
 #include "talus/archive/design_json.hpp"
 #include "talus/files/output_file.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -141,4 +141,4 @@ void remove_design_tables(const std::filesystem::path& folder) {
   std::filesystem::remove(folder / RankingRow::file_name, ignored);
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -14,7 +14,7 @@
 #include "talus/files/csv_table.hpp"
 #include "talus/results/design_result.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// A quantity that percentiles along a line are taken of, and how its columns are named.
 struct DesignQuantity {
@@ -129,4 +129,4 @@ void write_design_tables(const std::filesystem::path& folder, const DesignPlan& 
 /// Removes those that an earlier run left there.
 void remove_design_tables(const std::filesystem::path& folder);
 
-}  // namespace talus::io
+}  // namespace talus

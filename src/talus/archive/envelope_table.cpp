@@ -7,7 +7,7 @@
 #include "talus/files/output_file.hpp"
 #include "talus/maps/map_list.hpp"
 
-namespace talus::io {
+namespace talus {
 
 std::vector<ColumnText> EnvelopeRow::family_texts() {
   std::vector<ColumnText> texts;
@@ -65,4 +65,4 @@ void remove_envelopes(const std::filesystem::path& folder) {
   std::filesystem::remove(folder / EnvelopeRow::file_name, ignored);
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -10,7 +10,7 @@
 #include "talus/maps/map_list.hpp"
 #include "talus/results/maps.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// A row of envelopes.csv: a cell of a grid along x.
 struct EnvelopeRow {
@@ -36,4 +36,4 @@ void write_envelopes(const std::filesystem::path& folder, const Maps& maps, cons
                      bool has_heights);
 void remove_envelopes(const std::filesystem::path& folder);
 
-}  // namespace talus::io
+}  // namespace talus

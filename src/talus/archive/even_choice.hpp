@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace talus::io {
+namespace talus {
 
 /// The rocks are cut into as many stretches of equal length as rocks are wanted, and of each stretch one rock is taken,
 /// at a place that follows from the stretch's number as if by chance. So every run of rocks, which is to say every
@@ -52,4 +52,4 @@ class EvenChoice {
   std::uint64_t wanted_, rocks_;
 };
 
-}  // namespace talus::io
+}  // namespace talus

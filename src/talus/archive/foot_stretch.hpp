@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace talus::io {
+namespace talus {
 
 using FootLine = std::vector<std::array<double, 3>>;
 
@@ -61,4 +61,4 @@ using FootLine = std::vector<std::array<double, 3>>;
   return station;
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace talus::io {
+namespace talus {
 
 using JsonValue = nlohmann::ordered_json;  // in the order of the file
 /// An object that nobody here looks into; copies share it.
@@ -237,4 +237,4 @@ void read_json(const JsonValue& json, const JsonPlace& place, T& value) {
   }
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -15,8 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-io::TerrainSummary terrain_of(const Model& model, const Profile& profile) {
-  io::TerrainSummary terrain{.kind = "section"};
+TerrainSummary terrain_of(const Model& model, const Profile& profile) {
+  TerrainSummary terrain{.kind = "section"};
   const auto point = [&](const Vec3& local) {
     const Vec3 p = model.frame.global_from_local(local);
     terrain.section.push_back({p.x(), p.z()});
@@ -31,7 +31,7 @@ io::TerrainSummary terrain_of(const Model& model, const Profile& profile) {
 
 // The terrain from above as a coarse grid of elevations, for pictures.
 template <class Surface>
-io::Relief relief_of(const Model& model, const Surface& surface) {
+Relief relief_of(const Model& model, const Surface& surface) {
   constexpr double most_cells_a_side = 160;
   const Vec3 size = surface.bounds().high - surface.bounds().low;
   const double cell = std::max(size.x(), size.y()) / most_cells_a_side;
@@ -39,11 +39,11 @@ io::Relief relief_of(const Model& model, const Surface& surface) {
   const auto rows = static_cast<int>(std::ceil(size.y() / cell - 1e-9));
   const Vec3 low = surface.bounds().low + Vec3(0.5 * cell, 0.5 * cell, 0);
   const Vec3 first = model.frame.global_from_local(low);
-  io::Relief relief{.x0 = first.x(),
-                    .y0 = first.y(),
-                    .cell_m = cell,
-                    .columns = static_cast<std::uint64_t>(columns),
-                    .rows = static_cast<std::uint64_t>(rows)};
+  Relief relief{.x0 = first.x(),
+                .y0 = first.y(),
+                .cell_m = cell,
+                .columns = static_cast<std::uint64_t>(columns),
+                .rows = static_cast<std::uint64_t>(rows)};
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       const auto ground = surface.elevation(low.x() + column * cell, low.y() + row * cell);
@@ -55,7 +55,7 @@ io::Relief relief_of(const Model& model, const Surface& surface) {
 }
 
 template <class Surface>
-io::TerrainSummary surface_of(const Model& model, const Surface& surface, const char* kind) {
+TerrainSummary surface_of(const Model& model, const Surface& surface, const char* kind) {
   const Vec3 low = model.frame.global_from_local(surface.bounds().low);
   const Vec3 high = model.frame.global_from_local(surface.bounds().high);
   return {.kind = kind,
@@ -65,8 +65,8 @@ io::TerrainSummary surface_of(const Model& model, const Surface& surface, const 
           .relief = relief_of(model, surface)};
 }
 
-io::TerrainSummary terrain_of(const Model& model, const TriangleMesh& mesh) { return surface_of(model, mesh, "mesh"); }
-io::TerrainSummary terrain_of(const Model& model, const RasterSurface& raster) {
+TerrainSummary terrain_of(const Model& model, const TriangleMesh& mesh) { return surface_of(model, mesh, "mesh"); }
+TerrainSummary terrain_of(const Model& model, const RasterSurface& raster) {
   return surface_of(model, raster, "raster");
 }
 
@@ -108,8 +108,8 @@ std::vector<double> stations_of(const Barrier& barrier) {
 }
 
 /// Which rocks come from which source: of each the first rock and the number of each unbroken row of them.
-std::vector<io::SourceRocks> sources_of(const Model& model) {
-  std::vector<io::SourceRocks> sources(model.sources.size());
+std::vector<SourceRocks> sources_of(const Model& model) {
+  std::vector<SourceRocks> sources(model.sources.size());
   for (std::size_t k = 0; k < sources.size(); ++k) sources[k].name = model.sources[k];
   for (const Seeder& seeder : model.seeders) {
     for (const SourceRun& run : source_runs(seeder, model.seed, model.sampling)) {
@@ -125,10 +125,10 @@ std::vector<io::SourceRocks> sources_of(const Model& model) {
 }
 
 /// What is known of a barrier beforehand.
-io::BarrierPlace place_of(const Model& model, const Barrier& barrier) {
-  io::BarrierPlace place{.name = barrier.name,
-                         .kind = barrier.is_collector ? "collector" : "barrier",
-                         .line_xyz = foot_of(model, barrier)};
+BarrierPlace place_of(const Model& model, const Barrier& barrier) {
+  BarrierPlace place{.name = barrier.name,
+                     .kind = barrier.is_collector ? "collector" : "barrier",
+                     .line_xyz = foot_of(model, barrier)};
   if (!std::holds_alternative<Profile>(model.surface)) place.stations_m = stations_of(barrier);
   return place;
 }
@@ -143,14 +143,14 @@ Json origin_json(const LocalFrame& frame) {
 
 Json model_json(const Model& model) {
   Json barriers = Json::array();
-  for (const Barrier& barrier : model.barriers) barriers.push_back(io::json_of(place_of(model, barrier)));
-  return {{"seed", model.seed},
-          {"barriers", std::move(barriers)},
-          {"sources", io::json_of(sources_of(model))},
-          {"energy_datum_m", model.energy_datum},
-          {"origin_m", origin_json(model.frame)},
-          {"terrain",
-           io::json_of(std::visit([&](const auto& surface) { return terrain_of(model, surface); }, model.surface))}};
+  for (const Barrier& barrier : model.barriers) barriers.push_back(json_of(place_of(model, barrier)));
+  return {
+      {"seed", model.seed},
+      {"barriers", std::move(barriers)},
+      {"sources", json_of(sources_of(model))},
+      {"energy_datum_m", model.energy_datum},
+      {"origin_m", origin_json(model.frame)},
+      {"terrain", json_of(std::visit([&](const auto& surface) { return terrain_of(model, surface); }, model.surface))}};
 }
 
 }  // namespace talus

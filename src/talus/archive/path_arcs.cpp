@@ -5,7 +5,7 @@
 
 #include "talus/core/vec.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -72,4 +72,4 @@ void for_points_along(const Path& path, double tolerance_m, const std::function<
   }
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -6,7 +6,7 @@
 
 #include "talus/archive/run_folder.hpp"
 
-namespace talus::io {
+namespace talus {
 
 struct PathPoint {
   double time_s = 0;
@@ -29,4 +29,4 @@ void for_points_along(const Path& path, double tolerance_m, const std::function<
 /// Into no more pieces than this is a flight cut, however long it takes.
 inline constexpr int most_pieces_of_a_flight = 256;
 
-}  // namespace talus::io
+}  // namespace talus

@@ -5,7 +5,7 @@
 
 #include "talus/archive/path_arcs.hpp"
 
-namespace talus::io {
+namespace talus {
 
 std::vector<PathEnergies> energies_along(const Path& path, double tolerance_m) {
   std::vector<PathEnergies> energies;
@@ -30,4 +30,4 @@ std::vector<PathEnergies> energies_along(const Path& path, double tolerance_m) {
   return energies;
 }
 
-}  // namespace talus::io
+}  // namespace talus

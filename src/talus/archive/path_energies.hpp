@@ -5,7 +5,7 @@
 
 #include "talus/archive/run_folder.hpp"
 
-namespace talus::io {
+namespace talus {
 
 struct PathEnergies {
   double time_s = 0;
@@ -17,4 +17,4 @@ struct PathEnergies {
 /// `tolerance_m`: of the arc, which says how many points there are.
 [[nodiscard]] std::vector<PathEnergies> energies_along(const Path& path, double tolerance_m);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -4,7 +4,7 @@
 
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 
 using R = PathEventRow;
 
@@ -51,4 +51,4 @@ bool PathReader::next(const std::function<bool(std::uint64_t)>& wants) {
   return true;
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -8,7 +8,7 @@
 
 #include "talus/archive/run_folder.hpp"
 
-namespace talus::io {
+namespace talus {
 
 class PathReader {
  public:
@@ -31,4 +31,4 @@ class PathReader {
 [[noreturn]] void refuse_other_rock(const TableReader<PathEventRow>& row, std::uint64_t rock, std::uint64_t unfinished);
 [[noreturn]] void refuse_unfinished_path(const std::filesystem::path& file, std::uint64_t rock);
 
-}  // namespace talus::io
+}  // namespace talus

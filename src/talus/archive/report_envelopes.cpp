@@ -5,7 +5,7 @@
 
 #include "talus/archive/envelope_table.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 constexpr std::string_view shown[] = {"reach_share", "energy_total_", "velocity_", "bounce_height_"};
@@ -46,4 +46,4 @@ ReportEnvelopes read_report_envelopes(const std::filesystem::path& file) {
   return out;
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace talus::io {
+namespace talus {
 
 struct ReportEnvelopes {
   struct Cell {
@@ -25,4 +25,4 @@ inline constexpr std::size_t most_report_envelope_cells = 1000;
 /// Reach, energy, velocity and height. Throws BadInput on a file that is not what it should be.
 [[nodiscard]] ReportEnvelopes read_report_envelopes(const std::filesystem::path& file);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -9,7 +9,7 @@
 #include "talus/maps/map_list.hpp"
 #include "talus/maps/map_reading.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::vector<ReportMap> read_report_maps(const std::filesystem::path& folder) {
   return maps;
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -9,7 +9,7 @@
 
 #include "talus/maps/map_style.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// A map whose cells have levels instead of values: 0 where no rock was, else k from 1 to 255, which stands for
 /// least (greatest / least)^((k - 1) / 254) where they are logarithmic and for greatest (k - 1) / 254 where they are
@@ -32,4 +32,4 @@ inline constexpr int most_report_cells = 400;
 /// without GDAL. Throws BadInput on a map that cannot be read.
 [[nodiscard]] std::vector<ReportMap> read_report_maps(const std::filesystem::path& folder);
 
-}  // namespace talus::io
+}  // namespace talus

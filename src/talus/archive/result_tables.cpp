@@ -42,15 +42,15 @@ struct RowsPart : TextPart {
   CsvMemory memory;
 };
 
-struct EndpointsPart : RowsPart<io::EndpointRow> {
-  EndpointsPart(const TableContext& c, const io::TableRocks& r) : RowsPart(c), rocks(r) {}
+struct EndpointsPart : RowsPart<EndpointRow> {
+  EndpointsPart(const TableContext& c, const TableRocks& r) : RowsPart(c), rocks(r) {}
   void see(const RockRecord& record, const RockLog&) override {
     if (rocks.has_endpoint(record.rock)) add(record);
   }
-  const io::TableRocks& rocks;
+  const TableRocks& rocks;
 };
 
-struct PathsPart : RowsPart<io::PathEventRow> {
+struct PathsPart : RowsPart<PathEventRow> {
   PathsPart(const TableContext& c, const PathsTable& t) : RowsPart(c), table(t) {}
   void see(const RockRecord& record, const RockLog& log) override {
     if (!table.wants_rows(record.rock)) return;
@@ -59,7 +59,7 @@ struct PathsPart : RowsPart<io::PathEventRow> {
   const PathsTable& table;
 };
 
-struct BarriersPart : RowsPart<io::HitRow> {
+struct BarriersPart : RowsPart<HitRow> {
   using RowsPart::RowsPart;
   void see(const RockRecord& record, const RockLog& log) override {
     for (const BarrierHit& hit : log.hits) add(record, hit);
@@ -68,7 +68,7 @@ struct BarriersPart : RowsPart<io::HitRow> {
 
 }  // namespace
 
-void fill(io::EndpointRow& row, const TableContext& context, const RockRecord& record) {
+void fill(EndpointRow& row, const TableContext& context, const RockRecord& record) {
   const RockOutcome& outcome = record.outcome;
   const Runout way = runout(outcome);
   row.rock = record.rock;
@@ -86,7 +86,7 @@ void fill(io::EndpointRow& row, const TableContext& context, const RockRecord& r
   row.max_bounce_m = outcome.max_bounce;
 }
 
-void fill(io::PathEventRow& row, const TableContext& context, const RockRecord& record, std::size_t event,
+void fill(PathEventRow& row, const TableContext& context, const RockRecord& record, std::size_t event,
           const PathRow& seen) {
   const Vec3 position = context.frame.global_from_local(seen.motion.position);
   row.rock = record.rock;
@@ -101,7 +101,7 @@ void fill(io::PathEventRow& row, const TableContext& context, const RockRecord& 
   row.pe_J = record.body.mass * context.gravity * (position.z() - context.energy_datum);
 }
 
-void fill(io::HitRow& row, const TableContext& context, const RockRecord& record, const BarrierHit& hit) {
+void fill(HitRow& row, const TableContext& context, const RockRecord& record, const BarrierHit& hit) {
   row.barrier = context.barriers[hit.barrier.index];
   row.rock = record.rock;
   row.time_s = hit.motion.time;
@@ -117,13 +117,13 @@ void fill(io::HitRow& row, const TableContext& context, const RockRecord& record
 
 void TableObserver::commit(ObserverPart& part) { sink_.write(static_cast<TextPart&>(part).text); }
 
-EndpointsTable::EndpointsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks)
+EndpointsTable::EndpointsTable(TableContext context, TextSink& sink, const TableRocks& rocks)
     : TableObserver(std::move(context), sink), rocks_(rocks) {}
 std::unique_ptr<ObserverPart> EndpointsTable::new_part() const {
   return std::make_unique<EndpointsPart>(context(), rocks_);
 }
 
-PathsTable::PathsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks)
+PathsTable::PathsTable(TableContext context, TextSink& sink, const TableRocks& rocks)
     : TableObserver(std::move(context), sink), rocks_(rocks) {}
 std::unique_ptr<ObserverPart> PathsTable::new_part() const { return std::make_unique<PathsPart>(context(), *this); }
 

@@ -47,27 +47,27 @@ class TableObserver : public Observer {
 /// One row a rock, of those that have one.
 class EndpointsTable : public TableObserver {
  public:
-  EndpointsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks);
+  EndpointsTable(TableContext context, TextSink& sink, const TableRocks& rocks);
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
-  [[nodiscard]] std::string_view file_name() const override { return io::EndpointRow::file_name; }
-  [[nodiscard]] std::string header() const override { return io::header_of<io::EndpointRow>(); }
+  [[nodiscard]] std::string_view file_name() const override { return EndpointRow::file_name; }
+  [[nodiscard]] std::string header() const override { return header_of<EndpointRow>(); }
 
  private:
-  io::TableRocks rocks_;
+  TableRocks rocks_;
 };
 
 /// The rows of a path, of the rocks that have one there.
 class PathsTable : public TableObserver {
  public:
-  PathsTable(TableContext context, TextSink& sink, const io::TableRocks& rocks);
+  PathsTable(TableContext context, TextSink& sink, const TableRocks& rocks);
   [[nodiscard]] bool wants_rows(std::uint64_t rock) const override { return rocks_.has_path(rock); }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
-  [[nodiscard]] std::string_view file_name() const override { return io::PathEventRow::file_name; }
-  [[nodiscard]] std::string header() const override { return io::header_of<io::PathEventRow>(); }
+  [[nodiscard]] std::string_view file_name() const override { return PathEventRow::file_name; }
+  [[nodiscard]] std::string header() const override { return header_of<PathEventRow>(); }
 
  private:
-  io::TableRocks rocks_;
+  TableRocks rocks_;
 };
 
 /// One row a hit.
@@ -76,14 +76,14 @@ class BarriersTable : public TableObserver {
   using TableObserver::TableObserver;
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
-  [[nodiscard]] std::string_view file_name() const override { return io::HitRow::file_name; }
-  [[nodiscard]] std::string header() const override { return io::header_of<io::HitRow>(); }
+  [[nodiscard]] std::string_view file_name() const override { return HitRow::file_name; }
+  [[nodiscard]] std::string header() const override { return header_of<HitRow>(); }
 };
 
 // What rocks say of themselves as rows, into one that is used again and again.
-void fill(io::EndpointRow& row, const TableContext& context, const RockRecord& record);
-void fill(io::PathEventRow& row, const TableContext& context, const RockRecord& record, std::size_t event,
+void fill(EndpointRow& row, const TableContext& context, const RockRecord& record);
+void fill(PathEventRow& row, const TableContext& context, const RockRecord& record, std::size_t event,
           const PathRow& seen);
-void fill(io::HitRow& row, const TableContext& context, const RockRecord& record, const BarrierHit& hit);
+void fill(HitRow& row, const TableContext& context, const RockRecord& record, const BarrierHit& hit);
 
 }  // namespace talus

@@ -6,7 +6,7 @@
 #include <optional>
 #include <system_error>
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -71,4 +71,4 @@ void go_near_rock(CsvReader& row, const std::filesystem::path& file, std::size_t
   if (const std::uint64_t begin = begin_before(file, column, row.columns().size(), rock); begin > 0) row.go_to(begin);
 }
 
-}  // namespace talus::io
+}  // namespace talus

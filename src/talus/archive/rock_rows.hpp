@@ -7,7 +7,7 @@
 
 #include "talus/files/csv_table.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// Goes to where a row begins that has no row of the rock before it, or to the first row. `column` is that of the rock.
 void go_near_rock(CsvReader& row, const std::filesystem::path& file, std::size_t column, std::uint64_t rock);
@@ -28,4 +28,4 @@ template <TableRow Row>
   return rows;
 }
 
-}  // namespace talus::io
+}  // namespace talus

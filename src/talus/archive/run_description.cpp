@@ -6,7 +6,7 @@
 #include "talus/core/bytes.hpp"
 #include "talus/files/json_text.hpp"
 
-namespace talus::io {
+namespace talus {
 
 using Json = nlohmann::ordered_json;
 
@@ -143,4 +143,4 @@ RunDescription description_from(std::string_view json_text) {
   }
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -12,7 +12,7 @@
 #include "talus/maps/map_list.hpp"
 #include "talus/results/design_plan.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// The maps that a run makes; of a section, in one row of cells along it.
 struct MapPlan {
@@ -52,4 +52,4 @@ struct RunDescription {
 /// Throws BadBytes where the text is not what json_text() gave.
 [[nodiscard]] RunDescription description_from(std::string_view json_text);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -9,7 +9,7 @@
 #include "talus/archive/design_tables.hpp"
 #include "talus/archive/foot_stretch.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -231,4 +231,4 @@ RunFacts read_run_facts(const std::filesystem::path& folder, const char* summary
   return facts;
 }
 
-}  // namespace talus::io
+}  // namespace talus

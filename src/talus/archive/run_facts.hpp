@@ -11,7 +11,7 @@
 #include "talus/archive/run_summary.hpp"
 #include "talus/archive/table_rocks.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// What rocks did at a barrier, and what the project says of it.
 struct BarrierFacts : BarrierSummary {
@@ -58,4 +58,4 @@ struct RunFacts {
 /// it.
 [[nodiscard]] RunFacts read_run_facts(const std::filesystem::path& folder, const char* summary = "summary.json");
 
-}  // namespace talus::io
+}  // namespace talus

@@ -13,7 +13,7 @@
 #include "talus/archive/spread_sample.hpp"
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 constexpr std::size_t most_impacts = 100;  // for which losses are kept by number
@@ -260,4 +260,4 @@ RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& lim
   return run;
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -14,7 +14,7 @@
 #include "talus/archive/run_summary.hpp"
 #include "talus/archive/table_columns.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// How much of a run is kept. Rocks are chosen by the sampling rule of spread_sample.hpp, the same for the same run.
 struct Limits {
@@ -61,4 +61,4 @@ struct RunFolder {
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& limits = {},
                                         const char* summary = "summary.json");
 
-}  // namespace talus::io
+}  // namespace talus

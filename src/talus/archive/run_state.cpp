@@ -11,7 +11,7 @@
 #include "talus/files/checksum.hpp"
 #include "talus/files/output_file.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -177,4 +177,4 @@ void merge_run_state(const std::filesystem::path& file, std::span<SummingObserve
   }
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -19,7 +19,7 @@
 #include "talus/campaign/shard.hpp"
 #include "talus/results/record.hpp"
 
-namespace talus::io {
+namespace talus {
 
 inline constexpr const char* run_state_name = "run.state";
 inline constexpr std::uint32_t run_state_format = 2;
@@ -60,4 +60,4 @@ void merge_run_state(const std::filesystem::path& file, std::span<SummingObserve
 [[nodiscard]] RunStateHeader read_header(std::string_view bytes);
 void merge_state(std::string_view bytes, std::span<SummingObserver* const> observers);
 
-}  // namespace talus::io
+}  // namespace talus

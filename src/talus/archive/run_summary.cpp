@@ -7,7 +7,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/files/json_file.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -102,4 +102,4 @@ RunIdentity read_run_identity(const std::filesystem::path& file) {
   return static_cast<RunIdentity&&>(summary);
 }
 
-}  // namespace talus::io
+}  // namespace talus

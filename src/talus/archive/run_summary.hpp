@@ -15,7 +15,7 @@
 #include "talus/archive/json_fields.hpp"
 #include "talus/barriers/barrier.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// The thirteen rows of a spreadsheet's descriptive statistics, the quartiles and two percentiles, in the unit of the
 /// quantity's name; null where there are too few values.
@@ -225,4 +225,4 @@ struct RunSummary : RunIdentity {
 /// A BadField of such a file as BadInput.
 [[noreturn]] void refuse_summary(const std::filesystem::path& file, const BadField& bad);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace talus::io {
+namespace talus {
 
 /// Keeps the items whose rock numbers come first in the golden-ratio sequence, as many as the limits allow. The
 /// multiples of the golden ratio modulo 1 fall into any run of rocks in proportion to its length (the three-distance
@@ -64,4 +64,4 @@ class SpreadSample {
   bool closed_ = false;
 };
 
-}  // namespace talus::io
+}  // namespace talus

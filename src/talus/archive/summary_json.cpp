@@ -10,28 +10,28 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::optional<io::HistogramCounts> histogram_of(const Tally& tally) {
+std::optional<HistogramCounts> histogram_of(const Tally& tally) {
   const auto histogram = tally.histogram(40);
   if (!histogram) return std::nullopt;
   const BinEdges& edges = histogram->edges();
-  return io::HistogramCounts{edges.edge(0),
-                             (edges.edge(edges.bins) - edges.edge(0)) / static_cast<double>(edges.bins),
-                             {histogram->counts().begin(), histogram->counts().end()}};
+  return HistogramCounts{edges.edge(0),
+                         (edges.edge(edges.bins) - edges.edge(0)) / static_cast<double>(edges.bins),
+                         {histogram->counts().begin(), histogram->counts().end()}};
 }
 
 /// A part of the description as it is declared.
 template <class Part>
 Part part_of(const Json& json, const char* key) {
   Part part;
-  const io::JsonPlace whole;
-  io::read_json(json, io::JsonPlace(whole, key), part);
+  const JsonPlace whole;
+  read_json(json, JsonPlace(whole, key), part);
   return part;
 }
 
 /// What the model says of a barrier, and what rocks did there.
-io::BarrierSummary barrier_summary(io::BarrierPlace place, const BarrierTally& tally) {
+BarrierSummary barrier_summary(BarrierPlace place, const BarrierTally& tally) {
   const auto count = [&](BarrierOutcome outcome) { return tally.outcomes[static_cast<std::size_t>(outcome)]; };
-  io::BarrierSummary barrier{std::move(place)};
+  BarrierSummary barrier{std::move(place)};
   barrier.hits = tally.translational_energy.count();
   barrier.rocks_hit = tally.rocks_hit;
   barrier.passed_above = tally.rocks_passed_above;
@@ -67,16 +67,15 @@ void write_barriers(TextSink& out, const Json& barriers, const Summary& sums) {
   out.write("[");
   for (std::size_t b = 0; b < sums.barriers.size(); ++b) {
     out.write(b == 0 ? "\n  " : ",\n  ");
-    auto place = part_of<io::BarrierPlace>(barriers.at(b), "barriers");
-    out.write(text_of(io::json_of(barrier_summary(std::move(place), sums.barriers[b])), 2));
+    auto place = part_of<BarrierPlace>(barriers.at(b), "barriers");
+    out.write(text_of(json_of(barrier_summary(std::move(place), sums.barriers[b])), 2));
   }
   out.write(sums.barriers.empty() ? "]" : "\n ]");
 }
 
 /// How many rocks the tables hold one by one, of those done.
-void add_rocks_in_tables(const io::RunDescription& description, const RunCourse& course,
-                         io::RunSummary::Rocks& counts) {
-  const io::TableRocks rocks = io::rocks_in_tables(description);
+void add_rocks_in_tables(const RunDescription& description, const RunCourse& course, RunSummary::Rocks& counts) {
+  const TableRocks rocks = rocks_in_tables(description);
   const auto add = [&](std::uint64_t first, std::uint64_t last) {
     counts.with_endpoint += rocks.endpoints_before(last) - rocks.endpoints_before(first);
     counts.with_path += rocks.paths_before(last) - rocks.paths_before(first);
@@ -91,9 +90,9 @@ void add_rocks_in_tables(const io::RunDescription& description, const RunCourse&
 }
 
 /// All but the barriers.
-io::RunSummary run_summary(const io::RunDescription& description, const Summary& sums, const RunCourse& course) {
+RunSummary run_summary(const RunDescription& description, const Summary& sums, const RunCourse& course) {
   const Json& model = description.model;
-  io::RunSummary summary;
+  RunSummary summary;
   summary.talus.version = TALUS_VERSION;
   summary.name = description.name;
   summary.fingerprint = description.fingerprint;
@@ -119,13 +118,13 @@ io::RunSummary run_summary(const io::RunDescription& description, const Summary&
                         {"max_ke_J", statistics_of(sums.max_kinetic_energy)},
                         {"max_bounce_m", statistics_of(sums.max_bounce)}};
   summary.histograms = {{"end_x_m", histogram_of(sums.end_x)}, {"runout_xy_m", histogram_of(sums.runout_plan)}};
-  summary.sources = part_of<std::vector<io::SourceRocks>>(model.at("sources"), "sources");
+  summary.sources = part_of<std::vector<SourceRocks>>(model.at("sources"), "sources");
   summary.notes = notes_of(sums);
   summary.energy_datum_m = part_of<double>(model.at("energy_datum_m"), "energy_datum_m");
   summary.origin_m = part_of<std::array<double, 3>>(model.at("origin_m"), "origin_m");
-  summary.terrain = part_of<io::TerrainSummary>(model.at("terrain"), "terrain");
+  summary.terrain = part_of<TerrainSummary>(model.at("terrain"), "terrain");
   // The description outlives the summary.
-  summary.project = io::SharedJson(std::shared_ptr<const Json>(), &description.project);
+  summary.project = SharedJson(std::shared_ptr<const Json>(), &description.project);
   summary.timings = {.seconds = course.seconds,
                      .rocks_per_second = course.seconds > 0 ? static_cast<double>(sums.done) / course.seconds : 0,
                      .threads = static_cast<std::uint64_t>(course.threads)};
@@ -134,7 +133,7 @@ io::RunSummary run_summary(const io::RunDescription& description, const Summary&
 
 }  // namespace
 
-io::Statistics statistics_of(const Tally& tally) {
+Statistics statistics_of(const Tally& tally) {
   const Descriptive d = tally.describe();
   const auto quantile = [&](double p) { return tally.sketch().quantile(p); };
   return {.mean = d.mean,
@@ -154,26 +153,26 @@ io::Statistics statistics_of(const Tally& tally) {
           .percentiles = {quantile(0.95), quantile(0.99)}};
 }
 
-void write_summary(TextSink& out, const io::RunDescription& description, const std::vector<std::string>& warnings,
+void write_summary(TextSink& out, const RunDescription& description, const std::vector<std::string>& warnings,
                    const Summary& sums, const RunCourse& course, const DesignResult* design) {
-  io::RunSummary summary = run_summary(description, sums, course);
+  RunSummary summary = run_summary(description, sums, course);
   summary.warnings = warnings;
   if (description.design && design != nullptr)
-    summary.design = std::make_shared<const Json>(io::design_json(*description.design, *design));
+    summary.design = std::make_shared<const Json>(design_json(*description.design, *design));
   bool is_first = true;
-  io::for_fields<io::RunSummary>([&](const auto& field) {
-    if (!io::is_there(summary, field)) return;
+  for_fields<RunSummary>([&](const auto& field) {
+    if (!is_there(summary, field)) return;
     const auto& value = summary.*field.member;
     out.write(is_first ? "{\n " : ",\n ");
     out.write(text_of(field.key, 1) + ": ");
     is_first = false;
     using Value = std::remove_cvref_t<decltype(value)>;
-    if constexpr (std::is_same_v<Value, std::vector<io::BarrierSummary>>) {
+    if constexpr (std::is_same_v<Value, std::vector<BarrierSummary>>) {
       write_barriers(out, description.model.at("barriers"), sums);
-    } else if constexpr (std::is_same_v<Value, io::SharedJson>) {
+    } else if constexpr (std::is_same_v<Value, SharedJson>) {
       out.write(text_of(*value, 1));
     } else {
-      out.write(text_of(io::json_of(value), 1));
+      out.write(text_of(json_of(value), 1));
     }
   });
   out.write("\n}\n");

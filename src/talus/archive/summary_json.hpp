@@ -28,10 +28,10 @@ struct RunCourse {
 /// all of the run, those of the description among them. `design`: where the description has a plan for it. Written
 /// piece by piece, since there may be very many barriers; of those that no rock hit there are no statistics and
 /// histograms.
-void write_summary(TextSink& out, const io::RunDescription& description, const std::vector<std::string>& warnings,
+void write_summary(TextSink& out, const RunDescription& description, const std::vector<std::string>& warnings,
                    const Summary& summary, const RunCourse& course, const DesignResult* design = nullptr);
 
 /// What a tally says.
-[[nodiscard]] io::Statistics statistics_of(const Tally& tally);
+[[nodiscard]] Statistics statistics_of(const Tally& tally);
 
 }  // namespace talus

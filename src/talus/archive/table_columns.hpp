@@ -10,7 +10,7 @@
 #include "talus/files/csv_table.hpp"
 #include "talus/rocks/motion.hpp"
 
-namespace talus::io {
+namespace talus {
 
 template <>
 struct Words<PathState> {
@@ -142,4 +142,4 @@ inline constexpr const auto& endpoint_columns = column_names<EndpointRow>;
 inline constexpr const auto& path_columns = column_names<PathEventRow>;
 inline constexpr const auto& barrier_columns = column_names<HitRow>;
 
-}  // namespace talus::io
+}  // namespace talus

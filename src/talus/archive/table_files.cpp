@@ -8,7 +8,7 @@
 
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -139,4 +139,4 @@ void TableFiles::finish() {
   for (const Entry& entry : entries_) entry.sink->file->commit();
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -14,7 +14,7 @@
 #include "talus/files/checksum.hpp"
 #include "talus/files/output_file.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// How much of a table belongs to a state: its first so many bytes, and what the last of them are, to notice another
 /// file of the same name.
@@ -75,4 +75,4 @@ class TableFiles {
   std::optional<std::vector<TableMark>> finished_;
 };
 
-}  // namespace talus::io
+}  // namespace talus

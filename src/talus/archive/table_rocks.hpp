@@ -7,7 +7,7 @@
 
 #include "talus/archive/even_choice.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// The rocks of endpoints.csv are an even choice of all; those of paths.csv one of these: where a path is, the end of
 /// it is, too. A limit counts rocks of the whole campaign; without one all rocks are there.
@@ -36,4 +36,4 @@ class TableRocks {
   EvenChoice endpoints_, paths_;
 };
 
-}  // namespace talus::io
+}  // namespace talus

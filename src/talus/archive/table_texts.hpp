@@ -8,7 +8,7 @@
 
 #include "talus/archive/table_files.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// Gathers the rows of the tables, in the order of `make_tables`.
 class TableTexts {
@@ -40,4 +40,4 @@ class TableTexts {
   std::array<std::unique_ptr<TableObserver>, table_count> tables_;
 };
 
-}  // namespace talus::io
+}  // namespace talus

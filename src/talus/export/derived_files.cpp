@@ -6,7 +6,7 @@
 #include "talus/export/vector_out.hpp"
 #include "talus/export/vtk_paths.hpp"
 
-namespace talus::io {
+namespace talus {
 
 void write_derived_files(const std::filesystem::path& folder, const char* summary) {
   std::error_code ignored;
@@ -17,4 +17,4 @@ void write_derived_files(const std::filesystem::path& folder, const char* summar
   if (facts.wants_vtk) write_vtk_paths(folder);
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace talus::io {
+namespace talus {
 
 /// Makes results.gpkg (vector_out.hpp) and paths.vtp (vtk_paths.hpp) in the folder of a run, as the project in its
 /// summary asks, and removes those that an earlier run left there. To be called when the tables and the summary are
@@ -11,4 +11,4 @@ namespace talus::io {
 /// GeoPackage. Throws BadInput.
 void write_derived_files(const std::filesystem::path& folder, const char* summary = "summary.json");
 
-}  // namespace talus::io
+}  // namespace talus

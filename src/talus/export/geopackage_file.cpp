@@ -6,7 +6,7 @@
 
 #include "talus/files/output_file.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -79,6 +79,6 @@ void GeoPackageFile::commit() {
   is_committed_ = true;
 }
 
-}  // namespace talus::io
+}  // namespace talus
 
 #endif

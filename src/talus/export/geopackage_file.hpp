@@ -15,7 +15,7 @@
 
 #include "talus/gdal/gdal_raster.hpp"
 
-namespace talus::io {
+namespace talus {
 
 struct GeoField {
   std::string name;
@@ -53,4 +53,4 @@ class GeoPackageFile {
   bool is_committed_ = false;
 };
 
-}  // namespace talus::io
+}  // namespace talus

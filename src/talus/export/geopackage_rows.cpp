@@ -4,7 +4,7 @@
 
 #include "talus/archive/design_tables.hpp"
 
-namespace talus::io {
+namespace talus {
 
 std::string BarrierLayerRow::column(const HitQuantity& quantity, std::string_view part) {
   return fmt::format("{}_{}_{}", quantity.name, part, quantity.unit_in_name);
@@ -29,4 +29,4 @@ std::vector<ColumnText> DesignLayerRow::family_texts() {
   return texts;
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -11,7 +11,7 @@
 
 #include "talus/archive/table_columns.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// Of the layers `paths` and `releases`: a rock, as endpoints.csv has it.
 struct RockLayerRow {
@@ -95,4 +95,4 @@ struct DesignLayerRow {
   [[nodiscard]] static std::vector<ColumnText> family_texts();
 };
 
-}  // namespace talus::io
+}  // namespace talus

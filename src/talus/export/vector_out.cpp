@@ -14,7 +14,7 @@
 #include "talus/export/geopackage_file.hpp"
 #include "talus/export/geopackage_rows.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -242,11 +242,11 @@ void write_geopackage(const RunFacts& facts, const std::filesystem::path& folder
   file.commit();
 }
 
-}  // namespace talus::io
+}  // namespace talus
 
 #else
 
-namespace talus::io {
+namespace talus {
 
 bool can_write_geopackage() { return false; }
 
@@ -257,6 +257,6 @@ void write_geopackage(const RunFacts&, const std::filesystem::path& folder) {
                          .hint = "Build it with GDAL, or set geopackage = \"none\""});
 }
 
-}  // namespace talus::io
+}  // namespace talus
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "talus/archive/run_facts.hpp"
 
-namespace talus::io {
+namespace talus {
 
 inline constexpr const char* geopackage_name = "results.gpkg";
 
@@ -24,4 +24,4 @@ inline constexpr double geopackage_tolerance_m = 0.25;
 /// written, and where the program was built without GDAL.
 void write_geopackage(const RunFacts& facts, const std::filesystem::path& folder);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -12,7 +12,7 @@
 #include "talus/archive/path_reader.hpp"
 #include "talus/files/output_file.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -144,4 +144,4 @@ void write_vtk_paths(const std::filesystem::path& folder) {
   file.commit();
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace talus::io {
+namespace talus {
 
 inline constexpr const char* vtk_paths_name = "paths.vtp";
 
@@ -19,4 +19,4 @@ inline constexpr double vtk_tolerance_m = 0.05;
 /// Source of the format: "VTK File Formats" of the VTK User's Guide, section "XML file formats", PolyData.
 void write_vtk_paths(const std::filesystem::path& folder);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -5,7 +5,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -26,4 +26,4 @@ Digest Checksum::digest() const { return digest_of(XXH3_128bits_digest(&state_->
 
 Digest checksum_of(std::string_view bytes) { return digest_of(XXH3_128bits(bytes.data(), bytes.size())); }
 
-}  // namespace talus::io
+}  // namespace talus

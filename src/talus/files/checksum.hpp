@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace talus::io {
+namespace talus {
 
 /// XXH3 with 128 bits (Y. Collet, xxHash 0.8): the same on every machine. Not for secrets: who wants to can make two
 /// inputs with one checksum.
@@ -34,4 +34,4 @@ class Checksum {
 
 [[nodiscard]] Digest checksum_of(std::string_view bytes);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -11,7 +11,7 @@
 #include "talus/core/stop.hpp"
 #include "talus/files/ordinary_file.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 // What a message quotes of a row: enough to find it, not a whole file that has lost its line ends.
@@ -153,4 +153,4 @@ void CsvReader::refuse_word(std::size_t column, std::string_view fault, std::spa
          fmt::format("expected one of {}", fmt::join(known, ", ")));
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace talus::io {
+namespace talus {
 
 class CsvReader {
  public:
@@ -59,4 +59,4 @@ class CsvReader {
   bool knows_lines_ = true;
 };
 
-}  // namespace talus::io
+}  // namespace talus

@@ -23,7 +23,7 @@
 #include "talus/files/csv_reader.hpp"
 #include "talus/files/csv_text.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// Words and keys identify something; quantities can be averaged.
 enum class ColumnKind { word, key, quantity };
@@ -320,4 +320,4 @@ template <TableRow Row>
   return texts;
 }
 
-}  // namespace talus::io
+}  // namespace talus

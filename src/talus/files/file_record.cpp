@@ -15,7 +15,7 @@
 #include "talus/files/ordinary_file.hpp"
 #include "talus/files/output_file.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -143,4 +143,4 @@ void renew_in_record(const fs::path& folder, const std::string& name) {
   }
 }
 
-}  // namespace talus::io
+}  // namespace talus

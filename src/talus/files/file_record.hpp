@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace talus::io {
+namespace talus {
 
 inline constexpr const char* file_record_name = "files.json";
 
@@ -29,4 +29,4 @@ void remove_recorded_files_but(const std::filesystem::path& folder, std::span<co
 /// Records one file anew, where there is a record that has it.
 void renew_in_record(const std::filesystem::path& folder, const std::string& name);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -9,7 +9,7 @@
 #include "talus/files/json_text.hpp"
 #include "talus/files/ordinary_file.hpp"
 
-namespace talus::io {
+namespace talus {
 
 void refuse_json_file(const std::filesystem::path& path, std::string where, std::string what, std::string why,
                       std::string_view hint) {
@@ -46,4 +46,4 @@ std::string text_of_json_file(const std::filesystem::path& path, std::string_vie
   return text;
 }
 
-}  // namespace talus::io
+}  // namespace talus

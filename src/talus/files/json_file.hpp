@@ -9,7 +9,7 @@
 
 #include "talus/core/problems.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// Throws BadInput about a file that was to hold JSON of a run; `where`: in it.
 [[noreturn]] void refuse_json_file(const std::filesystem::path& path, std::string where, std::string what,
@@ -49,4 +49,4 @@ template <class Json, class Take>
   return Json::parse(text, keeps, throws);
 }
 
-}  // namespace talus::io
+}  // namespace talus

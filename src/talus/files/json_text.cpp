@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace talus::io {
+namespace talus {
 
 std::size_t depth_of_json(std::string_view text) {
   std::size_t depth = 0, deepest = 0;
@@ -22,4 +22,4 @@ std::size_t depth_of_json(std::string_view text) {
   return deepest;
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -26,7 +26,7 @@
 #include "talus/maps/map_overviews.hpp"
 #endif
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -323,4 +323,4 @@ std::vector<std::string> write_maps(const Maps&, const MapSelection&, const std:
 
 #endif
 
-}  // namespace talus::io
+}  // namespace talus

@@ -8,7 +8,7 @@
 #include "talus/maps/map_list.hpp"
 #include "talus/results/maps.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// Whether a run may have written a file of this name among its maps: a map, or the style beside it.
 [[nodiscard]] bool is_name_of_map_file(const std::filesystem::path& name);
@@ -28,4 +28,4 @@ void remove_maps(const std::filesystem::path& folder);
 std::vector<std::string> write_maps(const Maps& maps, const MapSelection& selection, const std::string& crs_wkt,
                                     const std::filesystem::path& folder);
 
-}  // namespace talus::io
+}  // namespace talus

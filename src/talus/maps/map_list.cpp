@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::vector<MapKind> map_kinds(const MapSelection& selection) {
   return kinds;
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -10,7 +10,7 @@
 #include "talus/maps/map_subjects.hpp"
 #include "talus/results/maps.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// What a cell of an overview holds of the cells beneath it.
 enum class MapOverview { greatest, mean };
@@ -49,4 +49,4 @@ struct MapSelection {
 /// All of them, in their order.
 [[nodiscard]] std::vector<MapKind> map_kinds(const MapSelection& selection);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -9,7 +9,7 @@
 
 #include "talus/core/stop.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -100,6 +100,6 @@ bool build_overviews(GDALDataset& raster, MapOverview what) {
   return true;
 }
 
-}  // namespace talus::io
+}  // namespace talus
 
 #endif

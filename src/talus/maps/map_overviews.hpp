@@ -5,7 +5,7 @@
 
 #include "talus/maps/map_list.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// Gives a GeoTIFF that is being made overviews, each half as wide and high as the one before, until both sides have
 /// 256 cells or fewer. A cell of an overview holds the greatest or the mean of those of its four cells that have data;
@@ -16,4 +16,4 @@ namespace talus::io {
 /// Gives false where GDAL could not; it has then said why.
 [[nodiscard]] bool build_overviews(GDALDataset& raster, MapOverview what);
 
-}  // namespace talus::io
+}  // namespace talus

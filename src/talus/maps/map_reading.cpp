@@ -20,7 +20,7 @@
 #include "talus/gdal/gdal_raster.hpp"
 #endif
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -193,4 +193,4 @@ MapValues read_map(const fs::path& folder, const MapFile& map, int) {
 
 #endif
 
-}  // namespace talus::io
+}  // namespace talus

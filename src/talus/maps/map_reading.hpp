@@ -8,7 +8,7 @@
 
 #include "talus/maps/map_style.hpp"
 
-namespace talus::io {
+namespace talus {
 
 struct MapFile {
   std::string name;  // of the file in the run's folder, without `maps/` and ending: passages, by_source/Crest/passages
@@ -38,4 +38,4 @@ inline constexpr int least_pixels = 256;
 /// the least. Throws BadInput.
 [[nodiscard]] MapValues read_map(const std::filesystem::path& folder, const MapFile& map, int pixels);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::string qgis_style(const ClassLimits& limits, const std::string& unit, const
       range.least, range.greatest, items);
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace talus::io {
+namespace talus {
 
 inline constexpr std::size_t map_class_count = 6;
 
@@ -33,4 +33,4 @@ struct ValueRange {
 /// The text of a style with these classes; cells without data stay clear. `unit` may be empty.
 [[nodiscard]] std::string qgis_style(const ClassLimits& limits, const std::string& unit, const ValueRange& range);
 
-}  // namespace talus::io
+}  // namespace talus

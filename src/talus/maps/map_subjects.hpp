@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace talus::io {
+namespace talus {
 
 /// Counts, of which each is one map, and then quantities, of which each has a map of its greatest, its mean and its
 /// percentiles.
@@ -39,4 +39,4 @@ inline constexpr MapSubjects all_map_subjects{(1U << map_subject_names.size()) -
   return map_subject_names[static_cast<std::size_t>(subject)];
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -12,7 +12,7 @@
 #include "talus/files/output_file.hpp"
 #include "talus/maps/map_files.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -103,4 +103,4 @@ void remove_source_maps(const std::filesystem::path& folder) {
   std::filesystem::remove(folder, ignored);
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -12,7 +12,7 @@
 #include "talus/maps/map_list.hpp"
 #include "talus/results/maps.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// A row of sources.csv, next to the folders of all sources: whose maps are in a folder.
 struct SourceRow {
@@ -43,4 +43,4 @@ void write_source_maps(std::span<const Maps> maps, std::span<const std::string> 
 /// Removes what write_source_maps() wrote there, and folders that are then empty. Other files stay.
 void remove_source_maps(const std::filesystem::path& folder);
 
-}  // namespace talus::io
+}  // namespace talus

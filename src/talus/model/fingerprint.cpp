@@ -113,7 +113,7 @@ std::size_t sources_of(const Model& model) {
 }  // namespace
 
 std::string fingerprint_of(const nlohmann::ordered_json& project, const Model& model) {
-  io::Checksum checksum;
+  Checksum checksum;
   ByteWriter out([&](std::string_view piece) { checksum.add(piece); });
   out.text(project.dump());
   put(out, model.frame.origin);
@@ -125,11 +125,11 @@ std::string fingerprint_of(const nlohmann::ordered_json& project, const Model& m
   out.count(model.barriers.size());
   for (const talus::Barrier& barrier : model.barriers) put(out, barrier);
   out.flush();
-  return io::text_of(checksum.digest());
+  return text_of(checksum.digest());
 }
 
 std::string sample_of(const Model& model) {
-  io::Checksum checksum;
+  Checksum checksum;
   ByteWriter out([&](std::string_view piece) { checksum.add(piece); });
   Simulator simulator(model);
   const std::uint64_t rocks = model.rocks(), count = std::min<std::uint64_t>(rocks, 16);
@@ -145,7 +145,7 @@ std::string sample_of(const Model& model) {
     out.put(static_cast<std::uint32_t>(outcome.reason));
   }
   out.flush();
-  return io::text_of(checksum.digest());
+  return text_of(checksum.digest());
 }
 
 }  // namespace talus::project

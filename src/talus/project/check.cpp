@@ -300,7 +300,7 @@ class Rules {
     const toml::table* row = table("output");
     const Output& output = project_.output;
     if (good(row, "percentiles") && good(row, "maps") && output.maps.any() && !output.percentiles.empty() &&
-        io::contents_of({output.maps, {}}).quantities() == 0) {
+        contents_of({output.maps, {}}).quantities() == 0) {
       report(row->get("percentiles"), "[output]", "percentiles has no effect", "maps names counts only",
              "Name a quantity there, such as \"energy_total\"", Severity::warning);
     }

@@ -55,11 +55,11 @@ struct Writer {
     for (const auto& [number, text] : *value) out[std::to_string(number)] = text;
     return out;
   }
-  Written operator()(const io::MapSubjects* value) const {
+  Written operator()(const MapSubjects* value) const {
     if (value->all() || value->none()) return value->all();
     Json names = Json::array();
     for (std::size_t k = 0; k < value->size(); ++k) {
-      if ((*value)[k]) names.push_back(io::map_subject_names[k]);
+      if ((*value)[k]) names.push_back(map_subject_names[k]);
     }
     return names;
   }

@@ -187,7 +187,7 @@ struct Output {
   // Keys `endpoints` and `paths`: nothing here is "all", 0 is "none", else a number of rocks.
   std::optional<std::int64_t> endpoint_limit;
   std::optional<std::int64_t> path_limit = 2000;
-  io::MapSubjects maps = io::all_map_subjects;  // `true` is all of them, `false` none
+  MapSubjects maps = all_map_subjects;  // `true` is all of them, `false` none
   bool maps_by_source = false;
   // Nothing here is "terrain", the cells of the terrain's raster; 0, until reading is done, that the file does not say
   // it.

@@ -41,8 +41,8 @@ struct Named {
   std::string operator()(const std::map<std::int32_t, std::string>*) const { return "table of texts by whole numbers"; }
   std::string operator()(const std::optional<std::int64_t>*) const { return "whole number"; }
   std::string operator()(const std::map<std::string, std::string>*) const { return "table of texts by texts"; }
-  std::string operator()(const io::MapSubjects*) const {
-    return "true, false or list of " + words_text(words<io::MapSubject>());
+  std::string operator()(const MapSubjects*) const {
+    return "true, false or list of " + words_text(words<MapSubject>());
   }
   std::string operator()(PlanPolygonSlot) const { return "list of pairs"; }
   std::string operator()(LibrarySlot) const { return "text"; }

@@ -77,8 +77,8 @@ struct Typed {
   Json operator()(const std::map<std::string, std::string>*) const {
     return {{"type", "object"}, {"additionalProperties", text()}, {"minProperties", 1}};
   }
-  Json operator()(const io::MapSubjects*) const {
-    Json names = list_of({{"enum", Json(words<io::MapSubject>())}}, 0);
+  Json operator()(const MapSubjects*) const {
+    Json names = list_of({{"enum", Json(words<MapSubject>())}}, 0);
     names["uniqueItems"] = true;
     return {{"anyOf", Json::array({Json{{"type", "boolean"}}, std::move(names)})}};
   }

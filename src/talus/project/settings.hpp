@@ -75,8 +75,8 @@ using Slot =
                  std::optional<Distribution>*, std::vector<std::array<double, 2>>*, std::vector<std::array<double, 3>>*,
                  std::vector<std::array<std::int64_t, 3>>*, std::vector<std::vector<std::array<double, 3>>>*,
                  std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*,
-                 std::map<std::int32_t, std::string>*, std::map<std::string, std::string>*, io::MapSubjects*,
-                 RockModel*, SlidingMethod*, FrictionSource*, MaterialSampling*, SamplingMethod*, SeederType*, Forest*,
+                 std::map<std::int32_t, std::string>*, std::map<std::string, std::string>*, MapSubjects*, RockModel*,
+                 SlidingMethod*, FrictionSource*, MaterialSampling*, SamplingMethod*, SeederType*, Forest*,
                  DistributionKind*, PlaceInCell*, DesignStandard*, DesignLevel*, DesignEnergy*, PositionSlot,
                  PointsSlot, PlanLineSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, RockLimitSlot, MapCellSlot>;
 

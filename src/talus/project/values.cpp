@@ -384,26 +384,26 @@ bool ValueReader::into(const Value& value, std::map<std::string, std::string>* m
   return good;
 }
 
-bool ValueReader::into(const Value& value, io::MapSubjects* member) {
+bool ValueReader::into(const Value& value, MapSubjects* member) {
   if (value.node.is_boolean()) {
     bool all = false;
     (void)into(value, &all);
-    *member = all ? io::all_map_subjects : io::MapSubjects();
+    *member = all ? all_map_subjects : MapSubjects();
     return true;
   }
   if (!value.node.is_array()) {
     const auto* text = value.node.as_string();
     const std::string given = text ? text->get() : "";
-    const bool is_name = std::ranges::find(io::map_subject_names, given) != io::map_subject_names.end();
+    const bool is_name = std::ranges::find(map_subject_names, given) != map_subject_names.end();
     const std::string hint = given == "true" || given == "false" ? "Leave out the quotes"
                              : is_name                           ? fmt::format("Write [\"{}\"]", given)
                                                                  : "";
-    return refuse_kind(value, fmt::format("true, false or a list of {}", quoted_list(io::map_subject_names, " and ")),
+    return refuse_kind(value, fmt::format("true, false or a list of {}", quoted_list(map_subject_names, " and ")),
                        hint);
   }
-  std::vector<io::MapSubject> list;
+  std::vector<MapSubject> list;
   if (!into(value, &list)) return false;
-  io::MapSubjects subjects;
+  MapSubjects subjects;
   bool good = true;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto place = static_cast<std::size_t>(list[i]);

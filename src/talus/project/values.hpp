@@ -72,7 +72,7 @@ class ValueReader {
   bool into(const Value&, std::optional<Distribution>*);
   bool into(const Value&, std::map<std::int32_t, std::string>*);
   bool into(const Value&, std::map<std::string, std::string>*);
-  bool into(const Value&, io::MapSubjects*);
+  bool into(const Value&, MapSubjects*);
   bool into(const Value&, PositionSlot);
   bool into(const Value&, PointsSlot);
   bool into(const Value&, PlanLineSlot);

@@ -49,7 +49,7 @@ inline constexpr Words<2> words_of<DesignLevel>{"MEL", "SEL"};
 template <>
 inline constexpr Words<2> words_of<DesignEnergy>{"translational", "total"};
 template <>
-inline constexpr auto words_of<io::MapSubject> = io::map_subject_names;
+inline constexpr auto words_of<MapSubject> = map_subject_names;
 
 /// All of an enumeration.
 template <class Enumeration>

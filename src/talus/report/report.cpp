@@ -18,7 +18,7 @@
 #include "talus/report/page/assets.hpp"
 #include "talus/report/report_histograms.hpp"
 
-namespace talus::io {
+namespace talus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -272,4 +272,4 @@ void write_report(std::span<const std::filesystem::path> run_folders, const std:
   file.commit();
 }
 
-}  // namespace talus::io
+}  // namespace talus

@@ -7,7 +7,7 @@
 
 #include "talus/archive/run_folder.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// Writes the page about one or two runs, made from nothing but the files in their folders. The page appears under its
 /// name only when it is whole. Throws BadInput on folders that cannot be read and on a page that cannot be written.
@@ -18,4 +18,4 @@ void write_report(std::span<const std::filesystem::path> run_folders, const std:
 /// The page's text. The same folders give the same text, byte for byte.
 [[nodiscard]] std::string report_page(std::span<const RunFolder> runs);
 
-}  // namespace talus::io
+}  // namespace talus

@@ -5,7 +5,7 @@
 
 #include "talus/statistics/histogram.hpp"
 
-namespace talus::io {
+namespace talus {
 
 namespace {
 
@@ -51,4 +51,4 @@ void give_common_bins(RunSummary& first, RunSummary& second) {
   }
 }
 
-}  // namespace talus::io
+}  // namespace talus

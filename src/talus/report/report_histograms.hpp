@@ -3,10 +3,10 @@
 
 #include "talus/archive/run_summary.hpp"
 
-namespace talus::io {
+namespace talus {
 
 /// Counts each quantity of two summaries again, in bins of both; barriers are of one kind by their names. What one of
 /// them lacks, or has in bins that are not Talus's own, stays as it is.
 void give_common_bins(RunSummary& first, RunSummary& second);
 
-}  // namespace talus::io
+}  // namespace talus

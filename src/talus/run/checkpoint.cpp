@@ -20,11 +20,11 @@ bool is_there(const std::filesystem::path& file) {
 
 }  // namespace
 
-Checkpoints::Checkpoints(const std::filesystem::path& folder, io::RunStateHeader begun,
-                         const io::RunDescription& description, RunSums& sums, io::TableFiles& tables, double every)
-    : file_(folder / io::run_state_name),
+Checkpoints::Checkpoints(const std::filesystem::path& folder, RunStateHeader begun, const RunDescription& description,
+                         RunSums& sums, TableFiles& tables, double every)
+    : file_(folder / run_state_name),
       header_(std::move(begun)),
-      description_(io::saved(description)),
+      description_(saved(description)),
       seconds_before_(header_.seconds),
       sums_(sums),
       tables_(tables),
@@ -49,14 +49,14 @@ void Checkpoints::write(std::uint64_t next, Clock::time_point begin) {
   header_.seconds = seconds();
   header_.tables = tables_.sync();
   const auto observers = sums_.observers();
-  io::write_run_state(file_, header_, description_, observers);
+  write_run_state(file_, header_, description_, observers);
   last_ = header_.rocks();
   tables_.keep_parts();
   written_ = Clock::now();
   cost_ = written_ - begin;
 }
 
-std::optional<std::string> difference(const io::RunDescription& then, const io::RunDescription& now) {
+std::optional<std::string> difference(const RunDescription& then, const RunDescription& now) {
   if (auto changed = difference_of_projects(then.project, then.fingerprint, now)) return changed;
   if (then.sample != now.sample) {
     return "the same rocks take other paths: another build of talus, another processor or other libraries";
@@ -65,15 +65,15 @@ std::optional<std::string> difference(const io::RunDescription& then, const io::
   return std::nullopt;
 }
 
-Found find_checkpoint(const std::filesystem::path& folder, const io::RunDescription& description,
-                      const RockRange& range, const std::optional<Shard>& shard) {
-  const std::filesystem::path file = folder / io::run_state_name;
+Found find_checkpoint(const std::filesystem::path& folder, const RunDescription& description, const RockRange& range,
+                      const std::optional<Shard>& shard) {
+  const std::filesystem::path file = folder / run_state_name;
   if (!is_there(file)) {
     const FinishedRun finished = find_finished_run(folder, description, range, shard);
     return {std::nullopt, !shard && finished.is_whole, finished.lacks};
   }
-  Found found{io::read_run_state_header(file), false, ""};
-  const io::RunStateHeader& state = *found.state;
+  Found found{read_run_state_header(file), false, ""};
+  const RunStateHeader& state = *found.state;
   if (const auto changed = difference(state.description, description)) {
     refuse_to_go_on(file, "the project is not the one that this run began with", *changed);
   }

@@ -19,8 +19,8 @@ class Checkpoints {
 
   /// `begun` is the header as it is before the first rock of this run, without its description, `every` the time
   /// between two checkpoints [s], 0 for none. Sums and tables must outlive it.
-  Checkpoints(const std::filesystem::path& folder, io::RunStateHeader begun, const io::RunDescription& description,
-              RunSums& sums, io::TableFiles& tables, double every);
+  Checkpoints(const std::filesystem::path& folder, RunStateHeader begun, const RunDescription& description,
+              RunSums& sums, TableFiles& tables, double every);
 
   /// To be called when exactly the rocks before `next` are in the sums and tables. Writes if it is time: no sooner than
   /// asked for, and so that writing takes at most a twentieth of the time.
@@ -32,7 +32,7 @@ class Checkpoints {
   /// How far the last state goes that was written, or begun with: nothing where there is none to go on from.
   [[nodiscard]] const std::optional<RockRange>& last() const { return last_; }
   /// That there is a state from before.
-  void begin_with(const io::RunStateHeader& state) { last_ = state.rocks(); }
+  void begin_with(const RunStateHeader& state) { last_ = state.rocks(); }
   /// All rocks that the run was to do.
   [[nodiscard]] const RockRange& range() const { return header_.range; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
@@ -41,11 +41,11 @@ class Checkpoints {
 
  private:
   std::filesystem::path file_;
-  io::RunStateHeader header_;  // of the next state
-  std::string description_;    // of the run, as it is saved
-  double seconds_before_;      // of earlier runs
+  RunStateHeader header_;    // of the next state
+  std::string description_;  // of the run, as it is saved
+  double seconds_before_;    // of earlier runs
   RunSums& sums_;
-  io::TableFiles& tables_;
+  TableFiles& tables_;
   double every_;
   std::optional<RockRange> last_;
   Clock::time_point begin_ = Clock::now(), written_ = begin_;
@@ -54,17 +54,17 @@ class Checkpoints {
 
 /// What a run that was asked to go on finds in its folder.
 struct Found {
-  std::optional<io::RunStateHeader> state;  // to go on from
-  bool is_complete = false;                 // there is nothing left to do
-  std::string lacks;                        // of results without a state: the file that is missing
+  std::optional<RunStateHeader> state;  // to go on from
+  bool is_complete = false;             // there is nothing left to do
+  std::string lacks;                    // of results without a state: the file that is missing
 };
 
 /// Throws BadInput where there is a state that cannot be gone on from: damaged, of another program, of other rocks, or
 /// of a project that was changed since; what was changed is said. The same of results without a state.
-[[nodiscard]] Found find_checkpoint(const std::filesystem::path& folder, const io::RunDescription& description,
+[[nodiscard]] Found find_checkpoint(const std::filesystem::path& folder, const RunDescription& description,
                                     const RockRange& range, const std::optional<Shard>& shard);
 
 /// Why results of one description do not belong to those of another; nothing where they do.
-[[nodiscard]] std::optional<std::string> difference(const io::RunDescription& then, const io::RunDescription& now);
+[[nodiscard]] std::optional<std::string> difference(const RunDescription& then, const RunDescription& now);
 
 }  // namespace talus::project

@@ -45,16 +45,16 @@ std::vector<std::string> changed_settings(const Json& then, const Json& now) {
 }
 
 /// Nothing where there is none that can be read.
-std::optional<io::RunIdentity> run_in(const std::filesystem::path& folder) {
+std::optional<RunIdentity> run_in(const std::filesystem::path& folder) {
   try {
-    return io::read_run_identity(folder / "summary.json");
+    return read_run_identity(folder / "summary.json");
   } catch (const BadInput&) {
     return std::nullopt;
   }
 }
 
 /// The rocks that a summary tells of.
-std::string rocks_of(const io::RunIdentity& run) {
+std::string rocks_of(const RunIdentity& run) {
   if (!run.shard) return name_of({0, run.rocks.planned}, std::nullopt);
   const std::uint64_t first = run.shard->first_rock;
   return name_of({first, first + run.shard->rocks}, Shard{run.shard->number, run.shard->of});
@@ -83,21 +83,21 @@ void refuse_to_go_on(const std::filesystem::path& file, std::string what, std::s
 }
 
 std::optional<std::string> difference_of_projects(const Json& then, const std::string& fingerprint_then,
-                                                  const io::RunDescription& now) {
+                                                  const RunDescription& now) {
   const std::vector<std::string> settings = changed_settings(then, now.project);
   if (!settings.empty()) return fmt::format("{}", fmt::join(settings, "; "));
   if (fingerprint_then == now.fingerprint) return std::nullopt;
   return "all settings are the same, but not what the files hold that they name, of terrain, ground or releases";
 }
 
-std::optional<std::string> replaced_results(const std::filesystem::path& folder, const io::RunDescription& now) {
+std::optional<std::string> replaced_results(const std::filesystem::path& folder, const RunDescription& now) {
   const auto run = run_in(folder);
   if (!run) return std::nullopt;
   const auto difference = difference_of_projects(*run->project, run->fingerprint, now);
   return fmt::format("{}{}", rocks_of(*run), difference ? fmt::format(" ({})", *difference) : "");
 }
 
-FinishedRun find_finished_run(const std::filesystem::path& folder, const io::RunDescription& description,
+FinishedRun find_finished_run(const std::filesystem::path& folder, const RunDescription& description,
                               const RockRange& range, const std::optional<Shard>& shard) {
   const auto run = run_in(folder);
   if (!run) return {};

@@ -16,7 +16,7 @@ struct FinishedRun {
 };
 
 /// Throws BadInput where the summary is that of another run: its results are not to be lost by a wish to go on.
-[[nodiscard]] FinishedRun find_finished_run(const std::filesystem::path& folder, const io::RunDescription& description,
+[[nodiscard]] FinishedRun find_finished_run(const std::filesystem::path& folder, const RunDescription& description,
                                             const RockRange& range, const std::optional<Shard>& shard);
 
 /// Before other results are written: until all of them are there nobody must take them for whole. A summary that says
@@ -26,12 +26,12 @@ void remove_finished_summary(const std::filesystem::path& folder);
 /// In which settings two projects differ, or else in their fingerprints; nothing where they do not.
 [[nodiscard]] std::optional<std::string> difference_of_projects(const nlohmann::ordered_json& then,
                                                                 const std::string& fingerprint_then,
-                                                                const io::RunDescription& now);
+                                                                const RunDescription& now);
 
 /// What a run that begins anew will replace: the results of which rocks, and in what that run differs; nothing where
 /// there are none.
 [[nodiscard]] std::optional<std::string> replaced_results(const std::filesystem::path& folder,
-                                                          const io::RunDescription& now);
+                                                          const RunDescription& now);
 
 /// "rocks 0 to 49", "shard 1/2 with rocks 0 to 24".
 [[nodiscard]] std::string name_of(const RockRange& range, const std::optional<Shard>& shard);

@@ -24,7 +24,7 @@ struct Dismissed {
 
 /// What a rank gathers between two times when all is added up.
 struct Work {
-  Work(const io::RunDescription& description, const Project& project, const Model& model, int threads)
+  Work(const RunDescription& description, const Project& project, const Model& model, int threads)
       : sums(description, project, model),
         texts(TableContext::of(model), table_rocks(project, model.rocks())),
         list(sums.observers()),
@@ -36,7 +36,7 @@ struct Work {
   }
 
   RunSums sums;
-  io::TableTexts texts;
+  TableTexts texts;
   std::vector<SummingObserver*> list;
   std::deque<DoneBlock> held;  // not in the sums yet; their rows were sent
   BlockWorker worker;
@@ -44,7 +44,7 @@ struct Work {
 
 class Helper {
  public:
-  Helper(Ranks& ranks, const io::RunDescription& description, const Project& project, const Model& model, int threads,
+  Helper(Ranks& ranks, const RunDescription& description, const Project& project, const Model& model, int threads,
          const RunOptions& options)
       : ranks_(ranks),
         description_(description),
@@ -121,7 +121,7 @@ class Helper {
   }
 
   Ranks& ranks_;
-  const io::RunDescription& description_;
+  const RunDescription& description_;
   const Project& project_;
   const Model& model_;
   int threads_;
@@ -153,7 +153,7 @@ int help_run(Ranks& ranks, const Project& project, const Model& model, const Pro
   try {
     const int threads = options.campaign.threads > 0 ? options.campaign.threads : ranks.threads();
     std::optional<StopScope> beginning(std::in_place, options.campaign.stop);
-    const io::RunDescription description = describe_run(project, model, warnings, options.shard);
+    const RunDescription description = describe_run(project, model, warnings, options.shard);
     beginning.reset();
     ranks.send(rank_0, message_of(Hello{TALUS_VERSION, ranks.machine(), threads, description}));
     Helper(ranks, description, project, model, threads, options).run();

@@ -25,8 +25,8 @@ namespace {
 
 struct Part {
   std::filesystem::path folder;
-  io::RunStateHeader state;
-  [[nodiscard]] std::filesystem::path file() const { return folder / io::run_state_name; }
+  RunStateHeader state;
+  [[nodiscard]] std::filesystem::path file() const { return folder / run_state_name; }
 };
 
 /// Runs what may find problems, so that all are reported.
@@ -43,7 +43,7 @@ void throw_if_any(Problems& problems) {
 
 bool has_state(const std::filesystem::path& folder) {
   std::error_code ignored;
-  return std::filesystem::exists(folder / io::run_state_name, ignored);
+  return std::filesystem::exists(folder / run_state_name, ignored);
 }
 
 /// The folder itself, or its subfolders with a state, by name.
@@ -70,7 +70,7 @@ std::vector<Part> read_parts(const std::vector<std::filesystem::path>& folders) 
   for (const std::filesystem::path& folder : folders) {
     gather(problems, [&] {
       for (const auto& each : folders_with_state(folder)) {
-        gather(problems, [&] { parts.push_back({each, io::read_run_state_header(each / io::run_state_name)}); });
+        gather(problems, [&] { parts.push_back({each, read_run_state_header(each / run_state_name)}); });
       }
     });
   }
@@ -154,12 +154,12 @@ void check_tables(const std::vector<Part>& parts) {
   Problems problems;
   const auto names = [](const Part& part) {
     std::vector<std::string> list;
-    for (const io::TableMark& mark : part.state.tables) list.push_back(mark.file_name);
+    for (const TableMark& mark : part.state.tables) list.push_back(mark.file_name);
     return list;
   };
   for (const Part& part : parts) {
-    for (const io::TableMark& mark : part.state.tables) {
-      gather(problems, [&] { (void)io::find_marked(part.folder, mark); });
+    for (const TableMark& mark : part.state.tables) {
+      gather(problems, [&] { (void)find_marked(part.folder, mark); });
     }
     if (names(part) != names(parts.front())) {
       problems.add(
@@ -193,17 +193,17 @@ void append_rows(OutputFile& out, const std::filesystem::path& file, std::uint64
 /// Put together under names of their own first: a table may be put into its own place, and a run that was cut off goes
 /// on with its `.part`.
 void join_tables(const std::vector<Part>& parts, const std::filesystem::path& output) {
-  const auto joined_name = [&](const io::TableMark& mark) { return output / (mark.file_name + ".joined"); };
-  const std::vector<io::TableMark>& tables = parts.front().state.tables;
+  const auto joined_name = [&](const TableMark& mark) { return output / (mark.file_name + ".joined"); };
+  const std::vector<TableMark>& tables = parts.front().state.tables;
   for (std::size_t k = 0; k < tables.size(); ++k) {
     OutputFile joined(joined_name(tables[k]));
     for (const Part& part : parts) {
-      const io::TableMark& mark = part.state.tables[k];
-      append_rows(joined, io::find_marked(part.folder, mark), mark.bytes, &part == &parts.front());
+      const TableMark& mark = part.state.tables[k];
+      append_rows(joined, find_marked(part.folder, mark), mark.bytes, &part == &parts.front());
     }
     joined.commit();
   }
-  for (const io::TableMark& mark : tables) rename_file(joined_name(mark), output / mark.file_name);
+  for (const TableMark& mark : tables) rename_file(joined_name(mark), output / mark.file_name);
 }
 
 /// The results may be put beside the only part, but not on one of several, whose tables they would take the place of.
@@ -225,7 +225,7 @@ void merge_states(const std::vector<Part>& parts, RunSums& sums) {
   for (const Part& part : parts) {
     gather(problems, [&] {
       const std::uint64_t before = sums.summary().done;
-      io::merge_run_state(part.file(), observers);
+      merge_run_state(part.file(), observers);
       if (const auto lacks = sums.lacking_memory()) throw OutOfMemory(*lacks + "; nothing is merged");
       if (sums.summary().done - before == part.state.rocks().count()) return;
       throw BadInput(Problem{.file = part.file().string(),
@@ -247,7 +247,7 @@ MergeResult merge_runs(const MergeOptions& options) {
   if (!options.partial) refuse_missing(parts, missing);
   check_tables(parts);
 
-  const io::RunDescription& description = parts.front().state.description;
+  const RunDescription& description = parts.front().state.description;
   std::filesystem::path output = options.output;
   if (output.empty() && options.folders.size() == 1) output = options.folders.front();
   if (output.empty()) output = description.name;

@@ -24,7 +24,7 @@ struct MergeOptions {
 
 struct MergeResult {
   std::filesystem::path output;
-  io::RunDescription description;
+  RunDescription description;
   Summary summary;
   Problems warnings;
   std::vector<RockRange> missing;  // rocks that nobody did

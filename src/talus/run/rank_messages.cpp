@@ -40,7 +40,7 @@ Hello hello_from(std::string_view content) {
   hello.machine = in.text();
   if (hello.version != TALUS_VERSION) return hello;
   hello.threads = in.get<std::int32_t>();
-  hello.description = io::description_from(in.text());
+  hello.description = description_from(in.text());
   in.expect_end();
   return hello;
 }

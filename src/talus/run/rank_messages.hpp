@@ -55,7 +55,7 @@ struct Hello {
   std::string version;  // of the program
   std::string machine;
   int threads = 1;
-  io::RunDescription description;
+  RunDescription description;
 };
 [[nodiscard]] std::string message_of(const Hello& hello);
 /// Of another version only the version and the machine are read.

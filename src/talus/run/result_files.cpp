@@ -24,7 +24,7 @@ namespace talus::project {
 
 namespace {
 
-bool wants_vtk(const io::RunDescription& description) {
+bool wants_vtk(const RunDescription& description) {
   const nlohmann::ordered_json::json_pointer place("/output/vtk");
   return description.project.contains(place) && description.project.at(place) == true;
 }
@@ -56,50 +56,42 @@ namespace {
 /// Whether a run writes a file of this name, or removes what an earlier one wrote; relative to its folder.
 bool is_name_of_result(const std::filesystem::path& name) {
   const std::string first = name.begin()->string();
-  if (first == "maps") return io::is_name_of_map_file(name) || name.filename() == io::SourceRow::file_name;
+  if (first == "maps") return is_name_of_map_file(name) || name.filename() == SourceRow::file_name;
   std::string plain = name.string();
   if (plain.ends_with(".part")) plain.erase(plain.size() - std::string_view(".part").size());
-  constexpr std::array<std::string_view, 12> names{io::EndpointRow::file_name,
-                                                   io::HitRow::file_name,
-                                                   io::PathEventRow::file_name,
-                                                   io::DesignRow::file_name,
-                                                   io::RankingRow::file_name,
-                                                   io::EnvelopeRow::file_name,
-                                                   io::geopackage_name,
-                                                   io::vtk_paths_name,
-                                                   io::run_state_name,
-                                                   io::file_record_name,
-                                                   "summary.json",
-                                                   "report.html"};
+  constexpr std::array<std::string_view, 12> names{
+      EndpointRow::file_name, HitRow::file_name,      PathEventRow::file_name, DesignRow::file_name,
+      RankingRow::file_name,  EnvelopeRow::file_name, geopackage_name,         vtk_paths_name,
+      run_state_name,         file_record_name,       "summary.json",          "report.html"};
   return std::ranges::find(names, plain) != names.end();
 }
 
 }  // namespace
 
-std::vector<std::string> result_files(const io::RunDescription& description, const std::optional<Shard>& shard) {
-  std::vector<std::string> names{io::EndpointRow::file_name, io::HitRow::file_name, io::PathEventRow::file_name};
+std::vector<std::string> result_files(const RunDescription& description, const std::optional<Shard>& shard) {
+  std::vector<std::string> names{EndpointRow::file_name, HitRow::file_name, PathEventRow::file_name};
   if (!shard) {
-    if (description.wants_maps && description.maps && io::can_write_maps() && description.rocks > 0)
-      names.push_back("maps/" + io::map_kinds(description.maps->selection).front().name + ".tif");
-    if (description.wants_envelopes) names.emplace_back(io::EnvelopeRow::file_name);
-    if (description.design) names.insert(names.end(), {io::DesignRow::file_name, io::RankingRow::file_name});
-    if (description.wants_geopackage && io::can_write_geopackage()) names.emplace_back(io::geopackage_name);
-    if (wants_vtk(description)) names.emplace_back(io::vtk_paths_name);
+    if (description.wants_maps && description.maps && can_write_maps() && description.rocks > 0)
+      names.push_back("maps/" + map_kinds(description.maps->selection).front().name + ".tif");
+    if (description.wants_envelopes) names.emplace_back(EnvelopeRow::file_name);
+    if (description.design) names.insert(names.end(), {DesignRow::file_name, RankingRow::file_name});
+    if (description.wants_geopackage && can_write_geopackage()) names.emplace_back(geopackage_name);
+    if (wants_vtk(description)) names.emplace_back(vtk_paths_name);
     if (description.wants_report) names.emplace_back("report.html");
   }
   names.emplace_back("summary.json");
   return names;
 }
 
-std::optional<std::string> lacking_file(const std::filesystem::path& folder, const io::RunDescription& description,
+std::optional<std::string> lacking_file(const std::filesystem::path& folder, const RunDescription& description,
                                         const std::optional<Shard>& shard) {
   for (const std::string& name : result_files(description, shard)) {
     if (!is_there(folder / name)) return name;
   }
-  return io::changed_file(folder);
+  return changed_file(folder);
 }
 
-std::vector<std::string> written_files(const std::filesystem::path& folder, const io::RunDescription& description,
+std::vector<std::string> written_files(const std::filesystem::path& folder, const RunDescription& description,
                                        const std::optional<Shard>& shard) {
   std::vector<std::string> names;
   std::error_code error;
@@ -113,7 +105,7 @@ std::vector<std::string> written_files(const std::filesystem::path& folder, cons
        !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
     // Styles are the user's to change.
     const std::filesystem::path& file = entry->path();
-    if ((file.extension() == ".tif" && io::is_name_of_map_file(file)) || file.filename() == io::SourceRow::file_name)
+    if ((file.extension() == ".tif" && is_name_of_map_file(file)) || file.filename() == SourceRow::file_name)
       names.push_back(file.lexically_relative(folder).generic_string());
   }
   std::ranges::sort(names);
@@ -127,7 +119,7 @@ void check_that_inputs_are_kept(const std::filesystem::path& folder, const Proje
   const fs::path results = fs::weakly_canonical(fs::absolute(folder), error);
   if (error) return;
   Problems problems;
-  const std::vector<std::string> recorded = io::recorded_files(folder);
+  const std::vector<std::string> recorded = recorded_files(folder);
   const auto look = [&](const fs::path& file, Problem problem) {
     const fs::path real = fs::canonical(file, error);
     if (error) return;
@@ -153,11 +145,11 @@ void check_that_inputs_are_kept(const std::filesystem::path& folder, const Proje
   if (problems.has_errors()) throw BadInput(std::move(problems));
 }
 
-void check_that_results_have_room(const std::filesystem::path& folder, const io::RunDescription& description,
+void check_that_results_have_room(const std::filesystem::path& folder, const RunDescription& description,
                                   const std::optional<Shard>& shard) {
   Problems problems;
   std::vector<std::string> names = result_files(description, shard);
-  names.insert(names.end(), {io::run_state_name, io::file_record_name});
+  names.insert(names.end(), {run_state_name, file_record_name});
   std::error_code ignored;
   for (const std::string& name : names) {
     const std::filesystem::path place = folder / name;

@@ -75,13 +75,12 @@ void remove_state(const std::filesystem::path& file) {
 
 /// Where a run begins: with its first rock, or after those that an earlier one has done.
 struct Start {
-  io::RunStateHeader state;
+  RunStateHeader state;
   bool goes_on = false;      // the state is on the disk
   bool is_complete = false;  // nothing is left to do
 };
 
-Start find_start(const std::filesystem::path& folder, const io::RunDescription& description,
-                 const RunOptions& options) {
+Start find_start(const std::filesystem::path& folder, const RunDescription& description, const RunOptions& options) {
   Start start;
   start.state.shard = options.shard;
   start.state.range = options.shard ? rocks_of(*options.shard, description.rocks) : RockRange{0, description.rocks};
@@ -104,7 +103,7 @@ Start find_start(const std::filesystem::path& folder, const io::RunDescription& 
 
 /// Throws the rocks that are left, in this process.
 CampaignOutcome simulate_rocks(const Model& model, const RunOptions& options, const RockRange& all, std::uint64_t next,
-                               RunSums& sums, io::TableFiles& tables, Checkpoints& checkpoints) {
+                               RunSums& sums, TableFiles& tables, Checkpoints& checkpoints) {
   std::vector<Observer*> observers = tables.observers();
   for (SummingObserver* observer : sums.observers()) observers.push_back(observer);
   CampaignOptions campaign = options.campaign;
@@ -129,9 +128,9 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   std::optional<FolderLock> lock;
   if (options.lock == nullptr) lock.emplace(lock_output_folder(folder));
   std::optional<StopScope> beginning(std::in_place, options.campaign.stop);
-  const io::RunDescription description = describe_run(project, model, warnings, options.shard);
+  const RunDescription description = describe_run(project, model, warnings, options.shard);
   const Start start = find_start(folder, description, options);
-  const io::RunStateHeader& begun = start.state;
+  const RunStateHeader& begun = start.state;
   if (start.is_complete) return {.summary = Summary(0, 0), .range = begun.range, .was_complete = true};
   if (!start.goes_on && options.say) {
     if (const auto earlier = replaced_results(folder, description)) {
@@ -143,14 +142,14 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   const std::vector<int> threads =
       options.ranks != nullptr ? meet_ranks(*options.ranks, description, options.campaign.threads) : std::vector<int>();
 
-  const std::filesystem::path state_file = folder / io::run_state_name;
+  const std::filesystem::path state_file = folder / run_state_name;
   RunSums sums(description, project, model);
   sums.limit_maps_memory(options.maps_memory);
-  io::TableFiles tables(folder, TableContext::of(model), table_rocks(project, model.rocks()));
+  TableFiles tables(folder, TableContext::of(model), table_rocks(project, model.rocks()));
   Checkpoints checkpoints(folder, begun, description, sums, tables, options.checkpoint_every);
   if (start.goes_on) {
     const auto observers = sums.observers();
-    io::merge_run_state(state_file, observers);
+    merge_run_state(state_file, observers);
     tables.go_on(begun.tables);
     checkpoints.begin_with(begun);
   } else {

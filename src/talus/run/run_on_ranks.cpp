@@ -39,7 +39,7 @@ Problems problems_of(int rank, const Cannot& cannot) {
   throw std::runtime_error(name_of(rank, cannot.machine) + ": " + cannot.text);
 }
 
-std::optional<std::string> what_differs(const Hello& theirs, const io::RunDescription& ours) {
+std::optional<std::string> what_differs(const Hello& theirs, const RunDescription& ours) {
   if (theirs.version == TALUS_VERSION) return difference(ours, theirs.description);
   return fmt::format("talus {} runs there, and {} here", theirs.version, TALUS_VERSION);
 }
@@ -48,8 +48,7 @@ std::optional<std::string> what_differs(const Hello& theirs, const io::RunDescri
 class Foreman {
  public:
   Foreman(Ranks& ranks, std::span<const int> threads, const Model& model, const RunOptions& options,
-          const io::RunStateHeader& begun, RunSums& sums, io::TableFiles& tables, io::TableTexts& texts,
-          Checkpoints& checkpoints)
+          const RunStateHeader& begun, RunSums& sums, TableFiles& tables, TableTexts& texts, Checkpoints& checkpoints)
       : ranks_(ranks),
         options_(options),
         range_(begun.range),
@@ -172,7 +171,7 @@ class Foreman {
   RockRange range_;
   const RunSums& all_sums_;
   std::vector<SummingObserver*> sums_;
-  io::TableFiles& tables_;
+  TableFiles& tables_;
   Checkpoints& checkpoints_;
   BlockCounter counter_;
   BlockOrder order_;
@@ -187,7 +186,7 @@ class Foreman {
 
 }  // namespace
 
-std::vector<int> meet_ranks(Ranks& ranks, const io::RunDescription& description, int own_threads) {
+std::vector<int> meet_ranks(Ranks& ranks, const RunDescription& description, int own_threads) {
   std::vector<int> threads(static_cast<std::size_t>(ranks.size()), 1);
   threads[0] = own_threads > 0 ? own_threads : ranks.threads();
   std::map<int, Problems> problems;  // by rank, so that they come in an order
@@ -226,10 +225,10 @@ std::vector<int> meet_ranks(Ranks& ranks, const io::RunDescription& description,
 }
 
 CampaignOutcome simulate_on_ranks(Ranks& ranks, std::span<const int> threads, const Project& project,
-                                  const Model& model, const RunOptions& options, const io::RunStateHeader& begun,
-                                  RunSums& sums, io::TableFiles& tables, Checkpoints& checkpoints) {
+                                  const Model& model, const RunOptions& options, const RunStateHeader& begun,
+                                  RunSums& sums, TableFiles& tables, Checkpoints& checkpoints) {
   const auto begin = std::chrono::steady_clock::now();
-  io::TableTexts texts(TableContext::of(model), table_rocks(project, model.rocks()));
+  TableTexts texts(TableContext::of(model), table_rocks(project, model.rocks()));
   CampaignOutcome outcome;
   outcome.done = Foreman(ranks, threads, model, options, begun, sums, tables, texts, checkpoints).run();
   outcome.interrupted = outcome.done < begun.range.last;

@@ -17,13 +17,13 @@ namespace talus::project {
 /// For rank 0: waits until all others have read the project, and gives the threads of each. Throws BadInput with all
 /// that went wrong on them, or differs: everything has to be the same everywhere, to the bits of paths. Throws Stopped
 /// at the request of the thread's StopScope or of one of them.
-[[nodiscard]] std::vector<int> meet_ranks(Ranks& ranks, const io::RunDescription& description, int own_threads);
+[[nodiscard]] std::vector<int> meet_ranks(Ranks& ranks, const RunDescription& description, int own_threads);
 
 /// For rank 0, after meeting: throws the rocks that `begun` leaves to be done, with the threads of each rank. Sums and
 /// tables then hold them. Throws what went wrong on any rank.
 CampaignOutcome simulate_on_ranks(Ranks& ranks, std::span<const int> threads, const Project& project,
-                                  const Model& model, const RunOptions& options, const io::RunStateHeader& begun,
-                                  RunSums& sums, io::TableFiles& tables, Checkpoints& checkpoints);
+                                  const Model& model, const RunOptions& options, const RunStateHeader& begun,
+                                  RunSums& sums, TableFiles& tables, Checkpoints& checkpoints);
 
 /// For rank 0, at the end of whatever happened: lets the others go with this exit code.
 void dismiss_ranks(Ranks& ranks, int exit_code);

@@ -51,43 +51,43 @@ MapGrid map_grid(const Project& project, const LocalFrame& frame, const Surface&
   return MapGrid::at_multiples(1, frame, low);
 }
 
-io::MapSelection selection_of(const Project& project) { return {project.output.maps, project.output.percentiles}; }
+MapSelection selection_of(const Project& project) { return {project.output.maps, project.output.percentiles}; }
 
-std::optional<std::size_t> split_by(const io::RunDescription& description) {
+std::optional<std::size_t> split_by(const RunDescription& description) {
   if (!description.maps->by_source) return std::nullopt;
   return description.sources.size();
 }
 
-void warn_of_what_is_not_written(const io::RunDescription& description, Problems& warnings) {
+void warn_of_what_is_not_written(const RunDescription& description, Problems& warnings) {
   const auto warn = [&](const char* what, const char* setting) {
     warnings.add({Severity::warning, "", 0, "[output]", what, "this program was built without GDAL",
                   fmt::format("Build it with GDAL, or set {}", setting)});
   };
-  if (description.wants_maps && !io::can_write_maps()) warn("no maps are written", "maps = false");
-  if (description.wants_geopackage && !io::can_write_geopackage()) {
+  if (description.wants_maps && !can_write_maps()) warn("no maps are written", "maps = false");
+  if (description.wants_geopackage && !can_write_geopackage()) {
     warn("no GeoPackage is written", "geopackage = \"none\"");
   }
 }
 
 /// Where every rock has a section of its own, heights above one of them say nothing.
-void write_section_envelopes(const std::filesystem::path& folder, const io::RunDescription& description,
+void write_section_envelopes(const std::filesystem::path& folder, const RunDescription& description,
                              MapObserver* maps) {
-  io::remove_envelopes(folder);
+  remove_envelopes(folder);
   if (maps == nullptr || !description.wants_envelopes) return;
   const nlohmann::ordered_json::json_pointer deviations("/terrain/section_std_dev_m");
-  io::write_envelopes(folder, maps->maps(), description.maps->selection, !description.project.contains(deviations));
+  write_envelopes(folder, maps->maps(), description.maps->selection, !description.project.contains(deviations));
 }
 
-void write_all_maps(const std::filesystem::path& folder, const io::RunDescription& description, MapObserver* maps,
+void write_all_maps(const std::filesystem::path& folder, const RunDescription& description, MapObserver* maps,
                     int threads) {
-  io::remove_maps(folder);
-  io::remove_source_maps(folder / "by_source");
-  if (maps == nullptr || !description.wants_maps || !io::can_write_maps()) return;
+  remove_maps(folder);
+  remove_source_maps(folder / "by_source");
+  if (maps == nullptr || !description.wants_maps || !can_write_maps()) return;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  const io::MapSelection& selection = description.maps->selection;
-  io::write_maps(maps->maps(), selection, description.crs_wkt, folder);
+  const MapSelection& selection = description.maps->selection;
+  write_maps(maps->maps(), selection, description.crs_wkt, folder);
   if (description.maps->by_source) {
-    io::write_source_maps(maps->by_source(), description.sources, selection, description.crs_wkt, folder / "by_source");
+    write_source_maps(maps->by_source(), description.sources, selection, description.crs_wkt, folder / "by_source");
   }
 }
 
@@ -102,13 +102,13 @@ std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& m
         std::optional<std::size_t> sources;
         if (project.output.maps_by_source && !is_section) sources = model.sources.size();
         return std::make_unique<MapObserver>(grid, greatest_height_over(surface, model.laws.model), sources,
-                                             io::contents_of(selection_of(project)));
+                                             contents_of(selection_of(project)));
       },
       model.surface);
 }
 
-io::RunDescription describe(const Project& project, const Model& model, const Problems& warnings) {
-  io::RunDescription description;
+RunDescription describe(const Project& project, const Model& model, const Problems& warnings) {
+  RunDescription description;
   description.name = project.name;
   description.project = echo(project);
   description.fingerprint = fingerprint_of(description.project, model);
@@ -135,30 +135,29 @@ io::RunDescription describe(const Project& project, const Model& model, const Pr
   return description;
 }
 
-io::RunDescription describe_run(const Project& project, const Model& model, const Problems& warnings,
-                                const std::optional<Shard>& shard) {
-  io::RunDescription description = describe(project, model, warnings);
-  if (description.wants_maps && !io::can_write_maps() && !shard) description.maps.reset();
+RunDescription describe_run(const Project& project, const Model& model, const Problems& warnings,
+                            const std::optional<Shard>& shard) {
+  RunDescription description = describe(project, model, warnings);
+  if (description.wants_maps && !can_write_maps() && !shard) description.maps.reset();
   return description;
 }
 
-io::TableRocks table_rocks(const Project& project, std::uint64_t rocks) {
-  return io::TableRocks(rocks, project.output.endpoint_limit, project.output.path_limit);
+TableRocks table_rocks(const Project& project, std::uint64_t rocks) {
+  return TableRocks(rocks, project.output.endpoint_limit, project.output.path_limit);
 }
 
-RunSums::RunSums(const io::RunDescription& description, const Project& project, const Model& model)
+RunSums::RunSums(const RunDescription& description, const Project& project, const Model& model)
     : summary_(description.rocks, description.barriers, model.frame) {
   if (description.design) design_.emplace(*description.design, description.rocks);
   if (description.maps) maps_ = map_observer(project, model);
 }
 
-RunSums::RunSums(const io::RunDescription& description)
-    : summary_(description.rocks, description.barriers, {io::origin_of(description)}) {
+RunSums::RunSums(const RunDescription& description)
+    : summary_(description.rocks, description.barriers, {origin_of(description)}) {
   if (description.design) design_.emplace(*description.design, description.rocks);
   if (!description.maps) return;
   const MapGrid grid(description.maps->origin, description.maps->cell, {});
-  maps_ =
-      std::make_unique<MapObserver>(grid, nullptr, split_by(description), io::contents_of(description.maps->selection));
+  maps_ = std::make_unique<MapObserver>(grid, nullptr, split_by(description), contents_of(description.maps->selection));
 }
 
 void RunSums::limit_maps_memory(std::uint64_t bytes) {
@@ -182,22 +181,22 @@ std::vector<SummingObserver*> RunSums::observers() {
 namespace {
 
 /// What is made of tables and summary, which still has the name `summary`.
-void write_what_follows(const std::filesystem::path& folder, const io::RunDescription& description,
+void write_what_follows(const std::filesystem::path& folder, const RunDescription& description,
                         const std::optional<DesignResult>& design, const std::filesystem::path& summary) {
-  io::remove_design_tables(folder);
-  if (design) io::write_design_tables(folder, *description.design, *design);
-  io::write_derived_files(folder, summary.c_str());
+  remove_design_tables(folder);
+  if (design) write_design_tables(folder, *description.design, *design);
+  write_derived_files(folder, summary.c_str());
   // That of an earlier run would tell of other tables.
   std::error_code ignored;
   std::filesystem::remove(folder / "report.html", ignored);
   if (!description.wants_report) return;
   const std::filesystem::path folders[] = {folder};
-  io::write_report(folders, folder / "report.html", summary.c_str());
+  write_report(folders, folder / "report.html", summary.c_str());
 }
 
 }  // namespace
 
-Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
+Problems write_results(const std::filesystem::path& folder, const RunDescription& description, RunSums& sums,
                        const RunCourse& course) {
   Problems found;
   if (!course.shard) {
@@ -222,8 +221,8 @@ Problems write_results(const std::filesystem::path& folder, const io::RunDescrip
   summary.sync();
   if (!course.shard) write_what_follows(folder, description, design, OutputFile::part_of("summary.json"));
   const std::vector<std::string> written = written_files(folder, description, course.shard);
-  io::remove_recorded_files_but(folder, written);
-  io::write_file_record(folder, written);
+  remove_recorded_files_but(folder, written);
+  write_file_record(folder, written);
   summary.commit();
   return found;
 }

@@ -24,22 +24,22 @@ namespace talus::project {
 [[nodiscard]] std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model);
 
 /// `warnings`: those known before the run.
-[[nodiscard]] io::RunDescription describe(const Project& project, const Model& model, const Problems& warnings);
+[[nodiscard]] RunDescription describe(const Project& project, const Model& model, const Problems& warnings);
 
 /// The same less what nobody will write and need not be gathered: but a shard's maps are written by those who merge it.
-[[nodiscard]] io::RunDescription describe_run(const Project& project, const Model& model, const Problems& warnings,
-                                              const std::optional<Shard>& shard);
+[[nodiscard]] RunDescription describe_run(const Project& project, const Model& model, const Problems& warnings,
+                                          const std::optional<Shard>& shard);
 
 /// Of a campaign of so many rocks, those that the tables hold one by one.
-[[nodiscard]] io::TableRocks table_rocks(const Project& project, std::uint64_t rocks);
+[[nodiscard]] TableRocks table_rocks(const Project& project, std::uint64_t rocks);
 
 /// All sums over rocks.
 class RunSums {
  public:
   /// To observe the rocks of a model, which must outlive it. Maps only where the description plans any.
-  RunSums(const io::RunDescription& description, const Project& project, const Model& model);
+  RunSums(const RunDescription& description, const Project& project, const Model& model);
   /// To take what others have saved, and no rocks.
-  explicit RunSums(const io::RunDescription& description);
+  explicit RunSums(const RunDescription& description);
 
   /// In the order in which they are saved: who adds one adds it to both constructors, and here.
   [[nodiscard]] std::vector<SummingObserver*> observers();
@@ -61,7 +61,7 @@ class RunSums {
 /// description plans them, and last summary.json: where it is, all is. What an earlier run recorded among its files and
 /// this one does not make is removed. Of a shard, summary.json alone. Gives the warnings that came with the rocks.
 /// Throws BadInput where a file cannot be written.
-Problems write_results(const std::filesystem::path& folder, const io::RunDescription& description, RunSums& sums,
+Problems write_results(const std::filesystem::path& folder, const RunDescription& description, RunSums& sums,
                        const RunCourse& course);
 
 }  // namespace talus::project

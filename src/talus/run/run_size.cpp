@@ -66,11 +66,11 @@ class SizedMaps {
  public:
   SizedMaps(const Project& project, const Model& model) {
     const bool is_section = std::holds_alternative<Profile>(model.surface);
-    if (!is_section && !io::can_write_maps()) return;
+    if (!is_section && !can_write_maps()) return;
     maps_ = map_observer(project, model);
     if (!maps_) return;
     part_ = maps_->new_part();
-    values_a_cell_ = static_cast<double>(io::map_kinds({project.output.maps, project.output.percentiles}).size());
+    values_a_cell_ = static_cast<double>(map_kinds({project.output.maps, project.output.percentiles}).size());
     if (maps_->is_split()) values_a_cell_ *= 2;  // of the sources together a cell has at least as much as of all rocks
     if (is_section) return;
     std::visit(
@@ -139,7 +139,7 @@ RunSize expected_size(const Project& project, const Model& model, const RockRang
   const std::uint64_t simulated = std::min(most_simulated, rocks.count() / part_of_run);
   if (simulated == 0) return {};
   const auto is_stopped = [&] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
-  const io::TableRocks all(model.rocks()), tables = table_rocks(project, model.rocks());
+  const TableRocks all(model.rocks()), tables = table_rocks(project, model.rocks());
   Sized<EndpointsTable> endpoints(model, all);
   Sized<PathsTable> paths(model, all);
   Sized<BarriersTable> barriers(model);

@@ -56,7 +56,7 @@ void warn_of_rocks(const Summary& summary, Problems& warnings) {
   }
 }
 
-void warn_of_sources(const io::RunDescription& description, std::uint64_t first_not_run, Problems& warnings) {
+void warn_of_sources(const RunDescription& description, std::uint64_t first_not_run, Problems& warnings) {
   std::vector<std::string> none, some;
   for (const auto& source : description.model.at("sources")) {
     std::uint64_t rocks = 0, thrown = 0;
@@ -85,7 +85,7 @@ void warn_of_sources(const io::RunDescription& description, std::uint64_t first_
                 .hint = "Go on with --resume; what there is says nothing of the whole"});
 }
 
-void warn_of_collectors(const io::RunDescription& description, const Summary& summary, Problems& warnings) {
+void warn_of_collectors(const RunDescription& description, const Summary& summary, Problems& warnings) {
   for (std::size_t k = 0; k < summary.barriers.size(); ++k) {
     const auto& barrier = description.model.at("barriers").at(k);
     const std::uint64_t above = summary.barriers[k].rocks_passed_above, hit = summary.barriers[k].rocks_hit;
@@ -116,7 +116,7 @@ void warn_of_design(const DesignPlan& plan, const DesignResult& result, Problems
   for (const KitChoice& kit : result.ranking) {
     if (kit.limit == KitLimit::none || result.lines[kit.line].whole.rocks == 0 || has_kit[kit.line]) continue;
     has_kit[kit.line] = true;
-    warn(kit.line, fmt::format("no kit catches {:g} % of the rocks", 100 * plan.catch_share), io::limit_text(plan, kit),
+    warn(kit.line, fmt::format("no kit catches {:g} % of the rocks", 100 * plan.catch_share), limit_text(plan, kit),
          "");
   }
 }

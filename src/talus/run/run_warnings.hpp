@@ -15,10 +15,10 @@ namespace talus::project {
 void warn_of_rocks(const Summary& summary, Problems& warnings);
 
 /// Adds of which sources a run that was stopped has thrown no rock, or not all: its results are not those of the whole.
-void warn_of_sources(const io::RunDescription& description, std::uint64_t first_not_run, Problems& warnings);
+void warn_of_sources(const RunDescription& description, std::uint64_t first_not_run, Problems& warnings);
 
 /// Adds which collectors many rocks passed above: their statistics are of the others.
-void warn_of_collectors(const io::RunDescription& description, const Summary& summary, Problems& warnings);
+void warn_of_collectors(const RunDescription& description, const Summary& summary, Problems& warnings);
 
 /// Adds which lines of a design no rock crosses, and, where no kit catches the wanted share, what holds the best kit of
 /// each line back.

@@ -40,7 +40,7 @@ Table output_table() {
                .source = "Talus"},
               {.key = "maps",
                .slot = member(&Output::maps),
-               .most_entries = io::map_subject_names.size(),
+               .most_entries = map_subject_names.size(),
                .group = "Maps",
                .topic = topics::maps,
                .meaning = "Writes where rocks pass, how fast, how high and with how much energy: in 3D maps, as "
