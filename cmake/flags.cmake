@@ -32,3 +32,11 @@ if(TALUS_FUZZ)  # the library tells libFuzzer which branches an input took
   target_compile_options(talus_flags INTERFACE -fsanitize=fuzzer-no-link)
   target_link_options(talus_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
+
+# Headers and templates, which take most of the time, are compiled once for several source files. Names in unnamed
+# namespaces must then differ between the files of a target.
+function(talus_unity target)
+  if(TALUS_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  endif()
+endfunction()

@@ -25,6 +25,7 @@ function(talus_room name)
   else()
     target_precompile_headers(${target} REUSE_FROM talus_core)
   endif()
+  talus_unity(${target})
   set_property(GLOBAL APPEND PROPERTY TALUS_ROOMS ${target})
   # For the tests: what the compiler is given.
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/rooms/${name}.txt
