@@ -14,7 +14,7 @@ namespace talus {
 
 namespace {
 
-constexpr std::string_view velocity = "velocity_m_s", station = "station_m";
+constexpr std::string_view velocity_column = "velocity_m_s", station_column = "station_m";
 
 /// The place of a column of a table.
 template <TableRow Row>
@@ -96,11 +96,11 @@ void for_rocks(const std::filesystem::path& folder, const RunFacts& facts, const
 class NumberOfHit {
  public:
   NumberOfHit(const BarrierFacts& barrier, std::string_view column) : barrier_(barrier), column_(column) {
-    if (column != velocity && column != station) place_ = place_of_column<HitRow>(column);
+    if (column != velocity_column && column != station_column) place_ = place_of_column<HitRow>(column);
   }
   [[nodiscard]] double operator()(const TableReader<HitRow>& row) const {
-    if (column_ == velocity) return Vec3(row.get<&HitRow::velocity_m_s>().data()).norm();
-    if (column_ == station) {
+    if (column_ == velocity_column) return Vec3(row.get<&HitRow::velocity_m_s>().data()).norm();
+    if (column_ == station_column) {
       const auto place = row.get<&HitRow::position_m>();
       return station_of(barrier_.line_xyz, barrier_.stations, place[0], place[1]);
     }
@@ -128,8 +128,8 @@ const std::vector<NumberColumn>& endpoint_numbers() {
 const std::vector<NumberColumn>& barrier_numbers() {
   static const std::vector<NumberColumn> numbers = [] {
     auto columns = quantities_of<HitRow>();
-    insert_after("z_m", {station, "m"}, columns);
-    insert_after("vz_m_s", {velocity, "m/s"}, columns);
+    insert_after("z_m", {station_column, "m"}, columns);
+    insert_after("vz_m_s", {velocity_column, "m/s"}, columns);
     return columns;
   }();
   return numbers;

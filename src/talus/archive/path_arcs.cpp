@@ -9,9 +9,6 @@ namespace talus {
 
 namespace {
 
-Vec3 vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
 PathPoint point_of(const PathEventRow& row) {
   return {.time_s = row.time_s,
           .position_m = row.position_m,
@@ -46,8 +43,8 @@ class Arc {
   [[nodiscard]] PathPoint at(double t) const {
     const Vec3 velocity = v_ + t * (a_ + t / 2 * j_);
     return {.time_s = from_.time_s + t,
-            .position_m = numbers(p_ + t * (v_ + t / 2 * (a_ + t / 3 * j_))),
-            .velocity_m_s = numbers(velocity),
+            .position_m = coordinates(p_ + t * (v_ + t / 2 * (a_ + t / 3 * j_))),
+            .velocity_m_s = coordinates(velocity),
             .ke_total_J = 0.5 * mass_ * velocity.squaredNorm() + from_.ke_rotational_J,
             .state = from_.state};
   }

@@ -6,14 +6,13 @@
 
 namespace talus {
 
-using R = PathEventRow;
-
-PathEventRow path_row(const TableReader<R>& row) {
-  return row.part<&R::rock, &R::event, &R::state, &R::time_s, &R::position_m, &R::velocity_m_s, &R::ke_translational_J,
-                  &R::ke_rotational_J, &R::pe_J>();
+PathEventRow path_row(const TableReader<PathEventRow>& row) {
+  return row.part<&PathEventRow::rock, &PathEventRow::event, &PathEventRow::state, &PathEventRow::time_s,
+                  &PathEventRow::position_m, &PathEventRow::velocity_m_s, &PathEventRow::ke_translational_J,
+                  &PathEventRow::ke_rotational_J, &PathEventRow::pe_J>();
 }
 
-void refuse_other_rock(const TableReader<R>& row, std::uint64_t rock, std::uint64_t unfinished) {
+void refuse_other_rock(const TableReader<PathEventRow>& row, std::uint64_t rock, std::uint64_t unfinished) {
   row.csv().refuse("", fmt::format("rock {} begins before rock {} has ended", rock, unfinished),
                    "a path's last row has the state ended",
                    "The file was cut or joined by hand; run the project again");
@@ -37,14 +36,14 @@ bool PathReader::next(const std::function<bool(std::uint64_t)>& wants) {
         if (begins) return false;
         refuse_unfinished_path(file_, path_.rock);
       }
-      const std::uint64_t rock = row_.get<&R::rock>();
+      const std::uint64_t rock = row_.get<&PathEventRow::rock>();
       if (begins) {
         path_.rock = rock;
         is_wanted = wants(rock);
       } else if (rock != path_.rock) {
         refuse_other_rock(row_, rock, path_.rock);
       }
-      has_ended = row_.get<&R::state>() == PathState::ended;
+      has_ended = row_.get<&PathEventRow::state>() == PathState::ended;
       if (is_wanted) path_.rows.push_back(path_row(row_));
     }
   }

@@ -8,10 +8,10 @@
 namespace talus {
 namespace {
 
-constexpr std::string_view shown[] = {"reach_share", "energy_total_", "velocity_", "bounce_height_"};
+constexpr std::string_view shown_columns[] = {"reach_share", "energy_total_", "velocity_", "bounce_height_"};
 
 bool is_shown(std::string_view column) {
-  return std::ranges::any_of(shown, [&](std::string_view name) { return column.starts_with(name); });
+  return std::ranges::any_of(shown_columns, [&](std::string_view name) { return column.starts_with(name); });
 }
 
 std::uint64_t rows_of(const std::filesystem::path& file) {

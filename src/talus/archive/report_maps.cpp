@@ -18,7 +18,7 @@ struct Shown {
   bool is_logarithmic;  // its levels
 };
 
-constexpr Shown shown[] = {
+constexpr Shown shown_maps[] = {
     {"reach_share", true}, {"energy_total_max_kJ", true}, {"bounce_height_max_m", false}, {"velocity_max_m_s", false}};
 
 /// Of the values above 0.
@@ -61,7 +61,7 @@ std::vector<ReportMap> read_report_maps(const std::filesystem::path& folder) {
   std::vector<ReportMap> maps;
   if (!can_write_maps()) return maps;
   const std::vector<MapKind> kinds = map_kinds({});
-  for (const Shown& kind : shown) {
+  for (const Shown& kind : shown_maps) {
     std::error_code ignored;
     if (!std::filesystem::exists(folder / "maps" / (std::string(kind.name) + ".tif"), ignored)) continue;
     MapFile file;

@@ -22,7 +22,6 @@ double translational_energy(const Rock& rock, const Motion& motion) {
 double rotational_energy(const Rock& rock, const Motion& motion) {
   return 0.5 * rock.inertia * motion.spin.squaredNorm();
 }
-std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 /// The text of a block's rows.
 struct TextPart : ObserverPart {
@@ -73,7 +72,7 @@ void fill(EndpointRow& row, const TableContext& context, const RockRecord& recor
   const Runout way = runout(outcome);
   row.rock = record.rock;
   row.seeder = context.seeders[record.seeder.index];
-  row.position_m = numbers(context.frame.global_from_local(outcome.end.position));
+  row.position_m = coordinates(context.frame.global_from_local(outcome.end.position));
   row.runout_xy_m = way.plan;
   row.runout_z_m = way.drop;
   row.runout_total_m = way.total;
@@ -93,9 +92,9 @@ void fill(PathEventRow& row, const TableContext& context, const RockRecord& reco
   row.event = event;
   row.state = seen.state;
   row.time_s = seen.motion.time;
-  row.position_m = numbers(position);
-  row.velocity_m_s = numbers(seen.motion.velocity);
-  row.spin_rad_s = numbers(seen.motion.spin);
+  row.position_m = coordinates(position);
+  row.velocity_m_s = coordinates(seen.motion.velocity);
+  row.spin_rad_s = coordinates(seen.motion.spin);
   row.ke_translational_J = translational_energy(record.body, seen.motion);
   row.ke_rotational_J = rotational_energy(record.body, seen.motion);
   row.pe_J = record.body.mass * context.gravity * (position.z() - context.energy_datum);
@@ -105,9 +104,9 @@ void fill(HitRow& row, const TableContext& context, const RockRecord& record, co
   row.barrier = context.barriers[hit.barrier.index];
   row.rock = record.rock;
   row.time_s = hit.motion.time;
-  row.position_m = numbers(context.frame.global_from_local(hit.motion.position));
+  row.position_m = coordinates(context.frame.global_from_local(hit.motion.position));
   row.impact_height_m = hit.height;
-  row.velocity_m_s = numbers(hit.motion.velocity);
+  row.velocity_m_s = coordinates(hit.motion.velocity);
   row.angle_deg = hit.angle * 180 / std::numbers::pi;
   row.ke_translational_J = translational_energy(record.body, hit.motion);
   row.ke_rotational_J = rotational_energy(record.body, hit.motion);

@@ -11,15 +11,15 @@ namespace talus {
 
 namespace {
 
-constexpr const char* name_a_run = "Name a folder that `talus run` has written";
-constexpr const char* cut_short = "The file was cut short or damaged; run the project again to get it whole";
+constexpr const char* folder_hint = "Name a folder that `talus run` has written";
+constexpr const char* damaged_hint = "The file was cut short or damaged; run the project again to get it whole";
 
 /// The outermost object, of which the barriers go to `take` as soon as each is read.
 JsonValue parse_summary(const std::filesystem::path& file, const std::function<void(const JsonValue&)>& take) {
-  const std::string text = text_of_json_file(file, name_a_run, most_json_bytes);
+  const std::string text = text_of_json_file(file, folder_hint, most_json_bytes);
   const auto refuse = [&](std::string what, std::string why, int line = 0) {
     throw BadInput(Problem{
-        .file = file.string(), .line = line, .what = std::move(what), .why = std::move(why), .hint = cut_short});
+        .file = file.string(), .line = line, .what = std::move(what), .why = std::move(why), .hint = damaged_hint});
   };
   JsonValue json;
   try {
@@ -64,7 +64,7 @@ Statistics BarrierSummary::statistics_of(std::string_view quantity) const {
 }
 
 void refuse_summary(const std::filesystem::path& file, const BadField& bad) {
-  refuse_json_file(file, bad.where, bad.what, bad.why, name_a_run);
+  refuse_json_file(file, bad.where, bad.what, bad.why, folder_hint);
 }
 
 RunSummary read_run_summary(const std::filesystem::path& file, const std::function<void(BarrierSummary)>& take) {

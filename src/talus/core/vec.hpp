@@ -2,12 +2,17 @@
 // Vectors of the kernel: fixed-size, SI units. Global frame: x and y on plan, z up, right-handed.
 
 #include <Eigen/Dense>
+#include <array>
 
 namespace talus {
 
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
+
+/// A vector as rows of tables have it, and back.
+[[nodiscard]] inline std::array<double, 3> coordinates(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+[[nodiscard]] inline Vec3 vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 /// Standard gravity [m/s2], the default of RocFall2 and RocFall3.
 inline constexpr double standard_gravity = 9.80665;

@@ -30,9 +30,9 @@ Vec3 area_vector(const std::vector<Vec3>& ring) {
 }
 
 // Triangulates one polygon in its plane.
-class Cut {
+class PolygonCut {
  public:
-  Cut(const SpacePolygon& polygon, RawMesh& mesh, PolygonReport& report)
+  PolygonCut(const SpacePolygon& polygon, RawMesh& mesh, PolygonReport& report)
       : polygon_(polygon), mesh_(mesh), report_(report) {}
 
   [[nodiscard]] std::optional<Fault> fault() {
@@ -192,7 +192,7 @@ RawMesh triangulated(std::span<const SpacePolygon> polygons, const std::string& 
   std::size_t faults = 0;
   for (const SpacePolygon& polygon : polygons) {
     ++report.polygons;
-    const auto fault = Cut(polygon, mesh, report).fault();
+    const auto fault = PolygonCut(polygon, mesh, report).fault();
     if (!fault || ++faults > most_reported) continue;
     problems.add(Problem{.file = source,
                          .where = "terrain",

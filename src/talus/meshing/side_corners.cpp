@@ -19,9 +19,9 @@ struct Piece {
   std::array<bool, 3> is_free;  // whether edge k is one of the boundary
 };
 
-class Cut {
+class SideCut {
  public:
-  Cut(const std::vector<Vec3>& vertices, double tolerance) : vertices_(vertices), tolerance_(tolerance) {}
+  SideCut(const std::vector<Vec3>& vertices, double tolerance) : vertices_(vertices), tolerance_(tolerance) {}
 
   // Calls take(corners) for each piece of a facet whose sides pass these vertices.
   template <class Take>
@@ -91,7 +91,7 @@ class Cut {
 }  // namespace
 
 Findings put_corners_into_sides(const std::vector<Vec3>& vertices, CutFacets& facets, double tolerance_m) {
-  Cut cut{vertices, tolerance_m};
+  SideCut cut{vertices, tolerance_m};
   const std::vector<MeshEdge> edges = free_edges(facets.triangles);
   if (edges.empty()) return {};
   const Vec3 origin = vertices[edges.front().ends >> 32];  // boxes are coarse far from it

@@ -17,15 +17,15 @@ namespace talus::project {
 
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
 constexpr std::size_t masked_at_once = 1 << 20;
 constexpr std::size_t most_listed = 8;  // values of a mask
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-12;  // a slope of exactly the wanted one is wanted
 
-double in_degrees(double gradient_squared) { return slope_of_gradient_squared(gradient_squared) * degrees; }
-double gradient_squared(double slope_deg) { return std::pow(std::tan(slope_deg / degrees), 2); }
+double in_degrees(double gradient_squared) { return slope_of_gradient_squared(gradient_squared) * degrees_per_radian; }
+double gradient_squared(double slope_deg) { return std::pow(std::tan(slope_deg / degrees_per_radian), 2); }
 
 struct Candidate {
   std::uint32_t cell;

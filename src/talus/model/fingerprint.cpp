@@ -39,7 +39,7 @@ void put(ByteWriter& out, const RasterSurface& raster) {
   for (std::size_t k = 0; k < z.size(); k += piece) out.numbers(z.subspan(k, std::min(piece, z.size() - k)));
 }
 
-void put(ByteWriter& out, const Ground& ground, std::size_t sources) {
+void put(ByteWriter& out, const talus::Ground& ground, std::size_t sources) {
   const bool is_everywhere_the_same = ground.bytes() == 0;
   out.flag(is_everywhere_the_same);
   std::array<std::uint32_t, 1024> piece;

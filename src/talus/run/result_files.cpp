@@ -35,7 +35,7 @@ bool ends_with_a_line(const std::filesystem::path& table) {
   return file.get() == '\n';
 }
 
-bool is_there(const std::filesystem::path& file) {
+bool is_whole(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(file, ignored) && (file.extension() != ".csv" || ends_with_a_line(file)) &&
          !std::filesystem::exists(OutputFile::part_of(file), ignored);
@@ -86,7 +86,7 @@ std::vector<std::string> result_files(const RunDescription& description, const s
 std::optional<std::string> lacking_file(const std::filesystem::path& folder, const RunDescription& description,
                                         const std::optional<Shard>& shard) {
   for (const std::string& name : result_files(description, shard)) {
-    if (!is_there(folder / name)) return name;
+    if (!is_whole(folder / name)) return name;
   }
   return changed_file(folder);
 }

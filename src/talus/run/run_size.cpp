@@ -178,15 +178,15 @@ RunSize expected_size(const Project& project, const Model& model, const RockRang
 
 std::optional<std::string> large_run_text(const RunSize& size, int threads) {
   if (size.bytes() <= large_bytes) return std::nullopt;
-  struct Table {
+  struct Part {
     double bytes;
     const char *name, *smaller;
   };
   std::string parts, smaller;
   for (const auto& [bytes, name, setting] :
-       {Table{size.paths_bytes, "paths.csv", "output.paths = 2000"},
-        Table{size.endpoints_bytes, "endpoints.csv", "output.endpoints = \"none\""},
-        Table{size.barriers_bytes, "barriers.csv", ""}, Table{size.maps_bytes, "maps", "fewer output.maps"}}) {
+       {Part{size.paths_bytes, "paths.csv", "output.paths = 2000"},
+        Part{size.endpoints_bytes, "endpoints.csv", "output.endpoints = \"none\""},
+        Part{size.barriers_bytes, "barriers.csv", ""}, Part{size.maps_bytes, "maps", "fewer output.maps"}}) {
     constexpr double worth_naming = 0.05;
     if (bytes < worth_naming * size.bytes()) continue;
     parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, size_text(bytes));
