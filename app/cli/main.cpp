@@ -23,7 +23,8 @@ const CLI::Validator names_file = not_empty("\"\" is not a file name"),
 void add_project_options(CLI::App& command, ProjectOptions& options) {
   command.add_option("project", options.file, "The project file (TOML)")->required()->type_name("PROJECT.toml");
   command
-      .add_option("--set", options.settings, "Set one value, for example --set analysis.gravity_m_s2=9.81; repeatable")
+      .add_option("--set", options.settings,
+                  "Override a setting, for example --set analysis.gravity_m_s2=9.81; repeatable")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->allow_extra_args(false)  // otherwise it also consumes the project

@@ -1,5 +1,5 @@
 #pragma once
-// The page's files, and the examples, which are part of the program.
+// Files embedded in the program: those of the page, and the examples.
 
 #include <string>
 #include <string_view>
@@ -9,11 +9,11 @@ namespace talus::server {
 
 struct Asset {
   std::string_view path;   // relative to the page
-  std::string_view type;   // as HTTP calls it
+  std::string_view type;   // Content-Type
   std::string_view bytes;  // compressed by gzip
 };
 
-/// In the order of their paths.
+/// Sorted by path.
 [[nodiscard]] const std::vector<Asset>& page_assets();
 
 struct ExampleFile {

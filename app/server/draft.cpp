@@ -23,7 +23,7 @@ fs::path place_of(const fs::path& file) { return file.parent_path() / ("." + fil
 
 bool is_same(const Revision& a, const Revision& b) { return a.tab == b.tab && a.count == b.count; }
 
-/// The rest of the first line, which goes, where it begins so.
+/// If the first line has this beginning, removes the line and returns its rest.
 std::optional<std::string> take_line(std::string& text, std::string_view beginning) {
   const std::size_t end = text.find('\n');
   if (!text.starts_with(beginning) || end == std::string::npos) return std::nullopt;
@@ -57,13 +57,13 @@ std::optional<Revision> revision_of(std::string_view text) {
 
 std::string text_of(const Revision& revision) { return fmt::format("{}.{}", revision.tab, revision.count); }
 
-bool goes_on_from(const Draft& there, const std::optional<Revision>& after, const Revision& next) {
-  if (there.revisions.empty()) return !after;
-  const Revision& last = there.revisions.back();
+bool continues(const Draft& draft, const std::optional<Revision>& after, const Revision& next) {
+  if (draft.revisions.empty()) return !after;
+  const Revision& last = draft.revisions.back();
   return (after && is_same(last, *after)) || (last.tab == next.tab && last.count < next.count);
 }
 
-std::vector<Revision> followed_by(std::vector<Revision> revisions, const Revision& next) {
+std::vector<Revision> with_revision(std::vector<Revision> revisions, const Revision& next) {
   std::erase_if(revisions, [&](const Revision& old) { return old.tab == next.tab; });
   revisions.push_back(next);
   return revisions;
@@ -79,7 +79,7 @@ std::optional<Draft> draft_of(const fs::path& file) {
   return draft;
 }
 
-void keep_draft(const fs::path& file, const Draft& draft) {
+void save_draft(const fs::path& file, const Draft& draft) {
   std::error_code ignored;
   fs::create_directories(file.parent_path(), ignored);
   OutputFile kept(place_of(file));

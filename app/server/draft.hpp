@@ -1,6 +1,6 @@
 #pragma once
-// What of a project is not saved yet, beside its file as `.NAME.draft`: TOML, with a comment above that says of which
-// file it is a draft.
+// Unsaved changes of a project, next to its file as `.NAME.draft`: TOML, after comments with the checksum of the file
+// it began from and the revisions.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,30 +11,30 @@
 
 namespace talus::server {
 
-/// A change of a draft: which tab of a browser made it, and as its how manyeth. As text `3f9a.12`.
+/// A change of a draft: the browser tab that made it and the tab's count of changes. As text: `3f9a.12`.
 struct Revision {
   std::string tab;
   std::uint64_t count = 0;
 };
-/// Nothing where the text is none.
+/// nullopt if the text is not a revision.
 [[nodiscard]] std::optional<Revision> revision_of(std::string_view text);
 [[nodiscard]] std::string text_of(const Revision& revision);
 
 struct Draft {
   std::string text;
-  std::optional<std::string> saved;   // the checksum of the file that it began from; none: there was no file
-  std::vector<Revision> revisions{};  // the last of each tab that it comes from; its own is the last; none: not known
+  std::optional<std::string> saved;   // checksum of the file that it began from; nullopt: there was no file
+  std::vector<Revision> revisions{};  // the last of each tab involved, the current one at the end; empty: unknown
 };
 
-/// Whether a revision that was made of `after` (none: of no draft) goes on from this draft, or from an older one of its
-/// own tab: only then nothing is lost where it takes its place.
-[[nodiscard]] bool goes_on_from(const Draft& there, const std::optional<Revision>& after, const Revision& next);
-/// The revisions of a draft that takes the place of another one.
-[[nodiscard]] std::vector<Revision> followed_by(std::vector<Revision> revisions, const Revision& next);
+/// Whether revision `next`, made from revision `after` (nullopt: from no draft), continues this draft, or an older one
+/// of the same tab. Only then no change is lost if it replaces the draft.
+[[nodiscard]] bool continues(const Draft& draft, const std::optional<Revision>& after, const Revision& next);
+/// The revisions after adding `next`.
+[[nodiscard]] std::vector<Revision> with_revision(std::vector<Revision> revisions, const Revision& next);
 
-/// Nothing where there is none. `file` is the project's, here and below.
+/// nullopt if there is none. `file`, here and below: the project's.
 [[nodiscard]] std::optional<Draft> draft_of(const std::filesystem::path& file);
-void keep_draft(const std::filesystem::path& file, const Draft& draft);
+void save_draft(const std::filesystem::path& file, const Draft& draft);
 void remove_draft(const std::filesystem::path& file);
 
 }  // namespace talus::server

@@ -1,5 +1,5 @@
 #pragma once
-// What happens, told to all who listen: server-sent events (HTML Living Standard, section 9.2).
+// Server-sent events (HTML Living Standard, section 9.2).
 
 #include <chrono>
 #include <condition_variable>
@@ -17,13 +17,13 @@ namespace talus::server {
 
 class EventHub;
 
-/// One who listens. News wait here until they are fetched: of each thing only the last, so that a slow reader costs no
-/// memory.
+/// One client. Events wait here until they are sent, only the last one per key, so that a slow reader costs no memory.
 class Listener {
  public:
   explicit Listener(EventHub& hub) : hub_(hub) {}
 
-  /// The text to send next, waiting for a second at most. Empty: nothing has happened. Nothing: it is over.
+  /// Waits for events for at most a second and returns the text to send: empty if there is nothing to send, nullopt
+  /// once the hub is closed.
   [[nodiscard]] std::optional<std::string> next();
 
  private:
@@ -31,28 +31,28 @@ class Listener {
   using Clock = std::chrono::steady_clock;
 
   EventHub& hub_;
-  std::vector<std::pair<std::string, std::string>> waiting_;  // of which thing, and the event's text
-  Clock::time_point sent_{};                                  // the last events
-  Clock::time_point spoke_{};                                 // the last word, or comment
+  std::vector<std::pair<std::string, std::string>> waiting_;  // key and text of each event
+  Clock::time_point sent_events_{};                           // when events were sent last
+  Clock::time_point sent_{};                                  // when anything was sent last, comments included
 };
 
 class EventHub {
  public:
-  /// No more than this listen at a time: each holds a thread of the server.
+  /// Each listener holds a thread of the server.
   static constexpr std::size_t most_listeners = 32;
 
-  /// Refuses (503) where too many listen. The hub must outlive the listener.
+  /// Refuses (503) if there are too many listeners. The hub must outlive the listener.
   [[nodiscard]] std::shared_ptr<Listener> listen();
-  /// An event about a thing, of which only the last matters to those who have not heard of the ones before.
-  void publish(std::string_view event, const std::string& thing, const Json& data);
-  /// Ends all listening, now and later.
+  /// Sends an event to all listeners. It replaces earlier events of the same key that have not been sent yet.
+  void publish(std::string_view event, const std::string& key, const Json& data);
+  /// Ends all listeners, present and future.
   void close();
 
  private:
   friend class Listener;
 
   std::mutex mutex_;
-  std::condition_variable news_;
+  std::condition_variable changed_;
   std::vector<std::weak_ptr<Listener>> listeners_;
   bool is_closed_ = false;
 };

@@ -1,17 +1,16 @@
 #pragma once
-// Threads that simulate rocks make way for those that answer requests.
+// Low priority for threads that simulate rocks, so that requests are answered promptly.
 
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
 
 namespace talus::server {
 
-/// Lets the system prefer others to the calling thread from now on. (Where the system has no such thing for single
-/// threads, nothing happens.)
+/// Lowers the priority of the calling thread from now on. (No effect on systems without priorities of single threads.)
 void lower_priority_of_this_thread();
 
-/// Runs functions with as many threads as there are cores, all of a low priority while they are at it and after: only
-/// the superuser can raise it again, and the threads are TBB's, which wait for such work again.
+/// Runs functions on all cores at low priority. The threads, which are TBB's, keep the low priority afterwards: only
+/// the superuser can raise it again.
 class LowPriorityArena {
  public:
   LowPriorityArena() : observer_(arena_) { observer_.observe(true); }

@@ -14,7 +14,7 @@ namespace talus::server {
 
 namespace {
 
-constexpr std::uint64_t most_places = 2'000;  // of a seeder, that are shown
+constexpr std::uint64_t most_places = 2'000;  // shown per seeder
 
 const char* kind_of(const Profile&) { return "section"; }
 const char* kind_of(const TriangleMesh&) { return "mesh"; }
@@ -22,7 +22,7 @@ const char* kind_of(const RasterSurface&) { return "raster"; }
 
 Json crs_json(const std::string& wkt) {
   if (wkt.empty()) return nullptr;
-  // The name in full stands first in WKT; the number, where there is one, is shorter.
+  // The first quoted text of WKT is the full name; EPSG:NUMBER, if known, is put in front.
   const std::size_t begin = std::min(wkt.find('"'), wkt.size() - 1) + 1;
   const std::string title = wkt.substr(begin, wkt.find('"', begin) - begin);
   const auto known = crs_in_words(wkt);
@@ -41,13 +41,13 @@ class Describer {
     return {{"min", place(box.low)}, {"max", place(box.high)}};
   }
 
-  /// Places where some of its rocks start, spread over all.
+  /// Release places of some of its rocks, evenly spread over all.
   [[nodiscard]] Json places(const Seeder& seeder) const {
     const bool is_point = std::holds_alternative<Vec3>(seeder.where);
     const std::uint64_t count = is_point ? 1 : std::min(seeder.rocks, most_places);
     Json list = Json::array();
     for (std::uint64_t k = 0; k < count; ++k) {
-      // No product of two large numbers: rocks may be 10^15.
+      // rocks * k / count without overflow: there may be 10^15 rocks.
       const std::uint64_t rock = seeder.rocks / count * k + seeder.rocks % count * k / count;
       list.push_back(place(start_of(model_, seeder.first_rock + rock)));
     }
@@ -77,7 +77,7 @@ class Describer {
     return list;
   }
 
-  /// Where they are on the ground: a line a side, of those that are not beyond the terrain.
+  /// Outlines on the ground: a line per side, without the sides beyond the terrain.
   [[nodiscard]] Json areas() const {
     const Vec2 origin = model_.frame.origin.head(2);
     Json list = Json::array();
@@ -132,7 +132,7 @@ class Describer {
   }
 
  private:
-  /// A line as it was given, or laid on the ground where its rocks start at a height above it.
+  /// A line as given, or draped over the ground if its rocks start at a height above it.
   [[nodiscard]] Json line(const Seeder& seeder, const ReleaseLines& lines, std::size_t number) const {
     Json list = Json::array();
     const auto points = lines.points_of(number);

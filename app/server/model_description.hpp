@@ -1,5 +1,5 @@
 #pragma once
-// What the page is told of a model at once: where everything is, in the user's coordinates.
+// The overview of a model for the page: where everything is, in the user's coordinates.
 
 #include "http/answer.hpp"
 #include "model_shelf.hpp"

@@ -21,8 +21,8 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto look_again = 20ms;  // whether somebody waits no longer
-constexpr auto slow = 1s;          // what takes longer lets the next one begin
+constexpr auto poll_interval = 20ms;  // for checking whether a caller was stopped
+constexpr auto slow = 1s;             // a read that takes longer does not count for `at_a_time`
 constexpr std::size_t at_a_time = 2, at_most = 16;
 
 }  // namespace
@@ -30,19 +30,19 @@ constexpr std::size_t at_a_time = 2, at_most = 16;
 struct ModelReading::Job {
   std::string key;
   Clock::time_point begun = Clock::now();
-  std::size_t waiting = 1;        // who wait for it
-  std::atomic<bool> stop{false};  // nobody waits any more
+  std::size_t waiting = 1;        // number of callers
+  std::atomic<bool> stop{false};  // no caller is left
   bool has_ended = false;
   std::shared_ptr<const void> result;
   std::exception_ptr failure;
 };
 
 struct ModelReading::State {
-  std::mutex mutex;  // of all that follows, and of the jobs
+  std::mutex mutex;  // guards all members below, and the jobs
   std::condition_variable changed;
-  std::vector<std::shared_ptr<Job>> jobs;  // whose thread has not ended
+  std::vector<std::shared_ptr<Job>> jobs;  // whose threads have not ended
 
-  /// Expects the lock, as all of these.
+  // The functions expect the lock.
   [[nodiscard]] std::shared_ptr<Job> find(const std::string& key) const {
     const auto found =
         std::ranges::find_if(jobs, [&](const auto& job) { return !key.empty() && job->key == key && !job->stop; });
@@ -58,7 +58,7 @@ struct ModelReading::State {
 
 ModelReading::ModelReading(std::chrono::milliseconds longest) : longest_(longest), state_(std::make_shared<State>()) {}
 
-std::size_t ModelReading::left_alone() const {
+std::size_t ModelReading::threads() const {
   const std::lock_guard lock(state_->mutex);
   return state_->jobs.size();
 }
@@ -68,22 +68,22 @@ std::shared_ptr<const void> ModelReading::wait_for(const std::string& key, Work 
   const auto too_long = [&] {
     return BadInput(
         Problem{.what = "the files of this project could not be read in time",
-                .why = fmt::format("it has taken more than {:g} s", std::chrono::duration<double>(longest_).count()),
-                .hint = "Look whether one of them lies where nothing answers, or take a smaller one"});
+                .why = fmt::format("it took more than {:g} s", std::chrono::duration<double>(longest_).count()),
+                .hint = "Check whether one of them is on a drive that does not respond, or use smaller files"});
   };
   std::unique_lock lock(state_->mutex);
   std::shared_ptr<Job> job;
   while (!(job = state_->find(key)) && !state_->has_room()) {
     if (Clock::now() > until) throw too_long();
     if (const StopScope* scope = StopScope::current(); scope != nullptr && scope->is_requested()) throw Stopped{};
-    state_->changed.wait_for(lock, look_again);
+    state_->changed.wait_for(lock, poll_interval);
   }
   if (job) {
     ++job->waiting;
   } else {
     if (state_->jobs.size() >= at_most)
-      throw Refusal(503, "model", "cannot be read now", fmt::format("{} others do not come to their end", at_most),
-                    "Start the server again");
+      throw Refusal(503, "model", "cannot be read now", fmt::format("{} earlier reads have not ended", at_most),
+                    "Restart the server");
     job = std::make_shared<Job>();
     job->key = key;
     state_->jobs.push_back(job);
@@ -111,7 +111,7 @@ std::shared_ptr<const void> ModelReading::wait_for(const std::string& key, Work 
     if (--job->waiting == 0) job->stop = true;
   };
   while (!job->has_ended) {
-    state_->changed.wait_for(lock, look_again);
+    state_->changed.wait_for(lock, poll_interval);
     if (job->has_ended) break;
     if (const StopScope* scope = StopScope::current(); scope != nullptr && scope->is_requested()) {
       leave();

@@ -1,7 +1,7 @@
 #pragma once
-// Models are read in threads of their own: a file may lie where nothing answers, and a thread that the system keeps
-// waiting cannot be ended. Whoever waits for a model can leave; what is read then for nobody ends at its next stop
-// point, or keeps its thread.
+// Reads models in separate threads: a file may be on a drive that does not respond, and a thread that waits for the
+// system cannot be ended. Callers can stop waiting at any time. A read without callers ends at its next stop point, or
+// its thread is abandoned.
 
 #include <chrono>
 #include <functional>
@@ -12,21 +12,22 @@ namespace talus::server {
 
 class ModelReading {
  public:
-  /// `longest`: how long a model may take.
+  /// `longest`: the time limit for a model.
   explicit ModelReading(std::chrono::milliseconds longest);
 
-  /// What `read` gives, in a thread of its own; of several who ask for the same `key` (not empty) at a time one reads
-  /// for all. `read` must own what it needs. Few read at a time, since models are large; one that takes long keeps
-  /// nobody waiting. Throws what `read` throws; Stopped at the request of the caller's StopScope; BadInput where it
-  /// takes too long; Refusal (503) where too many do not end.
+  /// Calls `read` in a separate thread and returns its result. Concurrent callers with the same `key` (not empty) share
+  /// one read. `read` must own what it needs. Only few reads start at a time, since models are large, but a slow one
+  /// does not block the next. Throws what `read` throws; Stopped if the caller's StopScope asks for it; BadInput after
+  /// the time limit; Refusal (503) if too many threads are abandoned.
   template <class Result>
   std::shared_ptr<const Result> read(const std::string& key, std::function<Result()> read) {
     return std::static_pointer_cast<const Result>(
         wait_for(key, [read = std::move(read)] { return std::make_shared<const Result>(read()); }));
   }
 
-  /// Threads that still read for nobody: as long as there are some, the program must not end in the ordinary way.
-  [[nodiscard]] std::size_t left_alone() const;
+  /// Number of threads that are still reading. While there are some the program must not end normally, by destroying
+  /// static objects.
+  [[nodiscard]] std::size_t threads() const;
 
  private:
   using Work = std::function<std::shared_ptr<const void>()>;
@@ -36,7 +37,7 @@ class ModelReading {
   std::shared_ptr<const void> wait_for(const std::string& key, Work work);
 
   std::chrono::milliseconds longest_;
-  std::shared_ptr<State> state_;  // the threads' too
+  std::shared_ptr<State> state_;  // shared with the threads
 };
 
 }  // namespace talus::server

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a model, all files that its project names.
+/// All files that the project of a model names.
 std::vector<fs::path> files_of(const project::Project& project) {
   const project::Terrain& terrain = project.terrain;
   std::vector<fs::path> files{terrain.mesh,     terrain.raster,   terrain.points,        terrain.lines,
@@ -29,8 +29,8 @@ std::vector<fs::path> files_of(const project::Project& project) {
   return files;
 }
 
-/// What changes when a file is written again, or one beside it that belongs to it (slope.prj, slope.tif.aux.xml).
-/// Nothing where that cannot be seen from outside: the file may lead to others.
+/// A text that changes when the file, or one that belongs to it (slope.prj, slope.tif.aux.xml), is written again.
+/// nullopt if changes cannot be detected: the file may refer to others.
 std::optional<std::string> state_of(const fs::path& file) {
   std::error_code error;
   const std::string name = file.string();
@@ -38,10 +38,10 @@ std::optional<std::string> state_of(const fs::path& file) {
   const std::string stem = file.stem().string() + '.';
   std::vector<std::string> states;
   for (const fs::directory_entry& entry : fs::directory_iterator(file.parent_path(), error)) {
-    const std::string beside = entry.path().filename().string();
-    if (!beside.starts_with(stem)) continue;
+    const std::string sibling = entry.path().filename().string();
+    if (!sibling.starts_with(stem)) continue;
     std::error_code ignored;
-    states.push_back(fmt::format("{} {} {}", beside, entry.file_size(ignored),
+    states.push_back(fmt::format("{} {} {}", sibling, entry.file_size(ignored),
                                  entry.last_write_time(ignored).time_since_epoch().count()));
   }
   if (error) return std::nullopt;

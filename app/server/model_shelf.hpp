@@ -1,5 +1,5 @@
 #pragma once
-// Models that the page looks at: built from the text of a project, and kept while they are looked at.
+// Models for the page: built from the text of a project, and cached.
 
 #include <deque>
 #include <filesystem>
@@ -17,25 +17,25 @@ namespace talus::server {
 
 struct ShelvedModel {
   std::string id;
-  std::string files{};    // a hash of which were read, and of their sizes and times
-  std::size_t bytes = 0;  // that the model takes, about
+  std::string files{};    // hash of the names, sizes and times of the files that were read
+  std::size_t bytes = 0;  // approximate memory of the model
   project::Project project{};
   Model model{};
   Problems warnings{};
 };
 
-/// For threads side by side: a model is good as long as it is held, though the shelf let go of it meanwhile.
+/// Thread-safe. A model stays valid while it is held, even if the shelf has dropped it.
 class ModelShelf {
  public:
   using Held = std::shared_ptr<const ShelvedModel>;
 
-  /// Keeps models of so many bytes, or one that is larger.
+  /// Keeps models of `most_bytes` in total, or a single larger one.
   ModelShelf(ModelReading& reading, std::size_t most_bytes) : reading_(reading), most_bytes_(most_bytes) {}
 
-  /// The model of a project, whose files are relative to `file`: built, or the same as before where neither the text
-  /// nor a file that was read has changed. Throws BadInput, and as ModelReading.
+  /// The model of a project's text, with files relative to `file`. It is only rebuilt if the text or a file that it
+  /// reads has changed. Throws BadInput, and as ModelReading::read().
   [[nodiscard]] Held build(const std::filesystem::path& file, std::string_view text);
-  /// Throws a refusal (404) where there is none of this id, or none any more.
+  /// Refuses (404) an id that is unknown or no longer kept.
   [[nodiscard]] Held find(const std::string& id) const;
 
  private:
@@ -45,7 +45,7 @@ class ModelShelf {
   ModelReading& reading_;
   std::size_t most_bytes_;
   mutable std::mutex shelf_;
-  std::deque<Held> models_;  // the one used last in front
+  std::deque<Held> models_;  // most recently used first
 };
 
 }  // namespace talus::server

@@ -30,17 +30,17 @@ const char* name(RunState state) {
   return std::find_if(states.begin(), states.end(), [&](const auto& known) { return known.first == state; })->second;
 }
 
-constexpr const char* hint = "The run's other files may be whole";
+constexpr const char* hint = "The run's other files may be intact";
 
 [[noreturn]] void refuse(const fs::path& file, std::string where, std::string what, std::string why) {
   refuse_json_file(file, std::move(where), std::move(what), std::move(why), hint);
 }
 
-/// A value of a kind; refused where it is missing or of another.
+/// The value of a key; refused if it is missing or of another type.
 template <class Value>
 Value value_of(const Json& json, const char* key, const fs::path& file) {
   const auto found = json.find(key);
-  if (found == json.end()) refuse(file, key, "is missing", "the server writes it");
+  if (found == json.end()) refuse(file, key, "is missing", "every run.json has it");
   bool fits = false;
   if constexpr (std::is_same_v<Value, std::string>) {
     fits = found->is_string();
@@ -51,7 +51,7 @@ Value value_of(const Json& json, const char* key, const fs::path& file) {
   } else {
     fits = found->is_number_integer();
   }
-  if (!fits) refuse(file, key, fmt::format("is of type {}", found->type_name()), "the server writes another");
+  if (!fits) refuse(file, key, fmt::format("has the wrong type, {}", found->type_name()), "");
   return found->get<Value>();
 }
 
@@ -62,7 +62,7 @@ std::optional<Value> value_if_any(const Json& json, const char* key, const fs::p
 }
 
 void read_into(Run& run, const fs::path& file) {
-  constexpr std::uintmax_t most_bytes = 16U << 20U;  // far beyond any
+  constexpr std::uintmax_t most_bytes = 16U << 20U;  // much more than any run.json has
   const Json json = read_json_object<Json>(file, hint, most_bytes);
   run.name = value_of<std::string>(json, "name", file);
   run.project = value_of<std::string>(json, "project", file);
@@ -80,12 +80,12 @@ void read_into(Run& run, const fs::path& file) {
   run.asked_rocks = value_if_any<std::int64_t>(json, "asked_rocks", file);
   run.asked_seed = value_if_any<std::uint64_t>(json, "asked_seed", file);
   const std::string project_file = value_of<std::string>(json, "file", file);
-  if (fs::path(project_file).filename() != project_file) refuse(file, "file", "is not a name of a file", "");
+  if (fs::path(project_file).filename() != project_file) refuse(file, "file", "is not a file name", "");
   run.file = (fs::path(run.file) / project_file).generic_string();
 }
 
-/// How far a killed run got.
-void find_checkpoint(Run& run) {
+/// Sets the progress of a killed run to its last checkpoint.
+void read_checkpoint(Run& run) {
   run.done = 0;
   run.seconds = 0;
   const fs::path file = run.folder / run_state_name;
@@ -105,9 +105,9 @@ std::string iso(std::chrono::system_clock::time_point time) {
 std::string time_now() { return iso(std::chrono::system_clock::now()); }
 
 bool has_results(const Run& run) {
-  if (run.state == RunState::waiting || run.state == RunState::running || run.is_at_work) return false;
-  if (run.was_killed) return false;  // in the middle of its files
-  // A link may lead out of the folder, a pipe has no end.
+  if (run.state == RunState::waiting || run.state == RunState::running || run.is_active) return false;
+  if (run.was_killed) return false;  // its files may be incomplete
+  // Regular files only: a link may lead out of the folder, and reading a pipe may never end.
   std::error_code ignored;
   return fs::symlink_status(run.folder / "summary.json", ignored).type() == fs::file_type::regular;
 }
@@ -135,7 +135,7 @@ Json json_of(const Run& run, const fs::path& base) {
   return json;
 }
 
-void keep(const Run& run) {
+void save(const Run& run) {
   Json json{{"name", run.name},           {"file", fs::path(run.file).filename().string()},
             {"project", run.project},     {"state", name(run.state)},
             {"dimension", run.dimension}, {"rocks", run.rocks},
@@ -148,11 +148,11 @@ void keep(const Run& run) {
   file.commit();
 }
 
-Run find_run(const fs::path& folder, const fs::path& base) {
+Run read_run(const fs::path& folder, const fs::path& base) {
   Run run;
   run.id = run.name = folder.filename().string();
   run.folder = folder;
-  // It lies in DIR/runs/PROJECT/ID, beside DIR/FILE.
+  // The folder is DIR/runs/PROJECT/ID, the project DIR/FILE.
   run.file = folder.parent_path().parent_path().parent_path().lexically_relative(base).generic_string();
   if (run.file == ".") run.file.clear();
   run.project = folder.parent_path().filename().string();
@@ -175,7 +175,7 @@ Run find_run(const fs::path& folder, const fs::path& base) {
   run.was_killed = true;
   run.state = RunState::interrupted;
   try {
-    find_checkpoint(run);
+    read_checkpoint(run);
   } catch (const BadInput& bad) {
     run.state = RunState::failed;
     run.problems = as_json(bad.problems());

@@ -18,10 +18,11 @@ struct BuiltProject {
   Problems warnings;
 };
 
-/// That a model takes, about.
+/// Approximate memory of a model.
 [[nodiscard]] std::size_t bytes_of(const Model& model);
 
-/// How many of a row take no more than so many bytes together, of which each has `bytes`; the first in any case.
+/// How many elements from the front of the row, each with a member `bytes`, need at most `most_bytes` together; at
+/// least 1.
 template <class Row>
 [[nodiscard]] std::size_t count_within(const Row& row, std::size_t most_bytes) {
   std::size_t count = 0, bytes = 0;
@@ -33,11 +34,11 @@ template <class Row>
   return count;
 }
 
-/// From a text that stands for a file. Throws BadInput with all problems.
+/// Builds the model of a project's text, as if it were in `file`. Throws BadInput with all problems.
 [[nodiscard]] BuiltProject build(std::string_view text, const std::filesystem::path& file,
                                  const project::Overrides& overrides);
 
-/// Problems that name files of the folder as they are called there.
+/// Makes the file names of problems relative to the folder.
 [[nodiscard]] Problems seen_from(const std::filesystem::path& folder, const Problems& problems);
 
 }  // namespace talus::server

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<const BuiltProject> build_again(const Run& run, const fs::path& file, ModelReading& reading) {
+std::shared_ptr<const BuiltProject> rebuild(const Run& run, const fs::path& file, ModelReading& reading) {
   try {
     return reading.read<BuiltProject>("run " + run.id, [run, file] {
       BuiltProject built = build(project::text_of_file(run.folder / run_project_name), file, overrides_of(run));
@@ -39,8 +39,8 @@ std::shared_ptr<const BuiltProject> RunModels::find(const Run& run) {
       return kept_.front()->built;
     }
   }
-  auto built = build_again(run, workplace_.at(run.file), reading_);
-  if (!built) return nullptr;  // the project's files may come back
+  auto built = rebuild(run, workplace_.at(run.file), reading_);
+  if (!built) return nullptr;  // not cached: the project's files may be restored
   const std::lock_guard lock(mutex_);
   std::erase_if(kept_, is_it);
   kept_.push_front(std::make_shared<const Kept>(run.id, built, bytes_of(built->model)));

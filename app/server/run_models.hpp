@@ -1,5 +1,5 @@
 #pragma once
-// Models of runs, built again from their projects when somebody looks at their results, and kept for a while.
+// Models of runs, rebuilt from their projects when results need them, and cached.
 
 #include <deque>
 #include <memory>
@@ -15,12 +15,12 @@ namespace talus::server {
 
 class RunModels {
  public:
-  /// Keeps models of so many bytes, or one that is larger.
+  /// Caches models of `most_bytes` in total, or a single larger one.
   RunModels(const Workplace& workplace, ModelReading& reading, std::size_t most_bytes)
       : workplace_(workplace), reading_(reading), most_bytes_(most_bytes) {}
 
-  /// The model with which the run's rocks were thrown; nothing where it cannot be had any more: the project's files
-  /// have changed since.
+  /// The model with which the run was simulated; null if it can no longer be built, because the project's files have
+  /// changed.
   [[nodiscard]] std::shared_ptr<const BuiltProject> find(const Run& run);
 
  private:
@@ -34,7 +34,7 @@ class RunModels {
   ModelReading& reading_;
   std::mutex mutex_;
   std::size_t most_bytes_;
-  std::deque<std::shared_ptr<const Kept>> kept_;  // the last used in front
+  std::deque<std::shared_ptr<const Kept>> kept_;  // most recently used first
 };
 
 }  // namespace talus::server

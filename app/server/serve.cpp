@@ -29,14 +29,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A page asks for a few things at a time. Whoever has a session and reads slowly holds a thread for a while, and must
-// not keep others waiting.
+// A page sends a few requests at a time. A client that reads slowly holds a thread for a while and must not block
+// others.
 constexpr std::size_t most_threads = 500;
 
-constexpr std::size_t share_of_models = 8;  // of the memory: for models that are looked at, and for those of runs
-constexpr auto time_to_end = 1s;            // for requests under way
+constexpr std::size_t share_of_models = 8;  // an eighth of the memory each for models of pages and models of runs
+constexpr auto time_to_end = 1s;            // for requests in progress
 
-// The library lets five connections wait to be taken, and another server take the same port.
+// The library's own settings are a backlog of five connections, and a port that another server may share.
 constexpr int most_waiting = 512;
 
 int bind(httplib::Server& server, int port) {
@@ -52,17 +52,17 @@ int bind(httplib::Server& server, int port) {
                                                              : -1;
   const int why = errno;
   if (bound > 0 && listen(*listening, most_waiting) == 0) return bound;
-  const std::string what = fmt::format("port {} cannot be had", port);
+  const std::string what = fmt::format("cannot listen on port {}", port);
   if (why == EACCES || why == EPERM) {
     throw BadInput(Problem{.where = "--port",
                            .what = what,
                            .why = std::system_category().message(why),
-                           .hint = "Ports from 1024 on are free for all users"});
+                           .hint = "Ports from 1024 on need no special rights"});
   }
   throw BadInput(Problem{.where = "--port",
                          .what = what,
-                         .why = "another program listens there, perhaps another `talus serve`",
-                         .hint = "Name another one, or 0 for any that is free"});
+                         .why = "another program uses it, perhaps another `talus serve`",
+                         .hint = "Choose another port, or 0 for any free one"});
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ void serve(const ServeOptions& options) {
   ModelReading reading(options.limits.reading_time);
   RunStore runs(workplace, events, reading);
   RunModels run_models(workplace, reading, usable_memory() / share_of_models);
-  router.listens_on(port);
+  router.set_port(port);
   server.set_payload_max_length(std::max(router.limits().upload_bytes, router.limits().json_bytes));
 
   const auto address = [&] { return fmt::format("http://127.0.0.1:{}/?token={}", port, session.new_token()); };
@@ -98,23 +98,23 @@ void serve(const ServeOptions& options) {
   add_model_query_routes(router, shelf);
   add_shape_routes(router);
   add_verification_routes(router);
-  add_page_routes(router, server, session, address);  // it takes every path that is left
-  router.refuse_the_rest();
+  add_page_routes(router, server, session, address);  // last: it matches every remaining path
+  router.refuse_other_bodies();
 
-  const std::jthread watch([&](const std::stop_token& over) {
-    const auto wait_until = [&](const auto& is) {
-      while (!over.stop_requested() && !is()) std::this_thread::sleep_for(50ms);
+  const std::jthread watch([&](const std::stop_token& has_ended) {
+    const auto wait_until = [&](const auto& condition) {
+      while (!has_ended.stop_requested() && !condition()) std::this_thread::sleep_for(50ms);
     };
     wait_until([&] { return options.stop != nullptr && *options.stop; });
     events.close();
     runs.close();
-    wait_until([&] { return server.is_running(); });  // a stop that comes before is forgotten
+    wait_until([&] { return server.is_running(); });  // the library ignores an earlier stop
     server.stop();
     server.end_connections();
     const auto end = std::chrono::steady_clock::now() + time_to_end;
     wait_until([&] { return std::chrono::steady_clock::now() > end; });
-    // All that is to be kept is on the disk, and a thread waits for what the system does not give.
-    if (!over.stop_requested() && options.hangs) options.hangs();
+    // Everything is saved, but a thread still waits for the system.
+    if (!has_ended.stop_requested() && options.hangs) options.hangs();
   });
   struct Ending {
     WebServer& server;
@@ -123,15 +123,15 @@ void serve(const ServeOptions& options) {
       server.end_connections();
       server.wait();
       const auto end = std::chrono::steady_clock::now() + time_to_end;
-      while (reading.left_alone() > 0 && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(10ms);
+      while (reading.threads() > 0 && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(10ms);
     }
   };
-  std::optional<Ending> ending(std::in_place, server, reading);  // before what requests need goes
-  // Connections are taken from the moment of binding; they are answered as soon as this thread listens.
+  std::optional<Ending> ending(std::in_place, server, reading);  // destroyed before the objects that requests use
+  // The system accepts connections since bind(); they are answered as soon as this thread listens.
   if (options.ready) options.ready(address());
   server.listen_after_bind();
   ending.reset();
-  if (reading.left_alone() > 0 && options.hangs) options.hangs();
+  if (reading.threads() > 0 && options.hangs) options.hangs();
 }
 
 }  // namespace talus::server

@@ -11,20 +11,20 @@
 namespace talus::server {
 
 struct ServeOptions {
-  std::filesystem::path folder = ".";  // that is worked in
+  std::filesystem::path folder = ".";  // to serve
   std::string project;                 // to open first, relative to the folder; empty: none
-  int port = 8425;                     // 0: any that is free
+  int port = 8425;                     // 0: any free port
   Limits limits;
-  /// Called once requests are answered, with the address to open.
+  /// Called with the address to open, once the server accepts requests.
   std::function<void(const std::string& address)> ready;
-  const std::atomic<bool>* stop = nullptr;  // set from outside
-  /// Called at the end if something still waits for a file that the system does not give, which nothing can end but the
-  /// end of the program. Nothing is left to be kept then.
+  const std::atomic<bool>* stop = nullptr;  // ends the server when set
+  /// Called at the end if a thread still waits for a file that the system does not deliver. Only the end of the program
+  /// can end such a thread. Everything is saved by then.
   std::function<void()> hangs;
 };
 
-/// Answers requests until it is told to stop; a run under way is stopped then, and keeps what it has. Throws BadInput
-/// where the folder or the port cannot be had.
+/// Answers requests until `stop` is set. A run in progress is stopped then and keeps its results so far. Throws
+/// BadInput if the folder does not exist or the port is not available.
 void serve(const ServeOptions& options);
 
 }  // namespace talus::server

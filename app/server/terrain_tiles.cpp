@@ -11,7 +11,7 @@ namespace talus::server {
 
 namespace {
 
-/// Nodes of the raster from one to the next of a level, along a side that may be shorter than that.
+/// The stride of a level along one side, which may be shorter than the stride.
 std::uint32_t spacing(std::uint32_t nodes, std::uint32_t stride) { return std::min(stride, nodes - 1); }
 
 std::uint32_t steps(std::uint32_t nodes, std::uint32_t stride) { return (nodes - 1) / spacing(nodes, stride); }
@@ -20,7 +20,7 @@ std::uint32_t tiles(std::uint32_t nodes, std::uint32_t stride) {
   return (steps(nodes, stride) + TerrainTiles::side - 1) / TerrainTiles::side;
 }
 
-/// The nodes of the raster, along one side, that a tile has.
+/// The raster's nodes in a tile, along one side.
 std::vector<std::uint32_t> nodes_of(std::uint32_t nodes, std::uint32_t stride, std::uint32_t tile) {
   const std::uint32_t first = tile * TerrainTiles::side;
   const std::uint32_t last = std::min(first + TerrainTiles::side, steps(nodes, stride));
@@ -41,7 +41,7 @@ TerrainTiles::TerrainTiles(const Model& model, const RasterSurface& raster) : mo
 
 Json TerrainTiles::place(std::uint32_t column, std::uint32_t row) const {
   const RasterGrid& grid = raster_.grid();
-  // Heights are those of the grid, to the last bit.
+  // With z = 0, so that heights of tiles are those of the grid, bit by bit.
   return as_json(model_.frame.global_from_local({grid.x0 + column * grid.dx, grid.y0 + row * grid.dy, 0}));
 }
 
@@ -68,7 +68,7 @@ Answer TerrainTiles::tile(std::size_t level, std::uint32_t column, std::uint32_t
   std::vector<std::uint32_t> materials;
   for (std::size_t b = 0; b + 1 < rows.size(); ++b) {
     for (std::size_t a = 0; a + 1 < columns.size(); ++a) {
-      // Of a cell of several, the one in the middle.
+      // A coarse cell shows the material of the raster cell in its middle.
       const std::uint32_t i = (columns[a] + columns[a + 1]) / 2, j = (rows[b] + rows[b + 1]) / 2;
       materials.push_back(model_.ground.material_of(j * (grid.columns - 1) + i).index);
     }

@@ -14,12 +14,12 @@ namespace talus::server {
 
 namespace {
 
-bool lies_below(const std::filesystem::path& folder, const std::filesystem::path& path) {
+bool is_below(const std::filesystem::path& folder, const std::filesystem::path& path) {
   const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   return end == folder.end();
 }
 
-/// Of its path and of its number on the disk, which a folder that is made anew, or on another machine, does not share.
+/// A hash of the path and the inode number. The latter differs if the folder is created again, or on another machine.
 std::string identity_of(const std::filesystem::path& folder) {
   struct stat status {};
   stat(folder.c_str(), &status);
@@ -50,7 +50,7 @@ std::filesystem::path Workplace::at(std::string_view name) const {
   const std::filesystem::path real = std::filesystem::weakly_canonical(whole, error);
   if (error == std::errc::filename_too_long) throw refuse("it is too long");
   if (error) throw refuse(error.message());
-  if (!lies_below(folder_, real)) throw refuse("it leads out of the folder");
+  if (!is_below(folder_, real)) throw refuse("it leads out of the folder");
   return whole;
 }
 
@@ -72,7 +72,7 @@ std::filesystem::path Workplace::written(const std::filesystem::path& file) cons
   const std::filesystem::path place = place_of_file(file);
   std::error_code error;
   const std::filesystem::path real = std::filesystem::weakly_canonical(place, error);
-  if (error || !lies_below(folder_, real))
+  if (error || !is_below(folder_, real))
     throw Refusal(403, file.lexically_relative(folder_).string(), "cannot be written", "it leads out of the folder");
   return place;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The folder that is worked in. Names in requests are relative to it, and never lead out of it.
+// The folder that is served. Names in requests are relative to it, and never lead out of it.
 
 #include <filesystem>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace talus::server {
 
-/// Projects are looked for in the folder that is worked in, and in folders so many below it.
+/// Projects are searched for in the folder that is served and this many levels below it.
 inline constexpr int deepest_project = 4;
 
 class Workplace {
@@ -16,17 +16,17 @@ class Workplace {
   explicit Workplace(std::filesystem::path folder);
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  /// Tells it from others, also from one of the same path on another machine or at another time.
+  /// Differs between folders, even between folders of the same path on different machines or at different times.
   [[nodiscard]] const std::string& identity() const { return identity_; }
-  /// A file or folder below, there or not. Refuses (403) what would lead elsewhere, by dots or by links, and names of
-  /// the system's or the server's own.
+  /// The path of a file or folder below, which need not exist. Refuses (403) names that lead elsewhere, by dots or by
+  /// links, and hidden names.
   [[nodiscard]] std::filesystem::path at(std::string_view name) const;
-  /// The same of a file that must be there (404).
+  /// As at(), for a file that must exist (404).
   [[nodiscard]] std::filesystem::path existing(std::string_view name) const;
-  /// A project file, there or not: other files are not read or written as text (400).
+  /// As at(), for a project file: no other files are read or written as text (400).
   [[nodiscard]] std::filesystem::path project(std::string_view name) const;
-  /// Where a file that `at` gave is written: the file that a link names, which is not replaced. Refuses (403) a link
-  /// that leads out, also to what is not there yet.
+  /// Where a file from at() is written: links are followed, not replaced. Refuses (403) a link that leads out of the
+  /// folder, even if its target does not exist yet.
   [[nodiscard]] std::filesystem::path written(const std::filesystem::path& file) const;
 
  private:

@@ -1,4 +1,4 @@
-// CITATION.cff names this version, and has what CFF 1.2.0 requires.
+// CITATION.cff names this version and has the keys that CFF 1.2.0 requires.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::Key;
 
-/// The keys of the file's top level, with what stands behind them on their line.
+/// The keys of the file's top level with the rest of their lines.
 std::map<std::string, std::string> citation() {
   std::ifstream in(TALUS_SOURCE_DIR "/CITATION.cff");
   std::map<std::string, std::string> entries;
@@ -22,14 +22,14 @@ std::map<std::string, std::string> citation() {
     if (line.empty() || line.front() == ' ' || colon == std::string::npos) continue;
     const std::size_t value = line.find_first_not_of(' ', colon + 1);
     EXPECT_TRUE(entries.emplace(line.substr(0, colon), value == std::string::npos ? "" : line.substr(value)).second)
-        << line << " stands there twice";
+        << line << " is there twice";
   }
   return entries;
 }
 
 TEST(Citation, IsOfThisVersion) { EXPECT_EQ(citation()["version"], TALUS_VERSION); }
 
-TEST(Citation, HasWhatTheFormatRequires) {
+TEST(Citation, HasTheRequiredKeys) {
   auto entries = citation();
   EXPECT_EQ(entries["cff-version"], "1.2.0");
   EXPECT_EQ(entries["license"], "Apache-2.0");

@@ -1,5 +1,4 @@
-// The glossary is in order, and whatever it names exists: settings in the schema, columns in the tables of a run, maps
-// in their list.
+// The glossary is sorted, and all names in it exist: settings in the schema, columns in the tables of a run, and maps.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -66,8 +65,8 @@ std::vector<std::string> names_in(const std::string& where) {
   return names;
 }
 
-/// `table.key`, or of a random property `table.key.part`, with a word that it may be. What is wrong, or nothing.
-std::string wrong_setting(const std::string& name, const std::string& word) {
+/// The problem with `table.key`, or `table.key.part` of a random property, and one of its words; empty if none.
+std::string problem_of_setting(const std::string& name, const std::string& word) {
   static const ordered_json schema = project::schema();
   const std::vector<std::string> keys = parts_of(name, '.');
   ordered_json node = schema;
@@ -83,7 +82,7 @@ std::string wrong_setting(const std::string& name, const std::string& word) {
   return known ? "" : name + " is never " + word;
 }
 
-/// The words of a column of words.
+/// The words that a column of words may have.
 std::set<std::string> words_of(const std::string& column) {
   std::set<std::string> words;
   const auto add_all = [&](const auto& values) {
@@ -103,8 +102,8 @@ class RunWithTables {
     said_ = talus_says("run " + project + " --quiet -o " + (folder_ / "out").string());
   }
   [[nodiscard]] const Said& said() const { return said_; }
-  [[nodiscard]] std::string wrong_column(const std::string& file, const std::string& column,
-                                         const std::string& word) const {
+  [[nodiscard]] std::string problem_of_column(const std::string& file, const std::string& column,
+                                              const std::string& word) const {
     std::ifstream in(folder_ / ("out/" + file));
     std::string heading;
     std::getline(in, heading);
@@ -122,18 +121,18 @@ bool is_map(const std::string& name) {
   return std::ranges::any_of(kinds, [&](const MapKind& kind) { return kind.name == name; });
 }
 
-/// What is wrong with a name in the glossary; empty if nothing.
-std::string wrong(const std::string& name, const RunWithTables& run) {
+/// The problem with a name in the glossary; empty if none.
+std::string problem_of(const std::string& name, const RunWithTables& run) {
   static const std::regex map(R"(maps/(\w+)\.tif)"), column(R"lit((\w+\.csv):(\w+)(?: = "([^"]*)")?)lit"),
       setting(R"lit(([a-z]\w*(?:\.\w+)+)(?: = "([^"]*)")?)lit");
   std::smatch match;
   if (std::regex_match(name, match, map)) return is_map(match[1]) ? "" : name + ": no map";
-  if (std::regex_match(name, match, column)) return run.wrong_column(match[1], match[2], match[3]);
-  if (std::regex_match(name, match, setting)) return wrong_setting(match[1], match[2]);
+  if (std::regex_match(name, match, column)) return run.problem_of_column(match[1], match[2], match[3]);
+  if (std::regex_match(name, match, setting)) return problem_of_setting(match[1], match[2]);
   return name + ": neither a setting nor a column nor a map";
 }
 
-TEST(Glossary, NamesWhatThereIs) {
+TEST(Glossary, UsesExistingNames) {
   const RunWithTables run;
   ASSERT_EQ(run.said().exit_code, 0) << run.said().text;
   const std::vector<Entry> entries = glossary();
@@ -145,9 +144,9 @@ TEST(Glossary, NamesWhatThereIs) {
       const std::string other = entry.where.substr(4);
       EXPECT_TRUE(std::ranges::any_of(entries, [&](const Entry& one) { return one.term == other; })) << entry.term;
     } else {
-      EXPECT_FALSE(names.empty()) << entry.term << " says nowhere where it is found";
+      EXPECT_FALSE(names.empty()) << entry.term << " has no place of use";
     }
-    for (const std::string& name : names) EXPECT_EQ(wrong(name, run), "") << entry.term;
+    for (const std::string& name : names) EXPECT_EQ(problem_of(name, run), "") << entry.term;
   }
 }
 
@@ -158,18 +157,18 @@ TEST(Glossary, IsAlphabetical) {
     std::ranges::transform(terms.back(), terms.back().begin(), [](unsigned char c) { return std::tolower(c); });
   }
   EXPECT_TRUE(std::ranges::is_sorted(terms));
-  EXPECT_EQ(std::ranges::adjacent_find(terms), terms.end()) << "a term stands there twice";
+  EXPECT_EQ(std::ranges::adjacent_find(terms), terms.end()) << "a term is there twice";
 }
 
-TEST(Glossary, IsNotCheckedInVain) {
+TEST(Glossary, ReportsNamesThatDoNotExist) {
   const RunWithTables run;
-  EXPECT_EQ(wrong("seeder.weight_kg", run), "seeder.weight_kg: no setting");
-  EXPECT_EQ(wrong("material.normal_restitution.median", run), "material.normal_restitution.median: no setting");
-  EXPECT_EQ(wrong("analysis.model = \"cube\"", run), "analysis.model is never cube");
-  EXPECT_EQ(wrong("endpoints.csv:speed", run), "endpoints.csv has no column speed");
-  EXPECT_EQ(wrong("paths.csv:state = \"asleep\"", run), "state is never asleep");
-  EXPECT_EQ(wrong("maps/energy.tif", run), "maps/energy.tif: no map");
-  EXPECT_EQ(wrong("runout", run), "runout: neither a setting nor a column nor a map");
+  EXPECT_EQ(problem_of("seeder.weight_kg", run), "seeder.weight_kg: no setting");
+  EXPECT_EQ(problem_of("material.normal_restitution.median", run), "material.normal_restitution.median: no setting");
+  EXPECT_EQ(problem_of("analysis.model = \"cube\"", run), "analysis.model is never cube");
+  EXPECT_EQ(problem_of("endpoints.csv:speed", run), "endpoints.csv has no column speed");
+  EXPECT_EQ(problem_of("paths.csv:state = \"asleep\"", run), "state is never asleep");
+  EXPECT_EQ(problem_of("maps/energy.tif", run), "maps/energy.tif: no map");
+  EXPECT_EQ(problem_of("runout", run), "runout: neither a setting nor a column nor a map");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-/// What follows "```" where a block begins, and the lines up to its end.
+/// The rest of the line that opens a block, after "```", and the lines of the block.
 struct Block {
   std::string head;
   std::vector<std::string> lines;
@@ -61,10 +61,10 @@ struct Number {
 };
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_of_a_word(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_word_character(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Numbers without their signs. `words` says whether those within words (`p95`, `3D`, `maps-2.tif`) count.
-std::vector<Number> numbers_in(const std::string& text, bool words) {
+/// Numbers without their signs. `in_words`: include those within words (`p95`, `3D`, `maps-2.tif`).
+std::vector<Number> numbers_in(const std::string& text, bool in_words) {
   std::vector<Number> numbers;
   for (std::size_t i = 0; i < text.size();) {
     if (!is_digit(text[i])) {
@@ -82,12 +82,13 @@ std::vector<Number> numbers_in(const std::string& text, bool words) {
       } else if (text[i] == '.' && digit_follows && !after_point) {
         digits += '.';
         after_point = true;
-      } else if (!(text[i] == ',' && digit_follows && !words)) {
+      } else if (!(text[i] == ',' && digit_follows && !in_words)) {
         break;
       }
     }
-    const bool in_word = (begin > 0 && is_of_a_word(text[begin - 1])) || (i < text.size() && is_of_a_word(text[i]));
-    if (words || !in_word) numbers.push_back({digits, std::stod(digits), decimals});
+    const bool is_in_word =
+        (begin > 0 && is_word_character(text[begin - 1])) || (i < text.size() && is_word_character(text[i]));
+    if (in_words || !is_in_word) numbers.push_back({digits, std::stod(digits), decimals});
   }
   return numbers;
 }
@@ -133,7 +134,7 @@ GuidePage read_guide(const std::string& text) {
   Prose prose;
   std::istringstream in(text);
   std::size_t line_number = 0;
-  std::string paragraph;  // the last one
+  std::string paragraph;  // the latest
   bool paragraph_ends = false;
   for (std::string line; std::getline(in, line);) {
     ++line_number;
@@ -174,7 +175,7 @@ std::string as_shown(const std::string& output) {
   return std::regex_replace(output, timing, "in ... s (... rocks/s on ... threads$1)");
 }
 
-std::vector<std::string> numbers_from_nowhere(const GuidePage& page) {
+std::vector<std::string> unsupported_numbers(const GuidePage& page) {
   static const std::regex address(R"(\]\([^)]*\))");
   const std::vector<Number> known = numbers_in(page.checked_text(), true);
   std::vector<std::string> unknown;

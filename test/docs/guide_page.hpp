@@ -1,11 +1,11 @@
 #pragma once
-// A page of docs/guides as a script: the files it shows are written, its commands are run, and their output is compared
-// with what the page shows.
+// A page of docs/guides as a script: the files on the page are written, its commands are run, and their output is
+// compared with that on the page.
 //
-//   ```toml slope.toml       a block with a file name is a file; the paragraph before the block names it, too
+//   ```toml slope.toml       a block with a file name is a file; the paragraph before the block also names it
 //   ```console               commands after "$ " (a backslash continues one on the next line), each with its output
 //
-// Other blocks are refused: nothing on such a page goes unchecked.
+// Other blocks are refused, so that everything on such a page is checked.
 
 #include <cstddef>
 #include <functional>
@@ -21,16 +21,16 @@ struct Prose {
 };
 
 struct ShownFile {
-  std::string language;  // of its colours: toml, csv, sh
+  std::string language;  // for syntax highlighting: toml, csv, sh
   std::string name;
   std::string text;
 };
 
 struct Command {
   std::vector<std::string> lines;  // as on the page, without "$ "
-  std::string output;              // as on the page; what differs from run to run as "..."
+  std::string output;              // as on the page, with "..." for text that differs between runs
 
-  /// For a shell.
+  /// The command for a shell.
   [[nodiscard]] std::string text() const;
 };
 
@@ -41,20 +41,20 @@ struct Console {
 struct GuidePage {
   std::vector<std::variant<Prose, ShownFile, Console>> parts;
 
-  /// The page again: the text that it was read from, but for the output of its commands.
+  /// The text of the page, with the current `output` of its commands.
   [[nodiscard]] std::string text() const;
-  /// Everything that is checked: files, commands and outputs.
+  /// All text that is checked: files, commands and outputs.
   [[nodiscard]] std::string checked_text() const;
 };
 
-/// Throws std::runtime_error with the line where a block is none of the above.
+/// Throws std::runtime_error with the line of a block that is neither a file nor a console.
 [[nodiscard]] GuidePage read_guide(const std::string& text);
 
-/// Output as pages show it: how long a run took and on how many threads is "...".
+/// Output as pages show it: durations and numbers of threads are replaced by "...".
 [[nodiscard]] std::string as_shown(const std::string& output);
 
-/// Numbers in the page's prose that no file, command or output of the page has. A number of prose may be rounded, and
-/// may be the percentage of a share. What is part of a word (3D, p95, 95th) is none, and neither is a link's address.
-[[nodiscard]] std::vector<std::string> numbers_from_nowhere(const GuidePage& page);
+/// Numbers in the page's prose that are in none of its files, commands and outputs. They may be rounded, or be the
+/// percentage of a share. Numbers in words (3D, p95, 95th) and in addresses of links do not count.
+[[nodiscard]] std::vector<std::string> unsupported_numbers(const GuidePage& page);
 
 }  // namespace talus::test

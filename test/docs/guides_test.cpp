@@ -1,4 +1,4 @@
-// The pages of docs/guides do what they show: their files and commands, in their order, give the output on the page.
+// The files and commands of the pages in docs/guides, executed in order, give the output on the page.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using ::testing::IsEmpty;
 
 const fs::path guides = TALUS_SOURCE_DIR "/docs/guides";
 
-std::vector<std::string> names_of_guides() {
+std::vector<std::string> guide_names() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(guides)) {
     if (entry.path().extension() == ".md") names.push_back(entry.path().stem().string());
@@ -34,7 +34,7 @@ std::vector<std::string> names_of_guides() {
   return names;
 }
 
-/// An empty folder with a copy of the examples, and `talus` among the programs of its shell.
+/// A temporary folder with a copy of the examples, and with `talus` in the PATH of its shell.
 class GuideFolder {
  public:
   GuideFolder() {
@@ -49,7 +49,7 @@ class GuideFolder {
   [[nodiscard]] Said run(const Command& command) const {
     std::string script = "cd '" + (folder_ / "work").string() + "'\nexport LC_ALL=C PATH='" +
                          (folder_ / "programs").string() + "':\"$PATH\"\n";
-    // Works for root, on fewer cores than ranks, and without a network.
+    // mpirun as root, on fewer cores than ranks, and without a network
     script +=
         "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl=self,vader "
         "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none "
@@ -63,8 +63,8 @@ class GuideFolder {
   Workplace folder_;
 };
 
-/// What this build or machine lacks of what the page says that it needs; empty if nothing.
-std::string lacking(const std::string& page) {
+/// The requirement of a page that this build or machine does not meet; empty if none.
+std::string missing_requirement(const std::string& page) {
   const auto needs = [&](const char* what) { return page.find(std::string("; needs ") + what) != std::string::npos; };
 #ifndef TALUS_HAS_GDAL
   if (needs("GDAL")) return "built without GDAL";
@@ -83,7 +83,7 @@ class Guide : public ::testing::TestWithParam<std::string> {};
 TEST_P(Guide, IsNotStale) {
   const fs::path file = guides / (GetParam() + ".md");
   const std::string text = bytes_of(file);
-  if (const std::string what = lacking(text); !what.empty()) GTEST_SKIP() << what;
+  if (const std::string what = missing_requirement(text); !what.empty()) GTEST_SKIP() << what;
   GuidePage page = read_guide(text);
   const GuideFolder folder;
   int commands = 0;
@@ -101,13 +101,13 @@ TEST_P(Guide, IsNotStale) {
   EXPECT_GT(commands, 0);
   if (std::getenv("TALUS_RENEW_REFERENCE") != nullptr) std::ofstream(file) << page.text();
   EXPECT_EQ(page.text(), bytes_of(file)) << file
-                                         << " does not show what its commands print now; run this test with "
+                                         << " does not show the current output of its commands; run this test with "
                                             "TALUS_RENEW_REFERENCE=1, and read the page again";
-  EXPECT_THAT(numbers_from_nowhere(page), IsEmpty())
-      << "numbers in the text of " << file << " that none of its files, commands and outputs has";
+  EXPECT_THAT(unsupported_numbers(page), IsEmpty())
+      << "numbers in the text of " << file << " that are in none of its files, commands and outputs";
 }
 
-INSTANTIATE_TEST_SUITE_P(Page, Guide, ::testing::ValuesIn(names_of_guides()), [](const auto& guide) {
+INSTANTIATE_TEST_SUITE_P(Page, Guide, ::testing::ValuesIn(guide_names()), [](const auto& guide) {
   std::string name = guide.param;
   std::ranges::replace(name, '-', '_');
   return name;
@@ -129,7 +129,7 @@ TEST(GuidePage, IsReadAsFilesAndCommands) {
   EXPECT_EQ(page.text(), small_page);
 }
 
-TEST(GuidePage, HasNoBlockThatIsNotChecked) {
+TEST(GuidePage, RefusesBlocksThatCannotBeChecked) {
   const auto refusal = [](const std::string& text) {
     try {
       (void)read_guide(text);
@@ -151,9 +151,9 @@ TEST(GuidePage, ShowsNoTimings) {
             "A: 50 rocks in ... s (... rocks/s on ... threads of 2 ranks)\n");
 }
 
-TEST(GuidePage, FindsNumbersThatNothingOnItGives) {
+TEST(GuidePage, ReportsUnsupportedNumbers) {
   const auto unknown = [](const std::string& line) {
-    return numbers_from_nowhere(read_guide("`a`\n```csv a\n-12.64,0.173,1500\n```\n" + line + "\n"));
+    return unsupported_numbers(read_guide("`a`\n```csv a\n-12.64,0.173,1500\n```\n" + line + "\n"));
   };
   EXPECT_THAT(unknown("12.6 or 13 m, 17 %, 1,500 kJ, in 3D, p95 and the 95th; [8](9.md)"),
               ElementsAre(HasSubstr("8 in")));

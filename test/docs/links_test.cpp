@@ -1,4 +1,4 @@
-// Links between the pages of the documentation lead to files and headings that exist, and its index lists every page.
+// All links between pages of the documentation are valid, and its index lists every page.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const fs::path& file) {
   return lines;
 }
 
-/// Of the documentation: below docs.
+/// All pages below docs.
 std::vector<fs::path> pages() {
   std::vector<fs::path> found;
   for (const auto& entry : fs::recursive_directory_iterator(root / "docs")) {
@@ -35,7 +35,7 @@ std::vector<fs::path> pages() {
   return found;
 }
 
-/// What links to headings of a page call them: as GitHub makes it.
+/// The anchors of a page's headings, as GitHub forms them.
 std::set<std::string> anchors_of(const fs::path& page) {
   std::set<std::string> anchors;
   for (const std::string& line : lines_of(page)) {
@@ -69,14 +69,14 @@ std::vector<std::string> broken_links_of(const fs::path& page) {
     if (link.starts_with("http")) continue;
     const std::size_t hash = link.find('#');
     const fs::path file = hash == 0 ? page : page.parent_path() / link.substr(0, hash);
-    const bool leads =
+    const bool is_valid =
         fs::exists(file) && (hash == std::string::npos || anchors_of(file).contains(link.substr(hash + 1)));
-    if (!leads) broken.push_back(link);
+    if (!is_valid) broken.push_back(link);
   }
   return broken;
 }
 
-TEST(DocumentationLinks, LeadToWhatExists) {
+TEST(DocumentationLinks, AreValid) {
   std::vector<fs::path> all = pages();
   for (const char* name : {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"}) {
     all.push_back(root / name);

@@ -1,11 +1,8 @@
-// Many who say nothing, and one who reads slowly, keep nobody waiting.
+// Many idle connections, or slow readers, do not delay other requests.
 
 #include "server/served.hpp"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
 
 #include <atomic>
 #include <chrono>
@@ -18,27 +15,19 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-using testing_tools::Json;
-using testing_tools::Reply;
 using testing_tools::Served;
 
-/// Connections that go when this goes.
+/// Connections that are closed with the object.
 class Connections {
  public:
   ~Connections() {
     for (const int each : open_) close(each);
   }
-  /// Gives -1 where there is none to be had.
+  /// Returns the socket, -1 on failure.
   int add(int port, int receive_buffer = 0) {
-    const int made = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    if (made < 0) return -1;
-    open_.push_back(made);
-    if (receive_buffer > 0) setsockopt(made, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    return connect(made, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 ? made : -1;
+    const int made = testing_tools::connect_to_loopback(port, receive_buffer);
+    if (made >= 0) open_.push_back(made);
+    return made;
   }
 
  private:
@@ -53,18 +42,19 @@ class Crowd : public Served {
     getrlimit(RLIMIT_NOFILE, &files);
     before_ = files;
     files.rlim_cur = std::min<rlim_t>(files.rlim_max, 4096);
-    if (files.rlim_cur < 2200 || setrlimit(RLIMIT_NOFILE, &files) != 0) GTEST_SKIP() << "too few files may be open";
+    if (files.rlim_cur < 2200 || setrlimit(RLIMIT_NOFILE, &files) != 0)
+      GTEST_SKIP() << "the limit of open files is too low";
   }
   void TearDown() override { setrlimit(RLIMIT_NOFILE, &before_); }
 
   rlimit before_{};
 };
 
-TEST_F(Crowd, OfAThousandConnectionsKeepsNobodyWaiting) {
-  Connections silent;
+TEST_F(Crowd, OfAThousandConnectionsDelaysNobody) {
+  Connections idle;
   const std::string half = "GET /api/about HTTP/1.1\r\nHost: 127.0.0.1\r\n";
   for (int k = 0; k < 1000; ++k) {
-    const int made = silent.add(port_);
+    const int made = idle.add(port_);
     ASSERT_GE(made, 0) << k;
     if (k % 2 == 0) {
       ASSERT_EQ(::send(made, half.data(), half.size(), MSG_NOSIGNAL), static_cast<ssize_t>(half.size()));
@@ -75,8 +65,8 @@ TEST_F(Crowd, OfAThousandConnectionsKeepsNobodyWaiting) {
   EXPECT_LT(Clock::now() - begin, 15s);
 }
 
-TEST_F(Crowd, OrASlowReaderKeepsNobodyWaiting) {
-  // A large answer, of which nothing is read.
+TEST_F(Crowd, OfSlowReadersDelaysNobody) {
+  // A large answer that is not read.
   const std::string text =
       "[terrain]\nsection = [[0, 10], [10, 0]]\n[[material]]\nname = \"A\"\n[[seeder]]\nposition = [1, 9]\nmass_kg = "
       "1\n#" +
@@ -97,11 +87,11 @@ TEST_F(Crowd, OrASlowReaderKeepsNobodyWaiting) {
   EXPECT_LT(Clock::now() - begin, 15s);
 }
 
-// Each sends a byte now and then, so that none is silent for long.
-TEST_F(Crowd, OfTricklingConnectionsKeepsNobodyWaiting) {
+// Each connection sends a byte now and then, so that none is idle for long.
+TEST_F(Crowd, OfTricklingConnectionsDelaysNobody) {
   Connections trickling;
   std::vector<int> open;
-  std::atomic<bool> over{false};
+  std::atomic<bool> has_ended{false};
   std::thread sending;
   for (int k = 0; k < 1500; ++k) {
     const int made = trickling.add(port_);
@@ -109,7 +99,7 @@ TEST_F(Crowd, OfTricklingConnectionsKeepsNobodyWaiting) {
     open.push_back(made);
   }
   sending = std::thread([&] {
-    for (std::size_t at = 0; !over; ++at) {
+    for (std::size_t at = 0; !has_ended; ++at) {
       for (const int each : open) (void)!::send(each, &"GET / HTTP/1.1\r\n"[at % 16], 1, MSG_NOSIGNAL | MSG_DONTWAIT);
       std::this_thread::sleep_for(100ms);
     }
@@ -120,7 +110,7 @@ TEST_F(Crowd, OfTricklingConnectionsKeepsNobodyWaiting) {
     EXPECT_LT(Clock::now() - begin, 15s);
     std::this_thread::sleep_for(50ms);
   }
-  over = true;
+  has_ended = true;
   sending.join();
 }
 

@@ -1,10 +1,6 @@
-// News of runs, as they come.
+// Server-sent events about runs.
 
 #include "server/served_runs.hpp"
-
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
 
 #include <chrono>
 #include <mutex>
@@ -25,15 +21,15 @@ struct Event {
   Clock::time_point time;
 };
 
-/// Listens in a thread of its own.
-class Ear {
+/// A client that receives events in its own thread.
+class EventClient {
  public:
-  Ear(int port, const std::string& cookie)
+  EventClient(int port, const std::string& cookie)
       : client_("127.0.0.1", port), thread_([this, cookie] {
           const auto answer =
               client_.Get("/api/events", {{"Cookie", cookie}}, [this](const char* data, std::size_t size) {
-                take(std::string(data, size));
-                return !leaves_;
+                receive(std::string(data, size));
+                return !is_closing_;
               });
           const std::lock_guard lock(mutex_);
           status_ = answer ? answer->status : 0;
@@ -41,8 +37,8 @@ class Ear {
         }) {
     client_.set_read_timeout(60, 0);
   }
-  ~Ear() {
-    leaves_ = true;
+  ~EventClient() {
+    is_closing_ = true;
     client_.stop();
     thread_.join();
   }
@@ -59,12 +55,14 @@ class Ear {
     const std::lock_guard lock(mutex_);
     return has_ended_;
   }
-  bool wait(const std::function<bool()>& is) const {
+  /// Waits until the condition is true; false after a minute.
+  bool wait(const std::function<bool()>& condition) const {
     const auto end = Clock::now() + 60s;
-    while (!is() && Clock::now() < end) std::this_thread::sleep_for(2ms);
-    return is();
+    while (!condition() && Clock::now() < end) std::this_thread::sleep_for(2ms);
+    return condition();
   }
-  bool hears(const std::string& name, const std::string& key, const std::string& value) {
+  /// Waits for an event with this value.
+  bool receives(const std::string& name, const std::string& key, const std::string& value) {
     return wait([&] {
       for (const Event& event : events())
         if (event.name == name && event.data.value(key, "") == value) return true;
@@ -76,7 +74,7 @@ class Ear {
   }
 
  private:
-  void take(const std::string& part) {
+  void receive(const std::string& part) {
     const std::lock_guard lock(mutex_);
     text_ += part;
     for (std::size_t end = text_.find("\n\n", read_); end != std::string::npos; end = text_.find("\n\n", read_)) {
@@ -93,7 +91,7 @@ class Ear {
   std::string text_;
   std::size_t read_ = 0;
   std::vector<Event> events_;
-  std::atomic<bool> leaves_{false};
+  std::atomic<bool> is_closing_{false};
   bool has_ended_ = false;
   int status_ = 0;
   std::thread thread_;
@@ -101,12 +99,12 @@ class Ear {
 
 using Events = ServedRuns;
 
-TEST_F(Events, TellOfARunFromItsBeginningToItsEnd) {
-  Ear ear(port_, cookie_);
-  ASSERT_TRUE(ear.has_begun());
+TEST_F(Events, ReportARunFromBeginningToEnd) {
+  EventClient client(port_, cookie_);
+  ASSERT_TRUE(client.has_begun());
   const std::string id = begin(section(), {{"rocks", 60'000}, {"name", "<b>\\n</b>"}});
-  ASSERT_TRUE(ear.hears("run", "state", "done"));
-  const auto events = ear.events();
+  ASSERT_TRUE(client.receives("run", "state", "done"));
+  const auto events = client.events();
   std::uint64_t done = 0;
   for (const Event& event : events) {
     EXPECT_EQ(event.name, "run");
@@ -118,17 +116,17 @@ TEST_F(Events, TellOfARunFromItsBeginningToItsEnd) {
   EXPECT_EQ(done, 60'000U);
   EXPECT_EQ(events.back().data, run(id));
   EXPECT_EQ(send("DELETE", "/api/runs/" + id).status, 200);
-  EXPECT_TRUE(ear.hears("removed", "id", id));
+  EXPECT_TRUE(client.receives("removed", "id", id));
 }
 
 TEST_F(Events, ComeAtMostTenTimesASecond) {
-  Ear ear(port_, cookie_);
-  ASSERT_TRUE(ear.has_begun());
+  EventClient client(port_, cookie_);
+  ASSERT_TRUE(client.has_begun());
   const std::string id = begin(section(), {{"rocks", 3'000'000}});
-  ASSERT_TRUE(ear.wait([&] { return ear.events().size() >= 8; }));
+  ASSERT_TRUE(client.wait([&] { return client.events().size() >= 8; }));
   (void)ask(id, "stop");
-  const auto events = ear.events();
-  // Those of one moment come together: between first and eighth lie seven waits. The clock here is the reader's.
+  const auto events = client.events();
+  // Events of one run are sent 100 ms apart: 700 ms from the first to the eighth, less delays of the client's clock.
   EXPECT_GE(events[7].time - events[0].time, 600ms);
   const Json& last = events[7].data;
   EXPECT_EQ(last["state"], "running");
@@ -137,26 +135,20 @@ TEST_F(Events, ComeAtMostTenTimesASecond) {
 }
 
 TEST_F(Events, EndWithTheServer) {
-  Ear ear(port_, cookie_);
-  ASSERT_TRUE(ear.has_begun());
+  EventClient client(port_, cookie_);
+  ASSERT_TRUE(client.has_begun());
   const auto begin = Clock::now();
   stop();
   EXPECT_LT(Clock::now() - begin, 10s);
-  EXPECT_TRUE(ear.wait([&] { return ear.has_ended(); }));
+  EXPECT_TRUE(client.wait([&] { return client.has_ended(); }));
 }
 
-TEST_F(Events, AreForThoseWithASession) {
-  EXPECT_EQ(send("GET", "/api/events", "", {{"Cookie", "nothing"}}).status, 403);
-}
+TEST_F(Events, RequireASession) { EXPECT_EQ(send("GET", "/api/events", "", {{"Cookie", "nothing"}}).status, 403); }
 
-/// A connection that asks for events and reads nothing.
-int deaf_connection(int port, const std::string& cookie) {
-  const int made = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  EXPECT_EQ(connect(made, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+/// A connection that requests events but reads none.
+int unread_connection(int port, const std::string& cookie) {
+  const int made = testing_tools::connect_to_loopback(port);
+  EXPECT_GE(made, 0);
   const std::string request =
       "GET /api/events HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) + "\r\nCookie: " + cookie + "\r\n\r\n";
   EXPECT_EQ(write(made, request.data(), request.size()), static_cast<ssize_t>(request.size()));
@@ -165,27 +157,28 @@ int deaf_connection(int port, const std::string& cookie) {
   return made;
 }
 
-// Whoever has left holds neither a thread nor a place.
-TEST_F(Events, ForgetThoseWhoHaveLeft) {
+// A disconnected client must not count as a listener, nor hold a thread.
+TEST_F(Events, ForgetDisconnectedClients) {
   std::vector<int> connections;
   for (std::size_t k = 0; k < server::EventHub::most_listeners; ++k)
-    connections.push_back(deaf_connection(port_, cookie_));
+    connections.push_back(unread_connection(port_, cookie_));
   EXPECT_EQ(get("/api/events").status, 503);
   EXPECT_EQ(get("/api/about").status, 200);
   for (const int each : connections) close(each);
   const auto end = Clock::now() + 30s;
   bool has_place = false;
   while (!has_place && Clock::now() < end) {
-    const int next = deaf_connection(port_, cookie_);
+    const int next = unread_connection(port_, cookie_);
     close(next);
-    Ear ear(port_, cookie_);
-    has_place = ear.wait([&] { return ear.has_ended() || !ear.text().empty(); }) && ear.text().starts_with(": talus");
+    EventClient client(port_, cookie_);
+    has_place = client.wait([&] { return client.has_ended() || !client.text().empty(); }) &&
+                client.text().starts_with(": talus");
   }
   EXPECT_TRUE(has_place);
 }
 
-// Of a thing that changes faster than somebody reads only the last is kept.
-TEST(EventHub, KeepsTheLastOfEachThing) {
+// If events are published faster than they are read, only the last one per key is kept.
+TEST(EventHub, KeepsTheLastEventOfEachKey) {
   server::EventHub hub;
   const auto listener = hub.listen();
   ASSERT_TRUE(listener->next());

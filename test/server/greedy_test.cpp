@@ -1,4 +1,4 @@
-// Requests that never end, or ask for everything many times over, cost the server next to nothing.
+// Endless or excessive requests cost the server almost nothing.
 
 #include "server/served.hpp"
 
@@ -18,22 +18,20 @@ namespace {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
-using testing_tools::Json;
 using testing_tools::RawConnection;
-using testing_tools::Reply;
 using testing_tools::Served;
 
 class Greedy : public Served {
  protected:
-  /// Of this process, in which the server is [bytes].
+  /// Memory of this process, which contains the server [bytes].
   static std::size_t resident_memory() {
     std::ifstream in("/proc/self/statm");
     std::size_t pages = 0;
     in >> pages >> pages;
     return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   }
-  /// Sends `begin` and then `piece` again and again, up to so many bytes in all; gives the status that comes back, 0
-  /// where the server ends the connection without one. The server's memory must not grow by it.
+  /// Sends `begin` and then `piece` repeatedly, up to `bytes`. Returns the status of the answer, 0 if the server closes
+  /// the connection without one. Expects the server's memory not to grow.
   int flood(const std::string& begin, const std::string& piece, std::size_t bytes) const {
     const std::size_t before = resident_memory();
     RawConnection connection(port_);
@@ -55,7 +53,7 @@ TEST_F(Greedy, HeadersAreCutOff) {
     const int status = flood("GET / HTTP/1.1\r\n" + session, "X-More: 0123456789\r\n", much);
     EXPECT_TRUE(status == 431 || status == 0) << status;
   }
-  // As soon as the limit is passed, and not before.
+  // Up to the limit they are accepted.
   RawConnection connection(port_);
   connection.send("GET /api/about HTTP/1.1\r\n" + with_session());
   for (int k = 0; k < 200; ++k) connection.send("X-" + std::to_string(k) + ": " + std::string(100, 'x') + "\r\n");
@@ -71,13 +69,13 @@ TEST_F(Greedy, ARequestLineIsCutOff) {
   EXPECT_TRUE(status == 431 || status == 0) << status;
 }
 
-// Lines that end in a way that the library does not take for the end of a head.
+// The library does not recognise such lines as the end of a head.
 TEST_F(Greedy, LinesWithoutCarriageReturnsAreCutOff) {
   const int status = flood("GET / HTTP/1.1\n" + host() + "\n\n", "X: 1\n", much);
   EXPECT_TRUE(status == 431 || status == 400 || status == 0) << status;
 }
 
-TEST_F(Greedy, BodiesThatNobodyTakesAreNotRead) {
+TEST_F(Greedy, UnexpectedBodiesAreNotRead) {
   const std::string length = "Content-Length: " + std::to_string(much) + "\r\n\r\n", piece(4096, 'x');
   for (const char* line : {"POST / HTTP/1.1\r\n", "POST /api/nothing HTTP/1.1\r\n", "PUT /nothing HTTP/1.1\r\n",
                            "PATCH /api/x HTTP/1.1\r\n", "DELETE /api/runs/x HTTP/1.1\r\n", "GET / HTTP/1.1\r\n"}) {
@@ -87,7 +85,7 @@ TEST_F(Greedy, BodiesThatNobodyTakesAreNotRead) {
     EXPECT_TRUE(with == 404 || with == 400 || with == 0) << line << with;
   }
   const int chunked = flood("POST /api/model HTTP/1.1\r\nTransfer-Encoding: chunked\r\n" + with_session() + "\r\n",
-                            "1000000000000000", much);  // a chunk's length that never ends
+                            "1000000000000000", much);  // an endless length of a chunk
   EXPECT_TRUE(chunked == 411 || chunked == 0) << chunked;
 }
 
@@ -108,7 +106,7 @@ TEST_F(Greedy, ManyRangesAreRefused) {
   EXPECT_EQ(send("GET", "/", "", {{"Range", "bytes=0-3"}}).status, 206);
 }
 
-// A head that comes byte by byte has its time, however often a byte comes.
+// Single bytes do not extend the time limit of a head.
 class Slow : public Served {
  protected:
   static server::Limits limits() {
@@ -132,7 +130,7 @@ TEST_F(Slow, HeadsAreCutOff) {
   EXPECT_LT(Clock::now() - begin, 30s);
 }
 
-// The browser is led by a page in a folder of the user's own: what a program is called with, all users can read.
+// The browser is opened with a page in a private folder: all users can read the arguments of a program.
 TEST(OpenedWorkbench, HidesItsToken) {
   const test::Workplace work;
   const auto open = work / "xdg-open";

@@ -1,4 +1,4 @@
-// Models are read apart: one that does not end keeps nobody waiting, and the server ends without it.
+// Models are read in separate threads: a read that does not end blocks neither other requests nor the server's end.
 
 #include "model_reading.hpp"
 
@@ -30,26 +30,26 @@ using testing_tools::Json;
 using testing_tools::Reply;
 using testing_tools::ServedRuns;
 
-/// What a file that lies where nothing answers does to its reader, until this goes.
+/// Blocks readers until it is destroyed, like a drive that does not respond.
 class Blockade {
  public:
-  ~Blockade() { *over_ = true; }
+  ~Blockade() { *has_ended_ = true; }
   [[nodiscard]] std::function<int()> reader() const {
-    return [over = over_] {
-      while (!*over) std::this_thread::sleep_for(5ms);
+    return [has_ended = has_ended_] {
+      while (!*has_ended) std::this_thread::sleep_for(5ms);
       return 1;
     };
   }
 
  private:
-  std::shared_ptr<std::atomic<bool>> over_ = std::make_shared<std::atomic<bool>>(false);
+  std::shared_ptr<std::atomic<bool>> has_ended_ = std::make_shared<std::atomic<bool>>(false);
 };
 
 struct Heavy {
   std::size_t bytes;
 };
 
-TEST(ModelsKept, AreThoseThatFitTogetherAndAlwaysTheLast) {
+TEST(CachedModels, AreThoseThatFitTogetherAndAlwaysTheFirst) {
   const auto within = [](const std::vector<std::size_t>& bytes, std::size_t most) {
     std::vector<std::shared_ptr<const Heavy>> row;
     for (const std::size_t each : bytes) row.push_back(std::make_shared<const Heavy>(each));
@@ -62,7 +62,7 @@ TEST(ModelsKept, AreThoseThatFitTogetherAndAlwaysTheLast) {
   EXPECT_EQ(within({1, 1, 1, 1, 1}, 10), 5U);
 }
 
-TEST(ModelsKept, CountTheirBarriers) {
+TEST(CachedModels, IncludeBarriersInTheirSize) {
   const auto bytes = [](int collectors) {
     std::string text =
         "[terrain]\nsection = [[0, 10], [10, 0]]\nwidth_m = 20\n[[material]]\nname = \"A\"\n[[seeder]]\n"
@@ -75,15 +75,15 @@ TEST(ModelsKept, CountTheirBarriers) {
   EXPECT_GT(bytes(15), bytes(0) + 15 * 200);
 }
 
-TEST(ModelsReadApart, GiveWhatIsRead) {
+TEST(ReadingModels, ReturnsTheResult) {
   ModelReading reading(10min);
   EXPECT_EQ(*reading.read<int>("a", [] { return 7; }), 7);
   EXPECT_THROW((void)reading.read<int>("a", []() -> int { throw BadInput(Problem{.what = "damaged"}); }), BadInput);
-  for (int k = 0; k < 30'000 && reading.left_alone() > 0; ++k) std::this_thread::sleep_for(1ms);
-  EXPECT_EQ(reading.left_alone(), 0U);
+  for (int k = 0; k < 30'000 && reading.threads() > 0; ++k) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(reading.threads(), 0U);
 }
 
-TEST(ModelsReadApart, AreReadOnceForSeveralWhoAskForTheSame) {
+TEST(ReadingModels, ReadsOnceForConcurrentCallersOfTheSameKey) {
   ModelReading reading(10min);
   std::atomic<int> readings{0};
   std::atomic<bool> may_end{false};
@@ -105,7 +105,7 @@ TEST(ModelsReadApart, AreReadOnceForSeveralWhoAskForTheSame) {
   EXPECT_EQ(readings, 1);
 }
 
-TEST(ModelsReadApart, KeepNobodyWaitingLong) {
+TEST(ReadingModels, IsNotBlockedBySlowReads) {
   ModelReading reading(10min);
   const Blockade blockade;
   std::atomic<bool> stop{false};
@@ -120,30 +120,30 @@ TEST(ModelsReadApart, KeepNobodyWaitingLong) {
   const auto begin = Clock::now();
   EXPECT_EQ(*reading.read<int>("quick", [] { return 1; }), 1);
   EXPECT_LT(Clock::now() - begin, 1min);
-  // And whoever waits can leave at once.
+  // Waiting callers can be stopped at once.
   stop = true;
   const auto asked = Clock::now();
   for (std::thread& each : waiting) each.join();
   EXPECT_LT(Clock::now() - asked, 1min);
-  EXPECT_GE(reading.left_alone(), 2U);
+  EXPECT_GE(reading.threads(), 2U);
 }
 
-TEST(ModelsReadApart, HaveALimitOfTime) {
+TEST(ReadingModels, HasATimeLimit) {
   ModelReading reading(200ms);
   const Blockade blockade;
   try {
     (void)reading.read<int>("a", blockade.reader());
-    ADD_FAILURE() << "it came to an end";
+    ADD_FAILURE() << "the read ended";
   } catch (const BadInput& bad) {
     EXPECT_EQ(bad.problems().text(),
-              "the files of this project could not be read in time (it has taken more than 0.2 s). Look whether "
-              "one of them lies where nothing answers, or take a smaller one");
+              "the files of this project could not be read in time (it took more than 0.2 s). Check whether one of "
+              "them is on a drive that does not respond, or use smaller files");
   }
 }
 
-TEST(ModelsReadApart, AreStoppedWhenNobodyWaits) {
+TEST(ReadingModels, StopsWithoutCallers) {
   ModelReading reading(10min);
-  std::atomic<bool> stop{false}, was_left{false};
+  std::atomic<bool> stop{false}, was_stopped{false};
   std::thread waiting([&] {
     const StopScope scope(&stop);
     EXPECT_THROW((void)reading.read<int>("a",
@@ -154,7 +154,7 @@ TEST(ModelsReadApart, AreStoppedWhenNobodyWaits) {
                                                std::this_thread::sleep_for(1ms);
                                              }
                                            } catch (const Stopped&) {
-                                             was_left = true;
+                                             was_stopped = true;
                                              throw;
                                            }
                                          }),
@@ -163,16 +163,16 @@ TEST(ModelsReadApart, AreStoppedWhenNobodyWaits) {
   std::this_thread::sleep_for(50ms);
   stop = true;
   waiting.join();
-  for (int k = 0; k < 30'000 && reading.left_alone() > 0; ++k) std::this_thread::sleep_for(1ms);
-  EXPECT_EQ(reading.left_alone(), 0U);
-  EXPECT_TRUE(was_left);
+  for (int k = 0; k < 30'000 && reading.threads() > 0; ++k) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(reading.threads(), 0U);
+  EXPECT_TRUE(was_stopped);
 }
 
-/// A file whose opening the system lets wait for half a minute: somebody has a lease on it.
+/// A file with a lease: the system delays opening it by up to 45 s.
 class Leased {
  public:
   explicit Leased(const std::filesystem::path& file) {
-    std::signal(SIGIO, SIG_IGN);  // by which the system asks for it back
+    std::signal(SIGIO, SIG_IGN);  // the system's request to release the lease
     file_ = open(file.c_str(), O_RDWR | O_CLOEXEC);
     is_held_ = file_ >= 0 && fcntl(file_, F_SETLEASE, F_WRLCK) == 0;
   }
@@ -202,7 +202,7 @@ class Hanging : public ServedRuns {
   std::optional<Leased> leased_;
 };
 
-TEST_F(Hanging, ModelKeepsNoOtherWaitingAndNotTheServersEnd) {
+TEST_F(Hanging, ModelBlocksNeitherOthersNorTheServersEnd) {
   std::thread hanging([&] {
     httplib::Client client("127.0.0.1", port_);
     client.set_read_timeout(60, 0);
@@ -214,15 +214,15 @@ TEST_F(Hanging, ModelKeepsNoOtherWaitingAndNotTheServersEnd) {
   const Reply reply = post("/api/model", {{"file", "b.toml"}, {"text", section()}});
   EXPECT_EQ(reply.status, 200);
   EXPECT_FALSE(reply.json()["model"].is_null()) << reply.body;
-  EXPECT_LT(Clock::now() - begin, 30s);  // the system gives the file after 45 s
+  EXPECT_LT(Clock::now() - begin, 30s);  // the system opens the file after 45 s
   const std::string id = ServedRuns::begin(section(), {{"rocks", 10}});
   EXPECT_EQ(wait_for(id, "done")["done"], 10);
 
   begin = Clock::now();
   stop();
-  EXPECT_LT(Clock::now() - begin, 30s);  // the system gives the file after 45 s
+  EXPECT_LT(Clock::now() - begin, 30s);  // the system opens the file after 45 s
   hanging.join();
-  EXPECT_LT(Clock::now() - begin, 30s);  // the system gives the file after 45 s
+  EXPECT_LT(Clock::now() - begin, 30s);  // the system opens the file after 45 s
 }
 
 }  // namespace

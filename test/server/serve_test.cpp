@@ -1,4 +1,4 @@
-// Beginning to serve, and ending.
+// Start and end of the server.
 
 #include "server/served.hpp"
 
@@ -13,8 +13,8 @@ using testing_tools::Served;
 
 class Serving : public Served {
  protected:
-  /// Another server of the same folder.
-  [[nodiscard]] server::ServeOptions others() const {
+  /// Options of another server for the same folder.
+  [[nodiscard]] server::ServeOptions second_server() const {
     server::ServeOptions options = options_;
     options.port = 0;
     options.ready = nullptr;
@@ -22,7 +22,7 @@ class Serving : public Served {
   }
 };
 
-/// What the server says instead of serving.
+/// The reason why the server does not start.
 std::string refusal(server::ServeOptions options) {
   const std::atomic<bool> stop{true};
   options.stop = &stop;
@@ -35,17 +35,17 @@ std::string refusal(server::ServeOptions options) {
   return "serves";
 }
 
-TEST_F(Serving, NeedsAPortOfItsOwn) {
+TEST_F(Serving, NeedsAFreePort) {
   server::ServeOptions other = options_;
   other.port = port_;
-  EXPECT_EQ(refusal(other), "--port: port " + std::to_string(port_) +
-                                " cannot be had (another program listens there, perhaps another `talus serve`). Name "
-                                "another one, or 0 for any that is free");
+  EXPECT_EQ(refusal(other), "--port: cannot listen on port " + std::to_string(port_) +
+                                " (another program uses it, perhaps another `talus serve`). Choose another port, or 0 "
+                                "for any free one");
   EXPECT_EQ(get("/api/about").status, 200);
 }
 
 TEST_F(Serving, NeedsAFolder) {
-  server::ServeOptions other = others();
+  server::ServeOptions other = second_server();
   other.folder = path("none");
   EXPECT_EQ(refusal(other), path("none").string() + ": is not a folder");
 }
@@ -53,7 +53,7 @@ TEST_F(Serving, NeedsAFolder) {
 TEST_F(Serving, EndsWhenItIsStoppedBeforeItListens) {
   static std::atomic<bool> stop;
   stop = false;
-  server::ServeOptions other = others();
+  server::ServeOptions other = second_server();
   other.stop = &stop;
   other.ready = [](const std::string&) {
     stop = true;
@@ -65,11 +65,11 @@ TEST_F(Serving, EndsWhenItIsStoppedBeforeItListens) {
   EXPECT_EQ(end.wait_for(std::chrono::seconds(30)), std::future_status::ready);
 }
 
-TEST_F(Serving, EndsWhenNobodyCanBeToldOfIt) {
+TEST_F(Serving, EndsIfItsAddressCannotBeReported) {
   const std::atomic<bool> stop{false};
-  server::ServeOptions other = others();
+  server::ServeOptions other = second_server();
   other.stop = &stop;
-  other.ready = [](const std::string&) { throw std::runtime_error("nobody is there"); };
+  other.ready = [](const std::string&) { throw std::runtime_error("not reported"); };
   EXPECT_THROW(server::serve(other), std::runtime_error);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// A server on a folder of its own, in this process, and a client that has its cookie.
+// A server in this process on a temporary folder, and a client with its cookie.
 
-#include "http/router.hpp"  // before anything else that knows Eigen
+#include "http/router.hpp"  // before any header of Eigen
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -19,22 +19,24 @@
 #include <vector>
 
 #include "serve.hpp"
+#include "support/loopback.hpp"
 
 namespace talus::testing_tools {
 
 using server::Json;
 
-/// What the server answered.
+/// An answer of the server.
 struct Reply {
   int status = 0;
   std::string body;
   httplib::Headers headers;
 
   [[nodiscard]] Json json() const { return Json::parse(body, nullptr, false); }
-  /// The text of the only problem.
+  /// The text of the answer's single problem.
   [[nodiscard]] std::string problem() const {
     const Json all = json();
-    if (!all.is_object() || !all.contains("problems") || all["problems"].size() != 1) return "not one: " + body;
+    if (!all.is_object() || !all.contains("problems") || all["problems"].size() != 1)
+      return "not a single problem: " + body;
     return all["problems"][0]["text"].get<std::string>();
   }
 };
@@ -58,7 +60,7 @@ class ArraysOf {
     EXPECT_EQ(at, bytes_.size());
   }
 
-  /// Expects that the array has this type.
+  /// Expects the array to have this type.
   template <class T>
   [[nodiscard]] std::vector<T> get(const std::string& name, const std::string& type) const {
     for (const Json& array : header["arrays"]) {
@@ -79,21 +81,15 @@ class ArraysOf {
   std::map<std::string, std::size_t> begins_;
 };
 
-/// A connection on which bytes are sent just as they are.
+/// A connection for sending arbitrary bytes.
 class RawConnection {
  public:
-  explicit RawConnection(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_port = htons(static_cast<std::uint16_t>(port));
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
-  }
+  explicit RawConnection(int port) : socket_(connect_to_loopback(port)) { EXPECT_GE(socket_, 0); }
   RawConnection(const RawConnection&) = delete;
   RawConnection& operator=(const RawConnection&) = delete;
   ~RawConnection() { ::close(socket_); }
 
-  /// As much as is taken: who refuses need not read all.
+  /// Sends as many bytes as the server reads: it need not read all of a request that it refuses.
   void send(std::string_view bytes) const {
     while (!bytes.empty()) {
       const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -101,25 +97,25 @@ class RawConnection {
       bytes.remove_prefix(static_cast<std::size_t>(sent));
     }
   }
-  /// Of the next answer, which is read whole; 0: none comes.
+  /// Reads the next answer and returns its status; 0 if there is none.
   [[nodiscard]] int status() {
     while (read_.find("\r\n\r\n") == std::string::npos)
       if (!read_more()) return 0;
     const std::size_t head = read_.find("\r\n\r\n") + 4, length = read_.find("Content-Length: ");
-    const std::size_t whole = head + (length < head ? std::stoul(read_.substr(length + 16)) : 0);
-    while (read_.size() < whole && read_more()) {
+    const std::size_t size = head + (length < head ? std::stoul(read_.substr(length + 16)) : 0);
+    while (read_.size() < size && read_more()) {
     }
     const int status = std::stoi(read_.substr(read_.find(' ')));
-    read_.erase(0, whole);
+    read_.erase(0, size);
     return status;
   }
-  /// Whether it has not ended so far.
+  /// Whether the server has not closed the connection yet.
   [[nodiscard]] bool is_open() const {
     char byte = 0;
     const ssize_t got = ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
     return got > 0 ? true : got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
   }
-  /// Whether the server ends it before it says anything more.
+  /// Waits for more bytes; true if the server closes the connection instead.
   [[nodiscard]] bool is_closed() { return read_.empty() && !read_more(); }
 
  private:
@@ -137,7 +133,7 @@ class RawConnection {
 class Served : public ::testing::Test {
  protected:
   explicit Served(server::Limits limits = {}) {
-    std::signal(SIGPIPE, SIG_IGN);  // whoever leaves while being answered is no reason to end
+    std::signal(SIGPIPE, SIG_IGN);  // a client may disconnect during the response
     const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
     base_ = std::filesystem::path(::testing::TempDir()) /
             ("talus_served_" + std::string(test->name()) + "_" + std::to_string(::getpid()));
@@ -185,7 +181,7 @@ class Served : public ::testing::Test {
     return std::string(std::istreambuf_iterator<char>(in), {});
   }
 
-  /// Sends a request just so; the cookie, where `headers` has none.
+  /// Sends a request, with the cookie unless `headers` has one.
   Reply send(const std::string& method, const std::string& what, const std::string& body = {},
              httplib::Headers headers = {}) const {
     httplib::Client client("127.0.0.1", port_);

@@ -1,4 +1,4 @@
-// Tokens that work once, and a cookie that ends with the server.
+// Tokens work once; the cookie is valid until the server ends.
 
 #include "server/served.hpp"
 
@@ -14,7 +14,7 @@ class SessionOf : public Served {
   [[nodiscard]] std::string token_path() const { return address_.substr(address_.find("/?")); }
 };
 
-TEST_F(SessionOf, TakesATokenOnce) {
+TEST_F(SessionOf, AcceptsATokenOnce) {
   const Reply again = send("GET", token_path(), "", {{"Cookie", "none=1"}});  // the fixture has used it
   EXPECT_EQ(again.status, 403);
   EXPECT_NE(again.body.find("This address has been used"), std::string::npos);
@@ -23,7 +23,7 @@ TEST_F(SessionOf, TakesATokenOnce) {
   EXPECT_EQ(send("GET", "/?token=", "", {{"Cookie", "none=1"}}).status, 403);
 }
 
-TEST_F(SessionOf, GivesAnotherAddressToWhoeverIsIn) {
+TEST_F(SessionOf, ProvidesAnotherAddress) {
   const std::string address = post("/api/tokens", Json::object()).json()["address"];
   const std::string what = address.substr(address.find("/?"));
   const Reply first = send("GET", what, "", {{"Cookie", "none=1"}});
@@ -38,26 +38,26 @@ TEST_F(SessionOf, EndsWithItsServer) {
   stop();
   options_.port = port_;
   start();
-  EXPECT_EQ(cookie_.substr(0, cookie_.find('=')), cookie.substr(0, cookie.find('=')));  // of the port
+  EXPECT_EQ(cookie_.substr(0, cookie_.find('=')), cookie.substr(0, cookie.find('=')));  // named by the port
   EXPECT_EQ(send("GET", "/api/about", "", {{"Cookie", cookie}}).status, 403);
   EXPECT_EQ(get("/api/about").status, 200);
 }
 
-// A browser sends the cookie to all ports of the machine: what another server learns must not open this one.
-TEST_F(SessionOf, IsOfOneServer) {
+// A browser sends the cookie to all ports of the machine: another server's cookie must not open this one.
+TEST_F(SessionOf, IsLimitedToOneServer) {
   server::Session first(8425), second(8425), elsewhere(8426);
   const auto pair = [](const server::Session& session) {
     return session.cookie().substr(0, session.cookie().find(';'));
   };
-  EXPECT_TRUE(first.knows("other=1; " + pair(first)));
-  EXPECT_FALSE(second.knows(pair(first)));
-  EXPECT_FALSE(elsewhere.knows(pair(first)));
+  EXPECT_TRUE(first.accepts("other=1; " + pair(first)));
+  EXPECT_FALSE(second.accepts(pair(first)));
+  EXPECT_FALSE(elsewhere.accepts(pair(first)));
   const std::string key = pair(first).substr(pair(first).find('=') + 1);
-  EXPECT_FALSE(elsewhere.knows("talus-8426=" + key));
-  EXPECT_EQ(first.cookie().find("Max-Age"), std::string::npos);  // it ends with the browser
+  EXPECT_FALSE(elsewhere.accepts("talus-8426=" + key));
+  EXPECT_EQ(first.cookie().find("Max-Age"), std::string::npos);  // until the browser is closed
 }
 
-TEST(Secrets, AreComparedWhole) {
+TEST(Secrets, AreComparedCompletely) {
   EXPECT_TRUE(server::same_secret("abc", "abc"));
   EXPECT_FALSE(server::same_secret("abc", "abd"));
   EXPECT_FALSE(server::same_secret("abc", "ab"));

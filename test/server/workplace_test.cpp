@@ -1,4 +1,4 @@
-// Names in requests stay in the folder; files come in whole; drafts and saved texts do not overwrite each other.
+// Names in requests stay in the folder; uploads are complete; drafts and saved texts do not overwrite each other.
 
 #include "workplace.hpp"
 #include "server/served.hpp"
@@ -20,7 +20,7 @@ class Place : public Served {
     std::ofstream(base_ / "outside" / "secret.toml") << "secret";
   }
 
-  /// The problem of a name, or that there is none.
+  /// The reason why a name is refused, or "is fine".
   [[nodiscard]] std::string refusal(const std::string& name) const {
     try {
       static_cast<void>(server::Workplace(path("")).at(name));
@@ -32,12 +32,12 @@ class Place : public Served {
   }
 };
 
-TEST_F(Place, KnowsNamesThatStayInIt) {
+TEST_F(Place, AcceptsNamesBelowIt) {
   for (const std::string name : {"a.toml", "a/b.toml", "a b/ü.tif", "a..b", "a../b~"})
     EXPECT_EQ(refusal(name), "is fine") << name;
 }
 
-TEST_F(Place, RefusesNamesThatLeadElsewhere) {
+TEST_F(Place, RefusesNamesThatLeadOut) {
   EXPECT_EQ(refusal(""), "it is empty");
   EXPECT_EQ(refusal("../secret.toml"), "it leads out of the folder");
   EXPECT_EQ(refusal("a/../../secret.toml"), "it leads out of the folder");
@@ -83,7 +83,7 @@ TEST_F(Place, IsNotLeftByRequests) {
   EXPECT_EQ(text, "secret");
 }
 
-TEST_F(Place, KeepsFilesThatAreSent) {
+TEST_F(Place, SavesUploads) {
   const std::string bytes("\0\1\2\xff", 4);
   const Reply kept = upload("data/dem.tif", bytes);
   EXPECT_EQ(kept.status, 201);
@@ -99,7 +99,7 @@ TEST_F(Place, KeepsFilesThatAreSent) {
   EXPECT_EQ(files[0]["kind"], "raster");
 }
 
-TEST_F(Place, KeepsTwoUploadsOfOneNameApart) {
+TEST_F(Place, DoesNotMixUploadsOfTheSameName) {
   constexpr std::size_t half = 20'000;
   const auto begin = [&](char letter) {
     auto upload = std::make_unique<testing_tools::RawConnection>(port_);
@@ -125,10 +125,10 @@ TEST_F(Place, RefusesFilesThatAreTooLarge) {
   EXPECT_EQ(upload("all.csv", std::string(65536, '1')).status, 201);
   EXPECT_EQ(upload("more.csv", std::string(65537, '1')).status, 413);
   EXPECT_FALSE(fs::exists(path("more.csv")));
-  EXPECT_EQ(get("/api/files").json()["files"].size(), 1U);  // nor is there a part of it
+  EXPECT_EQ(get("/api/files").json()["files"].size(), 1U);  // no partial file either
 }
 
-TEST_F(Place, WritesAProjectThatNobodyChangedMeanwhile) {
+TEST_F(Place, WritesAProjectOnlyIfItIsUnchanged) {
   const auto saved = [&](const std::string& text, const Json& hash) {
     return put("/api/project", {{"file", "a.toml"}, {"text", text}, {"saved", hash}});
   };
@@ -147,7 +147,7 @@ TEST_F(Place, WritesAProjectThatNobodyChangedMeanwhile) {
   EXPECT_EQ(get("/api/project?file=a.csv").status, 400);
 }
 
-TEST_F(Place, KeepsADraftBesideTheProject) {
+TEST_F(Place, SavesADraftNextToTheProject) {
   write("a.toml", "saved");
   EXPECT_EQ(put("/api/draft", {{"file", "a.toml"}, {"text", "drafted"}}).status, 200);
   Json project = get("/api/project?file=a.toml").json();
@@ -162,10 +162,10 @@ TEST_F(Place, KeepsADraftBesideTheProject) {
   EXPECT_EQ(put("/api/draft", {{"file", "a.toml"}, {"text", nullptr}}).status, 200);
   EXPECT_TRUE(get("/api/project?file=a.toml").json()["draft"].is_null());
   EXPECT_EQ(put("/api/draft", {{"file", "a.toml"}, {"text", "drafted"}}).status, 200);
-  EXPECT_FALSE(fs::exists(path(".a.toml.draft"))) << "a draft that says what the file says is none";
+  EXPECT_FALSE(fs::exists(path(".a.toml.draft"))) << "a draft equal to the file is not saved";
 }
 
-TEST_F(Place, KnowsOfWhichFileADraftIs) {
+TEST_F(Place, StoresTheChecksumOfADraftsFile) {
   write("a.toml", "one");
   const Json one = get("/api/project?file=a.toml").json()["saved"];
   const auto draft = [&] { return get("/api/project?file=a.toml").json()["draft"]; };
@@ -184,58 +184,58 @@ class Drafts : public Place {
  protected:
   Drafts() { write("a.toml", "saved"); }
 
-  /// Keeps what a tab has as its change `revision`, made of the draft with the change `after`.
-  Reply keep(const Json& text, const std::string& revision, const Json& after) const {
+  /// Sends a draft as `revision`, made from revision `after`.
+  Reply save(const Json& text, const std::string& revision, const Json& after) const {
     return put("/api/draft", {{"file", "a.toml"}, {"text", text}, {"revision", revision}, {"after", after}});
   }
-  [[nodiscard]] Json kept() const { return get("/api/project?file=a.toml").json()["draft"]; }
+  [[nodiscard]] Json saved() const { return get("/api/project?file=a.toml").json()["draft"]; }
 };
 
-TEST_F(Drafts, AreReplacedOnlyByWhatGoesOnFromThem) {
-  EXPECT_EQ(keep("one", "a.1", nullptr).status, 200);
-  EXPECT_EQ(keep("two", "a.2", "a.1").status, 200);
-  EXPECT_EQ(keep("three", "b.1", "a.2").status, 200) << "another tab that took it up";
-  const Reply refused = keep("four", "a.3", "a.2");
+TEST_F(Drafts, AreReplacedOnlyByTheirContinuations) {
+  EXPECT_EQ(save("one", "a.1", nullptr).status, 200);
+  EXPECT_EQ(save("two", "a.2", "a.1").status, 200);
+  EXPECT_EQ(save("three", "b.1", "a.2").status, 200) << "another tab continues the draft";
+  const Reply refused = save("four", "a.3", "a.2");
   EXPECT_EQ(refused.status, 409);
   EXPECT_EQ(refused.problem(), "a.toml: has another draft (it was changed in another tab or browser meanwhile)");
-  EXPECT_EQ(keep("five", "c.1", nullptr).status, 409) << "one that never saw it";
-  EXPECT_EQ(keep(nullptr, "a.3", "a.2").status, 409) << "nor is it taken away by an older one";
-  EXPECT_EQ(kept(), Json({{"text", "three"}, {"saved", nullptr}, {"revisions", {"a.2", "b.1"}}}));
-  EXPECT_EQ(keep("six", "b.3", "b.2").status, 200) << "b.2 did not come here";
-  EXPECT_EQ(keep("late", "b.2", "b.1").status, 409) << "and comes too late";
-  EXPECT_EQ(keep(nullptr, "b.4", "b.3").status, 200);
-  EXPECT_TRUE(kept().is_null());
+  EXPECT_EQ(save("five", "c.1", nullptr).status, 409) << "this tab never read the draft";
+  EXPECT_EQ(save(nullptr, "a.3", "a.2").status, 409) << "an older revision cannot remove it";
+  EXPECT_EQ(saved(), Json({{"text", "three"}, {"saved", nullptr}, {"revisions", {"a.2", "b.1"}}}));
+  EXPECT_EQ(save("six", "b.3", "b.2").status, 200) << "b.2 has not arrived";
+  EXPECT_EQ(save("late", "b.2", "b.1").status, 409) << "b.2 arrives after b.3";
+  EXPECT_EQ(save(nullptr, "b.4", "b.3").status, 200);
+  EXPECT_TRUE(saved().is_null());
 }
 
-TEST_F(Drafts, OfOthersOutliveSaving) {
+TEST_F(Drafts, OfOtherTabsSurviveSavingTheProject) {
   const Json hash = get("/api/project?file=a.toml").json()["saved"];
-  (void)keep("one", "a.1", nullptr);
-  (void)keep("two", "b.1", "a.1");
-  const auto save = [&](const char* text, const Json& saved, const char* revision, const char* after) {
+  (void)save("one", "a.1", nullptr);
+  (void)save("two", "b.1", "a.1");
+  const auto save_project = [&](const char* text, const Json& saved, const char* revision, const char* after) {
     return put("/api/project",
                {{"file", "a.toml"}, {"text", text}, {"saved", saved}, {"revision", revision}, {"after", after}});
   };
-  const Reply older = save("one", hash, "a.2", "a.1");
+  const Reply older = save_project("one", hash, "a.2", "a.1");
   EXPECT_EQ(older.status, 200);
-  EXPECT_EQ(kept()["text"], "two");
-  EXPECT_EQ(save("two and more", older.json()["saved"], "b.2", "b.1").status, 200);
-  EXPECT_TRUE(kept().is_null());
+  EXPECT_EQ(saved()["text"], "two");
+  EXPECT_EQ(save_project("two and more", older.json()["saved"], "b.2", "b.1").status, 200);
+  EXPECT_TRUE(saved().is_null());
 }
 
-TEST_F(Drafts, HaveRevisionsThatAreUnderstood) {
+TEST_F(Drafts, RequireValidRevisions) {
   for (const char* wrong : {"a", "a.", ".1", "a b.1", "a.1x", "a.-1"}) {
-    const Reply refused = keep("one", wrong, nullptr);
+    const Reply refused = save("one", wrong, nullptr);
     EXPECT_EQ(refused.status, 400) << wrong;
-    EXPECT_EQ(refused.problem(), "revision: is not a revision of a draft. Such as 3f9a.12");
+    EXPECT_EQ(refused.problem(), "revision: is not a revision of a draft (expected for example 3f9a.12)");
   }
 }
 
-TEST_F(Place, RefusesAProjectThatIsNoUtf8) {
+TEST_F(Place, RefusesAProjectThatIsNotUtf8) {
   const std::string latin = "# Talus\nname = \"Gel\xe4nde\"\n";
   write("a.toml", latin);
   const std::string why =
-      "a.toml:2: cannot be shown as text (it has bytes that are not UTF-8, and saving it from here would lose them). "
-      "Save it as UTF-8";
+      "a.toml:2: cannot be shown as text (it has bytes that are not UTF-8, which saving it here would lose). Save it "
+      "as UTF-8";
   const Reply asked = get("/api/project?file=a.toml");
   EXPECT_EQ(asked.status, 422);
   EXPECT_EQ(asked.problem(), why);
@@ -249,7 +249,7 @@ TEST_F(Place, RefusesAProjectThatIsNoUtf8) {
   EXPECT_EQ(get("/api/project?file=a.toml").json()["text"], "name = \"Gelände\"\n");
 }
 
-TEST_F(Place, IsToldFromOtherFolders) {
+TEST_F(Place, RefusesPagesOfOtherFolders) {
   const auto identity = [&] { return get("/api/about").json()["workplace"].get<std::string>(); };
   const std::string here = identity();
   EXPECT_EQ(here, identity());
@@ -259,23 +259,22 @@ TEST_F(Place, IsToldFromOtherFolders) {
   for (const char* what : {"/api/draft", "/api/project"}) {
     const Reply refused = put_from(what, "another");
     EXPECT_EQ(refused.status, 410);
-    EXPECT_EQ(refused.problem(), "a.toml: belongs to another folder (the server works in " +
+    EXPECT_EQ(refused.problem(), "a.toml: belongs to another folder (the server now works in " +
                                      fs::canonical(path("")).string() +
-                                     " by now). Serve the folder of the project on this port again, and this page "
-                                     "goes on");
+                                     "). To continue on this page, serve the project's folder on this port again");
     EXPECT_TRUE(fs::is_empty(path("")));
   }
   EXPECT_EQ(put_from("/api/draft", here).status, 200);
   EXPECT_EQ(put_from("/api/project", here).status, 200);
 
   stop();
-  fs::rename(path(""), base_ / "moved");  // its number on the disk stays taken
+  fs::rename(path(""), base_ / "moved");  // not removed, so that its inode number is not used again
   fs::create_directory(path(""));
   start();
   EXPECT_NE(identity(), here);
 }
 
-TEST_F(Place, SaysWhatHindersItInWordsOfThePage) {
+TEST_F(Place, ReportsProblemsWithoutCommandLineOptions) {
   fs::create_directories(path("a.toml.part"));
   const Reply refused = put("/api/project", {{"file", "a.toml"}, {"text", "one"}, {"saved", nullptr}});
   EXPECT_EQ(refused.status, 422);
@@ -297,7 +296,7 @@ TEST_F(Place, WritesThroughALinkAndKeepsTheMode) {
 }
 
 TEST_F(Place, WritesNothingThroughALinkThatLeadsOut) {
-  fs::create_symlink(base_ / "outside" / "new.toml", path("a.toml"));  // nothing is there yet
+  fs::create_symlink(base_ / "outside" / "new.toml", path("a.toml"));  // the target does not exist yet
   fs::create_symlink("../outside/new.toml", path("b.toml"));
   fs::create_symlink("a.toml", path("c.toml"));
   for (const std::string name : {"a.toml", "b.toml", "c.toml"}) {
@@ -309,7 +308,7 @@ TEST_F(Place, WritesNothingThroughALinkThatLeadsOut) {
   EXPECT_FALSE(fs::exists(base_ / "outside" / "new.toml"));
 }
 
-TEST_F(Place, CopiesExamplesAndLeavesWhatIsThere) {
+TEST_F(Place, CopiesExamplesWithoutReplacingFiles) {
   const Json examples = get("/api/examples").json()["examples"];
   ASSERT_FALSE(examples.empty());
   for (const Json& example : examples) {

@@ -3,7 +3,7 @@
 namespace talus::server {
 
 Answer json_answer(const Json& json, int status) {
-  // Names of files may be no UTF-8; they are shown with a mark instead of failing.
+  // File names may not be UTF-8: invalid bytes are replaced instead of failing.
   return {.status = status, .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the server says: answers, and refusals with their reasons.
+// Answers of the server, and refusals with their reasons.
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 struct Answer {
   int status = 200;
-  // Named with its charset, the library does not compress it, which costs more here than it saves.
+  // The charset keeps the library from compressing the body, which costs more than it saves on one machine.
   std::string type = "application/json; charset=utf-8";
   std::string body;
   std::vector<std::pair<std::string, std::string>> headers{};
@@ -23,10 +23,10 @@ struct Answer {
 
 [[nodiscard]] Answer json_answer(const Json& json, int status = 200);
 
-/// Each problem with its parts, and the whole in one line.
+/// Each problem with its parts, and its text in one line.
 [[nodiscard]] Json as_json(const Problems& problems);
 
-/// A request that is not done, with its HTTP status. BadInput, which the engine throws, is one with 422.
+/// A refused request with its HTTP status. BadInput, which the engine throws, is answered with 422.
 class Refusal : public std::runtime_error {
  public:
   Refusal(int status, Problem problem);

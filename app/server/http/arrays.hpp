@@ -1,5 +1,5 @@
 #pragma once
-// Large answers: a JSON header and arrays of numbers, as docs/workbench-api.md describes them under "Arrays".
+// Large answers: a JSON header and arrays of numbers ("Arrays" in docs/workbench-api.md).
 
 #include <cstdint>
 #include <span>
@@ -12,7 +12,7 @@ namespace talus::server {
 
 class Arrays {
  public:
-  /// What the header says besides `arrays`.
+  /// `header`: its members other than `arrays`.
   explicit Arrays(Json header) : header_(std::move(header)) { header_["arrays"] = Json::array(); }
 
   void add(std::string_view name, std::span<const float> values) { add(name, "f32", values); }
@@ -20,7 +20,7 @@ class Arrays {
   void add(std::string_view name, std::span<const std::uint8_t> values) { add(name, "u8", values); }
   void add(std::string_view name, std::span<const std::uint16_t> values) { add(name, "u16", values); }
   void add(std::string_view name, std::span<const std::uint32_t> values) { add(name, "u32", values); }
-  /// As the smallest whole numbers that hold all below `count`.
+  /// Uses the smallest integer type for values below `count`.
   void add_smallest(std::string_view name, std::span<const std::uint32_t> values, std::size_t count);
 
   [[nodiscard]] Answer answer() const;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto patience_with_bodies = 5s, patience_with_readers = 30s;  // until the next byte moves
+constexpr auto patience_with_bodies = 5s, patience_with_readers = 30s;  // for the next byte
 
 }  // namespace
 
@@ -27,35 +27,35 @@ Connection::~Connection() {
 void Connection::end() const { shutdown(socket_, SHUT_RDWR); }
 
 Connection::Head Connection::head() const {
-  const std::string_view arrived = std::string_view(arrived_).substr(taken_);
-  // The library reads on until an empty line that ends so, whatever else stands before it.
-  const std::size_t end = arrived.find("\r\n\r\n");
-  const std::size_t bytes = end == std::string_view::npos ? arrived.size() : end;
+  const std::string_view unread = std::string_view(received_).substr(read_);
+  // The library reads a head up to the first empty line, whatever precedes it.
+  const std::size_t end = unread.find("\r\n\r\n");
+  const std::size_t bytes = end == std::string_view::npos ? unread.size() : end;
   if (bytes > limits_.head_bytes) return Head::too_large;
   return end == std::string_view::npos ? Head::incomplete : Head::complete;
 }
 
-Connection::Head Connection::gather() {
+Connection::Head Connection::receive() {
   std::array<char, 4096> bytes;
   for (;;) {
     const ssize_t got = recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return Head::incomplete;
     if (got <= 0) return Head::closed;
-    if (arrived_.empty()) head_since_ = Clock::now();
-    arrived_.append(bytes.data(), static_cast<std::size_t>(got));
+    if (received_.empty()) head_since_ = Clock::now();
+    received_.append(bytes.data(), static_cast<std::size_t>(got));
     if (const Head now = head(); now != Head::incomplete) return now;
   }
 }
 
 Connection::Clock::time_point Connection::deadline() const {
-  return arrived_.empty() ? silent_since_ + limits_.silent_time : head_since_ + limits_.head_time;
+  return received_.empty() ? idle_since_ + limits_.idle_time : head_since_ + limits_.head_time;
 }
 
 void Connection::begin_next() {
-  arrived_.erase(0, taken_);
-  taken_ = 0;
-  silent_since_ = head_since_ = Clock::now();
+  received_.erase(0, read_);
+  read_ = 0;
+  idle_since_ = head_since_ = Clock::now();
 }
 
 bool Connection::is_ready(short events, std::chrono::milliseconds patience) const {
@@ -67,15 +67,15 @@ bool Connection::is_ready(short events, std::chrono::milliseconds patience) cons
   return found > 0 && (waiting.revents & events) != 0;
 }
 
-bool Connection::is_readable() const { return taken_ < arrived_.size() || is_ready(POLLIN, patience_with_bodies); }
+bool Connection::is_readable() const { return read_ < received_.size() || is_ready(POLLIN, patience_with_bodies); }
 
 bool Connection::is_writable() const { return !has_gone && is_ready(POLLOUT, patience_with_readers); }
 
 ssize_t Connection::read(char* to, std::size_t size) {
-  if (taken_ < arrived_.size()) {
-    const std::size_t count = std::min(size, arrived_.size() - taken_);
-    std::memcpy(to, arrived_.data() + taken_, count);
-    taken_ += count;
+  if (read_ < received_.size()) {
+    const std::size_t count = std::min(size, received_.size() - read_);
+    std::memcpy(to, received_.data() + read_, count);
+    read_ += count;
     return static_cast<ssize_t>(count);
   }
   if (!is_ready(POLLIN, patience_with_bodies)) return -1;
@@ -91,7 +91,7 @@ ssize_t Connection::write(const char* from, std::size_t size) {
 }
 
 void Connection::get_remote_ip_and_port(std::string& ip, int& port) const {
-  ip = "127.0.0.1";  // the server listens there alone
+  ip = "127.0.0.1";  // the only address on which the server listens
   port = -1;
 }
 void Connection::get_local_ip_and_port(std::string& ip, int& port) const { get_remote_ip_and_port(ip, port); }

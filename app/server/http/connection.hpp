@@ -1,5 +1,5 @@
 #pragma once
-// One connection of a client. What it has sent of its next request is gathered without a thread that waits for it.
+// One connection of a client. The head of its next request is received without a waiting thread.
 
 #include <httplib.h>
 #undef _res  // a macro of the resolver's header, and a name in Eigen's
@@ -12,7 +12,7 @@
 
 namespace talus::server {
 
-/// A stream of the library over a socket that this owns.
+/// A stream of the library that owns its socket.
 class Connection : public httplib::Stream {
  public:
   using Clock = std::chrono::steady_clock;
@@ -22,25 +22,25 @@ class Connection : public httplib::Stream {
   Connection& operator=(const Connection&) = delete;
   ~Connection() override;
 
-  /// What has come of the next request's head.
+  /// State of the next request's head.
   enum class Head { incomplete, complete, too_large, closed };
-  /// Takes what is there, without waiting.
-  Head gather();
-  /// The same of what was taken before, with the end of the request before it.
+  /// Receives available bytes without waiting.
+  Head receive();
+  /// State of the bytes received so far: some may have come together with the request before.
   [[nodiscard]] Head head() const;
-  /// When it is to be closed if nothing more comes.
+  /// When the connection is closed if the head is still incomplete.
   [[nodiscard]] Clock::time_point deadline() const;
-  /// The request is answered: what follows is the next one.
+  /// The request is answered: the following bytes are the next one.
   void begin_next();
 
-  /// Set once the client has gone, by whoever watches the socket.
+  /// The client has disconnected. Set by the thread that polls the socket.
   std::atomic<bool> has_gone{false};
-  /// No byte more is read or written. By any thread.
+  /// Ends reading and writing. May be called by any thread.
   void end() const;
   [[nodiscard]] socket_t descriptor() const { return socket_; }
 
-  // What the library asks of a stream, in the thread that answers the request.
-  /// It asks only whether select() would take the number; here nobody selects.
+  // The library's interface of a stream, called by the thread that answers the request.
+  /// The library only checks that the number is valid for select(), which is not used here.
   [[nodiscard]] socket_t socket() const override { return 0; }
   [[nodiscard]] bool is_readable() const override;
   [[nodiscard]] bool is_writable() const override;
@@ -55,9 +55,9 @@ class Connection : public httplib::Stream {
 
   socket_t socket_;
   const Limits& limits_;
-  std::string arrived_;    // and not taken by a request
-  std::size_t taken_ = 0;  // of it
-  Clock::time_point silent_since_ = Clock::now(), head_since_{};
+  std::string received_;  // from the beginning of the current request
+  std::size_t read_ = 0;  // bytes of it that the library has read
+  Clock::time_point idle_since_ = Clock::now(), head_since_{};
 };
 
 }  // namespace talus::server

@@ -12,8 +12,8 @@ namespace talus::server {
 
 namespace {
 
-// Scripts, styles and pictures come from this server alone; nothing may frame the page. Chart libraries set styles of
-// elements, which is why those may stand in the page itself.
+// Scripts, styles and pictures come from this server only, and no other page may frame this one. Inline styles are
+// allowed because chart libraries set styles of elements.
 constexpr const char* content_policy =
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob: data:; "
     "font-src 'self'; connect-src 'self'; worker-src 'self' blob:; base-uri 'none'; form-action 'none'; "
@@ -29,7 +29,7 @@ void write(const Answer& answer, httplib::Response& response) {
   response.set_content(answer.body, answer.type);
 }
 
-/// The last answer of its connection: what the client still sends of a body is not read as its next request.
+/// Closes the connection after the answer, so that the rest of a body is not read as the next request.
 void write_and_close(const Answer& answer, httplib::Response& response) {
   write_head(answer, response);
   response.set_header("Connection", "close");
@@ -37,7 +37,7 @@ void write_and_close(const Answer& answer, httplib::Response& response) {
       answer.body.size(), answer.type,
       [body = answer.body](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
         sink.write(body.data() + offset, length);
-        return false;  // the library closes a connection whose answer ends so, though all of it is sent
+        return false;  // makes the library close the connection, although the answer is complete
       });
 }
 
@@ -45,30 +45,30 @@ std::uint64_t declared_bytes(const httplib::Request& request) {
   return request.get_header_value<std::uint64_t>("Content-Length");
 }
 
-bool brings_a_body(const httplib::Request& request) {
+bool has_body(const httplib::Request& request) {
   return request.has_header("Transfer-Encoding") || declared_bytes(request) > 0;
 }
 
-/// How much of a refused body is still taken, so that its connection can go on.
+/// A refused body up to this size is read, so that its connection can be used for the next request.
 constexpr std::uint64_t most_drained = 1u << 20u;
 
-enum class Arrival { not_asked_for, broken_off, whole };
+enum class BodyState { unread, incomplete, complete };
 
-/// Reads as `content` does, and notes how far it got.
-httplib::ContentReader noting(const httplib::ContentReader& content, Arrival& arrival) {
+/// Wraps `content` and tracks how much of the body was read.
+httplib::ContentReader tracked(const httplib::ContentReader& content, BodyState& state) {
   const auto read = [&](httplib::ContentReceiver receiver) {
-    arrival = Arrival::broken_off;
-    if (content(std::move(receiver))) arrival = Arrival::whole;
-    return arrival == Arrival::whole;
+    state = BodyState::incomplete;
+    if (content(std::move(receiver))) state = BodyState::complete;
+    return state == BodyState::complete;
   };
   return {read, nullptr};
 }
 
-/// Whether nothing of the body is left on the connection.
-bool is_drained(const httplib::Request& request, const httplib::ContentReader& content, Arrival arrival) {
-  if (arrival != Arrival::not_asked_for) return arrival == Arrival::whole;
-  if (!brings_a_body(request)) return true;
-  if (request.is_multipart_form_data()) return false;  // which the library reads otherwise
+/// Reads the rest of a small body. Returns whether nothing of it is left on the connection.
+bool drain(const httplib::Request& request, const httplib::ContentReader& content, BodyState state) {
+  if (state != BodyState::unread) return state == BodyState::complete;
+  if (!has_body(request)) return true;
+  if (request.is_multipart_form_data()) return false;  // needs another reader of the library
   if (declared_bytes(request) > most_drained) return false;
   std::uint64_t bytes = 0;
   return content([&](const char*, std::size_t length) { return (bytes += length) <= most_drained; });
@@ -84,7 +84,7 @@ Answer refusal_answer(const Refusal& refusal) {
   return refusal_answer(refusal.status(), problems);
 }
 
-/// What the function answers, or what became of it.
+/// The function's answer, or a refusal if it throws.
 Answer answer_of(const std::function<Answer()>& function) {
   try {
     return function();
@@ -93,21 +93,22 @@ Answer answer_of(const std::function<Answer()>& function) {
   } catch (const BadInput& bad) {
     return refusal_answer(422, bad.problems());
   } catch (const Stopped&) {
-    return refusal_answer(Refusal(503, "", "this was left undone", "the server is ending, or nobody waits for it"));
+    return refusal_answer(
+        Refusal(503, "", "the request was cancelled", "the server is shutting down, or the client has disconnected"));
   } catch (const std::bad_alloc&) {
-    return refusal_answer(Refusal(500, "", "there is not enough memory for this"));
+    return refusal_answer(Refusal(500, "", "there is not enough memory for this request"));
   } catch (const std::exception& error) {
     return refusal_answer(Refusal(500, "", "the server failed", error.what()));
   }
 }
 
-/// What the function answers to a request with a body, of which it may have left some.
+/// Answers a request with a body, of which the function may have left a part unread.
 void answer_body(const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& content,
                  const std::function<Answer(const httplib::ContentReader&)>& function) {
-  Arrival arrival = Arrival::not_asked_for;
-  const httplib::ContentReader noted = noting(content, arrival);
-  const Answer answer = answer_of([&] { return function(noted); });
-  if (is_drained(request, content, arrival)) {
+  BodyState state = BodyState::unread;
+  const httplib::ContentReader reader = tracked(content, state);
+  const Answer answer = answer_of([&] { return function(reader); });
+  if (drain(request, content, state)) {
     write(answer, response);
   } else {
     write_and_close(answer, response);
@@ -117,7 +118,7 @@ void answer_body(const httplib::Request& request, httplib::Response& response, c
 Json read_body(const httplib::Request& request, const httplib::ContentReader& content, const Limits& limits) {
   const std::string type = request.get_header_value("Content-Type");
   if (type.substr(0, type.find(';')) != "application/json")
-    throw Refusal(415, "Content-Type", fmt::format("\"{}\" is not understood", type), "expected application/json");
+    throw Refusal(415, "Content-Type", fmt::format("\"{}\" is not supported", type), "expected application/json");
   std::string text;
   bool is_too_large = false;
   const bool is_whole = content([&](const char* data, std::size_t length) {
@@ -126,9 +127,9 @@ Json read_body(const httplib::Request& request, const httplib::ContentReader& co
     return !is_too_large;
   });
   if (is_too_large)
-    throw Refusal(413, "", "the request is too large", fmt::format("at most {} bytes are read", limits.json_bytes));
-  if (!is_whole) throw Refusal(400, "", "the request did not arrive whole");
-  if (depth_of_json(text) > deepest_json) throw Refusal(400, "", "lists lie too deep in the request");
+    throw Refusal(413, "", "the request is too large", fmt::format("at most {} bytes are accepted", limits.json_bytes));
+  if (!is_whole) throw Refusal(400, "", "the request's body is incomplete");
+  if (depth_of_json(text) > deepest_json) throw Refusal(400, "", "lists in the request are nested too deeply");
   Json body = Json::parse(text, nullptr, false);
   if (body.is_discarded()) throw Refusal(400, "", "the request's body is not JSON");
   if (!body.is_object()) throw Refusal(400, "", "the request's body is not a JSON object");
@@ -137,31 +138,31 @@ Json read_body(const httplib::Request& request, const httplib::ContentReader& co
 
 }  // namespace
 
-std::string Call::query(const std::string& key, const std::string& otherwise) const {
-  return request.has_param(key) ? request.get_param_value(key) : otherwise;
+std::string Call::query(const std::string& key, const std::string& default_value) const {
+  return request.has_param(key) ? request.get_param_value(key) : default_value;
 }
 
-std::uint64_t Call::query_number(const std::string& key, std::uint64_t otherwise, std::uint64_t most) const {
-  if (!request.has_param(key)) return otherwise;
+std::uint64_t Call::query_number(const std::string& key, std::uint64_t default_value, std::uint64_t most) const {
+  if (!request.has_param(key)) return default_value;
   const std::string text = request.get_param_value(key);
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || number > most)
-    throw Refusal(400, key, fmt::format("\"{}\" is not understood", text),
-                  fmt::format("expected a whole number, 0 to {}", most));
+    throw Refusal(400, key, fmt::format("\"{}\" is not a valid number", text),
+                  fmt::format("expected a whole number from 0 to {}", most));
   return number;
 }
 
 std::string Call::text(const std::string& key) const {
   const auto found = body.find(key);
   if (found == body.end()) throw Refusal(400, key, "is missing");
-  if (!found->is_string()) throw Refusal(400, key, "is not text");
+  if (!found->is_string()) throw Refusal(400, key, "is not a text");
   return found->get<std::string>();
 }
 
-std::string Call::text(const std::string& key, const std::string& otherwise) const {
+std::string Call::text(const std::string& key, const std::string& default_value) const {
   const auto found = body.find(key);
-  return found == body.end() || found->is_null() ? otherwise : text(key);
+  return found == body.end() || found->is_null() ? default_value : text(key);
 }
 
 double Call::number(const std::string& key) const {
@@ -171,9 +172,9 @@ double Call::number(const std::string& key) const {
   return found->get<double>();
 }
 
-double Call::number(const std::string& key, double otherwise) const {
+double Call::number(const std::string& key, double default_value) const {
   const auto found = body.find(key);
-  return found == body.end() || found->is_null() ? otherwise : number(key);
+  return found == body.end() || found->is_null() ? default_value : number(key);
 }
 
 void Call::only(std::initializer_list<const char*> keys) const {
@@ -185,7 +186,7 @@ void Call::only(std::initializer_list<const char*> keys) const {
 
 Router::Router(httplib::Server& server, Session& session, Limits limits)
     : server_(server), session_(session), limits_(limits) {
-  // Those that belong to every answer, refusals and files among them.
+  // Set on every answer, including refusals and files.
   server_.set_default_headers({{"Content-Security-Policy", content_policy},
                                {"X-Content-Type-Options", "nosniff"},
                                {"Referrer-Policy", "same-origin"},
@@ -193,44 +194,43 @@ Router::Router(httplib::Server& server, Session& session, Limits limits)
                                {"Cross-Origin-Opener-Policy", "same-origin"},
                                {"Cache-Control", "no-store"}});
   server_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-    return lets_in(request, response) ? httplib::Server::HandlerResponse::Unhandled
-                                      : httplib::Server::HandlerResponse::Handled;
+    return check_access(request, response) ? httplib::Server::HandlerResponse::Unhandled
+                                           : httplib::Server::HandlerResponse::Handled;
   });
   server_.set_error_handler([](const httplib::Request& request, httplib::Response& response) {
     if (!response.body.empty() || response.content_length_ > 0) return;
     const int status = response.status;
-    write(refusal_answer(status == 404 ? Refusal(404, request.path, "there is no such thing here")
-                                       : Refusal(status, request.path, "the request is not understood")),
+    write(refusal_answer(status == 404 ? Refusal(404, request.path, "not found")
+                                       : Refusal(status, request.path, "the request is not valid")),
           response);
   });
 }
 
-void Router::refuse_the_rest() {
-  // The library would read the bodies of such requests into memory before it says that there is no such thing.
+void Router::refuse_other_bodies() {
+  // The library would read the body into memory before answering 404.
   const auto refuse = [](const httplib::Request& request, httplib::Response& response,
                          const httplib::ContentReader& content) {
-    answer_body(request, response, content, [&](const httplib::ContentReader&) -> Answer {
-      throw Refusal(404, request.path, "there is no such thing here");
-    });
+    answer_body(request, response, content,
+                [&](const httplib::ContentReader&) -> Answer { throw Refusal(404, request.path, "not found"); });
   };
   server_.Post(".*", refuse);
   server_.Put(".*", refuse);
   server_.Patch(".*", refuse);
 }
 
-void Router::listens_on(int port) {
+void Router::set_port(int port) {
   for (const char* name : {"127.0.0.1", "localhost"}) hosts_.push_back(fmt::format("{}:{}", name, port));
 }
 
-// Another page that the user has open can send requests here, or have a name of its own lead here. The first has an
-// Origin that is not ours, the second a Host.
-bool Router::lets_in(const httplib::Request& request, httplib::Response& response) const {
+// A page of another site in the user's browser can send requests here: such a request has a foreign Origin, or, if the
+// site's name resolves to this machine, a foreign Host.
+bool Router::check_access(const httplib::Request& request, httplib::Response& response) const {
   const auto is_ours = [&](const std::string& host) {
     return std::find(hosts_.begin(), hosts_.end(), host) != hosts_.end();
   };
   const auto refuse = [&](int status, const char* where, const char* what, const char* hint = "") {
     const Answer answer = refusal_answer(Refusal(status, where, what, "", hint));
-    if (brings_a_body(request)) {
+    if (has_body(request)) {
       write_and_close(answer, response);
     } else {
       write(answer, response);
@@ -238,23 +238,23 @@ bool Router::lets_in(const httplib::Request& request, httplib::Response& respons
     return false;
   };
   if (!is_ours(request.get_header_value("Host")))
-    return refuse(403, "Host", "this server has another name", "Use the address that it printed");
+    return refuse(403, "Host", "this is not the server's name", "Use the address that it printed");
   if (request.has_header("Origin")) {
     const std::string origin = request.get_header_value("Origin");
     if (!origin.starts_with("http://") || !is_ours(origin.substr(7)))
-      return refuse(403, "Origin", "another page may not ask this server");
+      return refuse(403, "Origin", "requests from other sites are not allowed");
   }
-  // The way into a session, and the word that there is none.
+  // "/" opens a session, or shows that there is none.
   const bool reads = request.method == "GET" || request.method == "HEAD";
   const bool is_open = request.path == "/" && reads;
-  if (!is_open && !session_.knows(request.get_header_value("Cookie")))
-    return refuse(403, "", "this browser has no session here", "Open the address that `talus serve` printed");
+  if (!is_open && !session_.accepts(request.get_header_value("Cookie")))
+    return refuse(403, "", "this browser has no session", "Open the address that `talus serve` printed");
   const bool takes_a_body = request.method == "POST" || request.method == "PUT" || request.method == "PATCH";
-  if (!reads && !takes_a_body && request.method != "DELETE") return refuse(405, "", "there is no such method");
-  if (!takes_a_body && brings_a_body(request)) return refuse(400, "", "this request has no body");
+  if (!reads && !takes_a_body && request.method != "DELETE") return refuse(405, "", "this method is not supported");
+  if (!takes_a_body && has_body(request)) return refuse(400, "", "this request must not have a body");
   if (request.has_header("Transfer-Encoding"))
-    return refuse(411, "Transfer-Encoding", "is not taken", "Send a Content-Length");
-  if (request.ranges.size() > 1) return refuse(416, "Range", "has several parts", "Ask for one at a time");
+    return refuse(411, "Transfer-Encoding", "is not supported", "Send a Content-Length");
+  if (request.ranges.size() > 1) return refuse(416, "Range", "has several parts", "Request one at a time");
   return true;
 }
 
@@ -304,7 +304,7 @@ void Router::upload(const std::string& pattern, UploadHandler handler) {
                                                       const httplib::ContentReader& content) {
     answer_body(request, response, content, [&](const httplib::ContentReader& body) {
       if (request.get_header_value("Content-Type") != "application/octet-stream")
-        throw Refusal(415, "Content-Type", "this type is not understood", "expected application/octet-stream");
+        throw Refusal(415, "Content-Type", "this type is not supported", "expected application/octet-stream");
       return handler(request, body);
     });
   });

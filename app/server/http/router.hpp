@@ -1,5 +1,5 @@
 #pragma once
-// From requests to functions: who may ask is settled here, and what is thrown becomes an answer.
+// Routes requests to functions, checks access, and converts exceptions to answers.
 
 #include <httplib.h>
 #undef _res  // a macro of the resolver's header, and a name in Eigen's
@@ -14,25 +14,25 @@
 
 namespace talus::server {
 
-/// A request to the API by somebody who may make it.
+/// A request to the API that has passed the access checks.
 struct Call {
   const httplib::Request& request;
   Json body{};  // of a POST, PUT or PATCH: an object
 
-  /// The k-th group of the path's pattern, counted from 1.
+  /// Group k of the path's pattern; the first is 1.
   [[nodiscard]] std::string part(std::size_t k) const { return request.matches[k].str(); }
-  /// A parameter of the query; `otherwise` where there is none.
-  [[nodiscard]] std::string query(const std::string& key, const std::string& otherwise = {}) const;
-  /// The same as a whole number of a range; refused if it is none.
-  [[nodiscard]] std::uint64_t query_number(const std::string& key, std::uint64_t otherwise, std::uint64_t most) const;
+  /// A parameter of the query.
+  [[nodiscard]] std::string query(const std::string& key, const std::string& default_value = {}) const;
+  /// A parameter of the query as a whole number up to `most`. Refuses (400) other values.
+  [[nodiscard]] std::uint64_t query_number(const std::string& key, std::uint64_t default_value,
+                                           std::uint64_t most) const;
 
-  // Keys of the body; refused where missing or of another type. With `otherwise`, it stands for one that is missing or
-  // null.
+  // Values of the body. Refused (400) if missing or of another type; a default value replaces missing and null ones.
   [[nodiscard]] std::string text(const std::string& key) const;
-  [[nodiscard]] std::string text(const std::string& key, const std::string& otherwise) const;
+  [[nodiscard]] std::string text(const std::string& key, const std::string& default_value) const;
   [[nodiscard]] double number(const std::string& key) const;
-  [[nodiscard]] double number(const std::string& key, double otherwise) const;
-  /// Refuses keys of the body that are none of these.
+  [[nodiscard]] double number(const std::string& key, double default_value) const;
+  /// Refuses (400) all other keys in the body.
   void only(std::initializer_list<const char*> keys) const;
 };
 
@@ -49,22 +49,23 @@ class Router {
   void put(const std::string& pattern, Handler handler);
   void patch(const std::string& pattern, Handler handler);
   void remove(const std::string& pattern, Handler handler);
-  /// For answers that come bit by bit; it may throw before it begins.
+  /// A GET whose answer is sent in pieces. The handler may throw before the first one.
   void stream(const std::string& pattern, RawHandler handler);
-  /// A PUT whose body is read bit by bit.
+  /// A PUT whose body is read in pieces.
   void upload(const std::string& pattern, UploadHandler handler);
 
-  /// Refuses bodies that no pattern takes. To be called when all patterns are there.
-  void refuse_the_rest();
+  /// Refuses requests with a body that match no pattern. Call after adding all patterns.
+  void refuse_other_bodies();
 
-  /// Under which names this server is asked, once its port is known.
-  void listens_on(int port);
+  /// Sets the port in the host names that requests may use.
+  void set_port(int port);
   [[nodiscard]] const Limits& limits() const { return limits_; }
 
  private:
-  [[nodiscard]] bool lets_in(const httplib::Request& request, httplib::Response& response) const;
+  /// False if the request was refused, with the answer in `response`.
+  [[nodiscard]] bool check_access(const httplib::Request& request, httplib::Response& response) const;
   [[nodiscard]] static httplib::Server::Handler guarded(Handler handler);
-  /// No more of the body is taken than is allowed of JSON.
+  /// Reads the body as JSON, up to the limit of its size.
   [[nodiscard]] httplib::Server::HandlerWithContentReader guarded_with_body(Handler handler) const;
 
   httplib::Server& server_;

@@ -46,7 +46,7 @@ bool Session::use_token(std::string_view token) {
 
 std::string Session::cookie() const { return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Lax", name_, key_); }
 
-bool Session::knows(std::string_view cookie_header) const {
+bool Session::accepts(std::string_view cookie_header) const {
   const std::string start = name_ + "=";
   while (!cookie_header.empty()) {
     const std::size_t end = std::min(cookie_header.find(';'), cookie_header.size());

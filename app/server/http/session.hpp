@@ -1,5 +1,5 @@
 #pragma once
-// Who may speak with the server: whoever came by an address with a token, which works once, and has the cookie since.
+// Access to the server: the printed address has a token, which works once; the browser gets a cookie in exchange.
 
 #include <mutex>
 #include <set>
@@ -8,31 +8,30 @@
 
 namespace talus::server {
 
-/// Hexadecimal digits of so many random bytes of the operating system.
+/// Random bytes of the operating system, as hexadecimal digits.
 [[nodiscard]] std::string random_hex(std::size_t bytes);
 
-/// Compares in a time that does not tell where two texts differ.
+/// Compares two texts; the time does not depend on where they differ.
 [[nodiscard]] bool same_secret(std::string_view a, std::string_view b);
 
 class Session {
  public:
-  /// With a key of its own: a browser sends its cookies to whatever listens on the machine, on any port, and what one
-  /// server's cookie opens is to be that server alone, until it ends. A key in a header of the page's own would not go
-  /// to other ports; but links to files, pictures, reports and the stream of events can carry a cookie only. What is
-  /// left: another user of the machine, to whose port the browser is led while this server runs (SameSite keeps pages
-  /// of other sites from fetching it unseen).
+  /// Creates a random key, valid only for this server and its lifetime. Browsers send cookies of 127.0.0.1 to every
+  /// port of the machine. A key in a header would avoid that, but links to files, pictures, reports and the event
+  /// stream can only carry cookies. The remaining risk is another user of the machine, if the browser is directed to
+  /// that user's port while this server runs (SameSite prevents hidden requests by pages of other sites).
   explicit Session(int port);
 
-  /// A new token, which works once.
+  /// Creates a token, which works once.
   [[nodiscard]] std::string new_token();
-  /// Whether the token was one; it is none afterwards.
+  /// Whether the token was valid. It no longer is afterwards.
   [[nodiscard]] bool use_token(std::string_view token);
 
-  /// What a browser is given for its token, for the header Set-Cookie: until the browser ends. (Lax, since the page
-  /// that leads here may be a file.)
+  /// The header Set-Cookie in exchange for a token: a cookie until the browser is closed. (SameSite is Lax, not Strict,
+  /// because the page that redirects to the server may be a file.)
   [[nodiscard]] std::string cookie() const;
-  /// Whether a header Cookie has it.
-  [[nodiscard]] bool knows(std::string_view cookie_header) const;
+  /// Whether a header Cookie contains this session's cookie.
+  [[nodiscard]] bool accepts(std::string_view cookie_header) const;
 
  private:
   std::string name_, key_;

@@ -13,7 +13,7 @@ void ThreadPool::enqueue(std::function<void()> work) {
       try {
         threads_.emplace_back([this] { take_work(); });
       } catch (const std::system_error&) {
-        // The system gives no more: those that there are come to it.
+        // The system allows no more threads: an existing one will do the work.
         if (threads_.empty()) throw;
       }
     }

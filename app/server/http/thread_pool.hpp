@@ -1,5 +1,5 @@
 #pragma once
-// Threads that answer requests: as many as there are connections, since each may be silent for seconds, or read slowly.
+// Threads that answer requests, one per request in progress, since a client may pause for seconds or read slowly.
 
 #include <httplib.h>
 #undef _res  // a macro of the resolver's header, and a name in Eigen's
@@ -15,11 +15,11 @@ namespace talus::server {
 
 class ThreadPool : public httplib::TaskQueue {
  public:
-  /// Begins with none, and never has more than `most`.
+  /// Starts threads when they are needed, `most` at most.
   explicit ThreadPool(std::size_t most) : most_(most) {}
 
   void enqueue(std::function<void()> work) override;
-  /// What is waiting is still done.
+  /// Finishes all queued work first.
   void shutdown() override;
 
  private:

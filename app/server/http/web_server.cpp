@@ -18,8 +18,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Of the library: what comes is given to the connections at once.
-class AtOnce : public httplib::TaskQueue {
+/// The library's task queue for accepted connections: process_and_close_socket() is quick, so that no thread is needed.
+class Immediately : public httplib::TaskQueue {
  public:
   void enqueue(std::function<void()> work) override { work(); }
   void shutdown() override {}
@@ -32,7 +32,7 @@ constexpr std::string_view too_large =
 
 WebServer::WebServer(const Limits& limits, std::size_t most_threads)
     : limits_(limits), answering_(most_threads), wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
-  new_task_queue = [] { return new AtOnce; };
+  new_task_queue = [] { return new Immediately; };
   watching_ = std::thread([this] { watch(); });
 }
 
@@ -51,7 +51,7 @@ void WebServer::wait() {
 void WebServer::end_connections() {
   is_closed_ = true;
   const std::lock_guard lock(mutex_);
-  for (const Held& connection : answered_) connection->end();
+  for (const Held& connection : busy_) connection->end();
   wake();
 }
 
@@ -62,16 +62,15 @@ void WebServer::wake() const {
 
 bool WebServer::process_and_close_socket(socket_t socket) {
   const std::lock_guard lock(mutex_);
-  come_.push_back(std::make_shared<Connection>(socket, limits_));
+  arrived_.push_back(std::make_shared<Connection>(socket, limits_));
   wake();
   return true;
 }
 
-/// The request is answered as soon as it is known; until then the connection is one of the silent ones.
-void WebServer::look_at(std::vector<Held>& silent, const Held& connection, Connection::Head head) {
+void WebServer::dispatch(std::vector<Held>& idle, const Held& connection, Connection::Head head) {
   switch (head) {
-    case Connection::Head::incomplete:  // however often a byte comes
-      if (Connection::Clock::now() < connection->deadline()) silent.push_back(connection);
+    case Connection::Head::incomplete:  // new bytes do not extend the deadline
+      if (Connection::Clock::now() < connection->deadline()) idle.push_back(connection);
       return;
     case Connection::Head::closed:
       return;
@@ -81,54 +80,54 @@ void WebServer::look_at(std::vector<Held>& silent, const Held& connection, Conne
     case Connection::Head::complete: {
       {
         const std::lock_guard lock(mutex_);
-        answered_.insert(connection);
+        busy_.insert(connection);
       }
       try {
         answering_.enqueue([this, connection] { answer(connection); });
-      } catch (const std::system_error&) {  // not one thread is to be had: the client may try again
+      } catch (const std::system_error&) {  // the system allows no thread at all: the client may try again
         const std::lock_guard lock(mutex_);
-        answered_.erase(connection);
+        busy_.erase(connection);
       }
     }
   }
 }
 
 void WebServer::watch() {
-  std::vector<Held> silent, before, busy, come;  // the silent ones by age
+  std::vector<Held> idle, previous, busy, arrived;  // idle ones by age
   std::vector<pollfd> polled;
   while (!is_closed_) {
     busy.clear();
     {
       const std::lock_guard lock(mutex_);
-      come.swap(come_);
-      busy.assign(answered_.begin(), answered_.end());
+      arrived.swap(arrived_);
+      busy.assign(busy_.begin(), busy_.end());
     }
-    for (const Held& connection : come) {
+    for (const Held& connection : arrived) {
       const Connection::Head head = connection->head();
-      look_at(silent, connection, head == Connection::Head::incomplete ? connection->gather() : head);
+      dispatch(idle, connection, head == Connection::Head::incomplete ? connection->receive() : head);
     }
-    come.clear();
-    if (silent.size() > limits_.silent_connections)
-      silent.erase(silent.begin(), silent.end() - static_cast<std::ptrdiff_t>(limits_.silent_connections));
+    arrived.clear();
+    if (idle.size() > limits_.idle_connections)
+      idle.erase(idle.begin(), idle.end() - static_cast<std::ptrdiff_t>(limits_.idle_connections));
 
     polled.assign(1, {.fd = wake_, .events = POLLIN, .revents = 0});
-    for (const Held& each : silent) polled.push_back({.fd = each->descriptor(), .events = POLLIN, .revents = 0});
+    for (const Held& each : idle) polled.push_back({.fd = each->descriptor(), .events = POLLIN, .revents = 0});
     for (const Held& each : busy) {
       if (!each->has_gone) polled.push_back({.fd = each->descriptor(), .events = POLLRDHUP, .revents = 0});
     }
-    constexpr int often = 250;  // [ms]: to see whose time is over
-    if (poll(polled.data(), polled.size(), often) < 0) continue;
+    constexpr int interval = 250;  // [ms]: for checking deadlines
+    if (poll(polled.data(), polled.size(), interval) < 0) continue;
     std::uint64_t ignored = 0;
     (void)!read(wake_, &ignored, sizeof ignored);
 
-    before.swap(silent);
-    silent.clear();
-    for (std::size_t k = 0; k < before.size(); ++k) {
-      const bool says_something = polled[1 + k].revents != 0;
-      look_at(silent, before[k], says_something ? before[k]->gather() : Connection::Head::incomplete);
+    previous.swap(idle);
+    idle.clear();
+    for (std::size_t k = 0; k < previous.size(); ++k) {
+      const bool has_bytes = polled[1 + k].revents != 0;
+      dispatch(idle, previous[k], has_bytes ? previous[k]->receive() : Connection::Head::incomplete);
     }
-    std::size_t at = 1 + before.size();
-    before.clear();
+    std::size_t at = 1 + previous.size();
+    previous.clear();
     for (const Held& each : busy) {
       if (!each->has_gone && polled[at++].revents != 0) each->has_gone = true;
     }
@@ -141,15 +140,15 @@ void WebServer::answer(const Held& connection) {
     const StopScope ending(&is_closed_), leaving(&connection->has_gone);
     try {
       is_answered = process_request(*connection, false, is_over, nullptr);
-    } catch (...) {  // what fails while an answer is sent cannot be answered
+    } catch (...) {  // a failure while the answer is sent cannot be reported to the client
       is_answered = false;
     }
   }
   const std::lock_guard lock(mutex_);
-  answered_.erase(connection);
+  busy_.erase(connection);
   if (is_answered && !is_over && !is_closed_) {
     connection->begin_next();
-    come_.push_back(connection);
+    arrived_.push_back(connection);
   } else {
     connection->end();
   }

@@ -1,6 +1,6 @@
 #pragma once
-// The library's server, with other connections: a request gets a thread once its head is there, so that whoever says
-// nothing, or says it byte by byte, costs no more than a socket.
+// The library's server with its own handling of connections: a request gets a thread once its head is complete, so that
+// idle and slow clients cost no more than a socket.
 
 #include <atomic>
 #include <memory>
@@ -16,14 +16,14 @@ namespace talus::server {
 
 class WebServer : public httplib::Server {
  public:
-  /// Requests are answered by so many threads at most.
+  /// Requests are answered by at most `most_threads` threads.
   WebServer(const Limits& limits, std::size_t most_threads);
   ~WebServer() override;
 
-  /// Ends all connections, now and later: of requests under way nothing more is read or written, and their StopScope is
-  /// asked to end.
+  /// Ends all connections, present and future. Requests in progress read and write no more, and their StopScope is
+  /// asked to stop.
   void end_connections();
-  /// Until no request is under way, after that.
+  /// Call after end_connections(). Waits until no request is in progress.
   void wait();
 
  private:
@@ -31,9 +31,12 @@ class WebServer : public httplib::Server {
 
   /// Called by the thread that accepts connections.
   bool process_and_close_socket(socket_t socket) override;
+  /// The loop of the thread that polls all connections.
   void watch();
-  void look_at(std::vector<Held>& silent, const Held& connection, Connection::Head head);
+  /// Starts the answer if the head is complete; an incomplete connection is added to `idle`, others are dropped.
+  void dispatch(std::vector<Held>& idle, const Held& connection, Connection::Head head);
   void answer(const Held& connection);
+  /// Interrupts the poll of watch().
   void wake() const;
 
   const Limits limits_;
@@ -41,8 +44,8 @@ class WebServer : public httplib::Server {
   std::atomic<bool> is_closed_{false};
   int wake_;  // an eventfd
   std::mutex mutex_;
-  std::vector<Held> come_;   // new ones, and those whose request was answered
-  std::set<Held> answered_;  // whose request is being answered
+  std::vector<Held> arrived_;  // new connections, and those whose request was answered
+  std::set<Held> busy_;        // connections whose request is being answered
   std::thread watching_;
 };
 

@@ -10,17 +10,17 @@ namespace talus::server {
 
 namespace {
 
-/// How high points are above the ground.
+/// Height of points above the ground, NaN if unknown.
 class HeightAboveGround {
  public:
   explicit HeightAboveGround(const Model* model) : model_(model) {}
 
   [[nodiscard]] float operator()(const Vec3& place) const {
     constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-    // A section that varies stands elsewhere for every rock.
+    // A varying section differs between rocks.
     if (model_ == nullptr || model_->varying) return unknown;
     const Vec3 p = model_->frame.local_from_global(place);
-    // A rock on the ground may be a rounding beneath it.
+    // A rock on the ground may be slightly below it by rounding.
     constexpr double slack = 1e-3;
     const auto ground = std::visit([&](const auto& surface) { return surface.elevation(p.x(), p.y(), p.z() + slack); },
                                    model_->surface);
@@ -47,7 +47,7 @@ DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& fact
 
   const auto refuse = [&] {
     return BadInput(Problem{.file = (folder / PathEventRow::file_name).string(),
-                            .what = "has other rocks than endpoints.csv",
+                            .what = "does not match endpoints.csv",
                             .why = "rocks are missing in one of the two"});
   };
   const HeightAboveGround height(model);

@@ -11,20 +11,20 @@
 namespace talus::server {
 
 struct DrawnPaths {
-  EndPoints rocks;                    // those whose paths these are; the origin is that of the points
-  std::vector<std::uint32_t> starts;  // the first point of each, and one more at the end
+  EndPoints rocks;                    // of these paths; its origin is that of the points
+  std::vector<std::uint32_t> starts;  // index of each path's first point, and the number of points at the end
 
   // Of each point.
   std::vector<float> times;      // [s]
   std::vector<float> positions;  // three each [m]
   std::vector<float> speeds;     // [m/s]
   std::vector<float> energies;   // kinetic [kJ]
-  std::vector<float> heights;    // of the centre above the ground below it [m]; NaN: not known
+  std::vector<float> heights;    // of the centre above the ground below it [m]; NaN: unknown
   std::vector<std::uint8_t> states;
 };
 
-/// So many paths of a finished run, evenly spread over those in its table, of which `rocks.total` says how many there
-/// are. `model` (may be null): for the heights. Throws BadInput where a table is damaged.
+/// `rocks` paths of a finished run, evenly spread over those in its table, whose number is `DrawnPaths::rocks.total`.
+/// `model`: for the heights; may be null. Throws BadInput if a table is damaged.
 [[nodiscard]] DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks,
                                      const Model* model);
 

@@ -41,7 +41,7 @@ void read_hits(const fs::path& file, EndPoints& ends) {
   const Names names(ends.barrier_names);
   TableReader<HitRow> row(file);
   auto next = ends.rocks.begin();
-  while (row.next()) {  // in the order of the rocks, as those are
+  while (row.next()) {  // both tables are in the order of the rocks
     const std::uint64_t rock = row.get<&HitRow::rock>();
     while (next != ends.rocks.end() && *next < rock) ++next;
     if (next == ends.rocks.end()) return;

@@ -1,5 +1,5 @@
 #pragma once
-// What the tables of a run say of its rocks one by one, as arrays.
+// The rocks of a run's tables, as arrays.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,8 +14,8 @@
 namespace talus::server {
 
 struct EndPoints {
-  std::uint64_t total = 0;     // from which the rocks were chosen
-  Vec3 origin = Vec3::Zero();  // to which positions are relative [m]
+  std::uint64_t total = 0;     // number of rocks from which these were chosen
+  Vec3 origin = Vec3::Zero();  // of the positions [m]
 
   std::vector<std::uint32_t> rocks;
   std::vector<float> positions;  // of the ends, three each [m]
@@ -25,20 +25,20 @@ struct EndPoints {
   std::vector<float> radii;             // of the equivalent spheres [m]
   std::vector<float> max_energies;      // kinetic [kJ]
   std::vector<float> max_heights;       // above the ground [m]
-  std::vector<std::uint32_t> barriers;  // bit k: it hit the k-th; so many words a rock as barriers need
+  std::vector<std::uint32_t> barriers;  // bit k: hit barrier k; as many words per rock as the barriers need
 
   Names source_names, seeder_names;
   std::vector<std::string> barrier_names;
 };
 
-/// So many rocks of a finished run, evenly spread over their numbers. Throws BadInput where a table is damaged.
+/// `rocks` rocks of a finished run, evenly spread over those in its table. Throws BadInput if a table is damaged.
 [[nodiscard]] EndPoints end_points(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks);
 
-/// Those that are wanted, of rocks in ascending order.
+/// The rocks for which `wants` is true; it is called in ascending order.
 [[nodiscard]] EndPoints end_points(const std::filesystem::path& folder, const RunFacts& facts,
                                    const std::function<bool(std::uint64_t rock)>& wants);
 
-/// Whole metres near a place: what is relative to it keeps its millimetres as a float.
+/// The place rounded to whole metres: coordinates relative to it are accurate to a millimetre as float.
 [[nodiscard]] inline Vec3 origin_near(const Vec3& place) { return place.array().round(); }
 
 }  // namespace talus::server

@@ -24,13 +24,13 @@ Json by_column(const Row& row) {
   return json;
 }
 
-/// What the tables say of a rock's end and of its path.
+/// The rows of a rock in endpoints.csv and paths.csv.
 struct RockRows {
   std::vector<EndpointRow> endpoint;
   Path path;
 };
 
-RockRows computed_again(const Model& model, std::uint64_t rock) {
+RockRows simulated_again(const Model& model, std::uint64_t rock) {
   Simulator simulator(model);
   const RockRecord record = simulator.simulate(rock, true);
   const TableContext context = TableContext::of(model);
@@ -61,9 +61,9 @@ Json one_rock(const fs::path& folder, std::uint64_t rock, const RunFacts& facts,
   if (!is_in_table) {
     const auto built = model();
     if (!built || rock >= built->model.rocks())
-      throw Refusal(404, name, "the path of this rock is not known",
+      throw Refusal(404, name, "the trajectory of this rock is not available",
                     "paths.csv does not have it, and the files of the project have changed since");
-    rows = computed_again(built->model, rock);
+    rows = simulated_again(built->model, rock);
   }
   Json hits = Json::array(), path = Json::array();
   for (const HitRow& row : rows_of_rock<HitRow>(folder, rock)) hits.push_back(by_column(row));

@@ -1,5 +1,5 @@
 #pragma once
-// All that is known of one rock of a run.
+// Everything about one rock of a run.
 
 #include <cstdint>
 #include <filesystem>
@@ -12,9 +12,8 @@
 
 namespace talus::server {
 
-/// Its rows as they stand in the tables; those of its end and its path are computed again where the tables do not have
-/// them, with the model that is asked for then. Refuses (404) a rock that was not run, and a path that
-/// can no longer be computed (no model).
+/// The rock's rows of the tables. If they lack its end point or path, it is simulated again; `model` is only called
+/// then. Refuses (404) a rock that was not run, and a path that can no longer be computed (`model` returned null).
 [[nodiscard]] Json one_rock(const std::filesystem::path& folder, std::uint64_t rock, const RunFacts& facts,
                             const std::function<std::shared_ptr<const BuiltProject>()>& model);
 

@@ -11,14 +11,14 @@ std::filesystem::path results_folder(const Run& run) {
     return Refusal(404, run.id, "this run has no results", why, hint);
   };
   if (has_results(run)) return run.folder;
-  if (run.state == RunState::waiting) throw refuse("it waits for others");
-  if (run.state == RunState::running) throw refuse("it is under way", "Stop it to see what is done");
-  if (run.is_at_work) throw refuse("what was done before its server was killed is being written", "Ask again soon");
+  if (run.state == RunState::waiting) throw refuse("it is waiting for other runs");
+  if (run.state == RunState::running) throw refuse("it is still running", "Stop it to see the results so far");
+  if (run.is_active) throw refuse("they are being written", "Try again soon");
   if (run.state == RunState::interrupted)
-    throw refuse("its server was killed", "Ask for what was done: POST .../write");
+    throw refuse("its server was killed", "Write the results so far with POST .../write");
   std::error_code ignored;
-  const bool is_there = std::filesystem::exists(run.folder / "summary.json", ignored);
-  throw refuse(is_there ? "its summary.json is not an ordinary file" : "it ended before they were written");
+  const bool exists = std::filesystem::exists(run.folder / "summary.json", ignored);
+  throw refuse(exists ? "its summary.json is not a regular file" : "it ended before they were written");
 }
 
 RunFacts read_facts(const Run& run) { return read_run_facts(results_folder(run)); }

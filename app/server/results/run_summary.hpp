@@ -1,5 +1,5 @@
 #pragma once
-// The results of a run where they lie, and what its summary.json names.
+// The results of a run: their folder, the summary, and the names in it.
 
 #include <cstdint>
 #include <filesystem>
@@ -15,26 +15,26 @@
 
 namespace talus::server {
 
-/// The run's folder, if it has results; refused (404) where it has none yet, or none that are whole.
+/// The run's folder. Refuses (404) a run without complete results.
 [[nodiscard]] std::filesystem::path results_folder(const Run& run);
 
-/// What its summary.json says. Throws BadInput where it is damaged, and refuses as above.
+/// Reads summary.json. Throws BadInput if it is damaged, and refuses as results_folder().
 [[nodiscard]] RunFacts read_facts(const Run& run);
 
-/// The settings with which it was thrown, every default filled in: of its text, which is there before any result.
-/// Throws BadInput where this program no longer takes the text.
+/// The settings of the run with all defaults, from the project's text in its folder, which exists before any result.
+/// Throws BadInput if this version of Talus no longer accepts the text.
 [[nodiscard]] Json settings_of(const Run& run, const std::filesystem::path& project_file);
 
-/// Names in the order in which results number them; others that come up later are added behind.
+/// Names, numbered as in the results. Names that are not in the summary are appended.
 class Names {
  public:
   Names() = default;
   explicit Names(const std::vector<std::string>& names) {
     for (const std::string& name : names) number(name);
   }
-  /// Of two things of the same name, the first.
+  /// The number of a name, which is appended if it is new. Of equal names, the first counts.
   std::uint32_t number(std::string_view name);
-  /// Nothing of one that is not among them.
+  /// nullopt for an unknown name.
   [[nodiscard]] std::optional<std::uint32_t> find(std::string_view name) const;
   [[nodiscard]] const std::vector<std::string>& list() const { return list_; }
 
@@ -43,7 +43,7 @@ class Names {
   std::unordered_map<std::string, std::uint32_t> numbers_;
 };
 
-// The names of a run's seeders (empty: it has none), sources, and barriers and collectors, in its order.
+// The names of a run's seeders (empty: unnamed), of its sources, and of its barriers and collectors, in their order.
 [[nodiscard]] std::vector<std::string> seeders_of(const RunFacts& facts);
 [[nodiscard]] std::vector<std::string> sources_of(const RunFacts& facts);
 [[nodiscard]] std::vector<std::string> barriers_of(const RunFacts& facts);

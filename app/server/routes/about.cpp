@@ -8,12 +8,12 @@ namespace talus::server {
 
 void add_about_routes(Router& router, const Workplace& workplace, const std::string& project) {
   router.get("/api/about", [&router, &workplace, project](const Call&) {
-    return json_answer({{"version", TALUS_VERSION},
-                        {"folder", workplace.folder().string()},
-                        {"workplace", workplace.identity()},
-                        {"project", project.empty() ? Json() : Json(project)},
-                        {"limits",
-                         {{"upload_bytes", router.limits().upload_bytes}, {"project_bytes", project::most_bytes}}}});
+    return json_answer(
+        {{"version", TALUS_VERSION},
+         {"folder", workplace.folder().string()},
+         {"workplace", workplace.identity()},
+         {"project", project.empty() ? Json() : Json(project)},
+         {"limits", {{"upload_bytes", router.limits().upload_bytes}, {"project_bytes", project::most_bytes}}}});
   });
   router.get("/api/settings", [](const Call&) { return json_answer(project::schema()); });
   router.get("/api/materials", [](const Call&) {
@@ -23,8 +23,11 @@ void add_about_routes(Router& router, const Workplace& workplace, const std::str
       Json values = Json::object();
       for (const std::string& key : entry.given)
         values[key] = *project::written(project::setting("material", key).slot(&material), false);
-      list.push_back({{"key", entry.key}, {"name", entry.meaning}, {"values", std::move(values)},
-                      {"source", entry.source}, {"checked", entry.checked}});
+      list.push_back({{"key", entry.key},
+                      {"name", entry.meaning},
+                      {"values", std::move(values)},
+                      {"source", entry.source},
+                      {"checked", entry.checked}});
     }
     return json_answer({{"materials", list}});
   });

@@ -15,23 +15,23 @@ struct Example {
   std::string_view id, title, what, file;
 };
 
-// Which of the bundled examples a start page shows, in this order.
+// The bundled examples that the start page shows, in this order.
 constexpr std::array examples{
     Example{"tutorial-1-2d", "Tutorial 1, a section", "Fifty rocks down a slope of five segments, in 2D",
             "tutorial-1/tutorial-1-2d.toml"},
-    Example{"tutorial-1-3d", "Tutorial 1, in 3D", "The same slope carried 50 m along the road, with a collector",
+    Example{"tutorial-1-3d", "Tutorial 1, in 3D", "The same slope extruded 50 m along the road, with a collector",
             "tutorial-1/tutorial-1-3d.toml"},
-    Example{"bowl", "The bowl", "Three closed polylines become a surface; one rock, whose path is published",
+    Example{"bowl", "The bowl", "Three closed polylines become a surface; one rock, whose trajectory is published",
             "bowl/bowl.toml"},
     Example{"sliding", "Sliding", "Rocks bounce, slide uphill, turn back and come to rest", "sliding/sliding.toml"},
-    Example{"barrier", "A barrier", "A hundred rocks and a barrier: how many hit it, how high, how hard",
+    Example{"barrier", "A barrier", "A hundred rocks and a barrier: how many hit it, how high, and with what energy",
             "barrier/barrier.toml"},
     Example{"first-gis-run", "Cliffs from a GIS", "A valley from a GeoTIFF, rocks from polygons of cliffs, and maps",
             "first-gis-run/first-gis-run.toml"},
-    Example{"maungawhau", "Maungawhau", "A real volcano on a grid of 10 m: rocks off its rim, and maps",
+    Example{"maungawhau", "Maungawhau", "A real volcano on a 10 m grid: rocks from the crater rim, and maps",
             "maungawhau/maungawhau.toml"},
     Example{"barrier-design", "A barrier, designed",
-            "The same volcano with lines where barriers may stand, and what they would have to hold",
+            "The same volcano with possible lines of barriers, and the energy and height that they need",
             "maungawhau/barrier-design.toml"}};
 
 }  // namespace

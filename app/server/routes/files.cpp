@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most = 2'000;  // files that are listed
+constexpr std::size_t most = 2'000;  // files in the list
 
 struct Kind {
   std::string_view kind;
@@ -37,7 +37,7 @@ std::string_view kind_of(const fs::path& file) {
   return "other";
 }
 
-/// A folder of results holds no input; the server's runs are listed elsewhere.
+/// Folders of results contain no input; the server lists its runs separately.
 bool is_of_results(const fs::path& folder) {
   std::error_code ignored;
   return fs::exists(folder / "summary.json", ignored) || fs::exists(folder / "run.json", ignored);
@@ -45,7 +45,7 @@ bool is_of_results(const fs::path& folder) {
 
 struct Listing {
   Json files = Json::array();
-  Json drafts = Json::array();  // projects that have one
+  Json drafts = Json::array();  // projects with a draft
   bool is_cut = false;
 };
 
@@ -86,23 +86,23 @@ Listing listing(const Workplace& workplace) {
   return found;
 }
 
-/// Of each upload its own, so that two of one file do not write into each other.
+/// The temporary file of an upload. Its name is unique, so that concurrent uploads of one file do not mix.
 fs::path part_of(const fs::path& path) {
   static std::atomic<unsigned> uploads{0};
   return path.parent_path() / fmt::format(".{}.{}-{}.part", path.filename().string(), getpid(), ++uploads);
 }
 
-Answer keep_upload(const httplib::Request& request, const httplib::ContentReader& content, const Workplace& workplace,
+Answer save_upload(const httplib::Request& request, const httplib::ContentReader& content, const Workplace& workplace,
                    std::uint64_t most_bytes) {
   const std::string name = request.matches[1].str();
   const fs::path path = workplace.at(name);
   const auto check_place = [&] {
     std::error_code ignored;
     if (fs::exists(path, ignored) && request.get_param_value("replace") != "1")
-      throw Refusal(409, name, "is already there");
+      throw Refusal(409, name, "already exists");
   };
   const auto too_large = [&] {
-    return Refusal(413, name, "is too large", fmt::format("at most {} bytes are taken", most_bytes));
+    return Refusal(413, name, "is too large", fmt::format("at most {} bytes are accepted", most_bytes));
   };
   check_place();
   if (request.get_header_value<std::uint64_t>("Content-Length") > most_bytes) throw too_large();
@@ -117,8 +117,8 @@ Answer keep_upload(const httplib::Request& request, const httplib::ContentReader
     return true;
   });
   if (bytes > most_bytes) throw too_large();
-  if (!is_whole) throw Refusal(400, name, "did not arrive whole");
-  // Looking and renaming are one step, for uploads of one name that end at the same time.
+  if (!is_whole) throw Refusal(400, name, "the upload is incomplete");
+  // Check and rename in one step: uploads of the same name may end at the same time.
   static std::mutex ending;
   const std::lock_guard lock(ending);
   check_place();
@@ -135,7 +135,7 @@ void add_file_routes(Router& router, const Workplace& workplace) {
         {{"files", std::move(found.files)}, {"drafts", std::move(found.drafts)}, {"more", found.is_cut}});
   });
   router.upload(R"(/api/files/(.+))", [&](const httplib::Request& request, const httplib::ContentReader& content) {
-    return keep_upload(request, content, workplace, router.limits().upload_bytes);
+    return save_upload(request, content, workplace, router.limits().upload_bytes);
   });
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_cells = 250'000;  // of a raster that is sent as triangles
+constexpr std::size_t most_cells = 250'000;  // of a raster; larger ones are sent as tiles, not as triangles
 
 Answer answer_of(const Workplace& workplace, const fs::path& file, const std::string& text, const Problems& problems,
                  Json model) {
@@ -41,7 +41,7 @@ Json profile_json(const Model& model, const Profile& profile) {
   return {{"vertices", std::move(vertices)}, {"materials", std::move(materials)}, {"segments", std::move(segments)}};
 }
 
-/// Triangles whose corners that lie together are one vertex.
+/// Triangles with shared vertices: equal corners become one vertex.
 class SharedVertices {
  public:
   explicit SharedVertices(std::size_t triangles) {
@@ -95,10 +95,10 @@ Answer mesh_answer(const Model& model) {
     return vertices.answer(model);
   }
   const auto* raster = std::get_if<RasterSurface>(&model.surface);
-  if (raster == nullptr) throw Refusal(404, "mesh", "this model is a section", "", "Ask for its profile");
+  if (raster == nullptr) throw Refusal(404, "mesh", "this model is a section", "", "Request its profile");
   if (raster->cell_count() > most_cells) {
     throw Refusal(404, "mesh", fmt::format("the raster has {} cells", raster->cell_count()),
-                  fmt::format("it is sent as triangles up to {}", most_cells), "Ask for its tiles");
+                  fmt::format("only rasters up to {} are sent as triangles", most_cells), "Request its tiles");
   }
   const std::size_t columns = raster->grid().columns - 1;
   for (std::uint32_t k = 0; k < raster->facet_count(); ++k)
@@ -123,7 +123,7 @@ void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& sh
   router.get("/api/models/([0-9a-f]+)/profile", [&](const Call& call) {
     const ModelShelf::Held held = shelf.find(call.part(1));
     const auto* profile = std::get_if<Profile>(&held->model.surface);
-    if (profile == nullptr) throw Refusal(404, "profile", "this model is not a section", "", "Ask for its mesh");
+    if (profile == nullptr) throw Refusal(404, "profile", "this model is not a section", "", "Request its mesh");
     return json_answer(profile_json(held->model, *profile));
   });
   router.get("/api/models/([0-9a-f]+)/mesh",

@@ -12,11 +12,11 @@ namespace talus::server {
 
 namespace {
 
-constexpr std::size_t most_points = 100'000;  // whose elevations are asked for at once
+constexpr std::size_t most_points = 100'000;  // of one request for elevations
 constexpr std::size_t most_bends = 1'000;     // of a line
 constexpr std::size_t most_of_section = 5'000;
 
-/// On plan, local.
+/// Points on plan, in local coordinates.
 std::vector<Vec2> plan_points(const Call& call, const char* key, const LocalFrame& frame, std::size_t least,
                               std::size_t most) {
   std::vector<Vec2> points;
@@ -41,7 +41,7 @@ Json section_json(const Model& model, const std::vector<Vec2>& line) {
   } else if (const auto* raster = std::get_if<RasterSurface>(&model.surface)) {
     section = section_along(*raster, line, most_of_section);
   } else {
-    throw Refusal(404, "section", "this model is a section itself", "", "Ask for its profile");
+    throw Refusal(404, "section", "this model is itself a section", "", "Request its profile");
   }
   Json distances = Json::array(), heights = Json::array(), xs = Json::array(), ys = Json::array();
   for (const SectionPoint& point : section) {

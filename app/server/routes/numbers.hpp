@@ -11,13 +11,14 @@
 
 namespace talus::server {
 
-/// A list of lists of so many finite numbers each, none so large that squares overflow; refused (400) if it is not.
+/// A list of `least` to `most` lists of `count` finite numbers each. Refused (400) otherwise, or if a number is so
+/// large that its square might overflow.
 template <std::size_t count>
 [[nodiscard]] std::vector<std::array<double, count>> number_lists(const Json& list, const std::string& name,
                                                                   std::size_t least, std::size_t most) {
   constexpr double largest = 1e12;
   if (!list.is_array() || list.size() < least || list.size() > most)
-    throw Refusal(400, name, "is not understood", fmt::format("expected a list of {} to {} places", least, most));
+    throw Refusal(400, name, "is not valid", fmt::format("expected a list of {} to {} places", least, most));
   std::vector<std::array<double, count>> numbers(list.size());
   for (std::size_t k = 0; k < list.size(); ++k) {
     const Json& entry = list[k];
@@ -27,13 +28,12 @@ template <std::size_t count>
       if (is_good) numbers[k][i] = entry[i].template get<double>();
     }
     if (!is_good)
-      throw Refusal(400, fmt::format("{}[{}]", name, k), "is not understood",
-                    fmt::format("expected {} numbers", count));
+      throw Refusal(400, fmt::format("{}[{}]", name, k), "is not valid", fmt::format("expected {} numbers", count));
   }
   return numbers;
 }
 
-/// The same of a key of the body.
+/// As above, for a key of the body.
 template <std::size_t count>
 [[nodiscard]] std::vector<std::array<double, count>> number_lists(const Call& call, const char* key, std::size_t least,
                                                                   std::size_t most) {

@@ -11,7 +11,7 @@ namespace {
 
 void send(const Asset& asset, httplib::Response& response) {
   response.set_header("Content-Encoding", "gzip");
-  // Names of all but the page itself change with what is in them.
+  // The names of assets, but not of the page itself, change with their contents.
   if (asset.path.starts_with("assets/")) response.set_header("Cache-Control", "private, max-age=31536000, immutable");
   response.set_content_provider(asset.bytes.size(), std::string(asset.type),
                                 [asset](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
@@ -19,13 +19,16 @@ void send(const Asset& asset, httplib::Response& response) {
                                 });
 }
 
-constexpr const char* used_up =
-    "<!doctype html><meta charset=utf-8><title>Talus</title><body style='font:16px sans-serif;margin:3em;max-width:36em'>"
-    "<h1>This address has been used</h1><p>It worked once. Start <code>talus serve</code> again for another, or take one "
-    "from a start page that is open: <i>Address for another browser</i>.</p>";
+constexpr const char* used_token =
+    "<!doctype html><meta charset=utf-8><title>Talus</title><body style='font:16px "
+    "sans-serif;margin:3em;max-width:36em'>"
+    "<h1>This address has been used</h1><p>It works only once. Start <code>talus serve</code> again to get a new one, "
+    "or "
+    "use <i>Address for another browser</i> on a start page that is still open.</p>";
 
 constexpr const char* no_session =
-    "<!doctype html><meta charset=utf-8><title>Talus</title><body style='font:16px sans-serif;margin:3em;max-width:36em'>"
+    "<!doctype html><meta charset=utf-8><title>Talus</title><body style='font:16px "
+    "sans-serif;margin:3em;max-width:36em'>"
     "<h1>This browser has no session</h1><p>Open the address that <code>talus serve</code> printed.</p>";
 
 }  // namespace
@@ -37,13 +40,13 @@ void add_page_routes(Router& router, httplib::Server& server, Session& session,
     return std::find_if(assets.begin(), assets.end(), [&](const Asset& asset) { return asset.path == path; });
   };
   server.Get("/", [&session, find](const httplib::Request& request, httplib::Response& response) {
-    const bool has_session = session.knows(request.get_header_value("Cookie"));
+    const bool has_session = session.accepts(request.get_header_value("Cookie"));
     if (request.has_param("token")) {
       if (session.use_token(request.get_param_value("token"))) {
         response.set_header("Set-Cookie", session.cookie());
       } else if (!has_session) {
         response.status = 403;
-        response.set_content(used_up, "text/html; charset=utf-8");
+        response.set_content(used_token, "text/html; charset=utf-8");
         return;
       }
       response.set_redirect("/", 303);  // so that the token does not stay in the address bar

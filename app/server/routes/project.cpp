@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A page shows letters and writes UTF-8: it would change what it cannot read.
-void check_letters(const std::string& name, std::string_view text) {
+/// Refuses text that is not UTF-8: a page would change it when saving.
+void check_utf8(const std::string& name, std::string_view text) {
   const std::string read = as_utf8(text);
   if (read == text) return;
   const auto wrong = std::ranges::mismatch(text, read).in1;
@@ -26,20 +26,20 @@ void check_letters(const std::string& name, std::string_view text) {
   throw Refusal(422, Problem{.file = name,
                              .line = line,
                              .what = "cannot be shown as text",
-                             .why = "it has bytes that are not UTF-8, and saving it from here would lose them",
+                             .why = "it has bytes that are not UTF-8, which saving it here would lose",
                              .hint = "Save it as UTF-8"});
 }
 
-/// Nothing where there is no such file; refused where it is not UTF-8.
+/// nullopt if the file does not exist. Refuses text that is not UTF-8.
 std::optional<std::string> read(const fs::path& file, const std::string& name) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return std::nullopt;
   std::string text = project::text_of_file(file);
-  check_letters(name, text);
+  check_utf8(name, text);
   return text;
 }
 
-/// Whole or not at all; a file that is there keeps who may read and write it.
+/// Writes the file atomically. An existing file keeps its permissions.
 void write(const fs::path& path, std::string_view text) {
   OutputFile file(path);
   file.write(text);
@@ -56,7 +56,7 @@ std::optional<std::string> hash_of(const std::optional<std::string>& text) {
 
 Json text_or_null(const std::optional<std::string>& text) { return text ? Json(*text) : Json(); }
 
-/// The hash of the file that the page read or wrote last; none: there was no file.
+/// The hash of the file as the page last read or wrote it; nullopt: there was no file.
 std::optional<std::string> saved_in(const Call& call) {
   std::string hash = call.text("saved", "");
   if (hash.empty()) return std::nullopt;
@@ -67,15 +67,14 @@ std::optional<Revision> revision_in(const Call& call, const char* key) {
   const std::string text = call.text(key, "");
   if (text.empty()) return std::nullopt;
   const auto revision = revision_of(text);
-  if (!revision) throw Refusal(400, key, "is not a revision of a draft", "", "Such as 3f9a.12");
+  if (!revision) throw Refusal(400, key, "is not a revision of a draft", "expected for example 3f9a.12");
   return revision;
 }
 
-/// Whether what the request says of the draft may take the place of the one that is there. A script need not name its
-/// revision.
-bool may_replace(const std::optional<Draft>& there, const Call& call) {
+/// Whether the request may replace the current draft. Scripts need not give a revision.
+bool may_replace(const std::optional<Draft>& draft, const Call& call) {
   const auto next = revision_in(call, "revision"), after = revision_in(call, "after");
-  return !there || !next || there->text == call.text("text", "") || goes_on_from(*there, after, *next);
+  return !draft || !next || draft->text == call.text("text", "") || continues(*draft, after, *next);
 }
 
 Json as_json(const Draft& draft) {
@@ -84,19 +83,19 @@ Json as_json(const Draft& draft) {
   return {{"text", draft.text}, {"saved", text_or_null(draft.saved)}, {"revisions", revisions}};
 }
 
-/// A page that was opened in another folder, which was served here before, would write into a project of that name.
+/// Refuses (410) a page opened when this port served another folder: it would write into a project of the same name.
 void check_workplace(const Call& call, const Workplace& workplace) {
   if (const std::string meant = call.text("workplace", ""); !meant.empty() && meant != workplace.identity()) {
     throw Refusal(410, call.text("file"), "belongs to another folder",
-                  fmt::format("the server works in {} by now", workplace.folder().string()),
-                  "Serve the folder of the project on this port again, and this page goes on");
+                  fmt::format("the server now works in {}", workplace.folder().string()),
+                  "To continue on this page, serve the project's folder on this port again");
   }
 }
 
 }  // namespace
 
 void add_project_routes(Router& router, const Workplace& workplace) {
-  // Reading a file's hash and writing it are one step, for tabs that save at the same time.
+  // Compares and writes in one step: tabs may save at the same time.
   static std::mutex writing;
 
   router.get("/api/project", [&workplace](const Call& call) {
@@ -115,9 +114,9 @@ void add_project_routes(Router& router, const Workplace& workplace) {
     const std::string name = call.text("file"), text = call.text("text");
     const fs::path file = workplace.project(name);
     const std::lock_guard lock(writing);
-    const auto there = hash_of(read(file, name));
-    if (there != saved_in(call)) {
-      throw Refusal(409, name, there ? "was changed by another program meanwhile" : "is no longer there", "",
+    const auto current = hash_of(read(file, name));
+    if (current != saved_in(call)) {
+      throw Refusal(409, name, current ? "was changed by another program meanwhile" : "no longer exists", "",
                     "Read it again, or save under another name");
     }
     std::error_code ignored;
@@ -132,15 +131,15 @@ void add_project_routes(Router& router, const Workplace& workplace) {
     const std::string name = call.text("file");
     const fs::path file = workplace.project(name);
     const std::lock_guard lock(writing);
-    const auto there = draft_of(file);
-    if (!may_replace(there, call))
+    const auto current = draft_of(file);
+    if (!may_replace(current, call))
       throw Refusal(409, name, "has another draft", "it was changed in another tab or browser meanwhile");
     const bool is_given = call.body.contains("text") && !call.body["text"].is_null();
     if (is_given && call.text("text") != read(file, name)) {
       Draft draft{.text = call.text("text"), .saved = saved_in(call)};
       if (const auto next = revision_in(call, "revision"))
-        draft.revisions = followed_by(there ? there->revisions : std::vector<Revision>(), *next);
-      keep_draft(file, draft);
+        draft.revisions = with_revision(current ? current->revisions : std::vector<Revision>(), *next);
+      save_draft(file, draft);
     } else {
       remove_draft(file);
     }

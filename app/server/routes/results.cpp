@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What `talus run` writes, and the project; not what the server or a run keeps for itself.
+/// The files of `talus run` and the project, without internal files of the server and the run.
 std::vector<std::pair<std::string, std::uintmax_t>> files_of(const fs::path& folder) {
   std::vector<std::pair<std::string, std::uintmax_t>> files;
   std::error_code error;
@@ -34,7 +34,7 @@ std::vector<std::pair<std::string, std::uintmax_t>> files_of(const fs::path& fol
   return files;
 }
 
-/// RFC 6266, with the name in UTF-8 by RFC 8187.
+/// Content-Disposition by RFC 6266, with the name in UTF-8 by RFC 8187.
 std::string disposition(const std::string& name) {
   std::string text = "attachment; filename*=UTF-8''";
   for (const unsigned char c : fs::path(name).filename().string()) {
@@ -86,11 +86,11 @@ void add_file_result_routes(Router& router, RunStore& runs) {
   router.stream(one_run + "/files/(.+)", [&runs](const httplib::Request& request, httplib::Response& response) {
     const fs::path folder = runs.find(request.matches[1].str()).folder;
     const std::string name = request.matches[2].str();
-    // Only names that are listed: nothing leads out of the folder.
+    // Only listed names are served, so that none leads out of the folder.
     const auto files = files_of(folder);
     const bool is_listed =
         std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.first == name; });
-    if (!is_listed) throw Refusal(404, name, "there is no such file of this run");
+    if (!is_listed) throw Refusal(404, name, "this run has no such file");
     response.set_header("Content-Disposition", disposition(name));
     send_file(folder / name, type_of(name), response);
   });

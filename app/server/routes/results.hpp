@@ -1,5 +1,5 @@
 #pragma once
-// Results of a run, a file a kind.
+// Routes for results of a run, one file per kind.
 
 #include <string>
 

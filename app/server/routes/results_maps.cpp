@@ -10,7 +10,7 @@ namespace talus::server {
 
 namespace {
 
-/// Where each class begins and ends (the last: null), and its colour.
+/// The limits of each class (null at the end of the last one) and its colour.
 Json classes_of(const MapFile& map) {
   Json classes = Json::array();
   for (const MapClass& each : map_classes(map.limits)) {
@@ -39,10 +39,10 @@ void add_map_routes(Router& router, RunStore& runs) {
     constexpr int most_pixels = 8192;
     const auto folder = results_folder(runs.find(call.part(1)));
     const auto pixels = static_cast<int>(call.query_number("pixels", 1024, most_pixels));
-    // Only names that are listed: nothing leads out of the folder.
+    // Only listed names are served, so that none leads out of the folder.
     const auto maps = maps_of_run(folder);
     const auto map = std::ranges::find(maps, call.part(2), &MapFile::name);
-    if (map == maps.end()) throw Refusal(404, call.part(2), "there is no such map of this run");
+    if (map == maps.end()) throw Refusal(404, call.part(2), "this run has no such map");
     const MapValues values = read_map(folder, *map, std::max(pixels, least_pixels));
     Arrays arrays({{"origin", values.origin},
                    {"cell", values.cell},

@@ -10,13 +10,13 @@ namespace talus::server {
 
 namespace {
 
-Json names_of_reasons() {
+Json end_reason_names() {
   Json names = Json::array();
   for (int k = 0; k < end_reason_count; ++k) names.push_back(name(static_cast<EndReason>(k)));
   return names;
 }
 
-Json names_of_states() {
+Json state_names() {
   using enum PathState;
   Json names = Json::array();
   for (const PathState state : {projectile, impact, sliding, rolling, barrier, ended}) names.push_back(name(state));
@@ -28,7 +28,7 @@ Json head(const EndPoints& rocks) {
           {"origin", {rocks.origin.x(), rocks.origin.y(), rocks.origin.z()}},
           {"sources", rocks.source_names.list()},
           {"seeders", rocks.seeder_names.list()},
-          {"reasons", names_of_reasons()},
+          {"reasons", end_reason_names()},
           {"barriers", rocks.barrier_names}};
 }
 
@@ -59,7 +59,7 @@ void add_rock_routes(Router& router, RunStore& runs, RunModels& models) {
     const auto built = models.find(run);
     const DrawnPaths paths = drawn_paths(folder, read_facts(run), wanted, built ? &built->model : nullptr);
     Json header = head(paths.rocks);
-    header["states"] = names_of_states();
+    header["states"] = state_names();
     Arrays arrays(std::move(header));
     add_rocks(arrays, paths.rocks);
     add(arrays, "starts", paths.starts);

@@ -15,18 +15,18 @@ namespace talus::server {
 
 namespace {
 
-constexpr std::uint64_t histogram_bins = 40;  // about; as in summary.json
-constexpr std::uint64_t compared_bins = 50;   // at most, of two runs side by side
+constexpr std::uint64_t histogram_bins = 40;  // approximately; as in summary.json
+constexpr std::uint64_t compared_bins = 50;   // at most, in comparisons of two runs
 constexpr std::size_t cumulative_points = 400;
 
-/// All values of a parameter; refused where one is none of those that there are.
+/// All values of a parameter. Refuses (400) values that are not in `known`.
 std::vector<std::string> names_in(const Call& call, const std::string& key, const std::vector<std::string>& known) {
   std::vector<std::string> names;
   for (std::size_t k = 0; k < call.request.get_param_value_count(key); ++k) {
     names.push_back(call.request.get_param_value(key, k));
     if (std::find(known.begin(), known.end(), names.back()) == known.end())
       throw Refusal(400, key, fmt::format("this run has no \"{}\"", names.back()),
-                    fmt::format("known are {}", fmt::join(known, ", ")));
+                    fmt::format("expected one of {}", fmt::join(known, ", ")));
   }
   return names;
 }
@@ -41,7 +41,7 @@ std::optional<double> energy_in(const Call& call, const std::string& key) {
   return energy * 1000;
 }
 
-/// Of one run, or of two, of which either may have a name.
+/// The filter of a request about one run, or about two: then a name of either run is accepted.
 RockFilter filter_in(const Call& call, std::initializer_list<const RunFacts*> runs) {
   std::vector<std::string> reasons, seeders, sources, barriers;
   for (int k = 0; k < end_reason_count; ++k) reasons.emplace_back(name(static_cast<EndReason>(k)));
@@ -71,10 +71,10 @@ const NumberColumn& column_in(const Call& call, const std::vector<NumberColumn>&
                 fmt::format("expected one of {}", fmt::join(names, ", ")));
 }
 
-/// How many rocks the filter has to choose from, of how many done; null: of all.
+/// How many of the finished rocks are in endpoints.csv, where the filter chooses; null: all.
 Json sample_json(const RunFacts& facts) {
-  const std::uint64_t done = facts.summary.rocks.done, there = facts.in_tables.endpoints_before(done);
-  return there == done ? Json() : Json{{"rocks", there}, {"of", done}};
+  const std::uint64_t done = facts.summary.rocks.done, in_table = facts.in_tables.endpoints_before(done);
+  return in_table == done ? Json() : Json{{"rocks", in_table}, {"of", done}};
 }
 
 Json statistics_answer(const Tally& tally, const NumberColumn& column, const std::optional<Histogram>& histogram,
@@ -102,7 +102,7 @@ Json statistics_answer(const Tally& tally, const NumberColumn& column, const std
           {"box", std::move(box)}};
 }
 
-/// Of two runs, counted in the same bins.
+/// Statistics of two runs, with the same histogram bins.
 Json compared_answer(const Tally& here, const Tally& there, const NumberColumn& column) {
   auto a = here.histogram(histogram_bins), b = there.histogram(histogram_bins);
   if (a && b) {
@@ -113,7 +113,7 @@ Json compared_answer(const Tally& here, const Tally& there, const NumberColumn& 
   return {{"runs", Json::array({statistics_answer(here, column, a), statistics_answer(there, column, b)})}};
 }
 
-/// The hits on the barrier of this name; none where the run has no such barrier.
+/// The hits on the barrier of this name; an empty tally if the run has no such barrier.
 Tally hits_in(const std::filesystem::path& folder, const RunFacts& facts, std::string_view barrier,
               std::string_view column, const RockFilter& filter) {
   if (std::ranges::find(facts.barriers, barrier, &BarrierFacts::name) == facts.barriers.end())
@@ -121,7 +121,7 @@ Tally hits_in(const std::filesystem::path& folder, const RunFacts& facts, std::s
   return barrier_statistics(folder, facts, barrier, column, filter);
 }
 
-/// What the summary says of a barrier, and how it is to be designed, if that was asked for.
+/// A barrier in the summary, with its design if the project has one.
 Json barrier_json(const BarrierFacts& barrier, const RunSummary& summary) {
   Json design;
   if (summary.design)
@@ -181,13 +181,13 @@ void add_statistics_routes(Router& router, RunStore& runs) {
     const std::size_t number = std::stoull(call.part(2));
     if (number >= facts.barriers.size())
       throw Refusal(404, call.part(2), "there is no such barrier",
-                    fmt::format("this run has {}, counted from 0", facts.barriers.size()));
+                    fmt::format("this run has {}, numbered from 0", facts.barriers.size()));
     const NumberColumn& column = column_in(call, barrier_numbers());
     const RockFilter filter = filter_in(call, {&facts});
     const Tally tally = barrier_statistics(folder, facts, facts.barriers[number].name, column.name, filter);
     Json answer = statistics_answer(tally, column, tally.histogram(histogram_bins),
                                     filter.is_empty() ? Json() : sample_json(facts));
-    // The summary squares the size of the velocity, the table adds squares up: their energies differ in the last bit.
+    // The summary squares the magnitude of the velocity, the table adds up squares: energies differ in the last bit.
     const Statistics* const known = find_named(facts.barriers[number].statistics, column.name);
     if (filter.is_empty() && known != nullptr) answer["statistics"] = json_of(*known);
     return json_answer(answer);

@@ -1,5 +1,5 @@
 #pragma once
-// What the server answers, a file a subject; docs/workbench-api.md says what each request means.
+// The routes of the API, one file per subject; docs/workbench-api.md documents the requests.
 
 #include <functional>
 #include <string>
@@ -14,7 +14,7 @@ class EventHub;
 class RunModels;
 class RunStore;
 
-/// The page itself, and the way into a session. `address`: with a new token.
+/// The page itself, and the start of a session. `address` returns one with a new token.
 void add_page_routes(Router& router, httplib::Server& server, Session& session,
                      const std::function<std::string()>& address);
 /// `project`: to open first; empty: none.

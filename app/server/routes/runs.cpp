@@ -9,7 +9,7 @@ namespace talus::server {
 
 namespace {
 
-/// A whole number of the body; nothing where it is missing or null.
+/// A whole number of the body; nullopt if it is missing or null.
 template <class Number>
 std::optional<Number> number_in(const Call& call, const char* key) {
   const auto found = call.body.find(key);
@@ -52,7 +52,7 @@ void add_run_routes(Router& router, RunStore& runs, EventHub& events) {
   });
   router.post(one_run + "/write", [&runs](const Call& call) {
     call.only({});
-    return json_answer(runs.json_of(runs.write_what_is_done(call.part(1))), 202);
+    return json_answer(runs.json_of(runs.write_results(call.part(1))), 202);
   });
   router.remove(one_run, [&runs](const Call& call) {
     runs.remove(call.part(1));

@@ -17,20 +17,20 @@ namespace talus::server {
 namespace {
 
 constexpr std::size_t most_polylines = 20'000, most_vertices = 200'000;
-constexpr std::size_t intervals = 200;  // of a curve of density
+constexpr std::size_t intervals = 200;  // of a density curve
 
-/// "polylines.2" of "polylines[2]"
+/// "polylines[2]" to "polylines.2"
 std::string path_of(const SpacePolygon& polygon) {
   std::string path = polygon.name.substr(0, polygon.name.size() - 1);
   path[path.find('[')] = '.';
   return path;
 }
 
-/// As project files give them: closed, the last vertex is the first.
+/// Polylines as in project files: closed, with the last vertex equal to the first.
 std::vector<SpacePolygon> polygons_of(const Call& call, Problems& problems) {
   const auto found = call.body.find("polylines");
   if (found == call.body.end() || !found->is_array() || found->empty() || found->size() > most_polylines)
-    throw Refusal(400, "polylines", "is not understood", fmt::format("expected a list of 1 to {}", most_polylines));
+    throw Refusal(400, "polylines", "is not valid", fmt::format("expected a list of 1 to {}", most_polylines));
   std::vector<SpacePolygon> polygons;
   std::size_t vertices = 0;
   for (std::size_t k = 0; k < found->size(); ++k) {
@@ -40,7 +40,7 @@ std::vector<SpacePolygon> polygons_of(const Call& call, Problems& problems) {
       ring.emplace_back(x, y, z);
     vertices += ring.size();
     if (vertices > most_vertices)
-      throw Refusal(400, "polylines", "have too many vertices", fmt::format("at most {} are taken", most_vertices));
+      throw Refusal(400, "polylines", "have too many vertices", fmt::format("at most {} are accepted", most_vertices));
     if (ring.size() < 2 || ring.front() != ring.back()) {
       problems.add(Problem{.what = polygon.name + " is not closed",
                            .why = "its last vertex is not its first",
@@ -72,7 +72,7 @@ Json polygons_json(const Call& call) {
   } catch (const BadInput& bad) {
     problems = {};
     for (Problem problem : bad.problems().list()) {
-      // What is wrong with one begins with its name.
+      // A problem of a single polyline begins with its name.
       for (std::size_t k = 0; k < polygons.size() && problem.path.empty(); ++k)
         if (problem.what.starts_with(polygons[k].name + ' ')) problem.path = path_of(polygons[k]);
       problems.add(std::move(problem));
@@ -90,7 +90,7 @@ Distribution distribution_of(const Call& call) {
   const std::string word = call.text("distribution", "none");
   const auto kind = project::value_of<DistributionKind>(word);
   if (!kind)
-    throw Refusal(400, "distribution", fmt::format("\"{}\" is none", word),
+    throw Refusal(400, "distribution", fmt::format("\"{}\" is not a distribution", word),
                   fmt::format("expected one of {}", fmt::join(project::words<DistributionKind>(), ", ")));
   given.kind = *kind;
   for (const auto& [key, member] : {std::pair("std_dev", &given.std_dev), std::pair("rel_min", &given.rel_min),

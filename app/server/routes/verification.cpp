@@ -28,7 +28,7 @@ Json verification_json() {
 
 void add_verification_routes(Router& router) {
   router.get("/api/verification", [](const Call&) {
-    // The same program gives the same numbers: they are computed once, and whoever asks meanwhile waits.
+    // The results depend on the program alone: they are computed once, while concurrent requests wait.
     static std::mutex running;
     static Json known;
     const std::lock_guard lock(running);

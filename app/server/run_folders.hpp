@@ -1,0 +1,25 @@
+#pragma once
+// The folders of runs: DIR/runs/PROJECT/ID for a project file in DIR, with run.json, project.toml and the results.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "run.hpp"
+
+namespace talus::server {
+
+/// Reads the run.json of every run below `base`, down to `deepest_project`. All ids differ, also those of copied
+/// folders.
+[[nodiscard]] std::vector<Run> find_runs(const std::filesystem::path& base);
+
+/// Creates a folder in `parent`, named by the time, with run.json and the project's text, and sets the run's folder and
+/// id. Throws BadInput if that fails.
+void create_run_folder(Run& run, const std::filesystem::path& parent, const std::string& text);
+
+/// Removes run.json: if the rest cannot be removed, the next server does not list the run. Throws BadInput if it fails.
+void remove_run_file(const Run& run);
+/// Removes the rest, and the folders above if they are empty then. Throws BadInput if a part cannot be removed.
+void remove_run_folder(const Run& run);
+
+}  // namespace talus::server
