@@ -31,9 +31,9 @@ namespace talus::cli {
 
 namespace {
 
-std::atomic<bool> stop_wanted{false};
+std::atomic<bool> shutdown_wanted{false};
 extern "C" void stop_serving(int signal) {
-  if (stop_wanted.exchange(true)) {
+  if (shutdown_wanted.exchange(true)) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
@@ -96,7 +96,7 @@ int serve(const ServeOptions& options) {
   }
   std::optional<OpeningPage> page;
   how.port = options.port;
-  how.stop = &stop_wanted;
+  how.stop = &shutdown_wanted;
   how.ready = [&](const std::string& address) {
     fmt::print(
         "The workbench is at {}\nOnly this machine can reach it, and the address works once. Press Ctrl-C to stop.\n",
@@ -112,7 +112,7 @@ int serve(const ServeOptions& options) {
   std::signal(SIGCHLD, SIG_IGN);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, stop_serving);
   catch_hangup(stop_serving);
-  take_available_threads();
+  take_threads_that_there_are();
   server::serve(how);
   return done;
 }

@@ -85,7 +85,7 @@ Json statistics_answer(const Tally& tally, const NumberColumn& column, const std
     for (std::uint64_t k = 0; k <= bins.bins; ++k) edges.push_back(bins.edge(k));
     counts = histogram->counts();
   }
-  for (const auto& [value, share] : cumulative(tally, cumulative_points)) cumulative.push_back({value, share});
+  for (const auto& [value, share] : talus::cumulative(tally, cumulative_points)) cumulative.push_back({value, share});
   if (const auto plot = box_plot(tally.sketch())) {
     const Descriptive all = tally.describe();
     box = {{"least", *all.minimum},  {"whisker_low", plot->lower_whisker}, {"q1", plot->lower_quartile},

@@ -37,7 +37,7 @@ CPLHTTPResult* no_network(const char*, CSLConstList, GDALProgressFunc, void*, CP
 }
 
 /// A view in a GeoPackage may run for ever: a query ends where its thread is to leave its work.
-int is_to_end(void*) { return StopScope::current() != nullptr && StopScope::current()->is_requested() ? 1 : 0; }
+int is_to_end(void*) { return StopScope::current() != nullptr && StopScope::current()->is_asked() ? 1 : 0; }
 
 int let_be_stopped(sqlite3* database, const char**, const sqlite3_api_routines*) {
   constexpr int often = 10'000;  // steps of SQLite's machine: below a millisecond

@@ -27,7 +27,7 @@ const NamedFile* only_one(const Project& project, std::string_view where, const 
 /// The line where this row names a file that the text of a problem names, too.
 int line_of_mentioned(const Project& project, std::string_view where, const Problem& problem) {
   for (const NamedFile& each : project.named_files) {
-    if (each.where != where || each.named_in != project.file.string()) continue;
+    if (each.where != where || each.said_in != project.file.string()) continue;
     const std::string name = fmt::format("\"{}\"", each.file.string());
     if (problem.what.find(name) != std::string::npos || problem.why.find(name) != std::string::npos) return each.line;
   }
@@ -61,7 +61,7 @@ std::string why_unreadable(const Project& project, const std::filesystem::path& 
   return fmt::format("there is no file {}", path.string());
 }
 
-std::string with_relative_paths(std::string text, const Project& project) {
+std::string seen_from_project(std::string text, const Project& project) {
   const std::string folder = (project.file.parent_path() / "").string();
   if (folder.empty()) return text;
   const auto begins_a_path = [&](std::size_t at) {
@@ -85,7 +85,7 @@ Problems said_of_project(const Problems& problems, const Project& project, std::
       const std::string line = problem.line > 0 ? fmt::format(":{}", problem.line) : "";
       const std::string within = problem.where.empty() ? "" : problem.where + ": ";
       problem.what = fmt::format("{} {}{}: {}{}", named->key, problem.file, line, within, problem.what);
-      problem.file = named->named_in;
+      problem.file = named->said_in;
       problem.line = named->line;
       problem.where = named->where;
       problem.path = named->path;

@@ -18,7 +18,7 @@ namespace talus::project {
 
 /// A text in which files beside the project are called as the project calls them, whatever the path by which it was
 /// named itself.
-[[nodiscard]] std::string with_relative_paths(std::string text, const Project& project);
+[[nodiscard]] std::string seen_from_project(std::string text, const Project& project);
 
 /// Problems of files become problems of the row `where` ("[terrain]", `seeder "Cliff"`) that names them, with the file
 /// after the key. Those of files that it does not name, or names more than once, stay as they are. What is said of the

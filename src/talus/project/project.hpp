@@ -231,7 +231,7 @@ struct Design {
 /// Where a project names a file to read.
 struct NamedFile {
   std::filesystem::path file;  // as written, relative to the project file
-  std::string named_in;        // the project file, or the option that says it
+  std::string said_in;         // the project file, or the option that says it
   int line = 0;                // 0 in an option
   std::string where, key;      // the row as problems call it, for example "[terrain]", and its key
   std::string path;            // of the setting, for programs: `terrain.raster`
