@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most = 2'000;  // files in the list
+constexpr std::size_t most_listed = 2'000;  // files in the list
 
 struct Kind {
   std::string_view kind;
@@ -70,7 +70,7 @@ Listing listing(const Workplace& workplace) {
       drafts.push_back((path.parent_path() / name).lexically_relative(workplace.folder()).generic_string());
     }
     if (is_hidden) continue;
-    if (files.size() == most) {
+    if (files.size() == most_listed) {
       is_cut = true;
       break;
     }
