@@ -6,7 +6,9 @@ target_compile_features(talus_flags INTERFACE cxx_std_20)
 add_library(talus_own_flags INTERFACE)
 target_link_libraries(talus_flags INTERFACE $<BUILD_INTERFACE:talus_own_flags>)
 target_compile_options(talus_own_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wconversion -Wno-sign-conversion
+  -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wconversion -Wno-sign-conversion
+  # Where several files are compiled at once, a name of another file is hidden on purpose.
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
   # Designated initializers leave out what has a default on purpose; four doubles side by side have no ABI to keep.
   -Wno-missing-field-initializers -Wno-psabi
   # sqrt and friends need not set errno; this changes no result and lets them be one instruction.

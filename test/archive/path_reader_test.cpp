@@ -42,7 +42,7 @@ TEST(PathReader, PassesOverThoseThatAreNotWanted) {
   EXPECT_FALSE(reader.next([](std::uint64_t rock) { return rock == 8; }));
 }
 
-std::string message_about(const std::string& text) {
+std::string paths_message(const std::string& text) {
   const sample_run::Folder folder("path-reader");
   folder.write("paths.csv", text);
   try {
@@ -57,14 +57,14 @@ std::string message_about(const std::string& text) {
 TEST(PathReader, RefusesWhatIsNoPath) {
   const std::string whole = path_rows(3), last = "3,3,ended,2.25,5,0,-12.2,0,0,0,0,0,0,0,0,0\n";
   const std::string cut = whole.substr(0, whole.size() - last.size());
-  EXPECT_EQ(message_about(paths_head), "was read");
-  EXPECT_EQ(message_about(paths_head + cut),
+  EXPECT_EQ(paths_message(paths_head), "was read");
+  EXPECT_EQ(paths_message(paths_head + cut),
             "paths.csv: the path of rock 3 does not end (a path's last row has the state ended). The file was cut "
             "short or damaged; run the project again to get it whole");
-  EXPECT_EQ(message_about(paths_head + cut + path_rows(4)),
+  EXPECT_EQ(paths_message(paths_head + cut + path_rows(4)),
             "paths.csv:5: rock 4 begins before rock 3 has ended (a path's last row has the state ended). The file was "
             "cut or joined by hand; run the project again");
-  EXPECT_EQ(message_about(paths_head + "3,0,gliding,0,0.5,0,0,1.5,0,0,0,0,0,1125,0,119641.13\n"),
+  EXPECT_EQ(paths_message(paths_head + "3,0,gliding,0,0.5,0,0,1.5,0,0,0,0,0,1125,0,119641.13\n"),
             "paths.csv:2: state: \"gliding\" is not a state (expected one of projectile, impact, sliding, rolling, "
             "barrier, ended)");
 }

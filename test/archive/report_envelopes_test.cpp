@@ -21,7 +21,7 @@ ReportEnvelopes envelopes_of(const std::string& text) {
   return read_report_envelopes(folder.path / "envelopes.csv");
 }
 
-std::string message_about(const std::string& text) {
+std::string envelopes_message(const std::string& text) {
   try {
     (void)envelopes_of(text);
   } catch (const BadInput& bad) {
@@ -63,12 +63,13 @@ TEST(ReportEnvelopes, OfManyCellsAreTheGreatestOfEveryFew) {
 }
 
 TEST(ReportEnvelopes, ThatAreNoneAreRefused) {
-  EXPECT_THAT(message_about("rock,time_s\n0,1\n"),
+  EXPECT_THAT(envelopes_message("rock,time_s\n0,1\n"),
               HasSubstr("envelopes.csv:1: the columns are \"rock,time_s\" (expected \"x_m,...\")"));
-  EXPECT_THAT(message_about("x_m,velocity_max_m_s\n0.5,fast\n"),
+  EXPECT_THAT(envelopes_message("x_m,velocity_max_m_s\n0.5,fast\n"),
               HasSubstr("envelopes.csv:2: velocity_max_m_s: \"fast\" is not a number"));
-  EXPECT_THAT(message_about("x_m,velocity_max_m_s\n0.5,1\n1.5\n"), HasSubstr("envelopes.csv:3: the row has 1 values"));
-  EXPECT_THAT(message_about(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(envelopes_message("x_m,velocity_max_m_s\n0.5,1\n1.5\n"),
+              HasSubstr("envelopes.csv:3: the row has 1 values"));
+  EXPECT_THAT(envelopes_message(""), HasSubstr("the file is empty"));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool has_text(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 int count(const std::string& text, const std::string& part) {
   int found = 0;
@@ -105,7 +105,7 @@ TEST_F(OnRanks, ShardsAreMergedToTheBytesOfOneThread) {
   for (const std::string number : {"2", "3", "1"}) {
     const Said said = on(2, with(run_3d("shard-" + number), {"--shard", number + "/3", "--threads", "1"}));
     ASSERT_EQ(said.exit_code, 0) << said.text;
-    EXPECT_TRUE(contains(said.text, "of 2 ranks)")) << said.text;
+    EXPECT_TRUE(has_text(said.text, "of 2 ranks)")) << said.text;
   }
   ASSERT_EQ(alone({"merge", (work / "shard-1").string(), (work / "shard-2").string(), (work / "shard-3").string(), "-o",
                    (work / "merged").string()})
@@ -135,7 +135,7 @@ TEST_F(OnRanks, AKilledRunIsResumedByOneProcessAndViceVersa) {
     ASSERT_EQ(said.exit_code, 0) << said.text;
     EXPECT_EQ(count(said.text, "going on after"), 1) << said.text;
     EXPECT_EQ(differences(whole, files_of(work / "killed")), "") << (ranks_first ? "ranks first" : "ranks last");
-    EXPECT_TRUE(contains(on(2, again).text, "is already complete in"));
+    EXPECT_TRUE(has_text(on(2, again).text, "is already complete in"));
     fs::remove_all(work / "killed");
   }
 }
@@ -224,7 +224,7 @@ TEST_F(OnRanks, AreAllEndedByAFullDisk) {
   EXPECT_EQ(child.wait(), 2);
   const std::string said = work.read("said");
   EXPECT_EQ(count(said, "cannot write to this file (File too large). The first "), 1) << said;
-  EXPECT_TRUE(contains(said,
+  EXPECT_TRUE(has_text(said,
                        " of 120000 rocks are kept: with --resume the run goes on from there. Allow larger files "
                        "(ulimit -f), or write elsewhere with -o\n"))
       << said;
@@ -261,7 +261,7 @@ TEST(Ranks, ThatDoNotFindEachOtherAreRefused) {
 #endif
   const Said said = talus_says(run, first);
   EXPECT_EQ(said.exit_code, 2);
-  EXPECT_TRUE(contains(said.text, "mpirun: cannot share the rocks between 3 processes " + why +
+  EXPECT_TRUE(has_text(said.text, "mpirun: cannot share the rocks between 3 processes " + why +
                                       "let each process do a run of its own (--alone)\n"))
       << said.text;
   EXPECT_EQ(talus_says(run, second).text, "");
