@@ -9,7 +9,7 @@ namespace {
 
 using enum PathState;
 
-constexpr double pull = 9.80665, rock_mass = 800, datum = -30, rotational = 120;
+constexpr double g = 9.80665, rock_mass = 800, datum = -30, rotational = 120;
 
 PathEventRow row(PathState state, double time, double x, double z, double vx, double vz) {
   return {.state = state,
@@ -18,14 +18,14 @@ PathEventRow row(PathState state, double time, double x, double z, double vx, do
           .velocity_m_s = {vx, 0, vz},
           .ke_translational_J = 0.5 * rock_mass * (vx * vx + vz * vz),
           .ke_rotational_J = rotational,
-          .pe_J = rock_mass * pull * (z - datum)};
+          .pe_J = rock_mass * g * (z - datum)};
 }
 
 /// A flight from (0, 0), and a slide along the level from where it ends.
 Path flight_and_slide(double seconds) {
-  const double vx = 7, x = vx * seconds, z = 3 * seconds - pull / 2 * seconds * seconds;
+  const double vx = 7, x = vx * seconds, z = 3 * seconds - g / 2 * seconds * seconds;
   return {5,
-          {row(projectile, 0, 0, 0, vx, 3), row(impact, seconds, x, z, vx, 3 - pull * seconds),
+          {row(projectile, 0, 0, 0, vx, 3), row(impact, seconds, x, z, vx, 3 - g * seconds),
            row(sliding, seconds, x, z, 6, 0), row(ended, seconds + 2, x + 6, z, 0, 0)}};
 }
 
@@ -38,8 +38,8 @@ TEST(EnergiesAlongAPath, AddUpToTheSameInFlight) {
     const auto& [time, translational, rotation, potential] = energies[k];
     EXPECT_NEAR(translational + rotation + potential, total, 1e-9 * total) << time;
     EXPECT_EQ(rotation, rotational);
-    const double z = 3 * time - pull / 2 * time * time;
-    EXPECT_NEAR(potential, rock_mass * pull * (z - datum), 1e-9 * total);
+    const double z = 3 * time - g / 2 * time * time;
+    EXPECT_NEAR(potential, rock_mass * g * (z - datum), 1e-9 * total);
     if (k > 0) {
       EXPECT_GT(time, energies[k - 1].time_s);
     }
@@ -63,7 +63,7 @@ TEST(EnergiesAlongAPath, AreThoseOfTheTableAtItsRows) {
 TEST(EnergiesAlongAPath, OfALevelPathAreThoseOfItsRows) {
   const auto energies = energies_along({1, {row(sliding, 0, 0, 0, 4, 0), row(ended, 3, 6, 0, 0, 0)}}, 0.01);
   ASSERT_EQ(energies.size(), 2U);
-  EXPECT_EQ(energies[1].pe_J, rock_mass * pull * -datum);
+  EXPECT_EQ(energies[1].pe_J, rock_mass * g * -datum);
   EXPECT_TRUE(energies_along({1, {}}, 0.01).empty());
 }
 
