@@ -33,7 +33,7 @@ class DataElsewhere : public RasterFolder {
     make("secret.tif");
     make("project/tiles/a.tif");
   }
-  ~DataElsewhere() override { EXPECT_FALSE(listener_.has_heard()); }
+  ~DataElsewhere() override { EXPECT_FALSE(listener_.was_contacted()); }
 
   [[nodiscard]] std::string raster(const std::string& name) const {
     const fs::path file = name.starts_with("/vsi") ? fs::path(name) : path("project/" + name);
@@ -213,7 +213,7 @@ TEST_F(DataElsewhere, CoordinateSystemsAreNotFetched) {
                                  R"("geometry":{"type":"Point","coordinates":[1,2]}}]})");
   (void)vectors("a.geojson");
   EXPECT_EQ(crs_in_words(listener_.address() + "/crs"), std::nullopt);
-  EXPECT_FALSE(listener_.has_heard());
+  EXPECT_FALSE(listener_.was_contacted());
 }
 
 /// A GeoPackage of one layer, whose table is then another.

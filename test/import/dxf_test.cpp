@@ -189,7 +189,7 @@ TEST_F(DxfTest, WhatLiesAtZeroBesideTheGroundIsWarnedOf) {
   make(drawing);
   SurveySources sources;
   sources.lines = path("plan.dxf");
-  sources.said.is_local = true;
+  sources.project_crs.is_local = true;
   static_cast<void>(read_survey(sources, warnings_));
   EXPECT_EQ(
       warnings(),

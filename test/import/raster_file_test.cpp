@@ -24,7 +24,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 class RasterFileTest : public RasterFolder {
  protected:
-  RasterFile read(const std::string& name, const SaidOfCrs& said = {}) {
+  RasterFile read(const std::string& name, const ProjectCrs& said = {}) {
     warnings_ = Problems{};
     return read_raster_file(path(name), warnings_, said);
   }

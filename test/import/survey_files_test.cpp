@@ -46,7 +46,7 @@ class SurveyFilesTest : public RasterFolder {
   Problems warnings_;
 };
 
-SaidOfCrs said(const std::string& words) { return {.crs = crs_in_words(words).value(), .is_local = false}; }
+ProjectCrs said(const std::string& words) { return {.crs = crs_in_words(words).value(), .is_local = false}; }
 
 // ---- coordinate systems ----
 

@@ -188,7 +188,7 @@ TEST_F(RunFolders, FromElsewhereAreNotOpenedWithoutARequest) {
   EXPECT_EQ(read(folder + "summary.json"), summary);
   EXPECT_EQ(ask(id, "write").status, 202);
   (void)wait(id, [&](const Json& now) { return now["problems"].size() > found["problems"].size(); });
-  EXPECT_FALSE(listener.has_heard());
+  EXPECT_FALSE(listener.was_contacted());
 }
 
 // Two servers in one folder: the second does not touch a run of the first.

@@ -32,7 +32,7 @@ class Listener {
   [[nodiscard]] std::string host() const { return "127.0.0.1:" + std::to_string(port_); }
   [[nodiscard]] std::string address() const { return "http://" + host(); }
   /// Whether anybody has called: a connection is made before anybody takes it.
-  [[nodiscard]] bool has_heard() const {
+  [[nodiscard]] bool was_contacted() const {
     pollfd waiting{.fd = socket_, .events = POLLIN, .revents = 0};
     return poll(&waiting, 1, 0) > 0;
   }

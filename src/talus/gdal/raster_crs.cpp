@@ -207,15 +207,15 @@ std::optional<HeightFault> fault_of_heights(const OGRSpatialReference& crs) {
                                  unit && *unit ? unit : "one without a name")};
 }
 
-void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems) {
-  judge_terrain_crs(crs, centre, problems,
+void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems) {
+  check_terrain_crs(crs, centre, problems,
                     {[&](const std::string& target) {
                        return problems.command(fmt::format("gdalwarp -t_srs {} -r bilinear", target), "_metres.tif");
                      },
                      problems.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif")});
 }
 
-void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems,
+void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems,
                        const CrsCommands& commands) {
   if (crs.IsGeographic()) {
     problems.refuse("is in degrees",

@@ -48,7 +48,7 @@ struct HeightFault {
 
 /// Refuses coordinate systems whose plan is not in metres, or not in metres of the ground, at `centre` (x and y as in
 /// the file; absent where the file does not say where it lies).
-void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems);
+void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems);
 
 /// The commands that mend a file of another kind than a raster.
 struct CrsCommands {
@@ -57,7 +57,7 @@ struct CrsCommands {
 };
 
 /// The same for such a file.
-void judge_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems,
+void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems,
                        const CrsCommands& commands);
 
 /// "gdal_translate ... -scale 0 1 0 FACTOR": makes metres of heights in a unit of so many metres, and leaves a

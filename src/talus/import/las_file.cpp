@@ -233,7 +233,7 @@ class LasReader {
           farthest = plan;
         }
         const double z = las_.points.back().z();
-        if (z >= least_elevation_m && z <= greatest_elevation_m) continue;
+        if (z >= lowest_elevation_m && z <= highest_elevation_m) continue;
         ++strange;
         strangest = z;
       }
@@ -247,7 +247,7 @@ class LasReader {
     if (strange > 0) {
       stop(fmt::format("has heights such as {:.10g} m", strangest),
            fmt::format("{} of {} points are below {:g} m or above {:g} m", strange, las_.points.size(),
-                       least_elevation_m, greatest_elevation_m),
+                       lowest_elevation_m, highest_elevation_m),
            "Choose the ground with point_classes, or filter the file");
     }
     if (!las_.points.empty()) return;

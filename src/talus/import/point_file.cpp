@@ -346,9 +346,9 @@ class PointReader {
       }
       point[static_cast<Eigen::Index>(axis)] = *value;
     }
-    if (point.z() < least_elevation_m || point.z() > greatest_elevation_m) {
+    if (point.z() < lowest_elevation_m || point.z() > highest_elevation_m) {
       problems_.add(line_number(), fmt::format("z is {:.10g}", point.z()),
-                    fmt::format("heights lie between {:g} and {:g} m", least_elevation_m, greatest_elevation_m),
+                    fmt::format("heights lie between {:g} and {:g} m", lowest_elevation_m, highest_elevation_m),
                     "If it stands for no data, leave the line out");
       return;
     }

@@ -79,7 +79,7 @@ bool seems_to_be_in_degrees(GDALDataset& dataset, const Placing& at) {
 }
 
 /// The file's own, or that which is said of files that name none.
-std::optional<OGRSpatialReference> crs_of(GDALDataset& dataset, const SaidOfCrs& said, GdalMessages& messages,
+std::optional<OGRSpatialReference> crs_of(GDALDataset& dataset, const ProjectCrs& said, GdalMessages& messages,
                                           RasterProblems& problems) {
   messages.clear();
   const OGRSpatialReference* own = dataset.GetSpatialRef();
@@ -88,7 +88,7 @@ std::optional<OGRSpatialReference> crs_of(GDALDataset& dataset, const SaidOfCrs&
   }
   if (own && !own->IsEmpty()) {
     const SurveyCrs of_file{wkt_of(*own), name_of(*own)};
-    if (said.is_local || (said.crs.is_known() && !have_one_plan(of_file, said.crs))) {
+    if (said.is_local || (said.crs.is_known() && !have_same_plan(of_file, said.crs))) {
       problems.refuse(fmt::format("is in {}", of_file.name),
                       fmt::format("the project says crs = \"{}\"", said.is_local ? "local" : said.crs.name),
                       "Leave out crs, or give the file the true one: " +
@@ -319,7 +319,7 @@ class BandReader {
     for (const float z : out.grid.z) {
       if (std::isnan(z)) {
         ++out.without_data;
-      } else if (z < least_elevation_m || z > greatest_elevation_m) {
+      } else if (z < lowest_elevation_m || z > highest_elevation_m) {
         ++strange;
         if (std::abs(z) > std::abs(strangest)) strangest = z;
       }
@@ -328,7 +328,7 @@ class BandReader {
       problems_.stop(fmt::format("has elevations such as {:.10g} m", strangest),
                      fmt::format("{} of {} cells are below {:g} m or above {:g} m; they seem to have no data, but the "
                                  "file does not say so",
-                                 strange, out.grid.z.size(), least_elevation_m, greatest_elevation_m),
+                                 strange, out.grid.z.size(), lowest_elevation_m, highest_elevation_m),
                      "Tell it: " + problems_.command(fmt::format("gdal_translate -a_nodata {:.17g}", raw(strangest)),
                                                      "_declared.tif"));
     }
@@ -393,7 +393,7 @@ class BandReader {
 
 bool can_read_rasters() { return true; }
 
-RasterFile read_raster_file(const std::filesystem::path& path, Problems& warnings, const SaidOfCrs& said) {
+RasterFile read_raster_file(const std::filesystem::path& path, Problems& warnings, const ProjectCrs& said) {
   GdalMessages messages;
   RasterProblems problems(path);
   const GDALDatasetUniquePtr dataset = open_raster(messages, problems);
@@ -413,7 +413,7 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
   // Before the plan: a projected copy would no longer say what unit its heights are in.
   judge_unit(band, crs, problems);
   if (place) judge_place(*dataset, *place, crs, said.is_local, problems);
-  if (crs) judge_terrain_crs(*crs, centre, problems);
+  if (crs) check_terrain_crs(*crs, centre, problems);
   problems.throw_if_any();
 
   RasterFile out;
@@ -444,7 +444,7 @@ namespace talus {
 
 bool can_read_rasters() { return false; }
 
-RasterFile read_raster_file(const std::filesystem::path& path, Problems&, const SaidOfCrs&) {
+RasterFile read_raster_file(const std::filesystem::path& path, Problems&, const ProjectCrs&) {
   throw BadInput(Problem{.file = path.string(),
                          .where = {},
                          .what = "cannot be read",

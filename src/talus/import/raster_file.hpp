@@ -16,8 +16,8 @@ inline constexpr std::uint64_t most_raster_nodes = std::uint64_t{1} << 31U;
 
 /// Elevations outside of these are not ground of the earth, but no-data values that the file does not declare. Mines
 /// count from as much as 10000 m below sea level, to have no negative numbers.
-inline constexpr double least_elevation_m = -9000;
-inline constexpr double greatest_elevation_m = 100000;
+inline constexpr double lowest_elevation_m = -9000;
+inline constexpr double highest_elevation_m = 100000;
 
 struct RasterFile {
   RasterGrid grid;                 // in the file's coordinates [m]; its nodes are the centres of the file's cells
@@ -40,6 +40,6 @@ struct RasterFile {
 /// `said` holds where the file names no coordinate system; where it names another there is a refusal.
 /// What is only doubtful is added to `warnings`.
 [[nodiscard]] RasterFile read_raster_file(const std::filesystem::path& path, Problems& warnings,
-                                          const SaidOfCrs& said = {});
+                                          const ProjectCrs& said = {});
 
 }  // namespace talus

@@ -71,7 +71,7 @@ std::optional<SurveyCrs> crs_in_words(const std::string& words) {
   return SurveyCrs{wkt_of(crs), name_of(crs)};
 }
 
-SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const SaidOfCrs& said, Problems& warnings) {
+SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const ProjectCrs& said, Problems& warnings) {
   GdalMessages messages;
   if (auto fault = fault_of_proj(messages)) throw BadInput(std::move(*fault));
   OGRSpatialReference crs;
@@ -110,13 +110,13 @@ SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const
   return {};
 }
 
-bool have_one_plan(const SurveyCrs& a, const SurveyCrs& b) {
+bool have_same_plan(const SurveyCrs& a, const SurveyCrs& b) {
   const OGRSpatialReference first = plan_of(a), second = plan_of(b);
   static const char* const options[] = {"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", nullptr};
   return first.IsSame(&second, options);
 }
 
-void judge_survey_crs(const SurveyCrs& crs, const std::optional<Vec2>& centre, const std::filesystem::path& file,
+void check_survey_crs(const SurveyCrs& crs, const std::optional<Vec2>& centre, const std::filesystem::path& file,
                       SurveyKind kind, Problems& warnings) {
   const GdalMessages messages;
   RasterProblems problems(file);
@@ -126,7 +126,7 @@ void judge_survey_crs(const SurveyCrs& crs, const std::optional<Vec2>& centre, c
     problems.refuse(fault->what, fault->why,
                     "Bring it to one with heights in metres: " + commands.project("EPSG:XXXX+XXXX"));
   }
-  judge_terrain_crs(reference, centre, problems, commands);
+  check_terrain_crs(reference, centre, problems, commands);
   problems.throw_if_any();
   warnings.append(problems.warnings());
 }
@@ -139,7 +139,7 @@ namespace talus {
 
 std::optional<SurveyCrs> crs_in_words(const std::string&) { return std::nullopt; }
 
-SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const SaidOfCrs& said, Problems& warnings) {
+SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const ProjectCrs& said, Problems& warnings) {
   if (las.is_geographic) {
     throw BadInput(Problem{.file = file.string(),
                            .where = {},
@@ -157,9 +157,9 @@ SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const
   return {};
 }
 
-bool have_one_plan(const SurveyCrs& a, const SurveyCrs& b) { return a.wkt == b.wkt; }
+bool have_same_plan(const SurveyCrs& a, const SurveyCrs& b) { return a.wkt == b.wkt; }
 
-void judge_survey_crs(const SurveyCrs&, const std::optional<Vec2>&, const std::filesystem::path&, SurveyKind,
+void check_survey_crs(const SurveyCrs&, const std::optional<Vec2>&, const std::filesystem::path&, SurveyKind,
                       Problems&) {}
 
 }  // namespace talus

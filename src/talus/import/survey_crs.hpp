@@ -18,7 +18,7 @@ struct SurveyCrs {
 };
 
 /// What the project says of coordinates.
-struct SaidOfCrs {
+struct ProjectCrs {
   SurveyCrs crs;          // of files that name none, and of the terrain; not known: that of the files
   bool is_local = false;  // metres of no map, even where they look like degrees
 };
@@ -31,15 +31,15 @@ enum class SurveyKind { text, las, vector };
 [[nodiscard]] std::optional<SurveyCrs> crs_in_words(const std::string& words);
 
 /// That of a LAS file; not known where the file does not say, with a warning unless the project does.
-[[nodiscard]] SurveyCrs crs_of_las(const LasCrs& crs, const std::filesystem::path& file, const SaidOfCrs& said,
+[[nodiscard]] SurveyCrs crs_of_las(const LasCrs& crs, const std::filesystem::path& file, const ProjectCrs& said,
                                    Problems& warnings);
 
 /// Whether two coordinate systems have the same plan; both must be known.
-[[nodiscard]] bool have_one_plan(const SurveyCrs& a, const SurveyCrs& b);
+[[nodiscard]] bool have_same_plan(const SurveyCrs& a, const SurveyCrs& b);
 
 /// Throws BadInput where the coordinate system of a file that makes the terrain is in degrees, not in metres, not in
 /// metres of the ground at `centre`, or has heights in another unit; each with the command that mends it.
-void judge_survey_crs(const SurveyCrs& crs, const std::optional<Vec2>& centre, const std::filesystem::path& file,
+void check_survey_crs(const SurveyCrs& crs, const std::optional<Vec2>& centre, const std::filesystem::path& file,
                       SurveyKind kind, Problems& warnings);
 
 }  // namespace talus

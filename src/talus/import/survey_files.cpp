@@ -42,7 +42,7 @@ Problem problem(const std::filesystem::path& file, std::string what, std::string
 // The coordinate system in which everything comes together.
 class CommonCrs {
  public:
-  explicit CommonCrs(const SaidOfCrs& said) : said_(said), crs_(said.crs) {}
+  explicit CommonCrs(const ProjectCrs& said) : said_(said), crs_(said.crs) {}
 
   [[nodiscard]] const SurveyCrs& get() const { return crs_; }
   // What a reader that can bring features to another coordinate system is asked for.
@@ -52,7 +52,7 @@ class CommonCrs {
   void keep(const SurveyCrs& of_file, const std::filesystem::path& file) {
     if (!of_file.is_known()) return;
     refuse_local(of_file, file);
-    if (crs_.is_known() && !have_one_plan(crs_, of_file)) {
+    if (crs_.is_known() && !have_same_plan(crs_, of_file)) {
       throw BadInput(problem(file, fmt::format("is in {}", of_file.name), fmt::format("crs says {}", crs_.name),
                              "Leave crs out, or bring the file to it"));
     }
@@ -78,7 +78,7 @@ class CommonCrs {
     if (!said_.crs.is_known()) crs_ = crs;
   }
 
-  const SaidOfCrs& said_;
+  const ProjectCrs& said_;
   SurveyCrs crs_;
 };
 
@@ -117,9 +117,9 @@ class Heights {
       for (auto& list : part.lists) {
         for (Vec3& p : list) {
           if (height) p.z() = *height;
-          if (p.z() < least_elevation_m || p.z() > greatest_elevation_m) {
+          if (p.z() < lowest_elevation_m || p.z() > highest_elevation_m) {
             return refuse(fmt::format("{} has the height {:.10g}", name, p.z()),
-                          fmt::format("heights lie between {:g} and {:g} m", least_elevation_m, greatest_elevation_m));
+                          fmt::format("heights lie between {:g} and {:g} m", lowest_elevation_m, highest_elevation_m));
           }
           low = std::min(low, p.z());
           high = std::max(high, p.z());
@@ -204,7 +204,7 @@ VectorLayer read_with_heights(const std::filesystem::path& path, VectorRequest r
 class SurveyReader {
  public:
   SurveyReader(const SurveySources& sources, Problems& warnings)
-      : sources_(sources), warnings_(warnings), crs_(sources.said) {}
+      : sources_(sources), warnings_(warnings), crs_(sources.project_crs) {}
 
   SurveyFiles read() {
     if (!sources_.points.empty()) read_points();
@@ -341,7 +341,7 @@ class SurveyReader {
     const PlanBox box = survey_box();
     const std::filesystem::path& file = sources_.points.empty() ? sources_.lines : sources_.points;
     if (crs_.get().is_known()) {
-      judge_survey_crs(crs_.get(), Vec2(0.5 * (box.low + box.high)), file, kind_, warnings_);
+      check_survey_crs(crs_.get(), Vec2(0.5 * (box.low + box.high)), file, kind_, warnings_);
       return;
     }
     if (crs_.is_local()) return;
@@ -375,7 +375,7 @@ SurveyFiles read_survey(const SurveySources& sources, Problems& warnings) {
   return SurveyReader(sources, warnings).read();
 }
 
-PolygonFile read_polygon_file(const std::filesystem::path& path, const std::string& layer_name, const SaidOfCrs& said,
+PolygonFile read_polygon_file(const std::filesystem::path& path, const std::string& layer_name, const ProjectCrs& said,
                               double tolerance_m, Problems& warnings) {
   CommonCrs crs(said);
   VectorRequest request;
@@ -410,7 +410,7 @@ PolygonFile read_polygon_file(const std::filesystem::path& path, const std::stri
   }
   problems.throw_if_any();
   if (crs.get().is_known())
-    judge_survey_crs(crs.get(), Vec2(0.5 * (box.low + box.high)), path, SurveyKind::vector, warnings);
+    check_survey_crs(crs.get(), Vec2(0.5 * (box.low + box.high)), path, SurveyKind::vector, warnings);
   file.crs_wkt = crs.get().wkt;
   return file;
 }

@@ -24,7 +24,7 @@ struct SurveySources {
       elevation_attribute;         // of points and lines in vector files: their height [m]; empty: that of the geometry
   std::filesystem::path boundary;  // a vector file of polygons
   std::string boundary_layer;
-  SaidOfCrs said;
+  ProjectCrs said;
 };
 
 struct SurveyFiles {
@@ -47,6 +47,6 @@ struct PolygonFile {
 /// Closed lines and polygons with heights, from a vector file. A line is closed where its ends are no further apart
 /// than the tolerance. Throws BadInput for features without heights or that are not closed, and as above.
 [[nodiscard]] PolygonFile read_polygon_file(const std::filesystem::path& path, const std::string& layer,
-                                            const SaidOfCrs& said, double tolerance_m, Problems& warnings);
+                                            const ProjectCrs& said, double tolerance_m, Problems& warnings);
 
 }  // namespace talus

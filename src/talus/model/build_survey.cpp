@@ -13,7 +13,7 @@ std::filesystem::path beside(const Project& project, const std::filesystem::path
 
 }  // namespace
 
-SaidOfCrs said_of_crs(const Project& project) {
+ProjectCrs crs_of_project(const Project& project) {
   const std::string& words = project.terrain.crs;
   if (words.empty()) return {};
   if (words == "local") return {.crs = {}, .is_local = true};
@@ -36,7 +36,7 @@ SurveyedMesh survey_mesh(const Project& project, Problems& warnings) {
   sources.elevation_attribute = terrain.elevation_attribute;
   sources.boundary = beside(project, terrain.boundary);
   sources.boundary_layer = terrain.boundary_layer;
-  sources.said = said_of_crs(project);
+  sources.project_crs = crs_of_project(project);
   SurveyFiles files = read_survey(sources, warnings);
 
   SurveyedMesh out;
@@ -69,7 +69,7 @@ SurveyedMesh polygon_mesh(const Project& project, Problems& warnings) {
   } else {
     out.source = terrain.polygons.string();
     PolygonFile file = read_polygon_file(beside(project, terrain.polygons), terrain.polygons_layer,
-                                         said_of_crs(project), terrain.merge_tolerance_m, warnings);
+                                         crs_of_project(project), terrain.merge_tolerance_m, warnings);
     out.crs_wkt = std::move(file.crs_wkt);
     polygons = std::move(file.polygons);
   }
@@ -80,8 +80,8 @@ SurveyedMesh polygon_mesh(const Project& project, Problems& warnings) {
 }
 
 std::string crs_wkt_of(const Project& project, Problems& warnings) {
-  const SaidOfCrs said = said_of_crs(project);
-  if (said.crs.is_known()) judge_survey_crs(said.crs, std::nullopt, project.file, SurveyKind::text, warnings);
+  const ProjectCrs said = crs_of_project(project);
+  if (said.crs.is_known()) check_survey_crs(said.crs, std::nullopt, project.file, SurveyKind::text, warnings);
   return said.crs.wkt;
 }
 

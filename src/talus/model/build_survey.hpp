@@ -25,7 +25,7 @@ struct SurveyedMesh {
 [[nodiscard]] SurveyedMesh polygon_mesh(const Project& project, Problems& warnings);
 
 /// What `crs` says. Throws BadInput where nobody knows the coordinate system.
-[[nodiscard]] SaidOfCrs said_of_crs(const Project& project);
+[[nodiscard]] ProjectCrs crs_of_project(const Project& project);
 
 /// The coordinate system that `crs` names, as WKT; empty where it names none. Throws BadInput where nobody knows it, or
 /// where it is not in metres.

@@ -142,7 +142,7 @@ BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
 
 BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
   RasterFile file =
-      read_raster_file(project.file.parent_path() / project.terrain.raster, warnings, said_of_crs(project));
+      read_raster_file(project.file.parent_path() / project.terrain.raster, warnings, crs_of_project(project));
   RasterGrid& grid = file.grid;
   warn_of_steep_raster(grid, project, warnings);
   BuiltTerrain built;
