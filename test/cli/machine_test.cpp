@@ -31,9 +31,8 @@ TEST(Machine, WithoutPROJsDatabaseIsReported) {
   const Said said = talus_says("check " + gis, "PROJ_DATA=/nowhere PROJ_LIB=/nowhere ");
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_THAT(said.text, HasSubstr("valley.tif: coordinate systems cannot be looked up (GDAL: PROJ: "));
-  EXPECT_THAT(said.text,
-              HasSubstr("PROJ_DATA says that PROJ's files are in /nowhere: unset it, or name the folder of proj.db"));
-  EXPECT_THAT(said.text, Not(HasSubstr("names no coordinate system")));
+  EXPECT_THAT(said.text, HasSubstr("PROJ_DATA is /nowhere: unset it, or set it to the folder of proj.db"));
+  EXPECT_THAT(said.text, Not(HasSubstr("has no coordinate system")));
 }
 
 TEST(Machine, WithTooFewOpenFilesIsReported) {
@@ -69,7 +68,7 @@ TEST(Machine, ResultsDoNotContainThePathToTheProject) {
     ASSERT_EQ(said.exit_code, 0) << said.text;
   }
   const auto whole = files_of(work / "whole");
-  EXPECT_THAT(whole.at("summary.json"), HasSubstr("raster maungawhau.asc: names no coordinate system"));
+  EXPECT_THAT(whole.at("summary.json"), HasSubstr("raster maungawhau.asc: has no coordinate system"));
   for (const char* other : {"here", "dot", "up"}) EXPECT_EQ(differences(whole, files_of(work / other)), "") << other;
 }
 

@@ -264,7 +264,7 @@ TEST(RefusedByTheProgram, ARasterOfTooManyCells) {
   const std::string file = place.write("slope.toml", on_raster);
   place.write("dem.vrt", vrt("1000000", "1000000"));
   EXPECT_EQ(said(place, "check " + file),
-            "2 slope.toml:2: [terrain]: raster dem.vrt: has 1000000 x 1000000 cells (Talus takes fewer than "
+            "2 slope.toml:2: [terrain]: raster dem.vrt: has 1000000 x 1000000 cells (Talus reads fewer than "
             "2147483648). Cut it to the slope: "
             "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif\n");
 }
@@ -276,8 +276,8 @@ TEST(RefusedByTheProgram, ARasterThatNeedsTooMuchMemory) {
   const std::string file = place.write("slope.toml", on_raster);
   place.write("dem.vrt", vrt("40000", "30000"));
   EXPECT_EQ(said(place, "check " + file, "ulimit -v 4000000; "),
-            "2 slope.toml:2: [terrain]: raster dem.vrt: has 40000 x 30000 cells (they need 4.8 GB of memory; of "
-            "the 4.1 GB that there are half may be taken). Cut it to the slope: "
+            "2 slope.toml:2: [terrain]: raster dem.vrt: has 40000 x 30000 cells (they need 4.8 GB of memory; a terrain "
+            "may take half of the 4.1 GB available). Cut it to the slope: "
             "gdal_translate -projwin WEST NORTH EAST SOUTH dem.vrt dem_slope.tif\n");
 }
 

@@ -1,4 +1,4 @@
-// Files that name others, on the network or elsewhere on the disk: nothing of them is opened, and nobody is called.
+// Files that refer to others, on the network or elsewhere on disk: these are not opened, and no connection is made.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,12 +8,9 @@
 #include <fstream>
 
 #include "support/listener.hpp"
-#include "support/rasters.hpp"
+#include "support/raster_reading.hpp"
 #include "support/vectors.hpp"
 #include "talus/gdal/gdal_open.hpp"
-#include "talus/import/class_raster.hpp"
-#include "talus/import/raster_file.hpp"
-#include "talus/import/survey_crs.hpp"
 #include "talus/import/vector_file.hpp"
 
 namespace talus {
@@ -26,7 +23,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
-class DataElsewhere : public RasterFolder {
+class DataElsewhere : public RasterReading {
  protected:
   DataElsewhere() {
     fs::create_directories(path("project/tiles"));
@@ -35,12 +32,8 @@ class DataElsewhere : public RasterFolder {
   }
   ~DataElsewhere() override { EXPECT_FALSE(listener_.was_contacted()); }
 
-  [[nodiscard]] std::string raster(const std::string& name) const {
-    const fs::path file = name.starts_with("/vsi") ? fs::path(name) : path("project/" + name);
-    return refusal_of([&] {
-      Problems warnings;
-      (void)read_raster_file(file, warnings);
-    });
+  [[nodiscard]] std::string raster(const std::string& name) {
+    return refusal(name.starts_with("/vsi") ? name : "project/" + name);
   }
   [[nodiscard]] std::string vectors(const std::string& name) const {
     return refusal_of([&] {
@@ -50,17 +43,13 @@ class DataElsewhere : public RasterFolder {
   }
   /// A mosaic of one raster.
   [[nodiscard]] static std::string mosaic(const std::string& source, bool is_relative = true) {
-    return "<VRTDataset rasterXSize=\"4\" rasterYSize=\"3\"><SRS>EPSG:31287</SRS>"
-           "<GeoTransform>400000,10,0,300030,0,-10</GeoTransform>"
-           "<VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource><SourceFilename relativeToVRT=\"" +
-           std::string(is_relative ? "1" : "0") + "\">" + source +
-           "</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>";
+    return Vrt{}.band(vrt_source(source, is_relative)).text();
   }
 
   Listener listener_;
 };
 
-TEST_F(DataElsewhere, DescriptionsOfServicesAreNoRasters) {
+TEST_F(DataElsewhere, DescriptionsOfServicesAreNotRasters) {
   const std::string read =
       "Talus reads GeoTIFF, Esri ASCII grid (.asc), Esri float grid (.flt, .bil), Erdas Imagine (.img) and VRT";
   write("project/dem.tif", "<GDAL_WMS><Service name=\"WMS\"><ServerUrl>" + listener_.address() +
@@ -75,22 +64,22 @@ TEST_F(DataElsewhere, DescriptionsOfServicesAreNoRasters) {
   EXPECT_THAT(raster("dem.tif"), HasSubstr("it begins with <WMTS>"));
 }
 
-TEST_F(DataElsewhere, OnlyArchivesOnTheDiskAreFileSystems) {
+TEST_F(DataElsewhere, OnlyArchivesOnDiskAreReadAsFileSystems) {
   for (const std::string system : {"/vsicurl/", "/vsicurl?url=", "/vsicurl_streaming/", "/vsizip//vsicurl/",
                                    "/vsigzip//vsicurl/", "/vsisubfile/0_100,/vsicurl/", "/vsicached?file=/vsicurl/"}) {
     const std::string name = system + listener_.address() + "/dem.tif";
     EXPECT_EQ(raster(name), name +
-                                ": cannot be read (of GDAL's own file systems Talus reads /vsizip/ and /vsigzip/, "
-                                "of files on the disk). Copy it to the disk, and name it there");
+                                ": cannot be read (of GDAL's virtual file systems Talus reads only /vsizip/ and "
+                                "/vsigzip/ of files on disk). Copy it to disk and use that file");
   }
   for (const std::string name : {"/vsistdin/", "/vsimem/dem.tif", "/vsisparse/dem.xml", "/vsitar/a.tar/dem.tif"}) {
-    EXPECT_THAT(raster(name), HasSubstr("of GDAL's own file systems Talus reads"));
+    EXPECT_THAT(raster(name), HasSubstr("of GDAL's virtual file systems Talus reads"));
   }
   EXPECT_THAT(raster("/vsizip/vsicurl/" + listener_.address() + "/a.zip/dem.tif"), HasSubstr("there is no such file"));
 }
 
-TEST_F(DataElsewhere, NamesOfFormatsAreNamesOfFiles) {
-  // A folder makes a file of each of these names.
+TEST_F(DataElsewhere, NamesThatLookLikeFormatsAreFileNames) {
+  // With a folder of such a name, each is the name of a file.
   for (const std::string before : {"GTIFF_DIR:1:", "GTIFF_RAW:", "HDF5:", "vrt:"}) {
     fs::create_directories(path("project/" + before));
     fs::copy_file(path("project/tiles/a.tif"), path("project/" + before + "/a.tif"));
@@ -107,7 +96,7 @@ TEST_F(DataElsewhere, NamesOfFormatsAreNamesOfFiles) {
   }
 }
 
-TEST_F(DataElsewhere, AMosaicNamesRastersBesideIt) {
+TEST_F(DataElsewhere, AMosaicRefersToRastersNextToIt) {
   write("project/dem.vrt", mosaic("tiles/a.tif"));
   EXPECT_EQ(raster("dem.vrt"), "was read");
   write("project/dem.tif", mosaic("dem.vrt"));
@@ -117,20 +106,20 @@ TEST_F(DataElsewhere, AMosaicNamesRastersBesideIt) {
   Problems warnings;
   ClassRaster classes(path("project/dem.vrt"), "", warnings);
   const std::vector<Vec2> places{Vec2(400005, 300025)};
-  EXPECT_EQ(classes.at(places).at(0), 1);  // its tile is opened when it is first asked for
+  EXPECT_EQ(classes.at(places).at(0), 1);  // the tile is opened when its first cell is read
 }
 
-TEST_F(DataElsewhere, AMosaicNamesNothingElse) {
+TEST_F(DataElsewhere, AMosaicMustNotReferToAnythingElse) {
   const std::string hint =
-      ". Put its rasters beside it. Where you trust it: gdal_translate project/dem.vrt project/dem.tif";
-  const std::string elsewhere = "(a VRT may name only rasters in its own folder or below it)";
+      ". Put its rasters next to it. If you trust it: gdal_translate project/dem.vrt project/dem.tif";
+  const std::string elsewhere = "(a VRT may refer only to rasters in its own folder or below it)";
   fs::create_symlink(path("secret.tif"), path("project/link.tif"));
   fs::create_symlink("/vsicurl/" + listener_.address() + "/a.tif", path("project/broken.tif"));
   for (const std::string& source :
        {std::string("../secret.tif"), path("secret.tif").string(), "/vsicurl/" + listener_.address() + "/a.tif",
         std::string("link.tif"), std::string("tiles/../../secret.tif"), std::string("/vsizip/a.zip/a.tif")}) {
     write("project/dem.vrt", mosaic(source));
-    EXPECT_EQ(raster("dem.vrt"), without_folder("project/dem.vrt: names \"" + source + "\" " + elsewhere + hint));
+    EXPECT_EQ(raster("dem.vrt"), without_folder("project/dem.vrt: refers to \"" + source + "\" " + elsewhere + hint));
   }
   for (const std::string& source : {listener_.address() + "/a.tif", "WMS:" + listener_.address(),
                                     std::string("&lt;VRTDataset/&gt;"), std::string("none.tif")}) {
@@ -138,38 +127,40 @@ TEST_F(DataElsewhere, AMosaicNamesNothingElse) {
     EXPECT_THAT(raster("dem.vrt"), HasSubstr("(there is no such file)")) << source;
   }
   write("project/dem.vrt", mosaic("broken.tif"));
-  EXPECT_THAT(raster("dem.vrt"), HasSubstr("names \"broken.tif\" (there is no such file)"));
+  EXPECT_THAT(raster("dem.vrt"), HasSubstr("refers to \"broken.tif\" (there is no such file)"));
   write("project/notes.txt", "not for you");
   write("project/dem.vrt", mosaic("notes.txt"));
-  EXPECT_EQ(raster("dem.vrt"), "project/dem.vrt: names \"notes.txt\" (that is not a raster that Talus reads)" + hint);
+  EXPECT_EQ(raster("dem.vrt"),
+            "project/dem.vrt: refers to \"notes.txt\" (that is not a raster that Talus reads)" + hint);
   write("project/inner.tif", mosaic("../secret.tif"));
   write("project/dem.vrt", mosaic("inner.tif"));
   EXPECT_EQ(raster("dem.vrt"),
-            "project/dem.vrt: names \"inner.tif\", which names \"../secret.tif\" " + elsewhere + hint);
+            "project/dem.vrt: refers to \"inner.tif\", which refers to \"../secret.tif\" " + elsewhere + hint);
   write("project/dem.vrt", mosaic("dem.vrt"));
   EXPECT_NE(raster("dem.vrt"), "was read");
 }
 
-TEST_F(DataElsewhere, AVirtualRasterIsAMosaic) {
+TEST_F(DataElsewhere, AVirtualRasterMustBeAMosaic) {
   write("project/notes.txt", "not for you");
-  write("project/dem.vrt",
-        "<VRTDataset rasterXSize=\"4\" rasterYSize=\"1\"><VRTRasterBand dataType=\"Byte\" band=\"1\" "
-        "subClass=\"VRTRawRasterBand\"><SourceFilename relativeToVRT=\"1\">notes.txt</SourceFilename>"
-        "</VRTRasterBand></VRTDataset>");
+  const Vrt row{.columns = 4, .rows = 1, .place = ""};
+  write("project/dem.vrt", Vrt(row)
+                               .band("<SourceFilename relativeToVRT=\"1\">notes.txt</SourceFilename>", "Byte",
+                                     " subClass=\"VRTRawRasterBand\"")
+                               .text());
   EXPECT_EQ(raster("dem.vrt"),
-            "project/dem.vrt: is a virtual raster of the kind VRTRawRasterBand (Talus reads mosaics of rasters, as "
-            "gdalbuildvrt makes them). Put its rasters beside it. Where you trust it: gdal_translate project/dem.vrt "
+            "project/dem.vrt: is a virtual raster of the type VRTRawRasterBand (Talus reads mosaics of rasters, as "
+            "made by gdalbuildvrt). Put its rasters next to it. If you trust it: gdal_translate project/dem.vrt "
             "project/dem.tif");
   write("project/dem.vrt", "<VRTDataset rasterXSize=\"4\" rasterYSize=\"1\" subClass=\"VRTWarpedDataset\"/>");
-  EXPECT_THAT(raster("dem.vrt"), HasSubstr("is a virtual raster of the kind VRTWarpedDataset"));
+  EXPECT_THAT(raster("dem.vrt"), HasSubstr("is a virtual raster of the type VRTWarpedDataset"));
   write("project/dem.vrt",
-        "<VRTDataset rasterXSize=\"4\" rasterYSize=\"1\"><VRTRasterBand dataType=\"Byte\" band=\"1\" "
-        "subClass=\"VRTDerivedRasterBand\"><PixelFunctionLanguage>Python</PixelFunctionLanguage></VRTRasterBand>"
-        "</VRTDataset>");
-  EXPECT_THAT(raster("dem.vrt"), HasSubstr("is a virtual raster of the kind VRTDerivedRasterBand"));
+        Vrt(row)
+            .band("<PixelFunctionLanguage>Python</PixelFunctionLanguage>", "Byte", " subClass=\"VRTDerivedRasterBand\"")
+            .text());
+  EXPECT_THAT(raster("dem.vrt"), HasSubstr("is a virtual raster of the type VRTDerivedRasterBand"));
 }
 
-TEST_F(DataElsewhere, WhatLiesBesideARasterNamesNothing) {
+TEST_F(DataElsewhere, SidecarFilesMustNotReferToOthers) {
   for (const std::string& other : {"/vsicurl/" + listener_.address() + "/a.tif", std::string("../secret.tif"),
                                    std::string(":::BASE:::/../../secret.tif"), path("secret.tif").string()}) {
     make("project/dem.tif");
@@ -185,7 +176,7 @@ TEST_F(DataElsewhere, WhatLiesBesideARasterNamesNothing) {
   EXPECT_EQ(raster("dem.tif"), "was read");
 }
 
-TEST_F(DataElsewhere, VirtualLayersAreNoVectorFiles) {
+TEST_F(DataElsewhere, VirtualLayersAreNotVectorFiles) {
   write("passwords.csv", "x,y,word\n1,2,secret\n");
   const fs::path cache = path("cache.sqlite");
   write("project/contours.gpkg",
@@ -216,10 +207,10 @@ TEST_F(DataElsewhere, CoordinateSystemsAreNotFetched) {
   EXPECT_FALSE(listener_.was_contacted());
 }
 
-/// A GeoPackage of one layer, whose table is then another.
+/// A GeoPackage with one layer, whose table is replaced.
 class GeoPackageElsewhere : public DataElsewhere {
  protected:
-  void make_table_of(const std::string& sql) const {
+  void replace_table(const std::string& sql) const {
     const fs::path file = path("project/a.gpkg");
     fs::remove(file);
     add_layer(file, "a", "EPSG:31287", "name", {{"POINT (1 2)", "x"}});
@@ -232,33 +223,33 @@ class GeoPackageElsewhere : public DataElsewhere {
   }
 };
 
-TEST_F(GeoPackageElsewhere, VirtualTablesReadNoOtherFiles) {
+TEST_F(GeoPackageElsewhere, VirtualTablesDoNotReadOtherFiles) {
   write("secret.txt", "geom:fid\nsecret:1\n");
-  make_table_of("sql = 'CREATE VIRTUAL TABLE a USING VirtualText(''" + path("secret.txt").string() +
+  replace_table("sql = 'CREATE VIRTUAL TABLE a USING VirtualText(''" + path("secret.txt").string() +
                 "'', ''UTF-8'', 1, COLON)'");
   EXPECT_THAT(vectors("a.gpkg"), AllOf(StartsWith("project/a.gpkg: "), HasSubstr("GDAL: "), Not(HasSubstr("secret"))));
 }
 
-TEST_F(GeoPackageElsewhere, ViewsCallNobody) {
+TEST_F(GeoPackageElsewhere, ViewsMakeNoConnections) {
   const fs::path cache = path("cache.sqlite");
-  make_table_of(
+  replace_table(
       "type = 'view', sql = 'CREATE VIEW a AS SELECT 1 AS fid, ogr_geocode(''x'', ''geometry'', "
       "''query_template=" +
       listener_.address() + "/%s'', ''cache_file=" + cache.string() + "'') AS geom'");
   EXPECT_NE(vectors("a.gpkg"), "was read");
   EXPECT_FALSE(fs::exists(cache));
-  make_table_of("type = 'view', sql = 'CREATE VIEW a AS SELECT 1 AS fid, ST_MinX(NULL) AS geom, ''x'' AS name'");
-  EXPECT_NE(vectors("a.gpkg"), "was read") << "a function that a database does not trust";
+  replace_table("type = 'view', sql = 'CREATE VIEW a AS SELECT 1 AS fid, ST_MinX(NULL) AS geom, ''x'' AS name'");
+  EXPECT_NE(vectors("a.gpkg"), "was read") << "an untrusted function";
 }
 
-TEST_F(DataElsewhere, WithoutAListOfFilesGdalOpensNothing) {
+TEST_F(DataElsewhere, GdalOpensOnlyTheFilesInReach) {
   const GdalMessages none;
   EXPECT_FALSE(GDALDatasetUniquePtr(GDALDataset::Open(path("secret.tif").c_str())));
   const GdalMessages one(GdalFiles(path("project/tiles/a.tif")));
   EXPECT_TRUE(GDALDatasetUniquePtr(GDALDataset::Open(path("project/tiles/a.tif").c_str())));
   EXPECT_FALSE(GDALDatasetUniquePtr(GDALDataset::Open(path("secret.tif").c_str())));
   VSILFILE* const written = VSIFOpenL(path("project/tiles/a.tif").c_str(), "r+b");
-  EXPECT_EQ(written, nullptr) << "what is read is not written to";
+  EXPECT_EQ(written, nullptr) << "input files must not be opened for writing";
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 
 #include "support/dice.hpp"
 #include "support/rasters.hpp"
-#include "talus/gdal/raster_crs.hpp"
 
 namespace talus {
 namespace {
@@ -18,12 +17,6 @@ using namespace testing_tools;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Class = std::optional<std::int32_t>;
-
-std::string wkt(const std::string& name) {
-  OGRSpatialReference crs;
-  EXPECT_EQ(crs.SetFromUserInput(name.c_str()), OGRERR_NONE);
-  return wkt_of(crs);
-}
 
 class ClassRasterTest : public RasterFolder {
  protected:
@@ -38,19 +31,16 @@ class ClassRasterTest : public RasterFolder {
       static_cast<void>(open(spec, terrain_crs).at({&point, 1}));
     });
   }
-  [[nodiscard]] std::string warnings() const { return without_folder(warnings_.text()); }
-
-  Problems warnings_;
 };
 
-RasterSpec bytes() {
+RasterSpec byte_raster() {
   RasterSpec spec;
   spec.type = GDT_Byte;
   return spec;
 }
 
-TEST_F(ClassRasterTest, GivesTheClassOfTheCellThatAPointLiesIn) {
-  RasterSpec spec = bytes();
+TEST_F(ClassRasterTest, ReturnsTheClassOfTheCellThatContainsAPoint) {
+  RasterSpec spec = byte_raster();
   spec.no_data = 6;
   ClassRaster classes = open(spec);
   const std::vector<Vec2> points{{400000.1, 300029.9}, {400009.9, 300020.1}, {400010.1, 300029.9}, {400039.9, 300000.1},
@@ -62,22 +52,22 @@ TEST_F(ClassRasterTest, GivesTheClassOfTheCellThatAPointLiesIn) {
   EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(ClassRasterTest, TurnedRastersAreRead) {
-  RasterSpec spec = bytes();
+TEST_F(ClassRasterTest, ReadsRotatedRasters) {
+  RasterSpec spec = byte_raster();
   spec.geotransform = {400000, 0, 10, 300000, 10, 0};  // columns go north, rows go east
   const std::vector<Vec2> points{{400005, 300005}, {400005, 300015}, {400015, 300005}};
   EXPECT_THAT(open(spec).at(points), ElementsAre(Class{1}, Class{2}, Class{5}));
 }
 
-TEST_F(ClassRasterTest, WholeFloatsAndNegativeNumbersAreClasses) {
+TEST_F(ClassRasterTest, ReadsIntegersStoredAsFloatsAndNegativeOnes) {
   RasterSpec spec;
   spec.cells[0] = -7;
   const Vec2 point(400005, 300025);
   EXPECT_THAT(open(spec).at({&point, 1}), ElementsAre(Class{-7}));
 }
 
-TEST_F(ClassRasterTest, PointsAreTakenToTheCoordinateSystemOfTheFile) {
-  RasterSpec spec = bytes();
+TEST_F(ClassRasterTest, TransformsPointsToTheCoordinateSystemOfTheFile) {
+  RasterSpec spec = byte_raster();
   spec.crs = "EPSG:32632";
   spec.columns = spec.rows = 200;
   spec.geotransform = {600000, 10, 0, 5236000, 0, -10};
@@ -115,8 +105,8 @@ TEST_F(ClassRasterTest, PointsAreTakenToTheCoordinateSystemOfTheFile) {
   EXPECT_EQ(classes.points_within(), points.size());
 }
 
-TEST_F(ClassRasterTest, ManyPointsFarApartAreReadPieceByPiece) {
-  RasterSpec spec = bytes();
+TEST_F(ClassRasterTest, ReadsDistantPointsInWindows) {
+  RasterSpec spec = byte_raster();
   spec.columns = 3000;
   spec.rows = 3000;
   spec.cells.assign(9000000, 0);
@@ -133,35 +123,27 @@ TEST_F(ClassRasterTest, ManyPointsFarApartAreReadPieceByPiece) {
   EXPECT_EQ(classes.at(points), expected);
 }
 
-TEST_F(ClassRasterTest, WithoutACoordinateSystemItHasThatOfTheTerrain) {
-  RasterSpec spec = bytes();
+TEST_F(ClassRasterTest, WithoutACoordinateSystemThatOfTheTerrainIsAssumed) {
+  RasterSpec spec = byte_raster();
   spec.crs = "";
   const Vec2 point(400005, 300025);
   EXPECT_THAT(open(spec).at({&point, 1}), ElementsAre(Class{1}));
   EXPECT_EQ(warnings(),
-            "ground.tif: warning: names no coordinate system (it is taken to be that of the terrain). Name it: "
-            "gdal_translate -a_srs EPSG:XXXX ground.tif ground_placed.tif");
+            "ground.tif: warning: has no coordinate system (that of the terrain is assumed). Assign it: gdal_translate "
+            "-a_srs EPSG:XXXX ground.tif ground_placed.tif");
   EXPECT_THAT(open(spec, "").at({&point, 1}), ElementsAre(Class{1}));
   EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(ClassRasterTest, FurtherBandsAreWarnedOf) {
-  make("ground.tif", bytes());
-  const std::string band =
-      "<SimpleSource><SourceFilename relativeToVRT=\"1\">ground.tif</SourceFilename></SimpleSource>";
-  write("two.vrt",
-        "<VRTDataset rasterXSize=\"4\" rasterYSize=\"3\"><SRS>EPSG:31287</SRS>"
-        "<GeoTransform>400000, 10, 0, 300030, 0, -10</GeoTransform>"
-        "<VRTRasterBand dataType=\"Byte\" band=\"1\">" +
-            band +
-            "</VRTRasterBand>"
-            "<VRTRasterBand dataType=\"Byte\" band=\"2\">" +
-            band + "</VRTRasterBand></VRTDataset>");
+TEST_F(ClassRasterTest, WarnsOfFurtherBands) {
+  make("ground.tif", byte_raster());
+  const std::string source = vrt_source("ground.tif");
+  write("two.vrt", Vrt{}.band(source, "Byte").band(source, "Byte").text());
   const ClassRaster classes(path("two.vrt"), wkt("EPSG:31287"), warnings_);
   EXPECT_EQ(warnings(), "two.vrt: warning: has 2 bands (Talus reads the first)");
 }
 
-TEST_F(ClassRasterTest, Refusals) {
+TEST_F(ClassRasterTest, RefusesRastersThatAreNotClasses) {
   EXPECT_EQ(refusal_of([&] {
               Problems warnings;
               const ClassRaster none(path("none.tif"), "", warnings);
@@ -170,44 +152,41 @@ TEST_F(ClassRasterTest, Refusals) {
   RasterSpec fraction;
   fraction.cells[0] = 2.5;
   EXPECT_EQ(refusal(fraction),
-            "ground.tif: has 2.5 as a class (a class is a whole number of at most 32 bits). Round them: gdal_translate "
+            "ground.tif: has the class 2.5 (a class is a whole number of at most 32 bits). Round them: gdal_translate "
             "-ot Int32 ground.tif ground_classes.tif");
   RasterSpec imaginary;
   imaginary.type = GDT_CInt16;
   imaginary.geotransform.reset();
   EXPECT_EQ(refusal(imaginary),
-            "ground.tif: has complex numbers in band 1 (a class is a whole number). Keep their real part: "
+            "ground.tif: has complex numbers in band 1 (a class is a whole number). Keep the real part: "
             "gdal_translate -ot Int32 ground.tif ground_classes.tif\n"
-            "ground.tif: does not say where it lies (it has no geotransform: no corner and no size of a cell). Tell "
-            "it: gdal_translate -a_ullr WEST NORTH EAST SOUTH ground.tif ground_placed.tif");
-  RasterSpec scaled = bytes();
+            "ground.tif: is not georeferenced (it has no geotransform: neither a corner nor a cell size). Assign its "
+            "extent: gdal_translate -a_ullr WEST NORTH EAST SOUTH ground.tif ground_placed.tif");
+  RasterSpec scaled = byte_raster();
   scaled.scale = 0.1;
   EXPECT_EQ(refusal(scaled),
-            "ground.tif: has the scale 0.1 and the offset 0 (a class is the number that a cell holds). Leave them out: "
+            "ground.tif: has the scale 0.1 and the offset 0 (classes are the raw values of cells). Remove them: "
             "gdal_translate -a_scale 1 -a_offset 0 ground.tif ground_classes.tif");
-  RasterSpec site = bytes();
+  RasterSpec site = byte_raster();
   site.crs = "LOCAL_CS[\"site grid\",UNIT[\"metre\",1]]";
   EXPECT_EQ(refusal(site),
-            "ground.tif: is in site grid (there is no way to it from EPSG:31287, that of the terrain). Name the true "
-            "one: gdal_translate -a_srs EPSG:XXXX ground.tif ground_placed.tif");
+            "ground.tif: is in site grid (there is no transformation to it from EPSG:31287, that of the terrain). "
+            "Assign the right one: gdal_translate -a_srs EPSG:XXXX ground.tif ground_placed.tif");
 }
 
-TEST_F(ClassRasterTest, FilesThatCannotBeReadToTheirEndAreRefused) {
-  write("cut.vrt",
-        "<VRTDataset rasterXSize=\"4\" rasterYSize=\"3\"><SRS>EPSG:31287</SRS>"
-        "<GeoTransform>400000,10,0,300030,0,-10</GeoTransform><VRTRasterBand dataType=\"Byte\" band=\"1\">"
-        "<SimpleSource><SourceFilename relativeToVRT=\"1\">gone.tif</SourceFilename><SourceBand>1</SourceBand>"
-        "<SourceProperties RasterXSize=\"4\" RasterYSize=\"3\" DataType=\"Float32\" BlockXSize=\"4\" "
-        "BlockYSize=\"3\"/></SimpleSource></VRTRasterBand></VRTDataset>");
+TEST_F(ClassRasterTest, RefusesFilesThatCannotBeReadCompletely) {
+  const std::string properties =
+      "<SourceProperties RasterXSize=\"4\" RasterYSize=\"3\" DataType=\"Float32\" BlockXSize=\"4\" BlockYSize=\"3\"/>";
+  write("cut.vrt", Vrt{}.band(vrt_source("gone.tif", true, properties), "Byte").text());
   make("gone.tif");
   Problems none;
   ClassRaster classes(path("cut.vrt"), "", none);
-  std::filesystem::remove(path("gone.tif"));  // before it is first asked for
+  std::filesystem::remove(path("gone.tif"));  // before its first cell is read
   EXPECT_THAT(refusal_of([&] {
                 const Vec2 point(400005, 300025);
                 static_cast<void>(classes.at({&point, 1}));
               }),
-              HasSubstr("cut.vrt: cannot be read to its end (GDAL: "));
+              HasSubstr("cut.vrt: cannot be read completely (GDAL: "));
 }
 
 }  // namespace

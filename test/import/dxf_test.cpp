@@ -1,4 +1,4 @@
-// Drawings: what of them is ground, and what is refused.
+// DXF drawings: which entities are read, and what is refused.
 
 #ifdef TALUS_HAS_GDAL
 
@@ -38,23 +38,21 @@ class DxfTest : public RasterFolder {
   [[nodiscard]] std::string refusal(const VectorRequest& request) {
     return refusal_of([&] { static_cast<void>(read(request)); });
   }
-  [[nodiscard]] std::string warnings() const { return without_folder(warnings_.text()); }
-
-  Problems warnings_;
 };
 
 // ---- layers ----
 
-TEST_F(DxfTest, EntitiesOfLayoutsAreLeftOut) {
+TEST_F(DxfTest, LeavesOutEntitiesInLayouts) {
   make(Drawing().line("0", "0 0 5", "9 0 6").line("0", "0 0 0", "297 210 0", "67\n1\n").line("0", "0 9 5", "9 9 6"));
   const VectorLayer layer = read(lines);
   EXPECT_EQ(layer.name, "entities");
   EXPECT_EQ(layer.features.size(), 2U);
-  EXPECT_EQ(warnings(),
-            "plan.dxf: warning: 1 of 3 entities is in a layout (that is paper, not the model; it is left out)");
+  EXPECT_EQ(
+      warnings(),
+      "plan.dxf: warning: 1 of 3 entities is in a layout (that is paper space, not the model; they are left out)");
 }
 
-TEST_F(DxfTest, HiddenLayersAreLeftOutUnlessNamed) {
+TEST_F(DxfTest, LeavesOutHiddenLayersUnlessRequested) {
   make(Drawing()
            .layer("ground", 0, 7)
            .layer("old", 0, -7)
@@ -64,10 +62,9 @@ TEST_F(DxfTest, HiddenLayersAreLeftOutUnlessNamed) {
            .line("design", "0 2 5", "9 2 6")
            .line("old", "0 3 5", "9 3 6"));
   EXPECT_EQ(read(lines).features.size(), 1U);
-  EXPECT_EQ(
-      warnings(),
-      "plan.dxf: warning: 3 of 4 entities are on a layer that is switched off or frozen (left out is what lies on "
-      "\"design\", \"old\"). To read such a layer name it: lines_layer = \"design\"");
+  EXPECT_EQ(warnings(),
+            "plan.dxf: warning: 3 of 4 entities are on a layer that is switched off or frozen (layers left out: "
+            "\"design\", \"old\"). To read such a layer, name it: lines_layer = \"design\"");
   EXPECT_EQ(read_layer("old").features.size(), 2U);
   EXPECT_EQ(warnings(), "");
   EXPECT_EQ(read_layer("design").features.size(), 1U);
@@ -79,22 +76,22 @@ TEST_F(DxfTest, ALayerIsChosenByItsName) {
   EXPECT_EQ(layer.name, "frame");
   ASSERT_EQ(layer.features.size(), 1U);
   EXPECT_EQ(layer.features[0].parts[0].lists[0].front(), Vec3(0, 1, 0));
-  EXPECT_EQ(warnings(), "") << "of another layer nothing is left out";
-  EXPECT_EQ(read_layer("entities").features.size(), 2U) << "GDAL's name for all of them";
+  EXPECT_EQ(warnings(), "") << "entities of other layers are not reported";
+  EXPECT_EQ(read_layer("entities").features.size(), 2U) << "GDAL's name for all entities";
   VectorRequest request = lines;
   request.layer = "contour";
   EXPECT_EQ(refusal(request),
             "plan.dxf: has no layer \"contour\" (it has \"contours\", \"frame\"). Did you mean \"contours\"?");
 }
 
-TEST_F(DxfTest, OfPaperAndHiddenLayersAloneNothingIsLeft) {
+TEST_F(DxfTest, RefusesDrawingsWithOnlyLayoutsAndHiddenLayers) {
   make(Drawing().layer("old", 0, -7).line("old", "0 0 5", "9 0 6").line("0", "0 0 0", "9 0 0", "67\n1\n"));
-  EXPECT_EQ(refusal(lines), "plan.dxf: layer \"entities\" is empty (all of it is in a layout or on hidden layers)");
+  EXPECT_EQ(refusal(lines), "plan.dxf: layer \"entities\" is empty (all entities are in a layout or on hidden layers)");
 }
 
 // ---- units ----
 
-TEST_F(DxfTest, UnitsOtherThanMetresAreRefused) {
+TEST_F(DxfTest, RefusesOtherUnitsThanMetres) {
   Drawing drawing;
   drawing.line("0", "0 0 5", "9 0 6");
   for (const int good : {0, 6}) {
@@ -102,17 +99,17 @@ TEST_F(DxfTest, UnitsOtherThanMetresAreRefused) {
     EXPECT_EQ(read(lines).features.size(), 1U) << good;
   }
   const std::string hint =
-      "Scale the drawing to metres and make metres its unit; if its numbers are metres, only do the latter";
+      "Scale the drawing to metres and set its unit to metres; if its numbers are metres already, only set the unit";
   make(Drawing(drawing).unit(2));
-  EXPECT_EQ(refusal(lines), "plan.dxf: is in feet (its header says $INSUNITS = 2; Talus needs metres). " + hint);
+  EXPECT_EQ(refusal(lines), "plan.dxf: is in feet (its header has $INSUNITS = 2; Talus needs metres). " + hint);
   make(Drawing(drawing).unit(4));
   EXPECT_EQ(refusal(polygons),
-            "plan.dxf: is in millimetres (its header says $INSUNITS = 4; Talus needs metres). " + hint);
+            "plan.dxf: is in millimetres (its header has $INSUNITS = 4; Talus needs metres). " + hint);
   make(Drawing(drawing).unit(99));
-  EXPECT_THAT(refusal(lines), HasSubstr("is in the unit 99 (its header says $INSUNITS = 99"));
+  EXPECT_THAT(refusal(lines), HasSubstr("is in the unit 99 (its header has $INSUNITS = 99"));
 }
 
-TEST_F(DxfTest, UnitsAreThoseOfTheHeaderOnly) {
+TEST_F(DxfTest, ReadsTheUnitOnlyFromTheHeader) {
   EXPECT_EQ(unit_of_dxf(path("not there.dxf")), std::nullopt);
   for (const char* text : {"", "0\nSECTION\n2\nHEADER\n9\n$INSUNITS", "no\nnumber\n9\n$INSUNITS\n70\n2\n",
                            "9\n$INSUNITS\n70\nfeet\n", "9\n$INSUNITS\n40\n2\n", "0\nENDSEC\n9\n$INSUNITS\n70\n2\n"}) {
@@ -125,17 +122,17 @@ TEST_F(DxfTest, UnitsAreThoseOfTheHeaderOnly) {
 
 // ---- kinds ----
 
-TEST_F(DxfTest, OtherKindsAreLeftOutWhereSomethingIsRead) {
+TEST_F(DxfTest, LeavesOutOtherKindsIfSomethingIsRead) {
   Drawing drawing;
   drawing.point("0", "1 2 3");
   make(drawing);
-  EXPECT_EQ(refusal(lines), "plan.dxf: feature 0 is a point (lines are expected)");
+  EXPECT_EQ(refusal(lines), "plan.dxf: feature 0 is a point (expected lines)");
   make(drawing.line("0", "0 0 5", "9 0 6"));
   EXPECT_EQ(read(lines).features.size(), 1U);
   EXPECT_EQ(warnings(), "plan.dxf: warning: 1 shapes are left out (only lines are read; feature 0 is a point)");
 }
 
-TEST_F(DxfTest, ClosedLinesArePolygonsWhereThoseAreWanted) {
+TEST_F(DxfTest, ReadsClosedLinesAsPolygonsOnRequest) {
   make(Drawing().polyline("0", true, {"0 0", "9 0", "9 9"}).polyline("0", false, {"0 0", "5 0"}));
   const VectorLayer layer = read(polygons);
   ASSERT_EQ(layer.features.size(), 1U);
@@ -144,44 +141,42 @@ TEST_F(DxfTest, ClosedLinesArePolygonsWhereThoseAreWanted) {
   EXPECT_EQ(warnings(), "plan.dxf: warning: 1 shapes are left out (only polygons are read; feature 1 is a line)");
   EXPECT_EQ(read(lines).features[0].parts[0].kind, ShapeKind::line);
   make(Drawing().polyline("0", false, {"0 0", "5 0", "9 9"}));
-  EXPECT_EQ(refusal(polygons),
-            "plan.dxf: feature 0 is a line (polygons are expected). A line that is closed is read as a polygon");
+  EXPECT_EQ(refusal(polygons), "plan.dxf: feature 0 is a line (expected polygons). A closed line is read as a polygon");
   make(Drawing().polyline("0", true, {"0 0", "9 9", "9 0", "0 9"}));
   EXPECT_THAT(refusal(polygons), HasSubstr("plan.dxf: feature 0 is not a valid polygon (self-intersection"));
 }
 
-TEST_F(DxfTest, WhatCannotBeReadIsLeftOutAndNamed) {
-  const std::string said =
-      "plan.dxf: warning: has entities that GDAL cannot read (the SPLINE that ends at line 66 is the first of them). "
-      "They "
-      "are left out; if they are ground, make polylines of them";
+TEST_F(DxfTest, LeavesOutAndReportsEntitiesThatCannotBeRead) {
+  const std::string warning =
+      "plan.dxf: warning: has entities that GDAL cannot read (the first is the SPLINE that ends at line 66). "
+      "They are left out; if they are part of the ground, convert them to polylines";
   Drawing drawing;
   drawing.line("0", "0 0 5", "9 0 6").fitted_spline("0", "0 1 5", "9 1 5");
   make(drawing);
-  EXPECT_EQ(read(lines).features.size(), 1U) << "the last of all";
-  EXPECT_EQ(warnings(), said);
+  EXPECT_EQ(read(lines).features.size(), 1U) << "the last entity";
+  EXPECT_EQ(warnings(), warning);
   make(drawing.line("0", "0 2 5", "9 2 6"));
   EXPECT_EQ(read(lines).features.size(), 2U);
-  EXPECT_EQ(warnings(), said);
+  EXPECT_EQ(warnings(), warning);
 }
 
-TEST_F(DxfTest, CutShortIsRefused) {
+TEST_F(DxfTest, RefusesFilesThatAreCutShort) {
   const std::string text = Drawing().line("0", "0 0 5", "9 0 6").fitted_spline("0", "0 1 5", "9 1 5").text();
   make(text.substr(0, text.find("SPLINE") + 20));
-  EXPECT_THAT(refusal(lines), HasSubstr("plan.dxf: cannot be read to its end (after 1 features of layer \"entities\""));
+  EXPECT_THAT(refusal(lines), HasSubstr("plan.dxf: cannot be read completely (after 1 features of layer \"entities\""));
 }
 
 // ---- in space ----
 
-TEST_F(DxfTest, FacesMayStandUpright) {
+TEST_F(DxfTest, FacesMayBeVertical) {
   make(Drawing().face("0", {"0 0 0", "9 0 0", "9 0 5", "0 0 5"}).face("0", {"0 0 0", "9 0 0", "9 9 0"}));
-  const PolygonFile file = read_polygon_file(path("plan.dxf"), "", {.crs = {}, .is_local = true}, 0.001, warnings_);
+  const PolygonFile file = read_polygon_file(path("plan.dxf"), "", local_crs(), 0.001, warnings_);
   ASSERT_EQ(file.polygons.size(), 2U);
   EXPECT_EQ(file.polygons[0].rings[0], (std::vector<Vec3>{{0, 0, 0}, {9, 0, 0}, {9, 0, 5}, {0, 0, 5}}));
   EXPECT_EQ(file.polygons[1].rings[0].size(), 3U);
 }
 
-TEST_F(DxfTest, WhatLiesAtZeroBesideTheGroundIsWarnedOf) {
+TEST_F(DxfTest, WarnsOfFeaturesAtZeroFarBelowTheOthers) {
   Drawing drawing;
   drawing.line("ground", "0 0 105", "90 0 106")
       .line("frame", "-5 -5 0", "95 -5 0")
@@ -194,11 +189,11 @@ TEST_F(DxfTest, WhatLiesAtZeroBesideTheGroundIsWarnedOf) {
   EXPECT_EQ(
       warnings(),
       "plan.dxf: warning: 1 feature lies at the height 0 (the others lie from 99 to 106 m; feature 1 is the first). "
-      "A frame or plan beside the ground is left out by naming the ground's layer: lines_layer = \"...\"");
+      "To leave out a frame or plan next to the ground, name the ground's layer: lines_layer = \"...\"");
   warnings_ = Problems{};
   make(drawing.line("ground", "0 18 2", "90 18 -1"));
   static_cast<void>(read_survey(sources, warnings_));
-  EXPECT_EQ(warnings(), "") << "among others at sea level it is nothing special";
+  EXPECT_EQ(warnings(), "") << "other features are at sea level, too";
 }
 
 }  // namespace

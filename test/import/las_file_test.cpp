@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 
+#include "support/input_folder.hpp"
 #include "support/las.hpp"
 
 namespace talus {
@@ -15,42 +15,31 @@ using namespace testing_tools;
 using ::testing::ElementsAre;
 using ::testing::Pair;
 
-class LasFileTest : public ::testing::Test {
+class LasFileTest : public InputFolder {
  protected:
-  LasFileTest() {
-    const auto* const info = ::testing::UnitTest::GetInstance()->current_test_info();
-    file_ = std::filesystem::path{::testing::TempDir()} /
-            ("talus_las_" + std::string{info->name()} + "_" + std::to_string(::getpid()) + ".las");
-  }
-  ~LasFileTest() override {
-    std::error_code ignored;
-    std::filesystem::remove(file_, ignored);
-  }
-
   [[nodiscard]] LasFile read(const LasSpec& spec, const std::vector<std::int64_t>& classes = {}) const {
     LasBytes(spec).write(file_);
     return read_las_file(file_, classes);
   }
   [[nodiscard]] std::string refusal_of_file(const std::vector<std::int64_t>& classes = {}) const {
-    try {
-      static_cast<void>(read_las_file(file_, classes));
-    } catch (const BadInput& bad) {
-      std::string said = bad.what();
-      const std::string stem = (file_.parent_path() / file_.stem()).string();
-      for (auto at = said.find(stem); at != std::string::npos; at = said.find(stem)) said.replace(at, stem.size(), "p");
-      return said;
-    }
-    return "was read";
+    return refusal_of([&] { static_cast<void>(read_las_file(file_, classes)); });
   }
   [[nodiscard]] std::string refusal(const LasSpec& spec, const std::vector<std::int64_t>& classes = {}) const {
     LasBytes(spec).write(file_);
     return refusal_of_file(classes);
   }
 
-  std::filesystem::path file_;
+  /// Overwrites a byte of the file.
+  void patch(int at, int value) const {
+    std::fstream bytes(file_, std::ios::binary | std::ios::in | std::ios::out);
+    bytes.seekp(at);
+    bytes.put(static_cast<char>(value));
+  }
+
+  std::filesystem::path file_ = path("p.las");
 };
 
-LasSpec some(int minor = 2, int format = 0) {
+LasSpec six_points(int minor = 2, int format = 0) {
   LasSpec spec;
   spec.minor = minor;
   spec.format = format;
@@ -64,7 +53,7 @@ LasSpec some(int minor = 2, int format = 0) {
 TEST_F(LasFileTest, ReadsEveryFormatOfEveryVersion) {
   for (int minor = 0; minor <= 4; ++minor) {
     for (int format = 0; format <= 10; ++format) {
-      LasSpec spec = some(minor, format);
+      LasSpec spec = six_points(minor, format);
       spec.extra_bytes = format % 3;
       const LasFile las = read(spec);
       ASSERT_EQ(las.points.size(), 4U) << "1." << minor << ", format " << format;
@@ -89,18 +78,18 @@ TEST_F(LasFileTest, ReadsManyBlocks) {
     ASSERT_LT((las.points[k] - spec.points[k].at).cwiseAbs().maxCoeff(), 0.0051);
 }
 
-TEST_F(LasFileTest, TakesTheClassesThatAreWanted) {
-  EXPECT_EQ(read(some(), {2}).points.size(), 2U);
-  EXPECT_EQ(read(some(4, 6), {2, 5}).points.size(), 3U);
-  EXPECT_EQ(read(some(), {7}).points.size(), 1U);  // noise, since it is asked for
+TEST_F(LasFileTest, ReadsTheRequestedClasses) {
+  EXPECT_EQ(read(six_points(), {2}).points.size(), 2U);
+  EXPECT_EQ(read(six_points(4, 6), {2, 5}).points.size(), 3U);
+  EXPECT_EQ(read(six_points(), {7}).points.size(), 1U);  // noise, on request
   EXPECT_EQ(
-      refusal(some(), {3, 4}),
+      refusal(six_points(), {3, 4}),
       "p.las: has no points of the classes in point_classes (it has 1 of class 0, 2 of class 2, 1 of class 5, 1 of "
       "class 7)");
 }
 
-TEST_F(LasFileTest, ReadsWhereItIs) {
-  LasSpec spec = some();
+TEST_F(LasFileTest, ReadsTheCoordinateSystem) {
+  LasSpec spec = six_points();
   spec.geo_keys = {{1024, 1}, {3072, 31287}, {3076, 9001}, {4096, 5778}, {4099, 9001}};
   const LasCrs keys = read(spec).crs;
   EXPECT_EQ(keys.projected_epsg, 31287);
@@ -113,82 +102,66 @@ TEST_F(LasFileTest, ReadsWhereItIs) {
   EXPECT_TRUE(degrees.is_geographic);
   EXPECT_EQ(degrees.geographic_epsg, 4326);
   EXPECT_EQ(degrees.projected_epsg, std::nullopt);
-  spec = some(4, 6);
+  spec = six_points(4, 6);
   spec.wkt = "PROJCRS[\"x\"]";
   EXPECT_EQ(read(spec).crs.wkt, spec.wkt);
-  EXPECT_EQ(read(some()).crs.wkt, "");
+  EXPECT_EQ(read(six_points()).crs.wkt, "");
 }
 
-TEST_F(LasFileTest, RefusesWhatIsNoLas) {
+TEST_F(LasFileTest, RefusesFilesThatAreNotLas) {
   std::ofstream(file_) << "x,y,z\n1,2,3\n";
-  EXPECT_EQ(refusal_of_file(), "p.las: is not a LAS file (it has 12 bytes, less than a header)");
+  EXPECT_EQ(refusal_of_file(), "p.las: is not a LAS file (its 12 bytes are less than a header)");
   std::ofstream(file_) << std::string(400, 'x');
   EXPECT_EQ(refusal_of_file(), "p.las: is not a LAS file (it does not begin with LASF)");
   std::filesystem::remove(file_);
   EXPECT_EQ(refusal_of_file(),
             "p.las: cannot be read (No such file or directory). Paths are relative to the project file");
-  EXPECT_EQ(refusal(some(7)), "p.las: is LAS 1.7 (Talus reads 1.0 to 1.4)");
-  LasSpec spec = some();
-  spec.format = 11 | 0;
-  LasBytes(some()).write(file_);
-  {
-    std::fstream bytes(file_, std::ios::binary | std::ios::in | std::ios::out);
-    bytes.seekp(104);
-    bytes.put(11);
-  }
-  EXPECT_EQ(refusal_of_file(), "p.las: has points of format 11 (Talus knows 0 to 10)");
+  EXPECT_EQ(refusal(six_points(7)), "p.las: is LAS 1.7 (Talus reads 1.0 to 1.4)");
+  LasBytes(six_points()).write(file_);
+  patch(104, 11);
+  EXPECT_EQ(refusal_of_file(), "p.las: has points of format 11 (Talus reads formats 0 to 10)");
 }
 
-TEST_F(LasFileTest, RefusesCompressedPointsWithTheCommandThatUnpacksThem) {
-  LasBytes(some()).write(file_);
-  {
-    std::fstream bytes(file_, std::ios::binary | std::ios::in | std::ios::out);
-    bytes.seekp(104);
-    bytes.put(static_cast<char>(128));
-  }
+TEST_F(LasFileTest, RefusesCompressedPointsWithTheCommandToUnpackThem) {
+  LasBytes(six_points()).write(file_);
+  patch(104, 128);
   EXPECT_EQ(refusal_of_file(),
             "p.las: is compressed (LAZ) (Talus reads LAS). Unpack it: pdal translate p.las p_unpacked.las");
 }
 
-TEST_F(LasFileTest, RefusesWhatItCannotHold) {
-  LasSpec spec = some();
+TEST_F(LasFileTest, RefusesCountsThatDoNotFitTheFile) {
+  LasSpec spec = six_points();
   spec.declared = 7;
-  EXPECT_EQ(
-      refusal(spec),
-      "p.las: declares 7 points of 20 bytes from byte 227 (it has 347 bytes). Copy it again from where it comes from");
+  EXPECT_EQ(refusal(spec),
+            "p.las: declares 7 points of 20 bytes from byte 227 (it has 347 bytes). Copy it again from its source");
   spec.minor = 4;
   spec.declared = std::uint64_t{1} << 60;
   EXPECT_EQ(
       refusal(spec),
       "p.las: declares 1152921504606846976 points (Talus reads fewer than 1073741824). Thin it, cut it to the slope, "
-      "or make a raster of it");
-  spec = some();
+      "or make a raster from it");
+  spec = six_points();
   spec.points.clear();
   EXPECT_EQ(refusal(spec), "p.las: has no points (its header says so)");
-  spec = some();
+  spec = six_points();
   spec.scale = 0.01;
   LasBytes(spec).write(file_);
-  {
-    std::fstream bytes(file_, std::ios::binary | std::ios::in | std::ios::out);
-    bytes.seekp(105);
-    bytes.put(10);
-  }
+  patch(105, 10);
   EXPECT_EQ(refusal_of_file(), "p.las: has points of 10 bytes (those of format 0 have 20 or more)");
 }
 
-TEST_F(LasFileTest, RefusesScalesAndHeightsThatMakeNoSense) {
-  LasSpec spec = some();
+TEST_F(LasFileTest, RefusesImpossibleScalesAndHeights) {
+  LasSpec spec = six_points();
   LasBytes(spec).write(file_);
   {
     std::fstream bytes(file_, std::ios::binary | std::ios::in | std::ios::out);
     bytes.seekp(131);
-    const double nothing = 0;
-    bytes.write(reinterpret_cast<const char*>(&nothing), 8);
+    const double zero = 0;
+    bytes.write(reinterpret_cast<const char*>(&zero), 8);
   }
-  EXPECT_EQ(
-      refusal_of_file(),
-      "p.las: has the scales 0, 0.01, 0.01 and the offsets 600000, 5.2e+06, 0 (scales are more than 0, and all are "
-      "finite)");
+  EXPECT_EQ(refusal_of_file(),
+            "p.las: has the scales 0, 0.01, 0.01 and the offsets 600000, 5.2e+06, 0 (scales must be more than 0, and "
+            "all must be finite)");
   spec.points[0].at.z() = -9999;
   EXPECT_EQ(
       refusal(spec),
@@ -196,22 +169,18 @@ TEST_F(LasFileTest, RefusesScalesAndHeightsThatMakeNoSense) {
       "point_classes, or filter the file");
 }
 
-// A damaged file ends in a refusal or is read, whatever its bytes are.
+// With any byte damaged, a file is read or refused, but nothing worse.
 TEST_F(LasFileTest, AnyByteMayBeWrong) {
-  LasSpec spec = some(4, 6);
+  LasSpec spec = six_points(4, 6);
   spec.geo_keys = {{1024, 1}, {3072, 31287}};
   spec.wkt = "PROJCRS[\"x\"]";
-  // Sizes, counts, scales; where records lie; what records say.
+  // Sizes, counts and scales; the positions of records; their contents.
   std::size_t refused = 0;
   for (const auto& [from, to] : {std::pair{94, 155}, {235, 255}, {375, 460}}) {
     for (int at = from; at < to; ++at) {
       for (const int value : {1, 255}) {
         LasBytes(spec).write(file_);
-        {
-          std::fstream bytes(file_, std::ios::binary | std::ios::in | std::ios::out);
-          bytes.seekp(at);
-          bytes.put(static_cast<char>(value));
-        }
+        patch(at, value);
         refused += refusal_of_file() != "was read";
       }
     }
@@ -219,8 +188,8 @@ TEST_F(LasFileTest, AnyByteMayBeWrong) {
   EXPECT_GT(refused, 20U);
 }
 
-TEST_F(LasFileTest, CoordinatesThatNoMapHasAreRefused) {
-  LasSpec spec = some();
+TEST_F(LasFileTest, RefusesCoordinatesTooFarFromTheOrigin) {
+  LasSpec spec = six_points();
   spec.offset.x() = 1e12;
   for (LasPoint& point : spec.points) point.at.x() = 1e12;
   EXPECT_EQ(refusal(spec),
@@ -228,8 +197,8 @@ TEST_F(LasFileTest, CoordinatesThatNoMapHasAreRefused) {
             "or offsets are wrong; copy it again from where it comes from");
 }
 
-TEST_F(LasFileTest, ScalesBeyondAllNumbersAreRefused) {
-  LasSpec spec = some();
+TEST_F(LasFileTest, RefusesScalesThatGiveInfiniteCoordinates) {
+  LasSpec spec = six_points();
   spec.scale = 1e305;
   spec.offset = Vec3::Zero();
   EXPECT_EQ(

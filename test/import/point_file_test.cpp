@@ -2,55 +2,33 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <string>
 
-#include "talus/core/problems.hpp"
+#include "support/input_folder.hpp"
 
 namespace talus {
 namespace {
 
-using ::testing::ElementsAre;
+using namespace testing_tools;
 using ::testing::HasSubstr;
 
-class PointFileTest : public ::testing::Test {
+class PointFileTest : public InputFolder {
  protected:
-  PointFileTest() {
-    const auto* const info = ::testing::UnitTest::GetInstance()->current_test_info();
-    file_ = std::filesystem::path{::testing::TempDir()} /
-            ("talus_points_" + std::string{info->name()} + "_" + std::to_string(::getpid()) + ".csv");
-  }
-  ~PointFileTest() override {
-    std::error_code ignored;
-    std::filesystem::remove(file_, ignored);
-  }
-
   [[nodiscard]] std::vector<Vec3> read(const std::string& text) const {
-    std::ofstream(file_, std::ios::binary) << text;
-    return read_point_file(file_);
+    write("p.csv", text);
+    return read_point_file(path("p.csv"));
   }
   [[nodiscard]] std::string refusal(const std::string& text) const {
-    try {
-      static_cast<void>(read(text));
-    } catch (const BadInput& bad) {
-      std::string said = bad.what();
-      for (auto at = said.find(file_.string()); at != std::string::npos; at = said.find(file_.string())) {
-        said.replace(at, file_.string().size(), "p.csv");
-      }
-      return said;
-    }
-    return "was read";
+    return refusal_of([&] { static_cast<void>(read(text)); });
   }
-
-  std::filesystem::path file_;
 };
 
 const std::vector<Vec3> three{{1.5, 2, 3}, {4, 5, -6.25}, {7e3, 8, 9}};
 
-TEST_F(PointFileTest, NumbersBetweenAnySeparator) {
+TEST_F(PointFileTest, ReadsNumbersWithAnySeparator) {
   EXPECT_EQ(read("1.5,2,3\n4,5,-6.25\n7e3,8,9\n"), three);
   EXPECT_EQ(read("1.5 2 3\n  4   5 -6.25  \n7e3 8 9"), three);
   EXPECT_EQ(read("1.5\t2\t3\n4\t5\t-6.25\n7e3\t8\t9\n"), three);
@@ -58,12 +36,12 @@ TEST_F(PointFileTest, NumbersBetweenAnySeparator) {
   EXPECT_EQ(read(" 1.5 , 2 , 3 \n \"4\" , +5 , -6.25\n7e3, 8, 9 \n"), three);
 }
 
-TEST_F(PointFileTest, ACommaIsADecimalPointBetweenSemicolonsAndTabs) {
+TEST_F(PointFileTest, ReadsDecimalCommasWithSemicolonsAndTabs) {
   EXPECT_EQ(read("x;y;z\n1,5;2;3\n4;5;-6,25\n7e3;8;9\n"), three);
   EXPECT_EQ(read("1,5\t2,0\t3\n4\t5\t-6,25\n7e3\t8\t9,0\n"), three);
 }
 
-TEST_F(PointFileTest, AFirstLineNamesTheColumns) {
+TEST_F(PointFileTest, AFirstLineMayNameTheColumns) {
   EXPECT_EQ(read("id,northing,easting,code,elevation\na,2,1.5,x,3\nb,5,4,y,-6.25\nc,8,7e3,z,9\n"), three);
   EXPECT_EQ(read("\"X\" \"Y\" \"Z\"\n1.5 2 3\n4 5 -6.25\n7e3 8 9\n"), three);
   EXPECT_EQ(read("Rechtswert;Hochwert;H\n1,5;2;3\n4;5;-6,25\n7e3;8;9\n"), three);
@@ -73,27 +51,26 @@ TEST_F(PointFileTest, AFirstLineNamesTheColumns) {
   EXPECT_EQ(read("# y, x, z\n2,1.5,3\n5,4,-6.25\n8,7e3,9\n"), three);
 }
 
-TEST_F(PointFileTest, CommentsAndEmptyLinesArePassedOver) {
-  EXPECT_EQ(read("# by hand, of Monday\n\n1.5,2,3\n\n// a rest\n4,5,-6.25\n# x,y,z\n7e3,8,9\n\n"), three);
+TEST_F(PointFileTest, SkipsCommentsAndEmptyLines) {
+  EXPECT_EQ(read("# measured on Monday\n\n1.5,2,3\n\n// a break\n4,5,-6.25\n# x,y,z\n7e3,8,9\n\n"), three);
 }
 
-TEST_F(PointFileTest, AFirstLineMayCountThePoints) {
+TEST_F(PointFileTest, AFirstLineMayBeTheNumberOfPoints) {
   EXPECT_EQ(read("3\n1.5 2 3\n4 5 -6.25\n7e3 8 9\n"), three);
   EXPECT_EQ(read("\xEF\xBB\xBF 3\r\n1.5 2 3 -812 90 91 92\r\n4 5 -6.25 1 2 3 4\r\n7e3 8 9 1 2 3 4\r\n"), three);
-  EXPECT_EQ(
-      refusal("4\n1.5 2 3\n4 5 -6.25\n7e3 8 9\n"),
-      "p.csv: has 3 points (its first line says 4). Copy it again from where it comes from, or take that line out");
+  EXPECT_EQ(refusal("4\n1.5 2 3\n4 5 -6.25\n7e3 8 9\n"),
+            "p.csv: has 3 points (its first line declares 4). Copy it again from its source, or remove that line");
   EXPECT_THAT(refusal("1.5 2 3\n3\n4 5 6\n"), HasSubstr("p.csv:2: has 1 of 3 columns"));
 }
 
-TEST_F(PointFileTest, FurtherColumnsAreLeftAlone) {
+TEST_F(PointFileTest, IgnoresFurtherColumns) {
   EXPECT_EQ(read("1.5 2 3 255 0 0\n4 5 -6.25 0 255 0\n7e3 8 9 0 0 255\n"), three);
 }
 
-TEST_F(PointFileTest, ValuesThatBelongToNoColumnAreRefused) {
+TEST_F(PointFileTest, RefusesLinesWithSurplusValues) {
   EXPECT_EQ(refusal("x,y,z\n100,956,100,948,100,057\n1,2,3\n1,2,3,red\n"),
-            "p.csv:2: has 6 columns (line 1 names 3). If its commas stand for decimal points, write points, or put ; "
-            "between the columns\n"
+            "p.csv:2: has 6 columns (line 1 names 3). If its commas are decimal commas, write points, or separate the "
+            "columns by semicolons\n"
             "p.csv:4: has 4 columns (line 1 names 3). Name all columns in the first line");
   EXPECT_EQ(refusal("1 2 3\n4 5 6 7\n"), "p.csv:2: has 4 columns (line 1 has 3). Name all columns in the first line");
   EXPECT_EQ(read("x,y,z,\n1.5,2,3\n4,5,-6.25,\n7e3,8,9\n"), three);
@@ -102,77 +79,73 @@ TEST_F(PointFileTest, ValuesThatBelongToNoColumnAreRefused) {
   EXPECT_EQ(read("x,y,z,what\n1.5,2,3,\"a, b, c\"\n4,5,-6.25,\n7e3,8,9,d\n"), three);
 }
 
-TEST_F(PointFileTest, DecimalCommasBetweenCommasAreRefused) {
+TEST_F(PointFileTest, RefusesDecimalCommasSeparatedByCommas) {
   const std::string refused =
-      "p.csv: seems to have decimal commas (its lines have six and more whole numbers between commas, and none that "
-      "names the columns). Write decimal points, or put ; between the columns; if they are whole numbers, name them in "
-      "the first line, for example: x,y,z,red,green,blue";
+      "p.csv: seems to have decimal commas (its lines have six or more integers between commas, and no line names the "
+      "columns). Write decimal points, or separate the columns by semicolons; if they are integers, name the columns "
+      "in the first line, for example: x,y,z,red,green,blue";
   EXPECT_EQ(refusal("100,956,100,948,100,057\n100,085,110,835,100,736\n100,085,110,100,736\n"), refused);
   EXPECT_EQ(read("x,y,z,red,green,blue\n1,2,3,4,5,6\n").size(), 1U);
   EXPECT_EQ(read("1,2,3,4,5,6\n1.5,2,3,4,5,6\n").size(), 2U);
 }
 
-TEST_F(PointFileTest, BadLinesAreToldOfByTheirNumbers) {
-  EXPECT_EQ(
-      refusal("x,y,z\n1,2,3\n1,two,3\n4,5\n6,7,nan\n8,9,-9999\n"),
-      "p.csv:3: \"two\" is not a number (expected y in metres)\n"
-      "p.csv:4: has 2 of 3 columns (a point has a height)\n"
-      "p.csv:5: \"nan\" is not a number (expected z in metres)\n"
-      "p.csv:6: z is -9999 (heights lie between -9000 and 100000 m). If it stands for no data, leave the line out");
+TEST_F(PointFileTest, ReportsBadLinesByTheirNumbers) {
+  EXPECT_EQ(refusal("x,y,z\n1,2,3\n1,two,3\n4,5\n6,7,nan\n8,9,-9999\n"),
+            "p.csv:3: \"two\" is not a number (expected y in metres)\n"
+            "p.csv:4: has 2 of 3 columns (a point needs a height)\n"
+            "p.csv:5: \"nan\" is not a number (expected z in metres)\n"
+            "p.csv:6: z is -9999 (heights must be between -9000 and 100000 m). If it means no data, remove the line");
 }
 
-TEST_F(PointFileTest, AfterTenBadLinesTheOthersAreCounted) {
+TEST_F(PointFileTest, ReportsTenBadLinesAndCountsTheOthers) {
   std::string text = "x,y,z\n";
   for (int k = 0; k < 25; ++k) text += "1,2,?\n";
-  const std::string said = refusal(text);
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 10);
-  EXPECT_THAT(said, HasSubstr("p.csv:11: \"?\" is not a number"));
-  EXPECT_THAT(said, HasSubstr("p.csv: 15 more lines are like this"));
+  const std::string message = refusal(text);
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 10);
+  EXPECT_THAT(message, HasSubstr("p.csv:11: \"?\" is not a number"));
+  EXPECT_THAT(message, HasSubstr("p.csv: 15 more lines have problems"));
 }
 
 TEST_F(PointFileTest, RefusesColumnsThatAreNotMetres) {
-  EXPECT_EQ(
-      refusal("x,y,z_ft\n1,2,3\n"),
-      "p.csv:1: column \"z_ft\" is in feet (Talus needs metres on plan and in height). Convert it to metres: a foot "
-      "is 0.3048 m, a US survey foot 1200/3937 m");
+  EXPECT_EQ(refusal("x,y,z_ft\n1,2,3\n"),
+            "p.csv:1: column \"z_ft\" is in feet (Talus needs coordinates and heights in metres). Convert it to "
+            "metres: a foot "
+            "is 0.3048 m, a US survey foot 1200/3937 m");
   EXPECT_EQ(refusal("id,lat,lon,z\n1,2,3,4\n"),
             "p.csv:1: column \"lat\" is in degrees (Talus needs metres on plan). Project the points, for example with "
             "gdaltransform -s_srs EPSG:4326 -t_srs EPSG:XXXX");
 }
 
-TEST_F(PointFileTest, RefusesColumnsThatNobodyCanTellApart) {
-  EXPECT_EQ(
-      refusal("x,y\n1,2\n"),
-      "p.csv:1: no column is called z (there are \"x\", \"y\"). Columns are called x, y and z, or easting, northing "
-      "and elevation");
-  EXPECT_EQ(
-      refusal("x,y,z,height\n1,2,3,4\n"),
-      "p.csv:1: columns \"z\" and \"height\" mean the same (there is one x, one y and one z). Rename the one that is "
-      "not meant");
-  EXPECT_EQ(
-      refusal("1 2.5 3.5 4\n2 3.5 4.5 5\n3 1 1 1\n"),
-      "p.csv: seems to count its points in the first column (it has no line that names the columns, and the first "
-      "number grows by 1 from line to line). Name them in the first line, for example: id x y z");
+TEST_F(PointFileTest, RefusesAmbiguousColumns) {
+  EXPECT_EQ(refusal("x,y\n1,2\n"),
+            "p.csv:1: no column is named z (the columns are \"x\", \"y\"). Name the columns x, y and z, or easting, "
+            "northing and elevation");
+  EXPECT_EQ(refusal("x,y,z,height\n1,2,3,4\n"),
+            "p.csv:1: columns \"z\" and \"height\" have the same meaning (expected one x, one y and one z). Rename the "
+            "one that is not to be used");
+  EXPECT_EQ(refusal("1 2.5 3.5 4\n2 3.5 4.5 5\n3 1 1 1\n"),
+            "p.csv: seems to number its points in the first column (no line names the columns, and the first number "
+            "increases by 1 from line to line). Name the columns in the first line, for example: id x y z");
   EXPECT_EQ(read("x y z i\n1 2.5 3.5 4\n2 3.5 4.5 5\n3 1 1 1\n").size(), 3U);
 }
 
-TEST_F(PointFileTest, RefusesWhatHoldsNoPoints) {
+TEST_F(PointFileTest, RefusesFilesWithoutPoints) {
   EXPECT_EQ(refusal(""), "p.csv: has no points (no line has three numbers)");
   EXPECT_EQ(refusal("x,y,z\n"), "p.csv: has no points (no line has three numbers)");
   EXPECT_EQ(refusal("1,2\n3,4\n"),
-            "p.csv:1: has 2 of 3 columns (a point has a height)\n"
-            "p.csv:2: has 2 of 3 columns (a point has a height)");
-  EXPECT_EQ(refusal("1\n"), "p.csv: has no points (its first line is a count, and none follows)");
+            "p.csv:1: has 2 of 3 columns (a point needs a height)\n"
+            "p.csv:2: has 2 of 3 columns (a point needs a height)");
+  EXPECT_EQ(refusal("1\n"), "p.csv: has no points (its first line is a count, but no point follows)");
   EXPECT_EQ(refusal(std::string(200'000, '7')),
             "p.csv: is not a text file of points (line 1 has more than 100000 bytes)");
   EXPECT_THROW(static_cast<void>(read_point_file("/nowhere/p.csv")), BadInput);
   EXPECT_THROW(static_cast<void>(read_point_file("/")), BadInput);
 }
 
-TEST_F(PointFileTest, CoordinatesThatNoMapHasAreRefused) {
+TEST_F(PointFileTest, RefusesCoordinatesTooFarFromTheOrigin) {
   EXPECT_EQ(refusal("x,y,z\n0,0,1\n1e300,0,1\n0,-2e9,1\n"),
-            "p.csv:3: x is 1e+300 (coordinates lie within 1e+09 m)\n"
-            "p.csv:4: y is -2000000000 (coordinates lie within 1e+09 m)");
+            "p.csv:3: x is 1e+300 (coordinates must be smaller than 1e+09 m)\n"
+            "p.csv:4: y is -2000000000 (coordinates must be smaller than 1e+09 m)");
 }
 
 }  // namespace

@@ -37,28 +37,22 @@ class SurveyFilesTest : public RasterFolder {
   [[nodiscard]] std::string refusal(const SurveySources& sources) {
     return refusal_of([&] { static_cast<void>(read(sources)); });
   }
-  [[nodiscard]] std::string warnings() const { return without_folder(warnings_.text()); }
   [[nodiscard]] std::string name_of_crs(const std::string& wkt) const {
     OGRSpatialReference crs;
     return crs.importFromWkt(wkt.c_str()) == OGRERR_NONE ? name_of(crs) : "none";
   }
-
-  Problems warnings_;
 };
-
-ProjectCrs said(const std::string& words) { return {.crs = crs_in_words(words).value(), .is_local = false}; }
 
 // ---- coordinate systems ----
 
-TEST_F(SurveyFilesTest, TextTakesTheCoordinateSystemThatIsSaid) {
+TEST_F(SurveyFilesTest, TextTakesTheCoordinateSystemOfTheProject) {
   write("p.csv", csv);
   SurveySources from = sources("p.csv");
   EXPECT_EQ(read(from).crs_wkt, "");
-  EXPECT_EQ(
-      warnings(),
-      "p.csv: warning: names no coordinate system (its coordinates are taken to be in metres). Name it with crs = "
-      "\"EPSG:...\", or write crs = \"local\"");
-  from.said = said("EPSG:31287");
+  EXPECT_EQ(warnings(),
+            "p.csv: warning: has no coordinate system (its coordinates are assumed to be in metres). Set crs = "
+            "\"EPSG:...\", or crs = \"local\"");
+  from.project_crs = project_crs("EPSG:31287");
   const SurveyFiles files = read(from);
   EXPECT_EQ(name_of_crs(files.crs_wkt), "EPSG:31287");
   EXPECT_EQ(warnings(), "");
@@ -66,36 +60,34 @@ TEST_F(SurveyFilesTest, TextTakesTheCoordinateSystemThatIsSaid) {
   EXPECT_EQ(without_folder(files.report), "p.csv: 4 points");
 }
 
-TEST_F(SurveyFilesTest, LasTakesTheCoordinateSystemThatIsSaid) {
+TEST_F(SurveyFilesTest, LasWithoutACoordinateSystemTakesThatOfTheProject) {
   LasSpec spec;
   spec.offset = {400000, 300000, 0};
   for (const double x : {0.0, 50.0, 100.0}) spec.points.push_back({{400000 + x, 300000 + x * x / 100, 1000}, 2});
   LasBytes(spec).write(path("p.las"));
   SurveySources from = sources("p.las");
   EXPECT_EQ(read(from).crs_wkt, "");
-  EXPECT_THAT(warnings(), HasSubstr("p.las: warning: names no coordinate system that Talus understands"));
-  from.said = said("EPSG:31287");
+  EXPECT_THAT(warnings(), HasSubstr("p.las: warning: has no coordinate system that Talus understands"));
+  from.project_crs = project_crs("EPSG:31287");
   EXPECT_EQ(name_of_crs(read(from).crs_wkt), "EPSG:31287");
   EXPECT_EQ(warnings(), "");
-  from.said = {};
-  from.said.is_local = true;
+  from.project_crs = local_crs();
   EXPECT_EQ(read(from).crs_wkt, "");
   EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(SurveyFilesTest, LinesSayWhereTextIs) {
+TEST_F(SurveyFilesTest, TextTakesTheCoordinateSystemOfTheLines) {
   write("p.csv", csv);
   lines({{"LINESTRING Z (400010 300010 1005, 400090 300090 1025)", ""}});
   const SurveyFiles files = read(sources("p.csv", "lines.gpkg"));
   EXPECT_EQ(name_of_crs(files.crs_wkt), "EPSG:31287");
   EXPECT_EQ(
       warnings(),
-      "p.csv: warning: names no coordinate system (it is taken to be EPSG:31287, that of lines.gpkg). Say so with crs "
-      "= \"...\"");
+      "p.csv: warning: has no coordinate system (EPSG:31287, that of lines.gpkg, is assumed). Set crs = \"...\" if so");
   EXPECT_EQ(files.survey.lines.size(), 1U);
 }
 
-TEST_F(SurveyFilesTest, LinesAreBroughtToTheCoordinateSystemOfThePoints) {
+TEST_F(SurveyFilesTest, LinesAreTransformedToTheCoordinateSystemOfThePoints) {
   LasSpec spec;
   spec.offset = {400000, 352000, 0};
   for (const double x : {0.0, 200.0}) {
@@ -123,14 +115,13 @@ TEST_F(SurveyFilesTest, RefusesDegrees) {
       "Project it: ogr2ogr -t_srs EPSG:XXXX lines_metres.gpkg lines.gpkg");
   write("p.csv", "13.33,47.06,1000\n13.34,47.06,1010\n13.33,47.07,1020\n");
   SurveySources text = sources("p.csv");
-  EXPECT_EQ(
-      refusal(text),
-      "p.csv: seems to be in degrees (it lies within x = 13.33 to 13.34, y = 47.06 to 47.07, and names no coordinate "
-      "system). Project it to metres; or, if they are metres, write crs = \"local\"");
-  text.said.is_local = true;
+  EXPECT_EQ(refusal(text),
+            "p.csv: seems to be in degrees (it covers x = 13.33 to 13.34, y = 47.06 to 47.07, and has no coordinate "
+            "system). Project it to metres; or, if it is in metres, set crs = \"local\"");
+  text.project_crs.is_local = true;
   EXPECT_EQ(read(text).survey.points.size(), 3U);
   EXPECT_EQ(warnings(), "");
-  text.said = said("EPSG:4326");
+  text.project_crs = project_crs("EPSG:4326");
   EXPECT_EQ(
       refusal(text),
       "p.csv: is in degrees (EPSG:4326 is a geographic coordinate system; Talus needs metres on plan). Project it: "
@@ -146,62 +137,61 @@ TEST_F(SurveyFilesTest, RefusesDegrees) {
             "translate p.las p_metres.las reprojection --filters.reprojection.out_srs=EPSG:32633");
 }
 
-TEST_F(SurveyFilesTest, RefusesFeetInHeight) {
-  // NAVD88 height in US survey feet, over a plan in metres.
+TEST_F(SurveyFilesTest, RefusesHeightsInFeet) {
+  // NAVD88 heights in US survey feet, with metres on plan.
   LasSpec spec;
   spec.offset = {500000, 4000000, 0};
   spec.points = {{{500000, 4000000, 10}, 2}, {{500100, 4000000, 10}, 2}, {{500000, 4000100, 10}, 2}};
   spec.geo_keys = {{1024, 1}, {3072, 32610}, {4096, 6360}};
   LasBytes(spec).write(path("p.las"));
-  EXPECT_THAT(
-      refusal(sources("p.las")),
-      HasSubstr("p.las: has heights in US survey foot (WGS 84 / UTM zone 10N + NAVD88 height (ftUS) has them so"));
+  EXPECT_THAT(refusal(sources("p.las")), HasSubstr("p.las: has heights in US survey foot (that is the unit of WGS 84 / "
+                                                   "UTM zone 10N + NAVD88 height (ftUS), 0.3048006096 m"));
   spec.geo_keys = {{1024, 1}, {3072, 32610}, {4099, 9003}};
   LasBytes(spec).write(path("p.las"));
-  EXPECT_EQ(
-      refusal(sources("p.las")),
-      "p.las: has heights that are not in metres (its unit is EPSG:9003, 0.3048006096 m). Bring it to one in metres: "
-      "pdal translate p.las p_metres.las reprojection --filters.reprojection.out_srs=EPSG:XXXX");
+  EXPECT_EQ(refusal(sources("p.las")),
+            "p.las: has heights that are not in metres (its unit is EPSG:9003, 0.3048006096 m). Transform it to one in "
+            "metres: "
+            "pdal translate p.las p_metres.las reprojection --filters.reprojection.out_srs=EPSG:XXXX");
   spec.geo_keys = {{1024, 1}, {3072, 2227}, {3076, 9003}};
   LasBytes(spec).write(path("p.las"));
   EXPECT_THAT(refusal(sources("p.las")),
               HasSubstr("p.las: is not in metres on plan (its unit is EPSG:9003, 0.3048006096 m)"));
 }
 
-TEST_F(SurveyFilesTest, RefusesFilesThatSayAnotherCoordinateSystem) {
+TEST_F(SurveyFilesTest, RefusesFilesInAnotherCoordinateSystemThanTheProject) {
   LasSpec spec;
   spec.offset = {400000, 300000, 0};
   spec.points = {{{400000, 300000, 10}, 2}, {{400100, 300000, 10}, 2}, {{400000, 300100, 10}, 2}};
   spec.geo_keys = {{1024, 1}, {3072, 31287}};
   LasBytes(spec).write(path("p.las"));
   SurveySources from = sources("p.las");
-  from.said = said("EPSG:32633");
-  EXPECT_EQ(refusal(from), "p.las: is in EPSG:31287 (crs says EPSG:32633). Leave crs out, or bring the file to it");
-  from.said = said("EPSG:31287");
+  from.project_crs = project_crs("EPSG:32633");
+  EXPECT_EQ(refusal(from), "p.las: is in EPSG:31287 (crs is EPSG:32633). Remove crs, or transform the file to it");
+  from.project_crs = project_crs("EPSG:31287");
   EXPECT_EQ(name_of_crs(read(from).crs_wkt), "EPSG:31287");
-  from.said = {.crs = {}, .is_local = true};
-  EXPECT_EQ(refusal(from), "p.las: is in EPSG:31287 (crs says \"local\"). Leave crs out");
+  from.project_crs = local_crs();
+  EXPECT_EQ(refusal(from), "p.las: is in EPSG:31287 (crs is \"local\"). Remove crs");
 }
 
-TEST_F(SurveyFilesTest, RefusesFilesThatDoNotLieOverEachOther) {
+TEST_F(SurveyFilesTest, RefusesFilesThatDoNotOverlap) {
   write("p.csv", csv);
   lines({{"LINESTRING Z (500010 300010 1005, 500090 300090 1025)", ""}});
-  EXPECT_EQ(refusal(sources("p.csv", "lines.gpkg")),
-            "lines.gpkg: does not reach the points (it lies within x = 500010 to 500090, y = 300010 to 300090, p.csv "
-            "within x "
-            "= 400000 to 400100, y = 300000 to 300100). Are both in one coordinate system?");
+  EXPECT_EQ(
+      refusal(sources("p.csv", "lines.gpkg")),
+      "lines.gpkg: does not overlap the points (it covers x = 500010 to 500090, y = 300010 to 300090, p.csv covers x "
+      "= 400000 to 400100, y = 300000 to 300100). Are both in the same coordinate system?");
   add_layer(path("area.gpkg"), "area", "EPSG:31287", "a", {{"POLYGON ((0 0, 10 0, 10 10, 0 0))", ""}});
   SurveySources from = sources("p.csv");
   from.boundary = path("area.gpkg");
   EXPECT_EQ(
       refusal(from),
-      "area.gpkg: does not reach the survey (it lies within x = 0 to 10, y = 0 to 10, the survey within x = 400000 to "
-      "400100, y = 300000 to 300100). Are both in one coordinate system?");
+      "area.gpkg: does not overlap the survey (it covers x = 0 to 10, y = 0 to 10, the survey covers x = 400000 to "
+      "400100, y = 300000 to 300100). Are both in the same coordinate system?");
 }
 
 // ---- lines ----
 
-TEST_F(SurveyFilesTest, ContoursHaveTheirHeightsFromAnAttribute) {
+TEST_F(SurveyFilesTest, ContoursTakeTheirHeightsFromAnAttribute) {
   lines({{"LINESTRING (400000 300000, 400100 300000)", "1000"},
          {"MULTILINESTRING ((400000 300050, 400100 300050), (400000 300060, 400100 300060))", "1012.5"},
          {"POLYGON ((400020 300070, 400030 300070, 400030 300080, 400020 300070))", "1020"}});
@@ -219,14 +209,13 @@ TEST_F(SurveyFilesTest, ContoursHaveTheirHeightsFromAnAttribute) {
 TEST_F(SurveyFilesTest, RefusesLinesWithoutHeights) {
   lines({{"LINESTRING (0 0, 1 1)", "1000"}, {"LINESTRING (0 0, 1 1)", "high"}, {"LINESTRING (0 0, 1 1)", ""}});
   SurveySources from = sources("", "lines.gpkg");
-  EXPECT_EQ(
-      refusal(from),
-      "lines.gpkg: feature 1 has no heights (its geometry is of x and y only). Name the attribute that holds them: "
-      "elevation_attribute = \"...\"\n"
-      "lines.gpkg: feature 2 has no heights (its geometry is of x and y only). Name the attribute that holds them: "
-      "elevation_attribute = \"...\"\n"
-      "lines.gpkg: feature 3 has no heights (its geometry is of x and y only). Name the attribute that holds them: "
-      "elevation_attribute = \"...\"");
+  EXPECT_EQ(refusal(from),
+            "lines.gpkg: feature 1 has no heights (its geometry has only x and y). Name the attribute with the "
+            "heights: elevation_attribute = \"...\"\n"
+            "lines.gpkg: feature 2 has no heights (its geometry has only x and y). Name the attribute with the "
+            "heights: elevation_attribute = \"...\"\n"
+            "lines.gpkg: feature 3 has no heights (its geometry has only x and y). Name the attribute with the "
+            "heights: elevation_attribute = \"...\"");
   from.elevation_attribute = "elev";
   EXPECT_EQ(refusal(from),
             "lines.gpkg: feature 2 has the elev \"high\" (a height is a number of metres)\n"
@@ -236,30 +225,30 @@ TEST_F(SurveyFilesTest, RefusesLinesWithoutHeights) {
               HasSubstr("lines.gpkg: layer \"contours\" has no attribute \"elevation\" (it has \"elev\")"));
 }
 
-TEST_F(SurveyFilesTest, RefusesHeightsThatNobodyFilledIn) {
+TEST_F(SurveyFilesTest, RefusesHeightsThatWereNotFilledIn) {
   lines({{"LINESTRING Z (400000 300000 0, 400100 300000 0, 400000 300050 0)", "1000"}});
   EXPECT_EQ(refusal(sources("", "lines.gpkg")),
-            "lines.gpkg: has no height but 0 (every vertex has it). If an attribute holds them, name it: "
+            "lines.gpkg: has only heights of 0 (every vertex is at 0). If an attribute has the heights, name it: "
             "elevation_attribute = \"...\"");
   write("p.csv", csv);
   EXPECT_EQ(read(sources("p.csv", "lines.gpkg")).survey.lines.size(), 1U);  // the shore of a lake at 0 m
-  EXPECT_THAT(warnings(), HasSubstr("lines.gpkg: warning: has no height but 0"));
+  EXPECT_THAT(warnings(), HasSubstr("lines.gpkg: warning: has only heights of 0"));
 }
 
-TEST_F(SurveyFilesTest, RefusesAnEmptyLayerAndHeightsOffTheEarth) {
+TEST_F(SurveyFilesTest, RefusesAnEmptyLayerAndImpossibleHeights) {
   lines({});
   EXPECT_EQ(refusal(sources("", "lines.gpkg")), "lines.gpkg: layer \"contours\" is empty (it has no features)");
   lines({{"LINESTRING Z (0 0 5, 1 1 -9999)", ""}}, "EPSG:31287", "other");
   SurveySources from = sources("", "lines.gpkg");
   from.lines_layer = "other";
-  EXPECT_EQ(refusal(from), "lines.gpkg: feature 1 has the height -9999 (heights lie between -9000 and 100000 m)");
+  EXPECT_EQ(refusal(from), "lines.gpkg: feature 1 has the height -9999 (heights must be between -9000 and 100000 m)");
 }
 
-TEST_F(SurveyFilesTest, SaysWhichKeyNamesTheLayer) {
+TEST_F(SurveyFilesTest, NamesTheKeyThatChoosesTheLayer) {
   lines({{"LINESTRING Z (400000 300000 5, 400100 300000 5)", ""}});
   lines({{"LINESTRING Z (400000 300000 5, 400100 300000 5)", ""}}, "EPSG:31287", "ridges");
   EXPECT_EQ(refusal(sources("", "lines.gpkg")),
-            "lines.gpkg: has 2 layers (\"contours\", \"ridges\"). Say which: lines_layer = \"contours\"");
+            "lines.gpkg: has 2 layers (\"contours\", \"ridges\"). Choose one: lines_layer = \"contours\"");
 }
 
 TEST_F(SurveyFilesTest, ReadsDxf) {
@@ -273,7 +262,7 @@ TEST_F(SurveyFilesTest, ReadsDxf) {
         "0\nTEXT\n8\nlabel\n10\n1\n20\n1\n30\n0\n40\n2\n1\n75\n"
         "0\nENDSEC\n0\nEOF\n");
   SurveySources from = sources("", "lines.dxf");
-  from.said.is_local = true;
+  from.project_crs.is_local = true;
   const SurveyFiles files = read(from);
   ASSERT_EQ(files.survey.lines.size(), 2U);
   EXPECT_EQ(files.survey.lines[0], (std::vector<Vec3>{{100, 200, 50}, {300, 250, 60.5}}));
@@ -283,7 +272,7 @@ TEST_F(SurveyFilesTest, ReadsDxf) {
 
 // ---- points ----
 
-TEST_F(SurveyFilesTest, PointsOfAVectorFile) {
+TEST_F(SurveyFilesTest, ReadsPointsOfAVectorFile) {
   add_layer(path("spots.gpkg"), "spots", "EPSG:31287", "h",
             {{"POINT (400000 300000)", "1000.5"}, {"MULTIPOINT ((400100 300000), (400100 300100))", "1001"}});
   SurveySources from = sources("spots.gpkg");
@@ -294,7 +283,7 @@ TEST_F(SurveyFilesTest, PointsOfAVectorFile) {
   EXPECT_EQ(without_folder(files.report), "spots.gpkg: 3 points of layer \"spots\"");
 }
 
-TEST_F(SurveyFilesTest, TellsWhatALasFileHolds) {
+TEST_F(SurveyFilesTest, ReportsTheClassesOfALasFile) {
   LasSpec spec;
   spec.offset = {400000, 300000, 0};
   spec.points = {{{400000, 300000, 10}, 2}, {{400100, 300000, 10}, 2}, {{400000, 300100, 10}, 2},
@@ -303,11 +292,10 @@ TEST_F(SurveyFilesTest, TellsWhatALasFileHolds) {
   LasBytes(spec).write(path("p.las"));
   SurveySources from = sources("p.las");
   EXPECT_EQ(without_folder(read(from).report),
-            "p.las: 4 of 6 points are taken; it has 3 of class 2, 1 of class 5, 1 of class 7 and 1 withheld");
-  EXPECT_EQ(
-      warnings(),
-      "p.las: warning: has points of other classes than ground (3 of 4 that are taken are classified as ground). For "
-      "the ground alone write point_classes = [2]");
+            "p.las: 4 of 6 points are used; it has 3 of class 2, 1 of class 5, 1 of class 7 and 1 withheld");
+  EXPECT_EQ(warnings(),
+            "p.las: warning: has points of other classes than ground (3 of the 4 points used are classified as "
+            "ground). To use the ground only, write point_classes = [2]");
   from.point_classes = {2};
   EXPECT_EQ(read(from).survey.points.size(), 3U);
   EXPECT_EQ(warnings(), "");
@@ -329,8 +317,8 @@ TEST_F(SurveyFilesTest, ReadsClosedLinesAndPolygons) {
             "faces.gpkg: feature 2 is not closed (its ends are 0.0005 m apart). Repeat its first vertex at its end");
 }
 
-// On plan they are lines that go there and back, which is not a polygon.
-TEST_F(SurveyFilesTest, PolygonsMayStandUpright) {
+// On plan, a vertical polygon doubles back on itself.
+TEST_F(SurveyFilesTest, PolygonsMayBeVertical) {
   add_layer(path("faces.gpkg"), "faces", "EPSG:31287", "a",
             {{"POLYGON Z ((0 0 1, 10 10 1, 10 10 9, 0 0 9, 0 0 1), (2 2 3, 4 4 3, 4 4 5, 2 2 3))", ""}});
   const PolygonFile file = read_polygon_file(path("faces.gpkg"), "", {}, 0.001, warnings_);

@@ -16,7 +16,6 @@
 #include "support/rasters.hpp"
 #include "support/vectors.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/gdal/raster_crs.hpp"
 
 namespace talus {
 namespace {
@@ -28,12 +27,6 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 using Value = std::optional<std::string>;
-
-std::string wkt(const std::string& name) {
-  OGRSpatialReference crs;
-  EXPECT_EQ(crs.SetFromUserInput(name.c_str()), OGRERR_NONE);
-  return wkt_of(crs);
-}
 
 class VectorFileTest : public RasterFolder {
  protected:
@@ -50,9 +43,6 @@ class VectorFileTest : public RasterFolder {
   [[nodiscard]] std::string refusal(const VectorRequest& request = {}, const std::string& file = "ground.gpkg") {
     return refusal_of([&] { static_cast<void>(read(request, file)); });
   }
-  [[nodiscard]] std::string warnings() const { return without_folder(warnings_.text()); }
-
-  Problems warnings_;
 };
 
 const VectorRequest polygons{.kinds = {ShapeKind::polygon}};
@@ -93,7 +83,7 @@ TEST_F(VectorFileTest, CollectionsBecomePartsAndCurvesChords) {
   ASSERT_EQ(layer.features[1].parts.size(), 3U);
   EXPECT_EQ(layer.features[1].parts[0].kind, ShapeKind::point);
   EXPECT_EQ(layer.features[1].parts[2].kind, ShapeKind::line);
-  // The half circle of radius 1 about (1, 0), and no chord further than a hundredth within it.
+  // A half circle of radius 1 about (1, 0); no chord is further than a hundredth inside it.
   const auto& arc = layer.features[2].parts.at(0).lists.at(0);
   ASSERT_GT(arc.size(), 20U);
   for (std::size_t i = 0; i < arc.size(); ++i) {
@@ -104,17 +94,17 @@ TEST_F(VectorFileTest, CollectionsBecomePartsAndCurvesChords) {
   }
 }
 
-// New Zealand: the terrain is in metres of NZTM, the file in degrees. What PROJ's cs2cs says of the place.
-TEST_F(VectorFileTest, FeaturesAreBroughtToTheCoordinatesOfTheTerrain) {
+// A terrain in New Zealand in metres (NZTM), and a file in degrees; compared with PROJ's transformation.
+TEST_F(VectorFileTest, TransformsFeaturesToTheCoordinateSystemOfTheTerrain) {
   write("cliffs.geojson", R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {},
       "geometry": {"type": "Point", "coordinates": [174.7645, -36.8785, 190]}}]})");
   const VectorLayer layer = read({.terrain_crs_wkt = wkt("EPSG:2193")}, "cliffs.geojson");
-  EXPECT_EQ(layer.crs_name, "EPSG:4979");  // with a third number, GDAL gives a GeoJSON heights
+  EXPECT_EQ(layer.crs_name, "EPSG:4979");  // GDAL's choice for a GeoJSON with a third coordinate
   const Vec3 place = layer.features.at(0).parts.at(0).lists.at(0).at(0);
   OGRSpatialReference degrees, metres;
   degrees.importFromEPSG(4326);
   metres.importFromEPSG(2193);
-  // By the definitions' own order of axes: latitude first, and northing first.
+  // In the definitions' own order of axes: latitude first, and northing first.
   const std::unique_ptr<OGRCoordinateTransformation> there(OGRCreateCoordinateTransformation(&degrees, &metres));
   double a = -36.8785, b = 174.7645;
   ASSERT_TRUE(there->Transform(1, &a, &b));
@@ -126,7 +116,7 @@ TEST_F(VectorFileTest, FeaturesAreBroughtToTheCoordinatesOfTheTerrain) {
   EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(VectorFileTest, WithoutACoordinateSystemItHasThatOfTheTerrain) {
+TEST_F(VectorFileTest, WithoutACoordinateSystemThatOfTheTerrainIsAssumed) {
   write("points.csv", "x,y,z,name\n1,2,3,a\n4,5,6,b\n");
   const VectorLayer layer = read({.attributes = {"name"}, .terrain_crs_wkt = wkt("EPSG:31287")}, "points.csv");
   ASSERT_EQ(layer.features.size(), 2U);
@@ -134,35 +124,34 @@ TEST_F(VectorFileTest, WithoutACoordinateSystemItHasThatOfTheTerrain) {
   EXPECT_TRUE(layer.features[1].has_z);
   EXPECT_THAT(layer.features[1].values, ElementsAre(Value("b")));
   EXPECT_EQ(warnings(),
-            "points.csv: warning: names no coordinate system (it is taken to be that of the terrain). Name it: ogr2ogr "
+            "points.csv: warning: has no coordinate system (that of the terrain is assumed). Assign it: ogr2ogr "
             "-a_srs EPSG:XXXX points_placed.gpkg points.csv");
   EXPECT_EQ(read({}, "points.csv").features.size(), 2U);
   EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(VectorFileTest, ACoordinateSystemThatNobodyKnowsIsWarnedOf) {
-  const auto write = [&](const std::string& crs) {
+TEST_F(VectorFileTest, WarnsOfAnUnknownCoordinateSystem) {
+  const auto write_with = [&](const std::string& crs) {
     std::ofstream(path("a.geojson"))
         << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": ")" << crs
         << R"("}}, "features": [{"type": "Feature", "properties": {}, "geometry": )"
         << R"({"type": "Point", "coordinates": [11, 47]}}]})";
   };
   const VectorRequest in_tyrol{.kinds = {ShapeKind::point}, .terrain_crs_wkt = wkt("EPSG:31287")};
-  write("EPSG:999999");
+  write_with("EPSG:999999");
   EXPECT_EQ(read(in_tyrol, "a.geojson").features.size(), 1U);
-  EXPECT_EQ(
-      warnings(),
-      "a.geojson: warning: names a coordinate system that is not known (it is taken for EPSG:4326). Say which it is: "
-      "ogr2ogr -a_srs EPSG:XXXX a_placed.gpkg a.geojson");
-  write("EPSG:4326");
+  EXPECT_EQ(warnings(),
+            "a.geojson: warning: has an unknown coordinate system (EPSG:4326 is assumed). Assign the right one: "
+            "ogr2ogr -a_srs EPSG:XXXX a_placed.gpkg a.geojson");
+  write_with("EPSG:4326");
   EXPECT_EQ(read(in_tyrol, "a.geojson").features.size(), 1U);
   EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(VectorFileTest, LayersAndAttributesAreFoundOrNamed) {
+TEST_F(VectorFileTest, FindsLayersAndAttributesOrSuggestsThem) {
   make({{"POINT (1 2)", "a"}}, "EPSG:31287", "rocks");
   add_layer(path("ground.gpkg"), "scree", "EPSG:31287", "kind", {{"POINT (3 4)", "b"}});
-  EXPECT_EQ(refusal(), R"(ground.gpkg: has 2 layers ("rocks", "scree"). Say which: layer = "rocks")");
+  EXPECT_EQ(refusal(), R"(ground.gpkg: has 2 layers ("rocks", "scree"). Choose one: layer = "rocks")");
   EXPECT_EQ(read({.layer = "scree"}).features.at(0).parts[0].lists[0][0], Vec3(3, 4, 0));
   EXPECT_EQ(refusal({.layer = "scre"}),
             R"(ground.gpkg: has no layer "scre" (it has "rocks", "scree"). Did you mean "scree"?)");
@@ -171,10 +160,10 @@ TEST_F(VectorFileTest, LayersAndAttributesAreFoundOrNamed) {
   write("table.csv", "a,b\n1,2\n");
   EXPECT_EQ(refusal({}, "table.csv"),
             "table.csv: has no points, lines or polygons (it has only tables: \"table\"). A CSV needs columns x and y, "
-            "or one called WKT");
+            "or one named WKT");
 }
 
-TEST_F(VectorFileTest, FilesThatAreNoneAreRefused) {
+TEST_F(VectorFileTest, RefusesFilesWithoutFeatures) {
   EXPECT_EQ(refusal({}, "none.gpkg"),
             "none.gpkg: cannot be read (there is no such file). Paths are relative to the project file");
   write("not.geojson", "hello");
@@ -189,7 +178,7 @@ TEST_F(VectorFileTest, FilesThatAreNoneAreRefused) {
             "ground.gpkg: warning: 1 of 2 features of layer \"ground\" have no geometry (they are left out)");
 }
 
-TEST_F(VectorFileTest, DegreesAndFeetNeedATerrainToBeBroughtTo) {
+TEST_F(VectorFileTest, RefusesDegreesAndFeetWithoutATerrainToTransformTo) {
   make({{"POINT (15 47)", "a"}}, "EPSG:4326");
   EXPECT_EQ(refusal(),
             "ground.gpkg: is in degrees (EPSG:4326 is a geographic coordinate system, and that of the terrain is not "
@@ -200,17 +189,17 @@ TEST_F(VectorFileTest, DegreesAndFeetNeedATerrainToBeBroughtTo) {
             "terrain is not known). Project it: ogr2ogr -t_srs EPSG:XXXX ground_metres.gpkg ground.gpkg");
   make({{"POINT (1757000 5920000)", "a"}, {"POINT (1757000 5920001)", "a"}}, "EPSG:4326");
   EXPECT_EQ(refusal({.terrain_crs_wkt = wkt("EPSG:2193")}),
-            "ground.gpkg: feature 1 is at (1757000, 5920000) (EPSG:4326 is in degrees). Name the true one: ogr2ogr "
+            "ground.gpkg: feature 1 is at (1757000, 5920000) (EPSG:4326 is in degrees). Assign the right one: ogr2ogr "
             "-a_srs EPSG:XXXX ground_placed.gpkg ground.gpkg\n"
-            "ground.gpkg: feature 2 is at (1757000, 5920001) (EPSG:4326 is in degrees). Name the true one: ogr2ogr "
+            "ground.gpkg: feature 2 is at (1757000, 5920001) (EPSG:4326 is in degrees). Assign the right one: ogr2ogr "
             "-a_srs EPSG:XXXX ground_placed.gpkg ground.gpkg");
   make({{"POINT (15 47)", "a"}}, "LOCAL_CS[\"site grid\",UNIT[\"metre\",1]]");
   EXPECT_EQ(refusal({.terrain_crs_wkt = wkt("EPSG:2193")}),
-            "ground.gpkg: is in site grid (there is no way from it to EPSG:2193, that of the terrain). Name the true "
-            "one: ogr2ogr -a_srs EPSG:XXXX ground_placed.gpkg ground.gpkg");
+            "ground.gpkg: is in site grid (there is no transformation from it to EPSG:2193, that of the terrain). "
+            "Assign the right one: ogr2ogr -a_srs EPSG:XXXX ground_placed.gpkg ground.gpkg");
 }
 
-TEST_F(VectorFileTest, PolygonsThatCrossThemselvesAreRefusedWithTheirPlace) {
+TEST_F(VectorFileTest, RefusesPolygonsThatCrossThemselvesWithTheirPlace) {
   make({{"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))", "a"}, {"POLYGON ((0 0, 10 10, 10 0, 0 10, 0 0))", "b"}});
   EXPECT_EQ(
       refusal(polygons),
@@ -222,63 +211,43 @@ TEST_F(VectorFileTest, PolygonsThatCrossThemselvesAreRefusedWithTheirPlace) {
               HasSubstr("ground.gpkg: feature 2 is not a valid polygon (hole lies outside shell at"));
 }
 
-TEST_F(VectorFileTest, OtherKindsAreRefused) {
+TEST_F(VectorFileTest, RefusesOtherKinds) {
   make({{"POINT (1 2)", "a"}, {"LINESTRING (0 0, 1 1)", "b"}, {"POLYGON ((0 0, 1 0, 1 1, 0 0))", "c"}});
   EXPECT_EQ(refusal(polygons),
-            "ground.gpkg: feature 1 is a point (polygons are expected)\n"
-            "ground.gpkg: feature 2 is a line (polygons are expected)");
+            "ground.gpkg: feature 1 is a point (expected polygons)\n"
+            "ground.gpkg: feature 2 is a line (expected polygons)");
   make(std::vector<WrittenFeature>(9, {"POINT (1 2)", "a"}));
-  EXPECT_THAT(refusal(polygons), HasSubstr("feature 5 is a point (polygons are expected)\n"
-                                           "ground.gpkg: 4 more shapes are like this"));
+  EXPECT_THAT(refusal(polygons), HasSubstr("feature 5 is a point (expected polygons)\n"
+                                           "ground.gpkg: 4 more shapes have this problem"));
 }
 
-TEST_F(VectorFileTest, FilesCutShortAreRefused) {
+TEST_F(VectorFileTest, RefusesFilesThatAreCutShort) {
   make(std::vector<WrittenFeature>(3000, {"LINESTRING (0 0, 1 1, 2 2, 3 3, 4 4, 5 5, 6 6)", "a"}));
   std::filesystem::resize_file(path("ground.gpkg"), std::filesystem::file_size(path("ground.gpkg")) / 2);
   EXPECT_THAT(refusal(), AnyOf(StartsWith("ground.gpkg: is not a vector file that Talus reads (GDAL: "),
-                               StartsWith("ground.gpkg: cannot be read to its end (after ")));
+                               StartsWith("ground.gpkg: cannot be read completely (after ")));
 }
 
-TEST_F(VectorFileTest, HugeDeclaredSizesAreRefusedBeforeAnythingIsRead) {
+TEST_F(VectorFileTest, RefusesHugeDeclaredSizesBeforeReading) {
   make({{"POINT (1 2)", "a"}});
   {
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("ground.gpkg").c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
     file->ExecuteSQL("UPDATE gpkg_ogr_contents SET feature_count = 9000000000", nullptr, nullptr);
   }
   EXPECT_EQ(refusal(),
-            "ground.gpkg: layer \"ground\" declares 9000000000 features (Talus takes at most 50000000). Cut it to the "
+            "ground.gpkg: layer \"ground\" declares 9000000000 features (Talus reads at most 50000000). Cut it to the "
             "slope: ogr2ogr -spat WEST SOUTH EAST NORTH ground_slope.gpkg ground.gpkg");
 }
 
-TEST_F(VectorFileTest, PlacesThatAreNoneAreRefused) {
+TEST_F(VectorFileTest, RefusesCoordinatesThatAreNotFinite) {
   make({{"LINESTRING (0 0, 5 1e999)", "a"}, {"POINT Z (1 2 1e999)", "b"}});
   EXPECT_EQ(refusal(),
-            "ground.gpkg: feature 1 has the coordinates (5, inf, 0) (a coordinate is a finite number)\n"
-            "ground.gpkg: feature 2 has the coordinates (1, 2, inf) (a coordinate is a finite number)");
+            "ground.gpkg: feature 1 has the coordinates (5, inf, 0) (coordinates must be finite)\n"
+            "ground.gpkg: feature 2 has the coordinates (1, 2, inf) (coordinates must be finite)");
 }
 
-}  // namespace
-}  // namespace talus
-
-#else
-
-namespace talus {
-namespace {
-
-TEST(VectorFile, IsRefusedWithoutGdal) {
-  Problems warnings;
-  try {
-    static_cast<void>(read_vector_file("ground.gpkg", {}, warnings));
-    FAIL() << "was read";
-  } catch (const BadInput& error) {
-    EXPECT_STREQ(error.what(),
-                 "ground.gpkg: cannot be read (this build of Talus has no GDAL). Build it with GDAL: cmake --preset "
-                 "release -DTALUS_GDAL=ON");
-  }
-}
-
-// A view can be a query without end, of which GDAL gives no first feature.
-TEST_F(VectorFileTest, AViewWithoutEndIsLeftWhereItsReaderIsStopped) {
+// A view can be an endless query, of which GDAL never returns a first feature.
+TEST_F(VectorFileTest, StopsReadingAnEndlessView) {
   const std::filesystem::path file = path("endless.gpkg");
   add_layer(file, "places", "EPSG:31287", "name", {{"POINT (1 2)", "a"}});
   const auto run = [&](const std::string& sql) {
@@ -302,7 +271,27 @@ TEST_F(VectorFileTest, AViewWithoutEndIsLeftWhereItsReaderIsStopped) {
   EXPECT_THROW(
       (void)read_vector_file(file, {.layer = "v", .attributes = {}, .kinds = {}, .terrain_crs_wkt = {}}, warnings),
       Stopped);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::minutes(1));  // it would go on for ever
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::minutes(1));
+}
+
+}  // namespace
+}  // namespace talus
+
+#else
+
+namespace talus {
+namespace {
+
+TEST(VectorFile, IsRefusedWithoutGdal) {
+  Problems warnings;
+  try {
+    static_cast<void>(read_vector_file("ground.gpkg", {}, warnings));
+    FAIL() << "was read";
+  } catch (const BadInput& error) {
+    EXPECT_STREQ(error.what(),
+                 "ground.gpkg: cannot be read (this build of Talus has no GDAL). Build it with GDAL: cmake --preset "
+                 "release -DTALUS_GDAL=ON");
+  }
 }
 
 }  // namespace

@@ -127,10 +127,9 @@ TEST(PolygonMesh, IsMergedWithinATolerance) {
 }
 
 TEST(PolygonMesh, RefusesPolygonsThatCannotBeCutWithTheirPlaces) {
-  EXPECT_EQ(
-      refusal({polygon({{0, 0, 0}, {10, 10, 0}, {10, 0, 0}, {0, 10.5, 0}}, "polylines[3]")}),
-      "bowl.toml: terrain: polylines[3] crosses itself at (5.122, 5.122, 0.000) (it cannot be cut into triangles). Are "
-      "its vertices in order?");
+  EXPECT_EQ(refusal({polygon({{0, 0, 0}, {10, 10, 0}, {10, 0, 0}, {0, 10.5, 0}}, "polylines[3]")}),
+            "bowl.toml: terrain: polylines[3] crosses itself at (5.122, 5.122, 0.000) (it cannot be triangulated). Are "
+            "its vertices in order?");
   EXPECT_EQ(refusal({polygon({{0, 0, 0}, {1, 1, 1}})}),
             "bowl.toml: terrain: polylines[0] has 2 corners (a polygon has three or more)");
   EXPECT_EQ(refusal({polygon({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {7, 7, 7}})}),
@@ -156,7 +155,7 @@ TEST(PolygonMesh, ReportsTenProblemsAndCountsTheOthers) {
   for (int k = 0; k < 13; ++k) polygons.push_back(polygon({{0, 0, 0}, {1, 1, 1}}));
   const std::string text = refusal(polygons);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
-  EXPECT_THAT(text, HasSubstr("bowl.toml: terrain: 3 more polygons are like this"));
+  EXPECT_THAT(text, HasSubstr("bowl.toml: terrain: 3 more polygons have problems"));
 }
 
 }  // namespace

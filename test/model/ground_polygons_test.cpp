@@ -219,8 +219,7 @@ TEST_F(GroundPolygons, FilesThatDoNotFitAreRefused) {
             "slope.toml:15: [ground]: polygons ground.gpkg: has no layer \"leyer\" (it has \"layer\"). Did you mean "
             "\"layer\"?");
   layer("ground.gpkg", "kind", {{"LINESTRING (0 0, 1 1)", "Rock"}});
-  EXPECT_EQ(refusal(head),
-            "slope.toml:15: [ground]: polygons ground.gpkg: feature 1 is a line (polygons are expected)");
+  EXPECT_EQ(refusal(head), "slope.toml:15: [ground]: polygons ground.gpkg: feature 1 is a line (expected polygons)");
   std::filesystem::remove(path("ground.gpkg"));
   EXPECT_EQ(refusal(head), without_folder(fmt::format(
                                "slope.toml:15: [ground]: polygons is \"ground.gpkg\" (there is no file {}). Its "

@@ -166,7 +166,7 @@ TEST_F(RefusedMesh, InDegrees) {
   EXPECT_EQ(refusal("mesh = \"slope.obj\""),
             "slope.toml:2: [terrain]: mesh slope.obj: seems to be in degrees (it lies within x = 13.1 to 13.101, y = "
             "47.2 to 47.201 and is 100 m high). "
-            "Project it to metres; or, if they are metres, write crs = \"local\"");
+            "Project it to metres; or, if it is in metres, set crs = \"local\"");
   EXPECT_EQ(refusal("mesh = \"slope.obj\"\ncrs = \"local\""), "was read");
 }
 

@@ -272,10 +272,10 @@ horizontal_velocity_m_s = 3
 }
 
 TEST_F(SurveyProject, RefusesPolylinesThatCrossThemselves) {
-  EXPECT_EQ(refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 4, 0], [0, 0, 0]]]\n" + rest),
-            "slope.toml: terrain: polylines[0] crosses itself at (2.857, 2.857, 0.000) (it cannot be cut into "
-            "triangles). Are "
-            "its vertices in order?");
+  EXPECT_EQ(
+      refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 4, 0], [0, 0, 0]]]\n" + rest),
+      "slope.toml: terrain: polylines[0] crosses itself at (2.857, 2.857, 0.000) (it cannot be triangulated). Are "
+      "its vertices in order?");
   // Halves that undo each other leave no plane to look for the crossing in.
   EXPECT_EQ(refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 10, 0], [0, 0, 0]]]\n" + rest),
             "slope.toml: terrain: polylines[0] has no area (its corners lie on one line, its border doubles back, or "

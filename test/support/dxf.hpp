@@ -1,5 +1,5 @@
 #pragma once
-// Small drawings for tests.
+// Small DXF drawings.
 
 #include <algorithm>
 #include <initializer_list>
@@ -7,7 +7,7 @@
 
 namespace talus::testing_tools {
 
-/// A drawing of which only the variable of the unit ($INSUNITS) and the layers are declared; `entities` as below.
+/// A drawing that declares only its unit ($INSUNITS) and its layers.
 struct Drawing {
   std::string header{}, layers{}, entities{};
 
@@ -15,12 +15,12 @@ struct Drawing {
     header += "9\n$INSUNITS\n70\n" + std::to_string(number) + "\n";
     return *this;
   }
-  /// Flags: 1 is frozen. A negative colour is that of a layer that is switched off.
+  /// `flags`: 1 is frozen. A negative colour means that the layer is switched off.
   Drawing& layer(const std::string& name, int flags, int colour) {
     layers += "0\nLAYER\n2\n" + name + "\n70\n" + std::to_string(flags) + "\n62\n" + std::to_string(colour) + "\n";
     return *this;
   }
-  /// `more` are further pairs, for example "67\n1\n" for an entity on paper.
+  /// `more` are further pairs, for example "67\n1\n" for an entity in paper space.
   Drawing& line(const std::string& on, const std::string& from, const std::string& to, const std::string& more = "") {
     entities += "0\nLINE\n8\n" + on + "\n" + more + place(from, 10) + place(to, 11);
     return *this;
@@ -29,7 +29,7 @@ struct Drawing {
     entities += "0\nPOINT\n8\n" + on + "\n" + place(at, 10);
     return *this;
   }
-  /// An LWPOLYLINE, of plan coordinates alone.
+  /// An LWPOLYLINE, which has only plan coordinates.
   Drawing& polyline(const std::string& on, bool is_closed, std::initializer_list<const char*> corners) {
     entities +=
         "0\nLWPOLYLINE\n8\n" + on + "\n90\n" + std::to_string(corners.size()) + "\n70\n" + (is_closed ? "1\n" : "0\n");
@@ -42,7 +42,7 @@ struct Drawing {
     for (const char* corner : corners) entities += place(corner, code++);
     return *this;
   }
-  /// A curve through two places, which GDAL cannot read.
+  /// A curve through two points, which GDAL cannot read.
   Drawing& fitted_spline(const std::string& on, const std::string& from, const std::string& to) {
     entities += "0\nSPLINE\n8\n" + on + "\n70\n8\n71\n3\n72\n0\n73\n0\n74\n2\n" + place(from, 11) + place(to, 11);
     return *this;
@@ -57,7 +57,7 @@ struct Drawing {
   static std::string section(const std::string& name, const std::string& text) {
     return "0\nSECTION\n2\n" + name + "\n" + text + "0\nENDSEC\n";
   }
-  /// "1 2 3" as the values of x, y and z, whose codes are ten apart.
+  /// "1 2 3" as the values of x, y and z, whose group codes are ten apart.
   static std::string place(const std::string& numbers, int code) {
     std::string out;
     for (std::size_t at = 0; at < numbers.size(); code += 10) {

@@ -1,5 +1,5 @@
 #pragma once
-// Projects on a small raster of a mountain side in New Zealand (EPSG:2193), with files beside them.
+// Projects on a small raster of a mountain side in New Zealand (EPSG:2193), with files next to them.
 
 #ifdef TALUS_HAS_GDAL
 
@@ -15,8 +15,8 @@
 
 namespace talus::testing_tools {
 
-/// 60 x 40 cells of 5 m. The slope goes from flat in the west to steep in the east: z = (x - west)^2 / 200, whose slope
-/// at a node is exactly atan((x - west) / 100), by Horn's differences too.
+/// 60 x 40 cells of 5 m. The slope is flat in the west and steep in the east: z = (x - west)^2 / 200, with a slope at a
+/// node of exactly atan((x - west) / 100), also by Horn's differences.
 class GisProject : public RasterFolder {
  protected:
   static constexpr double west = 1757000, south = 5917000, cell = 5;
@@ -46,7 +46,7 @@ class GisProject : public RasterFolder {
                        south + y1);
   }
 
-  /// One layer of a GeoPackage with an attribute.
+  /// Writes a GeoPackage with one layer and one attribute.
   void layer(const std::string& file, const std::string& attribute, const std::vector<WrittenFeature>& features,
              const std::string& crs = "EPSG:2193") {
     std::filesystem::remove(path(file));
@@ -63,9 +63,6 @@ class GisProject : public RasterFolder {
   [[nodiscard]] std::string refusal(const std::string& text, const project::Overrides& overrides = {}) {
     return refusal_of([&] { static_cast<void>(model(text, overrides)); });
   }
-  [[nodiscard]] std::string warnings() const { return without_folder(warnings_.text()); }
-
-  Problems warnings_;
 };
 
 }  // namespace talus::testing_tools

@@ -1,5 +1,5 @@
 #pragma once
-// Small LAS files for tests, byte by byte as the ASPRS specification has them.
+// Small LAS files, written byte by byte after the ASPRS specification.
 
 #include <cstdint>
 #include <cstring>
@@ -27,7 +27,7 @@ struct LasSpec {
   std::vector<LasPoint> points;
   std::vector<std::array<std::uint16_t, 2>> geo_keys;  // key and value
   std::string wkt;
-  std::uint64_t declared = 0;  // points that the header tells of; 0: as many as there are
+  std::uint64_t declared = 0;  // number of points in the header; 0: the actual number
 };
 
 class LasBytes {

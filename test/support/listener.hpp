@@ -1,5 +1,5 @@
 #pragma once
-// A port of this machine on which nothing may be heard.
+// A local port to which no connection may be made.
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -31,7 +31,7 @@ class Listener {
 
   [[nodiscard]] std::string host() const { return "127.0.0.1:" + std::to_string(port_); }
   [[nodiscard]] std::string address() const { return "http://" + host(); }
-  /// Whether anybody has called: a connection is made before anybody takes it.
+  /// Whether a client has connected; connections wait in the queue without being accepted.
   [[nodiscard]] bool was_contacted() const {
     pollfd waiting{.fd = socket_, .events = POLLIN, .revents = 0};
     return poll(&waiting, 1, 0) > 0;

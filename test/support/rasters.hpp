@@ -1,26 +1,25 @@
 #pragma once
-// Small rasters in a folder that goes when the test is done.
+// Small rasters in a temporary folder.
 
 #ifdef TALUS_HAS_GDAL
 
+#include <fmt/format.h>
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
 #include <ogr_spatialref.h>
-#include <unistd.h>
 
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "talus/core/problems.hpp"
+#include "support/input_folder.hpp"
 #include "talus/gdal/gdal_raster.hpp"
+#include "talus/import/survey_crs.hpp"
 
 namespace talus::testing_tools {
 
-/// How a GeoTIFF is made; cells in the order of a picture, from the north-west.
+/// A GeoTIFF; cells in rows from the north-west.
 struct RasterSpec {
   int columns = 4, rows = 3;
   std::vector<double> cells{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
@@ -33,25 +32,51 @@ struct RasterSpec {
   std::optional<GDALColorInterp> colour;
 };
 
-class RasterFolder : public ::testing::Test {
+/// The header of an Esri ASCII grid, from its south-western corner.
+[[nodiscard]] inline std::string ascii_header(int columns, int rows, double west, double south, double cell) {
+  return fmt::format("ncols {}\nnrows {}\nxllcorner {}\nyllcorner {}\ncellsize {}\n", columns, rows, west, south, cell);
+}
+
+/// A virtual raster (VRT), as large and at the place of a default RasterSpec unless set otherwise.
+struct Vrt {
+  int columns = 4, rows = 3;
+  std::string place = "<SRS>EPSG:31287</SRS><GeoTransform>400000,10,0,300030,0,-10</GeoTransform>";
+  std::string bands{};
+  int band_count = 0;
+
+  /// Adds a band with these elements. `attributes` are further ones of the band: ` subClass="..."`.
+  Vrt& band(const std::string& elements, const std::string& type = "Float32", const std::string& attributes = "") {
+    bands += fmt::format("<VRTRasterBand dataType=\"{}\" band=\"{}\"{}>{}</VRTRasterBand>", type, ++band_count,
+                         attributes, elements);
+    return *this;
+  }
+  [[nodiscard]] std::string text() const {
+    return fmt::format("<VRTDataset rasterXSize=\"{}\" rasterYSize=\"{}\">{}{}</VRTDataset>", columns, rows, place,
+                       bands);
+  }
+};
+
+/// The first band of a file as the source of a VRT's band; `more` are further elements of the source.
+[[nodiscard]] inline std::string vrt_source(const std::string& file, bool is_relative = true,
+                                            const std::string& more = "") {
+  return fmt::format(
+      "<SimpleSource><SourceFilename relativeToVRT=\"{}\">{}</SourceFilename><SourceBand>1</SourceBand>{}"
+      "</SimpleSource>",
+      is_relative ? 1 : 0, file, more);
+}
+
+/// A project's crs = "NAME".
+[[nodiscard]] inline ProjectCrs project_crs(const std::string& name) {
+  return {.crs = crs_in_words(name).value(), .is_local = false};
+}
+/// A project's crs = "local".
+[[nodiscard]] inline ProjectCrs local_crs() { return {.crs = {}, .is_local = true}; }
+
+/// A coordinate system as WKT.
+[[nodiscard]] inline std::string wkt(const std::string& name) { return crs_in_words(name).value().wkt; }
+
+class RasterFolder : public InputFolder {
  protected:
-  RasterFolder() {
-    const auto* const info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path{::testing::TempDir()} /
-              ("talus_raster_" + std::string{info->name()} + "_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  ~RasterFolder() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
-  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-  }
-
   void make(const std::string& name, const RasterSpec& spec = {}) const {
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     ASSERT_NE(driver, nullptr);
@@ -78,25 +103,6 @@ class RasterFolder : public ::testing::Test {
                             0, 0, nullptr),
               CE_None);
   }
-
-  /// What the user is told, without the folder, which is another at every run.
-  [[nodiscard]] std::string without_folder(std::string text) const {
-    const std::string prefix = folder_.string() + "/";
-    for (auto at = text.find(prefix); at != std::string::npos; at = text.find(prefix)) text.erase(at, prefix.size());
-    return text;
-  }
-
-  template <class Work>
-  [[nodiscard]] std::string refusal_of(Work&& work) const {
-    try {
-      work();
-    } catch (const BadInput& error) {
-      return without_folder(error.what());
-    }
-    return "was read";
-  }
-
-  std::filesystem::path folder_;
 
  private:
   GdalMessages gdal_{GdalFiles::in_folder(::testing::TempDir())};  // for what tests themselves do with GDAL

@@ -18,8 +18,8 @@ namespace talus::testing_tools {
 /// A feature as well-known text and the value of the layer's attribute.
 using WrittenFeature = std::pair<std::string, std::string>;
 
-/// A layer with one attribute (of text; empty values are null) and any geometries, added to a GeoPackage (made where it
-/// is not there).
+/// Adds a layer with one text attribute (empty values are null) and any geometries to a GeoPackage, which is created if
+/// needed.
 inline void add_layer(const std::filesystem::path& file, const std::string& layer, const std::string& crs_name,
                       const std::string& attribute, const std::vector<WrittenFeature>& features) {
   const GdalMessages gdal(GdalFiles::in_folder(file.parent_path()));

@@ -20,7 +20,7 @@ void FirstProblems::throw_if_any() const {
   if (count_ > most_reported) {
     all.add(Problem{.file = file_,
                     .where = {},
-                    .what = fmt::format("{} more {} are like this", count_ - most_reported, things_),
+                    .what = fmt::format("{} more {} have problems", count_ - most_reported, things_),
                     .why = {},
                     .hint = {}});
   }

@@ -26,13 +26,13 @@ namespace talus {
 namespace {
 
 constexpr std::size_t chunk_bytes = 1 << 20;
-constexpr std::uint64_t most_reported = 10;  // of wrong cells
-constexpr std::size_t longest_number = 400;  // GDAL takes no more than 498 letters
+constexpr std::uint64_t most_reported = 10;  // bad cells
+constexpr std::size_t longest_number = 400;  // GDAL reads up to 498 characters
 
 constexpr std::array<std::string_view, 10> keys{"ncols",     "nrows",    "xllcorner", "yllcorner", "xllcenter",
                                                 "yllcenter", "cellsize", "dx",        "dy",        "nodata_value"};
 
-// As the C locale has it; std::isspace asks for the locale with each letter.
+// As in the C locale; std::isspace looks up the locale for each character.
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 std::string lower(std::string_view text) {
@@ -43,13 +43,13 @@ std::string lower(std::string_view text) {
 
 bool is_key(std::string_view word) { return std::ranges::find(keys, word) != keys.end(); }
 
-/// What "not a number" is called, by most programs and by those of Microsoft.
+/// Whether a token means "not a number", as most programs or those of Microsoft write it.
 bool is_nan(std::string_view token) {
   const std::string word = lower(token.starts_with('-') || token.starts_with('+') ? token.substr(1) : token);
   return word == "nan" || word == "1.#qnan" || word == "1.#snan" || word == "1.#ind";
 }
 
-/// A number as GDAL reads them, with a point or a comma. Those too large for 64 bits are infinite.
+/// A number as GDAL reads it, with a decimal point or comma. Numbers too large for a double are infinite.
 std::optional<double> number_of(std::string_view token) {
   if (token.starts_with('+')) {
     token.remove_prefix(1);
@@ -62,7 +62,7 @@ std::optional<double> number_of(std::string_view token) {
   if (stop == end && error == std::errc{}) {
     return std::isfinite(number) ? std::optional(number) : std::nullopt;  // "inf" is not a number of a grid
   }
-  if (stop == end) {  // near 0, or beyond what there is
+  if (stop == end) {  // out of range: near 0, or too large
     return lower(token).find("e-") != std::string::npos ? 0 : std::numeric_limits<double>::infinity();
   }
   if (*stop != ',' && token.front() != ',' && !token.starts_with("-,")) return std::nullopt;
@@ -101,7 +101,7 @@ class GridCheck {
   void run() {
     const std::size_t in_header = start_of_cells(fill(0));
     read_header(text().substr(0, in_header));
-    // What the cells are held against is not known, so none of them is reported.
+    // Without a valid header the cells cannot be checked.
     throw_if_any();
     read_cells(in_header);
     if (bad_cells_ > most_reported)
@@ -132,7 +132,7 @@ class GridCheck {
 
   [[nodiscard]] std::string_view text() const { return {buffer_.data(), used_}; }
 
-  /// Keeps what follows `from`, and reads on behind it.
+  /// Drops the bytes before `from` from the buffer, and fills it up from the file.
   std::string_view fill(std::size_t from) {
     stop_point();
     buffer_.resize(2 * chunk_bytes);
@@ -152,16 +152,16 @@ class GridCheck {
       const Word& word = words[i];
       const std::string key = lower(word.text);
       if (!is_key(key)) {
-        if (word.begins_line) about_other_line(word);
+        if (word.begins_line) check_other_line(word);
         continue;
       }
       if (given(key)) report(word.line, fmt::format("{} is given twice", word.text), "one of them is wrong");
       const bool has_value = i + 1 < words.size() && words[i + 1].line == word.line;
       given_.push_back({key, has_value ? std::string(words[i + 1].text) : "", word.line});
       if (has_value) ++i;
-      about_value(given_.back(), word.text);
+      check_value(given_.back(), word.text);
     }
-    about_what_is_missing();
+    check_missing_keys();
   }
 
   std::vector<Word> words_of(std::string_view header) {
@@ -182,13 +182,13 @@ class GridCheck {
     return words;
   }
 
-  /// GDAL passes over lines of the header that it does not know; one with cells would be lost.
-  void about_other_line(const Word& word) {
+  /// GDAL skips lines of the header with other keys, and so would skip a row of cells that begins with a letter.
+  void check_other_line(const Word& word) {
     last_other_line_ = word.line;
     if (!is_nan(word.text) && lower(word.text) != "null") return;
     report(word.line, fmt::format("the first row begins with {}", in_quotes(word.text)),
-           "a line that begins with a letter is taken for one of the header",
-           "Write what means no data as a number, for example -9999, and declare it: NODATA_value -9999");
+           "a line that begins with a letter counts as part of the header",
+           "Write no-data cells as a number, for example -9999, and declare it: NODATA_value -9999");
   }
 
   struct Given {
@@ -201,7 +201,7 @@ class GridCheck {
     return found == given_.end() ? nullptr : &*found;
   }
 
-  void about_value(const Given& entry, std::string_view key) {
+  void check_value(const Given& entry, std::string_view key) {
     const auto refuse = [&](const char* expected) {
       report(entry.line,
              entry.value.empty() ? fmt::format("{} has no value", key)
@@ -225,28 +225,28 @@ class GridCheck {
     }
   }
 
-  void about_what_is_missing() {
+  void check_missing_keys() {
     for (const char* key : {"ncols", "nrows"}) {
-      if (!given(key)) report(0, fmt::format("has no {}", key), "its header needs it");
+      if (!given(key)) report(0, fmt::format("has no {}", key), "the header needs it");
     }
     if (!given("cellsize") && !(given("dx") && given("dy")))
-      report(0, "has no cellsize", "its header needs it, or dx and dy");
+      report(0, "has no cellsize", "the header needs it, or dx and dy");
     if ((given("xllcorner") && given("yllcorner")) || (given("xllcenter") && given("yllcenter"))) return;
-    report(0, "does not say where it lies", "its header needs xllcorner and yllcorner, or xllcenter and yllcenter");
+    report(0, "is not georeferenced", "the header needs xllcorner and yllcorner, or xllcenter and yllcenter");
   }
 
   // ---- the cells ----
 
   void read_cells(std::size_t from) {
-    for (bool goes_on = true; goes_on;) {
-      goes_on = stream_.good();
+    for (bool has_more = true; has_more;) {
+      has_more = stream_.good();
       const std::string_view unread = text().substr(from);
       std::size_t end = unread.size();
-      // The last number may go on in what is still to come; but what is longer than any number is none.
-      while (goes_on && end > 0 && !is_space(unread[end - 1])) --end;
+      // The last number may continue in the next chunk, unless it is longer than any number.
+      while (has_more && end > 0 && !is_space(unread[end - 1])) --end;
       if (end == 0 && unread.size() > longest_number) end = unread.size();
       read_some(unread.substr(0, end));
-      if (goes_on) fill(from + end);
+      if (has_more) fill(from + end);
       from = 0;
     }
   }
@@ -260,7 +260,7 @@ class GridCheck {
       }
       std::size_t end = i + 1;
       while (end < text.size() && !is_space(text[end])) ++end;
-      about_cell(text.substr(i, end - i));
+      check_cell(text.substr(i, end - i));
       i = end;
     }
   }
@@ -270,8 +270,8 @@ class GridCheck {
     if (first_line_ == 0) first_line_ = cells_;
   }
 
-  void about_cell(std::string_view token) {
-    // (Old programs end a text with a letter of their own.)
+  void check_cell(std::string_view token) {
+    // (Old programs end a text with Ctrl-Z.)
     if (cells_ >= columns_ * rows_ && token.find_first_not_of(std::string_view("\x1a\0", 2)) == token.npos) return;
     ++cells_;
     if (cells_ == columns_ * rows_ + 1) first_surplus_ = line_;
@@ -279,32 +279,32 @@ class GridCheck {
       if (++bad_cells_ > most_reported) return;
       const std::uint64_t cell = cells_ - 1;
       report(line_, fmt::format("{} is not a number", in_quotes(token)),
-             fmt::format("it stands for row {}, column {}{}", cell / columns_ + 1, cell % columns_ + 1, why),
+             fmt::format("it is in row {}, column {}{}", cell / columns_ + 1, cell % columns_ + 1, why),
              std::move(hint));
     };
     const auto number = number_of(token);
     if (number) {
       using Limits = std::numeric_limits<std::int32_t>;
       if (numbers_ == GridNumbers::whole && (*number < Limits::min() || *number > Limits::max()))
-        refuse("; whole numbers have 32 bits", "Write it with a point");
+        refuse("; integers have 32 bits", "Write it with a decimal point");
     } else if (!is_nan(token) && token != "null") {
       refuse("");
     } else if (numbers_ == GridNumbers::whole) {
-      refuse("; in a grid of whole numbers it would be read as 0",
-             "Write what means no data as a number, for example -9999, and declare it: NODATA_value -9999");
+      refuse("; in a grid of integers it would be read as 0",
+             "Write no-data cells as a number, for example -9999, and declare it: NODATA_value -9999");
     }
   }
 
   void report_count() {
     const std::uint64_t needed = columns_ * rows_;
-    std::string hint = "Copy it again from where it comes from";
+    std::string hint = "Copy it again from its source";
     if (cells_ < needed && last_other_line_ > 0) {
-      hint = fmt::format("Line {} begins with a letter and is taken for one of the header: does it hold cells?",
+      hint = fmt::format("Line {} begins with a letter and so counts as part of the header: does it contain cells?",
                          last_other_line_);
     } else if (first_line_ > 0 && first_line_ != columns_) {
-      hint = fmt::format("Its first line of cells has {} of them: is ncols wrong?", first_line_);
+      hint = fmt::format("Its first line of cells has {}: is ncols wrong?", first_line_);
     } else if (cells_ > needed && cells_ % columns_ == 0) {
-      hint = fmt::format("They are {} rows: is nrows wrong?", cells_ / columns_);
+      hint = fmt::format("That makes {} rows: is nrows wrong?", cells_ / columns_);
     }
     report(cells_ > needed ? first_surplus_ : line_, fmt::format("has {} cells", cells_),
            fmt::format("ncols {} and nrows {} make {}", columns_, rows_, needed), std::move(hint));
@@ -318,9 +318,9 @@ class GridCheck {
   Problems problems_;
   std::vector<Given> given_;
   std::uint64_t columns_ = 0, rows_ = 0, cells_ = 0, bad_cells_ = 0;
-  std::uint64_t first_line_ = 0;  // cells in the first line that has some
+  std::uint64_t first_line_ = 0;  // cells in the first line that has any
   int line_ = 1, first_surplus_ = 0;
-  int last_other_line_ = 0;  // of the header, without a key
+  int last_other_line_ = 0;  // last line of the header without a known key
 };
 
 }  // namespace
@@ -334,7 +334,7 @@ bool is_ascii_grid(const std::filesystem::path& file) {
   const std::string text = lower({begin.data(), static_cast<std::size_t>(stream.gcount())});
   const auto end = std::ranges::find_if(text, is_space);
   const std::string_view first(text.data(), static_cast<std::size_t>(end - text.begin()));
-  // (A file may begin with "dx" and be something else.)
+  // (Another kind of file may begin with "dx", too.)
   return end != text.end() && first != "nodata_value" && is_key(first) &&
          (text.find("ncols") != std::string::npos || text.find("nrows") != std::string::npos);
 }

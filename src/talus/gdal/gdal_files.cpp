@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 2> archives{"/vsizip/", "/vsigzip/"};
 constexpr std::string_view in_memory = "/vsimem/";
 
-/// In this thread; null: none may be touched.
+/// The files that this thread may access; null: none.
 thread_local const GdalFiles* reach = nullptr;
 
-/// Without links, dots and a slash at the end; of what is not there, as far as it is.
+/// Without links, dots and a final slash; for a path that does not exist, as far as it exists.
 fs::path real(const fs::path& path) {
   std::error_code error;
   fs::path whole = fs::absolute(path, error);
@@ -38,7 +38,7 @@ fs::path real(const fs::path& path) {
 
 std::string stem_of(const fs::path& file) { return (file.parent_path() / file.stem()).string(); }
 
-/// FILE/MEMBER of /vsizip/FILE/MEMBER; nothing where a name is of another file system, or FILE is.
+/// FILE/MEMBER of /vsizip/FILE/MEMBER; nullopt if the name, or FILE, belongs to another of GDAL's file systems.
 std::optional<std::string> within_archive(std::string_view name) {
   for (const std::string_view kind : archives) {
     if (!name.starts_with(kind)) continue;
@@ -80,7 +80,7 @@ GdalFiles GdalFiles::in_folder(const fs::path& folder) {
 }
 
 void GdalFiles::add_one(const fs::path& file) {
-  // A link may lie elsewhere than what it leads to, and what belongs to the file beside either.
+  // Sidecar files may be next to a link or next to its target.
   for (const fs::path& place :
        {real(file.parent_path().empty() ? "." : file.parent_path()) / file.filename(), real(file)}) {
     stems_.insert(stem_of(place));
@@ -116,7 +116,7 @@ bool GdalFiles::may_read(const fs::path& file) const {
   for (std::size_t dot = name.find('.', begin); dot != std::string::npos; dot = name.find('.', dot + 1)) {
     if (stems_.contains(std::string_view(name).substr(0, dot))) return true;
   }
-  return may_list(place);  // what it is, not what is in its files
+  return may_list(place);  // metadata of a folder, not the contents of its files
 }
 
 bool GdalFiles::may_write(const fs::path& file) const {
@@ -144,7 +144,7 @@ bool may_read(const char* name) { return (reach != nullptr && reach->may_read(na
 bool may_list(const char* name) { return (reach != nullptr && reach->may_list(name)) || refused(ENOENT); }
 bool may_write(const char* name) { return (reach != nullptr && reach->may_write(name)) || refused(EACCES); }
 
-/// The disk, as far as it is in reach.
+/// The file system of the disk, restricted to the files in reach.
 class GuardedDisk final : public VSIFilesystemHandler {
  public:
   explicit GuardedDisk(VSIFilesystemHandler* disk) : disk_(disk) {}
@@ -179,7 +179,7 @@ class GuardedDisk final : public VSIFilesystemHandler {
   std::unique_ptr<VSIFilesystemHandler> disk_;
 };
 
-/// One of GDAL's file systems that is not used.
+/// Replaces a file system of GDAL that may not be used.
 class NoFiles final : public VSIFilesystemHandler {
  public:
   using VSIFilesystemHandler::Open;
@@ -198,10 +198,10 @@ class NoFiles final : public VSIFilesystemHandler {
 std::optional<std::string> failure_of_disk() { return std::exchange(failure, std::nullopt); }
 
 void guard_gdal_files() {
-  // GDAL forgets a handler that is replaced, and frees those that it has: what is kept here is never freed.
+  // GDAL drops replaced handlers without freeing them; they are kept here, and never freed.
   static std::vector<VSIFilesystemHandler*> replaced;
   const CPLStringList known(VSIFileManager::GetPrefixes());
-  std::vector<std::string> prefixes{"/vsicurl?"};  // which is not listed
+  std::vector<std::string> prefixes{"/vsicurl?"};  // GetPrefixes does not list this one
   for (int i = 0; i < known.size(); ++i) prefixes.emplace_back(known[i]);
   for (const std::string& prefix : prefixes) {
     if (prefix == in_memory || std::ranges::find(archives, prefix) != archives.end()) continue;

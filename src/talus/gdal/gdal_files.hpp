@@ -1,7 +1,7 @@
 #pragma once
-// Which files of the machine GDAL may touch. A raster or vector file may name others - as sources, overviews,
-// sidecars, connections - that its user does not know of; none of them is opened but those that are listed here. For
-// files that are built with GDAL only.
+// Which files GDAL may access. A raster or vector file may refer to others - as sources, overviews, sidecars or
+// connections - without the user's knowledge; only those listed here are opened. Only for files that are built with
+// GDAL.
 
 #include <filesystem>
 #include <optional>
@@ -12,48 +12,47 @@
 
 namespace talus {
 
-/// Whether a name is one of GDAL's own file systems: /vsizip/FILE/MEMBER, /vsigzip/FILE, /vsicurl/ADDRESS ...
+/// Whether a name is in one of GDAL's virtual file systems: /vsizip/FILE/MEMBER, /vsigzip/FILE, /vsicurl/ADDRESS ...
 [[nodiscard]] bool is_name_of_gdal(std::string_view name);
 
-/// Whether it is one that is read: /vsizip/ or /vsigzip/ of a file on the disk.
+/// Whether it is in one that Talus reads: /vsizip/ or /vsigzip/ of a file on disk.
 [[nodiscard]] bool is_archive_name(std::string_view name);
 
-/// The file on the disk in which that lies which a name stands for: the archive of a member, or the file itself.
-/// Nothing where there is no such file, where it cannot be looked at (`error`), and where the name is that of another
-/// of GDAL's file systems.
+/// The file on disk that contains what a name refers to: the archive of a member, or the file itself. nullopt if there
+/// is no such file, if it cannot be accessed (`error`), or if the name is in another of GDAL's file systems.
 [[nodiscard]] std::optional<std::filesystem::path> file_on_disk(const std::filesystem::path& name,
                                                                 std::error_code& error);
 
-/// A list of files that may be read, and at most one folder that may be written to. Links are followed: what counts is
-/// where a file lies.
+/// The files that may be read, and at most one folder that may be written to. Links are resolved: the place of the
+/// target decides.
 class GdalFiles {
  public:
-  /// No file at all: for coordinate systems.
+  /// No files at all: enough for coordinate systems.
   GdalFiles() = default;
-  /// That one, and those that belong to it; of a folder, the files in it.
+  /// That file and those that belong to it; for a folder, the files in it.
   explicit GdalFiles(const std::filesystem::path& file) { add(file); }
-  /// All that lies in a folder or below it, which may be written, too.
+  /// All files in a folder or below it, which may be written, too.
   [[nodiscard]] static GdalFiles in_folder(const std::filesystem::path& folder);
 
-  /// The file, and those in its folder whose names begin with its own up to the last dot, and a dot: dem.tif,
-  /// dem.tif.aux.xml, dem.tfw, dem.prj. Of an archive all members.
+  /// Adds the file, and those in its folder whose names begin with its stem and a dot: dem.tif, dem.tif.aux.xml,
+  /// dem.tfw, dem.prj. For an archive, all members.
   void add(const std::filesystem::path& file);
 
   [[nodiscard]] bool may_read(const std::filesystem::path& file) const;
   [[nodiscard]] bool may_write(const std::filesystem::path& file) const;
-  /// Whether the names in a folder may be seen.
+  /// Whether the names in a folder may be listed.
   [[nodiscard]] bool may_list(const std::filesystem::path& folder) const;
 
  private:
   void add_one(const std::filesystem::path& file);
 
-  std::set<std::string, std::less<>> files_;  // without links
-  std::set<std::string, std::less<>> stems_;  // FOLDER/NAME, to which a dot and more may be added
+  std::set<std::string, std::less<>> files_;  // links resolved
+  std::set<std::string, std::less<>> stems_;  // FOLDER/STEM of the files FOLDER/STEM.*
   std::set<std::string, std::less<>> folders_;
-  std::string written_;  // the folder that may be written to, with a slash at its end; empty: none
+  std::string written_;  // the folder that may be written to, with a final slash; empty: none
 };
 
-/// While it lives, these are the files that GDAL may touch in this thread. Where none lives, GDAL opens nothing.
+/// During its lifetime, GDAL may access these files in this thread. Without one, GDAL opens nothing.
 class GdalReach {
  public:
   explicit GdalReach(const GdalFiles& files);
@@ -65,12 +64,12 @@ class GdalReach {
   const GdalFiles* before_;
 };
 
-/// Why a file in reach could not be opened though it is there - too many open files, no permission -, which GDAL takes
-/// for a file that is missing: "dem.prj: Too many open files". Of this thread, since the last time it was asked for.
+/// Why an existing file in reach could not be opened (too many open files, no permission), which GDAL treats as a
+/// missing file: "dem.prj: Too many open files". The first such failure in this thread since the last call.
 [[nodiscard]] std::optional<std::string> failure_of_disk();
 
-/// Puts GDAL's file systems under this guard: the disk as above, /vsimem/, /vsizip/ and /vsigzip/ (whose archives lie
-/// on the disk); all others - of networks, standard input, parts of files - open nothing. Once a program.
+/// Restricts GDAL's file systems: the disk as above; /vsimem/, /vsizip/ and /vsigzip/ (whose archives are on disk)
+/// work; all others - networks, standard input, parts of files - open nothing. To be called once per program.
 void guard_gdal_files();
 
 }  // namespace talus

@@ -23,8 +23,8 @@ void expect_file(RasterProblems& problems) {
   const bool is_in_archive = is_name_of_gdal(file.string());
   if (is_in_archive && !is_archive_name(file.string())) {
     problems.stop("cannot be read",
-                  "of GDAL's own file systems Talus reads /vsizip/ and /vsigzip/, of files on the disk",
-                  "Copy it to the disk, and name it there");
+                  "of GDAL's virtual file systems Talus reads only /vsizip/ and /vsigzip/ of files on disk",
+                  "Copy it to disk and use that file");
   }
   std::error_code error;
   const auto on_disk = file_on_disk(file, error);
@@ -32,11 +32,11 @@ void expect_file(RasterProblems& problems) {
     problems.stop("cannot be read", error ? error.message() : "there is no such file",
                   "Paths are relative to the project file");
   }
-  if (std::filesystem::is_directory(*on_disk, error)) return;  // of Shapefiles
+  if (std::filesystem::is_directory(*on_disk, error)) return;  // a folder of Shapefiles
   if (const auto why = not_an_ordinary_file(*on_disk)) problems.stop("cannot be read", *why, "Name a file");
 }
 
-/// "<GDAL_WMS>": of a file that is a description in XML, its first element; empty of others.
+/// The first element of an XML file, such as "<GDAL_WMS>"; empty for other files.
 std::string first_element(const std::string& name) {
   std::array<char, 512> bytes{};
   VSILFILE* const file = VSIFOpenL(name.c_str(), "rb");
@@ -53,8 +53,8 @@ std::string first_element(const std::string& name) {
   return end == std::string::npos ? "XML" : head.substr(begin, end - begin) + ">";
 }
 
-/// What GDAL could not open it takes for missing, and goes on without.
-void expect_whole(RasterProblems& problems) {
+/// GDAL treats files that it cannot open as missing, and continues without them.
+void expect_all_opened(RasterProblems& problems) {
   if (const auto why = failure_of_disk()) problems.stop("cannot be read", *why);
 }
 
@@ -84,8 +84,8 @@ GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, Raste
                          (kind == GdalKind::raster ? unsigned{GDAL_OF_RASTER} : unsigned{GDAL_OF_VECTOR});
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(name.c_str(), flags, drivers_that_read(kind).data(), options, nullptr));
-  stop_point();  // what GDAL left undone is no fault of the file
-  expect_whole(problems);
+  stop_point();  // an interruption is not an error in the file
+  expect_all_opened(problems);
   if (dataset) return dataset;
   const std::string element = first_element(name);
   problems.stop(kind == GdalKind::raster ? "is not a raster that Talus reads" : "is not a vector file that Talus reads",

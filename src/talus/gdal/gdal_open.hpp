@@ -1,5 +1,5 @@
 #pragma once
-// The one place where files are opened with GDAL. For files that are built with GDAL only.
+// The only place where files are opened with GDAL. Only for files that are built with GDAL.
 
 #include <filesystem>
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace talus {
 
-/// Opens a file, or a member of an archive on the disk (/vsizip/FILE/MEMBER, /vsigzip/FILE), to read from: as one of
-/// the formats that Talus reads, chosen by what the file holds. From then on `messages` has it in reach, what belongs
-/// to it, and what a VRT names beside it: nothing else is opened, whatever the file names. Throws BadInput.
+/// Opens a file, or a member of an archive on disk (/vsizip/FILE/MEMBER, /vsigzip/FILE), for reading, as one of the
+/// formats that Talus reads; its contents decide which. Adds it, the files that belong to it and the sources of a VRT
+/// to the reach of `messages`; nothing else is opened, whatever the file refers to. Throws BadInput.
 [[nodiscard]] GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, RasterProblems& problems,
                                                   const char* const* options = nullptr);
 
-/// A name that GDAL takes for that of a file, and for nothing else: what stands before a colon may be a format to it.
+/// The name of a file in a form that GDAL cannot mistake: it might read the part before a colon as a format.
 [[nodiscard]] std::string name_for_gdal(const std::filesystem::path& file);
 
-/// The names of drivers as GDAL wants them: a list that ends with a null.
+/// The names of drivers as GDAL expects them: a null-terminated list.
 [[nodiscard]] std::vector<const char*> drivers_that_read(GdalKind kind);
 
 }  // namespace talus

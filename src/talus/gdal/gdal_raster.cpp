@@ -100,10 +100,10 @@ GDALDatasetUniquePtr open_raster(GdalMessages& messages, RasterProblems& problem
   if (first) {
     const std::string command = fmt::format("gdal_translate {}", shell_word(first));
     const std::string whole = problems.command("", "_part.tif");
-    problems.stop("is not a raster but a collection of them", fmt::format("the first is called {}", first),
-                  "Take one out: " + command + whole.substr(whole.rfind(' ')));
+    problems.stop("is a collection of rasters", fmt::format("the first is named {}", first),
+                  "Extract one: " + command + whole.substr(whole.rfind(' ')));
   }
-  problems.stop("has no band", "a raster of one band or more was expected");
+  problems.stop("has no band", "expected one or more");
 }
 
 void warn_of_further_bands(GDALDataset& dataset, RasterProblems& problems) {
@@ -114,20 +114,21 @@ void warn_of_further_bands(GDALDataset& dataset, RasterProblems& problems) {
 bool read_geotransform(GDALDataset& dataset, double (&geotransform)[6], RasterProblems& problems) {
   if (dataset.GetGeoTransform(geotransform) != CE_None) {
     if (dataset.GetGCPCount() > 0) {
-      problems.refuse("has no grid of its own on the map",
-                      fmt::format("it is tied to it by {} control points", dataset.GetGCPCount()),
-                      "Lay it on a grid: " + problems.command("gdalwarp -r bilinear", "_grid.tif"));
+      problems.refuse("has no regular grid on the map",
+                      fmt::format("it is georeferenced by {} control points", dataset.GetGCPCount()),
+                      "Resample it: " + problems.command("gdalwarp -r bilinear", "_grid.tif"));
     } else {
-      problems.refuse("does not say where it lies", "it has no geotransform: no corner and no size of a cell",
-                      "Tell it: " + problems.command("gdal_translate -a_ullr WEST NORTH EAST SOUTH", "_placed.tif"));
+      problems.refuse(
+          "is not georeferenced", "it has no geotransform: neither a corner nor a cell size",
+          "Assign its extent: " + problems.command("gdal_translate -a_ullr WEST NORTH EAST SOUTH", "_placed.tif"));
     }
     return false;
   }
   const double area = geotransform[1] * geotransform[5] - geotransform[2] * geotransform[4];
   if (!std::isfinite(area) || area == 0 || !std::isfinite(geotransform[0]) || !std::isfinite(geotransform[3])) {
-    problems.refuse("does not say where it lies",
-                    fmt::format("its cells are {:g} by {:g} in size", geotransform[1], geotransform[5]),
-                    "Tell it: " + problems.command("gdal_translate -a_ullr WEST NORTH EAST SOUTH", "_placed.tif"));
+    problems.refuse(
+        "is not georeferenced", fmt::format("its cells are {:g} by {:g} in size", geotransform[1], geotransform[5]),
+        "Assign its extent: " + problems.command("gdal_translate -a_ullr WEST NORTH EAST SOUTH", "_placed.tif"));
     return false;
   }
   return true;

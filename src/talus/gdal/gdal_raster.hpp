@@ -1,6 +1,6 @@
 #pragma once
-// What the readers of rasters share: GDAL without a word on the terminal, a file opened or refused, and command lines
-// for the user to copy. For files that are built with GDAL only.
+// Shared by the readers of GDAL's files: GDAL's messages kept off the terminal, opening a raster or refusing it, and
+// commands for the user to copy. Only for files that are built with GDAL.
 
 #include <gdal_priv.h>
 
@@ -13,8 +13,8 @@
 
 namespace talus {
 
-/// While it lives, GDAL's messages of this thread come here and nowhere else, and GDAL touches no files in this thread
-/// but those in reach.
+/// During its lifetime, collects GDAL's messages of this thread, and restricts GDAL in this thread to the files in
+/// reach.
 class GdalMessages {
  public:
   explicit GdalMessages(GdalFiles files = {});
@@ -22,12 +22,12 @@ class GdalMessages {
   GdalMessages& operator=(const GdalMessages&) = delete;
   ~GdalMessages();
 
-  /// What is in reach.
+  /// The files in reach.
   [[nodiscard]] GdalFiles& files() { return files_; }
-  /// Forgets what failed so far.
+  /// Discards the failures so far.
   void clear() { failure_.clear(); }
   [[nodiscard]] bool has_failure() const { return !failure_.empty(); }
-  /// What failed first, in GDAL's words, in one line.
+  /// GDAL's message about the first failure, in one line.
   [[nodiscard]] std::string failure() const;
 
  private:
@@ -37,22 +37,22 @@ class GdalMessages {
   std::string failure_;
 };
 
-/// A word that a shell reads back as this text.
+/// The text quoted for a shell.
 [[nodiscard]] std::string shell_word(const std::string& text);
 
-/// What is wrong with one raster: collected, so that the user sees all of it at once.
+/// The errors and warnings of one file, collected so that the user sees all of them at once.
 class RasterProblems {
  public:
   explicit RasterProblems(std::filesystem::path file) : file_(std::move(file)) {}
 
   void refuse(std::string what, std::string why, std::string hint = "");
-  /// Refuses what leaves nothing else to be said, and throws BadInput with all that was found.
+  /// Adds an error after which reading cannot continue, and throws BadInput with all errors.
   [[noreturn]] void stop(std::string what, std::string why, std::string hint = "");
   void warn(std::string what, std::string why, std::string hint = "");
-  /// Throws BadInput where there was a refusal.
+  /// Throws BadInput if there are errors.
   void throw_if_any() const;
 
-  /// `before FILE FILE_ending`, the file's name and that of a new one beside it in a form that a shell reads.
+  /// `before FILE FILE_ending`: a command with the file's name and that of a new one next to it, quoted for a shell.
   [[nodiscard]] std::string command(std::string_view before, std::string_view ending) const;
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] const Problems& warnings() const { return warnings_; }
@@ -63,15 +63,15 @@ class RasterProblems {
   Problems warnings_;
 };
 
-/// Opens a raster with at least one band to read from. Throws BadInput.
+/// Opens a raster with at least one band for reading. Throws BadInput.
 [[nodiscard]] GDALDatasetUniquePtr open_raster(GdalMessages& messages, RasterProblems& problems);
 
-/// Warns where a raster has bands beyond the first, which alone is read; one that is a mask is no such band.
+/// Warns if a raster has several bands, of which only the first is read; a mask does not count.
 void warn_of_further_bands(GDALDataset& dataset, RasterProblems& problems);
 
-/// Where the cells of a file lie: GDAL's six numbers, of which x = [0] + [1] column + [2] row and
-/// y = [3] + [4] column + [5] row, counted from a corner of the first cell. Complains and gives false where a file has
-/// none, or where its cells have no area.
+/// The position of the cells, as GDAL's six numbers: x = [0] + [1] column + [2] row and y = [3] + [4] column + [5] row,
+/// with columns and rows from the corner of the first cell. Adds an error and returns false if the file has none, or if
+/// its cells have no area.
 [[nodiscard]] bool read_geotransform(GDALDataset& dataset, double (&geotransform)[6], RasterProblems& problems);
 
 }  // namespace talus

@@ -26,33 +26,33 @@ constexpr std::array<GdalFormat, 5> rasters{{{"GTiff", "GeoTIFF"},
 constexpr std::array<GdalFormat, 5> vectors{
     {{"GPKG", "GeoPackage"}, {"ESRI Shapefile", "Shapefile"}, {"GeoJSON", "GeoJSON"}, {"DXF", "DXF"}, {"CSV", "CSV"}}};
 
-/// Coordinate systems may be named by an address, and so may others that a format knows of.
+/// Files may refer to coordinate systems and other resources by an address; none is fetched.
 CPLHTTPResult* no_network(const char*, CSLConstList, GDALProgressFunc, void*, CPLHTTPFetchWriteFunc, void*, void*) {
   auto* const result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
-  constexpr const char* why = "Talus lets GDAL use no network";
+  constexpr const char* why = "Talus does not allow GDAL to use the network";
   result->nStatus = 1;
   result->pszErrBuf = CPLStrdup(why);
   CPLError(CE_Failure, CPLE_AppDefined, "%s", why);
   return result;
 }
 
-/// A view in a GeoPackage may run for ever: a query ends where its thread is to leave its work.
-int is_to_end(void*) { return StopScope::current() != nullptr && StopScope::current()->is_asked() ? 1 : 0; }
+/// A view in a GeoPackage may run forever: queries end when their thread is asked to stop.
+int must_end(void*) { return StopScope::current() != nullptr && StopScope::current()->is_asked() ? 1 : 0; }
 
-int let_be_stopped(sqlite3* database, const char**, const sqlite3_api_routines*) {
-  constexpr int often = 10'000;  // steps of SQLite's machine: below a millisecond
-  sqlite3_progress_handler(database, often, &is_to_end, nullptr);
+int make_stoppable(sqlite3* database, const char**, const sqlite3_api_routines*) {
+  constexpr int interval = 10'000;  // steps of SQLite's virtual machine: less than a millisecond
+  sqlite3_progress_handler(database, interval, &must_end, nullptr);
   return SQLITE_OK;
 }
 
 void begin() {
-  // Of every database that GDAL opens from now on, before it asks it anything.
-  sqlite3_auto_extension(reinterpret_cast<void (*)()>(&let_be_stopped));
+  // For every database that GDAL opens from now on, before its first query.
+  sqlite3_auto_extension(reinterpret_cast<void (*)()>(&make_stoppable));
   CPLHTTPSetFetchCallback(&no_network, nullptr);
   OSRSetPROJEnableNetwork(FALSE);
   guard_gdal_files();
-  // A GeoPackage is a database, and may bring views and virtual tables: these have no functions but SQLite's own
-  // harmless ones, and no modules that read other files.
+  // A GeoPackage is a database and may contain views and virtual tables: these may use only SQLite's own harmless
+  // functions, and no modules that read other files.
   CPLSetConfigOption("SPATIALITE_LOAD", "NO");
   CPLSetConfigOption("OGR_SQLITE_PRAGMA", "trusted_schema=0");
   CPLSetConfigOption("OGR_SQLITE_LOAD_EXTENSIONS", "");

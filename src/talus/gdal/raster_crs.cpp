@@ -17,7 +17,7 @@ namespace {
 
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
-// Coordinates as rasters have them, whatever the order of axes in the definition: easting or longitude first.
+// With easting or longitude first, as in rasters, whatever the order of axes in the definition.
 OGRSpatialReference in_map_order(OGRSpatialReference crs) {
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   return crs;
@@ -41,7 +41,7 @@ std::optional<Vec2> degrees(OGRCoordinateTransformation& transformation, const V
   return Vec2(x, y);
 }
 
-/// The UTM zone of a place; nothing where it is not a place of the earth.
+/// The EPSG code of the UTM zone of a place; nullopt if it has no longitude and latitude, or is too near a pole.
 std::optional<int> utm_epsg(const OGRSpatialReference& crs, const Vec2& centre) {
   const Transformation transformation = to_degrees(crs);
   const auto place = transformation ? degrees(*transformation, centre) : std::nullopt;
@@ -57,7 +57,7 @@ std::string command_to_utm(const OGRSpatialReference& crs, const std::optional<V
   return commands.project("EPSG:" + (epsg ? std::to_string(*epsg) : std::string("XXXX")));
 }
 
-/// How long a step of 1 m along x and along y is on the ground [m].
+/// The length on the ground of 1 m along x and along y [m].
 std::optional<std::array<double, 2>> ground_lengths(const OGRSpatialReference& crs, const Vec2& centre) {
   constexpr double step = 100;  // m
   // The curvature of the ellipsoid of WGS 84: EPSG Guidance Note 7-2, section 1.2.
@@ -79,20 +79,20 @@ std::optional<std::array<double, 2>> ground_lengths(const OGRSpatialReference& c
   return lengths;
 }
 
-/// How far a place lies outside of where its coordinate system is meant for [degrees of longitude or latitude]; 0
-/// within, and where that is not known.
+/// How far a place is outside its coordinate system's area of use [degrees of longitude or latitude]; 0 inside, or if
+/// that area is not known.
 double degrees_outside(OGRSpatialReference crs, const Vec2& place) {
   if (crs.IsCompound()) crs.StripVertical();
   double west = 0, south = 0, east = 0, north = 0;
   if (!crs.GetAreaOfUse(&west, &south, &east, &north, nullptr) || west < -180 || south < -90) return 0;
-  const double width = east >= west ? east - west : east - west + 360;  // or it lies across the 180th meridian
+  const double width = east >= west ? east - west : east - west + 360;  // the area may cross the 180th meridian
   const double eastwards = place.x() - west - 360 * std::floor((place.x() - west) / 360);
-  const double beside = eastwards <= width ? 0 : std::min(eastwards - width, 360 - eastwards);
-  return std::max({beside, south - place.y(), place.y() - north});
+  const double east_or_west = eastwards <= width ? 0 : std::min(eastwards - width, 360 - eastwards);
+  return std::max({east_or_west, south - place.y(), place.y() - north});
 }
 
-/// Whether there was no message.
-bool judge_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
+/// Compares lengths on plan with those on the ground; returns false if it added an error or a warning.
+bool check_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
                  const CrsCommands& commands) {
   const auto lengths = ground_lengths(crs, centre);
   if (!lengths) return true;
@@ -110,26 +110,27 @@ bool judge_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProbl
   return false;
 }
 
-/// A file whose coordinate system is not its own, or whose x and y are exchanged, lies somewhere else.
-void judge_place(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
-                 const CrsCommands& commands) {
-  constexpr double doubtful = 3, refused = 20;  // degrees; people use the next zone of UTM, of 6 degrees, but no other
+/// Finds files with the wrong coordinate system, or with x and y exchanged, by their place on the earth.
+void check_place_on_earth(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
+                          const CrsCommands& commands) {
+  constexpr double doubtful = 3, refused = 20;  // degrees; some use a neighbouring UTM zone (6 degrees), but no other
   const Transformation transformation = to_degrees(crs);
   if (!transformation) return;
   const auto place = degrees(*transformation, centre);
   const std::string at = fmt::format("({:.10g}, {:.10g})", centre.x(), centre.y());
-  const std::string hint = "Name the true one, or bring its coordinates into the order x, y: " + commands.name;
+  const std::string hint = "Assign the right one, or put its coordinates in the order x, y: " + commands.name;
   if (!place || std::abs(place->y()) > 90) {
-    problems.refuse("lies nowhere on the earth", fmt::format("its centre {} has no place in {}", at, name_of(crs)),
+    problems.refuse("is nowhere on the earth", fmt::format("its centre {} has no position in {}", at, name_of(crs)),
                     hint);
     return;
   }
   const double outside = degrees_outside(crs, *place);
-  const std::string why = fmt::format("its centre {} is {:.0f} degrees from where {} holds", at, outside, name_of(crs));
+  const std::string why =
+      fmt::format("its centre {} is {:.0f} degrees outside the area of {}", at, outside, name_of(crs));
   if (outside > refused) {
-    problems.refuse("lies elsewhere", why, hint);
-  } else if (judge_scale(crs, centre, problems, commands) && outside > doubtful) {
-    problems.warn("seems to lie elsewhere", why, hint);
+    problems.refuse("is far outside the area of its coordinate system", why, hint);
+  } else if (check_scale(crs, centre, problems, commands) && outside > doubtful) {
+    problems.warn("is outside the area of its coordinate system", why, hint);
   }
 }
 
@@ -139,12 +140,11 @@ std::optional<Problem> fault_of_proj(GdalMessages& messages) {
   messages.clear();
   OGRSpatialReference any;
   if (any.importFromEPSG(4326) == OGRERR_NONE) return std::nullopt;
-  std::string hint = "PROJ's files belong to GDAL; on Debian they come with the package proj-data";
+  std::string hint = "Install PROJ's data files; on Debian they are in the package proj-data";
   for (const char* variable : {"PROJ_DATA", "PROJ_LIB"}) {
     const char* const folder = std::getenv(variable);
     if (folder == nullptr) continue;
-    hint =
-        fmt::format("{} says that PROJ's files are in {}: unset it, or name the folder of proj.db", variable, folder);
+    hint = fmt::format("{} is {}: unset it, or set it to the folder of proj.db", variable, folder);
     break;
   }
   return Problem{.what = "coordinate systems cannot be looked up", .why = messages.failure(), .hint = std::move(hint)};
@@ -183,7 +183,7 @@ std::optional<LengthUnit> unit_of_height(const OGRSpatialReference& crs) {
   if (!crs.IsVertical()) return std::nullopt;
   const char* unit = nullptr;
   const double metres = crs.GetTargetLinearUnits("VERT_CS", &unit);
-  return LengthUnit{unit && *unit ? unit : "a unit without a name", metres};
+  return LengthUnit{unit && *unit ? unit : "an unnamed unit", metres};
 }
 
 bool has_depths(const OGRSpatialReference& crs) {
@@ -193,18 +193,18 @@ bool has_depths(const OGRSpatialReference& crs) {
 }
 
 std::optional<HeightFault> fault_of_heights(const OGRSpatialReference& crs) {
-  if (has_depths(crs)) return HeightFault{"has depths", name_of(crs) + " counts them downwards; Talus needs heights"};
+  if (has_depths(crs)) return HeightFault{"has depths", name_of(crs) + " measures them downwards; Talus needs heights"};
   if (const auto height = unit_of_height(crs)) {
     if (std::abs(height->metres - 1) <= 1e-9) return std::nullopt;
-    return HeightFault{"has heights in " + height->name,
-                       fmt::format("{} has them so; Talus needs metres; one of these units is {:.10g} m", name_of(crs),
-                                   height->metres)};
+    return HeightFault{
+        "has heights in " + height->name,
+        fmt::format("that is the unit of {}, {:.10g} m; Talus needs metres", name_of(crs), height->metres)};
   }
   const char* unit = nullptr;
   if (!crs.IsProjected() || std::abs(crs.GetLinearUnits(&unit) - 1) <= 1e-9) return std::nullopt;
-  return HeightFault{"does not say what its heights are in",
-                     fmt::format("the unit of {} is {} on plan, and it names none for heights", name_of(crs),
-                                 unit && *unit ? unit : "one without a name")};
+  return HeightFault{"has heights without a unit",
+                     fmt::format("the unit of {} is {} on plan, and it has none for heights", name_of(crs),
+                                 unit && *unit ? unit : "an unnamed unit")};
 }
 
 void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems) {
@@ -223,19 +223,19 @@ void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>
                     "Project it: " + command_to_utm(crs, centre, commands));
   } else if (!crs.IsProjected()) {
     const char* kind = crs.IsLocal() ? "local" : crs.IsGeocentric() ? "geocentric" : "neither projected nor geographic";
-    problems.refuse("has no coordinate system of a map",
-                    fmt::format("{} is {}; Talus needs a projected one, in metres", name_of(crs), kind),
-                    "Name the true one: " + commands.name);
+    problems.refuse("has no projected coordinate system",
+                    fmt::format("{} is {}; Talus needs a projected one in metres", name_of(crs), kind),
+                    "Assign the right one: " + commands.name);
   } else {
     const char* unit = nullptr;
     const double metres = crs.GetLinearUnits(&unit);
     if (std::abs(metres - 1) > 1e-9) {
       problems.refuse("is not in metres on plan",
                       fmt::format("the unit of {} is {}, {:.10g} m", name_of(crs),
-                                  unit && *unit ? unit : "one without a name", metres),
+                                  unit && *unit ? unit : "an unnamed unit", metres),
                       "Project it: " + command_to_utm(crs, centre, commands));
     } else if (centre) {
-      judge_place(crs, *centre, problems, commands);
+      check_place_on_earth(crs, *centre, problems, commands);
     }
   }
 }

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr vsi_l_offset largest = vsi_l_offset{256} << 20;  // bytes; some hundred for each raster of a mosaic
+constexpr vsi_l_offset largest = vsi_l_offset{256} << 20;  // bytes; each raster of a mosaic takes a few hundred
 
 struct Forget {
   void operator()(CPLXMLNode* node) const { CPLDestroyXMLNode(node); }
@@ -36,14 +36,14 @@ bool is_below(const fs::path& folder, const fs::path& file) {
   return end == folder.end() && rest != file.end();
 }
 
-class Sources {
+class SourceFinder {
  public:
-  Sources(GdalMessages& messages, RasterProblems& problems) : messages_(messages), problems_(problems) {}
+  SourceFinder(GdalMessages& messages, RasterProblems& problems) : messages_(messages), problems_(problems) {}
 
-  /// `said`: how the user comes to this VRT: `names "a.vrt", which `.
-  void bring(const fs::path& vrt, const std::string& said) {
+  /// `via`: the chain of references to this VRT, for messages: `refers to "a.vrt", which `.
+  void add_sources(const fs::path& vrt, const std::string& via) {
     if (!seen_.insert(vrt.string()).second) return;
-    const Xml all = parsed(vrt, said);
+    const Xml all = parsed(vrt, via);
     std::vector<const CPLXMLNode*> nodes{all.get()};
     while (!nodes.empty()) {
       const CPLXMLNode* const node = nodes.back();
@@ -51,49 +51,49 @@ class Sources {
       for (const CPLXMLNode* next : {node->psChild, node->psNext}) {
         if (next != nullptr) nodes.push_back(next);
       }
-      if (node->eType == CXT_Attribute && EQUAL(node->pszValue, "subClass")) about_kind(*node, said);
-      if (node->eType == CXT_Element && EQUAL(node->pszValue, "SourceFilename")) about_source(vrt, *node, said);
+      if (node->eType == CXT_Attribute && EQUAL(node->pszValue, "subClass")) check_type(*node, via);
+      if (node->eType == CXT_Element && EQUAL(node->pszValue, "SourceFilename")) add_source(vrt, *node, via);
     }
   }
 
  private:
   [[noreturn]] void refuse(const std::string& what, const std::string& why) {
     problems_.stop(what, why,
-                   "Put its rasters beside it. Where you trust it: " + problems_.command("gdal_translate", ".tif"));
+                   "Put its rasters next to it. If you trust it: " + problems_.command("gdal_translate", ".tif"));
   }
 
-  Xml parsed(const fs::path& vrt, const std::string& said) {
+  Xml parsed(const fs::path& vrt, const std::string& via) {
     VSIStatBufL found;
     if (VSIStatL(vrt.c_str(), &found) != 0 || static_cast<vsi_l_offset>(found.st_size) > largest) {
-      refuse(said + "cannot be read", fmt::format("a VRT has at most {} MB", largest >> 20));
+      refuse(via + "cannot be read", fmt::format("a VRT may have at most {} MB", largest >> 20));
     }
     messages_.clear();
     Xml all(CPLParseXMLFile(vrt.c_str()));
-    if (!all) refuse(said + "cannot be read", messages_.failure());
+    if (!all) refuse(via + "cannot be read", messages_.failure());
     return all;
   }
 
-  void about_kind(const CPLXMLNode& attribute, const std::string& said) {
-    const std::string kind = attribute.psChild != nullptr ? attribute.psChild->pszValue : "";
-    if (EQUAL(kind.c_str(), "VRTSourcedRasterBand")) return;
-    refuse(fmt::format("{}is a virtual raster of the kind {}", said, kind),
-           "Talus reads mosaics of rasters, as gdalbuildvrt makes them");
+  void check_type(const CPLXMLNode& attribute, const std::string& via) {
+    const std::string type = attribute.psChild != nullptr ? attribute.psChild->pszValue : "";
+    if (EQUAL(type.c_str(), "VRTSourcedRasterBand")) return;
+    refuse(fmt::format("{}is a virtual raster of the type {}", via, type),
+           "Talus reads mosaics of rasters, as made by gdalbuildvrt");
   }
 
-  void about_source(const fs::path& vrt, const CPLXMLNode& node, const std::string& said) {
+  void add_source(const fs::path& vrt, const CPLXMLNode& node, const std::string& via) {
     const std::string name = CPLGetXMLValue(&node, nullptr, "");
     const bool is_relative = CPLTestBool(CPLGetXMLValue(&node, "relativeToVRT", "0"));
     const fs::path place = is_relative ? vrt.parent_path() / name : fs::path(name);
-    const std::string names = fmt::format("{}names \"{}\"", said, name);
+    const std::string reference = fmt::format("{}refers to \"{}\"", via, name);
     const auto why = is_name_of_gdal(vrt.string()) ? fault_in_archive(vrt, place) : fault_on_disk(vrt, place);
-    if (!why.empty()) refuse(names, why);
+    if (!why.empty()) refuse(reference, why);
     messages_.files().add(place);
     const std::string driver = driver_of_raster(place.string());
-    if (driver.empty()) refuse(names, "that is not a raster that Talus reads");
-    if (driver == "VRT") bring(place, names + ", which ");
+    if (driver.empty()) refuse(reference, "that is not a raster that Talus reads");
+    if (driver == "VRT") add_sources(place, reference + ", which ");
   }
 
-  static constexpr const char* elsewhere = "a VRT may name only rasters in its own folder or below it";
+  static constexpr const char* elsewhere = "a VRT may refer only to rasters in its own folder or below it";
 
   static std::string fault_on_disk(const fs::path& vrt, const fs::path& place) {
     std::error_code error;
@@ -106,7 +106,7 @@ class Sources {
     return {};
   }
 
-  /// Members of an archive are not links.
+  /// Members of an archive cannot be links.
   static std::string fault_in_archive(const fs::path& vrt, const fs::path& place) {
     if (!is_below(vrt.parent_path(), place.lexically_normal())) return elsewhere;
     VSIStatBufL found;
@@ -127,7 +127,7 @@ std::string driver_of_raster(const std::string& name) {
 }
 
 void bring_sources_into_reach(GdalMessages& messages, RasterProblems& problems) {
-  Sources(messages, problems).bring(name_for_gdal(problems.file()), "");
+  SourceFinder(messages, problems).add_sources(name_for_gdal(problems.file()), "");
 }
 
 }  // namespace talus

@@ -20,14 +20,14 @@ namespace {
 using Class = std::optional<std::int32_t>;
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
-constexpr double placing_error = 0.05;            // of a cell
-constexpr std::int64_t largest_window = 4 << 20;  // cells read at once
+constexpr double placing_error = 0.05;            // in cells
+constexpr std::int64_t largest_window = 4 << 20;  // cells read at a time
 
 struct CellNumber {
   int column, row;
 };
 
-// GDAL's approximate transformer asks for this one at some points of a row and interpolates between them.
+// The exact transformation, which GDAL's approximate transformer calls at some points of a row to interpolate between.
 int transform_exactly(void* to_file, int, int count, double* x, double* y, double*, int* success) {
   static_cast<OGRCoordinateTransformation*>(to_file)->Transform(count, x, y, nullptr, success);
   return TRUE;
@@ -44,13 +44,13 @@ class ClassRaster::Reader {
     band_ = dataset_->GetRasterBand(1);
     if (GDALDataTypeIsComplex(band_->GetRasterDataType())) {
       problems_.refuse("has complex numbers in band 1", "a class is a whole number",
-                       "Keep their real part: " + problems_.command("gdal_translate -ot Int32", "_classes.tif"));
+                       "Keep the real part: " + problems_.command("gdal_translate -ot Int32", "_classes.tif"));
     }
     const double scale = band_->GetScale(), offset = band_->GetOffset();
     if (scale != 1 || offset != 0) {
       problems_.refuse(fmt::format("has the scale {:g} and the offset {:g}", scale, offset),
-                       "a class is the number that a cell holds",
-                       "Leave them out: " + problems_.command("gdal_translate -a_scale 1 -a_offset 0", "_classes.tif"));
+                       "classes are the raw values of cells",
+                       "Remove them: " + problems_.command("gdal_translate -a_scale 1 -a_offset 0", "_classes.tif"));
     }
     const GDALColorInterp colour = band_->GetColorInterpretation();
     if (colour != GCI_Undefined && colour != GCI_GrayIndex && colour != GCI_PaletteIndex) {
@@ -58,7 +58,7 @@ class ClassRaster::Reader {
           "is a picture",
           fmt::format("band 1 is the colour component \"{}\"; Talus needs classes there",
                       GDALGetColorInterpretationName(colour)),
-          "If it does hold them: " + problems_.command("gdal_translate -b 1 -colorinterp_1 gray", "_classes.tif"));
+          "If it does contain them: " + problems_.command("gdal_translate -b 1 -colorinterp_1 gray", "_classes.tif"));
     }
     double geotransform[6];
     if (read_geotransform(*dataset_, geotransform, problems_) && GDALInvGeoTransform(geotransform, from_place_)) {
@@ -95,8 +95,8 @@ class ClassRaster::Reader {
     if (known) crs_name = name_of(*known);
     if (terrain_crs_wkt.empty()) return;
     if (!known) {
-      problems_.warn("names no coordinate system", "it is taken to be that of the terrain",
-                     "Name it: " + problems_.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif"));
+      problems_.warn("has no coordinate system", "that of the terrain is assumed",
+                     "Assign it: " + problems_.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif"));
       return;
     }
     OGRSpatialReference from, to = *known;
@@ -107,8 +107,8 @@ class ClassRaster::Reader {
     to_file_.reset(OGRCreateCoordinateTransformation(&from, &to));
     if (!to_file_) {
       problems_.refuse(fmt::format("is in {}", crs_name),
-                       fmt::format("there is no way to it from {}, that of the terrain", name_of(from)),
-                       "Name the true one: " + problems_.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif"));
+                       fmt::format("there is no transformation to it from {}, that of the terrain", name_of(from)),
+                       "Assign the right one: " + problems_.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif"));
     }
   }
 
@@ -185,13 +185,13 @@ class ClassRaster::Reader {
     const CPLErr result =
         band.RasterIO(GF_Read, low.column, low.row, columns, rows, to, columns, rows, type, 0, 0, nullptr);
     if (result == CE_None && !messages.has_failure()) return;
-    problems_.stop("cannot be read to its end", messages.failure(), "Copy it again from where it comes from");
+    problems_.stop("cannot be read completely", messages.failure(), "Copy it again from its source");
   }
 
   std::int32_t whole(double value) {
     using Limits = std::numeric_limits<std::int32_t>;
     if (value != std::floor(value) || value < Limits::min() || value > Limits::max()) {
-      problems_.stop(fmt::format("has {:g} as a class", value), "a class is a whole number of at most 32 bits",
+      problems_.stop(fmt::format("has the class {:g}", value), "a class is a whole number of at most 32 bits",
                      "Round them: " + problems_.command("gdal_translate -ot Int32", "_classes.tif"));
     }
     return static_cast<std::int32_t>(value);
@@ -201,7 +201,7 @@ class ClassRaster::Reader {
   GdalFiles files_;
   GDALDatasetUniquePtr dataset_;
   GDALRasterBand* band_ = nullptr;
-  Transformation to_file_;  // from the terrain's coordinates; null where they are the file's own
+  Transformation to_file_;  // from the terrain's coordinates; null if the file has the same
   double from_place_[6] = {};
   double cell_ = 1;  // side of a cell, in the file's unit
   std::vector<double> values_;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int no_unit = 0, metres = 6;
 
-/// Of entities on layers that are off or frozen, GDAL makes the colour transparent: "PEN(c:#ff000000)".
+/// GDAL makes the colour of entities on layers that are off or frozen transparent: "PEN(c:#ff000000)".
 bool is_hidden(const OGRFeature& entity) {
   const char* style = entity.GetStyleString();
   constexpr std::string_view before = "c:#", transparent = "00";
@@ -28,25 +28,25 @@ bool is_hidden(const OGRFeature& entity) {
   return text.substr(at + before.size() + colour).starts_with(transparent);
 }
 
-/// GDAL says "error at line 7586 of plan.dxf", where the entity ends.
-std::string what_failed(const std::filesystem::path& file, const std::string& failure) {
+/// Names the entity from GDAL's "error at line 7586 of plan.dxf", which gives the line where it ends.
+std::string unreadable_entity(const std::filesystem::path& file, const std::string& failure) {
   constexpr std::string_view before = "error at line ";
   const std::size_t at = failure.find(before);
   std::int64_t line = 0;
   if (at != std::string::npos) {
     std::from_chars(failure.data() + at + before.size(), failure.data() + failure.size(), line);
   }
-  const std::string thing = line > 0 ? thing_in_dxf(file, line) : "";
-  return thing.empty() ? failure : fmt::format("the {} that ends at line {} is the first of them", thing, line);
+  const std::string name = line > 0 ? last_entity_in_dxf(file, line) : "";
+  return name.empty() ? failure : fmt::format("the first is the {} that ends at line {}", name, line);
 }
 
-void judge_unit(RasterProblems& problems) {
+void check_unit(RasterProblems& problems) {
   const int unit = unit_of_dxf(problems.file()).value_or(no_unit);
   if (unit == no_unit || unit == metres) return;
   problems.refuse(
       fmt::format("is in {}", name_of_dxf_unit(unit)),
-      fmt::format("its header says $INSUNITS = {}; Talus needs metres", unit),
-      "Scale the drawing to metres and make metres its unit; if its numbers are metres, only do the latter");
+      fmt::format("its header has $INSUNITS = {}; Talus needs metres", unit),
+      "Scale the drawing to metres and set its unit to metres; if its numbers are metres already, only set the unit");
 }
 
 }  // namespace
@@ -57,10 +57,10 @@ DxfEntities::DxfEntities(OGRLayer& all, const VectorRequest& request, RasterProb
       layer_key_(request.layer_key),
       layer_column_(all.GetLayerDefn()->GetFieldIndex("Layer")),
       paper_column_(all.GetLayerDefn()->GetFieldIndex("PaperSpace")) {
-  judge_unit(problems);
+  check_unit(problems);
 }
 
-bool DxfEntities::takes(OGRFeature& entity) {
+bool DxfEntities::accepts(OGRFeature& entity) {
   const std::string layer = layer_column_ >= 0 ? entity.GetFieldAsString(layer_column_) : "";
   layers_.insert(layer);
   if (!wanted_.empty() && layer != wanted_) return false;
@@ -74,7 +74,7 @@ bool DxfEntities::takes(OGRFeature& entity) {
     hidden_layers_.insert(layer);
     return false;
   }
-  ++taken_;
+  ++accepted_;
   return true;
 }
 
@@ -83,7 +83,7 @@ void DxfEntities::note_unreadable(const std::string& failure) {
 }
 
 std::string DxfEntities::entities(std::uint64_t count) const {
-  return fmt::format("{} of {} entities {}", count, taken_ + left_out(), count == 1 ? "is" : "are");
+  return fmt::format("{} of {} entities {}", count, accepted_ + left_out(), count == 1 ? "is" : "are");
 }
 
 void DxfEntities::report() {
@@ -93,17 +93,17 @@ void DxfEntities::report() {
                    meant(wanted_, names));
   }
   if (on_paper_ > 0) {
-    problems_.warn(entities(on_paper_) + " in a layout", "that is paper, not the model; it is left out");
+    problems_.warn(entities(on_paper_) + " in a layout", "that is paper space, not the model; they are left out");
   }
   if (hidden_ > 0) {
     const std::vector<std::string> names(hidden_layers_.begin(), hidden_layers_.end());
     problems_.warn(entities(hidden_) + " on a layer that is switched off or frozen",
-                   fmt::format("left out is what lies on {}", listed(names)),
-                   fmt::format("To read such a layer name it: {} = \"{}\"", layer_key_, names.front()));
+                   fmt::format("layers left out: {}", listed(names)),
+                   fmt::format("To read such a layer, name it: {} = \"{}\"", layer_key_, names.front()));
   }
   if (!unreadable_.empty()) {
-    problems_.warn("has entities that GDAL cannot read", what_failed(problems_.file(), unreadable_),
-                   "They are left out; if they are ground, make polylines of them");
+    problems_.warn("has entities that GDAL cannot read", unreadable_entity(problems_.file(), unreadable_),
+                   "They are left out; if they are part of the ground, convert them to polylines");
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which entities of a DXF are of the model. For files that are built with GDAL only.
+// Which entities of a DXF belong to the model. Only for files that are built with GDAL.
 
 #include <ogrsf_frmts.h>
 
@@ -12,22 +12,23 @@
 
 namespace talus {
 
-/// GDAL gives all entities in one layer, with the names of their CAD layers as an attribute. Left out are those of
-/// layouts (paper space), and those of hidden layers unless one of these is asked for.
+/// GDAL returns all entities in one layer, with the names of their CAD layers as an attribute. Entities in layouts
+/// (paper space) are left out, and so are those on hidden layers, unless such a layer is requested.
 class DxfEntities {
  public:
   /// Refuses files that are not in metres.
   DxfEntities(OGRLayer& all, const VectorRequest& request, RasterProblems& problems);
 
-  [[nodiscard]] bool takes(OGRFeature& entity);
-  /// Remembers what GDAL said of an entity that it could not read, and went on to the next one.
+  /// Whether an entity is to be read; counts it either way.
+  [[nodiscard]] bool accepts(OGRFeature& entity);
+  /// Records GDAL's message about an entity that it skipped because it could not read it.
   void note_unreadable(const std::string& failure);
-  /// The layer that is asked for; empty: all that are shown.
+  /// The requested layer; empty: all visible layers.
   [[nodiscard]] const std::string& layer() const { return wanted_; }
-  /// How many were taken, and how many of the layer that is asked for were not.
-  [[nodiscard]] std::uint64_t taken() const { return taken_; }
+  /// How many entities of the requested layer were accepted, and how many were not.
+  [[nodiscard]] std::uint64_t accepted() const { return accepted_; }
   [[nodiscard]] std::uint64_t left_out() const { return on_paper_ + hidden_; }
-  /// Warns of what was left out; throws BadInput where no entity has the layer that is asked for.
+  /// Warns about entities that were left out; throws BadInput if no entity is on the requested layer.
   void report();
 
  private:
@@ -37,7 +38,7 @@ class DxfEntities {
   std::string wanted_, layer_key_;
   int layer_column_, paper_column_;
   std::set<std::string> layers_, hidden_layers_;
-  std::uint64_t taken_ = 0, on_paper_ = 0, hidden_ = 0;
+  std::uint64_t accepted_ = 0, on_paper_ = 0, hidden_ = 0;
   std::string unreadable_;
 };
 

@@ -27,7 +27,7 @@ struct Pair {
   std::string value;
 };
 
-/// GDAL's files, as it may have opened this one in an archive.
+/// Reads through GDAL's file system, because the file may be in an archive.
 class DxfText {
  public:
   explicit DxfText(const std::filesystem::path& file) : quiet_(GdalFiles(file)), file_(VSIFOpenL(file.c_str(), "rb")) {}
@@ -87,18 +87,18 @@ std::string name_of_dxf_unit(int unit) {
   return std::string(names[static_cast<std::size_t>(unit)]);
 }
 
-std::string thing_in_dxf(const std::filesystem::path& file, std::int64_t line) {
+std::string last_entity_in_dxf(const std::filesystem::path& file, std::int64_t line) {
   DxfText text(file);
-  std::string thing;
+  std::string name;
   while (const auto pair = text.next()) {
     if (text.lines() > line) break;
-    if (pair->code == 0) thing = pair->value;
+    if (pair->code == 0) name = pair->value;
   }
-  return thing;
+  return name;
 }
 
 bool is_whole_dxf(const std::filesystem::path& file) {
-  return thing_in_dxf(file, std::numeric_limits<std::int64_t>::max()) == "EOF";
+  return last_entity_in_dxf(file, std::numeric_limits<std::int64_t>::max()) == "EOF";
 }
 
 }  // namespace talus

@@ -1,6 +1,6 @@
 #pragma once
-// What GDAL does not tell of a DXF, read from its text: pairs of lines, a code and a value (Autodesk, "DXF Reference").
-// For files that are built with GDAL only.
+// Facts about a DXF that GDAL does not report, read from its text: pairs of lines, a code and a value (Autodesk, "DXF
+// Reference"). Only for files that are built with GDAL.
 
 #include <cstdint>
 #include <filesystem>
@@ -9,16 +9,16 @@
 
 namespace talus {
 
-/// The number of the unit of its coordinates in its header, $INSUNITS: 0 none, 2 feet, 4 millimetres, 6 metres ...;
-/// nothing where it does not say.
+/// The unit of the coordinates, $INSUNITS in the header: 0 none, 2 feet, 4 millimetres, 6 metres ...; nullopt if the
+/// header has none.
 [[nodiscard]] std::optional<int> unit_of_dxf(const std::filesystem::path& file);
 /// For example "feet".
 [[nodiscard]] std::string name_of_dxf_unit(int unit);
 
-/// Whether its last word is that it ends.
+/// Whether the file ends with its end marker, EOF.
 [[nodiscard]] bool is_whole_dxf(const std::filesystem::path& file);
 
-/// The last thing that begins before a line, counted from 1, for example "SPLINE"; empty where there is none.
-[[nodiscard]] std::string thing_in_dxf(const std::filesystem::path& file, std::int64_t line);
+/// The last entity or section marker (group code 0) up to a line (from 1), for example "SPLINE"; empty if none.
+[[nodiscard]] std::string last_entity_in_dxf(const std::filesystem::path& file, std::int64_t line);
 
 }  // namespace talus

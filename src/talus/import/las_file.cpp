@@ -19,12 +19,12 @@ namespace talus {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "LAS is little-endian, and its numbers are taken as they are");
+              "LAS is little-endian, and its numbers are copied without conversion");
 
 constexpr std::uint64_t most_points = std::uint64_t{1} << 30U;
-constexpr std::uint64_t longest_record = 1 << 20;  // of a coordinate system; a few kilobytes at most
+constexpr std::uint64_t longest_record = 1 << 20;  // bytes; coordinate systems take a few kilobytes
 constexpr std::size_t shortest_header = 227, header_of_14 = 375;
-// The least bytes of a point, by format.
+// The minimum number of bytes of a point, by format.
 constexpr std::array<std::uint16_t, 11> least_length{20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
 template <class Number>
@@ -75,14 +75,14 @@ class LasReader {
     stream_.seekg(static_cast<std::streamoff>(from));
     stream_.read(out.data(), static_cast<std::streamsize>(count));
     if (static_cast<std::uint64_t>(stream_.gcount()) != count) {
-      stop("is cut short", fmt::format("bytes {} to {} are not there; it has {}", from, from + count, size_),
-           "Copy it again from where it comes from");
+      stop("is cut short", fmt::format("bytes {} to {} are missing; it has {} bytes", from, from + count, size_),
+           "Copy it again from its source");
     }
     return out;
   }
 
   void read_header() {
-    if (size_ < shortest_header) stop("is not a LAS file", fmt::format("it has {} bytes, less than a header", size_));
+    if (size_ < shortest_header) stop("is not a LAS file", fmt::format("its {} bytes are less than a header", size_));
     const auto header = bytes(0, std::min<std::uint64_t>(size_, header_of_14));
     if (std::string_view(header.data(), 4) != "LASF") stop("is not a LAS file", "it does not begin with LASF");
     const int major = header[24], minor = header[25];
@@ -96,7 +96,8 @@ class LasReader {
            fmt::format("Unpack it: pdal translate {} {}_unpacked.las", path_.string(), stem));
     }
     if (format >= least_length.size()) {
-      stop(fmt::format("has points of format {}", format), fmt::format("Talus knows 0 to {}", least_length.size() - 1));
+      stop(fmt::format("has points of format {}", format),
+           fmt::format("Talus reads formats 0 to {}", least_length.size() - 1));
     }
     format_ = format;
     length_ = number_at<std::uint16_t>(header, 105);
@@ -121,9 +122,9 @@ class LasReader {
     if (!scale_.allFinite() || !offset_.allFinite() || (scale_.array() <= 0).any()) {
       stop(fmt::format("has the scales {:g}, {:g}, {:g} and the offsets {:g}, {:g}, {:g}", scale_.x(), scale_.y(),
                        scale_.z(), offset_.x(), offset_.y(), offset_.z()),
-           "scales are more than 0, and all are finite");
+           "scales must be more than 0, and all must be finite");
     }
-    // The farthest a point can be: its 32 bits times the scale, and the offset.
+    // The largest possible coordinates: 2^31 times the scale, plus the offset.
     const Vec3 farthest = 2147483648.0 * scale_ + offset_.cwiseAbs();
     if (!farthest.allFinite()) {
       stop(fmt::format("has the scales {:g}, {:g}, {:g} and the offsets {:g}, {:g}, {:g}", scale_.x(), scale_.y(),
@@ -133,22 +134,22 @@ class LasReader {
     if (las_.declared == 0) stop("has no points", "its header says so");
     if (las_.declared >= most_points) {
       stop(fmt::format("declares {} points", las_.declared), fmt::format("Talus reads fewer than {}", most_points),
-           "Thin it, cut it to the slope, or make a raster of it");
+           "Thin it, cut it to the slope, or make a raster from it");
     }
     if (first_ > size_ || las_.declared > (size_ - first_) / length_) {
       stop(fmt::format("declares {} points of {} bytes from byte {}", las_.declared, length_, first_),
-           fmt::format("it has {} bytes", size_), "Copy it again from where it comes from");
+           fmt::format("it has {} bytes", size_), "Copy it again from its source");
     }
   }
 
-  // What says where the file is, among the records between header and points and, since 1.4, behind the points.
+  // Reads the coordinate system from the records between header and points and, since 1.4, after the points.
   void read_records() {
     std::uint64_t at = header_size_;
     for (std::uint32_t k = 0; k < record_count_ && at + 54 <= first_; ++k) {
       const auto head = bytes(at, 54);
       const auto length = number_at<std::uint16_t>(head, 20);
       if (at + 54 + length > first_) break;
-      take_record(text_at(head, 2, 16), number_at<std::uint16_t>(head, 18), at + 54, length);
+      read_record(text_at(head, 2, 16), number_at<std::uint16_t>(head, 18), at + 54, length);
       at += 54 + std::uint64_t{length};
     }
     at = long_records_at_;
@@ -156,22 +157,22 @@ class LasReader {
       const auto head = bytes(at, 60);
       const auto length = number_at<std::uint64_t>(head, 20);
       if (length > size_ - at - 60) break;
-      take_record(text_at(head, 2, 16), number_at<std::uint16_t>(head, 18), at + 60, length);
+      read_record(text_at(head, 2, 16), number_at<std::uint16_t>(head, 18), at + 60, length);
       at += 60 + length;
     }
   }
 
-  void take_record(const std::string& user, int number, std::uint64_t at, std::uint64_t length) {
+  void read_record(const std::string& user, int number, std::uint64_t at, std::uint64_t length) {
     if (user != "LASF_Projection" || length > longest_record) return;
     const auto record = bytes(at, length);
     if (number == 2112) las_.crs.wkt = text_at(record, 0, record.size());
     if (number != 34735) return;
-    // GeoTIFF's GeoKeyDirectoryTag: keys of four 16-bit numbers after a head of four; the second says where the value
-    // is, 0 meaning that it is the fourth.
+    // GeoTIFF's GeoKeyDirectoryTag: a header of four 16-bit numbers, then four for each key. The second of them is the
+    // location of the value; 0 means that the fourth is the value.
     for (std::size_t key = 8; key + 8 <= record.size(); key += 8) {
       if (number_at<std::uint16_t>(record, key + 2) != 0) continue;
       const int value = number_at<std::uint16_t>(record, key + 6);
-      const bool is_code = value != 0 && value != 32767;  // 32767: defined by the user
+      const bool is_code = value != 0 && value != 32767;  // 32767: user-defined
       const auto code = is_code ? std::optional<int>(value) : std::nullopt;
       switch (number_at<std::uint16_t>(record, key)) {
         case 1024:
@@ -206,12 +207,12 @@ class LasReader {
   void read_points() {
     // Classification and flags: the specification's tables 7 to 9 (formats 0 to 5) and 10 to 16 (6 to 10).
     const bool is_new_format = format_ >= 6;
-    constexpr std::uint64_t at_once = 1 << 16;
-    std::uint64_t strange = 0, far_away = 0;
-    double strangest = 0, farthest = 0;
-    for (std::uint64_t done = 0; done < las_.declared; done += at_once) {
+    constexpr std::uint64_t block_size = 1 << 16;  // points
+    std::uint64_t impossible = 0, far_away = 0;
+    double impossible_height = 0, farthest = 0;
+    for (std::uint64_t done = 0; done < las_.declared; done += block_size) {
       stop_point();
-      const std::uint64_t count = std::min(at_once, las_.declared - done);
+      const std::uint64_t count = std::min(block_size, las_.declared - done);
       const auto block = bytes(first_ + done * length_, count * length_);
       for (std::uint64_t k = 0; k < count; ++k) {
         const std::size_t at = k * length_;
@@ -234,8 +235,8 @@ class LasReader {
         }
         const double z = las_.points.back().z();
         if (z >= lowest_elevation_m && z <= highest_elevation_m) continue;
-        ++strange;
-        strangest = z;
+        ++impossible;
+        impossible_height = z;
       }
     }
     if (far_away > 0) {
@@ -244,9 +245,9 @@ class LasReader {
                        largest_coordinate_m),
            "Its scales or offsets are wrong; copy it again from where it comes from");
     }
-    if (strange > 0) {
-      stop(fmt::format("has heights such as {:.10g} m", strangest),
-           fmt::format("{} of {} points are below {:g} m or above {:g} m", strange, las_.points.size(),
+    if (impossible > 0) {
+      stop(fmt::format("has heights such as {:.10g} m", impossible_height),
+           fmt::format("{} of {} points are below {:g} m or above {:g} m", impossible, las_.points.size(),
                        lowest_elevation_m, highest_elevation_m),
            "Choose the ground with point_classes, or filter the file");
     }
@@ -255,7 +256,7 @@ class LasReader {
     for (const auto& [las_class, points] : las_.of_class) {
       found += fmt::format("{}{} of class {}", found.empty() ? "" : ", ", points, las_class);
     }
-    stop(classes_.empty() ? "has nothing but noise" : "has no points of the classes in point_classes",
+    stop(classes_.empty() ? "has only noise" : "has no points of the classes in point_classes",
          found.empty() ? fmt::format("all its {} points are withheld", las_.withheld) : "it has " + found);
   }
 

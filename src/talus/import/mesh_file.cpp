@@ -21,9 +21,9 @@ Reader reader_for(const std::filesystem::path& path, MeshProblems& problems) {
   if (ending == ".stl") return read_stl;
   if (ending == ".ply") return read_ply;
   problems.stop({}, "is not a mesh that Talus can read",
-                (ending.empty() ? "its name has no ending" : "its name ends in " + in_quotes(ending)) +
+                (ending.empty() ? "its name has no extension" : "its extension is " + in_quotes(ending)) +
                     "; expected .obj, .stl or .ply",
-                "Convert it, or name the file after its format");
+                "Convert it, or give the file the extension of its format");
 }
 
 std::string read_bytes(const std::filesystem::path& path, MeshProblems& problems) {
@@ -48,7 +48,8 @@ std::string read_bytes(const std::filesystem::path& path, MeshProblems& problems
   std::string bytes(size, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(size));
   if (stream.gcount() != static_cast<std::streamsize>(size)) {
-    problems.stop({}, "cannot be read to its end", fmt::format("{} of {} bytes came", stream.gcount(), size));
+    problems.stop({}, "cannot be read completely",
+                  fmt::format("only {} of {} bytes could be read", stream.gcount(), size));
   }
   return bytes;
 }

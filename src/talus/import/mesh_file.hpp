@@ -1,5 +1,5 @@
 #pragma once
-// Triangle meshes from files. The format is told by the name's ending: .obj, .stl or .ply.
+// Triangle meshes from files. The extension gives the format: .obj, .stl or .ply.
 
 #include <filesystem>
 
@@ -8,9 +8,9 @@
 
 namespace talus {
 
-/// Reads a mesh, its coordinates in metres and to the last bit of what the file holds. Faces of more than three corners
-/// become several triangles, in the order of the faces. Throws BadInput, which names the line or the face.
-/// What is only doubtful (for example, coordinates too large for their single precision) is added to `warnings`.
+/// Reads a mesh; its coordinates are in metres and keep every bit of the file. Faces of more than three corners are cut
+/// into triangles, in the order of the faces. Throws BadInput with the line or the face. Doubts, for example
+/// coordinates too large for single precision, are added to `warnings`.
 [[nodiscard]] RawMesh read_mesh_file(const std::filesystem::path& path, Problems& warnings);
 [[nodiscard]] RawMesh read_mesh_file(const std::filesystem::path& path);
 

@@ -12,9 +12,9 @@
 namespace talus {
 namespace {
 
-// Statements that say nothing about where the ground is.
-constexpr std::array<std::string_view, 14> without_shape{"vt",     "vn",     "vp", "g", "o",     "s",   "mg",
-                                                         "mtllib", "usemtl", "l",  "p", "bevel", "lod", "usemap"};
+// Statements that do not affect the surface.
+constexpr std::array<std::string_view, 14> ignored{"vt",     "vn",     "vp", "g", "o",     "s",   "mg",
+                                                   "mtllib", "usemtl", "l",  "p", "bevel", "lod", "usemap"};
 
 class ObjReader {
  public:
@@ -26,7 +26,7 @@ class ObjReader {
     while (auto line = lines.next()) {
       place_.line = lines.number();
       const std::size_t comment = line->find('#');
-      // Only a line that has no comment can be continued: a path in a comment may well end in a backslash.
+      // Only a line without a comment can be continued: a path in a comment may end in a backslash.
       if (comment == std::string_view::npos && continues(*line)) {
         joined.assign(line->substr(0, line->size() - 1));
         while (auto more = lines.next()) {
@@ -59,35 +59,34 @@ class ObjReader {
       vertex(line);
     } else if (keyword == "f" || keyword == "fo") {  // fo: a face in files of version 2
       face(line);
-    } else if (!keyword.empty() &&
-               std::find(without_shape.begin(), without_shape.end(), keyword) == without_shape.end()) {
+    } else if (!keyword.empty() && std::find(ignored.begin(), ignored.end(), keyword) == ignored.end()) {
       unknown(keyword);
     }
   }
 
-  // After x, y, z may come a weight, a colour or both; they are left out, but must be numbers.
+  // A weight, a colour or both may follow x, y, z; they are ignored, but must be numbers.
   void vertex(std::string_view line) {
     constexpr Eigen::Index most_numbers = 8;
     Vec3 position = Vec3::Zero();
     Eigen::Index count = 0;
-    bool sound = true;
-    for (std::string_view word = take_word(line); sound && !word.empty(); word = take_word(line)) {
+    bool is_valid = true;
+    for (std::string_view word = take_word(line); is_valid && !word.empty(); word = take_word(line)) {
       if (count == most_numbers) {
         problems_.refuse(place_, "a vertex with more than 8 numbers",
                          "expected x, y, z, and at most a weight and a colour");
-        sound = false;
+        is_valid = false;
       } else if (const auto number = read_coordinate(word, problems_, place_)) {
         if (count < 3) position[count] = *number;
         ++count;
       } else {
-        sound = false;
+        is_valid = false;
       }
     }
-    if (sound && count < 3) {
+    if (is_valid && count < 3) {
       problems_.refuse(place_, fmt::format("a vertex with {} coordinate{}", count, count == 1 ? "" : "s"),
                        "expected x, y and z");
     }
-    mesh_.vertices.push_back(position);  // even a bad one, so that the numbers of those after it stay right
+    mesh_.vertices.push_back(position);  // even if it is bad, so that the numbers of later vertices stay right
   }
 
   void face(std::string_view line) {
@@ -120,7 +119,7 @@ class ObjReader {
         count < 3 && (parts[1].empty() || whole_number(parts[1])) && (parts[2].empty() || whole_number(parts[2]));
     if (!vertex_number || !others_fit) {
       problems_.refuse(place_, in_quotes(word) + " is not a corner of a face",
-                       "expected 7, 7/1, 7//3 or 7/1/3, all whole numbers");
+                       "expected 7, 7/1, 7//3 or 7/1/3, all integers");
       return std::nullopt;
     }
     return index(*vertex_number);
@@ -129,10 +128,11 @@ class ObjReader {
   std::optional<std::uint32_t> index(std::int64_t number) {
     const auto vertices = static_cast<std::int64_t>(mesh_.vertices.size());
     if (number == 0) {
-      problems_.refuse(place_, "vertex 0 does not exist", "OBJ counts vertices from 1");
+      problems_.refuse(place_, "vertex 0 does not exist", "OBJ numbers vertices from 1");
     } else if (number < -vertices) {
-      problems_.refuse(place_, fmt::format("vertex {} does not exist", number),
-                       fmt::format("counted back from this line there are {}", vertices));
+      problems_.refuse(
+          place_, fmt::format("vertex {} does not exist", number),
+          fmt::format("{} {} this line", vertices, vertices == 1 ? "vertex precedes" : "vertices precede"));
     } else if (number > 0xFFFFFFFF) {
       problems_.refuse(place_, fmt::format("vertex {} does not exist", number), "an index has at most 32 bits");
     } else {
@@ -144,7 +144,7 @@ class ObjReader {
   void unknown(std::string_view keyword) {
     constexpr std::size_t most_warnings = 5;
     if (unknown_.size() == most_warnings || !unknown_.insert(std::string{keyword}).second) return;
-    problems_.warn(place_, "the statement " + in_quotes(keyword) + " is left out",
+    problems_.warn(place_, "the statement " + in_quotes(keyword) + " is ignored",
                    "Talus reads vertices (v) and faces (f) of OBJ files");
   }
 

@@ -12,8 +12,8 @@
 namespace talus {
 namespace {
 
-// A binary file is 80 bytes of any text, the number of triangles (32 bits), and 50 bytes for each: the normal and three
-// corners as 32-bit floats, and 16 bits of no fixed meaning. All little-endian.
+// A binary file has 80 bytes of arbitrary text, the number of triangles (32 bits), and 50 bytes for each triangle: the
+// normal and three corners as 32-bit floats, and 16 bits without a fixed meaning. All little-endian.
 constexpr std::size_t header_bytes = 84;
 constexpr std::size_t triangle_bytes = 50;
 
@@ -25,8 +25,8 @@ T load(const char* at) {
 
 std::uint64_t declared_triangles(std::string_view bytes) { return load<std::uint32_t>(bytes.data() + 80); }
 
-// Many binary files begin with "solid" too, so the length is asked first. No text passes for a binary file by length:
-// its bytes 80 to 83, taken as a number, declare more than 4 GiB.
+// Many binary files begin with "solid", too, so the length is checked first. No text has the length of a binary file:
+// read as a number, its bytes 80 to 83 declare more than 4 GiB.
 bool is_text(std::string_view bytes) {
   if (bytes.size() >= header_bytes && header_bytes + declared_triangles(bytes) * triangle_bytes == bytes.size()) {
     return false;
@@ -140,8 +140,8 @@ RawMesh read_binary(std::string_view bytes, MeshProblems& problems) {
   const std::uint64_t count = declared_triangles(bytes);
   const std::uint64_t needed = header_bytes + count * triangle_bytes;
   if (needed != bytes.size()) {
-    problems.stop({}, fmt::format("declares {} triangle{}, but its length does not fit", count, count == 1 ? "" : "s"),
-                  fmt::format("that takes {} bytes; the file has {}", needed, bytes.size()),
+    problems.stop({}, fmt::format("declares {} triangle{}, but has the wrong length", count, count == 1 ? "" : "s"),
+                  fmt::format("they take {} bytes; the file has {}", needed, bytes.size()),
                   needed > bytes.size() ? "It may have been cut short" : "Its header may be damaged");
   }
   RawMesh mesh;

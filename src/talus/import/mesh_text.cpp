@@ -38,7 +38,7 @@ std::string lower(std::string_view word) {
   return out;
 }
 
-// from_chars takes no plus sign, which some programs write.
+// from_chars does not accept a plus sign, which some programs write.
 static std::string_view without_plus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+' ? word.substr(1) : word;
 }
@@ -49,7 +49,7 @@ std::optional<double> read_coordinate(std::string_view word, MeshProblems& probl
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool whole_word = end == digits.data() + digits.size();
   if (error == std::errc::result_out_of_range && whole_word) {
-    problems.refuse(place, in_quotes(word) + " cannot be held by a 64-bit number", "expected a coordinate in metres");
+    problems.refuse(place, in_quotes(word) + " is out of range for a 64-bit number", "expected a coordinate in metres");
   } else if (error != std::errc() || !whole_word) {
     problems.refuse(place, in_quotes(word) + " is not a number", "expected a coordinate in metres",
                     word.find(',') == std::string_view::npos ? "" : "Write decimals with a point");

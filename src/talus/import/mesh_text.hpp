@@ -11,31 +11,31 @@
 
 namespace talus {
 
-/// Walks through the lines of a text. A line ends in LF or CR LF; neither is part of what `next` gives.
+/// Iterates over the lines of a text. A line ends in LF or CR LF, neither of which `next` returns.
 class Lines {
  public:
   explicit Lines(std::string_view text, std::uint32_t lines_before = 0) : rest_(text), number_(lines_before) {}
 
   [[nodiscard]] std::optional<std::string_view> next();
-  [[nodiscard]] std::uint32_t number() const { return number_; }  // of the line that `next` gave last, from 1
-  [[nodiscard]] std::string_view rest() const { return rest_; }   // what follows that line
+  [[nodiscard]] std::uint32_t number() const { return number_; }  // of the line last returned by `next`, from 1
+  [[nodiscard]] std::string_view rest() const { return rest_; }   // the text after that line
 
  private:
   std::string_view rest_;
   std::uint32_t number_;
 };
 
-/// Takes the first word off the front of `line`; empty at its end. Blanks and tabs stand between words.
+/// Removes the first word from the front of `line` and returns it; empty at the end. Blanks and tabs separate words.
 [[nodiscard]] std::string_view take_word(std::string_view& line);
 
-/// ASCII letters made small: the keywords of STL and the names' endings are written both ways.
+/// The word with ASCII letters in lower case.
 [[nodiscard]] std::string lower(std::string_view word);
 
-/// A coordinate in metres, or a note in `problems` why `word` is none.
+/// A coordinate in metres; if `word` is none, nullopt, with an error in `problems`.
 [[nodiscard]] std::optional<double> read_coordinate(std::string_view word, MeshProblems& problems,
                                                     const MeshPlace& place);
 
-/// A whole number that fits 64 bits, with nothing before or after it.
+/// The integer that `word` consists of; nullopt if it is none or does not fit into 64 bits.
 [[nodiscard]] std::optional<std::int64_t> whole_number(std::string_view word);
 
 }  // namespace talus

@@ -27,7 +27,7 @@ namespace talus {
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
-constexpr std::size_t longest_line = 100'000;  // bytes; a file of another kind may have no line feed at all
+constexpr std::size_t longest_line = 100'000;  // bytes; a binary file may have no line feed at all
 constexpr std::size_t most_points = std::size_t{1} << 30U;
 
 std::string_view trimmed(std::string_view text) {
@@ -60,13 +60,13 @@ std::optional<double> number(std::string_view word, bool comma_is_point) {
 
 // ---- columns ----
 
-struct Named {
+struct ColumnMeaning {
   std::size_t axis;  // 0 x, 1 y, 2 z
   bool in_feet;
 };
 
-// What a column's name says, with a unit behind it or without: "x", "Easting (m)", "z_ft".
-std::optional<Named> meaning(std::string_view name) {
+// The meaning of a column's name, with or without a unit: "x", "Easting (m)", "z_ft".
+std::optional<ColumnMeaning> meaning_of(std::string_view name) {
   std::string word;
   for (const char c : lower(name)) {
     if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) word += c;
@@ -83,10 +83,10 @@ std::optional<Named> meaning(std::string_view name) {
       if (known.empty() || !word.starts_with(known)) continue;
       const std::string_view unit = std::string_view(word).substr(known.size());
       for (const std::string_view m : metres) {
-        if (unit == m) return Named{axis, false};
+        if (unit == m) return ColumnMeaning{axis, false};
       }
       for (const std::string_view ft : feet) {
-        if (unit == ft) return Named{axis, true};
+        if (unit == ft) return ColumnMeaning{axis, true};
       }
     }
   }
@@ -117,14 +117,14 @@ class PointReader {
       if (!is_known_) {
         choose_separator(text);
         split(text);
-        if (number_ == 1 && !is_comment && take_total()) continue;
-        if (is_comment ? names_all() : names_any()) {
+        if (number_ == 1 && !is_comment && read_total()) continue;
+        if (is_comment ? names_all_columns() : has_words()) {
           name_columns();
           continue;
         }
         if (is_comment) continue;
         is_known_ = true;
-        may_count_ = !has_names_ && words_.size() > 3;
+        may_be_numbered_ = !has_names_ && words_.size() > 3;
         if (!has_names_) {
           named_at_ = line_number();
           column_count_ = count_columns();
@@ -133,27 +133,26 @@ class PointReader {
       } else {
         split(text);
       }
-      take_point();
+      read_point();
     }
     problems_.throw_if_any();
     if (points_.empty()) {
-      stop("has no points", total_ ? "its first line is a count, and none follows" : "no line has three numbers");
+      stop("has no points", total_ ? "its first line is a count, but no point follows" : "no line has three numbers");
     }
     if (total_ && *total_ != points_.size()) {
-      stop(fmt::format("has {} points", points_.size()), fmt::format("its first line says {}", *total_),
-           "Copy it again from where it comes from, or take that line out");
+      stop(fmt::format("has {} points", points_.size()), fmt::format("its first line declares {}", *total_),
+           "Copy it again from its source, or remove that line");
     }
     if (may_have_decimal_commas_) {
-      stop(
-          "seems to have decimal commas",
-          "its lines have six and more whole numbers between commas, and none that names the columns",
-          "Write decimal points, or put ; between the columns; if they are whole numbers, name them in the first line, "
-          "for example: x,y,z,red,green,blue");
+      stop("seems to have decimal commas",
+           "its lines have six or more integers between commas, and no line names the columns",
+           "Write decimal points, or separate the columns by semicolons; if they are integers, name the columns in the "
+           "first line, for example: x,y,z,red,green,blue");
     }
-    if (may_count_ && points_.size() > 2) {
-      stop("seems to count its points in the first column",
-           "it has no line that names the columns, and the first number grows by 1 from line to line",
-           "Name them in the first line, for example: id x y z");
+    if (may_be_numbered_ && points_.size() > 2) {
+      stop("seems to number its points in the first column",
+           "no line names the columns, and the first number increases by 1 from line to line",
+           "Name the columns in the first line, for example: id x y z");
     }
     return std::move(points_);
   }
@@ -177,7 +176,7 @@ class PointReader {
 
   bool next_line(std::ifstream& stream, std::string& line) {
     line.clear();
-    // Not getline(): a file of another kind may be one line of gigabytes.
+    // Not getline(): a binary file may be one line of gigabytes.
     int c = 0;
     auto* buffer = stream.rdbuf();
     while ((c = buffer->sbumpc()) != std::char_traits<char>::eof()) {
@@ -201,7 +200,7 @@ class PointReader {
     }
   }
 
-  // Where the text in quotation marks that begins here is over; here if none does.
+  // The end of the quoted text that begins at `at`; `at` if none does.
   static std::size_t after_quotes(std::string_view text, std::size_t at) {
     const std::size_t begin = std::min(text.find_first_not_of(blanks, at), text.size());
     if (begin == text.size() || text[begin] != '"') return at;
@@ -226,8 +225,8 @@ class PointReader {
     }
   }
 
-  // A lone whole number, as .pts files begin with: how many points follow.
-  bool take_total() {
+  // A single integer, with which .pts files begin: the number of points.
+  bool read_total() {
     if (words_.size() != 1) return false;
     std::size_t total = 0;
     const auto [end, error] = std::from_chars(words_[0].data(), words_[0].data() + words_[0].size(), total);
@@ -238,12 +237,13 @@ class PointReader {
 
   [[nodiscard]] bool comma_is_point() const { return separator_ == ';' || separator_ == '\t'; }
 
-  [[nodiscard]] bool names_any() const { return !has_names_ && !number(words_[0], comma_is_point()); }
-  // In a comment: all three, else it says something else.
-  [[nodiscard]] bool names_all() const {
+  // Whether a line begins with a word, so that it must name the columns.
+  [[nodiscard]] bool has_words() const { return !has_names_ && !number(words_[0], comma_is_point()); }
+  // Whether a comment names all three coordinates: otherwise it is an ordinary comment.
+  [[nodiscard]] bool names_all_columns() const {
     std::array<bool, 3> found{};
     for (const std::string_view word : words_) {
-      if (const auto named = meaning(word)) found[named->axis] = true;
+      if (const auto named = meaning_of(word)) found[named->axis] = true;
     }
     return found[0] && found[1] && found[2];
   }
@@ -251,17 +251,17 @@ class PointReader {
   void name_columns() {
     std::array<std::optional<std::size_t>, 3> columns;
     for (std::size_t i = 0; i < words_.size(); ++i) {
-      const auto named = meaning(words_[i]);
+      const auto named = meaning_of(words_[i]);
       if (!named) continue;
       if (named->in_feet) {
         stop_at_line(fmt::format("column {} is in feet", in_quotes(words_[i])),
-                     "Talus needs metres on plan and in height",
+                     "Talus needs coordinates and heights in metres",
                      "Convert it to metres: a foot is 0.3048 m, a US survey foot 1200/3937 m");
       }
       if (columns[named->axis]) {
-        stop_at_line(fmt::format("columns {} and {} mean the same", in_quotes(words_[*columns[named->axis]]),
+        stop_at_line(fmt::format("columns {} and {} have the same meaning", in_quotes(words_[*columns[named->axis]]),
                                  in_quotes(words_[i])),
-                     "there is one x, one y and one z", "Rename the one that is not meant");
+                     "expected one x, one y and one z", "Rename the one that is not to be used");
       }
       columns[named->axis] = i;
     }
@@ -278,15 +278,15 @@ class PointReader {
       }
       std::string found;
       for (const std::string_view word : words_) found += (found.empty() ? "" : ", ") + in_quotes(word);
-      stop_at_line(fmt::format("no column is called {}", names[axis]), fmt::format("there are {}", found),
-                   "Columns are called x, y and z, or easting, northing and elevation");
+      stop_at_line(fmt::format("no column is named {}", names[axis]), fmt::format("the columns are {}", found),
+                   "Name the columns x, y and z, or easting, northing and elevation");
     }
     has_names_ = true;
     named_at_ = line_number();
     column_count_ = count_columns();
   }
 
-  // A separator at the end of a line parts nothing.
+  // A separator at the end of a line does not begin another column.
   [[nodiscard]] std::size_t count_columns() const { return words_.size() - (words_.back().empty() ? 1 : 0); }
 
   [[nodiscard]] bool has_whole_numbers_only() const {
@@ -296,15 +296,16 @@ class PointReader {
     });
   }
 
-  // A value that belongs to no column may be the rest of one that was cut in two.
+  // A surplus value may be the rest of a number with a decimal comma.
   [[nodiscard]] bool is_too_long() {
     const std::size_t count = count_columns();
     if (count <= column_count_) return false;
     const bool may_be_commas = separator_ == ',' && has_whole_numbers_only();
     problems_.add(line_number(), fmt::format("has {} columns", count),
                   fmt::format("line {} {} {}", named_at_, has_names_ ? "names" : "has", column_count_),
-                  may_be_commas ? "If its commas stand for decimal points, write points, or put ; between the columns"
-                                : "Name all columns in the first line");
+                  may_be_commas
+                      ? "If its commas are decimal commas, write points, or separate the columns by semicolons"
+                      : "Name all columns in the first line");
     return true;
   }
 
@@ -321,14 +322,14 @@ class PointReader {
     return static_cast<int>(std::min<std::size_t>(number_, std::numeric_limits<int>::max()));
   }
 
-  void take_point() {
+  void read_point() {
     if (is_too_long()) return;
     may_have_decimal_commas_ = may_have_decimal_commas_ && has_whole_numbers_only();
     Vec3 point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (columns_[axis] >= words_.size()) {
         problems_.add(line_number(), fmt::format("has {} of {} columns", words_.size(), columns_needed()),
-                      axis == 2 && words_.size() == 2 ? "a point has a height" : "a point has x, y and z");
+                      axis == 2 && words_.size() == 2 ? "a point needs a height" : "a point needs x, y and z");
         return;
       }
       const auto value = number(words_[columns_[axis]], comma_is_point());
@@ -341,21 +342,21 @@ class PointReader {
       }
       if (axis < 2 && std::abs(*value) > largest_coordinate_m) {
         problems_.add(line_number(), fmt::format("{} is {:.10g}", axis == 0 ? "x" : "y", *value),
-                      fmt::format("coordinates lie within {:g} m", largest_coordinate_m));
+                      fmt::format("coordinates must be smaller than {:g} m", largest_coordinate_m));
         return;
       }
       point[static_cast<Eigen::Index>(axis)] = *value;
     }
     if (point.z() < lowest_elevation_m || point.z() > highest_elevation_m) {
       problems_.add(line_number(), fmt::format("z is {:.10g}", point.z()),
-                    fmt::format("heights lie between {:g} and {:g} m", lowest_elevation_m, highest_elevation_m),
-                    "If it stands for no data, leave the line out");
+                    fmt::format("heights must be between {:g} and {:g} m", lowest_elevation_m, highest_elevation_m),
+                    "If it means no data, remove the line");
       return;
     }
-    if (may_count_) {
+    if (may_be_numbered_) {
       const auto first = number(words_[0], comma_is_point());
-      may_count_ = first && *first == std::floor(*first) && (points_.empty() || *first == counted_ + 1);
-      counted_ = first.value_or(0);
+      may_be_numbered_ = first && *first == std::floor(*first) && (points_.empty() || *first == last_number_ + 1);
+      last_number_ = first.value_or(0);
     }
     if (points_.size() == most_points)
       stop("is too large", fmt::format("Talus reads fewer than {} points", most_points));
@@ -371,14 +372,14 @@ class PointReader {
   std::vector<Vec3> points_;
   std::size_t number_ = 0;  // of the line, from 1
   char separator_ = ' ';
-  std::optional<std::size_t> total_;  // of points, as the first line says
-  bool is_known_ = false;             // what separates the columns, and which are which
+  std::optional<std::size_t> total_;  // number of points declared in the first line
+  bool is_known_ = false;             // whether the separator and the columns are known
   bool has_names_ = false;
-  int named_at_ = 0;  // the line that says how many columns there are
+  int named_at_ = 0;  // the line that gives the number of columns
   std::size_t column_count_ = 0;
   bool may_have_decimal_commas_ = false;
-  bool may_count_ = false;  // whether the first column may be a number of the point
-  double counted_ = 0;
+  bool may_be_numbered_ = false;  // whether the first column may be the number of the point
+  double last_number_ = 0;
   std::array<std::size_t, 3> columns_{0, 1, 2};
   std::vector<std::string_view> words_;
 };

@@ -12,13 +12,14 @@
 namespace talus {
 namespace {
 
-std::string beside(const std::filesystem::path& file, const std::string& ending) {
+// The name of a new file next to this one, in a form that a shell reads.
+std::string new_file(const std::filesystem::path& file, const std::string& ending) {
   std::filesystem::path made = file;
   made.replace_filename(file.stem().string() + ending);
   return shell_word(made.string());
 }
 
-// EPSG's numbers of units of length.
+// The length in metres of an EPSG unit of measure; nullopt if not known.
 std::optional<double> metres_of_unit(const std::optional<int>& epsg) {
   if (!epsg) return std::nullopt;
   return *epsg == 9001 ? 1 : *epsg == 9002 ? 0.3048 : *epsg == 9003 ? 1200.0 / 3937 : std::optional<double>();
@@ -30,15 +31,15 @@ CrsCommands commands_for(const std::filesystem::path& file, SurveyKind kind) {
     case SurveyKind::text:
       return {[=](const std::string& target) {
                 return fmt::format("gdaltransform -s_srs EPSG:XXXX -t_srs {} < {} > {}, on lines of x y z", target, old,
-                                   beside(file, "_metres.xyz"));
+                                   new_file(file, "_metres.xyz"));
               },
               "crs = \"EPSG:XXXX\" in [terrain]"};
     case SurveyKind::las:
       return {[=](const std::string& target) {
                 return fmt::format("pdal translate {} {} reprojection --filters.reprojection.out_srs={}", old,
-                                   beside(file, "_metres.las"), target);
+                                   new_file(file, "_metres.las"), target);
               },
-              fmt::format("pdal translate {} {} --writers.las.a_srs=EPSG:XXXX", old, beside(file, "_placed.las"))};
+              fmt::format("pdal translate {} {} --writers.las.a_srs=EPSG:XXXX", old, new_file(file, "_placed.las"))};
     case SurveyKind::vector:
       break;
   }
@@ -71,7 +72,8 @@ std::optional<SurveyCrs> crs_in_words(const std::string& words) {
   return SurveyCrs{wkt_of(crs), name_of(crs)};
 }
 
-SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const ProjectCrs& said, Problems& warnings) {
+SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const ProjectCrs& project_crs,
+                     Problems& warnings) {
   GdalMessages messages;
   if (auto fault = fault_of_proj(messages)) throw BadInput(std::move(*fault));
   OGRSpatialReference crs;
@@ -88,7 +90,7 @@ SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const
     problems.stop("is in degrees", "its coordinate system is geographic; Talus needs metres on plan",
                   "Project it: " + commands.project("EPSG:XXXX"));
   }
-  // Its units may be told by keys of their own, beside or without the coordinate system.
+  // The units may have keys of their own, with or without a coordinate system.
   for (const auto& [unit, what] : {std::pair{las.plan_unit_epsg, "is not in metres on plan"},
                                    std::pair{las.vertical_unit_epsg, "has heights that are not in metres"}}) {
     const auto metres = metres_of_unit(unit);
@@ -96,17 +98,17 @@ SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const
     problems.refuse(what,
                     metres ? fmt::format("its unit is EPSG:{}, {:.10g} m", *unit, *metres)
                            : fmt::format("its unit is EPSG:{}", *unit),
-                    "Bring it to one in metres: " + commands.project("EPSG:XXXX"));
+                    "Transform it to one in metres: " + commands.project("EPSG:XXXX"));
   }
   problems.throw_if_any();
   if (is_known) return {wkt_of(crs), name_of(crs)};
-  if (said.crs.is_known() || said.is_local) return {};
+  if (project_crs.crs.is_known() || project_crs.is_local) return {};
   warnings.add(Problem{.severity = Severity::warning,
                        .file = file.string(),
                        .where = {},
-                       .what = "names no coordinate system that Talus understands",
-                       .why = "its coordinates are taken to be in metres",
-                       .hint = "Name it: " + commands.name});
+                       .what = "has no coordinate system that Talus understands",
+                       .why = "its coordinates are assumed to be in metres",
+                       .hint = "Assign one: " + commands.name});
   return {};
 }
 
@@ -124,7 +126,7 @@ void check_survey_crs(const SurveyCrs& crs, const std::optional<Vec2>& centre, c
   const CrsCommands commands = commands_for(file, kind);
   if (const auto fault = reference.IsVertical() ? fault_of_heights(reference) : std::nullopt) {
     problems.refuse(fault->what, fault->why,
-                    "Bring it to one with heights in metres: " + commands.project("EPSG:XXXX+XXXX"));
+                    "Transform it to one with heights in metres: " + commands.project("EPSG:XXXX+XXXX"));
   }
   check_terrain_crs(reference, centre, problems, commands);
   problems.throw_if_any();
@@ -139,7 +141,8 @@ namespace talus {
 
 std::optional<SurveyCrs> crs_in_words(const std::string&) { return std::nullopt; }
 
-SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const ProjectCrs& said, Problems& warnings) {
+SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const ProjectCrs& project_crs,
+                     Problems& warnings) {
   if (las.is_geographic) {
     throw BadInput(Problem{.file = file.string(),
                            .where = {},
@@ -147,13 +150,13 @@ SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const
                            .why = "its coordinate system is geographic; Talus needs metres on plan",
                            .hint = {}});
   }
-  if (said.crs.is_known() || said.is_local) return {};
+  if (project_crs.crs.is_known() || project_crs.is_local) return {};
   warnings.add(Problem{.severity = Severity::warning,
                        .file = file.string(),
                        .where = {},
-                       .what = "may name a coordinate system",
-                       .why = "this build of Talus has no GDAL to understand it",
-                       .hint = "Its coordinates are taken to be in metres"});
+                       .what = "may have a coordinate system",
+                       .why = "this build of Talus cannot read it without GDAL",
+                       .hint = "Its coordinates are assumed to be in metres"});
   return {};
 }
 

@@ -39,46 +39,46 @@ Problem problem(const std::filesystem::path& file, std::string what, std::string
   return {.file = file.string(), .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
 }
 
-// The coordinate system in which everything comes together.
+// The coordinate system of the terrain, to which all files are brought.
 class CommonCrs {
  public:
-  explicit CommonCrs(const ProjectCrs& said) : said_(said), crs_(said.crs) {}
+  explicit CommonCrs(const ProjectCrs& project_crs) : project_crs_(project_crs), crs_(project_crs.crs) {}
 
   [[nodiscard]] const SurveyCrs& get() const { return crs_; }
-  // What a reader that can bring features to another coordinate system is asked for.
+  // The target for readers that can transform features.
   [[nodiscard]] const std::string& wanted() const { return crs_.wkt; }
 
-  // Of a file whose coordinates stay as they are.
-  void keep(const SurveyCrs& of_file, const std::filesystem::path& file) {
+  // Adds a file whose coordinates stay as they are.
+  void add_unchanged(const SurveyCrs& of_file, const std::filesystem::path& file) {
     if (!of_file.is_known()) return;
     refuse_local(of_file, file);
     if (crs_.is_known() && !have_same_plan(crs_, of_file)) {
-      throw BadInput(problem(file, fmt::format("is in {}", of_file.name), fmt::format("crs says {}", crs_.name),
-                             "Leave crs out, or bring the file to it"));
+      throw BadInput(problem(file, fmt::format("is in {}", of_file.name), fmt::format("crs is {}", crs_.name),
+                             "Remove crs, or transform the file to it"));
     }
-    take(of_file);
+    use(of_file);
   }
 
-  // Of a vector file, which was brought to what was wanted.
-  void brought(const VectorLayer& layer, const std::filesystem::path& file) {
+  // Adds a vector file, whose features were transformed to the target.
+  void add_transformed(const VectorLayer& layer, const std::filesystem::path& file) {
     const SurveyCrs of_file{layer.crs_wkt, layer.crs_name};
     if (!of_file.is_known()) return;
     refuse_local(of_file, file);
-    if (!crs_.is_known()) take(of_file);
+    if (!crs_.is_known()) use(of_file);
   }
 
-  [[nodiscard]] bool is_local() const { return said_.is_local; }
+  [[nodiscard]] bool is_local() const { return project_crs_.is_local; }
 
  private:
   void refuse_local(const SurveyCrs& of_file, const std::filesystem::path& file) const {
-    if (!said_.is_local) return;
-    throw BadInput(problem(file, fmt::format("is in {}", of_file.name), "crs says \"local\"", "Leave crs out"));
+    if (!project_crs_.is_local) return;
+    throw BadInput(problem(file, fmt::format("is in {}", of_file.name), "crs is \"local\"", "Remove crs"));
   }
-  void take(const SurveyCrs& crs) {
-    if (!said_.crs.is_known()) crs_ = crs;
+  void use(const SurveyCrs& crs) {
+    if (!project_crs_.crs.is_known()) crs_ = crs;
   }
 
-  const ProjectCrs& said_;
+  const ProjectCrs& project_crs_;
   SurveyCrs crs_;
 };
 
@@ -93,8 +93,8 @@ class Heights {
     return attribute_.empty() ? std::vector<std::string>{} : std::vector<std::string>{attribute_};
   }
 
-  // Gives the feature's vertices their heights; false where it has none.
-  bool give(VectorFeature& feature) {
+  // Sets the heights of the feature's vertices; an error if it has none.
+  bool assign(VectorFeature& feature) {
     const std::string name = fmt::format("feature {}", feature.id);
     std::optional<double> height;
     if (!attribute_.empty()) {
@@ -109,8 +109,8 @@ class Heights {
       }
       height = number;
     } else if (!feature.has_z) {
-      return refuse(name + " has no heights", "its geometry is of x and y only",
-                    "Name the attribute that holds them: elevation_attribute = \"...\"");
+      return refuse(name + " has no heights", "its geometry has only x and y",
+                    "Name the attribute with the heights: elevation_attribute = \"...\"");
     }
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (VectorShape& part : feature.parts) {
@@ -118,8 +118,9 @@ class Heights {
         for (Vec3& p : list) {
           if (height) p.z() = *height;
           if (p.z() < lowest_elevation_m || p.z() > highest_elevation_m) {
-            return refuse(fmt::format("{} has the height {:.10g}", name, p.z()),
-                          fmt::format("heights lie between {:g} and {:g} m", lowest_elevation_m, highest_elevation_m));
+            return refuse(
+                fmt::format("{} has the height {:.10g}", name, p.z()),
+                fmt::format("heights must be between {:g} and {:g} m", lowest_elevation_m, highest_elevation_m));
           }
           low = std::min(low, p.z());
           high = std::max(high, p.z());
@@ -135,12 +136,12 @@ class Heights {
     return true;
   }
 
-  // Whether nobody filled in the z, of all features or of some.
+  // Reports errors, and heights that seem not to have been filled in, of all features or of some.
   void finish(bool others_have_heights, const std::string& layer_key, Problems& warnings) const {
     problems_.throw_if_any();
     if (low_ <= high_) return warn_of_some(layer_key, warnings);
-    Problem flat = problem(file_, "has no height but 0", "every vertex has it",
-                           "If an attribute holds them, name it: elevation_attribute = \"...\"");
+    Problem flat = problem(file_, "has only heights of 0", "every vertex is at 0",
+                           "If an attribute has the heights, name it: elevation_attribute = \"...\"");
     if (!others_have_heights) throw BadInput(flat);
     flat.severity = Severity::warning;
     warnings.add(flat);
@@ -152,7 +153,7 @@ class Heights {
     Problem some =
         problem(file_, fmt::format("{} {} at the height 0", at_zero_, at_zero_ == 1 ? "feature lies" : "features lie"),
                 fmt::format("the others lie from {:.10g} to {:.10g} m; {} is the first", low_, high_, first_at_zero_),
-                fmt::format("A frame or plan beside the ground is left out by naming the ground's layer: {} = \"...\"",
+                fmt::format("To leave out a frame or plan next to the ground, name the ground's layer: {} = \"...\"",
                             layer_key));
     some.severity = Severity::warning;
     warnings.add(some);
@@ -171,7 +172,7 @@ class Heights {
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;  // of the others
 };
 
-// "elev_ft", "Z (feet)": as with the columns of text files, a unit in a name is believed where it is a word.
+// "elev_ft", "Z (feet)": as in the columns of text files, a unit in a name counts if it is a word.
 bool names_feet(std::string_view attribute) {
   const std::string name = lower(attribute);
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
@@ -185,16 +186,16 @@ VectorLayer read_with_heights(const std::filesystem::path& path, VectorRequest r
                               bool others_have_heights, CommonCrs& crs, Problems& warnings) {
   if (names_feet(attribute)) {
     throw BadInput(problem(path, fmt::format("attribute {} is in feet", in_quotes(attribute)),
-                           "Talus needs metres in height",
-                           "Make one in metres: a foot is 0.3048 m, a US survey foot 1200/3937 m"));
+                           "Talus needs heights in metres",
+                           "Convert it to metres: a foot is 0.3048 m, a US survey foot 1200/3937 m"));
   }
   Heights heights(path, attribute);
   request.attributes = heights.attributes();
   request.heights_are_used = attribute.empty();
   request.terrain_crs_wkt = crs.wanted();
   VectorLayer layer = read_vector_file(path, request, warnings);
-  crs.brought(layer, path);
-  for (VectorFeature& feature : layer.features) heights.give(feature);
+  crs.add_transformed(layer, path);
+  for (VectorFeature& feature : layer.features) heights.assign(feature);
   heights.finish(others_have_heights, request.layer_key, warnings);
   return layer;
 }
@@ -210,13 +211,13 @@ class SurveyReader {
     if (!sources_.points.empty()) read_points();
     if (!sources_.lines.empty()) read_lines();
     if (!sources_.boundary.empty()) read_boundary();
-    judge();
+    check();
     files_.crs_wkt = crs_.get().wkt;
     return std::move(files_);
   }
 
  private:
-  void tell(const std::filesystem::path& file, const std::string& what) {
+  void report(const std::filesystem::path& file, const std::string& what) {
     files_.report += fmt::format("{}{}: {}", files_.report.empty() ? "" : "\n", file.string(), what);
   }
 
@@ -230,7 +231,7 @@ class SurveyReader {
     } else if (std::find(texts.begin(), texts.end(), ending) != texts.end()) {
       kind_ = SurveyKind::text;
       files_.survey.points = read_point_file(file);
-      tell(file, fmt::format("{} points", files_.survey.points.size()));
+      report(file, fmt::format("{} points", files_.survey.points.size()));
     } else {
       kind_ = SurveyKind::vector;
       VectorRequest request;
@@ -242,26 +243,27 @@ class SurveyReader {
       for (const VectorFeature& feature : layer.features) {
         for (const VectorShape& part : feature.parts) files_.survey.points.push_back(part.lists.front().front());
       }
-      tell(file, fmt::format("{} points of layer \"{}\"", files_.survey.points.size(), layer.name));
+      report(file, fmt::format("{} points of layer \"{}\"", files_.survey.points.size(), layer.name));
     }
     for (const Vec3& p : files_.survey.points) points_box_.grow(p);
   }
 
   void read_las() {
     LasFile las = read_las_file(sources_.points, sources_.point_classes);
-    crs_.keep(crs_of_las(las.crs, sources_.points, sources_.said, warnings_), sources_.points);
+    crs_.add_unchanged(crs_of_las(las.crs, sources_.points, sources_.project_crs, warnings_), sources_.points);
     std::string classes;
     for (const auto& [las_class, count] : las.of_class) {
       classes += fmt::format("{}{} of class {}", classes.empty() ? "" : ", ", count, las_class);
     }
-    tell(sources_.points, fmt::format("{} of {} points are taken; it has {}{}", las.points.size(), las.declared,
-                                      classes, las.withheld > 0 ? fmt::format(" and {} withheld", las.withheld) : ""));
+    report(sources_.points,
+           fmt::format("{} of {} points are used; it has {}{}", las.points.size(), las.declared, classes,
+                       las.withheld > 0 ? fmt::format(" and {} withheld", las.withheld) : ""));
     const auto ground = las.of_class.find(2);
     if (sources_.point_classes.empty() && ground != las.of_class.end() && ground->second < las.points.size()) {
       Problem warning =
           problem(sources_.points, "has points of other classes than ground",
-                  fmt::format("{} of {} that are taken are classified as ground", ground->second, las.points.size()),
-                  "For the ground alone write point_classes = [2]");
+                  fmt::format("{} of the {} points used are classified as ground", ground->second, las.points.size()),
+                  "To use the ground only, write point_classes = [2]");
       warning.severity = Severity::warning;
       warnings_.add(std::move(warning));
     }
@@ -270,7 +272,7 @@ class SurveyReader {
 
   void read_lines() {
     const std::filesystem::path& file = sources_.lines;
-    const bool points_have_none = !sources_.points.empty() && !crs_.get().is_known();
+    const bool points_have_no_crs = !sources_.points.empty() && !crs_.get().is_known();
     VectorRequest request;
     request.layer = sources_.lines_layer;
     request.layer_key = "lines_layer";
@@ -278,10 +280,10 @@ class SurveyReader {
     VectorLayer layer =
         read_with_heights(file, request, sources_.elevation_attribute, !sources_.points.empty(), crs_, warnings_);
     if (sources_.points.empty()) kind_ = SurveyKind::vector;
-    if (points_have_none && crs_.get().is_known()) {
-      Problem warning = problem(sources_.points, "names no coordinate system",
-                                fmt::format("it is taken to be {}, that of {}", crs_.get().name, file.string()),
-                                "Say so with crs = \"...\"");
+    if (points_have_no_crs && crs_.get().is_known()) {
+      Problem warning =
+          problem(sources_.points, "has no coordinate system",
+                  fmt::format("{}, that of {}, is assumed", crs_.get().name, file.string()), "Set crs = \"...\" if so");
       warning.severity = Severity::warning;
       warnings_.add(std::move(warning));
     }
@@ -297,13 +299,13 @@ class SurveyReader {
         }
       }
     }
-    tell(file,
-         fmt::format("{} lines of {} vertices, of layer \"{}\"", files_.survey.lines.size(), vertices, layer.name));
+    report(file,
+           fmt::format("{} lines of {} vertices, of layer \"{}\"", files_.survey.lines.size(), vertices, layer.name));
     if (sources_.points.empty() || !points_box_.is_apart_from(lines_box_)) return;
     throw BadInput(problem(
-        file, "does not reach the points",
-        fmt::format("it lies within {}, {} within {}", lines_box_.text(), sources_.points.string(), points_box_.text()),
-        "Are both in one coordinate system?"));
+        file, "does not overlap the points",
+        fmt::format("it covers {}, {} covers {}", lines_box_.text(), sources_.points.string(), points_box_.text()),
+        "Are both in the same coordinate system?"));
   }
 
   void read_boundary() {
@@ -314,7 +316,7 @@ class SurveyReader {
     request.kinds = {ShapeKind::polygon};
     request.terrain_crs_wkt = crs_.wanted();
     const VectorLayer layer = read_vector_file(file, request, warnings_);
-    crs_.brought(layer, file);
+    crs_.add_transformed(layer, file);
     PlanBox box;
     for (const VectorFeature& feature : layer.features) {
       for (const VectorShape& part : feature.parts) {
@@ -324,9 +326,9 @@ class SurveyReader {
     }
     const PlanBox survey = survey_box();
     if (survey.is_apart_from(box)) {
-      throw BadInput(problem(file, "does not reach the survey",
-                             fmt::format("it lies within {}, the survey within {}", box.text(), survey.text()),
-                             "Are both in one coordinate system?"));
+      throw BadInput(problem(file, "does not overlap the survey",
+                             fmt::format("it covers {}, the survey covers {}", box.text(), survey.text()),
+                             "Are both in the same coordinate system?"));
     }
   }
 
@@ -337,7 +339,7 @@ class SurveyReader {
     return box;
   }
 
-  void judge() {
+  void check() {
     const PlanBox box = survey_box();
     const std::filesystem::path& file = sources_.points.empty() ? sources_.lines : sources_.points;
     if (crs_.get().is_known()) {
@@ -345,18 +347,18 @@ class SurveyReader {
       return;
     }
     if (crs_.is_local()) return;
-    // Metres within 180 and 90 are those of a small slope in coordinates of its own; such a one is wider than 10 m,
-    // and a survey in degrees is not wider than 10 degrees.
+    // Metres within 180 by 90 are the local coordinates of a small slope, which is wider than 10 m; a survey in degrees
+    // is narrower than 10 degrees.
     constexpr double widest_in_degrees = 10;
     const bool may_be_degrees = box.low.x() >= -180 && box.high.x() <= 180 && box.low.y() >= -90 &&
                                 box.high.y() <= 90 && (box.high - box.low).maxCoeff() < widest_in_degrees;
     if (may_be_degrees) {
       throw BadInput(problem(file, "seems to be in degrees",
-                             fmt::format("it lies within {}, and names no coordinate system", box.text()),
-                             "Project it to metres; or, if they are metres, write crs = \"local\""));
+                             fmt::format("it covers {}, and has no coordinate system", box.text()),
+                             "Project it to metres; or, if it is in metres, set crs = \"local\""));
     }
-    Problem warning = problem(file, "names no coordinate system", "its coordinates are taken to be in metres",
-                              "Name it with crs = \"EPSG:...\", or write crs = \"local\"");
+    Problem warning = problem(file, "has no coordinate system", "its coordinates are assumed to be in metres",
+                              "Set crs = \"EPSG:...\", or crs = \"local\"");
     warning.severity = Severity::warning;
     warnings_.add(std::move(warning));
   }
@@ -375,9 +377,9 @@ SurveyFiles read_survey(const SurveySources& sources, Problems& warnings) {
   return SurveyReader(sources, warnings).read();
 }
 
-PolygonFile read_polygon_file(const std::filesystem::path& path, const std::string& layer_name, const ProjectCrs& said,
-                              double tolerance_m, Problems& warnings) {
-  CommonCrs crs(said);
+PolygonFile read_polygon_file(const std::filesystem::path& path, const std::string& layer_name,
+                              const ProjectCrs& project_crs, double tolerance_m, Problems& warnings) {
+  CommonCrs crs(project_crs);
   VectorRequest request;
   request.layer = layer_name;
   request.layer_key = "polygons_layer";

@@ -22,7 +22,7 @@ namespace talus {
 
 namespace {
 
-constexpr std::int64_t most_features = 50'000'000;  // far beyond any survey; a damaged file may declare more
+constexpr std::int64_t most_features = 50'000'000;  // far more than in any survey; a damaged file may declare more
 
 bool is_csv(const std::filesystem::path& file) { return file.extension() == ".csv" || file.extension() == ".CSV"; }
 
@@ -51,7 +51,7 @@ OGRLayer& layer_of(GDALDataset& dataset, const VectorRequest& request, RasterPro
   if (with_geometry.empty()) {
     problems.stop("has no points, lines or polygons",
                   names.empty() ? "it has no layer" : fmt::format("it has only tables: {}", listed(names)),
-                  is_csv(problems.file()) ? "A CSV needs columns x and y, or one called WKT" : "");
+                  is_csv(problems.file()) ? "A CSV needs columns x and y, or one named WKT" : "");
   }
   if (!found) {
     const bool is_table = std::find(names.begin(), names.end(), wanted) != names.end();
@@ -61,7 +61,7 @@ OGRLayer& layer_of(GDALDataset& dataset, const VectorRequest& request, RasterPro
   }
   if (wanted.empty() && with_geometry.size() > 1) {
     problems.stop(fmt::format("has {} layers", with_geometry.size()), listed(with_geometry),
-                  fmt::format("Say which: {} = \"{}\"", request.layer_key, with_geometry.front()));
+                  fmt::format("Choose one: {} = \"{}\"", request.layer_key, with_geometry.front()));
   }
   return *found;
 }
@@ -80,23 +80,23 @@ std::vector<int> columns_of(OGRLayer& layer, const std::vector<std::string>& att
   return columns;
 }
 
-void judge_size(OGRLayer& layer, RasterProblems& problems) {
+void check_size(OGRLayer& layer, RasterProblems& problems) {
   const std::int64_t declared = layer.GetFeatureCount(FALSE);
   if (declared <= most_features) return;
   problems.refuse(fmt::format("layer \"{}\" declares {} features", layer.GetName(), declared),
-                  fmt::format("Talus takes at most {}", most_features),
+                  fmt::format("Talus reads at most {}", most_features),
                   "Cut it to the slope: " + ogr2ogr("-spat WEST SOUTH EAST NORTH", problems.file(), "_slope.gpkg"));
 }
 
-/// GDAL takes a GeoJSON whose coordinate system is unknown for one in degrees, as if it named none.
+/// GDAL assumes degrees for a GeoJSON whose coordinate system it does not know, as if it had none.
 void warn_of_unknown_crs(const OGRSpatialReference* crs, const GdalMessages& messages, RasterProblems& problems) {
   if (messages.failure().find("crs not found") == std::string::npos) return;
-  problems.warn("names a coordinate system that is not known",
-                fmt::format("it is taken for {}", crs ? name_of(*crs) : "that of the terrain"),
-                "Say which it is: " + ogr2ogr("-a_srs EPSG:XXXX", problems.file(), "_placed.gpkg"));
+  problems.warn("has an unknown coordinate system",
+                fmt::format("{} is assumed", crs ? name_of(*crs) : "that of the terrain"),
+                "Assign the right one: " + ogr2ogr("-a_srs EPSG:XXXX", problems.file(), "_placed.gpkg"));
 }
 
-/// `entities` is null where the file is not a DXF.
+/// `entities` is null if the file is not a DXF.
 void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities* entities, VectorShapes& shapes,
                    VectorLayer& read, GdalMessages& messages, RasterProblems& problems) {
   messages.clear();
@@ -105,18 +105,18 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
   for (;; ++seen) {
     stop_point(seen);
     const OGRFeatureUniquePtr from(layer.GetNextFeature());
-    if (!from) stop_point();  // a query that was ended is not an end of the layer
+    if (!from) stop_point();  // an interrupted query looks like the end of the layer
     if (messages.has_failure() && entities && (from || is_whole_dxf(problems.file()))) {
       entities->note_unreadable(messages.failure());
       messages.clear();
     }
     if (messages.has_failure()) {
-      problems.stop("cannot be read to its end",
+      problems.stop("cannot be read completely",
                     fmt::format("after {} features of layer \"{}\"; {}", seen, read.name, messages.failure()),
-                    "Copy it again from where it comes from");
+                    "Copy it again from its source");
     }
     if (!from) break;
-    if (entities && !entities->takes(*from)) continue;
+    if (entities && !entities->accepts(*from)) continue;
     const OGRGeometry* geometry = from->GetGeometryRef();
     if (!geometry || geometry->IsEmpty()) {
       ++without_geometry;
@@ -124,7 +124,7 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
     }
     VectorFeature feature{.id = from->GetFID(), .has_z = geometry->Is3D() != FALSE, .parts = {}, .values = {}};
     shapes.add(*geometry, feature);
-    messages.clear();  // of places that could not be brought to the terrain, which the shapes remember
+    messages.clear();  // about places that could not be transformed: the shapes record them
     if (feature.parts.empty()) continue;
     for (const int column : columns) {
       const bool has_value = from->IsFieldSetAndNotNull(column);
@@ -132,8 +132,8 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
       if (has_value && !CPLIsUTF8(feature.values.back()->c_str(), -1) && ++not_utf8 == 1) {
         problems.refuse(fmt::format("feature {} has the {} {}", feature.id, from->GetFieldDefnRef(column)->GetNameRef(),
                                     in_quotes(*feature.values.back())),
-                        "that is not UTF-8, the encoding of names",
-                        "Convert the file, for example with iconv -f LATIN1 -t UTF-8, or tell GDAL its encoding");
+                        "it is not valid UTF-8",
+                        "Convert the file, for example with iconv -f LATIN1 -t UTF-8, or declare its encoding");
       }
     }
     read.features.push_back(std::move(feature));
@@ -141,11 +141,11 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
   shapes.report();
   if (entities) entities->report();
   problems.throw_if_any();
-  if (entities) seen = entities->taken();
+  if (entities) seen = entities->accepted();
   if (read.features.empty()) {
     problems.stop(fmt::format("layer \"{}\" is empty", read.name),
                   entities && entities->left_out() > 0 && seen == 0
-                      ? std::string("all of it is in a layout or on hidden layers")
+                      ? std::string("all entities are in a layout or on hidden layers")
                   : seen == 0                ? std::string("it has no features")
                   : without_geometry == seen ? fmt::format("none of its {} features has a geometry", seen)
                                              : fmt::format("none of its {} features is of a kind that is read", seen));
@@ -159,7 +159,7 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
 }  // namespace
 
 VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequest& request, Problems& warnings) {
-  GdalMessages messages;  // outlives the dataset, whose end may have something to say
+  GdalMessages messages;  // must outlive the dataset, whose destructor may report errors
   RasterProblems problems(path);
   const GDALDatasetUniquePtr dataset = open_vectors(messages, problems);
   OGRLayer& layer = layer_of(*dataset, request, problems);
@@ -168,9 +168,9 @@ VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequ
   if (is_dxf(*dataset)) entities.emplace(layer, request, problems);
   read.name = entities && !entities->layer().empty() ? entities->layer() : layer.GetName();
   const std::vector<int> columns = columns_of(layer, request.attributes, problems);
-  judge_size(layer, problems);
+  check_size(layer, problems);
   const OGRSpatialReference* crs = layer.GetSpatialRef();
-  // A GeoPackage has a name for none: "Undefined Cartesian SRS", "Undefined geographic SRS".
+  // GeoPackages name an absent one "Undefined Cartesian SRS" or "Undefined geographic SRS".
   if (crs && (crs->IsEmpty() || std::string_view(crs->GetName()).starts_with("Undefined "))) crs = nullptr;
   if (crs) {
     read.crs_wkt = wkt_of(*crs);

@@ -13,12 +13,12 @@ namespace talus {
 namespace {
 
 constexpr std::uint64_t most_vertices = 250'000'000;
-constexpr std::size_t most_reported = 5;  // of one kind; more would only hide the others
+constexpr std::size_t most_reported = 5;  // of each fault, so that others are not hidden
 
-/// How far apart the ends of a polygon's rings are, at most, on plan or in space; nothing where all are closed.
+/// The largest gap between the ends of a polygon's rings, on plan or in space; nullopt if all are closed.
 std::optional<double> widest_gap(const OGRGeometry& geometry, bool in_space) {
   std::optional<double> widest;
-  const auto look_at = [&](const OGRPolygon& polygon) {
+  const auto measure = [&](const OGRPolygon& polygon) {
     for (const OGRLinearRing* ring : polygon) {
       const int last = ring->getNumPoints() - 1;
       if (last < 0) continue;
@@ -28,9 +28,9 @@ std::optional<double> widest_gap(const OGRGeometry& geometry, bool in_space) {
     }
   };
   if (wkbFlatten(geometry.getGeometryType()) == wkbMultiPolygon) {
-    for (const OGRPolygon* part : *geometry.toMultiPolygon()) look_at(*part);
+    for (const OGRPolygon* part : *geometry.toMultiPolygon()) measure(*part);
   } else {
-    look_at(*geometry.toPolygon());
+    measure(*geometry.toPolygon());
   }
   return widest;
 }
@@ -55,11 +55,12 @@ std::string_view word(ShapeKind kind) {
   return "polygon";
 }
 
-/// What GEOS, behind OGRGeometry::IsValid(), says of a polygon: it comes as a warning and no other way.
-class Objection {
+/// Whether a polygon is valid, and if not, why: GEOS, behind OGRGeometry::IsValid(), reports the reason only as a
+/// warning.
+class Validity {
  public:
-  explicit Objection(const OGRGeometry& geometry) {
-    CPLPushErrorHandlerEx(&hear, this);
+  explicit Validity(const OGRGeometry& geometry) {
+    CPLPushErrorHandlerEx(&note, this);
     is_valid_ = geometry.IsValid();
     CPLPopErrorHandler();
     if (!is_valid_ && reason_.empty()) reason_ = "GEOS gives no reason";
@@ -68,8 +69,8 @@ class Objection {
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
  private:
-  static void hear(CPLErr, CPLErrorNum, const char* message) {
-    std::string& reason = static_cast<Objection*>(CPLGetErrorHandlerUserData())->reason_;
+  static void note(CPLErr, CPLErrorNum, const char* message) {
+    std::string& reason = static_cast<Validity*>(CPLGetErrorHandlerUserData())->reason_;
     if (!reason.empty() || !*message) return;
     reason = message;
     reason[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
@@ -104,18 +105,18 @@ VectorShapes::VectorShapes(const VectorRequest& request, const OGRSpatialReferen
   } else if (const char* unit = nullptr; crs && std::abs(crs->GetLinearUnits(&unit) - 1) > 1e-9) {
     problems.refuse("is not in metres",
                     fmt::format("the unit of {} is {}, and the coordinate system of the terrain is not known",
-                                crs_name_, unit && *unit ? unit : "one without a name"),
+                                crs_name_, unit && *unit ? unit : "an unnamed unit"),
                     "Project it: " + ogr2ogr("-t_srs EPSG:XXXX", problems.file(), "_metres.gpkg"));
   }
 }
 
 void VectorShapes::find_transformation(const OGRSpatialReference* crs) {
-  const std::string name_it = ogr2ogr("-a_srs EPSG:XXXX", problems_.file(), "_placed.gpkg");
+  const std::string assign = ogr2ogr("-a_srs EPSG:XXXX", problems_.file(), "_placed.gpkg");
   if (!crs) {
-    problems_.warn("names no coordinate system", "it is taken to be that of the terrain", "Name it: " + name_it);
+    problems_.warn("has no coordinate system", "that of the terrain is assumed", "Assign it: " + assign);
     return;
   }
-  // The file's own order of axes is what its driver says it is; the terrain's is easting first. Heights are left out.
+  // The driver sets the order of the file's axes; the terrain's is easting first. Heights are not transformed.
   OGRSpatialReference from = *crs, to;
   to.importFromWkt(request_.terrain_crs_wkt.c_str());
   to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -128,8 +129,8 @@ void VectorShapes::find_transformation(const OGRSpatialReference* crs) {
   to_terrain_.reset(OGRCreateCoordinateTransformation(&from, &to));
   if (to_terrain_) return;
   problems_.refuse(fmt::format("is in {}", crs_name_),
-                   fmt::format("there is no way from it to {}, that of the terrain", terrain_crs_name_),
-                   "Name the true one: " + name_it);
+                   fmt::format("there is no transformation from it to {}, that of the terrain", terrain_crs_name_),
+                   "Assign the right one: " + assign);
 }
 
 void VectorShapes::add(const OGRGeometry& geometry, VectorFeature& feature) {
@@ -142,11 +143,11 @@ void VectorShapes::add(const OGRGeometry& geometry, VectorFeature& feature) {
   switch (wkbFlatten(geometry.getGeometryType())) {
     case wkbPolygon:
     case wkbTriangle:
-      if (wants(ShapeKind::polygon, feature) && is_valid(geometry, feature))
+      if (accepts(ShapeKind::polygon, feature) && is_valid(geometry, feature))
         add_polygon(*geometry.toPolygon(), feature);
       return;
     case wkbMultiPolygon:
-      if (!wants(ShapeKind::polygon, feature) || !is_valid(geometry, feature)) return;
+      if (!accepts(ShapeKind::polygon, feature) || !is_valid(geometry, feature)) return;
       for (const OGRPolygon* part : *geometry.toMultiPolygon()) add_polygon(*part, feature);
       return;
     case wkbMultiPoint:
@@ -158,7 +159,7 @@ void VectorShapes::add(const OGRGeometry& geometry, VectorFeature& feature) {
       const OGRLineString& line = *geometry.toLineString();
       if (is_drawing_ && line.get_IsClosed() && !reads(ShapeKind::line) && reads(ShapeKind::polygon)) {
         add(polygon_within(line), feature);
-      } else if (wants(ShapeKind::line, feature)) {
+      } else if (accepts(ShapeKind::line, feature)) {
         add_line(ShapeKind::line, line, feature);
       }
       return;
@@ -166,7 +167,7 @@ void VectorShapes::add(const OGRGeometry& geometry, VectorFeature& feature) {
     case wkbPoint: {
       OGRLineString one;
       one.addPoint(geometry.toPoint());
-      if (wants(ShapeKind::point, feature)) add_line(ShapeKind::point, one, feature);
+      if (accepts(ShapeKind::point, feature)) add_line(ShapeKind::point, one, feature);
       return;
     }
     default:
@@ -179,22 +180,22 @@ bool VectorShapes::reads(ShapeKind kind) const {
   return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
-bool VectorShapes::wants(ShapeKind kind, const VectorFeature& feature) {
+bool VectorShapes::accepts(ShapeKind kind, const VectorFeature& feature) {
   if (reads(kind)) return true;
   note(other_kind, feature, fmt::format("is a {}", word(kind)));
   return false;
 }
 
 bool VectorShapes::is_valid(const OGRGeometry& geometry, const VectorFeature& feature) {
-  // GEOS, which judges the rest, takes no ring that is open.
+  // GEOS, which checks the rest, does not accept open rings.
   if (const auto apart = widest_gap(geometry, request_.polygons_are_in_space)) {
     note(open_ring, feature, fmt::format("its ends are {:.4g} apart", *apart));
     return false;
   }
-  if (request_.polygons_are_in_space) return true;  // who cuts them in their planes is the judge
-  const Objection objection(geometry);
-  if (!objection.is_valid()) note(invalid, feature, objection.reason());
-  return objection.is_valid();
+  if (request_.polygons_are_in_space) return true;  // checked when they are triangulated in their planes
+  const Validity validity(geometry);
+  if (!validity.is_valid()) note(invalid, feature, validity.reason());
+  return validity.is_valid();
 }
 
 void VectorShapes::add_line(ShapeKind kind, const OGRLineString& line, VectorFeature& feature) {
@@ -210,7 +211,7 @@ void VectorShapes::add_polygon(const OGRPolygon& polygon, VectorFeature& feature
     auto vertices = placed(*ring, feature);
     if (!vertices) return;
     if (vertices->empty()) continue;
-    vertices->pop_back();  // it repeats the first: rings of valid polygons are closed
+    vertices->pop_back();  // repeats the first: rings of valid polygons are closed
     shape.lists.push_back(std::move(*vertices));
   }
   if (shape.lists.empty()) return;
@@ -222,7 +223,7 @@ std::optional<std::vector<Vec3>> VectorShapes::placed(const OGRLineString& line,
   const auto count = static_cast<std::size_t>(line.getNumPoints());
   vertices_ += count;
   if (vertices_ > most_vertices) {
-    problems_.stop(fmt::format("has more than {} vertices", most_vertices), "Talus does not take more",
+    problems_.stop(fmt::format("has more than {} vertices", most_vertices), "Talus reads no more",
                    "Cut it to the slope: " + ogr2ogr("-spat WEST SOUTH EAST NORTH", problems_.file(), "_slope.gpkg"));
   }
   std::vector<double> x(count), y(count);
@@ -269,12 +270,12 @@ void VectorShapes::note(Fault fault, const VectorFeature& feature, std::string w
 void VectorShapes::report() {
   if (height_fault_ && has_heights_) {
     problems_.refuse(height_fault_->what, height_fault_->why,
-                     "Bring it to one with heights in metres: " +
+                     "Transform it to one with heights in metres: " +
                          ogr2ogr("-t_srs EPSG:XXXX+XXXX", problems_.file(), "_metres.gpkg"));
   }
   std::string kinds;
   for (const ShapeKind kind : request_.kinds) kinds += fmt::format("{}{}s", kinds.empty() ? "" : " or ", word(kind));
-  const std::string name_it = "Name the true one: " + ogr2ogr("-a_srs EPSG:XXXX", problems_.file(), "_placed.gpkg");
+  const std::string assign = "Assign the right one: " + ogr2ogr("-a_srs EPSG:XXXX", problems_.file(), "_placed.gpkg");
   for (std::size_t fault = 0; fault < fault_count; ++fault) {
     const Faulty& faulty = faulty_[fault];
     if (fault == other_kind && faulty.count > 0 && is_drawing_ && has_parts_) {
@@ -286,9 +287,9 @@ void VectorShapes::report() {
       std::string why, hint;
       switch (fault) {
         case other_kind:
-          why = kinds.empty() ? "Talus reads points, lines and polygons" : kinds + " are expected";
+          why = kinds.empty() ? "Talus reads points, lines and polygons" : "expected " + kinds;
           if (is_drawing_ && reads(ShapeKind::polygon) && !reads(ShapeKind::line))
-            hint = "A line that is closed is read as a polygon";
+            hint = "A closed line is read as a polygon";
           break;
         case open_ring:
           problems_.refuse(feature + " is not closed", what, "Repeat its first vertex at its end");
@@ -298,20 +299,21 @@ void VectorShapes::report() {
                            "Repair it: " + ogr2ogr("-makevalid", problems_.file(), "_valid.gpkg"));
           continue;
         case not_finite:
-          why = "a coordinate is a finite number";
+          why = "coordinates must be finite";
           break;
         case not_degrees:
           why = fmt::format("{} is in degrees", crs_name_);
-          hint = name_it;
+          hint = assign;
           break;
         default:
-          why = fmt::format("in {}; this has no place in {}, that of the terrain", crs_name_, terrain_crs_name_);
-          hint = name_it;
+          why =
+              fmt::format("it cannot be transformed from {} to {}, that of the terrain", crs_name_, terrain_crs_name_);
+          hint = assign;
       }
       problems_.refuse(feature + " " + what, why, hint);
     }
     if (faulty.count > faulty.first.size()) {
-      problems_.refuse(fmt::format("{} more shapes are like this", faulty.count - faulty.first.size()), "");
+      problems_.refuse(fmt::format("{} more shapes have this problem", faulty.count - faulty.first.size()), "");
     }
   }
 }

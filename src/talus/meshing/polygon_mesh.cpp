@@ -171,7 +171,7 @@ class PolygonCut {
     return {"touches itself at " + text(at), "a polygon may pass each place only once", "Split it in two there"};
   }
   [[nodiscard]] Fault crosses(const Vec2& at) const {
-    return {"crosses itself at " + text(middle_ + at.x() * u_ + at.y() * v_), "it cannot be cut into triangles",
+    return {"crosses itself at " + text(middle_ + at.x() * u_ + at.y() * v_), "it cannot be triangulated",
             "Are its vertices in order?"};
   }
 
@@ -203,7 +203,7 @@ RawMesh triangulated(std::span<const SpacePolygon> polygons, const std::string& 
   if (faults > most_reported) {
     problems.add(Problem{.file = source,
                          .where = "terrain",
-                         .what = fmt::format("{} more polygons are like this", faults - most_reported)});
+                         .what = fmt::format("{} more polygons have problems", faults - most_reported)});
   }
   if (faults > 0) throw BadInput(problems);
   return mesh;

@@ -67,7 +67,7 @@ void refuse_degrees(const RawMesh& mesh, const Project& project) {
               .what = "seems to be in degrees",
               .why = fmt::format("it lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g} and is {:.4g} m high",
                                  box.low.x(), box.high.x(), box.low.y(), box.high.y(), size.z()),
-              .hint = "Project it to metres; or, if they are metres, write crs = \"local\""});
+              .hint = "Project it to metres; or, if it is in metres, set crs = \"local\""});
 }
 
 SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {

@@ -1,0 +1,196 @@
+#ifdef TALUS_HAS_GDAL
+
+#include "talus/import/raster_band.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <vector>
+
+#include "talus/core/stop.hpp"
+
+namespace talus {
+
+namespace {
+
+constexpr float no_data = std::numeric_limits<float>::quiet_NaN();
+
+/// Limits GDAL's block cache while a file is read once from end to end.
+class BlockCacheLimit {
+ public:
+  explicit BlockCacheLimit(std::int64_t bytes) : before_(GDALGetCacheMax64()) { GDALSetCacheMax64(bytes); }
+  BlockCacheLimit(const BlockCacheLimit&) = delete;
+  BlockCacheLimit& operator=(const BlockCacheLimit&) = delete;
+  ~BlockCacheLimit() { GDALSetCacheMax64(before_); }
+
+ private:
+  std::int64_t before_;
+};
+
+/// Reads a band and turns it north up.
+class BandReader {
+ public:
+  BandReader(GDALRasterBand& band, const RasterPlacing& placing, GdalMessages& messages, RasterProblems& problems)
+      : band_(band), placing_(placing), messages_(messages), problems_(problems) {}
+
+  void into(RasterFile& out) {
+    RasterGrid& grid = out.grid;
+    grid.columns = static_cast<std::uint32_t>(band_.GetXSize());
+    grid.rows = static_cast<std::uint32_t>(band_.GetYSize());
+    grid.dx = placing_.dx;
+    grid.dy = placing_.dy;
+    grid.x0 = placing_.west + 0.5 * placing_.dx;
+    grid.y0 = placing_.south + 0.5 * placing_.dy;
+    const std::size_t nodes = static_cast<std::size_t>(grid.columns) * grid.rows;
+    try {
+      grid.z.resize(nodes);
+      read_rows(grid);
+    } catch (const std::bad_alloc&) {
+      problems_.stop(
+          fmt::format("has {} x {} cells", grid.columns, grid.rows),
+          fmt::format("they need {:.1f} GB of memory", static_cast<double>(nodes) * sizeof(float) / 1e9),
+          "Cut it to the slope: " + problems_.command("gdal_translate -projwin WEST NORTH EAST SOUTH", "_slope.tif"));
+    }
+    check_values(out);
+  }
+
+ private:
+  void read_rows(RasterGrid& grid) {
+    const int columns = band_.GetXSize(), rows = band_.GetYSize();
+    int block_columns = 0, block_rows = 0;
+    band_.GetBlockSize(&block_columns, &block_rows);
+    const std::int64_t bytes_of_row = std::int64_t{columns} * GDALGetDataTypeSizeBytes(band_.GetRasterDataType());
+    // All blocks that contain the current rows stay cached while these are read, whatever the shape of the blocks.
+    const BlockCacheLimit limit(std::max<std::int64_t>(std::int64_t{64} << 20, 2 * bytes_of_row * block_rows));
+    const std::int64_t most_rows = std::max<std::int64_t>(1, (std::int64_t{32} << 20) / (8 * std::int64_t{columns}));
+    const int at_once =
+        static_cast<int>(std::min<std::int64_t>(block_rows * (1 + most_rows / (2 * block_rows)), most_rows));
+
+    const bool has_mask = (band_.GetMaskFlags() & GMF_ALL_VALID) == 0;
+    int has_scale = 0, has_offset = 0;
+    const double scale = band_.GetScale(&has_scale), offset = band_.GetOffset(&has_offset);
+    scale_ = has_scale ? scale : 1;
+    offset_ = has_offset ? offset : 0;
+
+    values_.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(at_once));
+    if (has_mask) mask_.resize(values_.size());
+    for (int first = 0; first < rows; first += at_once) {
+      const int count = std::min(at_once, rows - first);
+      fetch(band_, first, count, values_.data(), GDT_Float64);
+      if (has_mask) fetch(*band_.GetMaskBand(), first, count, mask_.data(), GDT_Byte);
+      for (int k = 0; k < count; ++k) {
+        const auto row = static_cast<std::uint32_t>(placing_.from_south ? first + k : rows - 1 - first - k);
+        float* to = grid.z.data() + grid.index(0, row);
+        convert(static_cast<std::size_t>(k) * grid.columns, grid.columns, to);
+        if (placing_.from_east) std::reverse(to, to + grid.columns);
+      }
+    }
+  }
+
+  void fetch(GDALRasterBand& band, int first, int count, void* to, GDALDataType type) {
+    stop_point();
+    messages_.clear();
+    const int columns = band.GetXSize();
+    const CPLErr result = band.RasterIO(GF_Read, 0, first, columns, count, to, columns, count, type, 0, 0, nullptr);
+    if (result == CE_None && !messages_.has_failure()) return;
+    problems_.stop("cannot be read completely", messages_.failure(), "Copy it again from its source");
+  }
+
+  void convert(std::size_t from, std::size_t count, float* to) const {
+    constexpr double largest = std::numeric_limits<float>::max();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double z = values_[from + i] * scale_ + offset_;
+      const bool has_data = std::abs(z) <= largest && (mask_.empty() || mask_[from + i] != 0);
+      to[i] = has_data ? static_cast<float>(z) : no_data;
+    }
+  }
+
+  void check_values(RasterFile& out) {
+    std::uint64_t impossible = 0;
+    double most_extreme = 0;
+    for (const float z : out.grid.z) {
+      if (std::isnan(z)) {
+        ++out.without_data;
+      } else if (z < lowest_elevation_m || z > highest_elevation_m) {
+        ++impossible;
+        if (std::abs(z) > std::abs(most_extreme)) most_extreme = z;
+      }
+    }
+    if (impossible > 0) {
+      problems_.stop(
+          fmt::format("has elevations such as {:.10g} m", most_extreme),
+          fmt::format("{} of {} cells are below {:g} m or above {:g} m; they are probably no-data values "
+                      "that the file does not declare",
+                      impossible, out.grid.z.size(), lowest_elevation_m, highest_elevation_m),
+          "Declare them: " +
+              problems_.command(fmt::format("gdal_translate -a_nodata {:.17g}", raw(most_extreme)), "_declared.tif"));
+    }
+    check_zeros(out.grid);
+    if (!has_surface(out.grid)) {
+      problems_.stop("has no surface", out.without_data == out.grid.z.size()
+                                           ? "no cell has data"
+                                           : "a surface needs four neighbouring cells with data, and there are none");
+    }
+  }
+
+  /// Zeros surrounded by walls are not ground but no-data values that the file does not declare. (The sea, or a local
+  /// datum of 0, has gentle shores.)
+  void check_zeros(const RasterGrid& grid) {
+    constexpr double wall = 5;  // height over width
+    std::uint64_t zeros = 0, borders = 0, walls = 0;
+    const auto compare = [&](std::size_t node, std::size_t next, double apart) {
+      const float a = grid.z[node], b = grid.z[next];
+      if ((a == 0) == (b == 0) || std::isnan(a + b)) return;
+      ++borders;
+      walls += std::abs(a - b) > wall * apart ? 1 : 0;
+    };
+    for (std::uint32_t row = 0; row < grid.rows; ++row) {
+      for (std::uint32_t i = 0; i < grid.columns; ++i) {
+        const std::size_t node = grid.index(i, row);
+        zeros += grid.z[node] == 0 ? 1 : 0;
+        if (i + 1 < grid.columns) compare(node, node + 1, grid.dx);
+        if (row + 1 < grid.rows) compare(node, node + grid.columns, grid.dy);
+      }
+    }
+    if (2 * walls <= borders) return;
+    problems_.warn(
+        fmt::format("has {} cells of 0 m", zeros),
+        "walls surround them; they are probably no-data values that the file does not declare",
+        "Declare them: " + problems_.command(fmt::format("gdal_translate -a_nodata {:.17g}", raw(0)), "_declared.tif"));
+  }
+
+  /// The value in the file, before scale and offset.
+  [[nodiscard]] double raw(double z) const { return (z - offset_) / scale_; }
+
+  static bool has_surface(const RasterGrid& grid) {
+    for (std::uint32_t row = 0; row + 1 < grid.rows; ++row) {
+      const float *south = grid.z.data() + grid.index(0, row), *north = south + grid.columns;
+      for (std::uint32_t i = 0; i + 1 < grid.columns; ++i) {
+        if (!std::isnan(south[i] + south[i + 1] + north[i] + north[i + 1])) return true;
+      }
+    }
+    return false;
+  }
+
+  GDALRasterBand& band_;
+  const RasterPlacing& placing_;
+  GdalMessages& messages_;
+  RasterProblems& problems_;
+  double scale_ = 1, offset_ = 0;
+  std::vector<double> values_;
+  std::vector<std::uint8_t> mask_;
+};
+
+}  // namespace
+
+void read_band(GDALRasterBand& band, const RasterPlacing& placing, GdalMessages& messages, RasterProblems& problems,
+               RasterFile& out) {
+  BandReader(band, placing, messages, problems).into(out);
+}
+
+}  // namespace talus
+
+#endif
