@@ -206,11 +206,11 @@ heights_m = [1, 500]
   const Said said = talus_says("run -q " + project + " --rocks 300 -o " + (work / "out").string());
   ASSERT_EQ(said.exit_code, 0) << said.text;
   const std::string rows = testing_tools::said_in_page(work / "out/report.html", R"(
-    const table = [...document.querySelectorAll('table')].find((t) => t.textContent.includes('Kits to choose from'));
+    const table = [...document.querySelectorAll('table')].find((t) => t.textContent.includes('Kits'));
     return [...table.querySelectorAll('tr')].map((tr) => [...tr.children].slice(-2).map((c) => c.textContent)
       .map((text, k) => k === 1 && Number(text.replace(/,/g, '')) > 0 ? 'number' : text).join(' ')).join('; ');
   )");
-  EXPECT_EQ(rows, "Catches enough Cost index; yes number; no: height number");
+  EXPECT_EQ(rows, "Suffices Cost index; yes number; no: height number");
 }
 
 // The confidence interval of 30 caught of 30 rocks is 88.4 to 100 %: too wide to be sure of 95 %.
@@ -233,14 +233,14 @@ heights_m = [1, 500]
   EXPECT_EQ(kit.at("sure"), "no");
   if (!testing_tools::has_browser()) GTEST_SKIP() << "there is no chromium";
   const std::string shown = testing_tools::said_in_page(work / "out/report.html", R"(
-    const table = [...document.querySelectorAll('table')].find((t) => t.textContent.includes('Kits to choose from'));
-    const words = [...document.querySelectorAll('p')].map((p) => p.textContent).find((text) => text.startsWith('Not sure'));
+    const table = [...document.querySelectorAll('table')].find((t) => t.textContent.includes('Kits'));
+    const words = [...document.querySelectorAll('p')].map((p) => p.textContent).find((text) => text.startsWith('Uncertain'));
     return [...table.querySelectorAll('tr')].map((tr) => [...tr.children].at(-2).textContent).join('; ') + '; ' + words;
   )");
-  EXPECT_EQ(
-      shown,
-      "Catches enough; yes, not sure; no: height; Not sure: the wanted 95 % lie within the 95 % confidence interval of "
-      "the share. Run more rocks to tell, or choose a kit that is sure.");
+  EXPECT_EQ(shown,
+            "Suffices; yes, uncertain; no: height; Uncertain: the required 95 % is within the 95 % confidence interval "
+            "of the "
+            "share. Run more rocks, or choose a kit that is certain.");
 }
 
 TEST(RunDesign, MeasuresALineThatLeavesTheTerrainFromItsFirstPoint) {

@@ -673,15 +673,6 @@ TEST(ReferencePage, NamesEverySettingAndItsMeaning) {
   expect_named(distribution_table());
 }
 
-/// The keys that have an effect on one rock model only, by that model's word.
-std::map<std::string, std::set<std::string>> keys_by_model() {
-  std::map<std::string, std::set<std::string>> keys;
-  for (const Table& table : tables())
-    for (const Setting& setting : table.settings)
-      if (const auto model = only_model(setting)) keys[std::string(word(*model))].emplace(setting.key);
-  return keys;
-}
-
 TEST(SettingsOfOneRockModel, AreSaidToBeInTheSchemaAndTheReference) {
   const Json materials = schema()["properties"]["material"]["items"]["properties"];
   EXPECT_EQ(materials["rolling_friction"]["x-applies-when"],
@@ -694,21 +685,33 @@ TEST(SettingsOfOneRockModel, AreSaidToBeInTheSchemaAndTheReference) {
             std::string::npos);
 }
 
-TEST(SettingsOfOneRockModel, AreLeftOutOfReportsOfTheOther) {
-  // The report knows no settings: it has a list of its own.
-  const std::string_view script = assets::script;
-  const std::size_t begin = script.find('{', script.find("const onlyFor = ")), end = script.find('}', begin);
-  const Json list = Json::parse(script.substr(begin, end + 1 - begin));
-  std::map<std::string, std::set<std::string>> listed;
-  for (const auto& [model, keys] : list.items()) listed[model] = keys.get<std::set<std::string>>();
-  EXPECT_EQ(listed, keys_by_model());
-}
-
 Json schema_of(const Table& table, const Setting& setting) {
   const Json all = schema();
   if (table.key.empty()) return all["properties"][std::string(setting.key)];
   const Json found = all["properties"][std::string(table.key)];
   return (table.repeated ? found["items"] : found)["properties"][std::string(setting.key)];
+}
+
+TEST(ConditionsOfSettings, AreEmbeddedInTheReport) {
+  const std::string_view script = io::assets::script;
+  const std::size_t begin = script.find('{', script.find("const settingConditions = ")),
+                    end = script.find(";\n", begin);
+  const auto embedded = nlohmann::json::parse(script.substr(begin, end - begin));
+  std::size_t compared = 0;
+  for (const Table& table : tables()) {
+    if (table.key.empty()) continue;
+    for (const Setting& setting : table.settings) {
+      const Json declared = schema_of(table, setting);
+      const auto& of_table = embedded.at(std::string(table.key));
+      const bool has_conditions = declared.contains("x-applies-when");
+      ASSERT_EQ(of_table.contains(std::string(setting.key)), has_conditions) << row_name(table, setting);
+      if (!has_conditions) continue;
+      EXPECT_EQ(of_table.at(std::string(setting.key)), nlohmann::json::parse(declared["x-applies-when"].dump()))
+          << row_name(table, setting);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 50U);
 }
 
 void expect_fresh(const std::string& name, const std::string& made) {

@@ -170,6 +170,7 @@ nlohmann::ordered_json wide_summary() {
       seeder[key] = drawn;
     }
     seeder["direction"] = {0, 1, 0};
+    seeder["type"] = "polygon";
     project["seeder"].push_back(seeder);
   }
   const Json share{{"value", 0.962}, {"low", 0.929}, {"high", 0.983}};
@@ -228,7 +229,7 @@ TEST(ReportInBrowser, HasAColumnForEachSeederWhereTheyHaveManySettings) {
 TEST(ReportInBrowser, ShowsTheClassOfTheWorstSection) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(said_of(wide_summary(),
-                    rows_of("What the check of UNI 11211-4 asks for, by translational energy") + "return rows[2];"),
+                    rows_of("Requirements of the check of UNI 11211-4, by translational energy") + "return rows[2];"),
             "Upper|2,500|6|8.35|2,500|6|8.35|3,500|7|9.5");
 }
 
@@ -258,7 +259,7 @@ TEST(ReportInBrowser, SaysWhatWasAnalysed) {
                                   {"attribute", "unit"},
                                   {"values", {{"Fels", "Type One"}, {"Wald", "Type_Two"}}}};
   EXPECT_EQ(said_of(summary, rows_of("Terrain") + "return rows.join('; ');"),
-            "Kind|Raster of elevations, 3D; Raster|kot_5m.tif; Coordinate system|MGI / Austria Lambert (EPSG:31287); "
+            "Kind|Elevation raster, 3D; Raster|kot_5m.tif; Coordinate system|MGI / Austria Lambert (EPSG:31287); "
             "Extent in x|2,600,000 to 2,602,190 m (2,190 m); Extent in y|1,200,000 to 1,202,580 m (2,580 m); "
             "Extent in z|1,052.15 to 2,206.972 m (1,154.8 m); Nodes|439 × 517; Cell size [m]|5; Triangles|452,016; "
             "Potential energy is zero at z|1,000 m");
@@ -273,7 +274,7 @@ TEST(ReportInBrowser, KnowsACoordinateSystemByItsNameAndNumberInBothTextForms) {
     return [crsText('PROJCS["ETRS89 / UTM 32N",GEOGCS["ETRS89",AUTHORITY["EPSG","4258"]],AUTHORITY["EPSG","25832"]]'),
       crsText('ENGCRS["The ""quarry""",EDATUM["none"]]'), crsText('')].join('; ');
   )"),
-            R"(ETRS89 / UTM 32N (EPSG:25832); The "quarry"; not named)");
+            R"(ETRS89 / UTM 32N (EPSG:25832); The "quarry"; unnamed)");
 }
 
 TEST(ReportInBrowser, GivesHighPercentilesOfEndPointsAndHits) {
@@ -282,7 +283,7 @@ TEST(ReportInBrowser, GivesHighPercentilesOfEndPointsAndHits) {
   summary["statistics"]["runout_xy_m"]["percentiles"] = {{"95", 28.25}, {"99", 28.375}};
   summary["barriers"][0]["statistics"]["ke_translational_J"]["percentiles"] = {{"95", 99'500}, {"99", 99'900}};
   const std::string high = "return rows.filter((row) => row.startsWith('Percentile')).join('; ');";
-  EXPECT_EQ(said_of(summary, rows_of("Descriptive statistics, one value a rock") + high),
+  EXPECT_EQ(said_of(summary, rows_of("Descriptive statistics, one value per rock") + high),
             "Percentile 95|–|28.25|–; Percentile 99|–|28.38|–");
   EXPECT_EQ(said_of(summary, rows_of("Descriptive statistics of the hits") + high),
             "Percentile 95|99.5; Percentile 99|99.9");
@@ -294,8 +295,9 @@ TEST(ReportInBrowser, SaysWhatTheHitsLeaveOutAndWhyAClearanceIsNegative) {
   summary["barriers"][0]["least_clearance_m"] = -0.449;
   EXPECT_EQ(
       said_of(summary, "return [...document.querySelectorAll('#barriers p')].map((p) => p.textContent).join('; ');"),
-      "Not in the figures of the hits: 1 rock that passed above the top, as the centre was higher. The clearance is "
-      "that of the lower side: it is negative where the centre passed above the top and the lower side below it.");
+      "The figures of the hits exclude 1 rock that passed with the centre above the top. Clearance is measured from "
+      "the "
+      "rock's lower side; it is negative if the centre passed above the top and the lower side below it.");
 }
 
 TEST(ReportInBrowser, HasScaleBarsOfRoundLength) {
@@ -327,12 +329,9 @@ TEST(ReportInBrowser, DrawsMapsOfWhatTheRocksDid) {
       has('image.relief') + has('image.cells') + has('.scale-bar') + has('.north') + has('.release') +
       '; ' + mapValues(runs[0].maps[1]).map((value) => number(value, 4)).join(' ') + ' kJ';
   )"),
-            "Reach|Greatest total kinetic energy|Greatest bounce height|Greatest velocity; "
-            "y|Total kinetic energy, greatest of all rocks [kJ]|30|100|300|1,000|3,000|Scale 1:75 on A4, cells of 5 m, "
-            "up to 8 "
-            "kJ|Coordinate system "
-            "not known; "
-            "image.relief image.cells .scale-bar .north .release ; 4 8 kJ");
+            "Reach probability|Maximum total kinetic energy|Maximum bounce height|Maximum velocity; "
+            "y|Total kinetic energy, maximum of all rocks [kJ]|30|100|300|1,000|3,000|Scale 1:75 on A4, cells of 5 m, "
+            "up to 8 kJ|Coordinate system unknown; image.relief image.cells .scale-bar .north .release ; 4 8 kJ");
 }
 
 /// The style for paper, laid on a page that is as wide as A4 between its margins; `mm` of a length in pixels.
@@ -357,7 +356,7 @@ TEST(ReportInBrowser, MapsHaveTheScaleThatTheySayOnPaper) {
       const said = Number(/1:([0-9,.]+) on A4/.exec(note[0])[1].replace(/,/g, ''));
       return Math.abs(1000 * metres / drawn / said - 1) < 0.002 ? note[1] : metres + ' m in ' + drawn + ' mm at ' + note[0];
     )"),
-              "Coordinate system not known")
+              "Coordinate system unknown")
         << side_m;
   }
 }
@@ -412,7 +411,7 @@ TEST(ReportInBrowser, InSpaceEnergyIsDrawnOverTheDistanceTravelledAndEndPointsAr
             "Number of the impact number of the impact/distance travelled");
   EXPECT_EQ(said_of(sample_run::summary("Section"), said),
             "x [m] x/distance travelled/time; x of the end point [m] ; Runout on plan [m] ; "
-            "Number of the impact number of the impact/place (x)");
+            "Number of the impact number of the impact/position (x)");
 }
 
 TEST(ReportInBrowser, NumbersHaveTheDigitsThatTheyDeserve) {

@@ -1,4 +1,4 @@
-// What the report's scripts draw with: bundled, it is one global, `figures`.
+// The modules that the report's scripts use. The bundle is one global, `figures`.
 /*! Drawn with D3 (https://d3js.org), copyright 2010-2023 Mike Bostock. Permission to use, copy, modify, and/or
 distribute this software for any purpose with or without fee is hereby granted, provided that the above copyright
 notice and this permission notice appear in all copies. THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL
@@ -17,3 +17,4 @@ export * from './histogram';
 export { endsAround } from './oneValue';
 export { axes, extentOf, legend, pointIn, sign } from './plot';
 export * from './tip';
+export { hasEffect } from '../settings/conditions';

@@ -1,6 +1,6 @@
-// What a form needs to know of each setting, read from the schema of the project file.
+// The tables and settings of the project file for the forms, read from the schema.
 
-import type { Condition } from './applies';
+import type { Condition } from '../settings/conditions';
 import type { Name, TableName } from './names';
 import { titleOf, unitText } from './titles';
 
@@ -11,25 +11,25 @@ export interface Range {
   mostExcluded?: boolean;
 }
 
-/// The form of a value in the file.
+/// The kind of a value in the file.
 export type Kind =
   | { kind: 'number' | 'whole'; range: Range }
   | { kind: 'boolean' | 'text' | 'file' }
   | { kind: 'choice'; words: string[] }
   | { kind: 'distribution'; range: Range; parts: Field[] }
-  /// One of a few words, or a number.
+  /// One of several words, or a number.
   | { kind: 'word or number'; words: string[]; whole: boolean; range: Range }
-  /// Some of a few words, all of them (true) or none (false).
+  /// Several of these words, all of them (true) or none (false).
   | { kind: 'words'; words: string[] }
   | { kind: 'list'; of: 'number' | 'whole' | 'text' }
-  /// A point or a vector of so many numbers; some may be words, such as "surface", or one word may stand for all.
+  /// A point or vector. Single numbers may be words, such as "surface"; `instead` are words for the whole tuple.
   | { kind: 'tuple'; least: number; most: number; words: string[]; instead: string[] }
   /// Rows of such tuples.
   | { kind: 'rows'; least: number; columns: number; whole: boolean; words: string[] }
   | { kind: 'lists of rows'; columns: number }
   /// x in 2D, points on plan in 3D.
   | { kind: 'line' }
-  /// What something in a file is called here: keys and texts.
+  /// A table from values in a data file to names in the project.
   | { kind: 'names'; whole: boolean };
 
 export interface Field {
@@ -40,19 +40,19 @@ export interface Field {
   description: string;
   source: string;
   required: boolean;
-  /// As in the file; undefined: there is none that could be written.
+  /// As in the file; undefined if there is none.
   default?: unknown;
-  /// What holds where the key is absent and no default says it.
+  /// What applies if the key is absent and there is no default.
   withoutIt: string;
-  /// `inf` is a value.
+  /// Whether `inf` is allowed.
   infinite: boolean;
   excludes: Name[];
-  /// It has an effect where of each of these lists a condition holds.
+  /// It has an effect if at least one condition of each list is met.
   needs: Condition[][];
-  /// The only rock model on which it has an effect; '': it has on all.
+  /// The only rock model for which it has an effect; '': all.
   onlyFor: string;
   group: string;
-  /// Where the documents say more.
+  /// A section of the documentation.
   topic?: Topic;
 }
 
@@ -66,7 +66,7 @@ export interface Table {
   repeated: boolean;
   description: string;
   fields: Field[];
-  /// Ways to say one thing, each by the keys of a list; of different ways no keys may stand together.
+  /// Alternatives, each a list of keys. Keys of different alternatives exclude each other.
   choices: Name[][][];
   groups: { title: string; folded: boolean }[];
   topic?: Topic;
@@ -152,7 +152,7 @@ function arrayOf(node: Node): Kind {
       words: (inner.anyOf ?? []).flatMap(wordsOf),
     };
   }
-  // What may be empty is a list, however long at the most.
+  // An array that may be empty is a list, whatever its maximum length.
   if (node.minItems && node.maxItems !== undefined) return tupleOf(node, []);
   return { kind: 'list', of: item.type === 'string' ? 'text' : item.type === 'integer' ? 'whole' : 'number' };
 }
@@ -181,7 +181,7 @@ const onlyModel = (needs: readonly Condition[][]) =>
 
 function fieldsOf(table: Node): Field[] {
   return Object.entries(table.properties ?? {}).map(([key, node]) => ({
-    key: key as Name, // the schema's own
+    key: key as Name,
     title: node['x-title'] ?? titleOf(key, node['x-unit']),
     unit: unitText(node['x-unit'] ?? ''),
     type: kindOf(node),
@@ -199,7 +199,7 @@ function fieldsOf(table: Node): Field[] {
   }));
 }
 
-/// Every table of the project file; the one without a key is what stands before the first.
+/// All tables of the project file; the one without a key has the settings before the first table.
 export function tablesOf(schema: unknown): Table[] {
   const root = schema as Node;
   const isTable = (node: Node) => node.properties !== undefined || node.items?.properties !== undefined;

@@ -1,4 +1,4 @@
-// Each barrier and collector: what reached it, how hard, how high.
+// Each barrier and collector: hits, energies and heights.
 
 function hitFigure(parent, name) {
   const shown = runs.map((run) => ({run, hits: run.hits.filter((hit) => hit.barrier === name)})).filter((s) => s.hits.length);
@@ -30,18 +30,18 @@ function hitFigure(parent, name) {
   });
 }
 
-// How many rocks the figures of a barrier's hits leave out, and how a clearance can be less than nothing.
+// The number of rocks that the figures of a barrier's hits exclude, and the meaning of a negative clearance.
 function passedAboveText(name) {
   const shown = runs.map((run) => ({run, barrier: run.barriers.find((b) => b.name === name) || {}})).filter(({barrier}) => barrier.passed_above > 0);
   const rocks = shown.map(({run, barrier}) => (single ? '' : `${run.label}: `) + count(barrier.passed_above, 'rock')).join(', ');
   const isBelow = shown.some(({barrier}) => barrier.least_clearance_m < 0);
-  return `Not in the figures of the hits: ${rocks} that passed above the top, as the centre was higher. The clearance is that of the lower side` +
-    (isBelow ? ': it is negative where the centre passed above the top and the lower side below it.' : '.');
+  return `The figures of the hits exclude ${rocks} that passed with the centre above the top. Clearance is measured from the rock's lower side` +
+    (isBelow ? '; it is negative if the centre passed above the top and the lower side below it.' : '.');
 }
 
-// A collector stops nothing: rocks go on as if it were not there.
+// A collector only records rocks: it has passages instead of hits, and no outcomes.
 function countRows(kind, of) {
-  const row = (words, value) => [words, ...runs.map((run) => number(value(of(run))))];
+  const row = (label, value) => [label, ...runs.map((run) => number(value(of(run))))];
   const outcomes = kind === 'collector' ? [] : [...new Set(runs.flatMap((run) => Object.keys(of(run).outcomes || {})))];
   const [hits, rocks] = kind === 'collector' ? ['Passages', 'Rocks that passed'] : ['Hits', 'Rocks that hit'];
   return [
@@ -49,7 +49,7 @@ function countRows(kind, of) {
     ...(runs.some((run) => isNumber(of(run).rocks_hit)) ? [row(rocks, (b) => b.rocks_hit)] : []),
     ...outcomes.map((word) => row(`Hits: ${word}`, (b) => (b.outcomes || {})[word])),
     row('Rocks that passed above', (b) => b.passed_above),
-    [{text: 'Least clearance above', unit: 'm'}, ...runs.map((run) => measured(of(run).least_clearance_m, 3))],
+    [{text: 'Minimum clearance above', unit: 'm'}, ...runs.map((run) => measured(of(run).least_clearance_m, 3))],
   ];
 }
 

@@ -1,7 +1,7 @@
-// Histograms and box plots, made from the summary's counts and quartiles. Two runs are counted in the same bins, and
-// shown side by side as shares of each.
+// Histograms and box plots from the summary's counts and quartiles. Two runs have the same bins and are shown side by
+// side, as shares of each run.
 
-// `of(run)` gives {low, width, counts}; `per` turns the file's unit into the one shown, `thing` is what is counted.
+// `of(run)` returns {low, width, counts}; values of the files are divided by `per` for display; `thing` is what is counted.
 function histogramFigure(parent, {title, quantity, column, unit, per = 1, of, thing = 'rock', tall = 254}) {
   const shown = runs.filter((run) => of(run) && of(run).counts.some((n) => n > 0));
   if (!shown.length) return false;
@@ -9,7 +9,7 @@ function histogramFigure(parent, {title, quantity, column, unit, per = 1, of, th
     const {low, width, counts} = of(run);
     return {name: run.label, colour: run.colour, counts, edges: Array.from({length: counts.length + 1}, (_, i) => low + i * width), width: width / per};
   });
-  const binText = ({edges, width}) => figures.endsAround(edges) ? 'all of one value' : `bins of ${number(width, 4)} ${unit}`;
+  const binText = ({edges, width}) => figures.endsAround(edges) ? 'all values equal' : `bins of ${number(width, 4)} ${unit}`;
   figure(parent, {
     title, label: `${title}: histogram of ${quantity} in ${unit}`,
     caption: series.map((s) => `${single ? '' : s.name + ': '}${count(d3.sum(s.counts), thing)}, ${binText(s)}`).join('; ') + '.',
@@ -20,7 +20,7 @@ function histogramFigure(parent, {title, quantity, column, unit, per = 1, of, th
   return true;
 }
 
-// `of(run)` gives statistics with quartiles, minimum, maximum and mean.
+// `of(run)` returns statistics with quartiles, minimum, maximum and mean.
 function boxFigure(parent, {title, quantity, column, unit, per = 1, of}) {
   const shown = runs.filter((run) => {
     const s = of(run);
@@ -42,17 +42,17 @@ function boxFigure(parent, {title, quantity, column, unit, per = 1, of}) {
 
 function distributionFigures(parent) {
   const endX = {quantity: 'x of the end point', column: 'end_x_m', unit: 'm'}, runout = {quantity: 'Runout on plan', column: 'runout_xy_m', unit: 'm'};
-  const inSection = (of) => (run) => run.isSection ? of(run) : null;  // in space x says nothing of how far a rock came
+  const inSection = (of) => (run) => run.isSection ? of(run) : null;  // in 3D, x is not a measure of runout
   const box = element(parent, 'div', null, {class: 'columns'});
   const hasEnds = histogramFigure(box, {...endX, title: 'End points of the rocks', of: inSection((run) => run.histograms.end_x_m)});
-  // Boxes stand beneath the histograms of a section, and beside the only one of a terrain.
+  // Box plots are below the two histograms of a section, or next to the single one of a terrain.
   const hasRunout = histogramFigure(box, {...runout, title: 'Runout', tall: hasEnds ? 254 : 384, of: (run) => run.histograms.runout_xy_m});
   const boxes = hasEnds ? box : element(box, 'div');
   const hasBoxes = [
     boxFigure(boxes, {...endX, title: 'Box plot of end points', of: inSection((run) => run.statistics.end_x_m)}),
     boxFigure(boxes, {...runout, title: 'Box plot of runout', of: (run) => run.statistics.runout_xy_m}),
-    boxFigure(boxes, {title: 'Box plot of greatest energy', quantity: 'Greatest total kinetic energy of each rock', column: 'max_ke_J', unit: 'kJ', per: 1000, of: (run) => run.statistics.max_ke_J}),
-    boxFigure(boxes, {title: 'Box plot of greatest bounce height', quantity: 'Greatest bounce height of each rock', column: 'max_bounce_m', unit: 'm', of: (run) => run.statistics.max_bounce_m}),
+    boxFigure(boxes, {title: 'Box plot of maximum energy', quantity: 'Maximum total kinetic energy of each rock', column: 'max_ke_J', unit: 'kJ', per: 1000, of: (run) => run.statistics.max_ke_J}),
+    boxFigure(boxes, {title: 'Box plot of maximum bounce height', quantity: 'Maximum bounce height of each rock', column: 'max_bounce_m', unit: 'm', of: (run) => run.statistics.max_bounce_m}),
   ].some(Boolean);
-  if (!hasEnds && !hasRunout && !hasBoxes) element(parent, 'p', 'The summary holds no histograms.', {class: 'quiet'});
+  if (!hasEnds && !hasRunout && !hasBoxes) element(parent, 'p', 'The summary has no histograms.', {class: 'quiet'});
 }

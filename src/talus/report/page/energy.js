@@ -1,4 +1,4 @@
-// Mechanical, kinetic and potential energy of one rock along its way.
+// Mechanical, kinetic and potential energy of one rock along its trajectory.
 
 const energyAxes = {
   x: {text: 'x', label: 'x [m]', of: (rows) => rows.map((row) => row.x)},
@@ -12,13 +12,13 @@ const energyAxes = {
   time: {text: 'time', label: 'Time since release [s]', of: (rows) => rows.map((row) => row.time)},
 };
 
-// The weight of a path's rock [N], from two rows of unlike height.
+// The weight of a rock [N], from the potential energies at its lowest and highest row; 0 if its height never changes.
 function weightOf(rows) {
   const low = rows.reduce((a, b) => b.z < a.z ? b : a), high = rows.reduce((a, b) => b.z > a.z ? b : a);
   return high.z > low.z ? (high.pe - low.pe) / (high.z - low.z) : 0;
 }
 
-// In flight every axis above grows evenly with time while energy is a quadratic of it.
+// In flight every axis above is linear in time, and the energies are quadratic in it.
 function energyRows(rows, axis) {
   const places = energyAxes[axis].of(rows), weight = weightOf(rows);
   return rows.map((row, i) => ({
@@ -29,22 +29,22 @@ function energyRows(rows, axis) {
 }
 
 function energyFigure(parent, run, width) {
-  // In space x says nothing of how far a rock came.
+  // In 3D, x is not a measure of the distance travelled.
   const axisNames = run.isSection ? ['x', 'travelled', 'time'] : ['travelled', 'time'];
   let [axis] = axisNames;
   const made = figure(parent, {
-    title: single ? 'Energy of one rock along its path' : `Energy of one rock along its path · ${run.label}`,
-    label: 'Mechanical, total kinetic and potential energy of the chosen rock along its path',
-    caption: 'Total kinetic energy is that of translation and rotation; mechanical energy is total kinetic and potential energy. Potential energy is measured from the datum of the model. Dots are the rows of the path; a vertical drop is the loss at an impact.',
+    title: single ? 'Energy of one rock along its trajectory' : `Energy of one rock along its trajectory · ${run.label}`,
+    label: 'Mechanical, total kinetic and potential energy of the selected rock along its trajectory',
+    caption: 'Total kinetic energy is translational plus rotational; mechanical energy is total kinetic plus potential energy. Potential energy is measured from the datum of the model. Dots are the recorded events; a vertical drop is the loss at an impact.',
     width, tall: width === drawing.wide ? 320 : 338,
     fill: (element, room) => figures.energy(element, room, {xLabel: energyAxes[axis].label, rows: energyRows(choice.rocks[run.index].rows, axis), hasDots: true}),
     rows: () => [['rock', 'state', 'time_s', 'x_m', 'y_m', 'z_m', 'ke_translational_J', 'ke_rotational_J', 'pe_J'],
       ...choice.rocks[run.index].rows.map((row) => [choice.rocks[run.index].rock, row.state, row.time, row.x, row.y, row.z, row.ke_translational, row.ke_rotational, row.pe])],
   });
-  const pick = (words, options, value, onPick) => {
-    const label = made.head.insert('label', '.save').text(words + ' ');
+  const pick = (text, options, value, onPick) => {
+    const label = made.head.insert('label', '.save').text(text + ' ');
     const select = label.append('select');
-    for (const [key, text] of options) element(select, 'option', text, {value: key});
+    for (const [key, option] of options) element(select, 'option', option, {value: key});
     select.property('value', value).on('change', function () { onPick(this.value); });
     return select;
   };
@@ -61,7 +61,7 @@ function energyFigure(parent, run, width) {
 
 function energyFigures(parent) {
   const shown = runs.filter((run) => run.rocks.length);
-  if (!shown.length) return element(parent, 'p', 'There are no paths to take energies from.', {class: 'quiet'});
+  if (!shown.length) return element(parent, 'p', 'No trajectories are recorded to draw energies from.', {class: 'quiet'});
   const box = element(parent, 'div', null, {class: shown.length > 1 ? 'columns' : ''});
   for (const run of shown) energyFigure(box, run, shown.length > 1 ? drawing.half : drawing.wide);
 }

@@ -1,16 +1,16 @@
-// How much energy rocks have along a section, how fast and how high they come.
+// Energy, velocity and bounce height of the rocks along a section.
 
 const alongSection = ['energy_total', 'velocity', 'bounce_height', 'reach_share']
   .map((key) => figures.envelopeQuantities.find((quantity) => quantity.key === key));
 
 const envelopeCellWidth = (run) => (run.project.output || {}).raster_cell_m || 1;
 
-// With their edges, from the middles that the file has.
+// Cells with their edges; the file has their centres.
 function envelopeCells(run) {
   const {columns, rows} = run.envelopes;
-  const place = (name) => columns.indexOf(name);
+  const index = (name) => columns.indexOf(name);
   const half = envelopeCellWidth(run) / 2;
-  const from = rows.map((row) => row[place('from_x_m')] - half), to = rows.map((row) => row[place('to_x_m')] + half);
+  const from = rows.map((row) => row[index('from_x_m')] - half), to = rows.map((row) => row[index('to_x_m')] + half);
   const values = columns.map((name, k) => [name, rows.map((row) => isNumber(row[k]) ? row[k] : null)]);
   return {name: run.label, colour: run.colour, x: from.map((x, k) => (x + to[k]) / 2), from, to,
     values: new Map(values.filter(([name]) => name !== 'from_x_m' && name !== 'to_x_m'))};
@@ -22,7 +22,7 @@ function envelopeFigure(parent, quantity) {
   const walls = shown.flatMap((run) => barriersOf(run).map((barrier) => ({name: barrier.name, x: (barrierLine(barrier)[0] || [])[0]})))
     .filter((wall, i, all) => isNumber(wall.x) && all.findIndex((w) => w.name === wall.name && w.x === wall.x) === i);
   const of = shown.map(envelopeCells);
-  const title = quantity.key === 'reach_share' ? quantity.title : `${quantity.title} along the section`;
+  const title = `${quantity.title} along the section`;
   figure(parent, {
     title, label: `${title}, in ${quantity.unit}`, caption: '', tall: 278,
     fill: (element, room) => figures.envelope(element, room, {...quantity, of, walls}),
@@ -34,7 +34,7 @@ function envelopeFigures(parent) {
   const box = element(parent, 'div', null, {class: 'columns'});
   for (const quantity of alongSection) envelopeFigure(box, quantity);
   const cellText = (run) => `${single ? '' : run.label + ': '}cells of ${metres(envelopeCellWidth(run))}` +
-    (run.envelopes.cells_each > 1 ? `, drawn is the greatest of every ${number(run.envelopes.cells_each)}` : '');
+    (run.envelopes.cells_each > 1 ? `, drawn as the maximum of every ${number(run.envelopes.cells_each)} cells` : '');
   const cells = runs.filter((run) => run.envelopes.rows.length).map(cellText).join('; ');
-  element(parent, 'p', `${startOfSentence(cells)}. Energies, velocities and heights are those of the rocks that come by.`, {class: 'quiet'});
+  element(parent, 'p', `${startOfSentence(cells)}. Energies, velocities and heights are those of the rocks that pass.`, {class: 'quiet'});
 }

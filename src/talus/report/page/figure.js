@@ -1,8 +1,8 @@
-// A figure: heading, drawing, caption and buttons that save it. All text is set as text, never as markup: names in it are
-// the user's.
+// A figure: heading, drawing, caption and buttons to save it. All text is set as text, never as markup, because it
+// contains the user's names.
 
-// Widths in the drawings' own units, about a pixel each on a screen. Two halves and the gap of .columns (style.css) make
-// a wide one, which is as wide as A4 between its margins: a unit is as long in both.
+// Widths in drawing units, about one pixel on a screen. Two half figures and the gap of .columns (style.css) are as wide
+// as a wide one, which fills the width of A4 between its margins. A unit has the same length in both.
 const drawing = {wide: 900, half: 430, mmOnPaper: 184 / 900};
 
 function element(parent, tag, text, attributes = {}) {
@@ -12,9 +12,9 @@ function element(parent, tag, text, attributes = {}) {
   return made;
 }
 
-// Returns {node, head, caption, redraw}. A figure of web/src/figures is drawn by `fill(element, room)` into a room of
-// `tall` units; others by `draw(svg, width)`, which returns the height it used. `rows()` gives the table that the CSV
-// button saves, its first row the column names.
+// Returns {node, head, caption, redraw}. A figure of web/src/figures is drawn by `fill(element, room)` into an area
+// `tall` units high, any other by `draw(svg, width)`, which returns the height it used. `rows()` returns the table that
+// the CSV button saves; its first row has the column names.
 function figure(parent, {title, caption, label, width = drawing.half, tall, fill, draw, rows}) {
   const node = parent.append('figure').attr('class', width === drawing.wide ? 'wide' : '');
   const head = element(node, 'div', null, {class: 'figure-head'});
@@ -32,9 +32,9 @@ function figure(parent, {title, caption, label, width = drawing.half, tall, fill
   const name = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'figure';
   const button = (text, what, action) =>
     element(tools, 'button', text, {type: 'button', title: `Save as ${text}`, 'aria-label': `Save "${title}" as ${what}`}).on('click', action);
-  const whole = single ? `${title}: ${runs[0].name}` : title;
-  button('SVG', 'SVG drawing', () => figures.saveSvg(name, svg.node(), whole));
-  button('PNG', 'PNG picture', () => figures.savePng(name, svg.node(), whole));
+  const fullTitle = single ? `${title}: ${runs[0].name}` : title;
+  button('SVG', 'SVG drawing', () => figures.saveSvg(name, svg.node(), fullTitle));
+  button('PNG', 'PNG picture', () => figures.savePng(name, svg.node(), fullTitle));
   if (rows) button('CSV', 'table of values', () => figures.saveCsv(name, rows()));
   return {node, head, caption: note, redraw};
 }

@@ -1,10 +1,10 @@
 'use strict';
-// Words and numbers: units from the names of settings, figures rounded for reading. Nothing is computed here but units.
+// Text of numbers, units and settings. Results are rounded for reading; nothing is computed except unit conversions.
 
-// Shared with the workbench: web/src/figures, bundled.
+// The bundle of web/src/figures, shared with the workbench.
 const {d3, axes, extentOf, legend, pointIn, sign, tip} = figures;
 
-// The end of a setting's name says its unit; longer ends come first.
+// Units by the ending of a setting's name, the longer endings first.
 const unitsByEnding = [
   ['_m_s2', 'm/s²'], ['_kg_m3', 'kg/m³'], ['_deg_s', '°/s'], ['_rad_s', 'rad/s'], ['_m_s', 'm/s'], ['_per_s', '1/s'],
   ['_kJ', 'kJ'], ['_J', 'J'], ['_kg', 'kg'], ['_m3', 'm³'], ['_deg', '°'], ['_s', 's'], ['_m', 'm'],
@@ -15,27 +15,27 @@ function unitOf(key) {
   return found ? found[1] : '';
 }
 
-// "normal_velocity_cutoff_m_s" reads "Normal velocity cutoff".
+// "normal_velocity_cutoff_m_s" is shown as "Normal velocity cutoff".
 function wordsOf(key) {
   const found = unitsByEnding.find(([ending]) => key.endsWith(ending));
   const words = (found ? key.slice(0, -found[0].length) : key).replace(/_/g, ' ');
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-// A setting, with as many digits as were given; a missing value is a dash.
+// A setting with up to `digits` significant digits; a dash if it is missing.
 function number(value, digits = 6) {
   if (value === null || value === undefined || value === '') return '–';
   return typeof value === 'number' ? figures.numberText(value, digits) : String(value);
 }
 
-// A result, with as many digits as it deserves.
+// A result, rounded to the digits that matter.
 const measured = (value, digits) => isNumber(value) ? figures.measured(value, digits) : number(value);
 
 const metres = (value) => measured(value, 5) + ' m';
 const kJ = (joules) => joules === null || joules === undefined ? null : joules / 1000;
 const count = (n, one, many = one + 's') => `${number(n)} ${n === 1 ? one : many}`;
 
-// A property as the manual's tables give it: a number, or a mean with its distribution.
+// A property as in the tables of the verification manual: a number, or a mean with its distribution.
 function property(value) {
   if (value === null || value === undefined) return '–';
   if (typeof value !== 'object') return number(value);
@@ -65,11 +65,11 @@ function settingText(value) {
   return typeof value === 'number' ? number(value, 8) : choiceWords[value] || String(value);
 }
 
-// Words to choose from; names and files of the user stay as they are.
+// Words of enumerations. Names and files of the user stay as they are.
 const choiceWords = Object.fromEntries(['lumped_mass', 'rigid_sphere', 'closed_form', 'tangential_restitution', 'monte_carlo',
   'latin_hypercube', 'per_impact', 'per_rock'].map((word) => [word, word.replace(/_/g, ' ')]));
 
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 
-// A capital in front; a run's name, which comes first where there are two, stays as it is.
+// Capitalizes a sentence. With two runs it begins with a run's name, which stays as it is.
 const startOfSentence = (text) => single ? text.charAt(0).toUpperCase() + text.slice(1) : text;

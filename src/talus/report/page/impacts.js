@@ -1,28 +1,29 @@
-// Total kinetic energy lost at each impact on the ground: single impacts of the paths shown, and the mean over all rocks.
+// Total kinetic energy lost at each impact on the ground: single impacts of the trajectories shown, and the mean over all
+// rocks.
 
 function impactFigure(parent) {
   const shown = runs.filter((run) => run.losses.length);
-  if (!shown.length) return element(parent, 'p', 'No impact is recorded in the paths.', {class: 'quiet'});
+  if (!shown.length) return element(parent, 'p', 'The trajectories shown have no impacts.', {class: 'quiet'});
   let axis = 'impact';
-  // Where an impact was: at x along a section, in space after so much of the way.
-  const place = shown.every((run) => run.isSection) ? {key: 'x', text: 'place (x)', label: 'x of the impact [m]'} :
+  // The position of an impact: x along a section, the distance travelled in 3D.
+  const place = shown.every((run) => run.isSection) ? {key: 'x', text: 'position (x)', label: 'x of the impact [m]'} :
     {key: 'travelled', text: 'distance travelled', label: 'Distance travelled on plan [m]'};
   const dotsText = shown.map((run) => `${single ? '' : run.label + ': '}dots are ${number(run.losses.length)} of ${count(run.lossTotal, 'impact')} of the rocks shown`).join('; ');
   const dots = shown.flatMap((run) => run.losses.map((loss) => ({...loss, run})));
-  const most = d3.max(shown, (run) => d3.max(run.losses, (loss) => loss.impact));
+  const highest = d3.max(shown, (run) => d3.max(run.losses, (loss) => loss.impact));
   const made = figure(parent, {
-    title: 'Total kinetic energy lost at each impact on the ground', label: 'Total kinetic energy lost at each impact against its number or place', width: drawing.wide,
+    title: 'Total kinetic energy lost at each impact on the ground', label: 'Total kinetic energy lost at each impact against its number or position', width: drawing.wide,
     caption: startOfSentence(dotsText) +
-      '; the line is the mean over all rocks with a path that came to that impact. Lost is the total kinetic energy, of translation and rotation, on arrival less that on leaving.',
+      '; the line is the mean over all recorded rocks that had that impact. The loss is the total kinetic energy on arrival minus that on departure.',
     draw(svg, width) {
       const side = {left: 78, right: width - 14, top: 12, bottom: 232};
       const placeOf = (dot) => axis === 'place' ? dot[place.key] : dot.impact + (shown.length > 1 ? (dot.run === shown[0] ? -0.12 : 0.12) : 0);
-      const domain = axis === 'place' ? extentOf(dots.map(placeOf)) : [0.4, Math.max(most, 2) + 0.6];
+      const domain = axis === 'place' ? extentOf(dots.map(placeOf)) : [0.4, Math.max(highest, 2) + 0.6];
       const toX = d3.scaleLinear().domain(domain).range([side.left, side.right]);
-      const lines = axis === 'place' ? [] : shown.map((run) => ({run, points: run.lossByNumber.filter((m) => m.impact <= most)}));
+      const lines = axis === 'place' ? [] : shown.map((run) => ({run, points: run.lossByNumber.filter((m) => m.impact <= highest)}));
       const toY = d3.scaleLinear().domain(extentOf([0, ...dots.map((d) => d.lost / 1000), ...lines.flatMap((l) => l.points.map((m) => m.mean / 1000))]))
         .range([side.bottom, side.top]);
-      axes(svg, toX, toY, side, {xLabel: axis === 'place' ? place.label : 'Number of the impact', yLabel: 'Total kinetic energy lost [kJ]', xTicks: axis === 'impact' ? Math.min(most, 16) : undefined});
+      axes(svg, toX, toY, side, {xLabel: axis === 'place' ? place.label : 'Number of the impact', yLabel: 'Total kinetic energy lost [kJ]', xTicks: axis === 'impact' ? Math.min(highest, 16) : undefined});
       tip(svg.append('g').selectAll('circle').data(dots).enter().append('circle').attr('class', 'dot').attr('r', 3).style('--run', (d) => d.run.colour)
         .attr('cx', (d) => toX(placeOf(d))).attr('cy', (d) => toY(d.lost / 1000)),
       (d) => `Rock ${d.rock}, impact ${d.impact}` + (single ? '' : ` · ${d.run.label}`) +
@@ -32,7 +33,7 @@ function impactFigure(parent) {
           .attr('d', d3.line().x((m) => toX(m.impact)).y((m) => toY(m.mean / 1000))(points));
         tip(svg.append('g').selectAll('circle').data(points).enter().append('circle').attr('r', 4).attr('class', 'mechanical stop').style('fill', single ? null : run.colour)
           .attr('cx', (m) => toX(m.impact)).attr('cy', (m) => toY(m.mean / 1000)),
-        (m) => (single ? '' : run.label + '\n') + `Impact ${m.impact}: ${count(m.rocks, 'rock')}\nmean loss ${measured(kJ(m.mean))} kJ\nleast ${measured(kJ(m.least))} kJ, greatest ${measured(kJ(m.most))} kJ`);
+        (m) => (single ? '' : run.label + '\n') + `Impact ${m.impact}: ${count(m.rocks, 'rock')}\nmean loss ${measured(kJ(m.mean))} kJ\nminimum ${measured(kJ(m.least))} kJ, maximum ${measured(kJ(m.most))} kJ`);
       }
       return legend(svg, [
         ...shown.map((run) => ({text: single ? 'single impact' : run.label, draw: sign.circle('dot', run.colour)})),

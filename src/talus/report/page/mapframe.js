@@ -1,58 +1,58 @@
-// What the maps have in common: a scale that is round on paper, coordinates, relief, scale bar and north arrow.
+// Common parts of the maps: a round scale on paper, coordinates, relief, scale bar and north arrow.
 
-// The least round number of those that scales have, 1:2,500, that is no less.
-function roundScale(least) {
-  const power = 10 ** Math.floor(Math.log10(least));
-  return power * [1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 7.5, 10].find((times) => times * power >= least * (1 - 1e-9));
+// The smallest usual denominator of map scales, such as 2,500, that is at least `minimum`.
+function roundScale(minimum) {
+  const power = 10 ** Math.floor(Math.log10(minimum));
+  return power * [1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 7.5, 10].find((times) => times * power >= minimum * (1 - 1e-9));
 }
 const unitsPerMetre = (denominator) => 1000 / denominator / drawing.mmOnPaper;
 
-// A tall map takes half the width, so that two stand side by side.
+// A tall map takes half the width, so that two fit side by side.
 const mapWidth = ({x: [x0, x1], y: [y0, y1]}) => (x1 - x0) / (y1 - y0) < 1.25 ? drawing.half : drawing.wide;
 
 const mapRoom = (width) => ({left: 74, across: width - 74 - 12, tallest: 430});
 
-// How many metres a drawing's unit is at least, for the view to fit.
+// The minimum number of metres per drawing unit for the view to fit.
 function metresPerUnit(width, {x: [x0, x1], y: [y0, y1]}) {
   const {across, tallest} = mapRoom(width);
   return Math.max((x1 - x0) / across, (y1 - y0) / tallest);
 }
 
-// So much round a view as there is ground, up to a length.
-function spread([a, b], length, [low, high]) {
+// Extends the interval [a, b] into [low, high] about its centre, up to a length.
+function extend([a, b], length, [low, high]) {
   const [first, last] = [Math.min(a, low), Math.max(b, high)];
   if (last - first <= length) return [first, last];
   const from = Math.min(Math.max((a + b - length) / 2, first), last - length);
   return [from, from + length];
 }
 
-// Where the terrain of some runs is.
+// The extent of the view and of the terrain of some runs.
 function groundOf(shown, view) {
   const bounds = shown.map((run) => run.terrain.bounds).filter(Array.isArray);
   const along = (axis, name) => d3.extent([...view[name], ...bounds.flatMap((corners) => corners.map((corner) => corner[axis]))]);
   return {x: along(0, 'x'), y: along(1, 'y')};
 }
 
-// A rectangle that shows the view, and of the ground around it as much as the figure has room for; x and y have one scale.
+// The frame of a map: the view and as much of the surrounding ground as fits; x and y have the same scale.
 function mapFrame(width, view, ground) {
   const {left, across} = mapRoom(width);
   const denominator = roundScale(metresPerUnit(width, view) * unitsPerMetre(1));
   const scale = unitsPerMetre(denominator);
-  const x = spread(view.x, across / scale, ground.x);
-  const y = spread(view.y, Math.max(view.y[1] - view.y[0], 0.3 * across / scale), ground.y);
+  const x = extend(view.x, across / scale, ground.x);
+  const y = extend(view.y, Math.max(view.y[1] - view.y[0], 0.3 * across / scale), ground.y);
   const side = {left, top: 12, right: left + (x[1] - x[0]) * scale, bottom: 12 + (y[1] - y[0]) * scale};
   const toX = d3.scaleLinear().domain(x).range([side.left, side.right]), toY = d3.scaleLinear().domain(y).range([side.bottom, side.top]);
   return {side, scale, denominator, shown: {x, y}, toX, toY};
 }
 
-// Axes, and a group within which all is cut off at the frame.
+// Draws the axes. Returns a group clipped to the frame.
 function openMap(svg, id, {side, toX, toY}) {
   axes(svg, toX, toY, side, {xLabel: 'x [m]', yLabel: 'y [m]'});
   svg.append('clipPath').attr('id', id).append('rect').attr('x', side.left).attr('y', side.top).attr('width', side.right - side.left).attr('height', side.bottom - side.top);
   return svg.append('g').attr('clip-path', `url(#${id})`);
 }
 
-// A picture of so many metres, its south-western corner at `low`.
+// Places an image of `size` metres with its south-western corner at `low`.
 const layPicture = (group, {toX, toY, scale}, href, name, low, size) => group.append('image').attr('class', name).attr('href', href)
   .attr('preserveAspectRatio', 'none').attr('x', toX(low[0])).attr('y', toY(low[1] + size[1])).attr('width', size[0] * scale).attr('height', size[1] * scale);
 
@@ -63,10 +63,11 @@ function layRelief(group, frame, relief, picture) {
 
 const systemText = (run) => {
   if (run.terrain.crs_wkt) return crsText(run.terrain.crs_wkt);
-  return (run.project.terrain || {}).crs === 'local' ? 'Local coordinates' : 'Coordinate system not known';
+  return (run.project.terrain || {}).crs === 'local' ? 'Local coordinates' : 'Coordinate system unknown';
 };
 
-// Scale and coordinate system: at the right of what stands beneath a wide map, else below it. Returns the height at their end.
+// Writes scale and coordinate system: at the right below a wide map, otherwise below everything else (`lowest`). Returns
+// the y of their end.
 function noteMap(svg, width, frame, run, more, y, lowest) {
   const lines = [[`Scale 1:${number(frame.denominator)} on A4`, ...more].join(', '), systemText(run)];
   const beside = width === drawing.wide;
@@ -76,8 +77,8 @@ function noteMap(svg, width, frame, run, more, y, lowest) {
   return Math.max(lowest, top + 17) + 8;
 }
 
-// Shaded relief as a picture, lit from the north-west at 45 degrees: a pixel a grid point, made larger smoothly, since
-// printers draw pixels as squares.
+// Shaded relief as an image, lit from the north-west at 45 degrees: one pixel per grid point, enlarged with smoothing
+// because printers draw pixels as squares.
 function hillshade(relief) {
   const {columns, rows, cell_m, z_m} = relief;
   const canvas = document.createElement('canvas');
@@ -119,10 +120,10 @@ function drawBarrierOnPlan(group, barrier, toX, toY, side) {
     .attr('text-anchor', atRight ? 'end' : 'start').text(barrier.name);
 }
 
-// The greatest 1, 2 or 5 times a power of ten.
-function roundLength(most) {
-  const power = 10 ** Math.floor(Math.log10(most));
-  return power * [5, 2, 1].find((times) => times * power <= most);
+// The largest 1, 2 or 5 times a power of ten that is at most `maximum`.
+function roundLength(maximum) {
+  const power = 10 ** Math.floor(Math.log10(maximum));
+  return power * [5, 2, 1].find((times) => times * power <= maximum);
 }
 
 function drawScaleBar(group, side, scale) {
@@ -134,7 +135,7 @@ function drawScaleBar(group, side, scale) {
   bar.append('text').attr('class', 'halo').attr('x', x + length * scale / 2).attr('y', y - 5).attr('text-anchor', 'middle').text(`${number(length)} m`);
 }
 
-// Upwards is the y axis: north where coordinates are those of a map.
+// The map's y axis points up; it is north if the terrain has map coordinates.
 function drawNorthArrow(group, side, isNorth) {
   const arrow = group.append('g').attr('class', 'north').attr('transform', `translate(${side.left + 20},${side.top + 10})`);
   arrow.append('path').attr('class', 'halo').attr('d', 'M0,0l7,20l-7,-5l-7,5z');

@@ -1,21 +1,21 @@
-// Maps of what the rocks did, each over the shaded relief, with barriers and releases: reach, energy, height, velocity.
+// Maps of results over the shaded relief, with barriers and releases: reach probability, energy, bounce height, velocity.
 
-// `per` turns the file's unit into the one shown.
+// Values of the files are divided by `per` for display.
 const mapKinds = {
-  reach_share: {title: 'Reach', quantity: 'Share of all rocks that were in the cell', unit: '%', per: 0.01},
-  energy_total_max_kJ: {title: 'Greatest total kinetic energy', quantity: 'Total kinetic energy, greatest of all rocks', unit: 'kJ', per: 1},
-  bounce_height_max_m: {title: 'Greatest bounce height', quantity: 'Bounce height, greatest of all rocks', unit: 'm', per: 1},
-  velocity_max_m_s: {title: 'Greatest velocity', quantity: 'Velocity, greatest of all rocks', unit: 'm/s', per: 1},
+  reach_share: {title: 'Reach probability', quantity: 'Share of all rocks that reach the cell', unit: '%', per: 0.01},
+  energy_total_max_kJ: {title: 'Maximum total kinetic energy', quantity: 'Total kinetic energy, maximum of all rocks', unit: 'kJ', per: 1},
+  bounce_height_max_m: {title: 'Maximum bounce height', quantity: 'Bounce height, maximum of all rocks', unit: 'm', per: 1},
+  velocity_max_m_s: {title: 'Maximum velocity', quantity: 'Velocity, maximum of all rocks', unit: 'm/s', per: 1},
 };
 
-// A map's values in the unit shown, row by row from the south; null where no rock was.
+// A map's values in the displayed unit, row by row from the south; null where no rock passed.
 function mapValues(map) {
   const {per} = mapKinds[map.name];
   const value = (part) => (map.logarithmic ? map.least * (map.greatest / map.least) ** part : map.greatest * part) / per;
   return Array.from(atob(map.levels), (letter) => letter.charCodeAt(0) === 0 ? null : value((letter.charCodeAt(0) - 1) / 254));
 }
 
-// The classes of the maps of one kind, the same in every run: where each begins, and its colour.
+// The classes of the maps of one kind, the same in every run: lower limits and colours.
 function mapScale(maps) {
   const {per} = mapKinds[maps[0].name];
   const limits = maps[0].limits.map((limit) => limit / per);
@@ -39,7 +39,7 @@ function mapPicture(map, values, scale) {
   return canvas.toDataURL('image/png');
 }
 
-// What all maps show, those of two runs the same: their cells, the barriers and the releases.
+// The extent of all maps, the same for both runs: their cells, barriers and releases.
 function mapView() {
   const xs = [], ys = [];
   for (const {origin: [x, y], cell: [dx, dy], columns, rows} of runs.flatMap((run) => run.maps)) {
@@ -51,7 +51,7 @@ function mapView() {
   return {x: extentOf(xs, 0.04), y: extentOf(ys, 0.04)};
 }
 
-// A bar of the classes with their limits beneath; returns the height at its end.
+// Draws a bar of the classes with their limits below. Returns the y of its end.
 function drawColours(svg, scale, {quantity, unit}, x, y, width) {
   const each = width / scale.colours.length, height = 12;
   svg.append('text').attr('x', x).attr('y', y).text(`${quantity} [${unit}]`);
@@ -60,9 +60,9 @@ function drawColours(svg, scale, {quantity, unit}, x, y, width) {
   return y + 8 + height + 22;
 }
 
-function drawTick(svg, x, y, words) {
+function drawTick(svg, x, y, text) {
   svg.append('line').attr('class', 'tick-mark').attr('x1', x).attr('x2', x).attr('y1', y).attr('y2', y + 4);
-  svg.append('text').attr('x', x).attr('y', y + 16).attr('text-anchor', 'middle').text(words);
+  svg.append('text').attr('x', x).attr('y', y + 16).attr('text-anchor', 'middle').text(text);
 }
 
 function mapFigure(parent, run, map, scale, view) {
@@ -107,5 +107,5 @@ function mapFigures(parent) {
     const scale = mapScale(shown.map(({map}) => map));
     for (const {run, map} of shown) mapFigure(box, run, map, scale, view);
   }
-  element(parent, 'p', 'Cells are coloured by class where rocks were, of values within some hundredths; exact are the GeoTIFFs in the folder maps. Lines are barriers and collectors, rings are releases of the paths shown. The relief is lit from the upper left.', {class: 'quiet'});
+  element(parent, 'p', 'Cells that rocks reached are coloured by class. Values under the pointer are rounded; the GeoTIFFs in the folder maps are exact. Lines are barriers and collectors; rings are the releases of the trajectories shown. The relief is lit from the upper left.', {class: 'quiet'});
 }

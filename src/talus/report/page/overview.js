@@ -1,4 +1,4 @@
-// What the reader sees first: cards with the greatest values, warnings, and why the rocks ended.
+// The first block of the report: cards with the main results, warnings, end reasons.
 
 function cards(parent) {
   const box = element(parent, 'div', null, {class: 'cards'});
@@ -20,9 +20,9 @@ function cards(parent) {
   };
   card('Rocks', (run) => run.summary.rocks ? [number(run.summary.rocks.done), run.summary.interrupted ? `of ${number(run.summary.rocks.planned)}` : ''] : null);
   card('Mean runout (plan)', of('runout_xy_m', 'mean', 'm'));
-  card('Longest runout (plan)', of('runout_xy_m', 'maximum', 'm'));
-  card('Greatest total kinetic energy', of('max_ke_J', 'maximum', 'kJ', 1000));
-  card('Greatest bounce height', of('max_bounce_m', 'maximum', 'm'));
+  card('Maximum runout (plan)', of('runout_xy_m', 'maximum', 'm'));
+  card('Maximum total kinetic energy', of('max_ke_J', 'maximum', 'kJ', 1000));
+  card('Maximum bounce height', of('max_bounce_m', 'maximum', 'm'));
   const names = [...new Set(runs.flatMap((run) => run.barriers.map((b) => b.name)))];
   if (names.length > 0 && names.length <= 2) {
     for (const name of names) {
@@ -34,17 +34,17 @@ function cards(parent) {
   }
 }
 
-// "road.toml:31: warning: [ground]: ..." is said to who runs the program; under this heading its beginning says nothing.
+// Drops the "road.toml:31: warning: " of the command line, which is redundant under this heading.
 const warningText = (warning) => (typeof warning === 'string' ? warning : settingText(warning)).replace(/^(?:.*?: )?warning: /, '');
 
 function warnings(parent) {
   const lines = runs.flatMap((run) => {
     const mark = single ? '' : run.label + ': ';
     const rocks = run.summary.rocks || {};
-    const stopped = run.summary.interrupted ? [`The run was interrupted: ${number(rocks.done)} of ${number(rocks.planned)} rocks are done.`] : [];
+    const stopped = run.summary.interrupted ? [`The run was interrupted after ${number(rocks.done)} of ${number(rocks.planned)} rocks.`] : [];
     return [...stopped, ...run.warnings.map(warningText), ...(run.summary.notes || []), ...run.notes].map((line) => mark + line);
   });
-  if (!lines.length) return element(parent, 'p', 'The run gave no warnings.', {class: 'quiet'});
+  if (!lines.length) return element(parent, 'p', 'The run has no warnings.', {class: 'quiet'});
   const note = element(parent, 'div', null, {class: 'note'});
   element(note, 'h4', 'Warnings and notes');
   const list = element(note, 'ul');
@@ -55,7 +55,7 @@ function endReasons(parent) {
   const reasons = [...new Set(runs.flatMap((run) => Object.keys(run.summary.end_reasons || {})))];
   const countOf = (run, reason) => (run.summary.end_reasons || {})[reason] ?? 0;
   const used = reasons.filter((reason) => runs.some((run) => countOf(run, reason) > 0));
-  if (!used.length) return element(parent, 'p', 'The summary does not say why rocks ended.', {class: 'quiet'});
+  if (!used.length) return element(parent, 'p', 'The summary has no end reasons.', {class: 'quiet'});
   const share = (run, reason) => countOf(run, reason) / (d3.sum(reasons, (r) => countOf(run, r)) || 1);
   const rows = used.map((reason) => [reason, ...runs.flatMap((run) => [
     number(countOf(run, reason)),

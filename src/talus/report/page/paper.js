@@ -1,7 +1,7 @@
-// Tables that are whole on paper. The printed page's style is tried on once; a table that is too wide for it gets smaller
-// letters on paper, as far as they can be read, and beyond that its words and numbers are broken.
+// Fits tables to the paper width. The print style is applied once to measure them: a table that is too wide is printed
+// in a smaller font, down to a readable size, and beyond that its words and numbers are broken.
 
-const paper = {width: '184mm', least: 0.7};  // A4 within the margins of style.css
+const paper = {width: '184mm', least: 0.7};  // A4 between the margins of style.css
 
 function onPaper(measure) {
   const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]).filter((rule) => rule.media && rule.media.mediaText === 'print');

@@ -1,6 +1,6 @@
-// The plan of a terrain with contours, the paths of the rocks and where they ended.
+// The plan of a terrain with contours, trajectories and end points.
 
-// Lines of equal height as lists of points [x, y]; where the relief has a hole or ends there is no line.
+// Contours as lists of points [x, y]. They stop at holes and at the edge of the relief.
 function contourLines(relief, levels) {
   const {columns, rows, cell_m, x0, y0, z_m} = relief;
   const low = levels[0] - (levels[1] - levels[0] || 1) * 1000;
@@ -12,7 +12,7 @@ function contourLines(relief, levels) {
     for (const ring of shape.coordinates.flat()) {
       let line = [];
       for (const [a, b] of ring) {
-        const point = [a - 0.5, b - 0.5];  // the library puts grid points at halves
+        const point = [a - 0.5, b - 0.5];  // d3-contour has grid points at half-integers
         if (inside(point)) {
           line.push([x0 + point[0] * cell_m, y0 + point[1] * cell_m]);
         } else if (line.length) {
@@ -26,7 +26,7 @@ function contourLines(relief, levels) {
   });
 }
 
-// The relief's heights within a rectangle, and of all of it where none of its points lies there.
+// The relief's heights within a rectangle, or all of them if it contains no grid point.
 function heightsWithin(relief, {x: [x0, x1], y: [y0, y1]}) {
   const inside = relief.z_m.filter((z, k) => {
     const x = relief.x0 + (k % relief.columns) * relief.cell_m, y = relief.y0 + Math.floor(k / relief.columns) * relief.cell_m;
@@ -42,7 +42,7 @@ function contoursWithin(relief, view) {
   return {interval, lines: interval ? contourLines(relief, levels) : []};
 }
 
-// What the plan can show: the rocks with the barriers, and the whole terrain.
+// The two extents of the plan: rocks with barriers, and the whole terrain.
 function planViews(spatial, relief) {
   const xs = [], ys = [];
   for (const run of spatial) {
@@ -62,12 +62,12 @@ function planViews(spatial, relief) {
   return xs.length ? {rocks, terrain: view(0.01)} : null;
 }
 
-// Whether rocks fill so little of the terrain that they are better shown by themselves, so much larger.
-function fillsLittle({rocks, terrain}) {
+// Whether the rocks cover so little of the terrain that the plan opens zoomed in on them.
+function coversLittle({rocks, terrain}) {
   return rocks !== null && metresPerUnit(drawing.wide, terrain) > 1.6 * metresPerUnit(drawing.wide, rocks);
 }
 
-// Returns its width; nothing where there is none.
+// Returns the figure's width; null if there is no run in 3D to draw.
 function planFigure(parent) {
   const spatial = runs.filter((run) => !run.isSection);
   if (!spatial.length) return null;
@@ -75,18 +75,18 @@ function planFigure(parent) {
   const relief = reliefRun && reliefRun.terrain.relief;
   const views = planViews(spatial, relief);
   if (!views) return null;
-  const canZoom = fillsLittle(views);
+  const canZoom = coversLittle(views);
   let shown = canZoom ? 'rocks' : 'terrain';
   const frameNow = () => mapFrame(width, views[shown], groundOf(spatial, views[shown]));
   const contoursOf = {};
   const contours = () => contoursOf[shown] || (contoursOf[shown] = relief ? contoursWithin(relief, frameNow().shown) : {interval: 0, lines: []});
-  const captionText = () => shownText() + (relief ? `Contours every ${number(contours().interval)} m; relief lit from the upper left.` : 'The summary holds no relief to draw.') +
-    (spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and lies on y = 0.` : '');
+  const captionText = () => shownText() + (relief ? `Contours every ${number(contours().interval)} m; relief lit from the upper left.` : 'The summary has no relief to draw.') +
+    (spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and drawn at y = 0.` : '');
   const picture = relief ? hillshade(relief) : null;
   const width = mapWidth(views[shown]);
   const made = figure(parent, {
-    title: 'Plan with the paths of the rocks',
-    label: 'Plan of the terrain with contours, the paths of the rocks and where they ended',
+    title: 'Plan with trajectories',
+    label: 'Plan of the terrain with contours, trajectories and end points',
     caption: captionText(),
     width,
     rows: shownRows,
@@ -98,7 +98,7 @@ function planFigure(parent) {
       if (relief) {
         layRelief(inside, frame, relief, picture);
         const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
-        const named = [];  // where contours have their heights written, so that none is written over another
+        const named = [];  // positions of contour labels, kept apart from each other
         const isShown = ([x, y]) => x > x0 && x < x1 && y > y0 && y < y1;
         for (const {level, lines} of contourSets) {
           const main = Math.round(level / interval) % 5 === 0;
@@ -122,8 +122,8 @@ function planFigure(parent) {
       drawScaleBar(inside, side, frame.scale);
       drawNorthArrow(inside, side, Boolean(spatial[0].terrain.crs_wkt));
       const signs = [
-        ...runs.map((run) => ({text: single ? 'path' : run.label, draw: sign.line('path', run.colour)})),
-        {text: 'chosen rock', draw: sign.line('path chosen', 'var(--chosen)')},
+        ...runs.map((run) => ({text: single ? 'trajectory' : run.label, draw: sign.line('path', run.colour)})),
+        {text: 'selected rock', draw: sign.line('path chosen', 'var(--chosen)')},
         {text: 'release', draw: sign.circle('release', '')},
         ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
         ...(interval ? [{text: 'contour', draw: sign.line('contour main')}] : []),

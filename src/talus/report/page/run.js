@@ -1,8 +1,7 @@
-// The runs of the page, read from its data: what the files said, with names instead of places in a row.
+// The runs of the page, from its embedded data. Table rows become objects keyed by column name.
 
 const page = JSON.parse(document.getElementById('data').textContent);
 
-// Rows of a table as objects.
 const records = (table) => table.rows.map((row) => Object.fromEntries(table.columns.map((name, i) => [name, row[i]])));
 
 const runs = page.runs.map((data, index) => {
@@ -29,7 +28,7 @@ const runs = page.runs.map((data, index) => {
     rocksWithPaths: data.paths.total,
   };
 });
-// Two runs of one name are told apart by their folders, or else by their order.
+// Two runs with the same name are labelled by their folders, or else by their order.
 const single = runs.length === 1;
 const alike = !single && runs[0].name === runs[1].name;
 for (const run of runs) {
@@ -37,15 +36,7 @@ for (const run of runs) {
   run.label = alike ? folder : run.name;
 }
 
-// Lists that the project's file has as [[material]] may be echoed under the one name or under the many.
-function listOf(run, one, many) {
-  const list = run.project[many] ?? run.project[one];
-  return Array.isArray(list) ? list.filter((item) => item && typeof item === 'object') : [];
-}
-const materialsOf = (run) => listOf(run, 'material', 'materials');
-const seedersOf = (run) => listOf(run, 'seeder', 'seeders');
-function barriersOf(run) {
-  const barriers = listOf(run, 'barrier', 'barriers').map((b) => ({...b, collector: b.is_collector === true || b.kind === 'collector'}));
-  const collectors = listOf(run, 'collector', 'collectors').map((b) => ({...b, collector: true}));
-  return [...barriers, ...collectors];
-}
+// The entries of a repeated table of the project, such as [[material]].
+const listOf = (run, table) => run.project[table] || [];
+const materialsOf = (run) => listOf(run, 'material');
+const barriersOf = (run) => [...listOf(run, 'barrier'), ...listOf(run, 'collector')];

@@ -1,6 +1,6 @@
-// The slope with its rocks in section.
+// The slope in section with trajectories.
 
-// ---- the rock that is shown in red, one for each run
+// ---- the selected rock of each run, shown in red
 
 const choice = {rocks: runs.map((run) => run.rocks[0] || null), listeners: []};
 
@@ -9,22 +9,22 @@ function choose(rock) {
   choice.listeners.forEach((listener) => listener());
 }
 
-// A frame whose axes have the same scale: as large as the width and `tallest` allow, no wider than what it shows, so that
-// the legend has room beside it.
+// A frame with the same scale on both axes, as large as the width and `tallest` allow. It is no wider than its content,
+// so that the legend fits next to it.
 function equalFrame(width, left, du, dz, tallest) {
   const scale = Math.min((width - left - 14) / du, tallest / dz);
   const room = Math.max(du * scale, Math.min(420, width - left - 14)), height = Math.max(dz * scale, 110);
   const side = {left, top: 12, right: left + room, bottom: 12 + height};
-  const beside = width - side.right > 190;
-  const lastLine = (svg, entries) => {
-    if (!beside) return legend(svg, entries, side.left, side.bottom + 58, side.right) + 12;
+  const isBeside = width - side.right > 190;
+  const drawLegend = (svg, entries) => {
+    if (!isBeside) return legend(svg, entries, side.left, side.bottom + 58, side.right) + 12;
     entries.forEach((entry, i) => legend(svg, [entry], side.right + 26, side.top + 12 + 23 * i));
     return Math.max(side.bottom + 46, side.top + 23 * entries.length + 12);
   };
-  return {side, room, height, scale, legend: lastLine};
+  return {side, room, height, scale, legend: drawLegend};
 }
 
-// ---- the section's horizontal axis: x where a run is two-dimensional, else the mean direction of travel
+// ---- the horizontal axis: x if any run is two-dimensional, otherwise the mean direction of travel
 
 const travel = (() => {
   const starts = [], ends = [];
@@ -47,8 +47,8 @@ const travel = (() => {
   };
 })();
 
-// A path between rows of paths.csv: in flight a parabola, which is a quadratic Bézier curve whose middle point lies
-// half the flight's time along the tangent of departure; else a straight line.
+// The SVG path through the rows of paths.csv. A flight is a parabola, that is a quadratic Bézier curve whose control
+// point is half the flight time along the tangent at departure; other rows are joined by straight lines.
 function pathText(rock, toX, toY, horizontal, horizontalSpeed) {
   let text = '';
   rock.rows.forEach((row, i) => {
@@ -82,16 +82,16 @@ function rockText(rock) {
   const lines = [`Rock ${rock.rock}` + (single ? '' : ` · ${run.label}`)];
   if (end) lines.push(`${end.end_reason} after ${measured(last.time)} s`);
   lines.push(`end: x ${metres(last.x)}` + (run.isSection ? '' : `, y ${metres(last.y)}`) + `, z ${metres(last.z)}`);
-  if (end) lines.push(`runout ${metres(end.runout_xy)}, greatest total kinetic energy ${measured(kJ(end.max_ke))} kJ`);
+  if (end) lines.push(`runout ${metres(end.runout_xy)}, maximum total kinetic energy ${measured(kJ(end.max_ke))} kJ`);
   return lines.join('\n');
 }
 
 const endText = (run) => (end) => [`End of rock ${end.rock}` + (single ? '' : ` · ${run.label}`), end.end_reason,
   `x ${metres(end.x)}` + (run.isSection ? '' : `, y ${metres(end.y)}`) + `, z ${metres(end.z)}`,
   `runout ${metres(end.runout_xy)}, time ${measured(end.time)} s`,
-  `greatest total kinetic energy ${measured(kJ(end.max_ke))} kJ`].join('\n');
+  `maximum total kinetic energy ${measured(kJ(end.max_ke))} kJ`].join('\n');
 
-// Paths and end points into a group; `textOf` gives a rock's path.
+// Draws trajectories and end points into a group; `textOf` returns a rock's SVG path.
 function drawRocks(group, textOf, toX, toY, endX, endY) {
   for (const run of runs) {
     const opacity = Math.min(0.85, Math.max(0.16, 5 / Math.sqrt(run.rocks.length || 1)));
@@ -110,7 +110,7 @@ function drawRocks(group, textOf, toX, toY, endX, endY) {
   drawReleases(group, runs, toX, toY, endX, endY);
 }
 
-// One ring for all releases that would lie on each other.
+// Draws one ring for all releases at the same pixel.
 function drawReleases(group, shown, toX, toY, endX, endY) {
   const starts = shown.flatMap((run) => run.rocks.map((rock) => rock.rows[0]));
   const seen = new Set();
@@ -122,7 +122,7 @@ function drawReleases(group, shown, toX, toY, endX, endY) {
   }
 }
 
-// What the CSV buttons of section and plan save: the rows of the paths that are shown.
+// The table saved by the CSV buttons of section and plan: the rows of the trajectories shown.
 function shownRows() {
   const names = {rock: 'rock', state: 'state', time: 'time_s', x: 'x_m', y: 'y_m', z: 'z_m', vx: 'vx_m_s', vy: 'vy_m_s', vz: 'vz_m_s'};
   const keys = Object.keys(names);
@@ -170,7 +170,7 @@ function reliefHeight(relief, x, y) {
   return (corners[0] * (1 - s) + corners[1] * s) * (1 - t) + (corners[2] * (1 - s) + corners[3] * s) * t;
 }
 
-// The terrain along the section's line through the mean release point, as far as the relief reaches.
+// The terrain along the section line through the mean release point, within the relief.
 function reliefProfile(relief, low, high) {
   const points = [];
   const steps = 600;
@@ -184,7 +184,7 @@ function reliefProfile(relief, low, high) {
   return points;
 }
 
-// A barrier's line on plan as points; in two dimensions it may be a plain x.
+// A barrier's line on plan as points. In 2D it may be a single x.
 function barrierLine(barrier) {
   const line = barrier.line;
   if (isNumber(line)) return [[line, 0]];
@@ -208,12 +208,12 @@ function sectionFigure(parent, width = drawing.wide) {
     if (!run.isSection && run.terrain.relief && !grounds.some((g) => g.section)) grounds.push({run, points: reliefProfile(run.terrain.relief, ...reach), section: false});
   }
   for (const ground of grounds) ground.points.forEach(([u, z]) => { us.push(u); zs.push(z); });
-  if (!us.length) return element(parent, 'p', 'The run has neither a section nor paths to draw.', {class: 'quiet'});
+  if (!us.length) return element(parent, 'p', 'The run has neither a section nor trajectories to draw.', {class: 'quiet'});
   const walls = runs.flatMap((run) => barriersOf(run).map((barrier) => {
     const line = barrierLine(barrier);
     if (!line.length || !isNumber(barrier.height_m)) return null;
     const middle = line.length === 1 ? line[0] : [d3.mean(line, (p) => p[0]), d3.mean(line, (p) => p[1])];
-    if (line.length > 1) {  // drawn only where the section crosses it rather than runs along it
+    if (line.length > 1) {  // drawn only if the section crosses it rather than runs along it
       const last = line[line.length - 1];
       const across = Math.hypot(last[0] - line[0][0], last[1] - line[0][1]);
       const along = Math.abs((last[0] - line[0][0]) * travel.direction[0] + (last[1] - line[0][1]) * travel.direction[1]);
@@ -231,8 +231,8 @@ function sectionFigure(parent, width = drawing.wide) {
   const [u0, u1] = extentOf(us, 0.02), [z0, z1] = extentOf(zs, 0.06);
   const agree = grounds.length === 2 && JSON.stringify(grounds[0].points) === JSON.stringify(grounds[1].points);
   const made = figure(parent, {
-    title: 'Section with the paths of the rocks',
-    label: 'Section of the slope with the paths of the rocks as parabolas; both axes have the same scale',
+    title: 'Section with trajectories',
+    label: 'Section of the slope with trajectories; both axes have the same scale',
     caption: '',
     width,
     rows: shownRows,
@@ -256,7 +256,7 @@ function sectionFigure(parent, width = drawing.wide) {
         const land = ground.run.project.ground || {};
         if (!ground.section || (grounds.length > 1 && !agree) || !materialsOf(ground.run).length) return;
         for (let i = 0; i + 1 < ground.points.length; ++i) {
-          const name = (Array.isArray(land.segments) && land.segments[i]) || land.default || land.default_material;
+          const name = (Array.isArray(land.segments) && land.segments[i]) || land.default;
           const colour = materialColour(ground.run, name);
           if (!colour) continue;
           used.add(name);
@@ -273,20 +273,20 @@ function sectionFigure(parent, width = drawing.wide) {
           .text(`${wall.barrier.name}, ${number(wall.barrier.height_m)} m`);
       }
       return frame.legend(svg, [
-        ...runs.map((run) => ({text: single ? 'path' : run.label, draw: sign.line('path', run.colour)})),
-        {text: 'chosen rock', draw: sign.line('path chosen', 'var(--chosen)')},
+        ...runs.map((run) => ({text: single ? 'trajectory' : run.label, draw: sign.line('path', run.colour)})),
+        {text: 'selected rock', draw: sign.line('path chosen', 'var(--chosen)')},
         {text: 'release', draw: sign.circle('release', '')},
         ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
         ...[...used].map((name) => ({text: name, draw: (g) => g.append('line').attr('class', 'ground-line').attr('x2', 22).style('stroke', materialColour(runs[0], name)).style('stroke-width', 4)})),
       ]);
     },
   });
-  const notes = [shownText(), 'Both axes have the same scale; flights are true parabolas. Click a path to choose its rock.'];
+  const notes = [shownText(), 'Both axes have the same scale; flights are true parabolas. Click a trajectory to select its rock.'];
   if (grounds.some((g) => !g.section)) {
-    notes.push(travel.isX ? 'The ground is drawn along the middle of the terrain.' : 'The ground is drawn on a line through the mean release point; rocks beside that line may seem to fly above the ground or sink into it.');
+    notes.push(travel.isX ? 'The ground is drawn along the middle of the terrain.' : 'The ground is drawn along a line through the mean release point; rocks off that line may appear above or below the ground.');
   }
   if (!travel.isX) notes.push(`The mean direction of travel is ${travel.bearing} clockwise from the y axis.`);
-  if (!grounds.length) notes.push('The summary holds no ground to draw.');
+  if (!grounds.length) notes.push('The summary has no ground to draw.');
   made.caption.text(notes.join(' '));
   choice.listeners.push(made.redraw);
 }

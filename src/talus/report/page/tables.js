@@ -1,4 +1,4 @@
-// Tables. A cell is a text, or {text, full, below, draw}: `full` shows under the pointer, `below` in small letters beneath.
+// Tables. A cell is a text, or {text, full, below, draw}: `full` is its tooltip, `below` a second line in small type.
 
 function table(parent, {caption, head, rows, numeric = () => false, rowClass}) {
   const node = element(element(parent, 'div', null, {class: 'scroll'}), 'table');
@@ -32,9 +32,9 @@ function table(parent, {caption, head, rows, numeric = () => false, rowClass}) {
   return node;
 }
 
-const mostRowsKeptTogether = 30;  // a longer table goes on over the page's end, under a head of its own
+const mostRowsKeptTogether = 30;  // a longer table may break across pages, with its head repeated
 
-// One table for both runs where they agree, else one for each.
+// One table for both runs if they agree, otherwise one for each.
 function forEachRun(caption, listOfRun, show) {
   const lists = runs.map(listOfRun);
   const same = !single && JSON.stringify(lists[0]) === JSON.stringify(lists[1]);
@@ -44,8 +44,8 @@ function forEachRun(caption, listOfRun, show) {
   });
 }
 
-// Things with settings, {name, key: value, ...}: a row each where the settings are few, else a column each, so many to a
-// table as fit on paper.
+// Items with settings, {name, key: value, ...}: one row each if the settings are few, otherwise one column each, with as
+// many columns per table as fit on paper.
 function listTable(parent, caption, listOfRun, textOf) {
   const mostKeysInARow = 5, mostColumns = 5;
   const isGiven = (value) => value !== null && value !== undefined;
@@ -73,7 +73,7 @@ function listTable(parent, caption, listOfRun, textOf) {
   });
 }
 
-// What is known of a thing, row by row: `rowsOf(run)` gives [words, text]; two runs have a column each.
+// A table of [label, value] rows, `rowsOf(run)`; one for each run where they differ.
 function factsTable(parent, caption, rowsOf) {
   forEachRun(caption, rowsOf, (title, rows) => table(parent, {caption: title, head: [], rows}));
 }

@@ -1,14 +1,14 @@
-// What was analysed: the terrain, its files, its place and size, and which part of it is of which material.
+// The terrain, its files, location and size, and the assignment of materials.
 
-// The name of a coordinate system and its number, from the well-known text: the name stands first, the number last.
+// The name and code of a coordinate system from its well-known text, where the name is first and the code last.
 function crsText(wkt) {
   const name = /^\s*\w+\["((?:[^"]|"")*)"/.exec(wkt);
   const id = /(?:ID|AUTHORITY)\["([^"]+)",\s*"?(\w+)"?\]\s*\]\s*$/.exec(wkt);
-  return (name ? name[1].replace(/""/g, '"') : 'not named') + (id ? ` (${id[1]}:${id[2]})` : '');
+  return (name ? name[1].replace(/""/g, '"') : 'unnamed') + (id ? ` (${id[1]}:${id[2]})` : '');
 }
 
-// Columns and rows of nodes and how far apart they are. The summary counts triangles, two for each square between four
-// nodes; nothing where squares would not fill the terrain's sides.
+// Columns, rows and spacing of a raster's nodes, from the triangle count of the summary: two per cell. Null if square
+// cells would not fill the terrain.
 function nodesOf(terrain) {
   const [low, high] = terrain.bounds || [];
   if (terrain.kind !== 'raster' || !low || !isNumber(terrain.triangles)) return null;
@@ -20,27 +20,27 @@ function nodesOf(terrain) {
 
 const rangeOf = (low, high) => `${number(low, 8)} to ${number(high, 8)} m (${number(high - low, 5)} m)`;
 
-// What says the terrain in the project, but for coordinates and what has no effect on it.
-function terrainSettings(given) {
-  const isTurned = given.rotate_deg ? [] : ['rotate_deg', 'rotate_about'];
-  const isMerged = given.polylines || given.polygons ? [] : ['merge_tolerance_m'];
-  const unwanted = new Set(['section', 'vertices', 'triangles', 'polylines', 'crs', ...isTurned, ...isMerged]);
-  return Object.entries(given).filter(([key]) => !unwanted.has(key))
+// The settings of the terrain, except coordinates and settings without an effect.
+function terrainSettings(run) {
+  const given = run.project.terrain || {};
+  const ofRotation = given.rotate_deg ? [] : ['rotate_deg', 'rotate_about'];
+  const unwanted = new Set(['section', 'vertices', 'triangles', 'polylines', 'crs', ...ofRotation]);
+  return Object.entries(given).filter(([key]) => !unwanted.has(key) && applies(run, 'terrain', key, given))
     .map(([key, value]) => [{text: wordsOf(key), unit: unitOf(key)}, settingText(value)]);
 }
 
 function terrainRows(run) {
   const {terrain} = run;
-  const kinds = {section: 'Section, 2D', mesh: 'Mesh of triangles, 3D', raster: 'Raster of elevations, 3D'};
+  const kinds = {section: 'Section, 2D', mesh: 'Triangle mesh, 3D', raster: 'Elevation raster, 3D'};
   const rows = terrain.kind ? [['Kind', kinds[terrain.kind] || terrain.kind]] : [];
-  rows.push(...terrainSettings(run.project.terrain || {}));
+  rows.push(...terrainSettings(run));
   if (run.isSection && Array.isArray(terrain.section)) {
     rows.push(['Vertices', number(terrain.section.length)],
       ['Extent in x', rangeOf(...d3.extent(terrain.section, (p) => p[0]))], ['Extent in z', rangeOf(...d3.extent(terrain.section, (p) => p[1]))]);
   }
   if (!run.isSection && terrain.kind) {
     const local = (run.project.terrain || {}).crs === 'local';
-    rows.push(['Coordinate system', terrain.crs_wkt ? crsText(terrain.crs_wkt) : local ? 'local: metres of no map' : 'not known']);
+    rows.push(['Coordinate system', terrain.crs_wkt ? crsText(terrain.crs_wkt) : local ? 'local, in metres' : 'unknown']);
   }
   if (Array.isArray(terrain.bounds)) {
     const [low, high] = terrain.bounds;
@@ -48,16 +48,16 @@ function terrainRows(run) {
   }
   const nodes = nodesOf(terrain);
   if (nodes) {
-    const apart = [number(nodes.dx, 4), number(nodes.dy, 4)];
+    const spacing = [number(nodes.dx, 4), number(nodes.dy, 4)];
     rows.push(['Nodes', `${number(nodes.columns)} × ${number(nodes.rows)}`],
-      [{text: 'Cell size', unit: 'm'}, apart[0] === apart[1] ? apart[0] : apart.join(' × ')]);
+      [{text: 'Cell size', unit: 'm'}, spacing[0] === spacing[1] ? spacing[0] : spacing.join(' × ')]);
   }
   if (isNumber(terrain.triangles)) rows.push(['Triangles', number(terrain.triangles)]);
   if (isNumber(run.summary.energy_datum_m)) rows.push(['Potential energy is zero at z', metres(run.summary.energy_datum_m)]);
   return rows;
 }
 
-// Segments next to each other of one material, "Segments 1 to 6".
+// Merges adjacent segments of the same material: "Segments 1 to 6".
 function segmentRows(segments) {
   const rows = [];
   segments.forEach((name, i) => {
@@ -69,10 +69,10 @@ function segmentRows(segments) {
 }
 
 function groundRows(run) {
-  const {default: fallback, default_material, segments, triangles, raster, classes, polygons, layer, attribute, values} = run.project.ground || {};
+  const {default: fallback, segments, triangles, raster, classes, polygons, layer, attribute, values} = run.project.ground || {};
   const rows = [];
-  const row = (words, value) => { if (value !== undefined) rows.push([words, settingText(value)]); };
-  row('Default', fallback ?? default_material ?? (materialsOf(run).length === 1 ? materialsOf(run)[0].name : undefined));
+  const row = (label, value) => { if (value !== undefined) rows.push([label, settingText(value)]); };
+  row('Default', fallback ?? (materialsOf(run).length === 1 ? materialsOf(run)[0].name : undefined));
   if (Array.isArray(segments)) rows.push(...segmentRows(segments));
   else row('Segments', segments);
   if (triangles !== undefined) row('Materials of triangles', Array.isArray(triangles) ? `${number(triangles.length)} entries` : triangles);
@@ -82,13 +82,13 @@ function groundRows(run) {
   row('Layer', layer);
   row('Attribute of the material', attribute);
   for (const [value, name] of Object.entries(values || {})) row(`${attribute || 'Value'} = ${value}`, name);
-  for (const {name, material, polygon} of listOf(run, 'area', 'areas')) {
+  for (const {name, material, polygon} of listOf(run, 'area')) {
     row(`Area ${name}`, material + (Array.isArray(polygon) ? `, within ${count(polygon.length, 'corner')} drawn on plan` : ''));
   }
   return rows;
 }
 
-// The file that the terrain comes from, if it is one.
+// The terrain's files, if any.
 function terrainFile(run) {
   const {raster, mesh, points, lines, polygons} = run.project.terrain || {};
   return [raster || mesh || points, lines, polygons].filter((file) => typeof file === 'string').join(', ');
