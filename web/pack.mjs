@@ -1,5 +1,5 @@
-// Adds the licences to the built page, compresses it file by file, and lists the types, for the program to hold:
-// node pack.mjs FOLDER
+// Prepares the built page for embedding in the program: adds the licences, compresses each file, and lists the types.
+// Usage: node pack.mjs FOLDER
 import { readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { extname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -17,7 +17,7 @@ const types = {
 };
 
 const folder = process.argv[2];
-if (!folder) throw new Error('which folder?');
+if (!folder) throw new Error('usage: node pack.mjs FOLDER');
 writeFileSync(join(folder, 'licences.txt'), licences(fileURLToPath(new URL('.', import.meta.url))));
 const files = readdirSync(folder, { recursive: true })
   .map((name) => join(folder, String(name)))
@@ -26,7 +26,7 @@ const files = readdirSync(folder, { recursive: true })
 
 const lines = files.map((file) => {
   const type = types[extname(file)];
-  if (!type) throw new Error(`${file}: files of this kind have no type here`);
+  if (!type) throw new Error(`${file}: no media type for this extension`);
   writeFileSync(file, gzipSync(readFileSync(file), { level: 9 }));
   return `${relative(folder, file)}\t${type}\n`;
 });

@@ -1,7 +1,7 @@
 import { defineConfig, loadEnv } from 'vite';
 
-// While the page is being written: `talus serve --port 8425`, then `npm run dev` in this folder. Requests go to the
-// server as if the page came from there; TALUS_SERVER names another one.
+// For development: `talus serve --port 8425`, then `npm run dev` in this folder. Requests are forwarded to the server as
+// if the page came from there; TALUS_SERVER is the address of another one.
 const server = loadEnv('', '.', 'TALUS_')['TALUS_SERVER'] ?? 'http://127.0.0.1:8425';
 
 export default defineConfig({

@@ -1,7 +1,7 @@
-// The rooms of the workbench: bar, model or runs at the left, the view, results below it.
+// The layout of the workbench: top bar, side panel with model, runs or text, the view, and results below it.
 
 import { useEffect } from 'preact/hooks';
-import { isOfBefore } from './state/model';
+import { isStale } from './state/model';
 import { sidePanel } from './state/view';
 import { ModelPanel } from './model/ModelPanel';
 import { dimension } from './model/place';
@@ -41,9 +41,9 @@ export function Workbench() {
       <main class="view">
         <div class="picture">
           {dimension.value === 2 ? <SectionView /> : <SceneView />}
-          {isOfBefore.value && (
-            <div class="of-before problem warning" role="status">
-              The terrain has errors: shown is the one before them.
+          {isStale.value && (
+            <div class="stale problem warning" role="status">
+              The terrain has errors. The last valid terrain is shown.
             </div>
           )}
         </div>

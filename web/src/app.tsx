@@ -5,7 +5,7 @@ import { api } from './api/client';
 import { about } from './state/about';
 import { file } from './state/document';
 import { listenToHistory } from './state/history';
-import { sayFailure } from './state/messages';
+import { reportFailure } from './state/messages';
 import { lastOpen, open } from './state/opening';
 import { follow } from './state/runs';
 import { ReplaceDialog } from './model/ReplaceDialog';
@@ -24,9 +24,9 @@ async function begin() {
 export function App() {
   useEffect(() => {
     const ends = [follow(), listenToKeys(), listenToTyping()];
-    // The project that a tab is reloaded with is where it begins.
+    // A reloaded tab opens its project first; the browser history starts there.
     void begin()
-      .catch(sayFailure)
+      .catch(reportFailure)
       .then(() => ends.push(listenToHistory()));
     return () => ends.forEach((end) => end());
   }, []);

@@ -1,4 +1,4 @@
-// For everybody: by the keyboard alone, and without what axe-core finds serious.
+// Accessibility: use by the keyboard alone, and no serious findings of axe-core.
 
 import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
@@ -12,7 +12,7 @@ async function seriousFindings(page: Page): Promise<string[]> {
     .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).join(' | ')}`);
 }
 
-test('from the start page to a changed run without a mouse', async ({ workbench: page }) => {
+test('an example can be opened, changed and run by the keyboard', async ({ workbench: page }) => {
   const example = page.getByRole('button', { name: /^Tutorial 1, a section/ });
   await expect(example).toBeVisible();
   while (!(await example.evaluate((element) => element === document.activeElement))) await page.keyboard.press('Tab');

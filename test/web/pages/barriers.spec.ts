@@ -1,4 +1,4 @@
-// Barriers and collectors: what is said of them, and what they cost to draw.
+// Barriers and collectors: their tables, and the cost of drawing them.
 
 import { openExample } from '../support/steps';
 import { expect, test } from '../support/workbench';
@@ -11,11 +11,11 @@ test('collectors stop nothing and have no capacity', async ({ workbench: page })
   await expect(page.getByRole('region', { name: 'Barriers', exact: true })).toHaveCount(0);
 });
 
-test('tables open with digits that can be read', async ({ workbench: page }) => {
+test('tables show rounded numbers first', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, in 3D');
   await page.getByRole('tab', { name: 'Rock' }).click();
   await page.getByRole('button', { name: 'First' }).click();
-  const path = page.getByRole('region', { name: /^Path of rock 0/ });
+  const path = page.getByRole('region', { name: /^Trajectory of rock 0/ });
   await expect(path).toBeVisible();
   const longest = () =>
     path.locator('td.number').evaluateAll((cells) => Math.max(...cells.map((cell) => cell.textContent!.replace(/[^\d]/g, '').length)));
@@ -24,12 +24,12 @@ test('tables open with digits that can be read', async ({ workbench: page }) => 
   expect(await longest()).toBeGreaterThan(12);
 });
 
-test('a long collector is a few things to draw', async ({ workbench: page }) => {
+test('a long collector needs few draw calls', async ({ workbench: page }) => {
   await page.addInitScript(() => {
-    const draws = { now: 0, most: 0 }; // of a frame, which begins with an empty picture
+    const draws = { now: 0, most: 0 }; // draw calls per frame, which begins with clear()
     Object.assign(window, { draws });
     const prototype = WebGL2RenderingContext.prototype as unknown as Record<string, (...all: unknown[]) => void>;
-    const tell = (name: string, task: () => void) => {
+    const spyOn = (name: string, task: () => void) => {
       const own = prototype[name]!;
       prototype[name] = function (this: unknown, ...all: unknown[]) {
         task();
@@ -37,8 +37,8 @@ test('a long collector is a few things to draw', async ({ workbench: page }) => 
       };
     };
     for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced'])
-      tell(name, () => (draws.most = Math.max(draws.most, ++draws.now)));
-    tell('clear', () => (draws.now = 0));
+      spyOn(name, () => (draws.most = Math.max(draws.most, ++draws.now)));
+    spyOn('clear', () => (draws.now = 0));
   });
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.reload();

@@ -1,4 +1,4 @@
-// Section 2.2 of the manual, click by click: from an empty project to the path of table 2-4.
+// Section 2.2 of the verification manual, built by hand: from an empty project to the trajectory of table 2-4.
 
 import type { Page } from '@playwright/test';
 import { shiftedText } from '../../../web/src/ui/format';
@@ -21,7 +21,7 @@ async function typePolyline(page: Page, vertices: readonly (readonly number[])[]
       await cell.fill(String(vertex[axis]));
       await cell.press('Tab');
     }
-    // Three complete rows make the polyline of the project; the fourth is added to it.
+    // Three complete rows add the polyline to the project; the fourth is appended to it.
   }
 }
 
@@ -30,10 +30,10 @@ async function pastePolyline(page: Page, vertices: readonly (readonly number[])[
   await page.locator('details.polyline').last().getByRole('button', { name: 'Paste rows…' }).click();
   const dialog = page.getByRole('dialog', { name: 'Paste rows' });
   await dialog.getByLabel('Rows').fill(vertices.map((vertex) => vertex.join('\t')).join('\n'));
-  await dialog.getByRole('button', { name: 'Take the rows' }).click();
+  await dialog.getByRole('button', { name: 'Add the rows' }).click();
 }
 
-test('the bowl of the manual is built by hand, and its rock takes the published path', async ({ workbench: page, server }) => {
+test('the bowl of the manual is built by hand, and its rock has the published trajectory', async ({ workbench: page, server }) => {
   await page.getByRole('textbox', { name: 'Name' }).fill('Bowl');
   await page.getByRole('button', { name: /Empty, 3D/ }).click();
   await page.getByRole('button', { name: /Closed polylines/ }).click();
@@ -67,7 +67,7 @@ test('the bowl of the manual is built by hand, and its rock takes the published 
   await page.getByRole('tab', { name: 'Rock', exact: true }).click();
   await page.getByRole('spinbutton', { name: 'Rock' }).fill('0');
   await page.getByRole('spinbutton', { name: 'Rock' }).press('Enter');
-  const table = page.getByRole('region', { name: 'Path of rock 0' }).getByRole('table');
+  const table = page.getByRole('region', { name: 'Trajectory of rock 0' }).getByRole('table');
   await page.getByRole('checkbox', { name: 'All digits' }).check();
   const shown = await cellsOf(table);
   const head = await table.locator('thead th').allTextContents();
@@ -92,7 +92,7 @@ test('the bowl of the manual is built by hand, and its rock takes the published 
       expect(Math.abs(value - Number(row[name])), `row ${k}, ${name}`).toBeLessThanOrEqual(1.0001 * printedUnit(row[name]!));
     }
   }
-  // To the digit what the run's file has; energies are read in kJ.
+  // All digits of the run's file; energies are shown in kJ.
   const runs = await page.evaluate(async () => (await fetch('/api/runs')).json());
   const [heading, ...lines] = server.read(`${runs.runs[0].folder}/paths.csv`).trim().split('\n');
   const names = heading!.trim().split(',').slice(1);

@@ -1,10 +1,10 @@
-// The picture is of the terrain's file as it is, whoever changes it.
+// The view follows changes of the terrain's file.
 
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from '../support/workbench';
 
-/// A grid of text with all heights raised.
+/// An ASCII grid with all heights raised.
 function raised(grid: string, by: number): string {
   const lines = grid.split('\n');
   const head = lines.findIndex((line) => /^\s*[\d.-]/.test(line));
@@ -12,7 +12,7 @@ function raised(grid: string, by: number): string {
   return lines.map((line, k) => (k < head ? line : up(line).join(' '))).join('\n');
 }
 
-test('changed on the disk, and dropped anew', async ({ workbench: page, server }) => {
+test('the terrain is reloaded when its file changes on disk or is dropped again', async ({ workbench: page, server }) => {
   server.copyExample('maungawhau');
   const grid = server.read('maungawhau/maungawhau.asc');
   const crs = /\ncrs = .*\n/.exec(server.read('maungawhau/maungawhau.toml'))![0].trim();
@@ -34,7 +34,7 @@ test('changed on the disk, and dropped anew', async ({ workbench: page, server }
     dataTransfer.items.add(new File([text], 'maungawhau.asc'));
     dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
   }, raised(grid, 200));
-  await page.getByRole('dialog').getByRole('button', { name: 'Replace it' }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Replace the file' }).click();
   await expect(legend).toContainText('294');
   await page.getByRole('tab', { name: 'Text' }).click();
   expect(await page.getByLabel('Project file').inputValue()).toContain(crs);

@@ -1,4 +1,4 @@
-// Two runs beside each other.
+// Comparing two runs.
 
 import type { Page } from '@playwright/test';
 import { readFileSync } from 'node:fs';
@@ -6,7 +6,7 @@ import { computeWith, fillField, openExample, openForm, runCard, runIsShown } fr
 import { cellsOf, rowsOf } from '../support/table';
 import { expect, test } from '../support/workbench';
 
-/// The example with 50 rocks, and a run of 300 that rebound more, shown beside it.
+/// Opens an example with 50 rocks, and compares it with a run of 300 rocks with a higher restitution.
 async function compareTwo(page: Page, example: string) {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, example);
@@ -29,7 +29,7 @@ async function saved(page: Page, figure: string, nth = 0) {
   return rowsOf(text.replace(/"[^"]*"/g, (name) => name.replace(/[",]/g, '')));
 }
 
-test('histograms of two runs have the same bins, and show shares of each', async ({ workbench: page }) => {
+test('histograms of two runs have the same bins and show shares of each run', async ({ workbench: page }) => {
   await compareTwo(page, 'Tutorial 1, in 3D');
   const check = (rows: Record<string, string>[], column: string, counts: number[]) => {
     const names = [...new Set(rows.map(({ of }) => of))];
@@ -48,7 +48,7 @@ test('histograms of two runs have the same bins, and show shares of each', async
   await expect(histogram.locator('text', { hasText: /^Share of rocks/ })).toBeVisible();
 });
 
-test('two runs are whole at 1366 pixels, with box plots and barriers', async ({ workbench: page }) => {
+test('the comparison with box plots and barriers fits into 1366 pixels', async ({ workbench: page }) => {
   await compareTwo(page, 'Tutorial 1, in 3D');
   await expect(page.getByRole('img', { name: /^Box plots of runout on plan of both runs/ })).toBeVisible();
   const statistics = page.getByRole('region', { name: 'Statistics: Runout on plan [m]' });
@@ -66,10 +66,10 @@ test('two runs are whole at 1366 pixels, with box plots and barriers', async ({ 
 
 type Rgb = [number, number, number];
 
-/// How many points of the picture are near a colour.
+/// The number of pixels of the view near each colour.
 async function pixelsLike(page: Page, colours: Rgb[]): Promise<number[]> {
   const picture = await page.locator('.picture canvas').first().screenshot();
-  // On a page of its own: the workbench may load nothing from elsewhere, data addresses included.
+  // On a separate page: the workbench's security policy forbids data URLs.
   const reader = await page.context().newPage();
   const counts = await reader.evaluate(
     async ([bytes, wanted]) => {
@@ -90,10 +90,10 @@ async function pixelsLike(page: Page, colours: Rgb[]): Promise<number[]> {
   return counts;
 }
 
-test('paths of two runs are of two colours, whatever paths are coloured by', async ({ workbench: page }) => {
+test('trajectories of two compared runs have two colours', async ({ workbench: page }) => {
   await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
   await compareTwo(page, 'Tutorial 1, a section');
-  const legend = page.locator('.legend').filter({ hasText: 'Paths of two runs' });
+  const legend = page.locator('.legend').filter({ hasText: 'Trajectories of two runs' });
   await expect(legend.locator('li')).toHaveText([/Lively/, /Tutorial 1, section/]);
   const [blue, vermilion, violet] = [[0, 114, 178], [213, 94, 0], [126, 3, 168]] as [Rgb, Rgb, Rgb];
   await expect.poll(async () => (await pixelsLike(page, [blue, vermilion])).every((count) => count > 200)).toBe(true);

@@ -1,5 +1,5 @@
-// Nothing that was typed is lost, and nothing is overwritten: not by a reload, not by a server that dies, not by
-// another tab, folder or program.
+// Unsaved changes are never lost and files never overwritten unasked: by a reload, a killed server, another tab, folder or
+// program.
 
 import type { Page } from '@playwright/test';
 import { backToModel, fillField, openExample, openForm, openProject, toStartPage } from '../support/steps';
@@ -7,7 +7,7 @@ import { expect, Server, test } from '../support/workbench';
 
 const roughness = 'Roughness: mean';
 
-test('a reload in the middle of an edit keeps it', async ({ workbench: page, server }) => {
+test('a reload keeps unsaved changes', async ({ workbench: page, server }) => {
   await openExample(page, 'Tutorial 1, a section');
   const saved = server.read('tutorial-1/tutorial-1-2d.toml');
   await openForm(page, /^Type Two/);
@@ -17,12 +17,12 @@ test('a reload in the middle of an edit keeps it', async ({ workbench: page, ser
   await openForm(page, /^Type Two/);
   await expect(page.getByLabel(roughness)).toHaveValue('2.5');
   expect(server.read('tutorial-1/tutorial-1-2d.toml')).toBe(saved);
-  // The file as it was is one step back.
+  // Undo returns to the saved file.
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(page.getByLabel(roughness)).toHaveValue('');
 });
 
-test('comments and order of the file survive where nothing was touched', async ({ workbench: page, server }) => {
+test('saving keeps comments and order of unchanged parts', async ({ workbench: page, server }) => {
   await openExample(page, 'Tutorial 1, a section');
   const before = server.read('tutorial-1/tutorial-1-2d.toml');
   await openForm(page, /^Type Two/);
@@ -35,18 +35,18 @@ test('comments and order of the file survive where nothing was touched', async (
   expect(after.replace('mean = 0.41', 'mean = 0.4')).toBe(before);
 });
 
-test('a server that is killed and started again finds the page, the draft and the run', async ({ workbench: page, server }) => {
+test('the page, the draft and the run survive a killed and restarted server', async ({ workbench: page, server }) => {
   await openExample(page, 'Tutorial 1, a section');
   await openForm(page, /^Type Two/);
   await page.getByLabel(roughness).fill('1.5');
   await page.getByLabel(roughness).press('Tab');
   await page.waitForResponse((response) => response.url().endsWith('/api/draft'));
   await server.end('SIGKILL');
-  await expect(page.getByRole('alert').filter({ hasText: 'The server does not answer' })).toBeVisible({ timeout: 30_000 });
+  await expect(page.getByRole('alert').filter({ hasText: 'The server does not respond' })).toBeVisible({ timeout: 30_000 });
   await page.getByLabel(roughness).fill('1.75');
   await page.getByLabel(roughness).press('Tab');
   await server.startFor(page);
-  await expect(page.getByRole('alert').filter({ hasText: 'The server does not answer' })).toBeHidden({ timeout: 30_000 });
+  await expect(page.getByRole('alert').filter({ hasText: 'The server does not respond' })).toBeHidden({ timeout: 30_000 });
   await page.getByRole('button', { name: 'Save', exact: true }).click();
   await expect(page.getByText(/^Saved/)).toBeVisible();
   expect(server.read('tutorial-1/tutorial-1-2d.toml')).toContain('1.75');
@@ -64,7 +64,7 @@ const title = (page: Page, name: string) =>
 const drafted = (page: Page) =>
   page.waitForResponse((response) => response.url().endsWith('/api/draft') && response.ok());
 
-test('a draft does not overwrite a file that was changed since', async ({ workbench: page, server }) => {
+test('a draft does not overwrite a file that changed since', async ({ workbench: page, server }) => {
   server.write('a.toml', one);
   await page.reload();
   await openProject(page, 'a.toml');
@@ -74,18 +74,18 @@ test('a draft does not overwrite a file that was changed since', async ({ workbe
   server.write('a.toml', 'name = "Theirs"\n');
   await page.reload();
   await title(page, 'Mine');
-  await expect(page.getByText(/The file has been changed since by another program/)).toBeVisible();
-  await page.getByRole('button', { name: 'Go on with it' }).click();
+  await expect(page.getByText(/Another program has changed the file since/)).toBeVisible();
+  await page.getByRole('button', { name: 'Keep the draft' }).click();
   await page.keyboard.press('Control+s');
   const dialog = page.getByRole('dialog', { name: 'Not saved' });
   await expect(dialog).toContainText('was changed by another program meanwhile');
   expect(server.read('a.toml')).toBe('name = "Theirs"\n');
-  await dialog.getByRole('button', { name: 'Overwrite it' }).click();
+  await dialog.getByRole('button', { name: 'Overwrite the file' }).click();
   await expect(page.getByText('Saved a.toml')).toBeVisible();
   expect(server.read('a.toml')).toBe('name = "Mine"\n');
 });
 
-test('saving over and over saves the last, and finds no conflict with itself', async ({ workbench: page, server }) => {
+test('repeated saving stores the last text without conflicts', async ({ workbench: page, server }) => {
   server.write('a.toml', one);
   await page.reload();
   await openProject(page, 'a.toml');
@@ -104,14 +104,14 @@ test('saving over and over saves the last, and finds no conflict with itself', a
   expect(server.read('a.toml')).toBe('name = "Four"\n');
 });
 
-test('what was typed last outlives a visit to the start page, and a reload', async ({ workbench: page, server }) => {
+test('typed text survives a visit to the start page and a reload', async ({ workbench: page, server }) => {
   server.write('a.toml', one);
   await page.reload();
   await openProject(page, 'a.toml');
   await openForm(page, /^Project and analysis/);
   await page.getByLabel('Name', { exact: true }).fill('Two');
   await toStartPage(page);
-  await expect(page.getByRole('button', { name: 'a.toml' })).toContainText('with a draft that is not saved');
+  await expect(page.getByRole('button', { name: 'a.toml' })).toContainText('with an unsaved draft');
   await openProject(page, 'a.toml');
   await title(page, 'Two');
   await openForm(page, /^Project and analysis/);
@@ -120,7 +120,7 @@ test('what was typed last outlives a visit to the start page, and a reload', asy
   await title(page, 'Three');
 });
 
-test('a new project does not take the place of one that was never saved', async ({ workbench: page }) => {
+test('a new project does not replace one that was never saved', async ({ workbench: page }) => {
   const begin = () => page.getByRole('button', { name: 'Empty, 3D' }).click();
   await begin();
   await backToModel(page);
@@ -134,7 +134,7 @@ test('a new project does not take the place of one that was never saved', async 
   await title(page, 'First');
 });
 
-test('a draft stays in its folder, when another is served on the same port', async ({ workbench: page, server }) => {
+test('a draft stays with its folder when another folder is served on the same port', async ({ workbench: page, server }) => {
   server.write('a.toml', one);
   await page.reload();
   await openProject(page, 'a.toml');
@@ -146,13 +146,13 @@ test('a draft stays in its folder, when another is served on the same port', asy
 
   const other = new Server(server.port);
   other.write('a.toml', one);
-  // The page that is still open writes nothing there.
+  // The open page writes nothing into the other folder.
   await other.start();
   await page.context().newPage().then((entering) => entering.goto(other.address));
   await page.keyboard.press('Control+s');
   await expect(page.getByText(/a\.toml: belongs to another folder/)).toBeVisible();
   expect(other.read('a.toml')).toBe(one);
-  // One that is opened there finds nothing of it.
+  // A project opened there has no draft.
   await page.reload();
   await openProject(page, 'a.toml');
   await title(page, 'One');
@@ -163,7 +163,7 @@ test('a draft stays in its folder, when another is served on the same port', asy
   await title(page, 'Mine');
 });
 
-test('a tab that goes back to the file leaves the draft of another tab', async ({ workbench: page, server }) => {
+test('a tab that returns to the file keeps the draft of another tab', async ({ workbench: page, server }) => {
   server.write('a.toml', one);
   await page.reload();
   await openProject(page, 'a.toml');

@@ -1,9 +1,9 @@
-// A change lands where it is meant to, or says why it does not.
+// Changes apply to the right entry, or are rejected with a reason.
 
 import { backToModel, fillField, openExample, openForm, openProject, projectText, toStartPage } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-test('a name that another material has is corrected, and the ground stays what it was', async ({ workbench: page }) => {
+test('correcting a duplicate name keeps the materials of the ground', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   const ground = (text: string) => /\[ground\][^[]*\[[^\]]*\]/.exec(text)![0];
   const before = ground(await projectText(page));
@@ -36,7 +36,7 @@ rocks = 1
 mass_kg = 100
 `;
 
-test('triangles of a material that is deleted have none, and it is said', async ({ workbench: page, server }) => {
+test('deleting a material unassigns its triangles and reports it', async ({ workbench: page, server }) => {
   server.write('a.toml', twoTriangles);
   await page.reload();
   await openProject(page, 'a.toml');
@@ -62,7 +62,7 @@ test('a direction is a word or numbers', async ({ workbench: page, server }) => 
   expect(await projectText(page)).toBe(twoTriangles);
 });
 
-test('a drawing ends with the project or entry for which it was begun', async ({ workbench: page, server }) => {
+test('a drawing ends when its project or entry is closed or deleted', async ({ workbench: page, server }) => {
   server.write('a.toml', twoTriangles);
   server.write('b.toml', twoTriangles);
   await page.reload();
@@ -77,7 +77,7 @@ test('a drawing ends with the project or entry for which it was begun', async ({
   await openProject(page, 'b.toml');
   await expect(hint).toHaveCount(0);
 
-  // Deleted by hand; or with an entry before it, by undoing what added that.
+  // The entry is deleted, or its index changes by Undo.
   await openForm(page, /^Right/);
   await pick.click();
   await page.getByRole('button', { name: 'Delete seeder' }).click();
@@ -90,7 +90,7 @@ test('a drawing ends with the project or entry for which it was begun', async ({
   expect(await projectText(page)).toBe(twoTriangles);
 });
 
-test('while the text is not TOML, forms say that they cannot change it', async ({ workbench: page, server }) => {
+test('forms report that they cannot change a text that is not valid TOML', async ({ workbench: page, server }) => {
   server.write('a.toml', twoTriangles);
   server.write('b.toml', '[[broken\n');
   await page.reload();
@@ -100,16 +100,16 @@ test('while the text is not TOML, forms say that they cannot change it', async (
   await page.getByRole('tab', { name: 'Model' }).click();
   await openForm(page, /^Project and analysis/);
   await fillField(page, 'Name', 'Lost');
-  await expect(page.getByText(/^Could not change Name of the project: the text is not TOML \(line 21/)).toBeVisible();
+  await expect(page.getByText(/^Could not change Name of the project: the text is not valid TOML \(line 21/)).toBeVisible();
   await expect(page.getByLabel('Name', { exact: true })).toHaveValue('Two triangles');
   await toStartPage(page);
-  // Nothing of it is told of the next one.
+  // The next project does not show its values.
   await openProject(page, 'b.toml');
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('b');
   await expect(page.getByRole('navigation', { name: 'Model' }).getByRole('button', { name: /^Rock/ })).toHaveCount(0);
 });
 
-test('a file that begins with a mark is shown and changed', async ({ workbench: page, server }) => {
+test('a file with a byte order mark is shown and edited', async ({ workbench: page, server }) => {
   server.write('a.toml', `\ufeff${twoTriangles}`);
   await page.reload();
   await openProject(page, 'a.toml');
@@ -120,7 +120,7 @@ test('a file that begins with a mark is shown and changed', async ({ workbench: 
   expect(server.read('a.toml')).toBe(`\ufeff${twoTriangles.replace('Two triangles', 'Three')}`);
 });
 
-test('undoing comes by what was saved, and by what was typed into one cell', async ({ workbench: page }) => {
+test('Undo stops at saved states and handles each cell as one step', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await openForm(page, /^Crest/);
   await fillField(page, 'Rocks', '100');

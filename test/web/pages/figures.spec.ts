@@ -1,4 +1,4 @@
-// What figures say under the pointer, and what a click on their legends does.
+// Tooltips and legends of figures.
 
 import type { Page } from '@playwright/test';
 import { openExample } from '../support/steps';
@@ -6,7 +6,7 @@ import { expect, test } from '../support/workbench';
 
 const tip = (page: Page) => page.locator('#tip');
 
-test('bars and boxes say their numbers while the pointer is on them', async ({ workbench: page }) => {
+test('bars and boxes show their numbers under the pointer', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Distributions' }).click();
@@ -19,7 +19,7 @@ test('bars and boxes say their numbers while the pointer is on them', async ({ w
   await expect(tip(page)).toBeHidden();
 });
 
-test('the legend of envelopes hides and shows curves, and the pointer reads all of them', async ({ workbench: page }) => {
+test('the legend of envelopes switches curves, and the tooltip shows all of them', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Envelopes' }).click();
@@ -34,7 +34,7 @@ test('the legend of envelopes hides and shows curves, and the pointer reads all 
   await expect(tip(page)).toHaveText(/^x \d+ to \d+ m\smaximum [\d.]+ kJ\spercentile 99 [\d.]+ kJ\s.*mean [\d.]+ kJ$/s);
 });
 
-test('the energy of a rock is drawn in its parts, which add up under the pointer', async ({ workbench: page }) => {
+test('the energies of a rock add up in the tooltip', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Rock' }).click();

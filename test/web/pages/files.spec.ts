@@ -1,4 +1,4 @@
-// Files that are chosen, dropped, and chosen again.
+// Choosing, dropping and replacing files.
 
 import { readFileSync, writeFileSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -10,7 +10,7 @@ const valley = join(sources, 'examples/first-gis-run/valley.tif');
 const terrainFile = (page: Page) => page.getByLabel('Terrain file', { exact: true });
 const asked = (page: Page, name: string) => page.getByRole('dialog', { name: `Replace ${name}?` });
 
-/// Drops a file somewhere on the page; whether the page took it.
+/// Drops a file on the page. Returns whether the page accepted it.
 const drop = (page: Page, name: string, text: string) =>
   page.evaluate(
     ([called, content]) => {
@@ -23,10 +23,10 @@ const drop = (page: Page, name: string, text: string) =>
     [name, text],
   );
 
-test('a file that is there already begins a project, too', async ({ workbench: page, server }) => {
+test('a project can be started from a file that exists already', async ({ workbench: page, server }) => {
   server.write('valley.tif', 'the old one');
   await terrainFile(page).setInputFiles(valley);
-  await asked(page, 'valley.tif').getByRole('button', { name: 'Replace it' }).click();
+  await asked(page, 'valley.tif').getByRole('button', { name: 'Replace the file' }).click();
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('valley');
   expect(readFileSync(join(server.folder, 'valley.tif')).equals(readFileSync(valley))).toBe(true);
   await toStartPage(page);
@@ -35,10 +35,10 @@ test('a file that is there already begins a project, too', async ({ workbench: p
   await asked(page, 'valley.tif').getByRole('button', { name: 'Close' }).click();
   await expect(asked(page, 'valley.tif')).toHaveCount(0);
   await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible();
-  await expect(page.getByText('That is not a terrain')).toHaveCount(0);
-  // The same once more.
+  await expect(page.getByText('Talus cannot read this file as terrain')).toHaveCount(0);
+  // The same file again.
   await terrainFile(page).setInputFiles(valley);
-  await asked(page, 'valley.tif').getByRole('button', { name: 'Take the one that is there' }).click();
+  await asked(page, 'valley.tif').getByRole('button', { name: 'Use the existing file' }).click();
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('valley');
   expect(await projectText(page)).toContain('raster = "valley.tif"');
 });
@@ -52,7 +52,7 @@ const contours = JSON.stringify({
   })),
 });
 
-test('contours begin a project as lines of a survey', async ({ workbench: page, server }) => {
+test('contours start a project as lines of a survey', async ({ workbench: page, server }) => {
   mkdirSync(join(server.folder, '.elsewhere'));
   const file = join(server.folder, '.elsewhere/contours.geojson');
   writeFileSync(file, contours);
@@ -61,7 +61,7 @@ test('contours begin a project as lines of a survey', async ({ workbench: page, 
   expect(await projectText(page)).toContain('lines = "contours.geojson"');
 });
 
-test('of a Shapefile the setting names the .shp', async ({ workbench: page, server }) => {
+test('a setting names the .shp of an uploaded Shapefile', async ({ workbench: page, server }) => {
   server.write('a.toml', '[terrain]\npoints = "a.csv"\n');
   server.write('a.csv', 'x,y,z\n0,0,0\n10,0,0\n0,10,5\n');
   await page.reload();
@@ -77,27 +77,27 @@ test('of a Shapefile the setting names the .shp', async ({ workbench: page, serv
   expect(server.read('contours.cpg')).toBe('cpg');
 });
 
-test('a list of files that is cut says so', async ({ workbench: page, server }) => {
+test('a truncated list of files is reported', async ({ workbench: page, server }) => {
   const cut = page.getByText('Only 2,000 files of the folder are listed.');
   await expect(page.getByRole('heading', { name: 'New project' })).toBeVisible();
   await expect(cut).toHaveCount(0);
   for (let k = 0; k <= 2000; ++k) server.write(`${k}.csv`, '');
   await page.reload();
-  await expect(page.getByRole('region', { name: 'Projects of this folder' })).toContainText(/Only 2,000 files/);
+  await expect(page.getByRole('region', { name: 'Projects in this folder' })).toContainText(/Only 2,000 files/);
   await page.getByRole('button', { name: 'Empty, 3D' }).click();
   await expect(cut).toBeVisible();
-  await expect(page.getByText(/^and \d+ others, under their kinds$/)).toBeVisible();
+  await expect(page.getByText(/^and \d+ more, listed under their kinds$/)).toBeVisible();
   await page.getByRole('button', { name: /^\d+\.csv$/ }).first().click();
   await expect(page.locator('.file-control').first()).toContainText('Only 2,000 files');
 });
 
-test('a file may be dropped whatever panel is open', async ({ workbench: page, server }) => {
+test('files can be dropped on every panel', async ({ workbench: page, server }) => {
   server.write('a.toml', 'name = "A"\n');
   await page.reload();
   await openProject(page, 'a.toml');
   await page.getByRole('tab', { name: 'Runs' }).click();
   expect(await drop(page, 'notes.txt2', 'x')).toBe(true);
-  await expect(page.getByText('Kept in the folder: notes.txt2.')).toBeVisible();
+  await expect(page.getByText('Uploaded: notes.txt2.')).toBeVisible();
   await page.getByRole('tab', { name: 'Text' }).click();
   expect(await drop(page, 'b.csv', 'x,y,z\n0,0,0\n10,0,0\n0,10,5\n')).toBe(true);
   await expect(page.getByRole('heading', { name: 'Terrain', level: 2 })).toBeVisible();

@@ -1,4 +1,4 @@
-// Which rocks are looked at: the same in the picture, in its words and in the tables; and only in their project.
+// The rock filter applies to the view, its legends and the tables of its project.
 
 import type { Page } from '@playwright/test';
 import { rowsOf } from '../support/table';
@@ -25,29 +25,29 @@ async function folderOf(page: Page): Promise<string> {
 }
 const endsOf = (server: Server, folder: string) => rowsOf(server.read(`${folder}/endpoints.csv`));
 
-test('a filter that leaves no rock leaves no path and no end point in 3D, however often it changes', async ({ workbench: page }) => {
+test('a filter that no rock passes hides all trajectories and end points in 3D', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
-  await tick(page, 'Layers', 'Paths', false);
+  await tick(page, 'Layers', 'Trajectories', false);
   await tick(page, 'Layers', 'End points', false);
   await page.mouse.move(0, 0);
   await page.waitForTimeout(500);
   const bare = await viewShot(page);
-  await tick(page, 'Layers', 'Paths', true);
+  await tick(page, 'Layers', 'Trajectories', true);
   await tick(page, 'Layers', 'End points', true);
   await page.mouse.move(0, 0);
   await expect.poll(async () => (await viewShot(page)).equals(bare)).toBe(false);
   const full = await viewShot(page);
   await filterByEnergy(page, '1000000');
   await page.mouse.move(0, 0);
-  await expect(page.getByText('0 of 50 paths')).toBeVisible();
+  await expect(page.getByText('0 of 50 trajectories')).toBeVisible();
   await expect.poll(async () => (await viewShot(page)).equals(bare)).toBe(true);
   await filterByEnergy(page, '');
   await page.mouse.move(0, 0);
   await expect.poll(async () => (await viewShot(page)).equals(full)).toBe(true);
 });
 
-test('the overview is of the rocks that the filter leaves, and says how many', async ({ workbench: page, server }) => {
+test('the overview is of the filtered rocks and shows their number', async ({ workbench: page, server }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
   const ends = endsOf(server, await folderOf(page));
@@ -56,44 +56,44 @@ test('the overview is of the rocks that the filter leaves, and says how many', a
   const left = ends.filter(({ max_ke_J }) => Number(max_ke_J) >= 1000 * least);
   await filterByEnergy(page, String(least));
   await page.getByRole('tab', { name: 'Overview' }).click();
-  const said = `${left.length} of 50 rocks`;
-  const table = page.getByRole('region', { name: `Statistics over ${said}` });
+  const population = `${left.length} of 50 rocks`;
+  const table = page.getByRole('region', { name: `Statistics over ${population}` });
   await expect(table).toBeVisible();
-  await expect(page.locator('.filter-note')).toContainText(said);
+  await expect(page.locator('.filter-note')).toContainText(population);
   await page.getByRole('checkbox', { name: 'All digits' }).check();
   const smallest = Math.min(...left.map(({ max_ke_J }) => Number(max_ke_J)));
   const cells = await table.getByRole('row', { name: /^Minimum/ }).locator('td').allTextContents();
   const column = (await table.getByRole('columnheader').allTextContents()).findIndex((text) => /kinetic/.test(text));
   expect(Math.abs(Number(cells[column - 1]) * 1000 - smallest)).toBeLessThan(1e-9 * smallest);
-  const counted = page.getByRole('region', { name: 'How the rocks ended' }).locator('tbody td');
+  const counted = page.getByRole('region', { name: 'End reasons' }).locator('tbody td');
   const total = (await counted.allTextContents()).reduce((sum, text) => sum + Number(text), 0);
   expect(total).toBe(left.length);
 });
 
-test('how one project is looked at is not how the next one is', async ({ workbench: page }) => {
+test('display settings belong to a project', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
-  await tick(page, 'Paths', 'Show paths', false);
+  await tick(page, 'Trajectories', 'Show trajectories', false);
   await filterByEnergy(page, '1000000');
   await toStartPage(page);
   await openExample(page, 'Tutorial 1, a section');
   await expect(panel(page, 'Filter')).toHaveText(/^Filter\s*▾$/);
-  await panel(page, 'Paths').click();
-  await expect(page.getByRole('checkbox', { name: 'Show paths' })).toBeChecked();
+  await panel(page, 'Trajectories').click();
+  await expect(page.getByRole('checkbox', { name: 'Show trajectories' })).toBeChecked();
   await page.keyboard.press('Escape');
   await expect(page.getByText('Speed, m/s')).toBeVisible();
-  // The first one is as it was left; a filter is not kept, since whoever comes back may not think of it.
+  // The first project keeps its settings, but not the filter, which is easily forgotten.
   await toStartPage(page);
   await openExample(page, 'Tutorial 1, in 3D');
-  await panel(page, 'Paths').click();
-  await expect(page.getByRole('checkbox', { name: 'Show paths' })).not.toBeChecked();
+  await panel(page, 'Trajectories').click();
+  await expect(page.getByRole('checkbox', { name: 'Show trajectories' })).not.toBeChecked();
   await expect(panel(page, 'Filter')).toHaveText(/^Filter\s*▾$/);
 });
 
-test('rocks are seen in motion where their paths are not', async ({ workbench: page }) => {
+test('moving rocks are shown without trajectories', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
-  await tick(page, 'Layers', 'Paths', false);
+  await tick(page, 'Layers', 'Trajectories', false);
   await page.getByRole('slider', { name: 'Time' }).press('PageDown');
   await page.mouse.move(0, 0);
   await page.waitForTimeout(300);

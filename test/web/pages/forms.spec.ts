@@ -1,9 +1,9 @@
-// Forms: what is typed, chosen and greyed out.
+// Forms: typed values, choices and disabled fields.
 
 import { fillField, openExample, openForm, backToModel, projectText } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-test('a decimal comma can be typed in the field of a number', async ({ workbench: page }) => {
+test('the field of a number accepts a decimal comma', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await openForm(page, /^Type One/);
   const field = page.getByLabel('Normal restitution: mean', { exact: true });
@@ -13,14 +13,14 @@ test('a decimal comma can be typed in the field of a number', async ({ workbench
   await expect(field).toHaveValue('0.35');
   await expect(field).toHaveAttribute('aria-invalid', 'false');
   expect(await projectText(page)).toContain('mean = 0.35');
-  // It may be a thousand and more: the engine says how to write it.
+  // This may mean 1000, so the engine reports how to write it.
   await backToModel(page);
   await openForm(page, /^Crest/);
   await fillField(page, 'Mass: mean', '1,000');
   await expect(page.getByLabel('Mass: mean', { exact: true })).toHaveAttribute('aria-invalid', 'true');
 });
 
-test('keys in the library of materials add nothing until one is chosen', async ({ workbench: page }) => {
+test('the library of materials adds a material only when one is chosen', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   const before = await projectText(page);
   const library = page.getByRole('button', { name: '+ From the library…' });
@@ -28,7 +28,7 @@ test('keys in the library of materials add nothing until one is chosen', async (
   await page.keyboard.press('ArrowDown');
   expect(await projectText(page)).toBe(before);
   await library.press('Enter');
-  const dialog = page.getByRole('dialog', { name: 'Add a material of the library' });
+  const dialog = page.getByRole('dialog', { name: 'Add a material from the library' });
   await expect(dialog).toBeVisible();
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Escape');
@@ -40,30 +40,30 @@ test('keys in the library of materials add nothing until one is chosen', async (
   expect(await projectText(page)).toContain('like = "talus_cover"');
 });
 
-test('a material of the library with other values is said to be changed, and offered a name', async ({ workbench: page }) => {
+test('a library material with changed values is marked and offered another name', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('button', { name: '+ From the library…' }).click();
   await page.getByRole('button', { name: 'Add Talus cover', exact: true }).click();
-  const notice = page.getByText('It has the name of “Talus cover” of the library, but other values: normal restitution.');
+  const notice = page.getByText('Named like “Talus cover” of the library, with other values of: normal restitution.');
   await expect(notice).toHaveCount(0);
   await fillField(page, 'Normal restitution: mean', '0.6');
   await expect(notice).toBeVisible();
   await backToModel(page);
   await expect(page.getByRole('navigation', { name: 'Model' }).getByRole('button', { name: /^Talus cover/ })).toContainText('changed');
   await openForm(page, /^Talus cover/);
-  await page.getByRole('button', { name: 'Call it “Talus cover, changed”' }).click();
+  await page.getByRole('button', { name: 'Rename to “Talus cover, changed”' }).click();
   await expect(page.getByLabel('Name', { exact: true })).toHaveValue('Talus cover, changed');
   await expect(notice).toHaveCount(0);
 });
 
-test('settings of the other rock model are greyed out, and say why', async ({ workbench: page }) => {
+test('settings of the other rock model are disabled with a reason', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await openForm(page, /^Type One/);
   const [sphere, lumped] = [page.getByLabel('Rolling friction: mean'), page.getByLabel('Friction angle: mean')];
   await expect(sphere).toBeDisabled();
   await expect(lumped).toBeEnabled();
   const group = page.getByRole('group', { name: /^Rolling friction/ });
-  await expect(group).toContainText('Of a rigid sphere only; the rock model is lumped mass.');
+  await expect(group).toContainText('Applies only to the rigid sphere model; the rock model is lumped mass.');
   await backToModel(page);
   await openForm(page, /^Project and analysis/);
   const rotation = page.getByLabel('Rotation', { exact: true });
@@ -94,30 +94,30 @@ test('maps are chosen one by one', async ({ workbench: page }) => {
   await expect(velocity).toBeChecked();
 });
 
-test('an error goes when it holds no more', async ({ workbench: page }) => {
+test('an error disappears when it no longer applies', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
-  const said = page.locator('.messages .error');
+  const errors = page.locator('.messages .error');
   await page.getByRole('tab', { name: 'Text' }).click();
   const text = page.getByLabel('Project file');
-  const sound = await text.inputValue();
-  await text.fill(`${sound}\n[`);
+  const valid = await text.inputValue();
+  await text.fill(`${valid}\n[`);
   await page.getByRole('tab', { name: 'Model' }).click();
   await page.getByRole('button', { name: '+ Add collector' }).click();
-  await expect(said).toContainText('Could not add a collector');
+  await expect(errors).toContainText('Could not add a collector');
   await page.getByRole('button', { name: 'Undo' }).click();
-  await expect(said).toHaveCount(0);
-  // Refused for a text, which is then another one.
+  await expect(errors).toHaveCount(0);
+  // The error of a run disappears when the text changes.
   const isBroken = (url: URL) => url.pathname === '/api/runs';
   await page.route(isBroken, (route) => route.abort());
   await page.getByRole('button', { name: 'Compute', exact: true }).click();
-  await expect(said).toHaveCount(1);
+  await expect(errors).toHaveCount(1);
   await openForm(page, /^Crest/);
   await fillField(page, 'Rocks', '5');
-  await expect(said).toHaveCount(0);
-  // Refused once, and taken the next time.
+  await expect(errors).toHaveCount(0);
+  // The error of a run disappears when the next one succeeds.
   await page.getByRole('button', { name: 'Compute', exact: true }).click();
-  await expect(said).toHaveCount(1);
+  await expect(errors).toHaveCount(1);
   await page.unroute(isBroken);
   await page.getByRole('button', { name: 'Compute', exact: true }).click();
-  await expect(said).toHaveCount(0);
+  await expect(errors).toHaveCount(0);
 });

@@ -1,11 +1,11 @@
-// A GeoTIFF, a seeder drawn as a polygon, a barrier, a map.
+// A project from a GeoTIFF, with a drawn seeder, barrier and areas, and maps of results.
 
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { backToModel, runIsShown } from '../support/steps';
 import { expect, sources, test } from '../support/workbench';
 
-/// The valley of the example, seen as a key says.
+/// Opens the valley of the example in a named view, given by its key.
 async function openValley(page: Page, view: string) {
   await page.getByLabel('Terrain file').setInputFiles(join(sources, 'examples/first-gis-run/valley.tif'));
   await expect(page.getByText(/Elevation, m/)).toBeVisible({ timeout: 30_000 });
@@ -16,7 +16,7 @@ async function openValley(page: Page, view: string) {
   return picture;
 }
 
-test('a terrain file is taken, a polygon and a barrier are drawn, and a map lies on the ground', async ({ workbench: page, server }) => {
+test('a seeder and a barrier are drawn on a terrain file, and a map is draped over it', async ({ workbench: page, server }) => {
   test.setTimeout(120_000);
   const picture = await openValley(page, '1'); // oblique
   await page.getByRole('button', { name: '+ Add material' }).click();
@@ -59,7 +59,7 @@ test('a terrain file is taken, a polygon and a barrier are drawn, and a map lies
   await expect(page.locator('.legend').filter({ hasText: 'Rocks that were in the cell' })).toBeVisible();
 });
 
-test('areas of the ground are drawn, listed, undone, and marked where they are wrong', async ({ workbench: page, server }) => {
+test('areas of the ground are drawn, listed, undone, and marked if they are invalid', async ({ workbench: page, server }) => {
   const picture = await openValley(page, '2'); // plan
   for (const name of ['Rock', 'Scree']) {
     await page.getByRole('button', { name: '+ Add material' }).click();
@@ -74,7 +74,7 @@ test('areas of the ground are drawn, listed, undone, and marked where they are w
     await page.getByRole('button', { name: `Draw an area of ${material}` }).click();
     for (const [x, y] of places) await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
     await page.keyboard.press('Enter');
-    await expect(page.getByText(/holds? over what is said above;/)).toBeVisible();
+    await expect(page.getByText(/overrides? the settings above\./)).toBeVisible();
     await backToModel(page);
   };
   const built = page.waitForResponse(async (response) => {
@@ -82,7 +82,7 @@ test('areas of the ground are drawn, listed, undone, and marked where they are w
     return (await response.json()).model?.areas.length === 2;
   });
   await draw('Scree', [[0.45, 0.4], [0.55, 0.4], [0.55, 0.6], [0.45, 0.6]]); // prettier-ignore
-  await expect(page.getByRole('figure', { name: 'Material' })).toBeVisible(); // the picture is coloured by it
+  await expect(page.getByRole('figure', { name: 'Material' })).toBeVisible(); // the view is coloured by material
   await draw('Rock', [[0.48, 0.45], [0.52, 0.45], [0.5, 0.55]]); // prettier-ignore
   await expect(outline.getByRole('button', { name: /^Area 1 Scree/ })).toBeVisible();
   await expect(outline.getByRole('button', { name: /^Area 2 Rock/ })).toBeVisible();
@@ -101,7 +101,7 @@ test('areas of the ground are drawn, listed, undone, and marked where they are w
   await expect(table.getByRole('button', { name: /^Delete row/ })).toHaveCount(4);
   await page.getByRole('combobox', { name: 'Material', exact: true }).selectOption('Rock');
   await backToModel(page);
-  // A material that gets another name has it in its areas, too.
+  // Renaming a material updates its areas.
   await outline.getByRole('button', { name: /^Rock/ }).click();
   await page.getByLabel('Name', { exact: true }).fill('Limestone');
   await page.getByLabel('Name', { exact: true }).press('Tab');

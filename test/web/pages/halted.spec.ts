@@ -1,9 +1,9 @@
-// Runs that ended before their time: what they have is shown, and what they lack is said.
+// Runs that ended early: their results, and what is missing.
 
 import { computeWith, openExample, runCard, runIsShown } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-test('a run whose server was killed shows what was done', async ({ workbench: page, server }) => {
+test('a run whose server was killed has partial results', async ({ workbench: page, server }) => {
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Runs' }).click();
   await computeWith(page, 'Long', 1_000_000_000);
@@ -14,14 +14,14 @@ test('a run whose server was killed shows what was done', async ({ workbench: pa
   await server.end('SIGKILL');
   await server.startFor(page);
   await expect(long).toContainText(/Interrupted, [\d,]+ of/, { timeout: 30_000 });
-  await page.getByRole('button', { name: 'Write what is done' }).click();
+  await page.getByRole('button', { name: 'Write partial results' }).click();
   await runIsShown(page);
   await page.getByRole('tab', { name: 'Overview' }).click();
   await expect(page.getByText(/of 1000000000: the run was stopped/)).toBeVisible();
   await expect(long.getByRole('button', { name: 'Resume' })).toBeVisible();
 });
 
-test('of a run that was stopped while it waited nothing is asked', async ({ workbench: page }) => {
+test('a run that was stopped while waiting requests no results', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   const missed: string[] = [];
   page.on('response', (response) => response.status() === 404 && missed.push(response.url()));
@@ -30,9 +30,9 @@ test('of a run that was stopped while it waited nothing is asked', async ({ work
   await expect(runCard(page, 'Long').getByRole('progressbar')).toBeVisible();
   await computeWith(page, 'Next', 50);
   const next = runCard(page, 'Next');
-  await expect(page.getByText('This run waits for others to end. Its results come then.')).toBeVisible();
+  await expect(page.getByText('This run is waiting for other runs to finish.')).toBeVisible();
   await next.getByRole('button', { name: 'Stop' }).click();
-  const why = page.getByText('This run was stopped before its first rock was done.');
+  const why = page.getByText('This run was stopped before any rock was finished.');
   await expect(why).toBeVisible();
   await expect(next).toContainText('Stopped');
   expect(missed).toEqual([]);

@@ -1,4 +1,4 @@
-// Back and Forward of the browser stay in the workbench.
+// Back and Forward of the browser within the workbench.
 
 import type { Page } from '@playwright/test';
 import { openExample, openForm } from '../support/steps';
@@ -6,7 +6,7 @@ import { expect, test } from '../support/workbench';
 
 const heading = (page: Page, name: string) => page.getByRole('heading', { name, exact: true });
 
-test('Back leads from forms, tabs and projects to the start page, and Forward there again', async ({ workbench: page }) => {
+test('Back leads from forms, tabs and projects to the start page, and Forward returns', async ({ workbench: page }) => {
   await expect(heading(page, 'Talus')).toBeVisible();
   await openExample(page, 'Tutorial 1, a section');
   await openForm(page, /^Type One/);
@@ -31,7 +31,7 @@ test('Back leads from forms, tabs and projects to the start page, and Forward th
   await expect(heading(page, 'Type One')).toBeVisible();
 });
 
-test('what was not saved is there again after Back and Forward', async ({ workbench: page }) => {
+test('unsaved changes survive Back and Forward', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await openForm(page, /^Crest/);
   await page.getByLabel('Rocks', { exact: true }).fill('77');
@@ -42,7 +42,7 @@ test('what was not saved is there again after Back and Forward', async ({ workbe
   await expect(page.getByText('77 rocks')).toBeVisible();
 });
 
-test('a page of the start page is a step, too', async ({ workbench: page }) => {
+test('the verification page is a step of the history', async ({ workbench: page }) => {
   await page.getByRole('button', { name: 'Run the verification cases' }).click();
   await expect(page.getByRole('button', { name: /^Tutorial 1, a section/ })).toHaveCount(0);
   await page.goBack();

@@ -1,10 +1,10 @@
-// What is done without a mouse, and what is told to who does not see it.
+// Use by keyboard and screen reader.
 
 import type { Page } from '@playwright/test';
 import { backToModel, computeWith, fillField, openExample, openForm, projectText, runCard } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-test('a run is renamed by Enter, not by Escape, and the keyboard stays there', async ({ workbench: page }) => {
+test('Enter renames a run, Escape does not, and the focus stays', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Runs' }).click();
   const name = page.getByRole('button', { name: /: rename$/ });
@@ -21,7 +21,7 @@ test('a run is renamed by Enter, not by Escape, and the keyboard stays there', a
   await expect(name).toHaveText('Kept');
 });
 
-test('the end of a run is told, and after a deleted one the keyboard is at the next', async ({ workbench: page }) => {
+test('the end of a run is announced, and deleting a run focuses the next one', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await computeWith(page, 'Second', 60);
   await expect(page.getByRole('banner').getByRole('status')).toHaveText('Second: Done');
@@ -38,7 +38,7 @@ test('the end of a run is told, and after a deleted one the keyboard is at the n
   await expect(page.getByRole('tab', { name: 'Runs' })).toBeFocused();
 });
 
-test('undoing in the text goes through changes of forms and of the text', async ({ workbench: page }) => {
+test('Undo in the text editor covers changes of forms and of the text', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   const first = await projectText(page);
   await openForm(page, /^Crest/);
@@ -59,25 +59,25 @@ test('undoing in the text goes through changes of forms and of the text', async 
   await expect(text).toHaveValue(/^hello.*rocks = 77/s);
 });
 
-/// What the fields of the form say by themselves, to who hears them.
-async function expectSaid(page: Page, label: string, value: string, says: RegExp) {
+/// Checks the accessible description of a field with an invalid value.
+async function expectDescribed(page: Page, label: string, value: string, description: RegExp) {
   await fillField(page, label, value);
   const field = page.getByLabel(label, { exact: true });
   await expect(field).toHaveAttribute('aria-invalid', 'true');
-  await expect(field).toHaveAccessibleDescription(says);
+  await expect(field).toHaveAccessibleDescription(description);
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(field).toHaveAttribute('aria-invalid', 'false');
 }
 
-test('what is wrong is tied to its field', async ({ workbench: page }) => {
+test('errors describe their fields', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await openForm(page, /^Crest/);
-  await expectSaid(page, 'Position, x', 'abc', /position, x is "abc"/);
-  await expectSaid(page, 'Horizontal velocity: standard deviation', '-1', /std_dev is -1/);
-  await expectSaid(page, 'Horizontal velocity: relative minimum', '0;5', /rel_min is "0;5"/);
+  await expectDescribed(page, 'Position, x', 'abc', /position, x is "abc"/);
+  await expectDescribed(page, 'Horizontal velocity: standard deviation', '-1', /std_dev is -1/);
+  await expectDescribed(page, 'Horizontal velocity: relative minimum', '0;5', /rel_min is "0;5"/);
   await fillField(page, 'Direction, x', '1');
-  await expect(page.getByLabel('Direction, x', { exact: true })).toHaveAccessibleDescription(/Taken when z is given/);
+  await expect(page.getByLabel('Direction, x', { exact: true })).toHaveAccessibleDescription(/Incomplete: enter z/);
   await backToModel(page);
   await openForm(page, /^Line at 15 m/);
-  await expectSaid(page, 'Line, x', 'abc', /line is "abc"/);
+  await expectDescribed(page, 'Line, x', 'abc', /line is "abc"/);
 });

@@ -1,22 +1,22 @@
-// Looking at a run: a path that is clicked, rocks that are filtered, a distance that is measured.
+// Viewing a run: clicking a trajectory, themes, filtering rocks, measuring distances.
 
 import { openExample } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-test('a click on a path in the section shows its rock', async ({ workbench: page }) => {
+test('a click on a trajectory in the section selects its rock', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   const box = (await page.getByRole('img', { name: /^The slope in section/ }).boundingBox())!;
-  // All rocks fall past the upper face: somewhere on the way across it there is a path.
+  // All rocks pass the upper face, so a row of clicks across it hits a trajectory.
   const field = page.getByRole('spinbutton', { name: 'Rock' });
   for (let share = 0.36; share < 0.46 && !(await field.isVisible()); share += 0.006)
     await page.mouse.click(box.x + share * box.width, box.y + 0.42 * box.height);
   await expect(field).toBeVisible();
   await expect(field).toHaveValue(/^\d+$/);
-  await expect(page.getByRole('region', { name: /^Path of rock \d+/ })).toBeVisible();
+  await expect(page.getByRole('region', { name: /^Trajectory of rock \d+/ })).toBeVisible();
 });
 
-test('the page is as dark as the system, or as is chosen', async ({ workbench: page }) => {
+test('the theme follows the system or the choice', async ({ workbench: page }) => {
   await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   const grounds = { light: 'rgb(244, 242, 238)', dark: 'rgb(20, 25, 28)' };
@@ -38,7 +38,7 @@ test('the page is as dark as the system, or as is chosen', async ({ workbench: p
   await expectGround('dark');
 });
 
-test('a filter is shared by the view and the figures', async ({ workbench: page, server }) => {
+test('the filter of the view applies to the figures', async ({ workbench: page, server }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
   await page.locator('summary', { hasText: 'Filter' }).click();
@@ -52,7 +52,7 @@ test('a filter is shared by the view and the figures', async ({ workbench: page,
   await expect(page.getByText('50 rocks', { exact: true })).toBeVisible();
 });
 
-test('distances are those of the ground', async ({ workbench: page }) => {
+test('distances are measured on the ground', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('button', { name: 'Distance' }).click();
@@ -64,7 +64,7 @@ test('distances are those of the ground', async ({ workbench: page }) => {
     return [Number(px), Number(pz)] as const;
   };
   const [a, b] = [await place(0.3, 0.5), await place(0.7, 0.6)];
-  const said = (await page.locator('.tool-hint').textContent())!;
-  const plan = Number(/([\d.]+) m on plan/.exec(said)![1]);
+  const hint = (await page.locator('.tool-hint').textContent())!;
+  const plan = Number(/([\d.]+) m on plan/.exec(hint)![1]);
   expect(Math.abs(plan - Math.abs(b[0] - a[0]))).toBeLessThan(0.02);
 });

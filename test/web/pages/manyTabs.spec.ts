@@ -1,8 +1,8 @@
-// A browser has six connections to a server: more tabs than that go on working, and all hear what happens.
+// A browser has six connections to a server: more tabs still work and receive all events.
 
 import { expect, test } from '../support/workbench';
 
-test('eight tabs hear of a run, also when the first is closed', async ({ workbench: page, server }) => {
+test('eight tabs are notified of a run, also when the first is closed', async ({ workbench: page, server }) => {
   server.copyExample('tutorial-1');
   const address = new URL('/', page.url()).href;
   const tabs = [];

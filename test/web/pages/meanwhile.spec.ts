@@ -1,4 +1,4 @@
-// What others do with a project while it is open, or was: another tab, another browser, another program.
+// Concurrent changes of a project by another tab, browser or program.
 
 import type { BrowserContext, Page } from '@playwright/test';
 import { backToModel, fillField, openForm, openProject, projectText, runCard } from '../support/steps';
@@ -18,7 +18,7 @@ const title = (page: Page, name: string) =>
   expect(page.getByRole('heading', { level: 1, name, exact: true })).toBeVisible();
 const leave = (page: Page) => page.close({ runBeforeUnload: true });
 const draft = (server: Server) => (server.has('.a.toml.draft') ? server.read('.a.toml.draft') : '');
-const elsewhere = (page: Page) => page.getByText('This project is changed in another tab or browser, too.');
+const elsewhere = (page: Page) => page.getByText('This project is also being edited in another tab or browser.');
 
 async function openIn(context: BrowserContext, address: string) {
   const page = await context.newPage();
@@ -27,7 +27,7 @@ async function openIn(context: BrowserContext, address: string) {
   return page;
 }
 
-test('an older tab that is closed leaves the newer draft of another one', async ({ workbench: page, server }) => {
+test('closing an older tab keeps the newer draft of another one', async ({ workbench: page, server }) => {
   server.write('a.toml', one);
   await page.reload();
   await openProject(page, 'a.toml');
@@ -42,7 +42,7 @@ test('an older tab that is closed leaves the newer draft of another one', async 
   expect(draft(server)).toContain('name = "Newer"');
 });
 
-test('of two tabs that change a project nothing is lost', async ({ workbench: page, server }) => {
+test('no change of two tabs is lost', async ({ workbench: page, server }) => {
   server.write('a.toml', one);
   await page.reload();
   await openProject(page, 'a.toml');
@@ -55,8 +55,8 @@ test('of two tabs that change a project nothing is lost', async ({ workbench: pa
   expect(draft(server)).toContain('name = "Theirs"');
   await page.reload();
   await title(page, 'Theirs');
-  await expect(page.getByText('There is another draft of a, kept in this browser on')).toBeVisible();
-  await page.getByRole('button', { name: 'Take the other draft' }).click();
+  await expect(page.getByText('There is another draft of a, stored in this browser on')).toBeVisible();
+  await page.getByRole('button', { name: 'Use the other draft' }).click();
   await title(page, 'Mine');
   await page.getByRole('button', { name: 'Undo' }).click();
   await title(page, 'Theirs');
@@ -67,7 +67,7 @@ test('of two tabs that change a project nothing is lost', async ({ workbench: pa
   await expect(page.getByText('There is another draft of a')).toHaveCount(0);
 });
 
-test('a draft that this browser left does not beat a newer one of another browser', async ({ workbench: page, server, browser }) => {
+test('a local draft does not replace a newer one of another browser', async ({ workbench: page, server, browser }) => {
   server.write('a.toml', one);
   await page.reload();
   const address = await page.evaluate(async () => {
@@ -77,7 +77,7 @@ test('a draft that this browser left does not beat a newer one of another browse
   await openProject(page, 'a.toml');
   await openForm(page, /^Project and analysis/);
   await page.getByLabel('Name', { exact: true }).fill('Monday');
-  await leave(page); // within the time of keeping: it is in the browser, and with the server
+  await leave(page); // before the draft is sent: it is stored in the browser and sent on closing
   await expect.poll(() => draft(server)).toContain('Monday');
 
   const other = await browser.newContext();
@@ -94,14 +94,14 @@ test('a draft that this browser left does not beat a newer one of another browse
 
 const lookAgain = (page: Page) => page.evaluate(() => dispatchEvent(new Event('focus')));
 
-test('a file that another program changed is read again where the page is unchanged', async ({ workbench: page, server }) => {
+test('an unchanged page reloads a file that another program changed', async ({ workbench: page, server }) => {
   const file = 'tutorial-1/tutorial-1-2d.toml';
   server.copyExample('tutorial-1');
   await page.reload();
   await openProject(page, file);
   server.write(file, server.read(file).replace('rocks = 50', 'rocks = 10'));
   await lookAgain(page);
-  await expect(page.getByText(`${file} was changed by another program, and was read again.`)).toBeVisible();
+  await expect(page.getByText(`Another program changed ${file}. It was reloaded.`)).toBeVisible();
   expect(await projectText(page)).toContain('rocks = 10');
   server.write(file, server.read(file).replace('rocks = 10', 'rocks = 11'));
   await page.getByRole('button', { name: 'Compute', exact: true }).click();
@@ -112,19 +112,19 @@ test('a file that another program changed is read again where the page is unchan
   await renameAndKeep(page, 'Mine');
   server.write(file, server.read(file).replace('rocks = 11', 'rocks = 12'));
   await lookAgain(page);
-  await expect(page.getByText('The file has been changed since by another program')).toBeVisible();
+  await expect(page.getByText('Another program has changed the file since.')).toBeVisible();
   await title(page, 'Mine');
   await page.getByRole('button', { name: 'Back to the file' }).click();
   expect(await projectText(page)).toContain('rocks = 12');
 });
 
-test('a file that is gone can be saved again', async ({ workbench: page, server }) => {
+test('a deleted file can be saved again', async ({ workbench: page, server }) => {
   server.write('a.toml', one);
   await page.reload();
   await openProject(page, 'a.toml');
   server.removeFile('a.toml');
   await lookAgain(page);
-  await expect(page.getByText('The file is no longer there; saving writes it again.')).toBeVisible();
+  await expect(page.getByText('The file no longer exists. Saving creates it again.')).toBeVisible();
   await page.keyboard.press('Control+s');
   await expect(page.getByText('Saved a.toml')).toBeVisible();
   expect(server.read('a.toml')).toBe(one);

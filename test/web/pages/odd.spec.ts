@@ -1,5 +1,4 @@
-// What is rare but happens: a number that no rock has, digits that a double lacks, line ends of Windows, a folder that
-// cannot be written to, a run that failed.
+// Rare cases: an invalid rock number, integers beyond double precision, Windows line ends, a failed save, a failed run.
 
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -13,7 +12,7 @@ const open = async (page: Page) => {
   await page.getByRole('button', { name: /tutorial-1-2d\.toml/ }).first().click();
 };
 
-test('the number of a rock is that of the table, and one rock is no rocks', async ({ workbench: page, server }) => {
+test('rock numbers are zero-based, and one rock is not "rocks"', async ({ workbench: page, server }) => {
   server.copyExample('tutorial-1');
   writeFileSync(join(server.folder, file), server.read(file).replace('rocks = 50', 'rocks = 1'));
   await open(page);
@@ -26,7 +25,7 @@ test('the number of a rock is that of the table, and one rock is no rocks', asyn
   await rock.fill('1');
   await rock.press('Enter');
   await expect(rock).toHaveValue('0');
-  await expect(page.getByText('There is no rock 1: they are numbered from 0 to 0.')).toBeVisible();
+  await expect(page.getByText('There is no rock 1. Rocks are numbered from 0 to 0.')).toBeVisible();
   await page.getByRole('tab', { name: 'Distributions' }).click();
   await expect(page.getByText('1 rock', { exact: true })).toBeVisible();
   const curve = page.getByRole('img', { name: /^Share of rocks/ }).locator('path.step, path.curve');
@@ -34,7 +33,7 @@ test('the number of a rock is that of the table, and one rock is no rocks', asyn
   await expect(page.getByText(/\b1 rocks\b/)).toHaveCount(0);
 });
 
-test('whole numbers keep their digits, and what cannot be kept is refused', async ({ workbench: page, server }) => {
+test('integers keep all digits, and numbers out of range are reported', async ({ workbench: page, server }) => {
   server.copyExample('tutorial-1');
   writeFileSync(join(server.folder, file), `${server.read(file)}\n[sampling]\nseed = 9007199254740993\n`);
   await open(page);
@@ -48,10 +47,10 @@ test('whole numbers keep their digits, and what cannot be kept is refused', asyn
   await seed.fill('1e999');
   await seed.press('Tab');
   await expect(seed).toHaveAttribute('aria-invalid', 'true');
-  await expect(page.locator('.form-page').getByText(/it is too large, or too small, to be kept/)).toBeVisible();
+  await expect(page.locator('.form-page').getByText(/it is too large or too small to be represented/)).toBeVisible();
 });
 
-test('line ends of Windows outlive the text editor', async ({ workbench: page, server }) => {
+test('the text editor keeps Windows line ends', async ({ workbench: page, server }) => {
   server.copyExample('tutorial-1');
   const unix = server.read(file);
   writeFileSync(join(server.folder, file), unix.replaceAll('\n', '\r\n'));
@@ -63,7 +62,7 @@ test('line ends of Windows outlive the text editor', async ({ workbench: page, s
   await expect.poll(() => server.read(file)).toBe(`${unix}# end\n# of it`.replaceAll('\n', '\r\n'));
 });
 
-test('what hinders saving is said where it is asked for', async ({ workbench: page, server }) => {
+test('a failure of Save as is shown in its dialog', async ({ workbench: page, server }) => {
   server.copyExample('tutorial-1');
   await open(page);
   mkdirSync(join(server.folder, 'other.toml.part'));
@@ -73,7 +72,7 @@ test('what hinders saving is said where it is asked for', async ({ workbench: pa
   await expect(page.getByRole('dialog').getByRole('alert')).toContainText('Choose another folder');
 });
 
-test('a run that failed can go on', async ({ workbench: page, server }) => {
+test('a failed run can be resumed', async ({ workbench: page, server }) => {
   await openExample(page, 'Tutorial 1, a section');
   await server.end();
   const names = readdirSync(server.folder, { recursive: true }).map(String);
@@ -87,7 +86,7 @@ test('a run that failed can go on', async ({ workbench: page, server }) => {
   await expect(run).toContainText('Done');
 });
 
-test('many segments of many materials: each offers them all when it is reached', async ({ workbench: page, server }) => {
+test('each of many segments offers all materials when focused', async ({ workbench: page, server }) => {
   const materials = Array.from({ length: 60 }, (_, k) => `[[material]]\nname = "M ${k}"\n`).join('');
   const section = Array.from({ length: 101 }, (_, k) => `[${k}, ${-k}]`).join(', ');
   server.write('many.toml', `[terrain]\nsection = [${section}]\n[ground]\ndefault = "M 7"\n${materials}`);

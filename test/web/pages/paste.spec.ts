@@ -1,4 +1,4 @@
-// Numbers from spreadsheets and lists arrive as they were meant, or a question is asked.
+// Pasted and typed numbers with commas are read correctly, or the page asks.
 
 import type { Page } from '@playwright/test';
 import { fillField, openExample, openForm, projectText } from '../support/steps';
@@ -18,14 +18,14 @@ async function pasteInto(page: Page, cell: string, text: string) {
   }, text);
 }
 
-test('a comma between thousands is asked about, unless another number tells', async ({ workbench: page }) => {
+test('an ambiguous thousands separator is asked about, unless another number decides', async ({ workbench: page }) => {
   await newSection(page);
   await page.getByRole('button', { name: 'Paste rows…' }).click();
   await dialog(page).getByLabel('Rows').fill('x\tz\n0\t1,250\n10\t1,240\n20\t998');
-  const take = dialog(page).getByRole('button', { name: 'Take the rows' });
+  const take = dialog(page).getByRole('button', { name: 'Add the rows' });
   await expect(take).toBeDisabled();
-  await expect(dialog(page).getByRole('group', { name: 'What is 1,250?' })).toBeVisible();
-  await dialog(page).getByLabel('1250: commas part thousands').check();
+  await expect(dialog(page).getByRole('group', { name: 'How should 1,250 be read?' })).toBeVisible();
+  await dialog(page).getByLabel('1250: commas separate thousands').check();
   await take.click();
   await expect.poll(() => section(page)).toContain('[0, 1250], [10, 1240], [20, 998]');
 
@@ -36,19 +36,19 @@ test('a comma between thousands is asked about, unless another number tells', as
   await expect.poll(() => section(page)).toContain('[0, 1250.5], [10, 1240], [20, 998.25]');
 });
 
-test('one column stays one', async ({ workbench: page }) => {
+test('a single column is not split', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await openForm(page, /^Terrain/);
   await pasteInto(page, 'z, row 2', '1,100\n1,090');
-  await dialog(page).getByLabel('1100: commas part thousands').check();
+  await dialog(page).getByLabel('1100: commas separate thousands').check();
   await dialog(page).getByRole('button', { name: 'Paste from z, row 2' }).click();
   await expect.poll(() => section(page)).toContain('[3.1, 1100], [6.7, 1090]');
 });
 
-test('a block with more columns than there are opens the dialog', async ({ workbench: page }) => {
+test('pasting more columns than the table has opens the dialog', async ({ workbench: page }) => {
   await newSection(page);
   await pasteInto(page, 'x, row 1', '0\t500\t100\n10\t501\t90');
-  await expect(dialog(page).getByText('Row 1 has 3 columns; 2 are taken, from the left.')).toBeVisible();
+  await expect(dialog(page).getByText('Row 1 has 3 columns; only the first 2 are used.')).toBeVisible();
   await dialog(page).getByLabel('Rows').fill('0\t100\n10\t90');
   await dialog(page).getByRole('button', { name: 'Paste from x, row 1' }).click();
   await expect.poll(() => section(page)).toContain('[0, 100], [10, 90]');
@@ -57,7 +57,7 @@ test('a block with more columns than there are opens the dialog', async ({ workb
   await expect.poll(() => section(page)).toContain('[0, 100], [10, 80], [20, 70]');
 });
 
-test('a decimal comma in a list is refused, with what to write', async ({ workbench: page }) => {
+test('a decimal comma in a list is reported with the correct form', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, in 3D');
   await page.getByRole('button', { name: 'Pause' }).click();
   await openForm(page, /^Output/);

@@ -1,4 +1,4 @@
-// Pictures that an engineer would hand in: whole, legible, in classes, and large enough for print.
+// Pictures for print: complete, legible, with legends, at print resolution.
 
 import type { Locator, Page } from '@playwright/test';
 import { readFileSync } from 'node:fs';
@@ -15,7 +15,7 @@ const boxOf = async (place: Locator): Promise<Box> => (await place.boundingBox()
 const areApart = (a: Box, b: Box) =>
   a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
 
-/// Of a PNG: its size, and the dots an inch that it says it has.
+/// The size and resolution [dpi] of a PNG.
 function readPng(bytes: Buffer) {
   let [at, density] = [8, 0];
   while (at < bytes.length) {
@@ -31,7 +31,7 @@ async function savedBy(page: Page, button: Locator): Promise<Buffer> {
   return readFileSync(await download.path());
 }
 
-/// The pixels of a PNG as the browser reads them: how many of each kind.
+/// Counts transparent and dark pixels of a PNG.
 const countPixels = (page: Page, bytes: Buffer) =>
   page.evaluate(async (text) => {
     const data = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
@@ -56,7 +56,7 @@ for (const [title, what] of [
   ['Tutorial 1, a section', 'the section'],
   ['Tutorial 1, in 3D', 'the scene'],
 ] as const)
-  test(`a saved picture of ${what} is a page for print, opaque, with its title and its legend`, async ({ workbench: page }) => {
+  test(`a saved picture of ${what} is an opaque page for print with title and legend`, async ({ workbench: page }) => {
     test.setTimeout(180_000);
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await openExample(page, title);
@@ -71,7 +71,7 @@ for (const [title, what] of [
     expect(inked.column).toBeGreaterThan(500);
   });
 
-test('a saved plot has 300 dots an inch and its title', async ({ workbench: page }) => {
+test('a saved plot has 300 dpi and its title', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Distributions' }).click();
@@ -83,7 +83,7 @@ test('a saved plot has 300 dots an inch and its title', async ({ workbench: page
   expect(width).toBeGreaterThan(900);
 });
 
-test('a map is shown in classes, with its range and the value under the pointer, and no path hides it', async ({ workbench: page }) => {
+test('a map shows classes, range and the value under the pointer, and hides trajectories', async ({ workbench: page }) => {
   test.setTimeout(180_000);
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Maungawhau');
@@ -96,10 +96,10 @@ test('a map is shown in classes, with its range and the value under the pointer,
     await expect(legend.getByText(text, { exact: true })).toBeVisible();
   await expect(legend).toContainText(/values from [\d.]+ to [\d,.]+ kJ/);
   await expect(page.getByText('Speed, m/s')).toHaveCount(0);
-  await page.getByRole('checkbox', { name: 'Paths over the map' }).check();
+  await page.getByRole('checkbox', { name: 'Trajectories over the map' }).check();
   await expect(page.getByText('Speed, m/s')).toBeVisible();
 
-  // Somewhere below the rim there is a value, and far from it none.
+  // Below the rim there is a value, far from it there is none.
   const scene = page.getByRole('application', { name: /Model in three dimensions/ });
   await scene.focus();
   await scene.press('2');
@@ -115,12 +115,12 @@ test('a map is shown in classes, with its range and the value under the pointer,
   expect([...seen].sort()).toEqual(['no rock', 'value']);
 });
 
-test('after Compute the slope still fills what the page leaves free of the view', async ({ workbench: page }) => {
+test('after a run the slope still fills the free part of the view', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   const { height } = await boxOf(page.locator('.picture'));
   expect(height).toBeGreaterThan(390); // of 768
-  // The highest place of the slope and its lowest: as far apart as the toolbar, the numbers and the line allow.
+  // The slope is as high as toolbar, axis numbers and status line allow.
   const status = page.locator('.status-line');
   const canvas = page.getByRole('img', { name: /^The slope in section/ });
   const box = await boxOf(canvas);
@@ -133,15 +133,15 @@ test('after Compute the slope still fills what the page leaves free of the view'
   expect(25 / metresPerPixel).toBeGreaterThan(0.66 * box.height); // it is 25 m high
 });
 
-test('what a tool asks for stands beside the ground, not on it', async ({ workbench: page }) => {
+test('the hint of a tool does not cover the ground', async ({ workbench: page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
   await page.getByRole('button', { name: 'Distance' }).click();
   const [hint, status, bar] = [page.locator('.tool-hint'), page.locator('.status-line'), page.locator('.view-bar')];
   await expect(hint).toBeVisible();
-  const [said, line] = [await boxOf(hint), await boxOf(status)];
-  expect(said.y).toBeGreaterThanOrEqual(line.y);
-  expect(said.y + said.height).toBeLessThanOrEqual(line.y + line.height + 1);
-  expect(areApart(said, await boxOf(bar))).toBe(true);
+  const [inner, line] = [await boxOf(hint), await boxOf(status)];
+  expect(inner.y).toBeGreaterThanOrEqual(line.y);
+  expect(inner.y + inner.height).toBeLessThanOrEqual(line.y + line.height + 1);
+  expect(areApart(inner, await boxOf(bar))).toBe(true);
   expect(line.height).toBeLessThan(40);
 });

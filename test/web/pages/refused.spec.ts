@@ -1,9 +1,9 @@
-// What is refused is refused before anything is lost, and with its true reason.
+// Rejected input: nothing is lost, and the reason is reported.
 
 import { openForm, openProject } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-test('a project that is not UTF-8 is not opened, and stays as it is', async ({ workbench: page, server }) => {
+test('a project that is not UTF-8 is not opened or changed', async ({ workbench: page, server }) => {
   const latin = Buffer.from('# Gel\xe4nde am Fu\xdf der Wand\nname = "One"\n', 'latin1');
   server.write('latin.toml', latin);
   await page.reload();
@@ -13,7 +13,7 @@ test('a project that is not UTF-8 is not opened, and stays as it is', async ({ w
   expect(server.readBytes('latin.toml').equals(latin)).toBe(true);
 });
 
-test('an upload in the place of a file is asked for before it is sent', async ({ workbench: page, server }) => {
+test('replacing a file is confirmed before the upload', async ({ workbench: page, server }) => {
   const grid = 'ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n';
   server.write('dem.asc', 'old');
   await page.reload();
@@ -27,7 +27,7 @@ test('an upload in the place of a file is asked for before it is sent', async ({
   await pick();
   await expect(question).toBeVisible();
   expect(sent).toEqual([]);
-  await pick(); // once more, before the first is answered
+  await pick(); // again, before the first question is answered
   await page.keyboard.press('Escape');
   await expect(question).toBeVisible();
   await page.keyboard.press('Escape');
@@ -40,7 +40,7 @@ test('an upload in the place of a file is asked for before it is sent', async ({
   expect(sent.filter((name) => name.startsWith('dem.asc'))).toEqual(['dem.asc?replace=1']);
 });
 
-test('terrain that cannot be read is said before there is anything else', async ({ workbench: page, server }) => {
+test('an unreadable terrain is reported even in an incomplete project', async ({ workbench: page, server }) => {
   const good = '[terrain]\nsection = [[0, 10], [20, 0]]\nwidth_m = 10\n';
   server.write('good.toml', good);
   server.write('bad.asc', 'hello');
@@ -49,7 +49,7 @@ test('terrain that cannot be read is said before there is anything else', async 
   await expect(page.getByText('There is no model to show yet.')).toHaveCount(0);
   await page.getByRole('tab', { name: 'Text' }).click();
   await page.getByLabel('Project file').fill('[terrain]\nraster = "bad.asc"\n');
-  await expect(page.getByText('The terrain has errors: shown is the one before them.')).toBeVisible();
+  await expect(page.getByText('The terrain has errors. The last valid terrain is shown.')).toBeVisible();
   await page.getByRole('tab', { name: 'Model' }).click();
   await expect(page.locator('.problems')).toContainText('bad.asc');
   await page.getByRole('button', { name: 'Undo' }).click();
@@ -57,7 +57,7 @@ test('terrain that cannot be read is said before there is anything else', async 
   await expect(page.locator('.problems')).toHaveCount(0);
 });
 
-test('what is not a list of materials is said, and nothing is put beside it', async ({ workbench: page, server }) => {
+test('a material setting that is not a list is reported and not extended', async ({ workbench: page, server }) => {
   const odd = 'name = "odd"\nmaterial = 3\n';
   server.write('odd.toml', odd);
   await page.reload();
@@ -65,12 +65,12 @@ test('what is not a list of materials is said, and nothing is put beside it', as
   await expect(page.locator('.problems')).toContainText(/material/);
   await page.getByRole('button', { name: '+ Add material' }).click();
   await expect(
-    page.getByText('Could not add a material: material is there already, and is not a list of tables'),
+    page.getByText('Could not add a material: material already exists and is not a list of tables'),
   ).toBeVisible();
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 });
 
-test('a name that is too long is called so', async ({ workbench: page, server }) => {
+test('a file name that is too long is reported', async ({ workbench: page, server }) => {
   server.write('a.toml', 'name = "One"\n');
   await page.reload();
   await openProject(page, 'a.toml');

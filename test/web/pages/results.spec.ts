@@ -1,4 +1,4 @@
-// What is said with results: of which text they are, of which rocks, in which unit.
+// Results state their version of the project, their population and their units.
 
 import type { Page } from '@playwright/test';
 import { readFileSync } from 'node:fs';
@@ -6,37 +6,37 @@ import { cellsOf, rowsOf } from '../support/table';
 import { fillField, openExample, openForm } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-const oldResults = (page: Page) => page.getByText('These results are of an earlier text of the project.');
+const oldResults = (page: Page) => page.getByText('These results are from an earlier version of the project.');
 
-test('results of an earlier text say so, until the text is that one again', async ({ workbench: page }) => {
+test('outdated results are marked until the project matches them again', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('button', { name: 'Pause' }).click();
   await expect(oldResults(page)).toHaveCount(0);
   await openForm(page, /^Type One/);
   await fillField(page, 'Roughness: mean', '9');
   await expect(oldResults(page)).toBeVisible();
-  await expect(page.getByText('Paths of an earlier text of the project')).toBeVisible();
+  await expect(page.getByText('Trajectories from an earlier version of the project')).toBeVisible();
 
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(oldResults(page)).toHaveCount(0);
   await page.getByRole('button', { name: 'Redo' }).click();
   await page.getByRole('button', { name: 'Compute again' }).click();
   await expect(oldResults(page)).toHaveCount(0);
-  await expect(page.getByText('Paths of an earlier text of the project')).toHaveCount(0);
+  await expect(page.getByText('Trajectories from an earlier version of the project')).toHaveCount(0);
 
-  // Of the text of before now, and of the rocks of then.
+  // Now the results are from the later version.
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(oldResults(page)).toBeVisible();
 });
 
-test('energies are read in kJ, with the digits of the files, and saved in J', async ({ workbench: page, server }) => {
+test('energies are shown in kJ with all digits and saved in J', async ({ workbench: page, server }) => {
   await openExample(page, 'Tutorial 1, in 3D');
   const runs = await page.evaluate(async () => (await fetch('/api/runs')).json());
   const summary = JSON.parse(server.read(`${runs.runs[0].folder}/summary.json`));
   const { mean, sample_variance, count } = summary.statistics.max_ke_J;
   await page.getByRole('tab', { name: 'Overview' }).click();
   const table = page.getByRole('region', { name: /Statistics over all rocks/ });
-  const heading = table.getByRole('columnheader', { name: 'Greatest total kinetic energy' });
+  const heading = table.getByRole('columnheader', { name: 'Maximum total kinetic energy' });
   await expect(heading).toContainText('kJ');
   await page.getByRole('checkbox', { name: 'All digits' }).check();
   const cells = await cellsOf(table);
@@ -55,11 +55,11 @@ test('energies are read in kJ, with the digits of the files, and saved in J', as
   expect(saved.find(({ figure }) => figure === 'Mean')!.max_ke_J).toBe(String(mean));
 
   await page.getByRole('tab', { name: 'Distributions' }).click();
-  await expect(page.getByLabel('Quantity')).toContainText('Greatest total kinetic energy [kJ]');
+  await expect(page.getByLabel('Quantity')).toContainText('Maximum total kinetic energy [kJ]');
   await expect(page.getByLabel('Quantity')).not.toContainText('[J]');
 });
 
-test('figures of a barrier say whose they are', async ({ workbench: page, server }) => {
+test('statistics of a barrier state their population', async ({ workbench: page, server }) => {
   test.setTimeout(180_000);
   await openExample(page, 'A barrier, designed');
   await page.getByRole('button', { name: 'Pause' }).click();
@@ -72,19 +72,19 @@ test('figures of a barrier say whose they are', async ({ workbench: page, server
   await page.getByRole('tab', { name: 'Barriers' }).click();
   await page.getByRole('combobox', { name: /^Barrier/ }).selectOption(line.name);
   const [hits, above] = [line.hits, line.passed_above].map((count) => count.toLocaleString('en'));
-  const caption = `Statistics of ${hits} hits; ${above} rocks passed above the top and are not in these figures`;
+  const caption = `Statistics of ${hits} hits; ${above} rocks passed above the top and are not included`;
   await expect(page.getByRole('heading', { name: caption })).toBeVisible();
   const crossed = design.lines.find(({ name }) => name === line.name)!.rocks.toLocaleString('en');
   const designed = page.getByRole('region', { name: `Design percentiles of all ${crossed} rocks that crossed its line` });
   await expect(designed.getByRole('row', { name: /^Total kinetic energy kJ/ }).first()).toBeVisible();
-  await expect(page.getByRole('region', { name: 'What the standard asks for' })).toContainText('kJ');
+  await expect(page.getByRole('region', { name: 'Requirements of the standard' })).toContainText('kJ');
 });
 
 test('a section has envelopes instead of maps, with the numbers of the file', async ({ workbench: page, server }) => {
   await openExample(page, 'Tutorial 1, a section');
   await expect(page.getByRole('tab', { name: 'Maps' })).toHaveCount(0);
   await page.getByRole('tab', { name: 'Envelopes' }).click();
-  await page.getByLabel('What is drawn along the section').selectOption('Velocity [m/s]');
+  await page.getByLabel('Quantity along the section').selectOption('Velocity [m/s]');
   await expect(page.getByRole('img', { name: /^Velocity \[m\/s\] in cells along the section/ })).toBeVisible();
   const [download] = await Promise.all([
     page.waitForEvent('download'),

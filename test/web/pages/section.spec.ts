@@ -1,4 +1,4 @@
-// The ground along a line over the terrain: drawn, typed, and asked for again when the model changes.
+// Ground sections: drawn, typed, and updated when the model changes.
 
 import AxeBuilder from '@axe-core/playwright';
 import type { Page, Response } from '@playwright/test';
@@ -16,7 +16,7 @@ async function openValley(page: Page) {
 const isSection = (response: Response) => /\/api\/models\/\w+\/section$/.test(response.url());
 const cell = (page: Page, column: string, row: number) => page.getByRole('textbox', { name: `${column}, row ${row}`, exact: true });
 
-/// The table that the plot is drawn of, as it is saved.
+/// The saved table of the plot.
 async function savedRows(page: Page) {
   const [download] = await Promise.all([
     page.waitForEvent('download'),
@@ -26,7 +26,7 @@ async function savedRows(page: Page) {
   return rowsOf(readFileSync(await download.path(), 'utf8'));
 }
 
-test('a line that is drawn gives the ground along it, with the heights of the engine', async ({ workbench: page, server }) => {
+test('a drawn line gives the ground along it, with the elevations of the engine', async ({ workbench: page, server }) => {
   await openValley(page);
   const picture = page.getByRole('application', { name: /Model in three dimensions/ });
   await picture.focus();
@@ -34,7 +34,7 @@ test('a line that is drawn gives the ground along it, with the heights of the en
   const { height } = (await picture.boundingBox())!;
   await page.getByRole('button', { name: 'Section', exact: true }).click();
   await expect(page.getByRole('tabpanel', { name: 'Section' })).toBeVisible();
-  // Its panel takes room from the picture, a moment later where that is slow to draw.
+  // The panel makes the picture smaller, with a delay if drawing is slow.
   await expect.poll(async () => (await picture.boundingBox())!.height).toBeLessThan(height);
   const box = (await picture.boundingBox())!;
   for (const [x, y] of [
@@ -61,7 +61,7 @@ test('a line that is drawn gives the ground along it, with the heights of the en
     },
     [model, points] as const,
   );
-  // Where the ground bends, the section's height is that of the piece beside it: some micrometres away.
+  // At an edge of the terrain the elevation may be that of the adjacent triangle, some micrometres away.
   rows.forEach(({ z_m }, k) => expect(Math.abs(Number(z_m) - z[k]), `row ${k + 1}`).toBeLessThan(1e-4));
   const way = rows.map(({ distance_m }) => Number(distance_m));
   expect(way[0]).toBe(0);
@@ -71,7 +71,7 @@ test('a line that is drawn gives the ground along it, with the heights of the en
     expect(Math.abs(way[k]! - along)).toBeLessThan(1e-6);
   });
 
-  // It is not a part of the project, and stays while that changes.
+  // The line is not part of the project and stays when the model changes.
   const again = page.waitForResponse(isSection);
   await page.getByRole('button', { name: '+ Add material' }).click();
   expect((await again).url()).not.toContain(model);
@@ -81,11 +81,11 @@ test('a line that is drawn gives the ground along it, with the heights of the en
   expect(server.read('valley.toml')).not.toContain(rows[0]!.x_m!);
 });
 
-test('a line is typed, gone along by keys, and said to leave the terrain', async ({ workbench: page }) => {
+test('a typed line is followed by keys, and its end outside the terrain is reported', async ({ workbench: page }) => {
   await openValley(page);
   await page.getByRole('button', { name: 'Section', exact: true }).click();
   await page.keyboard.press('Escape');
-  // From within the terrain to far beside it.
+  // From within the terrain to far outside.
   const answered = page.waitForResponse(isSection);
   for (const [row, x] of [652375.5, 700000].entries()) {
     await cell(page, 'x', row + 1).fill(String(x));
@@ -99,7 +99,7 @@ test('a line is typed, gone along by keys, and said to leave the terrain', async
   expect(Number(rows.at(-1)!.x_m)).toBeCloseTo(origin[0] + (columns - 1) * size[0], 6);
   expect(rows.at(-1)!.z_m).toBe('');
 
-  const slider = page.getByRole('slider', { name: 'Place' });
+  const slider = page.getByRole('slider', { name: 'Position' });
   await slider.focus();
   await slider.press('ArrowRight');
   const { distance_m, z_m, x_m, y_m } = rows[1]!;

@@ -1,9 +1,9 @@
-// Tutorial 1: edited, run, cancelled, run again, compared; and every step of it undone.
+// Tutorial 1: edit, run, stop, run again, compare, undo.
 
 import { backToModel, computeWith, openExample, openForm, runCard, runIsShown } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-test('a run is cancelled and kept, another is compared with the first', async ({ workbench: page }) => {
+test('a run is stopped and deleted, another is compared with the first', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await openForm(page, /^Type One/);
   await page.getByLabel('Normal restitution: mean').fill('0.45');
@@ -27,8 +27,8 @@ test('a run is cancelled and kept, another is compared with the first', async ({
   await expect(page.getByRole('img', { name: /^Histogram of runout on plan/ })).toBeVisible();
 });
 
-// The answer comes while the number of rocks is being typed, and draws the form again.
-test('what is typed stays in its field when the model comes late', async ({ workbench: page }) => {
+// The response arrives while the number of rocks is being typed, and renders the form again.
+test('typed text stays in its field when the model arrives late', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   let answer = () => {};
   const isTyping = new Promise<void>((resolve) => (answer = resolve));
@@ -53,7 +53,7 @@ test('what is typed stays in its field when the model comes late', async ({ work
   await expect(page.getByLabel('Name of the run')).toHaveValue('');
 });
 
-test('twenty steps are undone and done again', async ({ workbench: page }) => {
+test('twenty steps are undone and redone', async ({ workbench: page }) => {
   test.setTimeout(180_000);
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Text' }).click();
@@ -77,7 +77,7 @@ test('twenty steps are undone and done again', async ({ workbench: page }) => {
   await expect(text).toHaveValue(texts[1]!);
 });
 
-test('numbers on the screen are those of the files, to the digit', async ({ workbench: page, server }) => {
+test('displayed numbers have all digits of the files', async ({ workbench: page, server }) => {
   await openExample(page, 'Tutorial 1, in 3D');
   const runs = await page.evaluate(async () => (await fetch('/api/runs')).json());
   const folder: string = runs.runs[0].folder;

@@ -1,4 +1,4 @@
-// Rows that are not complete: the others are taken, they wait, and everyone who should know of them is told.
+// Incomplete rows are kept and reported; complete rows are stored in the project.
 
 import type { Page } from '@playwright/test';
 import { openForm } from '../support/steps';
@@ -18,22 +18,22 @@ async function set(page: Page, cell: string, value: string) {
   await field.press('Tab');
 }
 
-test('of a pasted table all is taken but the row that lacks a number', async ({ workbench: page, server }) => {
+test('an incomplete row of a pasted table is kept separately', async ({ workbench: page, server }) => {
   server.copyExample('tutorial-1');
   await openTutorial(page, /^Terrain/);
   await page.getByRole('button', { name: 'Paste rows…' }).click();
   const rows = Array.from({ length: 40 }, (_, k) => (k === 19 ? `${k}` : `${k}\t${-k / 2}`));
   await page.getByLabel('Rows', { exact: true }).fill(rows.join('\n'));
   await page.getByRole('button', { name: 'Replace all rows' }).click();
-  await expect(page.getByText('Row 20 is not complete: the project does not have it yet.')).toBeVisible();
-  const notice = page.getByRole('region', { name: 'Not complete' });
+  await expect(page.getByText('Row 20 is incomplete and not part of the project yet.')).toBeVisible();
+  const notice = page.getByRole('region', { name: 'Incomplete entries' });
   await expect(notice).toContainText('Section of terrain, row 20');
 
-  // It outlives the form, saving and a reload.
+  // It survives closing the form, saving and a reload.
   await page.getByRole('button', { name: '‹ Model' }).click();
   await expect(notice).toBeVisible();
   await page.keyboard.press('Control+s');
-  await expect(page.getByText(/^Saved .*, without what is not complete: Section of terrain, row 20/)).toBeVisible();
+  await expect(page.getByText(/^Saved .*, without incomplete entries: Section of terrain, row 20/)).toBeVisible();
   const saved = server.read(file);
   expect(saved).toContain('[18, -9],\n  [20, -10],');
   await page.reload();
@@ -45,27 +45,27 @@ test('of a pasted table all is taken but the row that lacks a number', async ({ 
   await expect.poll(() => server.read(file)).toContain('[18, -9],\n  [19, -9.5],\n  [20, -10],');
 });
 
-test('what is changed stays as it was until it is complete', async ({ workbench: page, server }) => {
+test('the project keeps the previous values until a changed row is complete', async ({ workbench: page, server }) => {
   server.copyExample('tutorial-1');
   await openTutorial(page, /^Terrain/);
   await set(page, 'x, row 2', '');
-  await expect(page.getByText('Row 2 is not complete: the project keeps it as before.')).toBeVisible();
+  await expect(page.getByText('Row 2 is incomplete; the project keeps the previous values.')).toBeVisible();
   await page.getByRole('button', { name: 'Discard Section of terrain, row 2' }).click();
   await expect(page.getByLabel('x, row 2', { exact: true })).toHaveValue('3.1');
 
   await page.getByRole('button', { name: '‹ Model' }).click();
   await openForm(page, /^Crest/);
   await set(page, 'Position, x', '');
-  await expect(page.getByText('Taken when x is given, too; the project keeps it as before.')).toBeVisible();
+  await expect(page.getByText('Incomplete: enter x. Until then the project keeps the previous value.')).toBeVisible();
   await page.getByRole('button', { name: '‹ Model' }).click();
-  const notice = page.getByRole('region', { name: 'Not complete' });
+  const notice = page.getByRole('region', { name: 'Incomplete entries' });
   await notice.getByRole('button', { name: 'Position of Crest', exact: true }).click();
   await expect(page.getByLabel('Position, x', { exact: true })).toHaveValue('');
   await set(page, 'Position, x', '0.75');
   await expect(notice).toHaveCount(0);
 });
 
-test('a cell that is wrong is marked, and told by its row and column', async ({ workbench: page, server }) => {
+test('an invalid cell is marked and reported by row and column', async ({ workbench: page, server }) => {
   server.copyExample('tutorial-1');
   await openTutorial(page, /^Terrain/);
   await set(page, 'x, row 4', 'abc');

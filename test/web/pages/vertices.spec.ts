@@ -1,4 +1,4 @@
-// Vertices of a section come and go: what is said of its segments and vertices goes with them, in the same step.
+// Adding and deleting vertices of a section also updates its materials and deviations, in the same step.
 
 import type { Page } from '@playwright/test';
 import { backToModel, fillField, openForm, openProject, projectText } from '../support/steps';
@@ -38,7 +38,7 @@ async function openSlope(page: Page, write: (name: string, content: string) => v
   await openProject(page, 'slope.toml');
 }
 
-test('each segment keeps its material, each vertex its deviations', async ({ workbench: page, server }) => {
+test('segments keep their materials and vertices their deviations', async ({ workbench: page, server }) => {
   await openSlope(page, server.write.bind(server), slope);
   await openForm(page, /^Terrain/);
   const section = page.getByRole('table', { name: 'Section', exact: true });
@@ -63,32 +63,32 @@ test('each segment keeps its material, each vertex its deviations', async ({ wor
   expect(await projectText(page)).toBe(slope);
 });
 
-test('a list that was written too short is marked, and nothing fills it unasked', async ({ workbench: page, server }) => {
+test('a list that is too short is marked and not filled up automatically', async ({ workbench: page, server }) => {
   await openSlope(page, server.write.bind(server), slope.replace(', "Soil"]', ']'));
   await openForm(page, /^Ground/);
-  await expect(page.getByText('The text lists 2 materials for 3 segments.')).toBeVisible();
+  await expect(page.getByText('The project lists 2 materials for 3 segments.')).toBeVisible();
   const third = page.getByLabel('Material of segment 3');
   await expect(third).toHaveValue('');
   await expect(third).toHaveAttribute('aria-invalid', 'true');
   const give = async (segment: number, material: string) => {
     const choice = page.getByLabel(`Material of segment ${segment}`);
-    await choice.focus(); // its words come when somebody is about to choose
+    await choice.focus(); // options are added on focus
     await choice.selectOption(material);
   };
   await give(1, 'Soil');
   expect(await projectText(page)).toContain('segments = ["Soil", "Scree"]');
   await give(3, 'Soil');
-  await expect(page.getByText(/The text lists/)).toHaveCount(0);
+  await expect(page.getByText(/The project lists/)).toHaveCount(0);
   expect(await projectText(page)).toContain('segments = ["Soil", "Scree", "Soil"]');
 });
 
-test('a height above the ground makes up for a z that was left out', async ({ workbench: page, server }) => {
+test('a height above the ground replaces a missing z', async ({ workbench: page, server }) => {
   await openSlope(page, server.write.bind(server), slope.replace(/position[^]*?height_above_m = 1\n/, ''));
   await openForm(page, /^seeder 1/);
   await fillField(page, 'Position, x', '3');
-  await expect(page.getByText('Taken when z is given, too, or a height above.')).toBeVisible();
+  await expect(page.getByText('Incomplete: enter z or a height above.')).toBeVisible();
   await fillField(page, 'Height above m', '0.5');
-  await expect(page.getByText(/Taken when/)).toHaveCount(0);
+  await expect(page.getByText(/Incomplete: enter/)).toHaveCount(0);
   await expect(page.getByText('position is missing')).toHaveCount(0);
   await backToModel(page);
   expect(await projectText(page)).toMatch(/position = \[3\]/);

@@ -1,4 +1,4 @@
-// No name and no window makes the page wider than the window.
+// The page is never wider than the window.
 
 import type { Page } from '@playwright/test';
 import { backToModel, openExample, openForm } from '../support/steps';
@@ -13,14 +13,14 @@ async function rename(page: Page, thing: RegExp, name: string) {
   await backToModel(page);
 }
 
-test('long names and narrow windows', async ({ workbench: page }) => {
+test('long names fit into narrow windows', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, in 3D');
   await page.getByRole('button', { name: 'Pause' }).click();
   await rename(page, /^Project/, 'N'.repeat(300));
   await page.getByRole('button', { name: 'Compute', exact: true }).click();
   await expect(page.locator('.results-run')).toHaveText('N'.repeat(300));
   await rename(page, /^Line at/, 'A name that goes on and on, '.repeat(8));
-  // Its row still tells what it is, and those of others, too.
+  // The rows of the outline still show their details.
   for (const detail of ['collector, 3.5 m', 'by segments', 'line, 50 rocks'])
     await expect(page.getByText(detail, { exact: true })).toBeInViewport({ ratio: 1 });
   for (const width of [1280, 1024, 800, 640, 320]) {
@@ -29,7 +29,7 @@ test('long names and narrow windows', async ({ workbench: page }) => {
   }
 });
 
-test('a panel of the bar lies within the picture', async ({ workbench: page }) => {
+test('a popover stays within the view', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, in 3D');
   await page.setViewportSize({ width: 800, height: 800 });
   await page.locator('summary').filter({ hasText: 'Filter' }).click();
@@ -42,7 +42,7 @@ test('a panel of the bar lies within the picture', async ({ workbench: page }) =
   await expect.poll(isInside).toBe(true);
 });
 
-test('in a small window, as at 200 %, the page scrolls to a view and forms that can be used', async ({ workbench: page }) => {
+test('in a small window, as at 200 % zoom, the page scrolls and stays usable', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, in 3D');
   await page.getByRole('button', { name: 'Pause' }).click();
   await page.setViewportSize({ width: 683, height: 384 });
@@ -52,7 +52,7 @@ test('in a small window, as at 200 %, the page scrolls to a view and forms that 
   expect(await heightOf('.results-body')).toBeGreaterThanOrEqual(200);
   const distance = page.getByRole('button', { name: 'Distance' });
   await expect(distance).toBeHidden();
-  await page.getByRole('button', { name: 'Tools of the view' }).click();
+  await page.getByRole('button', { name: 'View tools' }).click();
   await expect(distance).toBeVisible();
   await openForm(page, /^Type One/);
   const name = page.getByLabel('Name', { exact: true });

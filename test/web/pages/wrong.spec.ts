@@ -1,39 +1,39 @@
-// A wrong value is marked at its field, with the engine's own words, in every form.
+// Invalid values are marked at their fields with the engine's message, in every form.
 
 import type { Page } from '@playwright/test';
 import { backToModel, openExample, openForm } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-interface Wrong {
+interface Invalid {
   form: RegExp;
   field: string | RegExp;
   value: string;
-  says: RegExp;
+  message: RegExp;
 }
 
-const inTheTutorial: Wrong[] = [
-  { form: /^Project and analysis/, field: 'Gravity m/s²', value: '-1', says: /gravity/ },
-  { form: /^Terrain/, field: 'Width m', value: '-5', says: /width/ },
-  { form: /^Type One/, field: 'Normal restitution: mean', value: '1.5', says: /rebound cannot gain energy/ },
-  { form: /^Crest/, field: 'Rocks', value: '-3', says: /rocks/ },
-  { form: /^Line at 15 m/, field: 'Height m', value: '-1', says: /height/ },
-  { form: /^Sampling/, field: 'Seed', value: '-1', says: /seed/ },
-  { form: /^Output/, field: /^Cell of the maps/, value: '-2', says: /raster_cell/ },
+const inTheTutorial: Invalid[] = [
+  { form: /^Project and analysis/, field: 'Gravity m/s²', value: '-1', message: /gravity/ },
+  { form: /^Terrain/, field: 'Width m', value: '-5', message: /width/ },
+  { form: /^Type One/, field: 'Normal restitution: mean', value: '1.5', message: /rebound cannot gain energy/ },
+  { form: /^Crest/, field: 'Rocks', value: '-3', message: /rocks/ },
+  { form: /^Line at 15 m/, field: 'Height m', value: '-1', message: /height/ },
+  { form: /^Sampling/, field: 'Seed', value: '-1', message: /seed/ },
+  { form: /^Output/, field: /^Cell of the maps/, value: '-2', message: /raster_cell/ },
 ];
-const onTheVolcano: Wrong[] = [
-  { form: /^Half way/, field: 'Inclination °', value: '95', says: /inclination_deg/ },
-  { form: /^Barrier design/, field: 'Section m', value: '-10', says: /section_m/ },
+const onTheVolcano: Invalid[] = [
+  { form: /^Half way/, field: 'Inclination °', value: '95', message: /inclination_deg/ },
+  { form: /^Barrier design/, field: 'Section m', value: '-10', message: /section_m/ },
 ];
 
-async function expectMarks(page: Page, all: Wrong[]) {
-  for (const { form, field, value, says } of all) {
+async function expectMarks(page: Page, all: Invalid[]) {
+  for (const { form, field, value, message } of all) {
     await openForm(page, form);
     const name = { name: field, exact: typeof field === 'string' };
     const input = page.getByRole('textbox', name).or(page.getByRole('combobox', name)).first();
     await input.fill(value);
     await input.press('Tab');
     await expect(input, `${form}`).toHaveAttribute('aria-invalid', 'true');
-    await expect(page.locator('.side').getByText(says).filter({ visible: true }).first()).toBeVisible();
+    await expect(page.locator('.side').getByText(message).filter({ visible: true }).first()).toBeVisible();
     await expect(page.getByRole('button', { name: 'Compute', exact: true })).toBeDisabled();
     await page.getByRole('button', { name: 'Undo' }).click();
     await expect(input).toHaveAttribute('aria-invalid', 'false');
@@ -42,13 +42,13 @@ async function expectMarks(page: Page, all: Wrong[]) {
   }
 }
 
-test('each is marked, and its undoing heals it', async ({ workbench: page }) => {
+test('an invalid value is marked until it is undone', async ({ workbench: page }) => {
   test.setTimeout(180_000);
   await openExample(page, 'Tutorial 1, in 3D');
   await expectMarks(page, inTheTutorial);
 });
 
-test('a design, a ground, a barrier and an area of a real terrain', async ({ workbench: page }) => {
+test('a design, ground, barrier and area of a real terrain', async ({ workbench: page }) => {
   test.setTimeout(300_000);
   await openExample(page, 'A barrier, designed');
   await page.getByRole('button', { name: 'Pause' }).click(); // drawing rocks in motion is slow without a graphics card

@@ -1,8 +1,8 @@
-// What a picture shows, by its pixels.
+// Screenshots of the views.
 
 import type { Page } from '@playwright/test';
 
-/// The middle of the view, over which nothing lies.
+/// The central part of the view, which no control covers.
 export async function viewShot(page: Page): Promise<Buffer> {
   const { x, y, width, height } = (await page.locator('.picture').boundingBox())!;
   const clip = { x: x + 0.25 * width, y: y + 60, width: 0.5 * width, height: height - 100 };

@@ -1,15 +1,15 @@
-// What several tests do on the page.
+// Steps that several tests share.
 
 import { expect, type Page } from '@playwright/test';
 
-/// Opens an example of the start page, and waits until its run is done and shown.
+/// Opens an example of the start page and waits until its run is shown.
 export async function openExample(page: Page, title: string) {
   await page.getByRole('button', { name: new RegExp(`^${title}`) }).click();
   await runIsShown(page);
 }
 
 export async function runIsShown(page: Page) {
-  await expect(page.getByRole('group', { name: 'Time of the rocks' })).toBeVisible({ timeout: 60_000 });
+  await expect(page.getByRole('group', { name: 'Playback' })).toBeVisible({ timeout: 60_000 });
 }
 
 export const openForm = (page: Page, name: RegExp | string) =>
@@ -17,7 +17,7 @@ export const openForm = (page: Page, name: RegExp | string) =>
 
 export const backToModel = (page: Page) => page.getByRole('button', { name: '‹ Model' }).click();
 
-/// Computes with so many rocks, under a name.
+/// Starts a run with a name and a number of rocks.
 export async function computeWith(page: Page, name: string, rocks: number) {
   await page.getByRole('button', { name: 'Options of the run' }).click();
   const form = page.getByRole('form', { name: 'Options of the run' });
@@ -32,7 +32,7 @@ export const toStartPage = (page: Page) => page.getByRole('button', { name: 'Sta
 
 /// Opens a project of the start page.
 export async function openProject(page: Page, file: string) {
-  await page.getByRole('region', { name: 'Projects of this folder' }).getByRole('button', { name: file }).click();
+  await page.getByRole('region', { name: 'Projects in this folder' }).getByRole('button', { name: file }).click();
   await expect(page.getByRole('navigation', { name: 'Model' })).toBeVisible();
 }
 
@@ -43,7 +43,7 @@ export async function fillField(page: Page, label: string, value: string) {
   await field.press('Tab');
 }
 
-/// What the project says, as the tab Text shows it.
+/// The text of the project, from the Text tab.
 export async function projectText(page: Page): Promise<string> {
   await page.getByRole('tab', { name: 'Text' }).click();
   const text = await page.getByLabel('Project file').inputValue();

@@ -1,25 +1,25 @@
-// Tables on the page, and tables of the manual.
+// Tables of the page and of the verification manual.
 
 import type { Locator } from '@playwright/test';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { sources } from './workbench';
 
-/// The texts of a table's cells, row by row, without its head.
+/// The texts of a table's cells, row by row, without the head.
 export async function cellsOf(table: Locator): Promise<string[][]> {
   return table.locator('tbody tr').evaluateAll((rows) =>
     rows.map((row) => [...row.querySelectorAll('th, td')].map((cell) => cell.textContent ?? '')),
   );
 }
 
-/// Rows of a file with commas and no quotes, by column.
+/// The rows of a CSV file without quotes, by column.
 export function rowsOf(csv: string): Record<string, string>[] {
   const [head, ...lines] = csv.trim().split(/\r?\n/).map((line) => line.split(','));
   return lines.map((line) => Object.fromEntries(head!.map((name, k) => [name, line[k] ?? ''])));
 }
 
-/// A table that the manual prints, kept with its verification case.
+/// A table of the verification manual.
 export const published = (name: string) => rowsOf(readFileSync(join(sources, 'verification', name), 'utf8'));
 
-/// Half a unit of the last printed digit, and a little for the rounding itself.
+/// One unit of the last printed digit.
 export const printedUnit = (text: string) => 10 ** -(text.split('.')[1]?.length ?? 0);

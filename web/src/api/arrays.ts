@@ -1,4 +1,4 @@
-// Large answers: a JSON header and typed arrays ("Arrays" in docs/workbench-api.md).
+// Large responses: a JSON header and typed arrays ("Arrays" in docs/workbench-api.md).
 
 const types = {
   f32: Float32Array,
@@ -17,7 +17,7 @@ export interface Arrays<Header> {
 
 export function readArrays<Header>(bytes: ArrayBuffer): Arrays<Header> {
   const view = new DataView(bytes);
-  if (bytes.byteLength < 8 || view.getUint32(0, false) !== 0x54414c41) throw new Error('the answer holds no arrays');
+  if (bytes.byteLength < 8 || view.getUint32(0, false) !== 0x54414c41) throw new Error('the response contains no arrays');
   const length = view.getUint32(4, true);
   const text = new TextDecoder().decode(new Uint8Array(bytes, 8, length));
   const header = JSON.parse(text) as Header & { arrays: { name: string; type: TypeName; count: number }[] };

@@ -1,9 +1,9 @@
-// Requests to the server that the page came from.
+// Requests to the server of the page.
 
 import { readArrays, type Arrays } from './arrays';
 import type { TomlTable } from '../toml/format';
 import { jsonText } from '../toml/json';
-import { patiently } from './patience';
+import { noticingDelay } from './patience';
 import type {
   About,
   Draft,
@@ -20,27 +20,27 @@ import type {
   Verification,
 } from './types';
 
-/// A refusal, with the reasons that the server gave.
+/// An error response with the problems that the server reports.
 export class Refused extends Error {
   constructor(
     readonly status: number,
     readonly problems: Problem[],
   ) {
-    super(problems.map((problem) => problem.text).join('\n') || `the server answered ${status}`);
+    super(problems.map((problem) => problem.text).join('\n') || `the server responded with ${status}`);
   }
 }
 
-/// The server does not answer: it was stopped, or the connection broke.
+/// The server was stopped, or the connection is broken.
 class Unreachable extends Error {
   constructor() {
-    super('The server does not answer. Start talus serve again and open the address that it prints; nothing here is lost.');
+    super('The server does not respond. Start talus serve again and open the address it prints. Nothing on this page is lost.');
   }
 }
 
 async function ask(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
   let response: Response;
   try {
-    response = await patiently(
+    response = await noticingDelay(
       fetch(path, {
         method,
         ...(body !== undefined && { headers: { 'Content-Type': 'application/json' }, body: jsonText(body) }),
@@ -74,7 +74,7 @@ const name = (file: string) => file.split('/').map(encodeURIComponent).join('/')
 export const api = {
   about: () => getJson<About>('/api/about'),
   materials: async () => (await getJson<{ materials: LibraryMaterial[] }>('/api/materials')).materials,
-  /// The density of what is drawn for a property; the key says within which limits.
+  /// The probability density of a random property; its limits depend on the key.
   distribution: (key: string, property: TomlTable, signal?: AbortSignal) =>
     sendJson<{ density: Point2[]; problems: Problem[] }>('POST', '/api/distribution', { key, ...property }, signal),
   polygons: (asked: { polylines: unknown; tolerance_m: number }, signal?: AbortSignal) =>
@@ -82,7 +82,7 @@ export const api = {
   newAddress: async () => (await sendJson<{ address: string }>('POST', '/api/tokens', {})).address,
   examples: async () => (await getJson<{ examples: Example[] }>('/api/examples')).examples,
   openExample: (id: string) => sendJson<{ project: string }>('POST', `/api/examples/${id}`, {}),
-  /// The files of the folder, and which of its projects have a draft.
+  /// The files of the folder, and the projects that have a draft.
   folder: () => getJson<{ files: FolderFile[]; drafts: string[]; more: boolean }>('/api/files'),
   verification: () => getJson<Verification>('/api/verification'),
   upload: async (file: string, content: Blob, replace = false) => {
@@ -90,7 +90,7 @@ export const api = {
     try {
       const address = `/api/files/${name(file)}${replace ? '?replace=1' : ''}`;
       const headers = { 'Content-Type': 'application/octet-stream' };
-      response = await patiently(fetch(address, { method: 'PUT', headers, body: content }));
+      response = await noticingDelay(fetch(address, { method: 'PUT', headers, body: content }));
     } catch {
       throw new Unreachable();
     }
@@ -99,7 +99,7 @@ export const api = {
     throw new Refused(response.status, answer?.problems ?? []);
   },
   project: (file: string) => getJson<ProjectText>(`/api/project?file=${encodeURIComponent(file)}`),
-  /// `saved`: of the file that it is to replace. Refused where the server works in another folder by now.
+  /// `saved` is the hash of the file to replace. Refused if the server now serves another folder (`workplace`).
   saveProject: (file: string, { text, saved }: Draft, of: Revision, workplace: string) =>
     sendJson<{ saved: string }>('PUT', '/api/project', { file, text, saved, ...of, workplace }),
   keepDraft: (file: string, draft: Draft | null, of: Revision, workplace: string) => {

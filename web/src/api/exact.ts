@@ -1,6 +1,6 @@
-// JSON whose numbers stay as they were written, so that what is shown is what the file says, digit for digit.
+// JSON with numbers kept as text, so that the page shows the digits of the files.
 
-/// A number as a file has it: "152530.42507165897".
+/// A number as in the file: "152530.42507165897".
 export type NumberText = string;
 
 type WithSource = (this: unknown, key: string, value: unknown, context?: { source?: string }) => unknown;

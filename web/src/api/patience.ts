@@ -1,23 +1,23 @@
-// Requests that take longer than anyone expects, so that nobody waits without a word.
+// Notices requests that take unusually long, so that the page can report it.
 
 import { computed, signal } from '@preact/signals';
 
-const patience = 20_000; // ms
-const late = signal(0);
+const limit = 20_000; // ms
+const lateRequests = signal(0);
 
-/// Whether an answer is overdue. It may come yet: a large terrain takes its time.
-export const isOverdue = computed(() => late.value > 0);
+/// Whether a response is overdue. It may still arrive: a large terrain takes time.
+export const isOverdue = computed(() => lateRequests.value > 0);
 
-export async function patiently<T>(answer: Promise<T>): Promise<T> {
+export async function noticingDelay<T>(answer: Promise<T>): Promise<T> {
   let isLate = false;
   const timer = setTimeout(() => {
     isLate = true;
-    ++late.value;
-  }, patience);
+    ++lateRequests.value;
+  }, limit);
   try {
     return await answer;
   } finally {
     clearTimeout(timer);
-    if (isLate) --late.value;
+    if (isLate) --lateRequests.value;
   }
 }

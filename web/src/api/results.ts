@@ -1,11 +1,11 @@
-// Requests for what a run gave.
+// Requests for the results of a run.
 
 import type { RockFilter } from '../state/filter';
 import { getJson, getText } from './client';
 import { parseExact, type NumberText } from './exact';
 import type { Difference, RockAnswer, RunMap, Statistics } from './types';
 
-/// Descriptive statistics as summary.json has them, figure by figure.
+/// Descriptive statistics as in summary.json.
 export interface FigureTexts {
   [figure: string]: NumberText | NumberText[] | Record<string, NumberText>;
 }
@@ -28,7 +28,7 @@ export interface Summary {
   timings: { seconds: NumberText; rocks_per_second: NumberText; threads: NumberText };
 }
 
-/// A percentile with the ends of its confidence interval; null: too few rocks for it.
+/// A percentile with the ends of its confidence interval; null if there are too few rocks.
 export type Interval = [NumberText, NumberText | null, NumberText | null];
 export interface DesignLine {
   name: string;
@@ -43,7 +43,6 @@ export interface Design {
   lines: DesignLine[];
 }
 
-/// Numbers as texts.
 export interface BarrierAnswer {
   name: string;
   kind: 'barrier' | 'collector';
@@ -71,7 +70,7 @@ const at = (id: string) => `/api/runs/${encodeURIComponent(id)}`;
 export const fileAddress = (id: string, name: string) =>
   `${at(id)}/files/${name.split('/').map(encodeURIComponent).join('/')}`;
 
-/// The filter as the server's query has it.
+/// The filter as a query string.
 function queryOf(filter: RockFilter | null): string {
   const query = new URLSearchParams();
   const lists = { reason: filter?.reasons, seeder: filter?.seeders, source: filter?.sources, barrier: filter?.barriers };
@@ -84,7 +83,7 @@ function queryOf(filter: RockFilter | null): string {
 
 async function statisticsAt(path: string, signal?: AbortSignal): Promise<ColumnStatistics> {
   const text = await getText(path, signal);
-  // Numbers to draw, and figures to print.
+  // Numbers for drawing, texts for tables.
   const exact = parseExact<{ statistics: FigureTexts }>(text);
   return { ...(JSON.parse(text) as Statistics), statistics: exact.statistics };
 }
@@ -96,7 +95,7 @@ export const results = {
   fileText: (id: string, name: string, signal?: AbortSignal) => getText(fileAddress(id, name), signal),
   statistics: (id: string, column: string, filter: RockFilter | null, signal?: AbortSignal) =>
     statisticsAt(`${at(id)}/statistics?of=${encodeURIComponent(column)}${queryOf(filter)}`, signal),
-  /// Of two runs, their histograms in the same bins; of the hits on a barrier by its name, or of the rocks.
+  /// Statistics of two runs with histograms in the same bins: of the hits on a barrier (by name), or of the rocks.
   compared: async (id: string, other: string, column: string, filter: RockFilter | null, barrier: string | null, signal?: AbortSignal) => {
     const on = barrier === null ? '' : `&hits_on=${encodeURIComponent(barrier)}`;
     const path = `${at(id)}/compared/${encodeURIComponent(other)}/statistics?of=${encodeURIComponent(column)}${on}`;

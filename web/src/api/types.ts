@@ -1,11 +1,11 @@
-// What the server answers: docs/workbench-api.md.
+// Responses of the server: docs/workbench-api.md.
 
 import type { WordOf } from '../model/names';
 
 export interface About {
   version: string;
   folder: string;
-  /// The folder's identity.
+  /// Identifies the folder.
   workplace: string;
   project: string | null;
   limits: { upload_bytes: number; project_bytes: number };
@@ -48,14 +48,14 @@ export interface FolderFile {
 
 export interface Draft {
   text: string;
-  /// The hash of the file that it began from; null: there was none.
+  /// The hash of the file that the draft is based on; null if there was none.
   saved: string | null;
 }
-/// As the server has it: with the last revision of each tab that it comes from, its own the last.
+/// A draft on the server, with the last revision of each tab that contributed to it, the most recent last.
 export interface KeptDraft extends Draft {
   revisions: string[];
 }
-/// Of a draft, and of the server's that it was made of (null: of none).
+/// The revision of a draft, and that of the server's draft it is based on (null: none).
 export interface Revision {
   revision: string;
   after: string | null;
@@ -71,7 +71,7 @@ export type Point3 = [number, number, number];
 export interface ModelSeeder {
   name: string;
   type: WordOf<'seeder', 'type'>;
-  /// Of the entry in the project, such as "seeder.0".
+  /// The path of the entry in the project, such as "seeder.0".
   path: string;
   rocks: number;
   first_rock: number;
@@ -82,7 +82,7 @@ export interface ModelSeeder {
 export interface ModelArea {
   name: string;
   path: string;
-  /// Of the model's materials.
+  /// Index into the model's materials.
   material: number;
   sides: Point3[][];
 }
@@ -99,7 +99,7 @@ export interface ModelBarrier {
 
 export interface Model {
   id: string;
-  /// Another one when a file that was read has changed.
+  /// Changes when a file that was read changes.
   files: string;
   dimension: 2 | 3;
   kind: 'section' | 'mesh' | 'raster';
@@ -128,10 +128,10 @@ export interface PolygonsAnswer {
   problems: Problem[];
 }
 
-/// The ground along a line on plan, place by place.
+/// The ground along a line on plan, point by point.
 export interface GroundSection {
   distance_m: number[];
-  /// Null: no terrain up to the next place.
+  /// Null: no terrain up to the next point.
   z_m: (number | null)[];
   x_m: number[];
   y_m: number[];
@@ -168,7 +168,7 @@ export interface Run {
 export interface Statistics {
   unit: string;
   count: number;
-  /// Where the table of end points holds a sample of the rocks: how many of how many.
+  /// Given if the table of end points has a sample of the rocks.
   sample: { rocks: number; of: number } | null;
   statistics: Record<string, number>;
   histogram: { edges: number[]; counts: number[] };
@@ -196,7 +196,7 @@ export interface RunMap {
   name: string;
   meaning: string;
   unit: string;
-  /// Of the values above 0.
+  /// The range of the values above 0.
   least: number;
   most: number;
   source: string | null;

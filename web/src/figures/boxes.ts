@@ -1,5 +1,4 @@
-// Box plots: quartiles with the median, whiskers, and beyond them the least and greatest value as dots; a cross is the
-// mean.
+// Box plots: quartiles with the median, whiskers, minimum and maximum as dots beyond the whiskers, the mean as a cross.
 
 import { max } from 'd3-array';
 import { measured } from './format';
@@ -11,7 +10,7 @@ export interface Box {
   name: string;
   colour: string;
   count: number;
-  /// As the files have them.
+  /// In the units of the files.
   least: number;
   whisker_low: number;
   q1: number;
@@ -27,7 +26,7 @@ export interface Boxes extends Quantity {
 }
 
 const figures = ['least', 'whisker_low', 'q1', 'median', 'q3', 'whisker_high', 'most'] as const;
-const words: Record<(typeof figures)[number], string> = {
+const labels: Record<(typeof figures)[number], string> = {
   least: 'minimum',
   whisker_low: 'lower whisker',
   q1: 'lower quartile',
@@ -36,16 +35,16 @@ const words: Record<(typeof figures)[number], string> = {
   whisker_high: 'upper whisker',
   most: 'maximum',
 };
-const letter = 6.4;
+const letterWidth = 6.4;
 
-/// A name within so many units.
+/// A name shortened to `width` units.
 const cut = (name: string, width: number) =>
-  name.length * letter <= width ? name : `${name.slice(0, Math.max(1, Math.floor(width / letter) - 1))}…`;
+  name.length * letterWidth <= width ? name : `${name.slice(0, Math.max(1, Math.floor(width / letterWidth) - 1))}…`;
 
 export function boxes(element: SVGSVGElement, room: Room, { title, unit, per, of }: Boxes) {
   const svg = openDrawing(element, room);
   const hasNames = of.length > 1;
-  const nameWidth = hasNames ? Math.min(0.3 * room.width, letter * (max(of, ({ name }) => name.length) ?? 0)) : 0;
+  const nameWidth = hasNames ? Math.min(0.3 * room.width, letterWidth * (max(of, ({ name }) => name.length) ?? 0)) : 0;
   const values = of.flatMap(({ least, most }) => [least / per, most / per]);
   const { side, x } = openPlot(svg, room, {
     x: extentOf(values, 0.05),
@@ -102,12 +101,12 @@ export function boxes(element: SVGSVGElement, room: Room, { title, unit, per, of
           `M${x(box.mean / per) - arm},${middle - arm}l${2 * arm},${2 * arm}m0,${-2 * arm}l${-2 * arm},${2 * arm}`,
         );
     }
-    const said = [...figures]
+    const shown = [...figures]
       .reverse()
       .filter((figure) =>
         figure === 'whisker_low' ? ends.includes('least') : figure !== 'whisker_high' || ends.includes('most'),
       );
-    const rows = said.map((figure) => `${words[figure]} ${measured(box[figure] / per)} ${unit}`);
+    const rows = shown.map((figure) => `${labels[figure]} ${measured(box[figure] / per)} ${unit}`);
     if (typeof box.mean === 'number') rows.push(`mean ${measured(box.mean / per)} ${unit}`);
     tip(g, () => [...(hasNames ? [`${box.name}: ${measured(box.count)}`] : []), ...rows].join('\n'));
   });

@@ -1,4 +1,4 @@
-// Which share of things has at most a value.
+// The cumulative distribution: the share of rocks or hits with at most a value.
 
 import { numberText } from './format';
 import type { Cell } from './files';
@@ -6,7 +6,7 @@ import {
   extentOf,
   openDrawing,
   openPlot,
-  sayAlong,
+  readAlong,
   sign,
   titleOf,
   valueText,
@@ -19,7 +19,7 @@ import {
 export interface Steps {
   name: string;
   colour: string;
-  /// Values as the files have them, ascending, and the share up to each, 1 at the last.
+  /// Values in the units of the files, ascending, and the share up to each; the last share is 1.
   points: readonly (readonly [number, number])[];
 }
 
@@ -38,7 +38,7 @@ export function shareAt(points: Steps['points'], value: number): number {
   return share;
 }
 
-/// Corners of the steps from end to end of an axis, in percent: up from nothing at the least value.
+/// Corners of the steps over the whole axis, in percent, rising from 0 at the smallest value.
 export function cumulativeCurve(points: Steps['points'], [low, high]: Range): [number, number][] {
   let now = 0;
   const corners = points.flatMap(([value, share]): [number, number][] => {
@@ -83,7 +83,7 @@ export function cumulative(element: SVGSVGElement, room: Room, { title, unit, pe
         .style('--run', colour)
         .attr('d', `M${corners.join('L')}`);
   });
-  sayAlong(svg, plot, places, (k) =>
+  readAlong(svg, plot, places, (k) =>
     [
       `at most ${valueText(places[k]!, unit)}`,
       ...curves.map(

@@ -1,4 +1,4 @@
-// Of D3 what the report's own scripts draw with.
+// The parts of D3 that the report's own scripts use.
 
 export { bisectRight, extent, max, mean, sum, ticks } from 'd3-array';
 export { rgb } from 'd3-color';

@@ -1,32 +1,31 @@
-// The energy of one rock along its path: total kinetic energy, the rotational part of it, potential energy, and all
-// together.
+// The energy of one rock along its trajectory: total kinetic, rotational, potential and mechanical energy.
 
 import { measured } from './format';
-import { extentOf, openDrawing, openPlot, sayAlong, sign, type Group, type Room } from './plot';
+import { extentOf, openDrawing, openPlot, readAlong, sign, type Group, type Room } from './plot';
 
 export interface EnergyRow {
-  /// Along the first axis, ascending.
+  /// On the horizontal axis, ascending.
   place: number;
   /// [J]
   translational: number;
   rotational: number;
   potential: number;
-  /// Where a flight begins whose energies are a quadratic of the place: how much potential energy its departure would
-  /// give until half its time [J].
+  /// At the start of a flight, whose energies are quadratic in `place`: the change of potential energy over half its
+  /// duration at the departure velocity [J].
   rise?: number | null;
-  /// What is said of the place.
+  /// The tooltip.
   text: string;
 }
 
 const kJ = (joules: number) => joules / 1000;
-/// Each with what it changes by where potential energy rises by 1.
+/// `turns` is the change of each energy for a rise of potential energy by 1.
 const curves = [
-  { name: 'potential', words: 'potential', of: (row: EnergyRow) => row.potential, turns: 1 },
-  { name: 'rotational', words: 'rotational', of: (row: EnergyRow) => row.rotational, turns: 0 },
-  { name: 'kinetic', words: 'total kinetic', of: (row: EnergyRow) => row.translational + row.rotational, turns: -1 },
+  { name: 'potential', label: 'potential', of: (row: EnergyRow) => row.potential, turns: 1 },
+  { name: 'rotational', label: 'rotational', of: (row: EnergyRow) => row.rotational, turns: 0 },
+  { name: 'kinetic', label: 'total kinetic', of: (row: EnergyRow) => row.translational + row.rotational, turns: -1 },
   {
     name: 'mechanical',
-    words: 'mechanical',
+    label: 'mechanical',
     of: (row: EnergyRow) => row.translational + row.rotational + row.potential,
     turns: 0,
   },
@@ -52,8 +51,8 @@ export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDo
     xLabel,
     yLabel: 'Energy [kJ]',
     entries: shown
-      .map(({ name, words }, k) => ({
-        text: `${words} energy`,
+      .map(({ name, label }, k) => ({
+        text: `${label} energy`,
         draw: sign.line(`energy ${name}`),
         switches: groups[k]!,
       }))
@@ -80,13 +79,13 @@ export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDo
   const places = rows.map(({ place }) => place);
   const isAscending = places.every((place, k) => k === 0 || places[k - 1]! <= place);
   const order = isAscending ? rows : [...rows].sort((a, b) => a.place - b.place);
-  sayAlong(
+  readAlong(
     svg,
     plot,
     order.map(({ place }) => place),
     (k) => {
       const row = order[k]!;
-      return [row.text, ...shown.map(({ words, of }) => `${words} ${measured(kJ(of(row)))} kJ`).reverse()].join('\n');
+      return [row.text, ...shown.map(({ label, of }) => `${label} ${measured(kJ(of(row)))} kJ`).reverse()].join('\n');
     },
   );
 }

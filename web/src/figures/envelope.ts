@@ -1,5 +1,5 @@
-// How much energy rocks have along a section, how fast and how high they come: envelopes.csv, drawn cell by cell. Of
-// two runs the first curve of each.
+// Envelopes along a section, from envelopes.csv: energy, velocity, bounce height and counts, cell by cell. For two runs
+// only the first curve of each is drawn.
 
 import type { Cell } from './files';
 import {
@@ -8,7 +8,7 @@ import {
   openDrawing,
   openPlot,
   rangeText,
-  sayAlong,
+  readAlong,
   sign,
   titleOf,
   valueText,
@@ -17,7 +17,7 @@ import {
   type Room,
 } from './plot';
 
-/// A quantity of the file: what the names of its columns begin with, or of what has one, its whole name.
+/// A quantity of the file; `key` is the common beginning of its column names, or the name of its only column.
 export interface EnvelopeQuantity extends Quantity {
   key: string;
 }
@@ -27,30 +27,30 @@ export const envelopeQuantities: readonly EnvelopeQuantity[] = [
   { key: 'energy_translational', title: 'Translational kinetic energy', unit: 'kJ', per: 1 },
   { key: 'velocity', title: 'Velocity', unit: 'm/s', per: 1 },
   { key: 'bounce_height', title: 'Bounce height', unit: 'm', per: 1 },
-  { key: 'reach_share', title: 'Share of rocks that get here', unit: '%', per: 0.01 },
-  { key: 'passages', title: 'Rocks that were here', unit: '', per: 1 },
-  { key: 'deposits', title: 'Rocks that came to rest here', unit: '', per: 1 },
+  { key: 'reach_share', title: 'Reach probability', unit: '%', per: 0.01 },
+  { key: 'passages', title: 'Passages', unit: '', per: 1 },
+  { key: 'deposits', title: 'Deposits', unit: '', per: 1 },
   { key: 'impacts', title: 'Impacts', unit: '', per: 1 },
 ];
 
 export interface Curve {
   column: string;
   title: string;
-  style: 'greatest' | 'percentile' | 'mean';
+  style: 'maximum' | 'percentile' | 'mean';
   dash: string | null;
 }
 
 const dashes = ['7 3', '4 3', '2 3', '1 4'];
 
-/// The curves of a quantity that columns of a file hold, the greatest first: its maximum, percentiles, mean.
+/// The curves of a quantity among the columns of a file: maximum, percentiles in descending order, mean.
 export function curvesOf(columns: readonly string[], key: string): Curve[] {
-  if (columns.includes(key)) return [{ column: key, title: '', style: 'greatest', dash: null }];
+  if (columns.includes(key)) return [{ column: key, title: '', style: 'maximum', dash: null }];
   const found = columns.flatMap((column): (Omit<Curve, 'dash'> & { order: number })[] => {
     const figure = column.startsWith(`${key}_`)
       ? /^(max|mean|p[\d.]+)_/.exec(column.slice(key.length + 1))?.[1]
       : undefined;
     if (!figure) return [];
-    if (figure === 'max') return [{ column, title: 'maximum', style: 'greatest', order: Infinity }];
+    if (figure === 'max') return [{ column, title: 'maximum', style: 'maximum', order: Infinity }];
     if (figure === 'mean') return [{ column, title: 'mean', style: 'mean', order: -1 }];
     const percent = Number(figure.slice(1));
     return [{ column, title: `percentile ${percent}`, style: 'percentile', order: percent }];
@@ -64,21 +64,21 @@ export function curvesOf(columns: readonly string[], key: string): Curve[] {
   }));
 }
 
-/// A run along the section.
+/// The cells of one run.
 export interface Cells {
   name: string;
   colour: string;
-  /// The middle of each cell as the file has it, and its edges [m], ascending.
+  /// The centre of each cell as in the file, and its edges [m], ascending.
   x: readonly number[];
   from: readonly number[];
   to: readonly number[];
-  /// By the column's name; null where no rock was.
+  /// By column name; null where no rock passed.
   values: ReadonlyMap<string, readonly (number | null)[]>;
 }
 
 export interface Envelope extends EnvelopeQuantity {
   of: readonly Cells[];
-  /// Barriers, which stand in the section.
+  /// Barriers in the section.
   walls: readonly { name: string; x: number }[];
 }
 
@@ -107,7 +107,7 @@ export function envelope(element: SVGSVGElement, room: Room, { key, title, unit,
       of.flatMap(({ from, to }) => [...from, ...to]),
       0.02,
     ),
-    y: [low, walls.length > 0 ? 1.12 * high : high], // room for their names
+    y: [low, walls.length > 0 ? 1.12 * high : high], // space for their names
     xLabel: 'x [m]',
     yLabel: titleOf({ title, unit }),
     entries:
@@ -124,7 +124,7 @@ export function envelope(element: SVGSVGElement, room: Room, { key, title, unit,
       .attr('y2', side.top);
   }
   for (const { style, dash, cells, values, group } of lines) {
-    // A step between cells side by side; where no rock was the line is broken.
+    // Steps between adjacent cells; the line is broken where no rock passed.
     const path = values.map((value, k) => {
       if (value === null) return '';
       const isBroken = k === 0 || values[k - 1] === null;
@@ -147,7 +147,7 @@ export function envelope(element: SVGSVGElement, room: Room, { key, title, unit,
   const first = of[0];
   if (!first) return;
   const middles = first.x;
-  sayAlong(svg, plot, middles, (k) =>
+  readAlong(svg, plot, middles, (k) =>
     [
       `x ${rangeText(first.from[k]!, first.to[k]!, 'm')}`,
       ...lines.map(({ text, cells, values }) => {
@@ -158,7 +158,7 @@ export function envelope(element: SVGSVGElement, room: Room, { key, title, unit,
   );
 }
 
-/// With the numbers of the files; of several runs, which one a row is of.
+/// The numbers of the files; with several runs, the first column names the run.
 export function envelopeRows(of: readonly Cells[], key: string): Cell[][] {
   const columns = of[0] ? curvesOf([...of[0].values.keys()], key).map(({ column }) => column) : [];
   const named = of.length > 1;

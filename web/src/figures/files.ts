@@ -1,4 +1,4 @@
-// Figures and tables as files.
+// Saves figures and tables as files.
 
 import { printPng, printRatio } from '../view/png';
 
@@ -49,8 +49,8 @@ const kept = [
   'text-anchor',
 ];
 
-/// A drawing alone, with its title above and the page's style written into every element, so that it looks the same
-/// anywhere.
+/// A standalone SVG with its title above. The page's style is written into every element, so that it looks the same
+/// everywhere.
 export function drawingText(svg: SVGSVGElement, title: string): string {
   const space = 'http://www.w3.org/2000/svg';
   const copy = svg.cloneNode(true) as SVGSVGElement;
@@ -86,7 +86,7 @@ const svgBlob = (svg: SVGSVGElement, title: string) => new Blob([drawingText(svg
 export const saveSvg = (name: string, svg: SVGSVGElement, title: string) =>
   saveFile(`${name}.svg`, svgBlob(svg, title));
 
-/// For print: 300 dots an inch, which the file says.
+/// For print, at 300 dpi.
 export async function savePng(name: string, svg: SVGSVGElement, title: string): Promise<void> {
   const { width, height } = sizeOf(svg);
   const address = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(drawingText(svg, title))}`;

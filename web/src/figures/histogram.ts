@@ -1,4 +1,4 @@
-// How often values of a quantity occur. Of several things, counted in the same bins, shares of each stand side by side.
+// Histograms. Several runs are counted in the same bins and shown side by side as shares of each.
 
 import { max, sum } from 'd3-array';
 import { counted, numberText } from './format';
@@ -19,21 +19,21 @@ import { tip } from './tip';
 
 export interface Bins {
   name: string;
-  /// As CSS has it.
+  /// A CSS colour.
   colour: string;
-  /// Of the bins, one more than counts, as the files have them.
+  /// The edges of the bins, one more than `counts`, in the units of the files.
   edges: readonly number[];
   counts: readonly number[];
 }
 
 export interface Histogram extends Quantity {
-  /// What is counted: "rock", "hit".
+  /// What is counted: "rock" or "hit".
   thing: string;
   of: readonly Bins[];
 }
 
-const oneWidth = 6; // of a bar whose bin has no width
-const leastWidth = 1;
+const degenerateWidth = 6; // of a bar whose bin has no width
+const minimumWidth = 1;
 
 export function histogram(element: SVGSVGElement, room: Room, { title, unit, per, thing, of }: Histogram) {
   const svg = openDrawing(element, room);
@@ -62,12 +62,13 @@ export function histogram(element: SVGSVGElement, room: Room, { title, unit, per
     entries: isOne ? [] : series.map(({ name, colour }) => ({ text: name, draw: sign.box('bar', colour) })),
   });
   series.forEach(({ colour, bars, all }, place) => {
-    // Its part of the bin.
+    // The run's part of the bin.
     const box = ({ low, high }: (typeof bars)[number]) => {
       const whole = x(high) - x(low);
-      if (whole < leastWidth) return { left: x(low) + (place - of.length / 2) * oneWidth, width: oneWidth };
+      if (whole < minimumWidth)
+        return { left: x(low) + (place - of.length / 2) * degenerateWidth, width: degenerateWidth };
       const width = whole / of.length;
-      return { left: x(low) + place * width, width: Math.max(width - (width > 4 ? 1 : 0), leastWidth) };
+      return { left: x(low) + place * width, width: Math.max(width - (width > 4 ? 1 : 0), minimumWidth) };
     };
     const drawn = svg
       .append('g')
@@ -89,7 +90,7 @@ export function histogram(element: SVGSVGElement, room: Room, { title, unit, per
   });
 }
 
-/// With the numbers of the files, which call the quantity `column`.
+/// The numbers of the files; `column` is the name of the quantity there.
 export const histogramRows = (of: readonly Bins[], column: string): Cell[][] => [
   ['of', `${column}_from`, `${column}_to`, 'count', 'share_percent'],
   ...of.flatMap(({ name, edges, counts }) =>

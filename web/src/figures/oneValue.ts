@@ -1,4 +1,4 @@
-// Plots of values that are all the same, but for roundings: an axis round it that can be read.
+// A readable axis for values that are all equal, except for rounding errors.
 
 import { roundStep } from '../view/ticks';
 
@@ -8,7 +8,7 @@ export interface Ends {
   interval: number;
 }
 
-/// Null: the values differ.
+/// The ends of the axis around the value; null if the values differ.
 export function endsAround(values: readonly number[]): Ends | null {
   const [low, high] = [Math.min(...values), Math.max(...values)];
   if (values.length === 0 || !(high - low <= 1e-9 * Math.max(Math.abs(low), Math.abs(high)))) return null;

@@ -1,5 +1,5 @@
-// What all figures have in common: ranges, axes, the legend, and values along an axis. All text is set as text, never
-// as markup: names in it are the user's.
+// Common parts of all figures: ranges, axes, legend, and reading values along an axis. All text is set as text, never as
+// markup, because it contains the user's names.
 
 import { extent, max } from 'd3-array';
 import { axisBottom, axisLeft } from 'd3-axis';
@@ -9,18 +9,18 @@ import { measured, tickText } from './format';
 import { endsAround } from './oneValue';
 import { hideTip, showTip } from './tip';
 
-/// Whatever elements and data D3 selected.
+/// A D3 selection of any elements and data.
 export type Group = Selection<any, any, any, any>;
 export type Scale = ScaleLinear<number, number>;
 export type Range = [number, number];
 
-/// Of a whole figure with its axes and legend, in the drawing's own units.
+/// The size of a figure with axes and legend, in drawing units.
 export interface Room {
   width: number;
   height: number;
 }
 
-/// A rectangle within a drawing.
+/// The plot area within a drawing.
 export interface Side {
   left: number;
   right: number;
@@ -28,7 +28,7 @@ export interface Side {
   bottom: number;
 }
 
-/// What a figure shows: a quantity, its unit, and how much of what the file has is one of that.
+/// A quantity with its displayed unit; values of the files are divided by `per` for display.
 export interface Quantity {
   title: string;
   unit: string;
@@ -37,13 +37,13 @@ export interface Quantity {
 
 export const titleOf = ({ title, unit }: { title: string; unit: string }) => (unit ? `${title} [${unit}]` : title);
 export const valueText = (value: number, unit: string) => `${measured(value)}${unit && ` ${unit}`}`;
-/// "1.5 to 2.0 m", with the decimals that tell its ends apart.
+/// "1.5 to 2.0 m", with enough decimals to distinguish the ends.
 export const rangeText = (low: number, high: number, unit: string) =>
   high > low
     ? `${tickText(low, high - low)} to ${tickText(high, high - low)}${unit && ` ${unit}`}`
     : valueText(low, unit);
 
-/// A range that holds all values, wider than they are by a share on either side.
+/// The range of all values, extended on both sides by `margin` times its width.
 export function extentOf(values: readonly number[], margin = 0.04): Range {
   const one = endsAround(values);
   if (one) return [one.min, one.max];
@@ -53,16 +53,16 @@ export function extentOf(values: readonly number[], margin = 0.04): Range {
   return [low - more, high + more];
 }
 
-/// From nothing to a little above the greatest value.
+/// From 0 to a little above the maximum.
 export const fromZero = (values: readonly number[]): Range => [0, (max(values) || 1) * 1.06];
 
 const textOfTicks = (scale: Scale, count: number) => {
   const [first = 0, second = first + 1] = scale.ticks(count);
   return (value: number) => tickText(value, Math.abs(second - first));
 };
-const letter = 6.6; // how wide a digit of the axes is
+const letterWidth = 6.6; // of a digit on the axes
 const widest = (scale: Scale, count: number) =>
-  letter * (max(scale.ticks(count), (v) => textOfTicks(scale, count)(v).length) ?? 0);
+  letterWidth * (max(scale.ticks(count), (v) => textOfTicks(scale, count)(v).length) ?? 0);
 
 interface Labels {
   xLabel: string;
@@ -73,7 +73,7 @@ interface Labels {
 
 const ticksOver = (length: number) => Math.max(3, Math.round(length / 45));
 
-/// Draws grid, axes and their labels into a rectangle; without `y`, the first axis alone.
+/// Draws grid, axes and labels into the plot area; without `y`, only the horizontal axis.
 export function axes(svg: Group, x: Scale, y: Scale | null, side: Side, { xLabel, yLabel, xTicks, yTicks }: Labels) {
   const { left, right, top, bottom } = side;
   const nx = xTicks || Math.max(2, Math.floor((right - left) / Math.max(80, widest(x, 8) + 30)));
@@ -115,20 +115,20 @@ export function axes(svg: Group, x: Scale, y: Scale | null, side: Side, { xLabel
       .tickFormat((v) => textOfTicks(y, ny)(Number(v))),
   );
   const upright = label(yLabel);
-  // A long one may reach below the rectangle, not above it.
-  const half = ((upright.node() as SVGTextElement).getComputedTextLength() || yLabel.length * letter) / 2;
+  // A long label may extend below the plot area, not above it.
+  const half = ((upright.node() as SVGTextElement).getComputedTextLength() || yLabel.length * letterWidth) / 2;
   const middle = Math.max((top + bottom) / 2, half + 3);
   upright.attr('transform', `translate(${left - widest(y, ny) - 22},${middle}) rotate(-90)`);
 }
 
-/// A sign of 22 units around y = 0, and what it means; `switches` is what a click on it hides and shows.
+/// A symbol 22 units wide around y = 0 and its text. A click hides or shows `switches`.
 export interface LegendEntry {
   text: string;
   draw: (group: Group) => void;
   switches?: Group;
 }
 
-/// A row of entries, broken at the right; gives the last line's y.
+/// Draws a row of entries, wrapped at `rightmost`. Returns the y of the last line.
 export function legend(
   svg: Group,
   entries: readonly LegendEntry[],
@@ -141,7 +141,7 @@ export function legend(
     const group: Group = svg.append('g');
     draw(group);
     const words = group.append('text').attr('x', 28).attr('y', 4).text(text);
-    const length = 28 + ((words.node() as SVGTextElement).getComputedTextLength() || text.length * letter) + 20;
+    const length = 28 + ((words.node() as SVGTextElement).getComputedTextLength() || text.length * letterWidth) + 20;
     if (at + length > rightmost && at > x) [at, line] = [x, line + 19];
     group.attr('transform', `translate(${at},${line})`);
     at += length;
@@ -181,7 +181,7 @@ export const sign = {
       g.append('circle').attr('class', className).attr('cx', 11).attr('r', 3.6).style('--run', run),
 };
 
-/// The rectangle of a figure with its scales.
+/// The plot area with its scales.
 export interface Plot {
   side: Side;
   x: Scale;
@@ -192,13 +192,13 @@ interface PlotOptions extends Omit<Labels, 'xTicks' | 'yTicks'> {
   x: Range;
   y: Range;
   entries?: readonly LegendEntry[];
-  /// Names of rows instead of a second axis: how wide they are.
+  /// The width of row names, which replace the vertical axis.
   names?: number;
-  /// Ranges for a rectangle of so many units, instead of `x` and `y`.
+  /// Ranges for a plot area of this size, instead of `x` and `y`.
   fit?: (width: number, height: number) => [Range, Range];
 }
 
-/// Lays out axes and a legend so that they fill the room, draws them, and gives the scales.
+/// Lays out and draws axes and legend. Returns the plot area and its scales.
 export function openPlot(svg: Group, { width, height }: Room, options: PlotOptions): Plot {
   const { xLabel, yLabel, entries = [], names, fit } = options;
   const right = width - 14;
@@ -220,7 +220,7 @@ export function openPlot(svg: Group, { width, height }: Room, options: PlotOptio
   return { side, x, y };
 }
 
-/// The place nearest to a value among ascending ones.
+/// The index of the value nearest to `value` among ascending ones.
 export function nearest(ascending: readonly number[], value: number): number {
   let [low, high] = [0, ascending.length - 1];
   while (high - low > 1) {
@@ -231,9 +231,9 @@ export function nearest(ascending: readonly number[], value: number): number {
   return high < 0 || value - ascending[low]! <= ascending[high]! - value ? low : high;
 }
 
-/// Says what is at each of ascending places along the first axis, with a line there. Returns what shows one without the
-/// pointer; null: none.
-export function sayAlong(
+/// Shows a tooltip and a line at the place nearest to the pointer; `places` are ascending on the horizontal axis. Returns
+/// a function that shows place k without the pointer (null: none).
+export function readAlong(
   svg: Group,
   { side: { left, right, top, bottom }, x }: Plot,
   places: readonly number[],
@@ -272,13 +272,13 @@ export function sayAlong(
   };
 }
 
-/// Where the pointer is in a drawing, in its units.
+/// The position of the pointer in drawing units.
 export function pointIn(svg: SVGSVGElement, event: MouseEvent): [number, number] {
   const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
   return [x, y];
 }
 
-/// A figure's drawing anew in an element, whose units are those of the room.
+/// Clears the element for a new drawing of this size.
 export function openDrawing(element: SVGSVGElement, { width, height }: Room): Group {
   const svg: Group = select(element);
   svg.selectAll('*').remove();

@@ -1,14 +1,14 @@
-// The ground along a line, with gaps where there is none.
+// The ground along a line, with gaps where there is no terrain.
 
-import { extentOf, openDrawing, openPlot, sayAlong, type Range, type Room } from './plot';
+import { extentOf, openDrawing, openPlot, readAlong, type Range, type Room } from './plot';
 
 export interface Profile {
   /// Ascending [m].
   distance: readonly number[];
-  /// Null: there is no ground from here to the next place.
+  /// Null: no terrain from here to the next point.
   z: readonly (number | null)[];
   colour: string;
-  /// Ranges of both axes for a rectangle of so many units, where they are to be of one scale.
+  /// Ranges of both axes for a plot area of this size, if they are to have the same scale.
   fit?: ((width: number, height: number) => [Range, Range]) | undefined;
   textOf: (k: number) => string;
   hover: (k: number | null) => void;
@@ -43,5 +43,5 @@ export function profile(element: SVGSVGElement, room: Room, { distance, z, colou
     else pieces.push(`${x(distance[k]!).toFixed(2)},${y(value).toFixed(2)}`);
   });
   close(z.length - 1);
-  return sayAlong(svg, plot, distance, textOf, hover);
+  return readAlong(svg, plot, distance, textOf, hover);
 }

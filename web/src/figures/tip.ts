@@ -1,4 +1,4 @@
-// What is said of a thing in a figure while the pointer is on it.
+// The tooltip of figures.
 
 import { select, type BaseType, type Selection } from 'd3-selection';
 
@@ -16,7 +16,7 @@ export function hideTip() {
   if (box) box.hidden = true;
 }
 
-/// Beside a place of the window, within its edges.
+/// Shows the text next to a position of the window, within its edges.
 export function showTip(text: string, x: number, y: number) {
   const node = tipBox();
   node.hidden = false;
@@ -28,7 +28,7 @@ export function showTip(text: string, x: number, y: number) {
   node.style.top = `${Math.max(0, top)}px`;
 }
 
-/// `textOf` gives what is said of a datum, and of where the pointer is.
+/// Adds a tooltip to each element; `textOf` returns its text.
 export function tip<Node extends BaseType, Datum>(
   selection: Selection<Node, Datum, BaseType, unknown>,
   textOf: (datum: Datum, event: MouseEvent) => string,

@@ -1,9 +1,9 @@
-// The documents of the project, read in the page.
+// Shows the documentation of Talus in the page.
 
 import type { ComponentChildren } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { signal } from '@preact/signals';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { Dialog } from '../ui/Dialog';
 import { blocksOf, sectionOf, spansOf, type Block } from './markdown';
 import type { Topic } from '../model/schema';
@@ -19,7 +19,7 @@ const texts: Record<string, () => Promise<{ default: string }>> = {
   'project-file.md': () => import('../../../docs/project-file.md?raw'),
 };
 
-/// What is read; null: nothing.
+/// The topic that is open; null: none.
 export const reading = signal<Topic | null>(null);
 
 export function DocumentDialog() {
@@ -29,7 +29,7 @@ export function DocumentDialog() {
   useEffect(() => {
     setWhole(false);
     setBlocks([]);
-    if (topic) void texts[topic.document]!().then(({ default: text }) => setBlocks(blocksOf(text)), sayFailure);
+    if (topic) void texts[topic.document]!().then(({ default: text }) => setBlocks(blocksOf(text)), reportFailure);
   }, [topic]);
   if (!topic) return null;
   const shown = isWhole ? blocks : sectionOf(blocks, topic.heading);
@@ -42,7 +42,7 @@ export function DocumentDialog() {
       </div>
       {!isWhole && shown.length < blocks.length && (
         <button class="button" onClick={() => setWhole(true)}>
-          The whole document
+          Show the whole document
         </button>
       )}
     </Dialog>

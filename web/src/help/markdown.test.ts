@@ -43,13 +43,13 @@ test('spans', () =>
     { kind: 'text', text: ' 2 * 3' },
   ]));
 
-test('a section ends where one of its level begins', () => {
+test('a section ends at the next heading of its level', () => {
   const blocks = blocksOf('# A\n\n## B\n\nb\n\n### C\n\nc\n\n## D\n\nd');
   expect(sectionOf(blocks, 'B').map((block) => ('text' in block ? block.text : ''))).toEqual(['B', 'b', 'C', 'c']);
   expect(sectionOf(blocks, 'none')).toHaveLength(blocks.length);
 });
 
-test('every topic that help leads to is in the documents', () => {
+test('the documents contain every help topic', () => {
   const documents: Record<string, string> = {
     'laws.md': laws,
     'barrier-design.md': barriers,

@@ -1,4 +1,4 @@
-// As much of Markdown as our own documents use.
+// The subset of Markdown that the documentation of Talus uses.
 
 export type Block =
   | { kind: 'heading'; level: number; text: string }
@@ -56,7 +56,7 @@ export function blocksOf(markdown: string): Block[] {
   return blocks;
 }
 
-/// The blocks under a heading, which is the first of them; all where there is no such heading.
+/// The blocks of the section with this heading, including the heading; all blocks if there is no such heading.
 export function sectionOf(blocks: readonly Block[], heading: string): Block[] {
   const start = blocks.findIndex((block) => block.kind === 'heading' && block.text === heading);
   if (start < 0) return [...blocks];

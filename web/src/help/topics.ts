@@ -1,4 +1,4 @@
-// Where the documents say more about a setting.
+// Sections of the documentation on settings.
 
 import type { Topic } from '../model/schema';
 import { fieldOf, tableOf, tables } from '../model/settings';
@@ -8,7 +8,7 @@ export const topics: readonly Topic[] = tables.flatMap(({ topic, fields }) =>
   [topic, ...fields.map((field) => field.topic)].filter((one) => one !== undefined),
 );
 
-/// Of the setting at a path of the project.
+/// The topic of the setting at a path of the project.
 export function topicOf(path: Path): Topic | undefined {
   const [table, key] = [String(path[0]), String(path.at(-1))];
   return path.length < 2 ? undefined : (fieldOf(table, key)?.topic ?? tableOf(table)?.topic);

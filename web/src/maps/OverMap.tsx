@@ -1,11 +1,11 @@
 import { pathsOverMap } from './over';
 
-/// Whether paths and end points are drawn over the map on the terrain.
+/// The choice whether trajectories and end points are drawn over the map.
 export function OverMap() {
   return (
     <label class="choice">
       <input type="checkbox" checked={pathsOverMap.value} onChange={(event) => (pathsOverMap.value = event.currentTarget.checked)} />
-      Paths over the map
+      Trajectories over the map
     </label>
   );
 }

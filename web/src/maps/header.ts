@@ -1,4 +1,4 @@
-// What the server says of a map's picture.
+// The header of a map from the server.
 
 import type { Point2 } from '../api/types';
 import type { MapClass } from './classes';
@@ -8,6 +8,6 @@ export interface MapHeader {
   cell: Point2;
   columns: number;
   rows: number;
-  /// The same for every map of this kind, in the unit of the file.
+  /// The same for all maps of this quantity, in the unit of the file.
   classes: MapClass[];
 }

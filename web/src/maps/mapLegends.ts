@@ -1,4 +1,4 @@
-// What the colours of the map on the terrain mean.
+// The legend of the map on the terrain.
 
 import { numberText } from '../ui/format';
 import { cssOf } from '../view/colours';
@@ -7,12 +7,12 @@ import { classOf, classText } from './classes';
 import { shownMap, type ShownMap } from './shownMap';
 
 function rangeText({ least, greatest, unit }: ShownMap): string {
-  if (least > greatest) return 'no rock anywhere';
+  if (least > greatest) return 'no rocks';
   return `values from ${numberText(least, 3)} to ${numberText(greatest)} ${unit}`.trim();
 }
 
-/// Whether any value that is shown can be of a class.
-const isThere = ({ classes, least, greatest }: ShownMap, k: number) =>
+/// Whether the range of values includes a class.
+const isUsed = ({ classes, least, greatest }: ShownMap, k: number) =>
   least <= greatest && k >= classOf(classes, least) && k <= classOf(classes, greatest);
 
 export function mapLegends(): LegendData[] {
@@ -22,7 +22,7 @@ export function mapLegends(): LegendData[] {
   const classes = map.classes.map((each, k) => ({
     text: classText(each, k === 0),
     colour: cssOf(each.colour),
-    isThere: isThere(map, k),
+    isUsed: isUsed(map, k),
   }));
   const title = `${meaning.charAt(0).toUpperCase()}${meaning.slice(1)}${unit && `, ${unit}`}`;
   return [{ kind: 'classes', title, classes, note: rangeText(map) }];

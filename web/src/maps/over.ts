@@ -1,4 +1,4 @@
-// What lies over a map: paths and end points hide it, so that they are there only where they are asked for.
+// Trajectories and end points over a map. They would hide it, so they are drawn only on request.
 
 import { computed } from '@preact/signals';
 import { keptOfProject } from '../state/ofProject';

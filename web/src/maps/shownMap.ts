@@ -1,38 +1,38 @@
-// The map of the shown run that is chosen to lie on the terrain.
+// The map of the shown run that is draped over the terrain.
 
 import { effect, signal } from '@preact/signals';
 import { getArrays } from '../api/client';
 import { results } from '../api/results';
 import type { RunMap } from '../api/types';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { hasResults, shown } from '../state/runs';
 import { drapedMap } from '../state/view';
-import { readingOf } from '../results/columns';
+import { displayOf } from '../results/columns';
 import type { MapClass } from './classes';
 import type { MapHeader } from './header';
 
 export interface ShownMap {
   name: string;
-  /// One phrase.
+  /// A short phrase.
   meaning: string;
   header: MapHeader;
-  /// In the unit in which the map is read; empty: a number.
+  /// In the displayed unit; an empty `unit` is a plain number.
   classes: MapClass[];
   unit: string;
-  /// Row by row from the south, in that unit; NaN: no rock was there.
+  /// Row by row from the south, in that unit; NaN: no rock passed.
   values: Float32Array;
-  /// Of the values.
+  /// The range of the values.
   least: number;
   greatest: number;
 }
 
-/// The longer side of the picture has at most so many cells.
+/// The maximum number of cells along the longer side.
 const pixels = 1024;
 
 export const shownMap = signal<ShownMap | null>(null);
 
 function mapOf({ name, meaning, unit: unitOfFile }: RunMap, header: MapHeader, inFile: Float32Array): ShownMap {
-  const { unit, per } = readingOf(unitOfFile);
+  const { unit, per } = displayOf(unitOfFile);
   const values = per === 1 ? inFile : inFile.map((value) => value / per);
   let [least, greatest] = [Infinity, -Infinity];
   for (const value of values)
@@ -56,13 +56,13 @@ effect(() => {
     (error: unknown) => {
       if (asking.signal.aborted) return;
       shownMap.value = null;
-      sayFailure(error);
+      reportFailure(error);
     },
   );
   return () => asking.abort();
 });
 
-/// At a place on plan; null: beside the map, or no rock was there.
+/// The value at a point on plan; null outside the map and where no rock passed.
 export function valueAt({ header, values }: ShownMap, [x, y]: readonly number[]): number | null {
   const column = Math.floor((x! - header.origin[0]) / header.cell[0]);
   const row = Math.floor((y! - header.origin[1]) / header.cell[1]);

@@ -2,24 +2,24 @@ import { edit, values } from '../state/document';
 import { defaultOf } from './names';
 import { TableForm } from './form/TableForm';
 
-/// The design of barriers, which is made only where the project has its table.
+/// The barrier design, which is optional: it is made if the project has its table.
 export function DesignForm() {
   if (values.value.design === undefined)
     return (
       <div class="row">
         <button
           class="button first"
-          onClick={() => edit('make a barrier design', [{ set: ['design', 'standard'], value: defaultOf('design', 'standard') }])}
+          onClick={() => edit('add a barrier design', [{ set: ['design', 'standard'], value: defaultOf('design', 'standard') }])}
         >
-          Make a design with every run
+          Add a barrier design to every run
         </button>
       </div>
     );
   return (
     <>
       <div class="row">
-        <button class="button danger" onClick={() => edit('leave the barrier design out', [{ remove: ['design'] }])}>
-          Make no design
+        <button class="button danger" onClick={() => edit('remove the barrier design', [{ remove: ['design'] }])}>
+          Remove the barrier design
         </button>
       </div>
       <TableForm table="design" path={['design']} />

@@ -1,16 +1,16 @@
-// What was not saved in an earlier session and was taken up, and what others did with the project meanwhile.
+// Notices about unsaved drafts of earlier sessions and about concurrent changes of the project.
 
-import { file, fileStem, isChanged, replaceText, savedHash, takenUp, text } from '../state/document';
-import { draftsAside, isChangedElsewhere, letGo } from '../state/drafts';
-import { sayFailure } from '../state/messages';
+import { file, fileStem, isChanged, replaceText, restored, savedHash, text } from '../state/document';
+import { discard, draftsAside, isChangedElsewhere } from '../state/drafts';
+import { reportFailure } from '../state/messages';
 import type { LocalDraft } from '../state/revisions';
-import { readAgain } from '../state/saving';
+import { reload } from '../state/saving';
 
 export function DraftNotice() {
   const aside = draftsAside.value.filter((draft) => draft.text !== text.value);
   return (
     <>
-      <TakenUp />
+      <Restored />
       {aside.map((draft) => (
         <Aside key={draft.revision} draft={draft} />
       ))}
@@ -19,27 +19,26 @@ export function DraftNotice() {
   );
 }
 
-const words = {
+const notes = {
   'of the file': '',
-  'of an earlier file':
-    ' The file has been changed since by another program; saving will ask which of them is to stay.',
-  'of a file that is gone': ' The file is no longer there; saving writes it again.',
+  'of an earlier file': ' Another program has changed the file since. Saving will ask which version to keep.',
+  'of a deleted file': ' The file no longer exists. Saving creates it again.',
 };
 
-function TakenUp() {
-  const now = takenUp.value;
-  if (now === null || !isChanged.value) return null;
-  const leave = () => (takenUp.value = null);
-  const hasFile = now === 'of an earlier file' || savedHash.value !== null;
+function Restored() {
+  const state = restored.value;
+  if (state === null || !isChanged.value) return null;
+  const dismiss = () => (restored.value = null);
+  const hasFile = state === 'of an earlier file' || savedHash.value !== null;
   return (
     <div class="problem warning" role="status">
-      This is a draft that was not saved.{words[now]}
+      This is an unsaved draft.{notes[state]}
       <div class="row">
-        <button class="button" onClick={leave}>
-          Go on with it
+        <button class="button" onClick={dismiss}>
+          Keep the draft
         </button>
         {hasFile && (
-          <button class="button" onClick={() => void readAgain().catch(sayFailure)}>
+          <button class="button" onClick={() => void reload().catch(reportFailure)}>
             Back to the file
           </button>
         )}
@@ -52,17 +51,17 @@ const momentOf = (time: number) =>
   new Date(time).toLocaleString('en-GB', { dateStyle: 'medium', timeStyle: 'short' });
 
 function Aside({ draft }: { draft: LocalDraft }) {
-  const drop = () => letGo(file.value!, [draft]);
-  const take = () => replaceText(draft.text, 'take the other draft');
+  const remove = () => discard(file.value!, [draft]);
+  const use = () => replaceText(draft.text, 'use the other draft');
   return (
     <div class="problem warning" role="status">
-      There is another draft of {fileStem()}, kept in this browser on {momentOf(draft.time)}. Neither comes from the
-      other; taking it is a step that can be undone.
+      There is another draft of {fileStem()}, stored in this browser on {momentOf(draft.time)}. Neither is based on the
+      other. Switching to it can be undone.
       <div class="row">
-        <button class="button" onClick={take}>
-          Take the other draft
+        <button class="button" onClick={use}>
+          Use the other draft
         </button>
-        <button class="button danger" onClick={drop}>
+        <button class="button danger" onClick={remove}>
           Delete the other draft
         </button>
       </div>
@@ -73,11 +72,11 @@ function Aside({ draft }: { draft: LocalDraft }) {
 function Elsewhere() {
   return (
     <div class="problem warning" role="status">
-      This project is changed in another tab or browser, too. Each keeps what it has; who saves second is asked which of
-      them is to stay.
+      This project is also being edited in another tab or browser. Each keeps its own draft; the second to save is asked
+      which version to keep.
       <div class="row">
         <button class="button" onClick={() => (isChangedElsewhere.value = false)}>
-          Go on here
+          Continue here
         </button>
       </div>
     </div>

@@ -1,8 +1,8 @@
-// Which ground is made of which material: everywhere the same, by segments or triangles that are picked, by files.
+// The assignment of materials to the ground: one everywhere, by picked segments or triangles, or by files.
 
 import { useState } from 'preact/hooks';
 import { edit, rowsOf } from '../state/document';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { model } from '../state/model';
 import { counted } from '../ui/format';
 import { assignByClicks, paintArea } from './assignTool';
@@ -27,7 +27,7 @@ export function GroundForm() {
     const edits = changeWay(next, ground, materialNames());
     if (edits.length > 0) edit(`ground: ${next.title.toLowerCase()}`, edits);
   };
-  // Files that are not chosen yet, and segments that are still all the same.
+  // Settings of the chosen way that are not given yet.
   const wanted = way.keys.slice(0, 1).filter((key) => key !== 'triangles' && ground[key] === undefined);
   return (
     <>
@@ -57,7 +57,7 @@ export function GroundForm() {
       <TableForm table="ground" path={['ground']} only={way.keys.filter((key) => key !== 'triangles')} />
       {way.name === 'triangles' && Array.isArray(ground.triangles) && (
         <p class="faint">
-          {counted(ground.triangles.length, 'triangle has', 'triangles have')} a material of their own.
+          Materials are assigned to {counted(ground.triangles.length, 'triangle')}.
         </p>
       )}
       {!is2d.value && <Painters />}
@@ -65,7 +65,7 @@ export function GroundForm() {
   );
 }
 
-/// Areas that hold over what is said above, drawn in the view.
+/// Areas drawn in the view, which override the assignment above.
 function Painters() {
   const areas = rowsOf('area').length;
   const rows = rowsOf('material').map((_, k) => ({ name: nameOf('material', k), colour: materialColour(k) }));
@@ -74,8 +74,8 @@ function Painters() {
       <h3>Areas</h3>
       <p class="faint">
         {areas === 0
-          ? 'Choose a material, then click round its ground in the view. An area holds over what is said above.'
-          : `${areas === 1 ? 'One area holds' : `${areas} areas hold`} over what is said above; the later one where several do.`}
+          ? 'Choose a material, then click around its area in the view. Areas override the settings above.'
+          : `${areas === 1 ? 'One area overrides' : `${areas} areas override`} the settings above. Where areas overlap, the later one applies.`}
       </p>
       {rows.map(({ name, colour }, k) => (
         <div key={k} class="row">
@@ -95,7 +95,7 @@ function Painters() {
   );
 }
 
-/// A button a material, which starts the picking in the view.
+/// One button per material, which starts picking in the view.
 function Pickers({ way }: { way: GroundWay }) {
   const materials = rowsOf('material');
   const isPossible = model.value !== null;
@@ -110,13 +110,13 @@ function Pickers({ way }: { way: GroundWay }) {
             class="button"
             disabled={!isPossible}
             aria-label={`Pick ${way.name} of ${nameOf('material', k)}`}
-            onClick={() => void assignByClicks(k).catch(sayFailure)}
+            onClick={() => void assignByClicks(k).catch(reportFailure)}
           >
             Pick
           </button>
         </div>
       ))}
-      {materials.length < 2 && <p class="faint">With one material there is nothing to tell apart: add another one.</p>}
+      {materials.length < 2 && <p class="faint">Add a second material to have a choice.</p>}
     </div>
   );
 }

@@ -14,12 +14,12 @@ const allColumns: [KeyOf<'material'>, string][] = [
   ['friction_angle_deg', 'Friction angle, °'],
 ];
 
-function take({ key, name }: LibraryMaterial) {
+function addMaterial({ key, name }: LibraryMaterial) {
   const isTaken = rowsOf('material').some((row) => row.name === name);
   add('material', { name: isTaken ? freshName(['material'], name) : name, like: key }, `add ${name}`);
 }
 
-/// A new material with the values of one of the library.
+/// Adds a material with the values of one in the library.
 export function LibraryChoice() {
   const [isOpen, open] = useState(false);
   useEffect(loadLibrary, []);
@@ -30,7 +30,7 @@ export function LibraryChoice() {
         + From the library…
       </button>
       {isOpen && (
-        <Dialog title="Add a material of the library" close={() => open(false)}>
+        <Dialog title="Add a material from the library" close={() => open(false)}>
           <div class="table-scroll">
             <table>
               <thead>
@@ -58,7 +58,7 @@ export function LibraryChoice() {
                       </td>
                     ))}
                     <td>
-                      <button class="button" aria-label={`Add ${material.name}`} onClick={() => take(material)}>
+                      <button class="button" aria-label={`Add ${material.name}`} onClick={() => addMaterial(material)}>
                         Add
                       </button>
                     </td>

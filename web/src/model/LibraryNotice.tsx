@@ -1,4 +1,4 @@
-// What a material still has of the library by whose name it is called.
+// A notice on a material that is named like a library material but has other values.
 
 import { useEffect } from 'preact/hooks';
 import { nameOf, put, tableAt } from './place';
@@ -10,7 +10,7 @@ import { fieldOf } from './settings';
 
 const titleOf = (key: string) => fieldOf('material', key)?.title.toLowerCase() ?? key;
 
-/// "Coarse talus, changed", or the first such name that no other material has.
+/// "Coarse talus, changed", numbered if another material has that name.
 function changedName(name: string): string {
   const taken = new Set(rowsOf('material').map((_, index) => nameOf('material', index).toLowerCase()));
   for (let number = 1; ; ++number) {
@@ -23,17 +23,17 @@ export function LibraryNotice({ path }: { path: Path }) {
   useEffect(loadLibrary, []);
   const found = likeness(tableAt(path), library.value);
   if (!found || found.changed.length === 0) return null;
-  const { of, changed, hasItsName } = found;
+  const { of, changed, isNamedLikeIt } = found;
   const next = changedName(of.name);
   return (
     <div class="problem warning" role="status">
       <p>
-        {hasItsName ? `It has the name of “${of.name}” of the library, but other values` : `Other than “${of.name}” of the library`}:{' '}
+        {isNamedLikeIt ? 'Named like' : 'Based on'} “{of.name}” of the library, with other values of:{' '}
         {changed.map(titleOf).join(', ')}.
       </p>
-      {hasItsName && (
+      {isNamedLikeIt && (
         <button class="button" onClick={() => put([...path, 'name'], next, 'Name')}>
-          Call it “{next}”
+          Rename to “{next}”
         </button>
       )}
     </div>

@@ -1,4 +1,4 @@
-// The model as forms: an outline of the project, and the form of what is chosen in it.
+// The model as forms: an outline of the project, and the form of the selected entry.
 
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { rowsOf } from '../state/document';
@@ -26,19 +26,19 @@ import './model.css';
 export function ModelPanel() {
   useEffect(followChosen, []);
   const path = chosen.value;
-  const isThere = path !== null && (typeof path[1] !== 'number' || rowsOf(path[0] as TableName).length > path[1]);
-  // Back in the outline the keyboard stands where it left it.
+  const exists = path !== null && (typeof path[1] !== 'number' || rowsOf(path[0] as TableName).length > path[1]);
+  // Returning to the outline restores the keyboard focus.
   const last = useRef<string | null>(null);
   useEffect(() => {
-    if (isThere) last.current = path.join('.');
+    if (exists) last.current = path.join('.');
     else document.querySelector<HTMLElement>(`.outline [data-item="${last.current}"]`)?.focus();
-  }, [isThere]);
+  }, [exists]);
   return (
     <div class="model">
       <DraftNotice />
       <UnfinishedList />
-      <ProblemList folded={isThere} />
-      {isThere ? <FormPage key={path.join('.')} path={path} /> : <Outline />}
+      <ProblemList folded={exists} />
+      {exists ? <FormPage key={path.join('.')} path={path} /> : <Outline />}
       <DocumentDialog />
     </div>
   );
@@ -55,7 +55,7 @@ function FormPage({ path }: { path: Path }) {
     heading.current?.closest('.body')?.scrollTo(0, 0);
     heading.current?.focus({ preventScroll: true });
   }, []);
-  // What is said of the table as a whole, not of a field.
+  // Problems of the table as a whole, not of a field.
   const own = problemsOfTable(path, tableOf(key)?.fields.map((field) => field.key) ?? []);
   return (
     <section class="form-page" aria-label={title}>

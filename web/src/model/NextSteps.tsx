@@ -2,11 +2,11 @@ import { values } from '../state/document';
 import { chosen } from '../state/view';
 import { add, nextSteps } from './things';
 
-/// What to do next in a project that cannot run yet.
+/// The next steps of a project that cannot run yet.
 export function NextSteps() {
   const steps = nextSteps(values.value);
   if (steps.length === 0) return null;
-  const act = { terrain: 'Make the terrain', material: 'Add a material', seeder: 'Add a seeder' };
+  const actions = { terrain: 'Define the terrain', material: 'Add a material', seeder: 'Add a seeder' };
   return (
     <section class="next-steps" aria-label="Next steps">
       <h2>Next</h2>
@@ -18,7 +18,7 @@ export function NextSteps() {
               class={`button ${k === 0 ? 'first' : ''}`}
               onClick={() => (key === 'terrain' ? (chosen.value = ['terrain']) : add(key))}
             >
-              {act[key]}
+              {actions[key]}
             </button>
           </li>
         ))}

@@ -1,4 +1,4 @@
-// The project by its sections: what is there, what is wrong with it, what is still to come.
+// The outline of the project: its sections and entries, with problems and next steps.
 
 import { rowsOf, values } from '../state/document';
 import { realProblemsAt, toneOf } from './awaited';
@@ -21,7 +21,7 @@ function Badge({ path }: { path: string }) {
   return (
     <span class={`badge ${errors > 0 ? 'error' : 'warning'}`} title={list.map(({ text }) => text).join('\n')}>
       {errors > 0 ? errors : list.length}
-      <span class="visually-hidden">{errors > 0 ? ' problems' : ' warnings'}</span>
+      <span class="visually-hidden">{errors > 0 ? ' errors' : ' warnings'}</span>
     </span>
   );
 }
@@ -47,7 +47,7 @@ function Row({
   );
 }
 
-/// Of a material, or of the ground that is made of it.
+/// The colour of a material, or of an area's material.
 function colourOf(key: string, index: number): string | undefined {
   if (key === 'material') return materialColour(index);
   const of = key === 'area' ? materialNames().indexOf(cellText(rowsOf(key)[index]?.material)) : -1;

@@ -1,4 +1,4 @@
-// What the engine says against the project: next steps first, then problems, each a way to its form.
+// The errors and warnings of the project. Each leads to its form.
 
 import type { Problem } from '../api/types';
 import { syntaxError } from '../state/document';
@@ -18,7 +18,7 @@ export function formOf(path: string): Path | null {
   return [section?.name ?? 'analysis'];
 }
 
-/// Opens the form of a problem and puts the focus into its field.
+/// Opens the form of a problem and focuses its field.
 function show(problem: Problem) {
   const form = formOf(problem.path);
   if (!form) {
@@ -44,13 +44,13 @@ export function focusField(path: string) {
   }
 }
 
-/// Folded beside a form, which shows its own problems.
+/// Folded next to an open form, which shows its own problems.
 export function ProblemList({ folded }: { folded: boolean }) {
   const list = realProblems.value;
   if (list.length === 0 && !syntaxError.value) return null;
   const errors = list.filter(({ severity }) => severity === 'error').length;
   const warnings = list.length - errors;
-  const counts = [errors > 0 && counted(errors, 'problem'), warnings > 0 && counted(warnings, 'warning')];
+  const counts = [errors > 0 && counted(errors, 'error'), warnings > 0 && counted(warnings, 'warning')];
   return (
     <details class="problems" open={!folded && (errors > 0 || list.length <= 2)}>
       <summary>{counts.filter(Boolean).join(', ')}</summary>

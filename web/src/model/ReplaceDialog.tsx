@@ -1,22 +1,22 @@
 import { Dialog } from '../ui/Dialog';
 import { questions } from './replacing';
 
-/// Asks what becomes of a file whose name is taken.
+/// Asks what to do with an uploaded file whose name exists already.
 export function ReplaceDialog() {
   const question = questions.value[0];
   if (!question) return null;
   const { id, name, answer } = question;
   return (
-    <Dialog key={id} title={`Replace ${name}?`} close={() => answer('neither')}>
+    <Dialog key={id} title={`Replace ${name}?`} close={() => answer('cancel')}>
       <p>
-        The folder has a file <span class="mono">{name}</span> already.
+        The folder already has a file <span class="mono">{name}</span>.
       </p>
       <div class="choices">
-        <button class="button first" onClick={() => answer('take what is there')}>
-          Take the one that is there
+        <button class="button first" onClick={() => answer('use the existing file')}>
+          Use the existing file
         </button>
         <button class="button danger" onClick={() => answer('replace')}>
-          Replace it
+          Replace the file
         </button>
       </div>
     </Dialog>

@@ -1,8 +1,8 @@
-// The terrain: which kind it is, its file or its vertices, and how it is turned.
+// The terrain: its kind, its files or vertices, and its rotation.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { edit, file } from '../state/document';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { model } from '../state/model';
 import { chosenFiles, files, loadFiles, relativeTo } from './files';
 import { Field } from './form/Field';
@@ -21,10 +21,10 @@ export function TerrainForm() {
   const pick = (next: TerrainKind) => {
     const edits = changeTo(next, terrain);
     setPicked(next);
-    if (edits.length > 0) edit(`make the terrain a ${next.title.toLowerCase()}`, edits);
+    if (edits.length > 0) edit(`change the terrain to ${next.title.toLowerCase()}`, edits);
   };
   if (!kind) return <NoTerrain pick={pick} />;
-  // A file that is not chosen yet has no key that its form would show.
+  // Files of this kind that are not chosen yet.
   const missing = kind.keys.filter((key) => terrain[key] === undefined).flatMap((key) => fieldOf('terrain', key) ?? []);
   return (
     <>
@@ -59,9 +59,9 @@ export function TerrainForm() {
   );
 }
 
-const mostFiles = 12; // that are offered at once
+const mostFiles = 12; // offered at once
 
-/// What can be done where there is no terrain yet.
+/// The choices while there is no terrain.
 function NoTerrain({ pick }: { pick: (kind: TerrainKind) => void }) {
   useEffect(() => void loadFiles(), []);
   const input = useRef<HTMLInputElement>(null);
@@ -81,17 +81,17 @@ function NoTerrain({ pick }: { pick: (kind: TerrainKind) => void }) {
         hidden
         multiple
         aria-label="Upload a terrain file"
-        onChange={(event) => void takeFiles(chosenFiles(event.currentTarget)).catch(sayFailure)}
+        onChange={(event) => void takeFiles(chosenFiles(event.currentTarget)).catch(reportFailure)}
       />
       {fitting.length > 0 && (
         <>
-          <h3>Files of the folder</h3>
+          <h3>Files in the folder</h3>
           {fitting.slice(0, mostFiles).map(({ name, kind, key }) => (
             <button key={name} class="card" onClick={() => useTerrainFile(name, kind, key)}>
               <span class="name">{name}</span>
             </button>
           ))}
-          {fitting.length > mostFiles && <p class="faint">{`and ${fitting.length - mostFiles} others, under their kinds`}</p>}
+          {fitting.length > mostFiles && <p class="faint">{`and ${fitting.length - mostFiles} more, listed under their kinds`}</p>}
         </>
       )}
       <MoreFiles />

@@ -1,4 +1,4 @@
-// The project file as it is written, for who likes to.
+// A text editor for the project file.
 
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { replaceText, syntaxError, text } from '../state/document';
@@ -9,7 +9,7 @@ export function TextPanel() {
   const field = useRef<HTMLTextAreaElement>(null);
   const shown = asTyped(text.value);
   const last = useRef(shown);
-  // What changes it otherwise, such as Undo, leaves the caret where it changed.
+  // After a change from elsewhere, such as Undo, the caret is at the change.
   useLayoutEffect(() => {
     const before = last.current;
     last.current = shown;
@@ -33,7 +33,7 @@ export function TextPanel() {
         ref={field}
         class="mono"
         aria-label="Project file"
-        // Always what the project says: undoing is that of the project.
+        // Always shows the project's text, so Undo is that of the project.
         data-clean=""
         spellcheck={false}
         wrap="off"

@@ -1,9 +1,9 @@
-// What is typed but not complete: where it stands, so that it is not forgotten.
+// Incomplete entries, with links to their fields.
 
 import { chosen } from '../state/view';
 import { placeOf, unfinishedSettings } from './leftOut';
 import { formOf, focusField } from './ProblemList';
-import { wait } from './unfinished';
+import { keepWaiting } from './unfinished';
 
 export function UnfinishedList() {
   const all = unfinishedSettings();
@@ -13,10 +13,10 @@ export function UnfinishedList() {
     requestAnimationFrame(() => requestAnimationFrame(() => focusField(path)));
   };
   return (
-    <section class="unfinished" aria-label="Not complete">
+    <section class="unfinished" aria-label="Incomplete entries">
       {all.map(([path, rows]) => (
         <div key={path} class="problem warning">
-          Not complete, and not taken yet:
+          Incomplete, not part of the project yet:
           <button class="link" onClick={() => show(path)}>
             {placeOf(path, rows)}
           </button>
@@ -24,7 +24,7 @@ export function UnfinishedList() {
             class="mini"
             title="Discard"
             aria-label={`Discard ${placeOf(path, rows)}`}
-            onClick={() => wait(path, [])}
+            onClick={() => keepWaiting(path, [])}
           >
             ✕
           </button>

@@ -1,4 +1,4 @@
-// A material for what is clicked: segments of a section, triangles of a mesh; or for an area that is drawn on plan.
+// Assigns a material to clicked segments or triangles, or to an area drawn on plan.
 
 import { getArrays, getJson } from '../api/client';
 import type { Model } from '../api/types';
@@ -9,13 +9,13 @@ import { shading } from '../view/settings';
 import { draw } from './drawing';
 import { materialsWith } from './groundWays';
 import { onPlan } from './geometryTools';
-import { asNow, freshName, nameOf, tableAt } from './place';
+import { entriesUnchanged, freshName, nameOf, tableAt } from './place';
 import { materialNames } from './form/references';
 
 interface Facets {
-  /// The number of each drawn triangle or segment as the project counts them; of an extruded section, that of its segment.
+  /// For each drawn triangle or segment its index in the project; for an extruded section the index of its segment.
   parts: Uint32Array;
-  /// How many the project counts.
+  /// The number of triangles or segments in the project.
   count: number;
 }
 
@@ -41,15 +41,15 @@ function takeTriangle(triangle: number, count: number, material: number, what: s
 
 function takeSegment(segment: number, count: number, material: string) {
   const list = materialsWith(valueAt(['ground', 'segments']), count, segment, material, nameOf('material', standardMaterial()));
-  edit(`make segment ${segment + 1} ${material}`, [{ set: ['ground', 'segments'], value: list }]);
+  edit(`assign ${material} to segment ${segment + 1}`, [{ set: ['ground', 'segments'], value: list }]);
 }
 
-/// Clicks give the material to segments or triangles, until the tool is left.
+/// Assigns the material to each clicked segment or triangle, until the tool is closed.
 export async function assignByClicks(material: number) {
   const now = model.value;
   if (!now) return;
   const name = nameOf('material', material);
-  const [asked, isPossible] = [opening.value, asNow('material')];
+  const [asked, isPossible] = [opening.value, entriesUnchanged('material')];
   const hasSegments = Array.isArray(tableAt(['terrain']).section);
   const facets = now.dimension === 3 ? await facetsOf(now) : await segmentsOf(now);
   if (opening.value !== asked || !isPossible()) return;
@@ -57,17 +57,17 @@ export async function assignByClicks(material: number) {
   useTool({
     name,
     isPossible,
-    hint: () => `Click ${hasSegments ? 'segments' : 'triangles'} that are ${name}. Escape leaves.`,
+    hint: () => `Click the ${hasSegments ? 'segments' : 'triangles'} of ${name}. Escape ends.`,
     click({ facet }) {
       if (facet === undefined) return;
       const part = facets.parts[facet]!;
       if (hasSegments) takeSegment(part, facets.count, name);
-      else takeTriangle(part, facets.count, material, `make triangle ${part} ${name}`);
+      else takeTriangle(part, facets.count, material, `assign ${name} to triangle ${part}`);
     },
   });
 }
 
-/// An area of the ground, drawn on plan, that is of the material.
+/// Draws an area of the material on plan.
 export function paintArea(material: number) {
   const name = nameOf('material', material);
   shading.value = 'material';
@@ -75,11 +75,11 @@ export function paintArea(material: number) {
     name,
     kind: 'polygon',
     least: 3,
-    hint: `Click round the ground that is ${name}.`,
-    isPossible: asNow('material'),
+    hint: `Click around the area of ${name}.`,
+    isPossible: entriesUnchanged('material'),
     done: (ring) => {
       const value = { name: freshName(['area'], 'Area'), material: name, polygon: ring.map(onPlan) };
-      edit(`make an area ${name}`, [{ append: ['area'], value }]);
+      edit(`draw an area of ${name}`, [{ append: ['area'], value }]);
     },
   });
 }

@@ -1,4 +1,4 @@
-// The engine's problems as the page tells them: what is still to come is not a reproach.
+// The engine's problems as the page shows them. Whatever a next step already asks for is not shown as an error.
 
 import { computed } from '@preact/signals';
 import type { Problem } from '../api/types';
@@ -13,7 +13,7 @@ import { nextSteps } from './things';
 import { waitingAt } from './unfinished';
 import { placeInTable } from './waitingRows';
 
-/// Whether a problem says no more than that something is still to come.
+/// Whether a problem only says that something is missing which a next step asks for.
 const isAwaited = (problem: Problem, keys: string[]) =>
   keys.some(
     (key) =>
@@ -23,23 +23,23 @@ const isAwaited = (problem: Problem, keys: string[]) =>
       problem.what.startsWith(`[${key}] is missing`),
   );
 
-/// What the engine says, but for what the next steps say already.
+/// The engine's problems, except those covered by next steps.
 export const realProblems = computed<Problem[]>(() => {
   const keys = nextSteps(values.value).map(({ key }) => key as string);
   return problems.value.filter((problem) => !isAwaited(problem, keys));
 });
 
-/// Those of a path, or below it.
+/// The problems at a path or below it.
 export const realProblemsAt = (path: string) =>
   realProblems.value.filter((problem) => problem.path === path || problem.path.startsWith(`${path}.`));
 
-/// The setting in which a problem is: of a table, or of an entry of a list.
+/// The path of the setting of a problem: in a table, or in an entry of a list.
 function settingOf(path: string): Path {
   const parts = pathOf(path);
   return parts.slice(0, typeof parts[1] === 'number' ? 3 : 2);
 }
 
-/// A sentence without the place, which its field shows.
+/// The sentence of a problem without its location, which the field shows.
 export function sentenceOf(problem: Problem): string {
   const setting = settingOf(problem.path);
   const kind = fieldOf(String(setting[0]), String(setting.at(-1)))?.type.kind;
@@ -48,17 +48,17 @@ export function sentenceOf(problem: Problem): string {
   return sentence(problem, { kind, columns: columnsAt(setting), rowAt: (row) => placeInTable(waiting, row) });
 }
 
-/// How loudly it is said: what is only missing is still to come.
+/// A missing value is shown as a warning, everything else by its severity.
 export const toneOf = ({ what, severity }: Problem) => (/ (is|are) missing$/.test(what) ? 'warning' : severity);
 
-/// What is said of a setting: at its path, or of its table, beginning with its key where the key is missing.
+/// The problems of a setting: at its path, or at its table if they begin with its key, such as a missing key.
 export function problemsOf(path: Path): Problem[] {
   const [own, table, key] = [pathText(path), pathText(path.slice(0, -1)), String(path.at(-1))];
   const ofTable = problems.value.filter((problem) => problem.path === table && problem.what.startsWith(`${key} `));
   return [...problemsAt(own), ...ofTable];
 }
 
-/// What is said of a table as a whole, not of one of these settings.
+/// The problems of a table as a whole, not of one of these settings.
 export const problemsOfTable = (path: Path, keys: readonly string[]) =>
   realProblems.value.filter(
     (problem) => problem.path === pathText(path) && !keys.some((key) => problem.what.startsWith(`${key} `)),

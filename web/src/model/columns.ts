@@ -1,9 +1,9 @@
-// What the numbers of a setting's rows are called.
+// Column names of settings with rows of numbers.
 
 import type { Path } from './names';
 import { is2d } from './place';
 
-/// Of the rows of a setting, or of its one row.
+/// The columns of a setting with one or more rows.
 export function columnsAt(path: Path): string[] {
   const [table, key] = [path[0], path.at(-1)];
   if (table === 'terrain') {

@@ -17,18 +17,18 @@ const project = {
   ],
 };
 
-test('places that a type of seeder does not have go with the old type', () =>
+test('changing the type of a seeder removes the settings of the old type', () =>
   expect(consequences(project, ['seeder', 0, 'type'], 'point')).toEqual([{ remove: ['seeder', 0, 'points'] }]));
 
-test('other values change nothing else', () => expect(consequences(project, ['seeder', 0, 'rocks'], 5)).toEqual([]));
+test('changing another value has no consequences', () => expect(consequences(project, ['seeder', 0, 'rocks'], 5)).toEqual([]));
 
-test('triangles keep their material when another goes, and have none when their own does', () =>
+test('deleting a material keeps the materials of other triangles and unassigns its own', () =>
   expect(removal(project, ['material', 1])).toEqual([
     { remove: ['material', 1] },
     { set: ['ground', 'triangles'], value: [0, -1, 1, -1] },
   ]));
 
-describe('what is said of segments and vertices goes with them', () => {
+describe('materials and deviations follow their segments and vertices', () => {
   const slope = `[terrain]
 section = [[0, 30], [10, 20], [20, 10], [30, 0]]
 section_std_dev_m = [[0, 0], [0.1, 0.2], [0.3, 0.4], [0, 0]]
@@ -43,32 +43,32 @@ segments = ["Rock", "Scree", "Soil"]
   };
   const longer = section.toSpliced(2, 0, [15, 16]);
 
-  test('a new vertex splits its segment, and does not vary', () =>
+  test('a new vertex splits its segment and has no deviation', () =>
     expect(after(longer)).toEqual({
       terrain: { section: longer, section_std_dev_m: [[0, 0], [0.1, 0.2], [0, 0], [0.3, 0.4], [0, 0]] },
       ground: { segments: ['Rock', 'Scree', 'Scree', 'Soil'] },
     }));
-  test('of two segments that become one the first keeps its material', () =>
+  test('when two segments merge, the material of the first is kept', () =>
     expect(after(section.toSpliced(1, 1))).toEqual({
       terrain: { section: section.toSpliced(1, 1), section_std_dev_m: [[0, 0], [0.3, 0.4], [0, 0]] },
       ground: { segments: ['Rock', 'Soil'] },
     }));
-  test('a vertex that moves moves nothing else', () =>
+  test('moving a vertex has no consequences', () =>
     expect(consequences(valuesOf(slope), ['terrain', 'section'], section.with(1, [11, 19]))).toEqual([]));
-  test('a list that was too short stays too short, with its materials where they were', () => {
+  test('a list that is too short stays too short, with its materials in place', () => {
     const short = slope.replace(', "Soil"', '');
     expect(after(longer, short).ground).toEqual({ segments: ['Rock', 'Scree', 'Scree'] });
     expect(after(section.toSpliced(1, 1), short).ground).toEqual({ segments: ['Rock'] });
   });
-  test('what was too much stays, too', () => {
+  test('surplus entries stay', () => {
     const long = slope.replace('"Soil"]', '"Soil", "Bog"]');
     expect(after(longer, long).ground).toEqual({ segments: ['Rock', 'Scree', 'Scree', 'Soil', 'Bog'] });
   });
-  test('without such lists nothing follows', () =>
+  test('without such lists there are no consequences', () =>
     expect(consequences({ terrain: { section } }, ['terrain', 'section'], longer)).toEqual([]));
 });
 
-test('triangles keep their material when others come and go', () => {
+test('triangles keep their material when others are added or deleted', () => {
   const triangles = [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 5]]; // prettier-ignore
   const mesh = { ...project, ground: { default: 'Scree', triangles: [0, 1, 2, 1] }, terrain: { triangles } };
   const path = ['terrain', 'triangles'];
@@ -78,7 +78,7 @@ test('triangles keep their material when others come and go', () => {
   ]);
 });
 
-describe('triangles keep their corners when vertices come and go', () => {
+describe('triangles keep their corners when vertices are added or deleted', () => {
   const mesh = `[terrain]
 vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 2, 0]]
 triangles = [[0, 1, 2], [1, 3, 2], [1, 4, 3]]
@@ -92,13 +92,13 @@ triangles = [0, 1, 2]
     const values = valuesOf(edited(mesh, [{ set: path, value: next }, ...consequences(valuesOf(mesh), path, next)]));
     return [(values.terrain as { triangles: number[][] }).triangles, (values.ground as { triangles: number[] }).triangles];
   };
-  test('those of a vertex that goes go with it, with their materials', () => {
+  test('deleting a vertex deletes its triangles with their materials', () => {
     expect(after(vertices.toSpliced(0, 1))).toEqual([[[0, 2, 1], [0, 3, 2]], [1, 2]]); // prettier-ignore
     expect(after(vertices.slice(0, 4))).toEqual([[[0, 1, 2], [1, 3, 2]], [0, 1]]); // prettier-ignore
   });
-  test('a new vertex moves the numbers behind it', () =>
+  test('a new vertex shifts the indices after it', () =>
     expect(after(vertices.toSpliced(2, 0, [9, 9, 9]))[0]).toEqual([[0, 1, 3], [1, 4, 3], [1, 5, 4]])); // prettier-ignore
-  test('one at the end, one that moves, and another list change nothing else', () => {
+  test('appending, moving or replacing vertices has no consequences', () => {
     const others = [[...vertices, [5, 5, 5]], vertices.with(2, [7, 7, 7]), [[8, 0, 0], [0, 8, 0], [0, 0, 8]]]; // prettier-ignore
     for (const next of others) expect(consequences(valuesOf(mesh), path, next)).toEqual([]);
   });

@@ -1,5 +1,5 @@
-// What else changes when a value does, in the same step: keys that mean nothing beside a new kind, numbers of what
-// moves, what is said of each segment or row.
+// Further edits that belong to a change, in the same step: settings of another kind are removed, indices are renumbered,
+// and lists parallel to segments, vertices or triangles follow them.
 
 import type { Edit, Path, TableName } from './names';
 import type { TomlTable, TomlValue } from '../toml/format';
@@ -15,8 +15,8 @@ const listIn = (values: TomlTable, path: Path): TomlValue[] => {
   return Array.isArray(found) ? found : [];
 };
 
-/// A list that says something of each part of another one, as it is for the parts of now; `fresh` is said of a new one.
-/// What lacks or is too many because the text was edited by hand stays so.
+/// Edits a list parallel to `parts` old parts of another list. `was` has the old index of each new part (null: new, with
+/// the value `fresh`). A list of the wrong length, edited by hand, stays too short or too long.
 function follow(values: TomlTable, path: Path, parts: number, was: (number | null)[], fresh?: TomlValue): Edit[] {
   const given = listIn(values, path);
   if (given.length === 0) return [];
@@ -26,17 +26,17 @@ function follow(values: TomlTable, path: Path, parts: number, was: (number | nul
   return rowEdits(path, given, [...next, ...surplus]);
 }
 
-const stillVertex = [0, 0]; // no standard deviation
+const noDeviation = [0, 0];
 
 function consequencesOfSection(values: TomlTable, next: TomlValue[]): Edit[] {
   const before = listIn(values, ['terrain', 'section']);
   return [
     ...follow(values, ['ground', 'segments'], before.length - 1, segmentsBefore(before, next)),
-    ...follow(values, ['terrain', 'section_std_dev_m'], before.length, rowsBefore(before, next), stillVertex),
+    ...follow(values, ['terrain', 'section_std_dev_m'], before.length, rowsBefore(before, next), noDeviation),
   ];
 }
 
-/// Triangles call materials by their numbers.
+/// ground.triangles has the index of a material for each triangle.
 function consequencesOfTriangles(values: TomlTable, next: TomlValue[]): Edit[] {
   const before = listIn(values, ['terrain', 'triangles']);
   const name = valueIn(values, ['ground', 'default']);
@@ -44,8 +44,8 @@ function consequencesOfTriangles(values: TomlTable, next: TomlValue[]): Edit[] {
   return follow(values, ['ground', 'triangles'], before.length, rowsBefore(before, next), Math.max(0, standard));
 }
 
-/// Triangles call vertices by their numbers: those of a vertex that goes go with it. Where vertices come and go at once
-/// it is another list, and numbers are those in it.
+/// Triangles refer to vertices by index. Deleting a vertex deletes its triangles. If vertices are added and deleted at
+/// once, the list counts as a new one and the indices stay.
 function consequencesOfVertices(values: TomlTable, next: TomlValue[]): Edit[] {
   const before = listIn(values, ['terrain', 'vertices']);
   const was = rowsBefore(before, next);
@@ -88,14 +88,14 @@ export function consequences(values: TomlTable, path: Path, next: TomlValue | un
 const without = (row: TomlTable, key: string): TomlTable =>
   Object.fromEntries(Object.entries(row).filter(([other]) => other !== key));
 
-/// Whether a setting has a meaning beside other words of `key` only: an error, or a number that nobody looks at.
+/// Whether a setting applies only to other values of `key` than the row now has.
 const isOfOtherWord = ({ needs }: Field, table: string, key: string, row: TomlTable) =>
   needs.some((any) => any.every((one) => one.key === key && one.is && !holds(one, table, row, {})));
 
 const noMaterial = -1;
 
-/// The edits that take an entry out of a list. Triangles call materials by their numbers: those of a later material
-/// have it by its new number, those of the one that goes have none, which the engine reports.
+/// The edits that remove an entry of a list. Removing a material renumbers the materials of triangles; triangles of the
+/// removed one have index -1, which the engine reports.
 export function removal(values: TomlTable, path: Path): Edit[] {
   const [table, index] = path;
   const edits: Edit[] = [{ remove: path }];

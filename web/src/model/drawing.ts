@@ -1,4 +1,4 @@
-// Drawing in the view: places are clicked one after the other, and taken together when the drawing is finished.
+// Drawing in the view: points are clicked one after the other and used together when the drawing is finished.
 
 import { signal } from '@preact/signals';
 import { showOverlay, tool, useTool, type Overlay, type Place } from '../scene/tool';
@@ -7,10 +7,10 @@ import { model } from '../state/model';
 
 export interface Drawing {
   name: string;
-  /// What one click does.
+  /// What to click.
   hint: string;
   kind: Overlay['kind'];
-  /// As many places make it; with more they are drawn until Enter or a double click.
+  /// The minimum and maximum number of points. Below the maximum, Enter or a double click finishes.
   least: number;
   most?: number;
   isPossible?: () => boolean;
@@ -18,7 +18,7 @@ export interface Drawing {
 }
 
 const doubleClick = 400; // ms
-/// Whether two clicks are one place: the second half of a double click, whose hand may have moved a little.
+/// Whether two clicks are at the same point. The second half of a double click may be slightly off.
 function isSame(a: Point3 | undefined, b: Point3, elapsed: number): boolean {
   if (!a) return false;
   const bounds = model.peek()?.bounds;
@@ -27,7 +27,7 @@ function isSame(a: Point3 | undefined, b: Point3, elapsed: number): boolean {
 }
 
 export function draw({ name, hint, kind, least, most = Infinity, isPossible, done }: Drawing) {
-  // A signal, since the hint follows it.
+  // A signal, because the hint depends on it.
   const places = signal<Point3[]>([]);
   let pointer: Point3 | null = null;
   let clicked = 0;
@@ -55,7 +55,7 @@ export function draw({ name, hint, kind, least, most = Infinity, isPossible, don
     isPossible,
     hint: () => {
       if (most === 1) return hint;
-      return `${hint} ${places.value.length >= least ? 'Enter or a double click finishes, ' : ''}Backspace takes a point back, Escape leaves.`;
+      return `${hint} ${places.value.length >= least ? 'Enter or a double click finishes, ' : ''}Backspace removes the last point, Escape cancels.`;
     },
     click({ point }: Place) {
       const elapsed = performance.now() - clicked;

@@ -1,15 +1,15 @@
-// The files of the folder, for settings that name one.
+// The files of the folder, for settings that name a file.
 
 import { signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { FileKind, FolderFile } from '../api/types';
-import { sayFailure } from '../state/messages';
-import { lookAgain } from '../state/model';
+import { reportFailure } from '../state/messages';
+import { rebuild } from '../state/model';
 import type { Name } from './names';
 import { askToReplace } from './replacing';
 
 export const files = signal<FolderFile[]>([]);
-/// Whether the folder has others, which are not listed.
+/// Whether the folder has more files than are listed.
 export const hasMoreFiles = signal(false);
 
 export async function readFolder() {
@@ -23,11 +23,11 @@ export async function loadFiles() {
   try {
     await readFolder();
   } catch (error) {
-    sayFailure(error);
+    reportFailure(error);
   }
 }
 
-/// The kinds of file that a setting can name.
+/// The kinds of files that a setting accepts.
 const kinds: Partial<Record<Name, FileKind[]>> = {
   mesh: ['mesh'],
   raster: ['raster'],
@@ -43,7 +43,7 @@ export function fittingFiles(key: Name, list: readonly FolderFile[]): FolderFile
   return list.filter(({ kind }) => (wanted ? wanted.includes(kind) : kind !== 'project'));
 }
 
-/// The files that were chosen in a field, which may choose the same ones again.
+/// The chosen files of an input. Clears the input, so that the same files can be chosen again.
 export function chosenFiles(input: HTMLInputElement): File[] {
   const list = [...(input.files ?? [])];
   input.value = '';
@@ -52,7 +52,7 @@ export function chosenFiles(input: HTMLInputElement): File[] {
 
 const folderOf = (name: string) => name.split('/').slice(0, -1);
 
-/// A file of the folder as a project names it: relative to its own place.
+/// The name of a file relative to the project's folder.
 export function relativeTo(project: string, name: string): string {
   const [from, to] = [folderOf(project), name.split('/')];
   let shared = 0;
@@ -60,30 +60,30 @@ export function relativeTo(project: string, name: string): string {
   return [...Array<string>(from.length - shared).fill('..'), ...to.slice(shared)].join('/');
 }
 
-/// Keeps a file beside a project and gives the name by which the project may call it, also where the user takes the one
-/// that is there already; null: neither.
+/// Uploads a file next to a project and returns its name, or the name of an existing file that the user prefers; null if
+/// the user cancels.
 async function uploadBeside(project: string, content: File): Promise<string | null> {
   const name = [...folderOf(project), content.name].join('/');
-  await loadFiles(); // asked before it is sent: it may be large
-  const isThere = files.value.some((one) => one.name === name);
-  const asked = isThere ? await askToReplace(name) : 'replace';
-  if (asked === 'neither') return null;
-  if (asked === 'take what is there') return content.name;
+  await loadFiles(); // ask before uploading, as the file may be large
+  const exists = files.value.some((one) => one.name === name);
+  const choice = exists ? await askToReplace(name) : 'replace';
+  if (choice === 'cancel') return null;
+  if (choice === 'use the existing file') return content.name;
   try {
-    await api.upload(name, content, isThere);
+    await api.upload(name, content, exists);
   } catch (error) {
     if (!(error instanceof Refused) || error.status !== 409) throw error;
     const answer = await askToReplace(name);
-    if (answer === 'neither') return null;
+    if (answer === 'cancel') return null;
     if (answer === 'replace') await api.upload(name, content, true);
   }
   await loadFiles();
-  void lookAgain();
+  void rebuild();
   return content.name;
 }
 
-/// Keeps files beside a project, and gives their names there.
-export async function keepBeside(project: string, list: readonly File[]): Promise<string[]> {
+/// Uploads files next to a project and returns their names there.
+export async function uploadFiles(project: string, list: readonly File[]): Promise<string[]> {
   const names: string[] = [];
   for (const one of list) {
     const name = await uploadBeside(project, one);
@@ -92,7 +92,7 @@ export async function keepBeside(project: string, list: readonly File[]): Promis
   return names;
 }
 
-/// Of files that were chosen together the one that a setting names: not what goes along, such as the .dbf of a Shapefile.
+/// The one of several uploaded files that a setting names: the .shp of a Shapefile, not its .dbf.
 export function fittingName(key: Name, names: readonly string[], list: readonly FolderFile[]): string | undefined {
   const fitting = new Set(fittingFiles(key, list).map(({ name }) => name.split('/').at(-1)));
   return names.find((name) => fitting.has(name)) ?? names[0];

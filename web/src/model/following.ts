@@ -1,4 +1,4 @@
-// Rows that wait stay with their setting while entries of lists come and go.
+// Keeps incomplete rows with their setting while entries of lists are added and deleted.
 
 import { isSame } from '../toml/differences';
 import type { TomlTable, TomlValue } from '../toml/format';
@@ -8,11 +8,11 @@ import { isSameRow, withWaiting, type Waiting } from './waitingRows';
 /// By the path of the setting: "terrain.section", "seeder.0.position".
 export type Unfinished = Record<string, readonly Waiting[]>;
 
-/// Where an entry of a list is once the list is another one; null: it is gone.
+/// The index of an entry of a list after the list changed; null if it was deleted.
 export function placeAfter(before: readonly TomlValue[], after: readonly TomlValue[], place: number): number | null {
   if (before.length === after.length) return place;
   const own = before[place];
-  // One that is only being typed stands behind all others.
+  // A new entry that is still being typed is after all others.
   if (own === undefined) return place + Math.min(0, after.length - before.length);
   const isOwn = (entry: TomlValue) => isSame(entry, own);
   const rank = before.slice(0, place).filter(isOwn).length;
@@ -26,7 +26,7 @@ const listAt = (values: TomlTable, path: string[]): TomlValue[] => {
   return Array.isArray(found) ? found : [];
 };
 
-/// Rows follow their entry when another one of its list is taken out, and go with it.
+/// Incomplete rows after a change of the project: they move with their entry and are dropped with it.
 export function following(rows: Unfinished, before: TomlTable, after: TomlTable): Unfinished {
   const moved = Object.entries(rows).flatMap(([path, list]) => {
     const parts = path.split('.');
@@ -39,7 +39,7 @@ export function following(rows: Unfinished, before: TomlTable, after: TomlTable)
   return Object.fromEntries(moved);
 }
 
-/// Without those that were begun over something that is another by now: undone, drawn in the view, read again.
+/// Drops rows that change a value which is now another one: undone, drawn in the view, or reloaded.
 export function stillOpen(rows: Unfinished, values: TomlTable): Unfinished {
   const left = Object.entries(rows).flatMap(([path, list]) => {
     const value = listAt(values, path.split('.'));
@@ -47,7 +47,7 @@ export function stillOpen(rows: Unfinished, values: TomlTable): Unfinished {
     const isOneRow = value.length > 0 && !Array.isArray(value[0]);
     const given = cellsOf(isOneRow ? [value] : value, width);
     const shown = new Set(withWaiting(given, list).map(({ cells }) => cells));
-    const open = list.filter(({ cells, over }) => shown.has(cells) && (!isOneRow || isSameRow(over, given[0]!)));
+    const open = list.filter(({ cells, replaces }) => shown.has(cells) && (!isOneRow || isSameRow(replaces, given[0]!)));
     return open.length > 0 ? [[path, open] as const] : [];
   });
   return Object.fromEntries(left);

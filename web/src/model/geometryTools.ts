@@ -1,4 +1,4 @@
-// From the form into the view and back: which settings can be drawn, and what is written of what was drawn.
+// Drawing settings in the view: which settings can be drawn, and the values written for them.
 
 import type { Point3 } from '../api/types';
 import { edit, valueAt, values } from '../state/document';
@@ -8,7 +8,7 @@ import type { TomlValue } from '../toml/format';
 import { shading } from '../view/settings';
 import { consequences } from './consequences';
 import { draw, type Drawing } from './drawing';
-import { asNow, is2d, tableAt, thingOf } from './place';
+import { entriesUnchanged, is2d, tableAt, thingOf } from './place';
 import { rounded } from './plan';
 
 const extent = () => {
@@ -17,7 +17,7 @@ const extent = () => {
 };
 const short = (value: number) => rounded(value, extent());
 
-/// A position of rocks on the ground: its height is the surface's, or says `height_above_m`.
+/// A release position on the ground: its height is "surface", or given by `height_above_m`.
 function position(path: Path, [x, y]: Point3): TomlValue[] {
   const plan = is2d.value ? [short(x)] : [short(x), short(y)];
   return tableAt(path.slice(0, 2)).height_above_m !== undefined ? plan : [...plan, 'surface'];
@@ -30,18 +30,18 @@ interface Drawable {
   start: () => void;
 }
 
-/// How a setting is drawn, or null where it is not.
+/// How a setting is drawn; null if it cannot be drawn.
 export function drawable(path: Path): Drawable | null {
   const [table, key] = [path[0], path.at(-1)];
   const thing = thingOf(path);
-  const drawIt = (drawing: Omit<Drawing, 'isPossible'>) => draw({ ...drawing, isPossible: asNow(table as TableName) });
+  const drawIt = (drawing: Omit<Drawing, 'isPossible'>) => draw({ ...drawing, isPossible: entriesUnchanged(table as TableName) });
   const set = (what: string, value: TomlValue) =>
     edit(`${what} ${thing}`, [{ set: path, value }, ...consequences(values.value, path, value)]);
   if (table === 'terrain' && key === 'section' && is2d.value) {
     const old = valueAt(path);
     const hasRows = Array.isArray(old) && old.length > 0;
     return {
-      title: hasRows ? 'Draw it anew' : 'Draw the section',
+      title: hasRows ? 'Redraw' : 'Draw the section',
       start: () =>
         drawIt({
           name: 'Section',
@@ -89,7 +89,7 @@ export function drawable(path: Path): Drawable | null {
           name: thing,
           kind: 'polygon',
           least: 3,
-          hint: 'Click round the ground from which rocks start.',
+          hint: 'Click around the area from which rocks start.',
           done: (places) => set('draw', places.map(onPlan)),
         }),
     };
@@ -102,7 +102,7 @@ export function drawable(path: Path): Drawable | null {
           name: thing,
           kind: 'polygon',
           least: 3,
-          hint: 'Click round the ground that is of this material.',
+          hint: 'Click around the area of this material.',
           done: (places) => set('draw', places.map(onPlan)),
         });
       },
@@ -117,7 +117,7 @@ export function drawable(path: Path): Drawable | null {
             kind: 'points',
             least: 1,
             most: 1,
-            hint: 'Click where it stands.',
+            hint: 'Click its position.',
             done: ([place]) => set('place', short(place![0])),
           }),
       };
@@ -128,7 +128,7 @@ export function drawable(path: Path): Drawable | null {
           name: thing,
           kind: 'line',
           least: 2,
-          hint: 'Click along it. What it leans towards is at its right.',
+          hint: 'Click along the line. It leans towards its right-hand side.',
           done: (places) => set('draw', places.map(onPlan)),
         }),
     };

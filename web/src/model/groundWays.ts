@@ -1,4 +1,4 @@
-// The ways to say which ground is made of which material.
+// The ways to assign materials to the ground.
 
 import type { Edit, KeyOf, Row } from './names';
 import type { TomlValue } from '../toml/format';
@@ -20,7 +20,7 @@ export const groundWays: GroundWay[] = [
 export const wayOf = (ground: Row<'ground'>): GroundWay =>
   groundWays.find(({ keys }) => keys[0] !== undefined && ground[keys[0]] !== undefined) ?? groundWays[0]!;
 
-/// Those that a kind of terrain allows, by the key of `[terrain]` that makes it.
+/// The ways that a kind of terrain allows.
 export function waysFor(terrainKind: string): GroundWay[] {
   const names: Record<string, string[]> = {
     section: ['one', 'segments'],
@@ -30,7 +30,8 @@ export function waysFor(terrainKind: string): GroundWay[] {
   return groundWays.filter(({ name }) => allowed.includes(name));
 }
 
-/// The edits that change to a way: what belongs to the others goes; where several materials need a default, it is given.
+/// The edits that change to a way: settings of the others are removed, and a default is added if there are several
+/// materials.
 export function changeWay(way: GroundWay, ground: Row<'ground'>, materials: readonly string[]): Edit[] {
   const removes = groundWays
     .flatMap(({ name, keys }) => (name === way.name ? [] : keys))
@@ -42,7 +43,8 @@ export function changeWay(way: GroundWay, ground: Row<'ground'>, materials: read
   ];
 }
 
-/// The materials of segments, by name, or of triangles, by number, with one changed; a list that is too short is filled.
+/// The materials of segments (names) or triangles (indices) with one changed. A list that is too short is filled with
+/// `standard`.
 export function materialsWith<Name extends TomlValue>(
   given: unknown,
   count: number,

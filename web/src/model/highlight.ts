@@ -1,4 +1,4 @@
-// What is chosen in the forms is marked in the view.
+// Highlights the selected entry in the view.
 
 import { effect, untracked } from '@preact/signals';
 import { showOverlay, type Overlay } from '../scene/tool';

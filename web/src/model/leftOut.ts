@@ -1,4 +1,4 @@
-// Where something is typed that is not complete, in words.
+// Describes incomplete entries.
 
 import { pathOf } from './names';
 import { thingOf } from './place';
@@ -16,12 +16,12 @@ export function placeOf(path: string, rows: readonly Waiting[]): string {
   return field?.type.kind === 'tuple' ? where : `${where}, ${rowsText(rows.filter(({ cells }) => !isBlank(cells)))}`;
 }
 
-/// All settings with such rows.
+/// All settings with incomplete entries.
 export const unfinishedSettings = () => Object.entries(unfinished.value).filter(([, rows]) => hasTyped(rows));
 
-/// What a run or a file is without: ", without what is not complete: Section of terrain, row 20"; nothing: all is in.
+/// A remark on a run or a saved file: ", without incomplete entries: Section of terrain, row 20"; empty if there are none.
 export function leftOut(): string {
   const places = unfinishedSettings().map(([path, rows]) => placeOf(path, rows));
   if (places.length === 0) return '';
-  return `, without what is not complete: ${places.join('; ')}`;
+  return `, without incomplete entries: ${places.join('; ')}`;
 }

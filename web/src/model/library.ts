@@ -1,4 +1,4 @@
-// The library of materials, and what an entry of the project has of it.
+// The library of materials, and the values that materials of the project take from it.
 
 import { signal } from '@preact/signals';
 import { api } from '../api/client';
@@ -15,7 +15,7 @@ export function loadLibrary() {
   if (library.value.length === 0) void attempt('library', async () => (library.value = await api.materials()));
 }
 
-/// The value that a material of the project has of the library, where it names one.
+/// The value of a material's setting in the library, if the material names one.
 export function inheritedAt(path: Path): TomlValue | undefined {
   const { like } = path[0] === 'material' && path.length === 3 ? tableAt(path.slice(0, 2)) : {};
   return library.value.find(({ key }) => key === like)?.values[String(path[2])] as TomlValue | undefined;

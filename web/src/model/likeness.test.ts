@@ -9,26 +9,26 @@ const list = [
 ];
 const changedOf = (material: Parameters<typeof likeness>[0]) => likeness(material, list);
 
-describe('a material beside the library', () => {
-  test('with its values and its name is as it is there', () => {
-    expect(changedOf({ name: 'Coarse talus', like: 'talus' })).toMatchObject({ changed: [], hasItsName: true });
-    expect(changedOf({ name: 'Coarse talus 2', like: 'talus' })).toMatchObject({ changed: [], hasItsName: true });
+describe('a material compared with the library', () => {
+  test('with the same name and values is unchanged', () => {
+    expect(changedOf({ name: 'Coarse talus', like: 'talus' })).toMatchObject({ changed: [], isNamedLikeIt: true });
+    expect(changedOf({ name: 'Coarse talus 2', like: 'talus' })).toMatchObject({ changed: [], isNamedLikeIt: true });
     expect(changedOf({ name: 'Coarse talus', like: 'talus', friction_angle_deg: 30 })?.changed).toEqual([]);
     expect(changedOf({ name: 'Bare rock', like: 'rock', normal_restitution: { mean: 0.5 } })?.changed).toEqual([]);
   });
-  test('with another value has its name no more by right', () => {
+  test('with another value is changed', () => {
     const found = changedOf({ name: 'Coarse talus', like: 'talus', normal_restitution: 0.6 });
-    expect(found).toMatchObject({ changed: ['normal_restitution'], hasItsName: true });
+    expect(found).toMatchObject({ changed: ['normal_restitution'], isNamedLikeIt: true });
     expect(changedOf({ name: 'Coarse talus', like: 'talus', roughness_deg: 5 })?.changed).toEqual(['roughness_deg']);
   });
-  test('that takes the values of another one has none of those of its name', () => {
+  test('with the name of one entry and the values of another is compared by its name', () => {
     const found = changedOf({ name: 'Coarse talus', like: 'rock' });
     expect(found?.of.key).toBe('talus');
     expect(found?.changed).toEqual(['normal_restitution', 'friction_angle_deg']);
     expect(changedOf({ name: 'Coarse talus' })?.changed).toEqual(['normal_restitution', 'friction_angle_deg']);
   });
-  test('by a name of its own may have what values it likes', () => {
-    expect(changedOf({ name: 'Gully', like: 'talus', friction_angle_deg: 35 })).toMatchObject({ changed: ['friction_angle_deg'], hasItsName: false });
+  test('with another name may have any values', () => {
+    expect(changedOf({ name: 'Gully', like: 'talus', friction_angle_deg: 35 })).toMatchObject({ changed: ['friction_angle_deg'], isNamedLikeIt: false });
     expect(changedOf({ name: 'Gully', normal_restitution: 0.4 })).toBeNull();
   });
 });

@@ -1,4 +1,4 @@
-// How a material of the project stands to the library of materials.
+// Compares a material of the project with the library of materials.
 
 import type { LibraryMaterial } from '../api/types';
 import type { TomlTable, TomlValue } from '../toml/format';
@@ -6,25 +6,25 @@ import { constantKind, type KeyOf, type Row } from './names';
 import { isTable } from './tables';
 
 export interface Likeness {
-  /// The entry whose values it takes, or whose name it has.
+  /// The entry whose name it has, or whose values it takes.
   of: LibraryMaterial;
-  /// Its settings that are not those of that entry.
+  /// The settings that differ from the entry.
   changed: string[];
-  /// Whether it is called by the entry's name all the same.
-  hasItsName: boolean;
+  /// Whether it has the entry's name.
+  isNamedLikeIt: boolean;
 }
 
-/// A constant is the same as its number.
+/// A constant distribution equals its mean.
 function meanOnly(value: unknown): unknown {
   if (!isTable(value as TomlValue)) return value;
   const { mean, distribution, ...more } = value as TomlTable;
   return (distribution ?? constantKind) === constantKind && Object.keys(more).length === 0 ? mean : value;
 }
 
-/// "Coarse talus 2" is a name of "Coarse talus", too.
+/// "Coarse talus 2" also counts as the name of "Coarse talus".
 const isNameOf = (name: unknown, of: string) => typeof name === 'string' && name.toLowerCase().replace(/ \d+$/, '') === of.toLowerCase();
 
-/// Null: it has nothing of the library.
+/// Null if the material is unrelated to the library.
 export function likeness(material: Row<'material'>, list: readonly LibraryMaterial[]): Likeness | null {
   const named = list.find(({ name }) => isNameOf(material.name, name));
   const of = named ?? list.find(({ key }) => key === material.like);
@@ -34,5 +34,5 @@ export function likeness(material: Row<'material'>, list: readonly LibraryMateri
   for (const key of Object.keys(material) as KeyOf<'material'>[]) if (key !== 'name' && key !== 'like') settings.add(key);
   const isSame = (key: string) =>
     JSON.stringify(meanOnly(material[key as KeyOf<'material'>] ?? source[key])) === JSON.stringify(meanOnly(of.values[key]));
-  return { of, changed: [...settings].filter((key) => !isSame(key)), hasItsName: named !== undefined };
+  return { of, changed: [...settings].filter((key) => !isSame(key)), isNamedLikeIt: named !== undefined };
 }

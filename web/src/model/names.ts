@@ -1,5 +1,5 @@
-// The names of tables and settings of the project file, as the declaration has them: one that was renamed there does
-// not compile here.
+// The names of tables and settings of the project file, as types from their declaration: a name that does not exist does
+// not compile.
 
 import { schema } from '../generated/schema';
 import type { TomlValue } from '../toml/format';
@@ -12,18 +12,18 @@ type PropertiesOf<Node> = Node extends { items: { properties: infer Properties }
     : never;
 
 export type TableName = { [T in keyof Root]: [PropertiesOf<Root[T]>] extends [never] ? never : T }[keyof Root];
-/// The settings of a table; of several, those of each.
+/// The settings of a table, or of any of several tables.
 export type KeyOf<T extends TableName = TableName> = T extends TableName ? keyof PropertiesOf<Root[T]> & string : never;
 
 type Random = Root['material']['items']['properties']['normal_restitution']['anyOf'][1];
 /// The parts of a random property.
 export type PartName = keyof Random['properties'] & string;
 
-/// The kind of a property that is the same number every time.
+/// The distribution of a property with the same value every time.
 export const constantKind: Random['properties']['distribution']['enum'][number] = 'none';
 
 export type Name = TableName | KeyOf | PartName | Exclude<keyof Root, TableName>;
-/// Where a value of the project stands: `['seeder', 0, 'position']`.
+/// The path of a value in the project: `['seeder', 0, 'position']`.
 export type Path = readonly (Name | number)[];
 
 export type Edit = { set: Path; value: TomlValue } | { remove: Path } | { append: Path; value: Row };
@@ -31,7 +31,7 @@ export type Edit = { set: Path; value: TomlValue } | { remove: Path } | { append
 /// The values of a table, or of an entry of a list.
 export type Row<T extends TableName = TableName> = { [K in KeyOf<T>]?: TomlValue };
 
-/// One of the few words of a setting.
+/// The words that a setting accepts.
 export type WordOf<T extends TableName, K extends KeyOf<T>> =
   PropertiesOf<Root[T]> extends Record<K, { enum: readonly (infer Word extends string)[] }> ? Word : never;
 
@@ -40,16 +40,16 @@ type Declared<T extends TableName, K extends KeyOf<T>> = K extends keyof Propert
   : never;
 type DefaultOf<T extends TableName, K extends KeyOf<T>> = Declared<T, K> extends { default: infer Value } ? Value : undefined;
 
-/// What holds where the file does not give a setting.
+/// The default of a setting.
 export function defaultOf<T extends TableName, K extends KeyOf<T>>(table: T, key: K): DefaultOf<T, K> {
   const node = schema.properties[table] as { properties?: object; items?: { properties: object } };
   const properties = (node.properties ?? node.items?.properties ?? {}) as Record<string, { default?: unknown }>;
   return properties[key]?.default as DefaultOf<T, K>;
 }
 
-/// Names that a project's user chose, such as the classes of a raster, are the only others that a path may have.
+/// A name chosen by the user, such as a class of a raster, as a part of a path.
 export const chosenName = (name: string) => name as Name;
 
-/// A path that was made of text, such as the engine's "material.0.name".
+/// Parses a path such as the engine's "material.0.name".
 export const pathOf = (text: string): Path =>
   text.split('.').map((part) => (/^\d+$/.test(part) ? Number(part) : (part as Name)));

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { numberOf, typedList, typedNumber, typedValue } from './numbers';
 
-describe('numbers as they are typed', () => {
+describe('typed numbers', () => {
   test.each([
     ['1', 1],
     [' 0.35 ', 0.35],
@@ -16,21 +16,21 @@ describe('numbers as they are typed', () => {
     ['1e-300', 1e-300],
     ['0e5', 0],
   ])('%s', (text, value) => expect(numberOf(text)).toBe(value));
-  test.each(['', '-', '0,8', '1e', 'abc', '1 2', '0x10', 'Infinity', 'NaN'])('"%s" is none', (text) =>
+  test.each(['', '-', '0,8', '1e', 'abc', '1 2', '0x10', 'Infinity', 'NaN'])('"%s" is not a number', (text) =>
     expect(numberOf(text)).toBeUndefined(),
   );
   const lost = ['1e999', '-1e999', '1e-999', '9223372036854775808', '99999999999999999999'];
-  test.each(lost)('%s cannot be kept', (text) => {
+  test.each(lost)('%s cannot be represented', (text) => {
     expect(numberOf(text)).toBeUndefined();
     expect(typedValue(text)).toBe(text);
   });
-  test('what is not a number goes to the engine as it is', () => {
+  test('a text that is not a number is passed on unchanged', () => {
     expect(typedValue('0,8')).toBe('0,8');
     expect(typedValue('  ')).toBeUndefined();
   });
 });
 
-describe('the field of one number takes a decimal comma', () => {
+describe('the field of a number accepts a decimal comma', () => {
   test.each([
     ['0,35', 0.35],
     ['-0,8', -0.8],
@@ -45,13 +45,13 @@ describe('the field of one number takes a decimal comma', () => {
     ['0.35', 0.35],
     ['inf', Infinity],
   ])('%s', (text, value) => expect(typedNumber(text)).toBe(value));
-  test.each(['1,250', '-1,250', '1,2,3', '1,234.5', '1.234,5', '0,5 0,6', ',', 'a,b'])('"%s" goes to the engine', (text) =>
+  test.each(['1,250', '-1,250', '1,2,3', '1,234.5', '1.234,5', '0,5 0,6', ',', 'a,b'])('"%s" is passed on unchanged', (text) =>
     expect(typedNumber(text)).toBe(text),
   );
-  test('nothing is nothing', () => expect(typedNumber(' ')).toBeUndefined());
+  test('an empty field has no value', () => expect(typedNumber(' ')).toBeUndefined());
 });
 
-describe('lists as they are typed', () => {
+describe('typed lists', () => {
   test.each([
     ['50, 95, 97.5', [50, 95, 97.5]],
     ['50,95', [50, 95]],

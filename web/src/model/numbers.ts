@@ -1,22 +1,22 @@
-// Numbers as people type them.
+// Parsing of typed numbers.
 
 import type { TomlValue } from '../toml/format';
 import { jsonText } from '../toml/json';
 
-const mostWhole = 2n ** 63n; // TOML has whole numbers of 64 bits
+const integerLimit = 2n ** 63n; // TOML integers have 64 bits
 
 function wholeOf(digits: string): number | bigint | undefined {
   if (Number.isSafeInteger(Number(digits))) return Number(digits);
   const exact = BigInt(digits.replace(/^\+/, ''));
-  return exact >= -mostWhole && exact < mostWhole ? exact : undefined;
+  return exact >= -integerLimit && exact < integerLimit ? exact : undefined;
 }
 
-/// Trimmed, and with the minus that keyboards have.
+/// Trimmed, with a hyphen for a typographic minus sign.
 export const withMinus = (text: string) => text.trim().replace(/^\u2212/, '-');
 export const isNumeral = (text: string) => /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(withMinus(text));
 
-/// A number as the project file writes it; undefined where the text is none, or one that the file cannot have: it would
-/// become infinite, nothing, or another whole number.
+/// A number for the project file. Undefined if the text is not a number, or one that would overflow, underflow to 0, or
+/// become another integer.
 export function numberOf(text: string): number | bigint | undefined {
   const bare = withMinus(text);
   if (/^[+-]?inf$/.test(bare)) return bare.startsWith('-') ? -Infinity : Infinity;
@@ -27,25 +27,24 @@ export function numberOf(text: string): number | bigint | undefined {
   return isLost || !Number.isFinite(number) ? undefined : number;
 }
 
-/// What a typed text says: a number, or the text itself, which the engine then refuses in its own words. Nothing:
-/// undefined.
+/// The value of a typed text: a number, or the text itself, which the engine then reports. Undefined if it is empty.
 export function typedValue(text: string): TomlValue | undefined {
   const bare = text.trim();
   return bare === '' ? undefined : (numberOf(bare) ?? bare);
 }
 
-/// "1,250" may be little more than one, or a thousand and more.
-const mayPartThousands = /^[+-]?[1-9]\d{0,2},\d{3}$/;
+/// "1,250" may be 1.25 or 1250.
+const mayHaveThousands = /^[+-]?[1-9]\d{0,2},\d{3}$/;
 
-/// What is typed in the field of one number: a decimal comma is a point there.
+/// The value of a typed text in the field of a number, where a decimal comma is accepted.
 export function typedNumber(text: string): TomlValue | undefined {
   const bare = withMinus(text);
   const point = bare.replace(',', '.');
-  return typedValue(isNumeral(point) && !mayPartThousands.test(bare) ? point : text);
+  return typedValue(isNumeral(point) && !mayHaveThousands.test(bare) ? point : text);
 }
 
-/// Numbers with commas, semicolons or blanks between them. Where something else parts them, too, a comma between digits
-/// is a decimal one: its number goes to the engine as it is, which says how to write it.
+/// Numbers separated by commas, semicolons or spaces. If there are other separators, a comma between digits counts as a
+/// decimal comma; the engine then reports how to write the number.
 export function typedList(text: string): TomlValue[] {
   const hasDecimals = /\d,\d/.test(text) && /[;\s]/.test(text.trim());
   const parts = text.split(hasDecimals ? /,(?!\d)|(?<!\d),|[;\s]/ : /[,;\s]/);

@@ -22,21 +22,21 @@ describe('rows from a spreadsheet', () => {
     expect(rowsOf('  1   2\t3'.replace('\t', ' '))).toEqual([['1', '2', '3']]);
   });
   test('a heading, empty lines and quotes', () => expect(rowsOf('X\tY\n\n"1"\t"2"\n')).toEqual([['1', '2']]));
-  test('a row of numbers that cannot be kept is not a heading', () =>
+  test('a row of numbers that cannot be represented is not a heading', () =>
     expect(rowsOf('1e999;1e999')).toEqual([['1e999', '1e999']]));
   test('a comma at the end of every line', () =>
     expect(rowsOf('1,2,\n3,4,')).toEqual([
       ['1', '2'],
       ['3', '4'],
     ]));
-  test('the names of vertices go', () => {
+  test('a column of vertex names is removed', () => {
     const rows = rowsOf('Vertex\tX\tY\tZ\nA\t-10\t10\t16.32993\nB\t10\t10\t16.32993');
     expect(withoutNames(rows, 3)).toEqual([
       ['-10', '10', '16.32993'],
       ['10', '10', '16.32993'],
     ]);
   });
-  test('numbers that count the rows go, others stay', () => {
+  test('a column of row numbers is removed, other numbers stay', () => {
     expect(
       withoutNames(
         [
@@ -66,17 +66,17 @@ describe('rows from a spreadsheet', () => {
 
 describe('commas and points', () => {
   const thousands = ['0\t1,250', '10\t1,240', '20\t998'].join('\n');
-  test('a comma that may part thousands is asked about, and its cell is kept', () => {
+  test('an ambiguous comma is reported and its cell stays as it is', () => {
     expect(readPasted(thousands)).toEqual({
       rows: [
         ['0', '1,250'],
         ['10', '1,240'],
         ['20', '998'],
       ],
-      open: { number: '1,250', readings: ['part thousands', 'are decimal'] },
+      open: { number: '1,250', readings: ['separate thousands', 'are decimal'] },
     });
-    expect(readPasted(thousands, 'part thousands').open).toBeNull();
-    expect(column(thousands, 'part thousands')).toEqual(['1250', '1240', '998']);
+    expect(readPasted(thousands, 'separate thousands').open).toBeNull();
+    expect(column(thousands, 'separate thousands')).toEqual(['1250', '1240', '998']);
     expect(column(thousands, 'are decimal')).toEqual(['1.250', '1.240', '998']);
   });
   test.each([
@@ -84,7 +84,7 @@ describe('commas and points', () => {
     ['both signs, the other way', ['1.250,5', '1.240', '998,25'], ['1250.5', '1240', '998.25']],
     ['other decimals', ['1,240', '998.25'], ['1240', '998.25']],
     ['other decimals with commas', ['1,240', '998,25'], ['1.240', '998.25']],
-    ['no thousands begin with nothing', ['1,240', '0,998'], ['1.240', '0.998']],
+    ['no thousands after a leading zero', ['1,240', '0,998'], ['1.240', '0.998']],
     ['two commas', ['1,234,567', '1,240'], ['1234567', '1240']],
     ['a sign and an exponent', ['-1,250.5', '1.5e3'], ['-1250.5', '1.5e3']],
     ['points alone', ['16.329', '1.240'], ['16.329', '1.240']],
@@ -93,8 +93,8 @@ describe('commas and points', () => {
     expect(pasted.rows.map((row) => row[1])).toEqual(numbers);
     expect(pasted.open).toBeNull();
   });
-  test('another column tells, too', () => expect(column('0.5\t1,250\n1.5\t1,240')).toEqual(['1250', '1240']));
-  test('where cells contradict each other each is what it can be', () => {
+  test('another column can decide', () => expect(column('0.5\t1,250\n1.5\t1,240')).toEqual(['1250', '1240']));
+  test('if cells contradict each other, each is read on its own', () => {
     const pasted = readPasted('0.5\t1,5\n0.75\t1,240');
     expect(pasted.rows).toEqual([
       ['0.5', '1.5'],
@@ -102,15 +102,15 @@ describe('commas and points', () => {
     ]);
     expect(pasted.open?.number).toBe('1,240');
   });
-  test('one column is not cut at its commas', () => {
+  test('a single column is not split at its commas', () => {
     const open = (text: string) => readPasted(text).open;
     expect(rowsOf('1,100\n1,090\n998')).toEqual([['1,100'], ['1,090'], ['998']]);
-    expect(open('1,100\n1,090')?.readings).toEqual(['part thousands', 'are decimal', 'part columns']);
-    expect(open('1,100.5\n1,090')?.readings).toEqual(['part thousands', 'part columns']);
-    expect(open('100,5\n99,25')?.readings).toEqual(['are decimal', 'part columns']);
-    expect(rowsOf('z\n1,100\n1,090', 'part thousands')).toEqual([['1100'], ['1090']]);
+    expect(open('1,100\n1,090')?.readings).toEqual(['separate thousands', 'are decimal', 'separate columns']);
+    expect(open('1,100.5\n1,090')?.readings).toEqual(['separate thousands', 'separate columns']);
+    expect(open('100,5\n99,25')?.readings).toEqual(['are decimal', 'separate columns']);
+    expect(rowsOf('z\n1,100\n1,090', 'separate thousands')).toEqual([['1100'], ['1090']]);
     expect(rowsOf('100,5\n99,25', 'are decimal')).toEqual([['100.5'], ['99.25']]);
-    expect(rowsOf('0,10\n5,8', 'part columns')).toEqual([
+    expect(rowsOf('0,10\n5,8', 'separate columns')).toEqual([
       ['0', '10'],
       ['5', '8'],
     ]);

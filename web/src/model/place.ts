@@ -1,4 +1,4 @@
-// Where things of the project stand in its text, and what they are called.
+// Paths and names of entries of the project, and setting their values.
 
 import { computed } from '@preact/signals';
 import { edit, rowsOf, valueAt, values } from '../state/document';
@@ -12,7 +12,7 @@ import { isTable } from './tables';
 
 export { isTable } from './tables';
 
-/// A table of the project; empty where it is not there.
+/// A table of the project; empty if it does not exist.
 export function tableAt<T extends TableName>(path: readonly [T] | readonly [T, number]): Row<T>;
 export function tableAt(path: Path): Row;
 export function tableAt(path: Path): Row {
@@ -20,53 +20,53 @@ export function tableAt(path: Path): Row {
   return isTable(value) ? value : {};
 }
 
-/// Whether positions are [x, z]: by what the text says, so that it holds while there is no model.
+/// Whether positions are [x, z]; from the text, so that it is known without a model.
 export const is2d = computed(() => {
   const terrain = tableAt(['terrain']);
   return terrain.section !== undefined && terrain.width_m === undefined;
 });
-/// What the view shows: the model as it was built last, or what the text is about to become.
+/// The dimension of the view: that of the last model, or else of the text.
 export const dimension = computed<2 | 3>(() => model.value?.dimension ?? (is2d.value ? 2 : 3));
 
-/// How the project's rocks move: "lumped_mass", "rigid_sphere".
+/// The project's rock model: "lumped_mass" or "rigid_sphere".
 export const rockModel = computed(() => String(tableAt(['analysis']).model ?? defaultOf('analysis', 'model')));
 
-/// What results and messages call an entry of a list: "Type One", "seeder 2".
+/// The name of an entry of a list in results and messages: "Type One", "seeder 2".
 export function nameOf(key: TableName, index: number): string {
   const name = rowsOf(key)[index]?.name;
   return typeof name === 'string' && name !== '' ? name : `${key} ${index + 1}`;
 }
 
-/// The thing that a path leads to or into, for people: "Type One", "Terrain".
+/// The name of the entry or section of a path: "Type One", "terrain".
 export function thingOf(path: Path): string {
   if (typeof path[1] === 'number') return nameOf(path[0] as TableName, path[1]);
   if (path.length < 2) return 'the project';
   return sections.find(({ name }) => name === path[0])?.title.toLowerCase() ?? String(path[0]);
 }
 
-/// The paths that the engine's problems name.
+/// A path as in the engine's problems: "material.0.name".
 export const pathText = (path: Path) => path.join('.');
 
 let formerNames: FormerName[] = [];
 
-/// Sets a value, or removes its key where there is none.
+/// Sets a value, or removes its key (undefined).
 export function put(path: Path, value: TomlValue | undefined, title: string, merge = pathText(path)) {
   const what = value === undefined ? `clear ${title}` : `change ${title}`;
   const own: Edit = value === undefined ? { remove: path } : { set: path, value };
   const isName = path.length === 3 && path[2] === 'name';
-  const called = isName ? renaming(values.value, path, value, formerNames) : { edits: [], known: formerNames };
-  const more = [...consequences(values.value, path, value), ...called.edits];
-  if (edit(`${what} of ${thingOf(path)}`, [own, ...more], merge)) formerNames = called.known;
+  const renamed = isName ? renaming(values.value, path, value, formerNames) : { edits: [], known: formerNames };
+  const more = [...consequences(values.value, path, value), ...renamed.edits];
+  if (edit(`${what} of ${thingOf(path)}`, [own, ...more], merge)) formerNames = renamed.known;
 }
 
-/// Tells whether the entries of a list are still those of now, by their names: another may have a number by then.
-export function asNow(key: TableName): () => boolean {
+/// Returns a function that tells whether the entries of a list are still the same, by their names.
+export function entriesUnchanged(key: TableName): () => boolean {
   const names = () => JSON.stringify(rowsOf(key).map((_, index) => nameOf(key, index)));
   const then = names();
   return () => names() === then;
 }
 
-/// A name that no entry of these lists has: "Material 3".
+/// An unused name for an entry of these lists: "Material 3".
 export function freshName(keys: readonly TableName[], word: string): string {
   const taken = new Set(keys.flatMap((key) => rowsOf(key).map((_, index) => nameOf(key, index).toLowerCase())));
   for (let number = 1; ; ++number) {

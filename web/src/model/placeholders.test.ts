@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import type { Problem } from '../api/types';
 import { valuesOf } from '../toml/edit';
-import { withStandIns, withTerrainOf } from './standIn';
+import { withPlaceholders, withTerrainProblems } from './placeholders';
 
 const error = (path: string): Problem => ({
   severity: 'error',
@@ -16,7 +16,7 @@ const error = (path: string): Problem => ({
 });
 const terrain = '[terrain]\nsection = [[5, 1], [10, -5]]\n';
 
-test('what is wrong with the terrain is told as soon as something stands in for the rest', () => {
+test('problems of the terrain are reported even while other parts are missing', () => {
   const missing = { ...error(''), what: '[[material]] is missing' };
   const ofTerrain = {
     ...error('terrain.lines'),
@@ -24,22 +24,22 @@ test('what is wrong with the terrain is told as soon as something stands in for 
     line: 9,
     text: 'a.toml:9: lines has an attribute that is not UTF-8',
   };
-  expect(withTerrainOf([missing], [error('seeder.0.position'), ofTerrain])).toEqual([
+  expect(withTerrainProblems([missing], [error('seeder.0.position'), ofTerrain])).toEqual([
     missing,
     { ...ofTerrain, line: 0, text: 'a.toml: lines has an attribute that is not UTF-8' },
   ]);
-  expect(withTerrainOf([ofTerrain], [ofTerrain])).toEqual([ofTerrain]);
+  expect(withTerrainProblems([ofTerrain], [ofTerrain])).toEqual([ofTerrain]);
 });
 
-test('a material and a seeder stand in where there are none', () =>
-  expect(valuesOf(withStandIns(terrain, [error(''), error('')])!)).toMatchObject({
+test('placeholders replace a missing material and seeder', () =>
+  expect(valuesOf(withPlaceholders(terrain, [error(''), error('')])!)).toMatchObject({
     material: [{}],
     seeder: [{ position: [5, 1], rocks: 1 }],
   }));
 
-test('what has a problem is removed, the last first', () => {
+test('entries with problems are removed, the last first', () => {
   const text = `${terrain}[[material]]\nname = "A"\nrn = 3\n[[seeder]]\nrocks = 0\n[[seeder]]\nrocks = 4\n[[seeder]]\nrocks = 0\n[ground]\ndefault = "B"\n`;
-  const next = withStandIns(
+  const next = withPlaceholders(
     text,
     ['material.0.rn', 'seeder.0', 'seeder.2.rocks', 'seeder.2.mass_kg', 'ground.default'].map(error),
   );
@@ -56,23 +56,23 @@ test('what has a problem is removed, the last first', () => {
   });
 });
 
-test('nothing stands in for a terrain', () => {
-  expect(withStandIns(terrain, [error('terrain.section.1')])).toBeNull();
-  expect(withStandIns('name = "A"', [error('')])).toBeNull();
+test('there is no placeholder for terrain', () => {
+  expect(withPlaceholders(terrain, [error('terrain.section.1')])).toBeNull();
+  expect(withPlaceholders('name = "A"', [error('')])).toBeNull();
 });
 
-test('warnings take nothing away', () => {
+test('entries with warnings stay', () => {
   const text = `${terrain}[[material]]\nname = "A"\n[[seeder]]\nrocks = 1\n`;
-  expect(withStandIns(text, [{ ...error('seeder.0.rocks'), severity: 'warning' }])).toBeNull();
+  expect(withPlaceholders(text, [{ ...error('seeder.0.rocks'), severity: 'warning' }])).toBeNull();
 });
 
-test('off a terrain far from the origin, it stands in the middle of it', () => {
+test('the placeholder seeder is moved to the middle of the terrain', () => {
   const text = '[terrain]\nraster = "a.tif"\n[[material]]\nname = "A"\n';
-  const first = withStandIns(text, [error('')])!;
+  const first = withPlaceholders(text, [error('')])!;
   expect(valuesOf(first)).toMatchObject({ seeder: [{ position: [0, 0, 0] }] });
   const off = {
     ...error('seeder.0'),
     why: 'on plan the terrain lies within x = 652002.5 to 652747.5, y = 5234002.5 to 5234547.5',
   };
-  expect(valuesOf(withStandIns(first, [off])!)).toMatchObject({ seeder: [{ position: [652375, 5234275, 0] }] });
+  expect(valuesOf(withPlaceholders(first, [off])!)).toMatchObject({ seeder: [{ position: [652375, 5234275, 0] }] });
 });

@@ -12,26 +12,26 @@ test.each([
   ['tuple', 'position[0] is "a"', 'position, x is "a"'],
   ['list', 'percentiles[2] is 101', 'percentiles, entry 3 is 101'],
   [undefined, 'height_m is -1', 'height_m is -1'],
-] as const)('rows and columns are counted as in the tables: %s', (kind, what, words) =>
+] as const)('rows and columns are numbered as in the tables: %s', (kind, what, words) =>
   expect(sentence(problem(what), counting(kind))).toBe(words),
 );
 
-test('rows that wait count, too', () =>
+test('incomplete rows are counted', () =>
   expect(sentence(problem('section[3][0] is "a"'), { ...counting('rows'), rowAt: (row) => row + 2 })).toBe(
     'section, row 6, x is "a"',
   ));
 
-test('a number that cannot be kept is not a text for who typed it', () => {
+test('a typed number that cannot be represented is not reported as a text', () => {
   const { what, why, hint } = { what: 'height_m is "1e999"', why: 'expected a number', hint: 'Leave out the quotes' };
   expect(sentence(problem(what, why, hint), counting())).toBe(
-    'height_m is 1e999 (it is too large, or too small, to be kept; expected a number)',
+    'height_m is 1e999 (it is too large or too small to be represented; expected a number)',
   );
   expect(sentence(problem('height_m is "5"', why, hint), counting())).toBe(
     'height_m is "5" (expected a number). Leave out the quotes',
   );
 });
 
-test('who types a decimal comma writes no quotes', () =>
+test('the hint on a decimal comma does not mention quotes', () =>
   expect(sentence(problem('height_m is "97,5"', 'expected a number', 'Write 97.5, without quotes'), counting())).toBe(
     'height_m is "97,5" (expected a number). Write 97.5',
   ));

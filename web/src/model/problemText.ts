@@ -1,4 +1,4 @@
-// The engine's words for what is wrong, as the forms count and type.
+// Adapts the engine's messages to the forms: rows and columns as in their tables, values as typed.
 
 import type { Problem } from '../api/types';
 import { isNumeral, numberOf } from './numbers';
@@ -14,11 +14,11 @@ const words: Partial<Record<Kind['kind'], string[]>> = {
 export interface Counting {
   kind?: Kind['kind'];
   columns: readonly string[];
-  /// The place in its table of a row of the project.
+  /// The index in the table of a row of the project.
   rowAt: (row: number) => number;
 }
 
-/// "section[3][0]" of the engine is "section, row 4, x" of the table.
+/// The engine's "section[3][0]" is "section, row 4, x" in the table.
 function placeText(key: string, indices: number[], { kind, columns, rowAt }: Counting): string {
   const parts = indices.map((k, depth) => {
     const word = kind && words[kind]?.[depth];
@@ -28,19 +28,19 @@ function placeText(key: string, indices: number[], { kind, columns, rowAt }: Cou
   return [key, ...parts].join(', ');
 }
 
-/// A number that was typed and cannot be kept stands in the file as a text.
-function told({ what, why, hint }: Problem): { what: string; why: string; hint: string } {
+/// A typed number that cannot be represented is a text in the file; it is reported as a number.
+function asTyped({ what, why, hint }: Problem): { what: string; why: string; hint: string } {
   const text = / is "([^"]*)"$/.exec(what)?.[1];
-  // Who types into a field writes no quotes; only the file has them.
+  // Typed values have no quotes; only the file has them.
   if (text === undefined || !isNumeral(text) || numberOf(text) !== undefined)
     return { what, why, hint: hint.replace(/^(Write .*), without quotes$/, '$1') };
-  const reason = 'it is too large, or too small, to be kept';
+  const reason = 'it is too large or too small to be represented';
   return { what: what.replace(`"${text}"`, text), why: why ? `${reason}; ${why}` : reason, hint: '' };
 }
 
-/// A sentence without the file's line and table.
+/// The sentence of a problem without file, line and table.
 export function sentence(problem: Problem, counting: Counting): string {
-  const { what, why, hint } = told(problem);
+  const { what, why, hint } = asTyped(problem);
   const counted = what.replace(/^(\w+)((?:\[\d+\])+)/, (_all, key: string, brackets: string) =>
     placeText(key, [...brackets.matchAll(/\d+/g)].map(Number), counting),
   );

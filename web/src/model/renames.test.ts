@@ -32,42 +32,42 @@ function after(...renames: [string, number, string][]) {
 }
 const before = after();
 
-describe('who calls an entry by its name', () => {
-  test('calls a material by its new one', () =>
+describe('references to a renamed entry', () => {
+  test('follow a material', () =>
     expect(after(['material', 0, 'Granite'])).toEqual({
       ...before,
       default: 'Granite',
       segments: ['Granite', 'Scree', 'Soil'],
       areas: ['Scree', 'Granite'],
     }));
-  test('calls barriers and collectors by their new ones', () =>
+  test('follow barriers and collectors', () =>
     expect(after(['collector', 0, 'Street'], ['barrier', 1, 'Wall'])).toEqual({
       ...before,
       lines: ['Net', 'Street', 'Wall'],
       protect: 'Street',
     }));
-  test('calls it by its number while it has none', () => {
+  test('use the default name while the entry has none', () => {
     expect(after(['barrier', 0, '']).lines).toEqual(['barrier 1', 'Road', 'barrier 2']);
     expect(after(['barrier', 0, ''], ['barrier', 0, 'Net'])).toEqual(before);
   });
-  test('other settings are nobody\'s name', () =>
+  test('do not depend on names in other tables', () =>
     expect(renaming(valuesOf(text), ['seeder', 0, 'name'], 'Rock', [])).toEqual({ edits: [], known: [] }));
 });
 
-describe('two of one name', () => {
-  test('one that takes the name of another does not take what is the other\'s', () =>
+describe('two entries of the same name', () => {
+  test('references to the first entry stay with it', () =>
     expect(after(['material', 1, 'Rock'])).toEqual(before));
-  test('and is called by the name that it is corrected to', () =>
+  test('references follow when the second name is corrected', () =>
     expect(after(['material', 1, 'Rock'], ['material', 1, 'Rock 2'])).toEqual(after(['material', 1, 'Rock 2'])));
-  test('nor when it is cleared in between', () =>
+  test('references follow when the second name is cleared in between', () =>
     expect(after(['material', 1, 'Rock'], ['material', 1, ''], ['material', 1, 'Rock 2'])).toEqual(
       after(['material', 1, 'Rock 2']),
     ));
-  test('when the other gives way, each is called by its own', () =>
+  test('references follow when the first entry is renamed', () =>
     expect(after(['material', 1, 'Rock'], ['material', 0, 'Granite']).segments).toEqual(['Granite', 'Rock', 'Soil']));
-  test('they exchange their names', () =>
+  test('the entries can exchange their names', () =>
     expect(after(['material', 1, 'Rock'], ['material', 0, 'Scree']).segments).toEqual(['Scree', 'Rock', 'Soil']));
-  test('a name by which another is still called is not taken over', () => {
+  test('a name that still refers to another entry is not reused', () => {
     const renames: [string, number, string][] = [
       ['material', 1, 'Rock'],
       ['material', 2, 'Scree'],
@@ -75,12 +75,12 @@ describe('two of one name', () => {
     expect(after(...renames)).toEqual(before);
     expect(after(...renames, ['material', 1, 'Gravel']).segments).toEqual(['Rock', 'Gravel', 'Scree']);
   });
-  test('a barrier and a collector share their names', () =>
+  test('barriers and collectors share their names', () =>
     expect(after(['barrier', 0, 'Road'], ['barrier', 0, 'Fence'])).toEqual({
       ...before,
       lines: ['Fence', 'Road', 'barrier 2'],
     }));
-  test('of those that were so in the file, none is meant more than the other', () => {
+  test('references are ambiguous if the file had the same name twice', () => {
     const twice = valuesOf(text.replace('"Scree" }, {', '"Rock" }, {'));
     expect(renaming(twice, ['material', 1, 'name'], 'Rock 2', []).edits).toEqual([]);
   });

@@ -1,11 +1,11 @@
-// Who is called by a name when entries are renamed. One that takes the name of another is still called by its former
-// name until its own is unique: whoever calls the other by it goes on to mean the other.
+// Updates references when entries are renamed. While an entry has the same name as another, references to it keep its
+// former name, so that references to the other one stay correct. They are updated once its name is unique.
 
 import { chosenName, type Edit, type Path, type TableName } from './names';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { isTable, valueIn } from './tables';
 
-/// An entry that is called by its former name.
+/// An entry whose references still have its former name.
 export interface FormerName {
   key: TableName;
   index: number;
@@ -17,7 +17,7 @@ interface Entry extends FormerName {
   next: string;
 }
 
-/// Lists whose entries may not share names, and where entries are called by them.
+/// Lists whose entries must have different names, and the settings that refer to them.
 const families: { keys: TableName[]; places: Path[] }[] = [
   {
     keys: ['material'],
@@ -42,7 +42,7 @@ function placesIn(values: TomlTable, { keys, places }: (typeof families)[number]
   return [...places, ...areas.map((_, k) => ['area', k, 'material'] as const)];
 }
 
-/// What is below a path, and the names that stand there.
+/// The names at or below a path.
 function namesAt(value: TomlValue | undefined, path: Path): { path: Path; name: string }[] {
   if (typeof value === 'string') return [{ path, name: value }];
   if (Array.isArray(value)) return value.flatMap((part, k) => namesAt(part, [...path, k]));
@@ -54,8 +54,8 @@ const nameOr = (name: TomlValue | undefined, key: string, index: number) =>
 
 const othersThan = (own: Entry, entries: readonly Entry[]) => entries.filter((entry) => entry !== own);
 
-/// What is known of former names may be of another text than this one, which was undone or typed over: it counts where
-/// the name is shared and the former one is nobody's.
+/// The entries with their former names. `known` may be outdated by Undo or edits of the text: a former name counts only
+/// if the name is shared and nobody else has the former one.
 function entriesOf(values: TomlTable, keys: readonly TableName[], known: readonly FormerName[]): Entry[] {
   const entries = keys.flatMap((key) => {
     const rows = values[key];
@@ -74,7 +74,7 @@ function entriesOf(values: TomlTable, keys: readonly TableName[], known: readonl
   return entries;
 }
 
-/// Those that are called by their next names from now on: which nobody else has, or is called by and stays so.
+/// The entries whose references get their next names: those whose next name is not in use by another entry.
 function renamed(entries: readonly Entry[]): Entry[] {
   const going = new Set(entries.filter(({ former, next }) => former !== next));
   const stays = (entry: Entry) =>
@@ -88,8 +88,8 @@ function renamed(entries: readonly Entry[]): Entry[] {
   return [...going];
 }
 
-/// The edits that belong to setting the name at a path (undefined: to removing it), and who is called by a former name
-/// afterwards.
+/// The edits of references when the name at a path is set (undefined: removed), and the entries that are then referred to
+/// by a former name.
 export function renaming(
   values: TomlTable,
   [table, index]: Path,
@@ -109,6 +109,6 @@ export function renaming(
       return entry ? [{ set: path, value: entry.next }] : [];
     });
   const staying = entries.filter((entry) => entry.former !== entry.next && !going.includes(entry));
-  // What undoing brings back is known, too.
+  // Earlier former names stay known, because Undo can bring them back.
   return { edits, known: [...staying.map(({ next: name, ...entry }) => ({ ...entry, name })), ...known] };
 }

@@ -1,17 +1,17 @@
-// Files that are to be kept under a name that another one has: what is to become of them.
+// Questions about uploaded files whose names exist already.
 
 import { signal } from '@preact/signals';
 
-export type Replacing = 'replace' | 'take what is there' | 'neither';
+export type Replacing = 'replace' | 'use the existing file' | 'cancel';
 
 export interface Question {
-  /// Of this question: several may be about one name.
+  /// Unique: several questions may be about one name.
   id: number;
   name: string;
   answer: (what: Replacing) => void;
 }
 
-/// Those that wait for an answer; the first is asked first.
+/// Open questions; the first is asked first.
 export const questions = signal<Question[]>([]);
 
 let asked = 0;

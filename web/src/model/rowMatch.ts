@@ -1,4 +1,4 @@
-// Which rows of a list are which once the list is another one: what is said of its parts goes with them.
+// Matches the rows of a changed list with the former rows, so that parallel lists can follow.
 
 import { isSame } from '../toml/differences';
 import type { TomlValue } from '../toml/format';
@@ -6,7 +6,7 @@ import { distanceToLine } from '../view/nearness';
 
 type Rows = readonly TomlValue[];
 
-/// How many rows are the same at the beginning and, of the others, at the end; how many lie between.
+/// The number of equal rows at the beginning and at the end, and of the differing rows between them.
 function matchOf(before: Rows, after: Rows) {
   const least = Math.min(before.length, after.length);
   let head = 0;
@@ -16,7 +16,7 @@ function matchOf(before: Rows, after: Rows) {
   return { head, tail, gone: before.length - head - tail, fresh: after.length - head - tail };
 }
 
-/// The number that each row had; null: it is new. Rows that changed in place are those that they were.
+/// The former index of each row; null if it is new. Rows that changed in place keep their index.
 export function rowsBefore(before: Rows, after: Rows): (number | null)[] {
   const { head, tail, gone, fresh } = matchOf(before, after);
   return after.map((_, k) => {
@@ -31,7 +31,7 @@ const pointOf = (row: TomlValue | undefined): Point => {
   return [x ?? NaN, z ?? NaN];
 };
 
-/// The segment from `first` to `last` that lies nearest to the middle of another one.
+/// The segment from `first` to `last` that is nearest to the midpoint of another one.
 function nearest(before: Rows, first: number, last: number, [a, b]: [Point, Point]): number {
   const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
   let best = { segment: first, distance: Infinity };
@@ -42,8 +42,8 @@ function nearest(before: Rows, first: number, last: number, [a, b]: [Point, Poin
   return best.segment;
 }
 
-/// For each segment between the rows the one that it was, or was a part of. Where vertices go, the one before them
-/// stays; where vertices come and go at once, a segment is the one that lay nearest.
+/// The former segment of each segment between the rows. After deleted vertices it is the one before them; if vertices are
+/// added and deleted at once, it is the nearest one.
 export function segmentsBefore(before: Rows, after: Rows): number[] {
   const { head, tail, gone, fresh } = matchOf(before, after);
   const within = (k: number) => Math.max(0, Math.min(k, before.length - 2));

@@ -1,11 +1,11 @@
-// Rows of numbers between the project and an edit table.
+// Converts rows of numbers between the project and an edit table.
 
 import { isSame } from '../toml/differences';
 import type { Edit, Path } from './names';
 import type { TomlValue } from '../toml/format';
 import { cellText, typedValue } from './numbers';
 
-/// The cells of a table as text; a row that is not a list has one.
+/// The cells of a table as text, filled up to `columns`. A row that is not a list has one cell.
 export function cellsOf(value: unknown, columns: number): string[][] {
   if (!Array.isArray(value)) return [];
   return value.map((row: unknown) => {
@@ -14,7 +14,7 @@ export function cellsOf(value: unknown, columns: number): string[][] {
   });
 }
 
-/// A row's value, or undefined while cells before the last that is given, or the first so many, are empty.
+/// A row's value; undefined while one of the first `least` cells, or a cell before the last given one, is empty.
 export function rowValue(cells: readonly string[], least: number): TomlValue[] | undefined {
   const filled = cells.findLastIndex((cell) => cell.trim() !== '') + 1;
   if (filled < least) return undefined;
@@ -22,7 +22,7 @@ export function rowValue(cells: readonly string[], least: number): TomlValue[] |
   return values.some((value) => value === undefined) ? undefined : (values as TomlValue[]);
 }
 
-/// Cells with a block laid over them from a cell on; rows that are missing are added, what is too wide is left out.
+/// Cells overwritten by a block from a cell on. Missing rows are added; columns beyond the table are dropped.
 export function overlaid(
   cells: readonly (readonly string[])[],
   block: readonly string[][],
@@ -40,7 +40,7 @@ export function overlaid(
   return result;
 }
 
-/// The fewest edits that make rows, or entries of a list, of others, so that the layout of the rest stays.
+/// The fewest edits from one list of rows to another, so that the layout of the rest is kept.
 export function rowEdits(path: Path, before: unknown, after: TomlValue[]): Edit[] {
   const old = Array.isArray(before) ? (before as TomlValue[]) : undefined;
   if (!old || old.length === 0 || after.length === 0) return [{ set: path, value: after }];
@@ -52,7 +52,7 @@ export function rowEdits(path: Path, before: unknown, after: TomlValue[]): Edit[
       if (!isChangedInside) return [{ set: [...path, r], value: row }];
       return row.flatMap((value, c) => (isSame(known[c], value) ? [] : [{ set: [...path, r, c], value }]));
     });
-    // Most of the rows are new: written as a whole they have a line each.
+    // With many changes the whole list is written, one row per line.
     return edits.length <= 8 ? edits : [{ set: path, value: after }];
   }
   const first = after.findIndex((row, k) => !isSame(old[k], row));

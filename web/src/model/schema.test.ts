@@ -69,7 +69,7 @@ const field = (table: string, key: string) =>
   tables.find((one) => one.key === table)!.fields.find((one) => one.key === key)!;
 
 describe('tables and fields of the schema', () => {
-  test('keys before the first table are a table without a key', () => {
+  test('keys before the first table form a table without a key', () => {
     expect(tables.map(({ key, repeated }) => [key, repeated])).toEqual([
       ['', false],
       ['terrain', false],
@@ -78,7 +78,7 @@ describe('tables and fields of the schema', () => {
     ]);
     expect(field('', 'name').description).toBe('Its name.');
   });
-  test('forms of values', () => {
+  test('kinds of values', () => {
     expect(field('terrain', 'section').type).toMatchObject({ kind: 'rows', columns: 2 });
     expect(field('terrain', 'section').excludes).toEqual(['mesh']);
     expect(field('terrain', 'mesh').type.kind).toBe('file');
@@ -118,7 +118,7 @@ test('ranges', () => {
   expect(rangeText({})).toBe('');
 });
 
-test('values for people', () => {
+test('values as text', () => {
   expect(valueText(true)).toBe('yes');
   expect(valueText([1, 0, 0])).toBe('1, 0, 0');
   expect(valueText(Infinity)).toBe('unlimited');

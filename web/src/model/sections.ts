@@ -1,12 +1,13 @@
-// The sections of the model, as its outline shows them.
+// The sections of the model's outline.
 
 import type { Path, TableName } from './names';
 
 export interface Section {
   name: TableName;
   title: string;
-  /// The tables whose forms stand in it; of a list, each entry is an item of the section.
+  /// The tables whose forms are in the section.
   tables: (TableName | '')[];
+  /// Repeated tables; each entry is an item of the section.
   lists: { key: TableName; one: string; only3d?: boolean }[];
 }
 
@@ -30,7 +31,7 @@ export const sections: Section[] = [
   { name: 'design', title: 'Barrier design', tables: ['design'], lists: [] },
 ];
 
-/// The section in which the form of a path stands.
+/// The section with the form of a path.
 export function sectionOf(path: Path): Section | undefined {
   const key = path[0] ?? '';
   return (

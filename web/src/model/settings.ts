@@ -1,4 +1,4 @@
-// The settings of the project file, as the engine declares them.
+// The declared settings of the project file.
 
 import { schema } from '../generated/schema';
 import { tablesOf, type Field, type Table } from './schema';

@@ -1,4 +1,4 @@
-// One line about each part of the model, from its text.
+// One-line summaries of the parts of the project, for the outline.
 
 import { rowsOf, valueAt, values } from '../state/document';
 import { model } from '../state/model';

@@ -1,4 +1,4 @@
-// Looking into values.
+// Access to values of the project.
 
 import type { Path } from './names';
 import type { TomlTable, TomlValue } from '../toml/format';

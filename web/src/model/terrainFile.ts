@@ -1,9 +1,9 @@
-// A file becomes the terrain: chosen, uploaded, or dropped on the page.
+// Uses a file as the terrain: chosen, uploaded, or dropped on the page.
 
 import { edit, file } from '../state/document';
-import { say, sayFailure } from '../state/messages';
+import { notify, reportFailure } from '../state/messages';
 import { chosen, sidePanel } from '../state/view';
-import { keepBeside } from './files';
+import { uploadFiles } from './files';
 import { tableAt } from './place';
 import { changeTo, kindOf, terrainKinds } from './terrainKinds';
 import type { KeyOf } from './names';
@@ -15,16 +15,16 @@ const endings: [RegExp, string, KeyOf<'terrain'>][] = [
   [/\.dxf$/i, 'survey', 'lines'],
   [/\.(shp|gpkg|geojson)$/i, 'survey', 'lines'],
 ];
-/// Files that are as often something else: areas of the ground, places where rocks start.
-const mayBeElse = /\.(shp|gpkg|geojson)$/i;
+/// Files that may also be something else, such as areas of the ground or release points.
+const isAmbiguous = /\.(shp|gpkg|geojson)$/i;
 
-/// The kind and the key of the terrain that a file would be, by its name; null: none.
+/// The kind of terrain and the key for a file, by its name; null if it cannot be a terrain.
 export function terrainOfFile(name: string): { kind: string; key: KeyOf<'terrain'> } | null {
   const found = endings.find(([ending]) => ending.test(name));
   return found ? { kind: found[1], key: found[2] } : null;
 }
 
-/// Of several files the one that is a terrain the most likely.
+/// The one of several files that is most likely a terrain.
 export function terrainAmong(names: readonly string[]) {
   for (const [ending, kind, key] of endings) {
     const name = names.find((one) => ending.test(one));
@@ -33,30 +33,30 @@ export function terrainAmong(names: readonly string[]) {
   return null;
 }
 
-/// The terrain is this file from now on, called as the project calls it.
+/// Sets the terrain to a file, named as in the project.
 export function useTerrainFile(name: string, kindName: string, key: KeyOf<'terrain'>) {
   const kind = terrainKinds.find((one) => one.name === kindName)!;
   const edits = changeTo(kind, tableAt(['terrain']), undefined);
-  edit(`take ${name} as the terrain`, [...edits, { set: ['terrain', key] as const, value: name }]);
+  edit(`use ${name} as the terrain`, [...edits, { set: ['terrain', key] as const, value: name }]);
 }
 
-/// Keeps dropped files beside the project; one that can be a terrain becomes it.
+/// Uploads dropped files next to the project. One that can be a terrain becomes the terrain.
 export async function takeFiles(list: readonly File[]) {
   const project = file.value;
   if (project === null) return;
-  const kept = await keepBeside(project, list);
+  const uploaded = await uploadFiles(project, list);
   if (file.value !== project) return;
   const hasTerrain = kindOf(tableAt(['terrain'])) !== undefined;
-  const taken = terrainAmong(hasTerrain ? kept.filter((name) => !mayBeElse.test(name)) : kept);
+  const taken = terrainAmong(hasTerrain ? uploaded.filter((name) => !isAmbiguous.test(name)) : uploaded);
   if (taken) {
     useTerrainFile(taken.name, taken.kind, taken.key);
     chosen.value = ['terrain'];
     sidePanel.value = 'model';
-  } else if (kept.length > 0)
-    say('note', `Kept in the folder: ${kept.join(', ')}. Forms that name a file offer it now.`);
+  } else if (uploaded.length > 0)
+    notify('note', `Uploaded: ${uploaded.join(', ')}. Forms for files now offer ${uploaded.length === 1 ? 'it' : 'them'}.`);
 }
 
-/// Lets files be dropped anywhere on the page.
+/// Accepts files dropped anywhere on the page.
 export function listenToDrops(take: (list: File[]) => Promise<void>): () => void {
   const over = (event: DragEvent) => {
     if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
@@ -65,7 +65,7 @@ export function listenToDrops(take: (list: File[]) => Promise<void>): () => void
     const list = [...(event.dataTransfer?.files ?? [])];
     if (list.length === 0) return;
     event.preventDefault();
-    void take(list).catch(sayFailure);
+    void take(list).catch(reportFailure);
   };
   addEventListener('dragover', over);
   addEventListener('drop', drop);

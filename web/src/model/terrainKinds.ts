@@ -1,4 +1,4 @@
-// The ways to give a terrain, and the edits that change from one to another.
+// The kinds of terrain, and the edits that change from one to another.
 
 import type { Edit, KeyOf, Row } from './names';
 import type { TomlTable, TomlValue } from '../toml/format';
@@ -9,9 +9,9 @@ export interface TerrainKind {
   name: string;
   title: string;
   what: string;
-  /// The keys of `[terrain]` that make it.
+  /// The keys of `[terrain]` that define it.
   keys: KeyOf<'terrain'>[];
-  /// What begins it, where that is not a file.
+  /// The initial value of the first key, unless it is a file.
   first?: TomlValue;
 }
 
@@ -55,7 +55,7 @@ export const terrainKinds: TerrainKind[] = [
 export const kindOf = (terrain: Row<'terrain'>): TerrainKind | undefined =>
   terrainKinds.find(({ keys }) => keys.some((key) => terrain[key] !== undefined));
 
-/// The edits that make a terrain of another kind; with a value, by its first key.
+/// The edits that change the terrain to a kind. `value` is the initial value of `key`.
 export function changeTo(
   kind: TerrainKind,
   terrain: Row<'terrain'>,
@@ -68,12 +68,12 @@ export function changeTo(
     ...given.filter(([other]) => !others.has(other)),
     ...(kind.keys.some((own) => terrain[own] !== undefined) ? [] : [[key, value ?? '']]),
   ]);
-  const means = (other: string, row: TomlTable) =>
+  const appliesIn = (other: string, row: TomlTable) =>
     applies(fieldOf('terrain', other)?.needs ?? [], 'terrain', row, { terrain: row });
   const before: TomlTable = Object.fromEntries(given);
   const removes = given
     .map(([other]) => other)
-    .filter((other) => others.has(other) || (means(other, before) && !means(other, next)));
+    .filter((other) => others.has(other) || (appliesIn(other, before) && !appliesIn(other, next)));
   return [
     ...removes.map((other) => ({ remove: ['terrain', other] as const })),
     ...(value !== undefined && terrain[key] === undefined ? [{ set: ['terrain', key] as const, value }] : []),

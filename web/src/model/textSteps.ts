@@ -1,4 +1,4 @@
-// Typing in the text of the project, as steps that can be undone one by one.
+// Divides typing in the text editor into steps for Undo.
 
 const pause = 1000; // ms
 
@@ -7,14 +7,14 @@ let count = 0;
 
 const linesOf = (text: string) => text.split('\n').length;
 
-/// The step to which a change belongs: one ends with a pause, and with the line.
+/// The step of a change. A step ends with a pause or with the line.
 export function stepOf(before: string, after: string, now = performance.now()): string {
   if (now - lastTyped > pause || linesOf(before) !== linesOf(after)) ++count;
   lastTyped = now;
   return `text ${count}`;
 }
 
-/// Where in a text that what changed in it ends.
+/// The position in `after` where the change from `before` ends.
 export function endOfChange(before: string, after: string): number {
   const shorter = Math.min(before.length, after.length);
   let first = 0;

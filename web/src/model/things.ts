@@ -1,4 +1,4 @@
-// Adding, copying and taking out materials, areas, seeders, barriers and collectors.
+// Adds, copies and deletes materials, areas, seeders, barriers and collectors.
 
 import { edit, rowsOf, values } from '../state/document';
 import { chosen } from '../state/view';
@@ -18,7 +18,7 @@ const words: Partial<Record<TableName, string>> = {
 };
 const family = (key: TableName): TableName[] => (key === 'barrier' || key === 'collector' ? ['barrier', 'collector'] : [key]);
 
-/// What a new entry begins with, besides its name; what only the user can know is left out.
+/// Initial values of a new entry, in addition to its name. Values that only the user can know are left out.
 function first(key: TableName): Row {
   switch (key) {
     case 'seeder':
@@ -39,11 +39,11 @@ export function add(key: TableName, more: Row = {}, what = `add a ${key}`) {
   if (edit(what, [{ append: [key], value }, ...ground])) chosen.value = [key, index];
 }
 
-/// With a second material the ground needs to know which one it is made of where nothing else is said.
+/// With a second material the ground needs a default material, unless materials are already assigned.
 function defaultGround(): Edit[] {
   const ground = tableAt(['ground']);
-  const isSaid = (['default', ...tableOf('ground')!.choices[0]!.flat()] as KeyOf<'ground'>[]).some((key) => ground[key] !== undefined);
-  return isSaid ? [] : [{ set: ['ground', 'default'], value: nameOf('material', 0) }];
+  const isAssigned = (['default', ...tableOf('ground')!.choices[0]!.flat()] as KeyOf<'ground'>[]).some((key) => ground[key] !== undefined);
+  return isAssigned ? [] : [{ set: ['ground', 'default'], value: nameOf('material', 0) }];
 }
 
 export function copy(key: TableName, index: number) {
@@ -62,7 +62,7 @@ export interface Step {
   what: string;
 }
 
-/// What a project still needs before rocks can be thrown, in the order in which it is best done.
+/// What a project still needs before it can run, in the recommended order.
 export function nextSteps(project: TomlTable): Step[] {
   const terrain = project.terrain as Row<'terrain'> | undefined;
   const kind = terrain && kindOf(terrain);
@@ -76,7 +76,7 @@ export function nextSteps(project: TomlTable): Step[] {
       what:
         section !== undefined && is2d.value
           ? 'The slope has no vertices yet: draw them, or type or paste them into a table.'
-          : 'No terrain yet: give a file, or draw it.',
+          : 'No terrain yet: choose a file, or draw it.',
     });
   if (isEmpty('material')) steps.push({ key: 'material', what: 'No material yet: what is the ground made of?' });
   if (isEmpty('seeder')) steps.push({ key: 'seeder', what: 'No seeder yet: where do rocks start?' });

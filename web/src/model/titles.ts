@@ -1,13 +1,13 @@
-// What settings and their units are called on the page.
+// Titles of settings and their units.
 
-/// "Normal restitution" of normal_restitution, "Forest height" of forest_height_m: the key without its unit.
+/// The key without its unit: "Forest height" for forest_height_m.
 export function titleOf(key: string, unit = ''): string {
   const ending = `_${unit.replace('1/', 'per_').replaceAll('/', '_')}`;
   const bare = unit && key.endsWith(ending) ? key.slice(0, -ending.length) : key;
   return `${bare.charAt(0).toUpperCase()}${bare.slice(1).replaceAll('_', ' ')}`;
 }
 
-/// "m/s²" of m/s2, "°" of deg.
+/// "m/s²" for m/s2, "°" for deg.
 export function unitText(unit: string): string {
   return unit
     .replace('deg', '°')

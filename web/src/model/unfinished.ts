@@ -1,8 +1,8 @@
-// What is typed into rows of the forms but not complete, and so no part of the project: kept by the browser until it is
-// complete or taken back.
+// Incomplete rows of the forms, which are not part of the project. The browser stores them until they are completed or
+// discarded.
 
 import { effect, signal } from '@preact/signals';
-import { keptKey } from '../state/about';
+import { storageKey } from '../state/about';
 import { file, values } from '../state/document';
 import type { TomlTable } from '../toml/format';
 import { following, stillOpen, type Unfinished } from './following';
@@ -13,26 +13,26 @@ export const unfinished = signal<Unfinished>({});
 const none: readonly Waiting[] = [];
 export const waitingAt = (path: string) => unfinished.value[path] ?? none;
 
-export function wait(path: string, rows: readonly Waiting[]) {
+export function keepWaiting(path: string, rows: readonly Waiting[]) {
   const { [path]: before, ...others } = unfinished.peek();
   if (rows.length > 0) unfinished.value = { ...others, [path]: rows };
   else if (before) unfinished.value = others;
 }
 
-/// Those in which something is typed.
+/// Whether something is typed in any of the rows.
 export const hasTyped = (rows: readonly Waiting[]) => rows.some(({ cells }) => !isBlank(cells));
 
-const keyOf = (name: string) => keptKey('unfinished rows', name);
+const keyOf = (name: string) => storageKey('incomplete rows', name);
 
-function keep(name: string, rows: Unfinished) {
+function store(name: string, rows: Unfinished) {
   if (!Object.values(rows).some(hasTyped)) return localStorage.removeItem(keyOf(name));
   try {
     localStorage.setItem(keyOf(name), JSON.stringify(rows));
   } catch {
-    // The browser has no more room; they stay as long as the page.
+    // The browser's storage is full; the rows are lost when the page is closed.
   }
 }
-const keptOf = (name: string) => JSON.parse(localStorage.getItem(keyOf(name)) ?? '{}') as Unfinished;
+const stored = (name: string) => JSON.parse(localStorage.getItem(keyOf(name)) ?? '{}') as Unfinished;
 
 let known: { name: string | null; values: TomlTable } = { name: null, values: {} };
 effect(() => {
@@ -44,13 +44,13 @@ effect(() => {
       unfinished.value = stillOpen(following(rows, before.values, now.values), now.values);
     }
   } else if (now.name !== null && before.name !== null && now.values === before.values) {
-    // The same project by another name.
-    keep(before.name, {});
-    keep(now.name, rows);
-  } else unfinished.value = now.name === null ? {} : stillOpen(keptOf(now.name), now.values);
+    // The same project under another name.
+    store(before.name, {});
+    store(now.name, rows);
+  } else unfinished.value = now.name === null ? {} : stillOpen(stored(now.name), now.values);
 });
 
 effect(() => {
   const rows = unfinished.value;
-  if (file.peek() !== null) keep(file.peek()!, rows);
+  if (file.peek() !== null) store(file.peek()!, rows);
 });

@@ -15,7 +15,7 @@ describe('a choice of words', () => {
     expect(wordsValue([], words)).toBe(false);
     expect(wordsValue(['impacts', 'passages'], words)).toEqual(['passages', 'impacts']);
   });
-  test('keeps what it does not know', () => {
+  test('keeps unknown words', () => {
     expect(chosenWords(['energy'], words)).toEqual(['energy']);
     expect(wordsValue(['energy', 'velocity'], words)).toEqual(['velocity', 'energy']);
     expect(wordsValue([...words, 'energy'], words)).toEqual([...words, 'energy']);

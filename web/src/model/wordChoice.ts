@@ -1,10 +1,9 @@
-// Some of a few words as a value of the file: true stands for all, false for none, and a list has them in the order in
-// which they are declared.
+// A choice of several words as a value of the file: true is all, false is none, and a list has them in the declared order.
 
 import type { TomlValue } from '../toml/format';
 import { cellText } from './numbers';
 
-/// Those that are chosen, and what else a list has.
+/// The chosen words, including unknown ones of a list.
 export function chosenWords(value: TomlValue | undefined, words: string[]): string[] {
   if (Array.isArray(value)) return value.map(cellText);
   return value === true ? words : [];

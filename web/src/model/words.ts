@@ -1,12 +1,12 @@
-// Ranges, defaults and values of settings, in words.
+// Ranges, defaults and values of settings as text.
 
 import { constantKind } from './names';
 import type { Field, Range } from './schema';
 
-/// A word of the file for people: "lumped mass".
+/// A word of the file for display: "lumped mass".
 export const wordText = (word: string) => word.replaceAll('_', ' ');
 
-/// "0 to 1", "more than 0", "0 or more"; nothing where every number will do.
+/// "0 to 1", "more than 0", "0 or more"; empty if every number is allowed.
 export function rangeText({ least, most, leastExcluded, mostExcluded }: Range): string {
   const low = leastExcluded ? `more than ${least}` : `${least} or more`;
   const high = mostExcluded ? `less than ${most}` : `at most ${most}`;
@@ -15,7 +15,7 @@ export function rangeText({ least, most, leastExcluded, mostExcluded }: Range): 
   return least !== undefined ? low : most !== undefined ? high : '';
 }
 
-/// A default for people: "0.35", "yes", "1, 0, 0".
+/// A default for display: "0.35", "yes", "1, 0, 0".
 export function valueText(value: unknown): string {
   if (value === undefined) return '';
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
@@ -28,7 +28,7 @@ export function valueText(value: unknown): string {
   return value === Infinity ? 'unlimited' : String(value);
 }
 
-/// What holds where nothing is given: "default 0.35", "without it: the terrain's lowest point".
+/// What applies if a setting is not given: "default 0.35", "required", or a sentence.
 export function absentText(field: Field): string {
   if (field.default !== undefined) return `default ${valueText(field.default)}`;
   if (field.required) return 'required';

@@ -1,4 +1,4 @@
-// Which rocks are looked at, in a small panel of each view's bar.
+// The rock filter, in a popover of each view's toolbar.
 
 import { useState } from 'preact/hooks';
 import { everyRock, filter, isFiltering, type RockFilter } from '../state/filter';
@@ -8,9 +8,14 @@ import { shownPaths } from './drawnPaths';
 import { leftByFilter } from './shownPassing';
 
 type ListKey = 'reasons' | 'seeders' | 'sources' | 'barriers';
-const titles: Record<ListKey, string> = { reasons: 'Ended', seeders: 'Seeder', sources: 'Source', barriers: 'Hit' };
+const titles: Record<ListKey, string> = {
+  reasons: 'End reason',
+  seeders: 'Seeder',
+  sources: 'Source',
+  barriers: 'Barrier hit',
+};
 
-/// A name is taken in or out; all of them are not a condition, nor is none for barriers.
+/// Adds or removes a name. All names, or no barrier, are the same as no condition.
 function toggled(key: ListKey, all: string[], name: string): RockFilter {
   const now = filter.value;
   const isOfHits = key === 'barriers';
@@ -20,11 +25,11 @@ function toggled(key: ListKey, all: string[], name: string): RockFilter {
   return { ...now, [key]: isEvery ? null : next };
 }
 
-const mostAtOnce = 12; // more have a field that finds some of them
+const mostWithoutSearch = 12; // longer lists have a search field
 const mostRows = 500;
 
 function Names({ of, names }: { of: ListKey; names: string[] }) {
-  const [wanted, want] = useState('');
+  const [wanted, setWanted] = useState('');
   const all = [...new Set(names)];
   if (all.length === 0 || (all.length === 1 && of !== 'barriers')) return null;
   const chosen = filter.value[of] && new Set(filter.value[of]);
@@ -33,13 +38,13 @@ function Names({ of, names }: { of: ListKey; names: string[] }) {
   return (
     <fieldset>
       <legend>{titles[of]}</legend>
-      {all.length > mostAtOnce && (
+      {all.length > mostWithoutSearch && (
         <input
           type="search"
-          aria-label={`Find in ${titles[of]}`}
-          placeholder={`Find among ${all.length.toLocaleString('en')}`}
+          aria-label={`Search ${titles[of].toLowerCase()}`}
+          placeholder={`Search ${all.length.toLocaleString('en')}`}
           value={wanted}
-          onInput={(event) => want(event.currentTarget.value)}
+          onInput={(event) => setWanted(event.currentTarget.value)}
         />
       )}
       <div class="names">
@@ -51,7 +56,7 @@ function Names({ of, names }: { of: ListKey; names: string[] }) {
         ))}
       </div>
       {found.length > mostRows && (
-        <span class="faint">The first {mostRows} of {counted(found.length, 'name')}: find others above.</span>
+        <span class="faint">The first {mostRows} of {counted(found.length, 'name')}. Search to find others.</span>
       )}
       {found.length === 0 && <span class="faint">No such name.</span>}
     </fieldset>
@@ -92,7 +97,7 @@ export function FilterChoices() {
       <Names of="sources" names={sources} />
       <Names of="barriers" names={barriers} />
       <fieldset>
-        <legend>Greatest total kinetic energy</legend>
+        <legend>Maximum total kinetic energy</legend>
         <Energy of="minEnergy_kJ" title="At least" />
         <Energy of="maxEnergy_kJ" title="At most" />
       </fieldset>

@@ -1,4 +1,4 @@
-// How paths are drawn, in a small panel of each view's bar.
+// The display of trajectories, in a popover of each view's toolbar.
 
 import { OverMap } from '../maps/OverMap';
 import { shownMap } from '../maps/shownMap';
@@ -13,14 +13,14 @@ export function PathChoices() {
   if (!paths) return null;
   const { total } = paths.header;
   return (
-    <Popover title="Paths">
+    <Popover title="Trajectories">
       <label>
         <input type="checkbox" checked={layers.paths.value} onChange={(event) => (layers.paths.value = event.currentTarget.checked)} />
-        Show paths
+        Show trajectories
       </label>
       {shownMap.value && <OverMap />}
       <fieldset disabled={comparedPaths.value !== null}>
-        <legend>{comparedPaths.value ? 'Coloured by run, while two are compared' : 'Coloured by'}</legend>
+        <legend>{comparedPaths.value ? 'Coloured by run while two runs are compared' : 'Coloured by'}</legend>
         {(Object.keys(pathColours) as PathColour[]).map((by) => (
           <label key={by}>
             <input type="radio" name="path colour" checked={pathColour.value === by} onChange={() => (pathColour.value = by)} />
@@ -30,7 +30,7 @@ export function PathChoices() {
       </fieldset>
       {paths.rocks.length < total && (
         <span class="faint">
-          {paths.rocks.length.toLocaleString('en')} of {counted(total, 'path')} are drawn, spread evenly.
+          {paths.rocks.length.toLocaleString('en')} of {counted(total, 'trajectory', 'trajectories')} are drawn, evenly selected.
         </span>
       )}
     </Popover>

@@ -1,4 +1,4 @@
-// Plays the rocks of the shown run: the same moment in every view.
+// Playback of the shown run, synchronized between views.
 
 import { numberText } from '../ui/format';
 import { playbackSpeed } from '../view/settings';
@@ -19,7 +19,7 @@ export function TimeBar() {
   const [now, end] = [time.value, endTime.value];
   const text = `${now.toFixed(end < 10 ? 2 : 1)} of ${end.toFixed(end < 10 ? 2 : 1)} s`;
   return (
-    <div class="time-bar" role="group" aria-label="Time of the rocks" onKeyDown={key}>
+    <div class="time-bar" role="group" aria-label="Playback" onKeyDown={key}>
       <button class="button" aria-label={isPlaying.value ? 'Pause' : 'Play'} title={isPlaying.value ? 'Pause' : 'Play the rocks'} onClick={isPlaying.value ? pause : play}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
           <path d={isPlaying.value ? 'M3 2h4v12H3zM9 2h4v12H9z' : 'M3 2l11 6-11 6z'} />
@@ -29,7 +29,7 @@ export function TimeBar() {
         type="range"
         aria-label="Time"
         aria-valuetext={text}
-        title="Space plays; the arrow keys step"
+        title="Space plays, arrow keys step"
         min={0}
         max={end}
         step="any"
@@ -41,7 +41,7 @@ export function TimeBar() {
       />
       <output class="mono">{text}</output>
       <select
-        aria-label="Speed of playing"
+        aria-label="Playback speed"
         value={playbackSpeed.value}
         onChange={(event) => (playbackSpeed.value = Number(event.currentTarget.value))}
       >

@@ -1,4 +1,4 @@
-// What the colours of paths mean: a quantity along them on a scale, or a kind of rock by its name.
+// The colouring of trajectories: by a quantity along them on a scale, or by a category of the rock.
 
 import { computed } from '@preact/signals';
 import { categoryColour, pathRamp, type Ramp } from '../view/colours';
@@ -20,10 +20,10 @@ export interface ScaleColouring {
   kind: 'scale';
   by: 'speed' | 'energy' | 'height';
   title: string; // with the unit
-  values: Float32Array; // one a point; NaN: not known
+  values: Float32Array; // one per point; NaN: unknown
   low: number;
   high: number;
-  /// Some values are greater than `high`: they have its colour.
+  /// Whether values above `high` are drawn in its colour.
   isClipped: boolean;
   ramp: Ramp;
 }
@@ -31,35 +31,35 @@ export interface KindsColouring {
   kind: 'kinds';
   by: 'source' | 'seeder' | 'reason';
   title: string;
-  /// One a rock: its place in `names`.
+  /// For each rock the index into `names`.
   numbers: Uint8Array | Uint16Array;
   names: string[];
   colours: string[];
-  /// Whether any rock that is drawn is of the kind; others need no line in a legend.
-  isThere: boolean[];
+  /// Whether any drawn rock is of the kind; the legend omits the others.
+  isUsed: boolean[];
 }
-/// One colour for all: that of its run, where two are compared.
+/// One colour per run while two runs are compared.
 export interface RunColouring {
   kind: 'run';
   colour: string;
 }
 export type Colouring = ScaleColouring | KindsColouring | RunColouring;
 
-/// What all but a few of the values stay below. A single fast rock would leave the others one colour.
+/// The upper end of the scale, above all but 0.5 % of the values: a single fast rock would leave the others one colour.
 function topOf(values: Float32Array): { high: number; isClipped: boolean } {
-  let [most, count] = [0, 0];
+  let [maximum, count] = [0, 0];
   for (const value of values) {
-    if (value > most) most = value;
+    if (value > maximum) maximum = value;
     if (value >= 0) ++count;
   }
-  if (most === 0) return { high: 1, isClipped: false };
+  if (maximum === 0) return { high: 1, isClipped: false };
   const bins = new Uint32Array(1000);
-  for (const value of values) if (value >= 0) bins[Math.min(999, Math.floor((1000 * value) / most))]!++;
+  for (const value of values) if (value >= 0) bins[Math.min(999, Math.floor((1000 * value) / maximum))]!++;
   let above = 0;
   let bin = 999;
   while (bin > 0 && (above += bins[bin]!) <= 0.005 * count) --bin;
-  const high = roundUp((most * (bin + 1)) / 1000);
-  return { high, isClipped: high < most };
+  const high = roundUp((maximum * (bin + 1)) / 1000);
+  return { high, isClipped: high < maximum };
 }
 
 const tops = new WeakMap<Float32Array, ReturnType<typeof topOf>>();
@@ -81,9 +81,9 @@ function kinds({ header, sources, seeders, reasons }: DrawnPaths, by: KindsColou
     seeder: [seeders, header.seeders] as const,
     reason: [reasons, header.reasons] as const,
   }[by];
-  const isThere = names.map(() => false);
-  for (const number of numbers) isThere[number] = true;
-  return { kind: 'kinds', by, title: pathColours[by], numbers, names, colours: names.map((_, k) => categoryColour(k)), isThere };
+  const isUsed = names.map(() => false);
+  for (const number of numbers) isUsed[number] = true;
+  return { kind: 'kinds', by, title: pathColours[by], numbers, names, colours: names.map((_, k) => categoryColour(k)), isUsed };
 }
 
 function colouringOf(paths: DrawnPaths, by: PathColour): Colouring {
@@ -98,7 +98,7 @@ function colouringOf(paths: DrawnPaths, by: PathColour): Colouring {
   }
 }
 
-/// Of the run that is shown.
+/// The colouring of the shown run.
 export const colouring = computed<Colouring | null>(() =>
   shownPaths.value ? colouringOf(shownPaths.value, pathColour.value) : null,
 );

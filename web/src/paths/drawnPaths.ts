@@ -1,16 +1,15 @@
-// The paths of the run that is shown, and of the one that is compared with it, as arrays for drawing. Both views read
-// them from here.
+// The trajectories of the shown run and of the compared one, as arrays for drawing in both views.
 
 import { effect, signal, type ReadonlySignal } from '@preact/signals';
 import { getArrays } from '../api/client';
 import type { Point3, Run } from '../api/types';
-import { sayFailure, settle } from '../state/messages';
+import { reportFailure, resolve } from '../state/messages';
 import { compared, hasResults, shown } from '../state/runs';
 
 export interface PathsHeader {
-  /// Rocks with a path in the run's table; those here are spread evenly over them.
+  /// The number of rocks with a trajectory in paths.csv; the drawn ones are evenly selected from them.
   total: number;
-  /// `positions` are relative to it.
+  /// The origin of `positions`.
   origin: Point3;
   sources: string[];
   seeders: string[];
@@ -22,18 +21,18 @@ export interface PathsHeader {
 export interface DrawnPaths {
   run: string;
   header: PathsHeader;
-  /// Of rock k are the points from `starts[k]` up to before `starts[k + 1]`.
+  /// Rock k has the points from `starts[k]` up to, but excluding, `starts[k + 1]`.
   starts: Uint32Array;
 
-  // Of each point.
+  // For each point:
   times: Float32Array; // s
-  positions: Float32Array; // three each, m
+  positions: Float32Array; // three per point, m
   speeds: Float32Array; // m/s
   energies: Float32Array; // kJ
-  heights: Float32Array; // above the ground, m; NaN: not known
+  heights: Float32Array; // above the ground, m; NaN: unknown
   states: Uint8Array;
 
-  // Of each rock.
+  // For each rock:
   rocks: Uint32Array;
   sources: Uint16Array;
   seeders: Uint16Array;
@@ -42,7 +41,7 @@ export interface DrawnPaths {
   radii: Float32Array; // of the equivalent spheres, m
   maxEnergies: Float32Array; // kJ
   maxHeights: Float32Array; // m
-  barriers: Uint32Array; // so many words each as barriers need: bit k, it hit barrier k
+  barriers: Uint32Array; // a bit set of the barriers that the rock hit, in words of 32 bits
 }
 
 const mostRocks = 10_000;
@@ -56,7 +55,7 @@ async function load(run: Run, signal: AbortSignal): Promise<DrawnPaths> {
   return { run: run.id, header, maxEnergies, maxHeights, ...others } as DrawnPaths;
 }
 
-// A run that was resumed has other paths than before.
+// A resumed run has more trajectories than before.
 const keyOf = (run: Run) => `${run.id} ${run.done}`;
 
 function fetched(run: Run, signal: AbortSignal): Promise<DrawnPaths> {
@@ -84,22 +83,22 @@ function pathsOf(run: ReadonlySignal<Run | null>): ReadonlySignal<DrawnPaths | n
     if (!now) return;
     fetched(now, own.signal).then(
       (found) => {
-        settle(`paths of ${now.id}`);
+        resolve(`paths of ${now.id}`);
         if (!own.signal.aborted) paths.value = found.rocks.length > 0 ? found : null;
       },
       (error: unknown) => {
-        if (!own.signal.aborted) sayFailure(error, `paths of ${now.id}`);
+        if (!own.signal.aborted) reportFailure(error, `paths of ${now.id}`);
       },
     );
   });
   return paths;
 }
 
-/// Null while they are fetched, and where the run has none.
+/// Null while loading, and if the run has none.
 export const shownPaths = pathsOf(shown);
 export const comparedPaths = pathsOf(compared);
 
-/// The place of a rock among those that are drawn; -1: it is none of them.
+/// The index of a rock among the drawn ones; -1 if it is not drawn.
 export function indexOfRock({ rocks }: DrawnPaths, rock: number): number {
   let [low, high] = [0, rocks.length];
   while (low < high) {

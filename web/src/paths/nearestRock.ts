@@ -1,10 +1,10 @@
-// Which rock is meant by a place of a picture.
+// Picks a rock in a view.
 
 import { distanceToLine, type Pixel } from '../view/nearness';
 import type { DrawnPaths } from './drawnPaths';
 
-/// The rock whose path passes nearest to a pixel, among those that pass the filter; null: none within `within` pixels.
-/// `pixelOf` a point of the paths; null: it is not in the picture.
+/// The rock with the trajectory nearest to a pixel, among those that pass the filter; null if none is within `within`
+/// pixels. `pixelOf` returns the pixel of a point; null if it is outside the view.
 export function nearestRock(
   paths: DrawnPaths,
   passes: Uint8Array | null,

@@ -12,19 +12,19 @@ const rocks = {
 };
 const passes = (some: Partial<typeof everyRock>) => [...passing(rocks, { ...everyRock, ...some })];
 
-test('without conditions all pass', () => expect(passes({})).toEqual([1, 1, 1]));
-test('names of a kind are joined by "or"', () => {
+test('without conditions all rocks pass', () => expect(passes({})).toEqual([1, 1, 1]));
+test('names of one condition are alternatives', () => {
   expect(passes({ reasons: ['left'] })).toEqual([0, 1, 1]);
   expect(passes({ reasons: ['left', 'rest'] })).toEqual([1, 1, 1]);
   expect(passes({ reasons: [] })).toEqual([0, 0, 0]);
 });
-test('conditions are joined by "and"', () => expect(passes({ reasons: ['left'], seeders: ['Crest'] })).toEqual([0, 1, 0]));
-test('a barrier is one that was hit', () => {
+test('all conditions must be met', () => expect(passes({ reasons: ['left'], seeders: ['Crest'] })).toEqual([0, 1, 0]));
+test('the barrier condition is on hits', () => {
   expect(passes({ barriers: ['Wall'] })).toEqual([0, 0, 1]);
   expect(passes({ barriers: ['Net', 'Wall'] })).toEqual([0, 1, 1]);
 });
-test('ends of the energies pass', () => expect(passes({ minEnergy_kJ: 10, maxEnergy_kJ: 20 })).toEqual([1, 1, 0]));
-test('beyond the 32nd barrier, too', () => {
+test('the limits of the energy pass', () => expect(passes({ minEnergy_kJ: 10, maxEnergy_kJ: 20 })).toEqual([1, 1, 0]));
+test('more than 32 barriers are supported', () => {
   const names = Array.from({ length: 70 }, (_, k) => `Net ${k + 1}`);
   const barriers = new Uint32Array(9);
   barriers[2] = 1 << 5; // the first rock hits number 70

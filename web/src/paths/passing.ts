@@ -1,4 +1,4 @@
-// Which rocks a filter leaves.
+// Applies a filter to the rocks.
 
 import type { RockFilter } from '../state/filter';
 import type { DrawnPaths } from './drawnPaths';
@@ -7,7 +7,7 @@ type Rocks = Pick<DrawnPaths, 'reasons' | 'seeders' | 'sources' | 'barriers' | '
   header: Pick<DrawnPaths['header'], 'reasons' | 'seeders' | 'sources' | 'barriers'>;
 };
 
-/// A bit for each name, set for those that are chosen.
+/// A bit set of the chosen names.
 function bitsOf(names: readonly string[], chosen: readonly string[]): Uint32Array {
   const wanted = new Set(chosen);
   const words = new Uint32Array(Math.max(1, Math.ceil(names.length / 32)));
@@ -17,7 +17,7 @@ function bitsOf(names: readonly string[], chosen: readonly string[]): Uint32Arra
   return words;
 }
 
-/// 1 for a rock that passes, 0 for one that does not.
+/// For each rock 1 if it passes the filter, otherwise 0.
 export function passing(rocks: Rocks, now: RockFilter): Uint8Array {
   const { header, reasons, seeders, sources, barriers, maxEnergies } = rocks;
   const allowed = (names: string[], chosen: string[] | null) => names.map((name) => !chosen || chosen.includes(name));

@@ -1,4 +1,4 @@
-// What the colours of paths mean.
+// The legends of the trajectories.
 
 import { arePathsShown } from '../maps/over';
 import { isOutdated } from '../runs/outdated';
@@ -18,17 +18,17 @@ export function pathLegends(): LegendData[] {
       { name: shown.value?.name ?? '', colour: how.colour },
       { name: compared.value?.name ?? '', colour: runColour('compared') },
     ];
-    list.push({ kind: 'kinds', title: 'Paths of two runs', kinds });
+    list.push({ kind: 'kinds', title: 'Trajectories of two runs', kinds });
   } else if (how.kind === 'scale') {
     const { title, low, high, isClipped } = how;
     list.push({ kind: 'scale', title, stops: stopsOf(how.ramp), low, high, isClipped });
   } else {
-    const kinds = how.names.map((name, k) => ({ name, colour: how.colours[k]! })).filter((_, k) => how.isThere[k]);
+    const kinds = how.names.map((name, k) => ({ name, colour: how.colours[k]! })).filter((_, k) => how.isUsed[k]);
     list.push({ kind: 'kinds', title: how.title, kinds });
   }
   const count = leftByFilter.value;
-  const left = count && `${count.left.toLocaleString('en')} of ${counted(count.of, 'path')}`;
+  const left = count && `${count.left.toLocaleString('en')} of ${counted(count.of, 'trajectory', 'trajectories')}`;
   if (left) list.push({ kind: 'remark', text: left, isWarning: false });
-  if (isOutdated.value) list.push({ kind: 'remark', text: 'Paths of an earlier text of the project', isWarning: true });
+  if (isOutdated.value) list.push({ kind: 'remark', text: 'Trajectories from an earlier version of the project', isWarning: true });
   return list;
 }

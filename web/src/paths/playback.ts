@@ -1,4 +1,4 @@
-// The moment at which the rocks are shown. All rocks set out at time 0, as each in its path.
+// The playback time of the rocks. All rocks are released at time 0.
 
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { startedHere } from '../state/runs';
@@ -7,7 +7,7 @@ import { shownPaths } from './drawnPaths';
 
 export const speeds = [0.25, 0.5, 1, 2, 4, 8];
 
-/// When the last rock stops, s.
+/// The time at which the last rock stops [s].
 export const endTime = computed(() => {
   const paths = shownPaths.value;
   let end = 0;
@@ -16,7 +16,7 @@ export const endTime = computed(() => {
 });
 
 const moment = signal(Infinity);
-/// Paths are drawn up to it, s; at `endTime` they are whole, and the rocks are not drawn.
+/// Trajectories are drawn up to this time [s]. At `endTime` they are complete, and moving rocks are not drawn.
 export const time = computed(() => Math.min(moment.value, endTime.value));
 export const isPlaying = signal(false);
 export const isWhole = computed(() => !isPlaying.value && time.value >= endTime.value);
@@ -29,12 +29,12 @@ export function play() {
   isPlaying.value = true;
 }
 export const pause = () => void (isPlaying.value = false);
-/// Stays at the end when the end is chosen.
+/// Moves to a time. The end is kept if another run is longer.
 export function goTo(seconds: number) {
   moment.value = seconds >= endTime.value ? Infinity : Math.max(0, seconds);
 }
 
-const longestStep = 0.1; // s; a page that was hidden goes on where it was
+const longestStep = 0.1; // s; after the page was hidden, playback continues where it was
 let frame = 0;
 let before = 0;
 function step(now: number) {
@@ -51,7 +51,7 @@ effect(() => {
   frame = requestAnimationFrame(step);
 });
 
-// Other paths are shown whole first; those of a run that was started here are seen in motion, once.
+// New trajectories are shown complete; those of a run started on this page are played once.
 effect(() => {
   const paths = shownPaths.value;
   isPlaying.value = false;

@@ -1,21 +1,21 @@
-// How large rocks are drawn: as large as they are, but never so small that they are not seen. Among those that are
-// drawn larger than they are, larger rocks are still larger.
+// The drawn size of rocks: the true size, but at least a visible minimum, which is larger for larger rocks.
 
-/// Of the largest rock's disc, in CSS pixels; of many rocks less, since they would cover each other.
+/// The minimum radius of the largest rock [CSS pixels]; smaller for many rocks, which would cover each other.
 export const leastRadius = (count: number): number => (count > 3000 ? 1.8 : count > 300 ? 2.6 : 3.6);
-/// Of the least radius, the share that the smallest rock has, too.
+/// The minimum radius of a rock of size 0, as a share of `leastRadius`.
 export const leastShare = 0.55;
 
-/// In pixels. `radius` and that of the largest rock in metres.
+/// The drawn radius [pixels]; `radius` and `largest` are in metres.
 export function drawnRadius(radius: number, largest: number, pixelsPerMetre: number, least: number): number {
   const share = largest > 0 ? radius / largest : 1;
   return Math.max(radius * pixelsPerMetre, least * (leastShare + (1 - leastShare) * share));
 }
 
-/// In pixels, of marks of places so far apart on the average: they never run together.
-export const markRadius = (apart: number, most: number): number => Math.max(1, Math.min(most, 0.36 * apart));
+/// The radius of marks at points with this mean spacing, so that they do not overlap [pixels].
+export const markRadius = (spacing: number, maximum: number): number =>
+  Math.max(1, Math.min(maximum, 0.36 * spacing));
 
-/// How far places are apart on the average, along a line or over an area, in their unit; Infinity for one place.
+/// The mean spacing of points along a line or over an area, in their unit; Infinity for a single point.
 export function meanSpacing(places: readonly (readonly number[])[]): number {
   if (places.length < 2) return Infinity;
   const spans = places[0]!.map((_, axis) => {

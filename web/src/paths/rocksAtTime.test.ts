@@ -16,7 +16,7 @@ function speedsAt(rocks: RocksAtTime, time: number): number[] {
   return [...result];
 }
 
-test('a rock is between the points of its own path', () => {
+test('positions are interpolated along the own trajectory', () => {
   const rocks = new RocksAtTime(paths);
   expect(speedsAt(rocks, 0)).toEqual([0, 4]);
   expect(speedsAt(rocks, 0.5)).toEqual([5, 5]);
@@ -25,13 +25,13 @@ test('a rock is between the points of its own path', () => {
 
 test('a rock that has stopped stays', () => expect(speedsAt(new RocksAtTime(paths), 99)).toEqual([20, 8]));
 
-test('time runs back, too', () => {
+test('the time may decrease', () => {
   const rocks = new RocksAtTime(paths);
   speedsAt(rocks, 3);
   expect(speedsAt(rocks, 0.5)).toEqual([5, 5]);
 });
 
-test('places are moved by the shift', () => {
+test('positions are shifted', () => {
   const rocks = new RocksAtTime(paths);
   const places = new Float32Array(6);
   rocks.find(2);

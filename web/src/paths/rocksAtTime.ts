@@ -1,9 +1,9 @@
-// Where rocks are at a moment, between the points of their paths.
+// The rocks at a time, interpolated between the points of their trajectories.
 
 import type { DrawnPaths } from './drawnPaths';
 
 export class RocksAtTime {
-  /// Of rock k: between the points `after[k] - 1` and `after[k]` of its path, at `shares[k]` of the way.
+  /// Rock k is between the points `after[k] - 1` and `after[k]`, at the fraction `shares[k]`.
   readonly after: Uint32Array;
   readonly shares: Float32Array;
 
@@ -12,13 +12,13 @@ export class RocksAtTime {
     this.shares = new Float32Array(this.after.length);
   }
 
-  /// A rock whose path has ended stays at its last point.
+  /// Finds the points around a time. A rock that has stopped stays at its last point.
   find(time: number) {
     const { starts, times } = this.paths;
     for (let k = 0; k < this.after.length; ++k) {
       const [first, last] = [starts[k]!, starts[k + 1]! - 1];
       let at = Math.max(first, this.after[k]!);
-      // Mostly a little after the moment before; after a jump back, from the beginning.
+      // The time usually increases a little; after a step back the search restarts.
       if (at > first && times[at - 1]! > time) at = first;
       while (at < last && times[at]! < time) ++at;
       this.after[k] = at;
@@ -27,7 +27,7 @@ export class RocksAtTime {
     }
   }
 
-  /// A quantity of the points, such as `speeds`, at the moment; `size` numbers a point, into `result`.
+  /// Interpolates a quantity, such as `speeds`, with `size` numbers per point, into `result`.
   read(values: Float32Array, size: number, result: Float32Array, shift: ArrayLike<number> = [0, 0, 0]) {
     const { starts } = this.paths;
     for (let k = 0; k < this.after.length; ++k) {

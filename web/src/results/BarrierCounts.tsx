@@ -1,10 +1,10 @@
-// What became of the rocks at barriers and collectors: a table each, since a collector stops nothing.
+// Counts of rocks at barriers and collectors. Collectors have a separate table, because they stop nothing.
 
 import type { BarrierAnswer } from '../api/results';
 import { DataTable, type Column } from './DataTable';
 import { fileName } from './save';
 
-/// A barrier of a run; the run is named where there are several.
+/// A barrier of a run, with the run's name if there are several.
 interface Row {
   barrier: BarrierAnswer;
   run?: string;

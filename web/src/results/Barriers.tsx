@@ -1,4 +1,4 @@
-// What rocks did to each barrier and collector, and what it would have to hold.
+// Results at each barrier and collector: counts, statistics of hits, design percentiles.
 
 import { useMemo, useState } from 'preact/hooks';
 import { results, type BarrierAnswer } from '../api/results';
@@ -17,12 +17,12 @@ import { fileName } from './save';
 import { StatisticsTable } from './StatisticsTable';
 import { Waiting } from './Waiting';
 
-/// Whose figures these are: only of what hit it.
+/// The population of the statistics: hits only.
 function populationOf({ passed_above }: BarrierAnswer, hits: number): string {
   const above = Number(passed_above);
   if (above === 0) return counted(hits, 'hit');
   const others = `${counted(above, 'rock')} passed above the top and ${above === 1 ? 'is' : 'are'}`;
-  return `${counted(hits, 'hit')}; ${others} not in these figures`;
+  return `${counted(hits, 'hit')}; ${others} not included`;
 }
 
 function Hits({ run, barrier, number }: { run: Run; barrier: BarrierAnswer; number: number }) {
@@ -46,7 +46,7 @@ function Hits({ run, barrier, number }: { run: Run; barrier: BarrierAnswer; numb
       {!found ? (
         <Waiting of={answer} />
       ) : found.statistics.count === 0 ? (
-        <p class="faint tab-tools">No rock hit it.</p>
+        <p class="faint tab-tools">No rock hit this barrier.</p>
       ) : (
         <div class="figures">
           <DistributionFigures layers={layers} column={found.column} thing="hit" of={`${run.name} ${barrier.name}`} />
@@ -94,8 +94,8 @@ export function Barriers({ run }: { run: Run }) {
           <DesignTable run={run} name={barrier.name} design={barrier.design} />
         ) : (
           <p class="faint">
-            For what it would have to hold, percentiles with their confidence and the check of a standard, switch on
-            Barrier design in the model, and compute again.
+            For design percentiles with confidence intervals and the check of a standard, add a barrier design in the
+            model and compute again.
           </p>
         )}
       </div>

@@ -1,4 +1,4 @@
-// A figure with its title, and buttons that save it: as a picture, as a drawing, as the table that it draws.
+// A figure with its title and buttons to save it as PNG, SVG or CSV.
 
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -6,28 +6,28 @@ import { saveCsv, savePng, saveSvg, type Cell } from '../figures/files';
 import { hideTip } from '../figures/tip';
 import type { Room } from '../figures/plot';
 import '../figures/figures.css';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { shown } from '../state/runs';
 
-/// Shows a place of a figure without the pointer; null: none.
+/// Highlights a point of a figure without the pointer; null: none.
 type Point = (place: number | null) => void;
 
 interface Props {
   title: string;
-  /// What the figure shows, for who cannot see it.
+  /// A description for screen readers.
   description: string;
   file: string;
-  /// Draws into an element that has so much room.
+  /// Draws into an element of the given size.
   draw: (element: SVGSVGElement, room: Room) => Point | void;
-  /// The numbers that are drawn; the first row names the columns.
+  /// The drawn numbers; the first row has the column names.
   rows: () => Cell[][];
-  /// Beside the title.
+  /// Controls next to the title.
   tools?: ComponentChildren;
-  /// What is said of the saved numbers.
+  /// A remark on the saved numbers.
   saving?: string | undefined;
-  /// What is wrong with it.
+  /// An error.
   note?: string | null;
-  /// A place that is pointed at without the pointer.
+  /// The point to highlight without the pointer.
   pointed?: number | null;
 }
 
@@ -54,17 +54,17 @@ export function Chart({ title, description, file, draw, rows, tools, saving, not
   useEffect(() => point.current?.(pointed), [pointed]);
 
   const of = shown.peek()?.name;
-  const whole = of ? `${title}: ${of}` : title;
+  const fullTitle = of ? `${title}: ${of}` : title;
   return (
     <figure class="chart">
       <figcaption>
         <h3>{title}</h3>
         {tools}
         <span class="chart-buttons" role="group" aria-label={`Save: ${title}`}>
-          <button class="button plain" onClick={() => void savePng(file, drawing.current!, whole).catch(sayFailure)}>
+          <button class="button plain" onClick={() => void savePng(file, drawing.current!, fullTitle).catch(reportFailure)}>
             PNG
           </button>
-          <button class="button plain" onClick={() => saveSvg(file, drawing.current!, whole)}>
+          <button class="button plain" onClick={() => saveSvg(file, drawing.current!, fullTitle)}>
             SVG
           </button>
           <button class="button plain" title={saving} onClick={() => saveCsv(file, rows())}>

@@ -1,6 +1,6 @@
-import { type EndpointNumber, type HitNumber, readingOf, titleOf, unitOf, withUnit } from './columns';
+import { type EndpointNumber, type HitNumber, displayOf, titleOf, unitOf, withUnit } from './columns';
 
-/// Which column of a table is looked at.
+/// The choice of a column of a table.
 export function ColumnChoice({
   columns,
   now,
@@ -16,7 +16,7 @@ export function ColumnChoice({
       <select value={now} onChange={(event) => choose(event.currentTarget.value)}>
         {columns.map((column) => (
           <option key={column} value={column}>
-            {withUnit(titleOf(column), readingOf(unitOf(column)).unit)}
+            {withUnit(titleOf(column), displayOf(unitOf(column)).unit)}
           </option>
         ))}
       </select>
@@ -39,7 +39,7 @@ export const endpointChoices: readonly EndpointNumber[] = [
   'z_m',
 ];
 
-/// Of the hits on a barrier.
+/// Columns of the hits on a barrier.
 export const hitChoices: readonly HitNumber[] = [
   'ke_total_J',
   'ke_translational_J',

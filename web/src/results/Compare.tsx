@@ -1,5 +1,4 @@
-// Two runs beside each other: how a quantity is distributed in both, what reached their barriers, and what differs
-// between their projects.
+// Compares two runs: distributions of a quantity, barriers, and the settings that differ.
 
 import type { ComponentChildren } from 'preact';
 import { useCallback, useMemo, useState } from 'preact/hooks';
@@ -12,7 +11,7 @@ import { filter } from '../state/filter';
 import { compared, comparedId, hasResults, ownRuns } from '../state/runs';
 import { Chart } from './Chart';
 import { ColumnChoice, endpointChoices, hitChoices } from './ColumnChoice';
-import { readingOf, savingOf, titleOf, withUnit } from './columns';
+import { displayOf, savingOf, titleOf, withUnit } from './columns';
 import { BarrierCounts } from './BarrierCounts';
 import { DistributionFigures } from './DistributionFigures';
 import { boxesOf, firstColour, quantityOf, secondColour, type Layer } from './layers';
@@ -23,7 +22,7 @@ import { SampleNote } from './SampleNote';
 import { StatisticsTable } from './StatisticsTable';
 import { Waiting } from './Waiting';
 
-/// Two runs of a project often have one name, and may have begun in one second.
+/// A unique name: runs of a project often have the same name, and may even start in the same second.
 function nameOf(run: Run, other: Run): string {
   if (run.name !== other.name) return run.name;
   const [own, others] = [run, other].map(({ begun }) => new Date(begun).toLocaleTimeString());
@@ -59,7 +58,7 @@ interface FiguresProps extends Pair {
   columns: readonly string[];
   thing: string;
   barrier: string | null;
-  /// What else is chosen, before the quantity.
+  /// Further choices before the quantity.
   tools: ComponentChildren;
 }
 
@@ -78,7 +77,7 @@ function Figures({ run, other, columns, thing, barrier, tools }: FiguresProps) {
     return [layer(nameOf(run, other), found.both[0], firstColour), layer(nameOf(other, run), found.both[1], secondColour)];
   }, [found, run.id, other.id]);
   const of = [run.name, other.name, barrier].filter(Boolean).join(' ');
-  const unit = readingOf(layers[0]?.statistics.unit ?? '').unit;
+  const unit = displayOf(layers[0]?.statistics.unit ?? '').unit;
   return (
     <>
       <div class="tab-tools">
@@ -113,7 +112,7 @@ function Figures({ run, other, columns, thing, barrier, tools }: FiguresProps) {
   );
 }
 
-/// What reached each barrier in both runs; of one that only one of them has, in that one.
+/// Results at the barriers of either run.
 function ComparedBarriers({ run, other }: Pair) {
   const [chosen, choose] = useState<string | null>(null);
   const answer = useRemote(`${run.id} ${other.id}`, `${run.done} ${other.done}`, (signal) =>

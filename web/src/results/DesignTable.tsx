@@ -1,4 +1,4 @@
-// What a barrier along a line would have to hold: percentiles with their confidence intervals, and the standard's needs.
+// Design percentiles along a line with their confidence intervals, and the requirements of the standard.
 
 import type { DesignLine } from '../api/results';
 import type { Run } from '../api/types';
@@ -6,11 +6,11 @@ import { DataTable } from './DataTable';
 import { titleOf, unitOf } from './columns';
 import { fileName } from './save';
 
-/// Whose figures these are: not only of rocks that hit it.
+/// The population of the percentiles: not only rocks that hit the barrier.
 const populationOf = ({ rocks }: DesignLine) =>
   rocks === '1'
-    ? 'the one rock that crossed its line, on it or above'
-    : `all ${Number(rocks).toLocaleString('en')} rocks that crossed its line, on it or above: each where it first did`;
+    ? 'the one rock that crossed its line, at the barrier or above'
+    : `all ${Number(rocks).toLocaleString('en')} rocks that crossed its line, at the barrier or above, each at its first crossing`;
 
 export function DesignTable({ run, name, design }: { run: Run; name: string; design: DesignLine }) {
   const quantities = Object.entries(design.percentiles);
@@ -33,7 +33,7 @@ export function DesignTable({ run, name, design }: { run: Run; name: string; des
           { key: 'unit', title: 'Unit', isText: true, isUnit: true },
           { key: 'percentile', title: 'Percentile', unit: '%' },
           { key: 'value', title: 'Value' },
-          { key: 'low', title: 'Confidence, from' },
+          { key: 'low', title: 'Confidence interval, from' },
           { key: 'high', title: 'to' },
         ]}
         unitAt={(row, c) => (c >= 3 ? rows[row]![1] : undefined)}
@@ -41,7 +41,7 @@ export function DesignTable({ run, name, design }: { run: Run; name: string; des
       />
       {needs ? (
         <DataTable
-          caption="What the standard asks for"
+          caption="Requirements of the standard"
           file={fileName(run.name, name, 'needs')}
           hasHeads
           columns={[

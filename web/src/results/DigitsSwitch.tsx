@@ -1,6 +1,6 @@
 import type { Signal } from '@preact/signals';
 
-/// Whether numbers are shown as the files have them, or rounded for reading.
+/// Switches between rounded numbers and all digits of the files.
 export function DigitsSwitch({ all }: { all: Signal<boolean> }) {
   return (
     <label class="switch">

@@ -10,13 +10,13 @@ import { fileName } from './save';
 interface Props {
   layers: readonly Layer[];
   column: string;
-  /// What is counted: "rock", "hit".
+  /// What is counted: "rock" or "hit".
   thing: string;
   /// Words for the names of saved files.
   of: string;
 }
 
-/// The histogram and the cumulative curve of a quantity.
+/// The histogram and the cumulative distribution of a quantity.
 export function DistributionFigures({ layers, column, thing, of }: Props) {
   const title = titleOf(column).toLowerCase();
   const drawHistogram = useCallback(
@@ -42,7 +42,7 @@ export function DistributionFigures({ layers, column, thing, of }: Props) {
       />
       <Chart
         title="Cumulative"
-        description={`Share of ${thing}s with at most a ${title} (${counted}). The CSV button saves its numbers.`}
+        description={`Share of ${thing}s up to each ${title} (${counted}). The CSV button saves its numbers.`}
         file={fileName(of, column, 'cumulative')}
         draw={drawCumulative}
         saving={savingOf(column)}

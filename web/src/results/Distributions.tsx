@@ -1,4 +1,4 @@
-// How a quantity is distributed over the rocks that the filter leaves.
+// The distribution of a quantity over the rocks that pass the filter.
 
 import { useMemo, useState } from 'preact/hooks';
 import { results } from '../api/results';
@@ -40,7 +40,7 @@ export function Distributions({ run }: { run: Run }) {
       {!found ? (
         <Waiting of={answer} />
       ) : found.statistics.count === 0 ? (
-        <div class="empty">The filter leaves no rock of this run.</div>
+        <div class="empty">No rock of this run passes the filter.</div>
       ) : (
         <div class="figures">
           <DistributionFigures layers={layers} column={found.column} thing="rock" of={run.name} />

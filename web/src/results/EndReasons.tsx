@@ -1,18 +1,18 @@
 import type { NumberText } from '../api/exact';
 import { DataTable } from './DataTable';
 
-/// How rocks ended: how many for each reason, of so many.
+/// The number of rocks for each end reason; `of` is the number of all rocks.
 export function EndReasons({ reasons, of, file }: { reasons: Record<string, NumberText>; of: number; file: string }) {
   const rows = Object.entries(reasons).filter(([, count]) => Number(count) > 0);
   return (
     <div class="end-reasons">
       <DataTable
-        caption="How the rocks ended"
+        caption="End reasons"
         file={file}
         hasHeads
         exact
         columns={[
-          { key: 'end_reason', title: 'End', isText: true },
+          { key: 'end_reason', title: 'End reason', isText: true },
           { key: 'rocks', title: 'Rocks' },
         ]}
         rows={rows}

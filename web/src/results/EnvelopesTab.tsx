@@ -1,4 +1,4 @@
-// How high, how fast and with how much energy rocks come along a section.
+// Envelopes of energy, velocity and bounce height along a section.
 
 import { useCallback, useMemo, useState } from 'preact/hooks';
 import { results } from '../api/results';
@@ -26,7 +26,7 @@ export function EnvelopesTab({ run }: { run: Run }) {
     [cells, quantity],
   );
   if (answer.value === null) return <Waiting of={answer} />;
-  if (!quantity || cells.x.length === 0) return <div class="empty">No rock went anywhere.</div>;
+  if (!quantity || cells.x.length === 0) return <div class="empty">No rock moved.</div>;
   return (
     <div class="tab-block">
       <Chart
@@ -37,7 +37,7 @@ export function EnvelopesTab({ run }: { run: Run }) {
         rows={() => envelopeRows([cells], quantity.key)}
         tools={
           <select
-            aria-label="What is drawn along the section"
+            aria-label="Quantity along the section"
             value={quantity.key}
             onChange={(event) => choose(event.currentTarget.value)}
           >

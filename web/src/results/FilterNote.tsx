@@ -1,7 +1,7 @@
 import { everyRock, filter, isFiltering } from '../state/filter';
 import { counted } from '../ui/format';
 
-/// That the filter leaves some rocks out, how many it leaves where that is known, and a way to take it away.
+/// A note that a filter is active, with the number of rocks that pass if known, and a button to reset it.
 export function FilterNote({ left, of }: { left?: number; of?: number }) {
   if (!isFiltering(filter.value)) return null;
   const { reasons, seeders, sources, barriers, minEnergy_kJ, maxEnergy_kJ } = filter.value;
@@ -10,8 +10,8 @@ export function FilterNote({ left, of }: { left?: number; of?: number }) {
     seeders && `from ${seeders.join(' or ')}`,
     sources && `from ${sources.join(' or ')}`,
     barriers && `hit ${barriers.join(' or ')}`,
-    minEnergy_kJ !== null && `greatest total kinetic energy at least ${minEnergy_kJ} kJ`,
-    maxEnergy_kJ !== null && `greatest total kinetic energy at most ${maxEnergy_kJ} kJ`,
+    minEnergy_kJ !== null && `maximum total kinetic energy at least ${minEnergy_kJ} kJ`,
+    maxEnergy_kJ !== null && `maximum total kinetic energy at most ${maxEnergy_kJ} kJ`,
   ];
   return (
     <span class="mark filter-note">

@@ -1,4 +1,4 @@
-// Box plots of a quantity, one for all rocks and one for each group of them.
+// Box plots of a quantity for all rocks and for each group of rocks.
 
 import { useCallback, useState } from 'preact/hooks';
 import { results, type ColumnStatistics } from '../api/results';
@@ -14,7 +14,7 @@ import { fileName } from './save';
 
 const groupings = {
   none: 'all rocks',
-  reasons: 'by end',
+  reasons: 'by end reason',
   seeders: 'by seeder',
   sources: 'by source',
   barriers: 'by barrier hit',
@@ -23,7 +23,7 @@ type Grouping = keyof typeof groupings;
 
 const mostGroups = 24;
 
-/// The names that a filter may have, in the run's order.
+/// The names of the groups, in the run's order.
 async function namesOf(run: Run, grouping: Exclude<Grouping, 'none'>, signal: AbortSignal): Promise<string[]> {
   const summary = await results.summary(run.id, signal);
   const names = {
@@ -48,7 +48,7 @@ async function groupsOf(run: Run, column: string, grouping: Grouping, now: RockF
 }
 
 export function GroupBoxes({ run, column, all }: { run: Run; column: string; all: ColumnStatistics }) {
-  const [grouping, group] = useState<Grouping>('reasons');
+  const [grouping, setGrouping] = useState<Grouping>('reasons');
   const now = filter.value;
   const answer = useRemote(run.id, `${run.done} ${column} ${grouping} ${JSON.stringify(now)}`, async (signal) => ({
     column,
@@ -74,7 +74,7 @@ export function GroupBoxes({ run, column, all }: { run: Run; column: string; all
         <select
           aria-label="Groups of the box plots"
           value={grouping}
-          onChange={(event) => group(event.currentTarget.value as Grouping)}
+          onChange={(event) => setGrouping(event.currentTarget.value as Grouping)}
         >
           {Object.entries(groupings).map(([name, words]) => (
             <option key={name} value={name}>

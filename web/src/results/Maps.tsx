@@ -1,16 +1,16 @@
-// The maps of a run: one of them lies on the terrain.
+// The maps of a run, one of which can be draped over the terrain.
 
 import { fileAddress, results } from '../api/results';
 import type { Run, RunMap } from '../api/types';
 import { OverMap } from '../maps/OverMap';
 import { drapedMap, drapedOpacity } from '../state/view';
 import { numberText } from '../ui/format';
-import { readingOf } from './columns';
+import { displayOf } from './columns';
 import { useRemote } from './remote';
 import { Waiting } from './Waiting';
 
 function Row({ run, map }: { run: Run; map: RunMap }) {
-  const { unit, per } = readingOf(map.unit);
+  const { unit, per } = displayOf(map.unit);
   const isShown = drapedMap.value === map.name;
   return (
     <tr class={isShown ? 'chosen' : ''}>
@@ -38,11 +38,11 @@ export function Maps({ run }: { run: Run }) {
   const maps = answer.value;
   if (!maps) return <Waiting of={answer} />;
   if (maps.length === 0)
-    return <div class="empty">This run has no maps: they are made in 3D, where the project's output asks for them.</div>;
+    return <div class="empty">This run has no maps. Maps are made in 3D if they are selected under Output.</div>;
   return (
     <div class="tab-page">
       <div class="tab-tools">
-        <span class="faint">Choose a map to lay it on the terrain.</span>
+        <span class="faint">Choose a map to drape it over the terrain.</span>
         <OverMap />
         <label class="choice">
           Opacity
@@ -60,8 +60,8 @@ export function Maps({ run }: { run: Run }) {
         <table>
           <thead>
             <tr>
-              {['Map', 'Shows', 'Least', 'Greatest', 'Unit', 'Source', 'File'].map((title) => (
-                <th key={title} scope="col" class={title === 'Least' || title === 'Greatest' ? 'number' : ''}>
+              {['Map', 'Meaning', 'Minimum', 'Maximum', 'Unit', 'Source', 'File'].map((title) => (
+                <th key={title} scope="col" class={title === 'Minimum' || title === 'Maximum' ? 'number' : ''}>
                   {title}
                 </th>
               ))}

@@ -3,17 +3,17 @@ import { problems } from '../state/model';
 import { compute } from '../state/runs';
 import { sidePanel } from '../state/view';
 
-/// That the results are not those of the project as it stands, and a way to have them.
+/// A notice that the results are not those of the current project, with a button to compute again.
 export function Outdated() {
   if (!isOutdated.value) return null;
   const hasErrors = problems.value.some(({ severity }) => severity === 'error');
   return (
     <p class="outdated" role="status">
-      <span>These results are of an earlier text of the project.</span>
+      <span>These results are from an earlier version of the project.</span>
       <button
         class="button"
         disabled={hasErrors}
-        title={hasErrors ? 'The model has errors: see the list in the panel at the left' : undefined}
+        title={hasErrors ? 'The model has errors, listed in the panel on the left' : undefined}
         onClick={() => void compute()}
       >
         Compute again

@@ -1,4 +1,4 @@
-// What summary.json says of a run.
+// The overview of a run, from summary.json.
 
 import { results } from '../api/results';
 import type { Run } from '../api/types';
@@ -15,7 +15,7 @@ import { Waiting } from './Waiting';
 
 const order = ['runout_xy_m', 'runout_total_m', 'max_ke_J', 'max_bounce_m', 'time_s'];
 
-/// Of all rocks as summary.json has it, of those that a filter leaves as the server counts them.
+/// Statistics of all rocks from summary.json, or of the filtered rocks from the server.
 async function overviewOf(run: Run, now: RockFilter, signal: AbortSignal) {
   const summary = await results.summary(run.id, signal);
   const figuresOf = async (column: string, of: RockFilter) => (await results.statistics(run.id, column, of, signal)).statistics;
@@ -63,7 +63,7 @@ export function Overview({ run }: { run: Run }) {
           <dd>{summary.events}</dd>
           <dt>Seed</dt>
           <dd>{summary.seed}</dd>
-          <dt>Time taken</dt>
+          <dt>Run time</dt>
           <dd>
             {seconds < 60 ? `${numberText(seconds, 3)} s` : clockText(seconds)} on{' '}
             {counted(Number(summary.timings.threads), 'thread')}
@@ -71,8 +71,8 @@ export function Overview({ run }: { run: Run }) {
         </dl>
         {Number(summary.rocks.lifted) > 0 && (
           <p class="problem warning">{counted(Number(summary.rocks.lifted), 'rock')}
-            {summary.rocks.lifted === '1' ? ' was' : ' were'} to start in the ground, and moved out of it where there was
-            room.</p>
+            {' '}had a release below the ground and {summary.rocks.lifted === '1' ? 'was' : 'were'} lifted out of it where
+            possible.</p>
         )}
         {(summary.notes ?? []).map((note) => (
           <p key={note} class="faint">

@@ -1,8 +1,8 @@
-// What the run that is shown gave, below the view.
+// The results of the shown run, below the view.
 
 import { useId } from 'preact/hooks';
 import type { Run, RunState } from '../api/types';
-import { hasResults, ownRuns, resume, shown, writeWhatIsDone } from '../state/runs';
+import { hasResults, ownRuns, resume, shown, writePartialResults } from '../state/runs';
 import { resultsOpen, resultsShare, resultsTab, sidePanel, type ResultsTab } from '../state/view';
 import { dimension } from '../model/place';
 import { sectionLine } from '../sectionLine/sectionLine';
@@ -30,7 +30,7 @@ const pages: Record<ResultsTab, { title: string; page: (props: { run: Run }) => 
   section: { title: 'Section', page: SectionTab },
 };
 
-/// A section is of the model: it needs no run.
+/// The tabs that apply now. The ground section belongs to the model and needs no run.
 function tabsNow(): ResultsTab[] {
   const all = Object.keys(pages) as ResultsTab[];
   const hasRuns = shown.value !== null || ownRuns.value.length > 0;
@@ -40,23 +40,23 @@ function tabsNow(): ResultsTab[] {
 }
 
 const halts: Partial<Record<RunState, string>> = {
-  interrupted: 'The server was ended while this run was under way.',
-  stopped: 'This run was stopped before its first rock was done.',
+  interrupted: 'The server stopped while this run was in progress.',
+  stopped: 'This run was stopped before any rock was finished.',
 };
 
-/// Why there is nothing to look at, and what to do about it.
+/// Explains why a run has no results, with the possible actions.
 function NoResults({ run }: { run: Run }) {
-  if (run.state === 'waiting') return <div class="empty">This run waits for others to end. Its results come then.</div>;
+  if (run.state === 'waiting') return <div class="empty">This run is waiting for other runs to finish.</div>;
   if (run.state === 'running')
-    return <div class="empty">The run is under way. Results appear when all rocks are done, or when the run is stopped.</div>;
+    return <div class="empty">The run is in progress. Results appear when it finishes or is stopped.</div>;
   if (run.state === 'done') return <div class="empty">The results of this run are no longer in its folder.</div>;
   if (halts[run.state])
     return (
       <div class="empty">
         <p>{halts[run.state]}</p>
         {run.state === 'interrupted' && run.done > 0 && (
-          <button class="button" style={{ justifySelf: 'center' }} onClick={() => void writeWhatIsDone(run.id)}>
-            Write what is done
+          <button class="button" style={{ justifySelf: 'center' }} onClick={() => void writePartialResults(run.id)}>
+            Write partial results
           </button>
         )}
         <button class="button" style={{ justifySelf: 'center' }} onClick={() => void resume(run.id)}>
@@ -66,7 +66,7 @@ function NoResults({ run }: { run: Run }) {
     );
   return (
     <div class="answer-missing">
-      <p>This run failed. Correct the errors below; then it can go on, or be computed again.</p>
+      <p>This run failed. Correct the errors below, then resume it or compute again.</p>
       {run.problems.map((problem) => (
         <span key={problem.text} class={`problem ${problem.severity}`}>
           {problem.text}
@@ -124,7 +124,7 @@ export function ResultsPanel() {
           <div class="empty">
             <p>No run is shown.</p>
             <button class="button" style={{ justifySelf: 'center' }} onClick={() => (sidePanel.value = 'runs')}>
-              Choose one under Runs
+              Choose a run
             </button>
           </div>
         ) : hasResults(run) ? (

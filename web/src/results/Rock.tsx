@@ -1,4 +1,4 @@
-// One rock: where it went, event by event.
+// One rock: its trajectory, event by event.
 
 import { results } from '../api/results';
 import type { Run } from '../api/types';
@@ -19,7 +19,7 @@ export function Rock({ run }: { run: Run }) {
     <div class="tab-page">
       <RockChoice run={run} />
       {rock === null ? (
-        <div class="empty">Click a rock's path in the view, or enter its number here: then its path is shown.</div>
+        <div class="empty">Click a trajectory in the view, or enter the number of a rock.</div>
       ) : !answer.value ? (
         <Waiting of={answer} />
       ) : (

@@ -2,20 +2,20 @@ import { useState } from 'preact/hooks';
 import type { Run } from '../api/types';
 import { chosenRock } from '../state/view';
 
-/// Which rock is looked at: rocks are numbered from 0.
+/// The choice of a rock by its zero-based number.
 export function RockChoice({ run }: { run: Run }) {
-  const [refused, refuse] = useState<string | null>(null);
+  const [invalid, setInvalid] = useState<string | null>(null);
   const rock = chosenRock.value;
   const last = run.rocks - 1;
   const go = (to: number) => {
-    refuse(null);
+    setInvalid(null);
     chosenRock.value = to;
   };
-  /// What is not a rock gives way to the one that is shown.
+  /// An invalid number is replaced by that of the shown rock.
   const take = (field: HTMLInputElement) => {
     const to = field.valueAsNumber;
     if (Number.isInteger(to) && to >= 0 && to <= last) return go(to);
-    if (field.value !== '') refuse(field.value);
+    if (field.value !== '') setInvalid(field.value);
     field.value = String(rock ?? '');
   };
   return (
@@ -44,9 +44,9 @@ export function RockChoice({ run }: { run: Run }) {
           None
         </button>
       )}
-      {refused !== null && (
+      {invalid !== null && (
         <span class="problem" role="status">
-          There is no rock {refused}: they are numbered from 0 to {last}.
+          There is no rock {invalid}. Rocks are numbered from 0 to {last}.
         </span>
       )}
     </div>

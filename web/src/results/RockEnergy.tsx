@@ -7,7 +7,7 @@ import { Chart } from './Chart';
 import { asInFiles } from './columns';
 import { fileName } from './save';
 
-/// How a rock's energy changes its form, and where it is lost.
+/// The energies of a rock over time.
 export function RockEnergy({ run, rock, path }: { run: Run; rock: number; path: RockAnswer }) {
   const draw = useCallback(
     (element: SVGSVGElement, room: Room) => {

@@ -1,7 +1,7 @@
 import type { Statistics } from '../api/types';
 import { counted } from '../ui/format';
 
-/// That figures are of a sample of the rocks, and which setting says so.
+/// A note that the results are of a sample of the rocks, with the setting as tooltip.
 export function SampleNote({ of: { sample } }: { of: Pick<Statistics, 'sample'> }) {
   if (!sample) return null;
   return (

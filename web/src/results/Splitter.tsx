@@ -3,7 +3,7 @@ import { resultsShare } from '../state/view';
 const [least, most, step] = [0.2, 0.75, 0.03];
 const set = (share: number) => (resultsShare.value = Math.min(Math.max(share, least), most));
 
-/// The upper edge of the results: drawn by the pointer, or moved by arrow keys.
+/// The upper edge of the results, moved by dragging or by arrow keys.
 export function Splitter() {
   return (
     <div

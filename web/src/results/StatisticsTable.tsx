@@ -7,11 +7,11 @@ import { figureText, figuresOf, unitOfFigure } from './statisticsTable';
 interface Props {
   caption: string;
   file: string;
-  /// A column of the table each: its name in the file, what it is called, its unit, its figures.
+  /// For each column: its name in the file, its title, its unit, its values.
   columns: { key: string; title: string; unit: string; figures: FigureTexts }[];
 }
 
-/// Descriptive statistics side by side, a figure a row.
+/// Descriptive statistics side by side, one statistic per row.
 export function StatisticsTable({ caption, file, columns }: Props) {
   const first = columns[0];
   if (!first) return null;

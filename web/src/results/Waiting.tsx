@@ -1,4 +1,4 @@
-// In the place of an answer that is not there: that it is waited for, or why there is none.
+// Shown instead of a missing response: that it is loading, or the error.
 
 import type { Remote } from './remote';
 

@@ -1,4 +1,4 @@
-// Columns of the result files: their titles on the page, and the units in which they are read.
+// Titles and displayed units of the columns of result files.
 
 import {
   designQuantities,
@@ -30,41 +30,41 @@ const titles: Record<
   z_m: 'End point, z',
   end_x_m: 'End point, x',
   runout_xy_m: 'Runout on plan',
-  runout_z_m: 'Drop from start to end',
+  runout_z_m: 'Drop from release to end',
   runout_total_m: 'Runout in space',
   time_s: 'Time',
   events: 'Events',
   mass_kg: 'Mass',
   radius_m: 'Radius',
-  max_ke_J: 'Greatest total kinetic energy',
-  max_bounce_m: 'Greatest bounce height',
+  max_ke_J: 'Maximum total kinetic energy',
+  max_bounce_m: 'Maximum bounce height',
   ke_total_J: 'Total kinetic energy',
   ke_translational_J: 'Translational kinetic energy',
   ke_rotational_J: 'Rotational kinetic energy',
-  impact_height_m: 'Height above the foot',
+  impact_height_m: 'Impact height',
   velocity_m_s: 'Velocity',
   angle_deg: 'Angle to the normal',
-  station_m: 'Place along the line',
+  station_m: 'Distance along the line',
   height_m: 'Height',
 };
 
-/// The column of endpoints.csv over which a statistic of summary.json was taken.
+/// The column of endpoints.csv for each statistic of summary.json, if its name differs.
 const endpointColumnsOfSummary: Record<string, string> = { end_x_m: 'x_m' };
 export const endpointColumnOf = (key: string): string => endpointColumnsOfSummary[key] ?? key;
 
-/// "max_ke_J" is in "J"; '' for numbers without a unit.
+/// "J" for "max_ke_J"; empty for numbers without a unit.
 export const unitOf = (column: string): string => units.get(endpointColumnOf(column)) ?? '';
 
-/// "Runout on plan"; of a column without a title, its name.
+/// The title of a column, or its name if it has none.
 export const titleOf = (column: string): string => titles[column as keyof typeof titles] ?? column;
 
-/// Energies are read in kJ: the unit on the page, and by what a file's numbers are divided for it, a power of ten.
-export function readingOf(unit: string): { unit: string; per: number; places: number } {
+/// The displayed unit of numbers in `unit`, which are divided by `per` = 10^`places`: energies are shown in kJ.
+export function displayOf(unit: string): { unit: string; per: number; places: number } {
   const places = { J: 3, 'J²': 6 }[unit] ?? 0;
   return places === 0 ? { unit, per: 1, places } : { unit: `k${unit}`, per: 10 ** places, places };
 }
-/// What is said where numbers are saved that are read in another unit.
+/// A remark on saved numbers that are displayed in another unit.
 export const asInFiles = 'With the numbers of the files: energies in J';
-export const savingOf = (column: string) => (readingOf(unitOf(column)).places === 0 ? undefined : asInFiles);
+export const savingOf = (column: string) => (displayOf(unitOf(column)).places === 0 ? undefined : asInFiles);
 
 export const withUnit = (title: string, unit: string) => (unit ? `${title} [${unit}]` : title);

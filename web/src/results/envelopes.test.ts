@@ -9,7 +9,7 @@ const csv = `x_m,passages,reach_share,energy_total_mean_kJ,energy_total_p99.5_kJ
 `;
 const cells = envelopesOf(csv, 'Run', 'red');
 
-test('cells that no rock touched have nothing', () => {
+test('cells that no rock passed have no values', () => {
   expect(cells.x).toEqual([0.5, 1.5, 2.5]);
   expect([cells.from, cells.to]).toEqual([[0, 1, 2], [1, 2, 3]]); // prettier-ignore
   expect([...cells.values.keys()]).not.toContain('x_m');
@@ -17,7 +17,7 @@ test('cells that no rock touched have nothing', () => {
   expect(cells.values.get('energy_total_max_kJ')).toEqual([1200, null, 300]);
 });
 
-test('quantities with the curves that the file has, the greatest first', () => {
+test('quantities have the curves of the file, the maximum first', () => {
   const columns = [...cells.values.keys()];
   expect(quantitiesOf(cells).map(({ key }) => [key, curvesOf(columns, key).map(({ title }) => title)])).toEqual([
     ['energy_total', ['maximum', 'percentile 99.5', 'mean']],
@@ -36,6 +36,6 @@ test('the saved table has the numbers of the file', () => {
   ]);
 });
 
-test('of no rocks there is nothing', () => {
+test('a file without rocks has no cells', () => {
   expect(envelopesOf('x_m,passages\n', 'Run', 'red').x).toEqual([]);
 });

@@ -1,4 +1,4 @@
-// envelopes.csv: what rocks did along a section, cell by cell.
+// Reads envelopes.csv.
 
 import { curvesOf, envelopeQuantities, type Cells, type EnvelopeQuantity } from '../figures/envelope';
 
@@ -8,11 +8,11 @@ export function envelopesOf(csv: string, name: string, colour: string): Cells {
   const values = new Map(heading.split(',').map((column, k) => [column, rows.map((row) => row[k] ?? null)]));
   const x = (values.get('x_m') ?? []).map(Number);
   values.delete('x_m');
-  // Cells are side by side and of one width.
+  // Cells are adjacent and of equal width.
   const half = x.length > 1 ? (x.at(-1)! - x[0]!) / (x.length - 1) / 2 : 0.5;
   return { name, colour, x, from: x.map((at) => at - half), to: x.map((at) => at + half), values };
 }
 
-/// Those that the file has, the most asked for first.
+/// The quantities of the file.
 export const quantitiesOf = ({ values }: Cells): EnvelopeQuantity[] =>
   envelopeQuantities.filter(({ key }) => curvesOf([...values.keys()], key).length > 0);

@@ -1,27 +1,27 @@
-// What the server counted of a quantity, as the figures draw it.
+// Converts the server's statistics to the data of figures.
 
 import type { ColumnStatistics } from '../api/results';
 import type { Bins } from '../figures/histogram';
 import type { Box } from '../figures/boxes';
 import type { Quantity } from '../figures/plot';
 import type { Steps } from '../figures/cumulative';
-import { readingOf, titleOf } from './columns';
+import { displayOf, titleOf } from './columns';
 
-/// The same of one or several things, such as two runs.
+/// The statistics of one run or group.
 export interface Layer {
   name: string;
   statistics: ColumnStatistics;
-  /// As CSS has it.
+  /// A CSS colour.
   colour: string;
 }
 
 export const shownColour = 'var(--accent)';
-/// Of two runs beside each other.
+/// The colours of two compared runs.
 export const firstColour = 'var(--run-shown)';
 export const secondColour = 'var(--run-compared)';
 
 export function quantityOf(column: string, layers: readonly Layer[]): Quantity {
-  const { unit, per } = readingOf(layers[0]?.statistics.unit ?? '');
+  const { unit, per } = displayOf(layers[0]?.statistics.unit ?? '');
   return { title: titleOf(column), unit, per };
 }
 
@@ -31,7 +31,7 @@ export const binsOf = (layers: readonly Layer[]): Bins[] =>
 export const stepsOf = (layers: readonly Layer[]): Steps[] =>
   layers.map(({ name, colour, statistics: { cumulative } }) => ({ name, colour, points: cumulative }));
 
-/// Of those that have values.
+/// Box plots of the layers that have values.
 export const boxesOf = (layers: readonly Layer[]): Box[] =>
   layers
     .filter(({ statistics }) => statistics.box)

@@ -1,12 +1,12 @@
-// What the server is asked for while something is looked at.
+// Data that a component loads from the server.
 
 import { useEffect, useState } from 'preact/hooks';
 
 export interface Remote<T> {
-  /// The last answer; while another is on its way, that of before.
+  /// The last response, also while the next one is loading.
   value: T | null;
   error: string | null;
-  /// Waiting long enough that it should be said.
+  /// Whether loading takes so long that it should be shown.
   isSlow: boolean;
   again: () => void;
 }
@@ -18,8 +18,8 @@ interface State<T> {
   subject: string | null;
 }
 
-/// Asks whenever `key` changes; null: nothing to ask. Answers of one `subject` (a run) take each other's place when they
-/// arrive, so that nothing flickers; those of another subject are not shown meanwhile.
+/// Loads whenever `key` changes (null: nothing to load). A response stays until the next one for the same `subject` (a
+/// run) arrives, so that nothing flickers; responses for another subject are dropped at once.
 export function useRemote<T>(
   subject: string,
   key: string | null,

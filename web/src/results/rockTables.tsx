@@ -7,7 +7,7 @@ import type { HitColumn, PathColumn } from './columns';
 import { DigitsSwitch } from './DigitsSwitch';
 import { fileName } from './save';
 
-/// As the manual heads its path tables.
+/// The headings of the verification manual's path tables.
 const pathTitles: Record<Exclude<PathColumn, 'rock'>, string> = {
   event: 'Id',
   state: 'State',
@@ -48,11 +48,11 @@ interface Props {
 }
 
 export function PathTable({ run, rock, path }: Props) {
-  // All rows are of one rock.
+  // The rock is the same in all rows.
   const kept = path.columns.flatMap((key, k) => (key === 'rock' ? [] : [k]));
   return (
     <DataTable
-      caption={`Path of rock ${rock}`}
+      caption={`Trajectory of rock ${rock}`}
       file={fileName(run.name, `rock ${rock} path`)}
       isSeries
       tools={<DigitsSwitch all={allDigits} />}
@@ -69,7 +69,7 @@ export function HitsTable({ run, rock, path }: Props) {
   const keys = Object.keys(first).filter((key) => key !== 'rock');
   return (
     <DataTable
-      caption="Barriers that it hit"
+      caption="Barriers hit"
       file={fileName(run.name, `rock ${rock} hits`)}
       isSeries
       columns={keys.map((key) => columnOf(key, hitColumns))}
@@ -78,17 +78,17 @@ export function HitsTable({ run, rock, path }: Props) {
   );
 }
 
-/// The rock's row of endpoints.csv, in short.
+/// The main values of the rock's row of endpoints.csv.
 export function RockFacts({ endpoint }: { endpoint: Record<string, string> }) {
   const number = (key: string, unit: string, per = 1) => `${numberText(Number(endpoint[key]) / per)} ${unit}`;
   const facts: [string, string][] = [
     ['Seeder', endpoint.seeder ?? ''],
     ['Mass', number('mass_kg', 'kg')],
-    ['End', endpoint.end_reason ?? ''],
+    ['End reason', endpoint.end_reason ?? ''],
     ['Runout on plan', number('runout_xy_m', 'm')],
     ['Time', number('time_s', 's')],
-    ['Greatest total kinetic energy', number('max_ke_J', 'kJ', 1000)],
-    ['Greatest bounce height', number('max_bounce_m', 'm')],
+    ['Maximum total kinetic energy', number('max_ke_J', 'kJ', 1000)],
+    ['Maximum bounce height', number('max_bounce_m', 'm')],
   ];
   return (
     <dl class="rock-facts">

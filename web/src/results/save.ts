@@ -1,19 +1,19 @@
-// Tables to the clipboard, and names of files.
+// Copying tables to the clipboard, and file names.
 
 import type { Cell } from '../figures/files';
-import { say, sayFailure } from '../state/messages';
+import { notify, reportFailure } from '../state/messages';
 import { counted } from '../ui/format';
 
-/// For a spreadsheet: columns apart by tabs.
+/// Copies rows for a spreadsheet, with columns separated by tabs.
 export function copyRows(rows: readonly (readonly Cell[])[]) {
   const text = rows.map((row) => row.map((value) => String(value).replace(/[\t\r\n]+/g, ' ')).join('\t')).join('\n');
   navigator.clipboard.writeText(text).then(
-    () => say('note', `${counted(rows.length - 1, 'row')} copied, to be pasted into a spreadsheet`),
-    sayFailure,
+    () => notify('note', `${counted(rows.length - 1, 'row')} copied. Paste into a spreadsheet.`),
+    reportFailure,
   );
 }
 
-/// A name for a file of words: "Tutorial 1, Fence" becomes "tutorial-1-fence".
+/// A file name from words: "tutorial-1-fence" for "Tutorial 1, Fence".
 export function fileName(...words: string[]): string {
   const plain = words
     .join(' ')

@@ -1,4 +1,4 @@
-// Descriptive statistics as rows of a table.
+// The rows of a table of descriptive statistics.
 
 import type { FigureTexts } from '../api/results';
 import type { NumberText } from '../api/exact';
@@ -27,7 +27,7 @@ export interface Figure {
   title: string;
 }
 
-/// The figures that are given, in the order in which they are read.
+/// The given statistics in display order.
 export function figuresOf(given: FigureTexts): Figure[] {
   return titles.flatMap(([key, title]): Figure[] =>
     key === 'percentile'
@@ -39,13 +39,13 @@ export function figuresOf(given: FigureTexts): Figure[] {
   );
 }
 
-/// Of a figure of a quantity that has a unit.
+/// The unit of a statistic, for a quantity with this unit.
 export function unitOfFigure(key: string, unit: string): string {
   if (['count', 'skewness', 'kurtosis'].includes(key)) return '';
   return key === 'sample_variance' && unit ? `${unit}²` : unit;
 }
 
-/// '' where it is not given.
+/// '' if it is not given.
 export function figureText(given: FigureTexts, key: string): NumberText {
   if (key === 'quartile_1') return (given.quartiles as NumberText[] | undefined)?.[0] ?? '';
   if (key === 'quartile_3') return (given.quartiles as NumberText[] | undefined)?.[2] ?? '';

@@ -1,4 +1,4 @@
-// Compute, and beside it what a run may do differently from the project's text.
+// The Compute button and its menu with options of the run.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { valueAt } from '../state/document';
@@ -29,7 +29,7 @@ function Options({ close }: { close: () => void }) {
     <form class="compute-menu" aria-label="Options of the run" onSubmit={submit}>
       <label>
         Name of the run
-        <input name="name" maxLength={200} placeholder="as the project" ref={focusOnceMade} />
+        <input name="name" maxLength={200} placeholder="project name" ref={focusOnceMade} />
       </label>
       <label>
         Number of rocks in all
@@ -46,7 +46,7 @@ function Options({ close }: { close: () => void }) {
           placeholder={seed === undefined ? 'as in the project' : String(seed)}
         />
       </label>
-      <p class="faint">Fields that stay empty are as the project has them.</p>
+      <p class="faint">Empty fields use the project's values.</p>
       <button class="button first" style={{ justifyContent: 'center' }}>
         Compute this run
       </button>
@@ -74,7 +74,7 @@ export function ComputeMenu() {
     open(false);
     box.current?.querySelector<HTMLButtonElement>('[aria-haspopup]')?.focus();
   };
-  const why = hasErrors ? 'The model has errors: see the list in the panel at the left' : null;
+  const why = hasErrors ? 'The model has errors, listed in the panel on the left' : null;
   return (
     <div
       class="compute"

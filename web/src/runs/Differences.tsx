@@ -1,4 +1,4 @@
-// Tables of the settings in which two runs, or a run and the project, differ.
+// Tables of settings that differ between two runs, or between a run and the project.
 
 import { results } from '../api/results';
 import type { Run } from '../api/types';
@@ -21,7 +21,7 @@ function valueText(value: unknown): string {
   return text.length > longest ? `${text.slice(0, longest)}…` : text;
 }
 
-/// "material.0.roughness_deg" is said as people count: "material 1, roughness_deg".
+/// "material 1, roughness_deg" for "material.0.roughness_deg".
 const keyText = (key: string) =>
   key.replace(/\.(\d+)(\.|$)/g, (_all, index: string, end: string) => ` ${Number(index) + 1}${end && ', '}`);
 
@@ -50,7 +50,7 @@ export function DifferenceTable({ rows, here, there }: { rows: readonly Row[]; h
   );
 }
 
-/// What differs between the run that is shown and one that is compared with it.
+/// The settings that differ between the shown run and the compared one.
 export function RunDifferences({ run, other }: { run: Run; other: Run }) {
   const answer = useRemote(`${run.id} ${other.id}`, `${run.state} ${other.state}`, (signal) =>
     results.differences(run.id, other.id, signal),

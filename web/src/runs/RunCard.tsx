@@ -28,7 +28,7 @@ function Progress({ run }: { run: Run }) {
   );
 }
 
-/// Where the keyboard goes when a run is gone: to the next one, or to the tab where there is none.
+/// The element to focus after a run is deleted: the next run, or else the tab.
 function placeAfter(run: Run): HTMLElement | null {
   const card = document.querySelector(`[data-run="${run.id}"]`);
   const next = card?.nextElementSibling ?? card?.previousElementSibling;
@@ -40,11 +40,11 @@ function DeleteDialog({ run, close }: { run: Run; close: () => void }) {
   return (
     <Dialog title="Delete this run?" close={close}>
       <p>
-        “{run.name}” and its folder <span class="mono">{run.folder}</span> are deleted. This cannot be undone.
+        “{run.name}” and its folder <span class="mono">{run.folder}</span> will be deleted. This cannot be undone.
       </p>
       <div class="dialog-buttons">
         <button class="button" onClick={close}>
-          Keep it
+          Keep
         </button>
         <button
           class="button danger"
@@ -61,12 +61,12 @@ function DeleteDialog({ run, close }: { run: Run; close: () => void }) {
   );
 }
 
-/// One run of the list. `isNear`: among the newest, whose texts are compared with the project at once.
-export function RunCard({ run, isNear }: { run: Run; isNear: boolean }) {
+/// A run of the list. `isRecent`: among the newest, whose texts are compared with the project at once.
+export function RunCard({ run, isRecent }: { run: Run; isRecent: boolean }) {
   const [isOpen, open] = useState(false);
   const [isDeleting, askToDelete] = useState(false);
   const details = useId();
-  const changes = useChanges(run, isNear || isOpen);
+  const changes = useChanges(run, isRecent || isOpen);
   const isShown = run.id === shownId.value;
   const isCompared = run.id === comparedId.value;
   const isUnderWay = run.state === 'running' || run.state === 'waiting';
@@ -80,7 +80,7 @@ export function RunCard({ run, isNear }: { run: Run; isNear: boolean }) {
       <Facts run={run} />
       {(changes?.length || run.problems.length > 0) && (
         <p class="run-marks">
-          {changes && changes.length > 0 && <span class="mark">from an older text</span>}
+          {changes && changes.length > 0 && <span class="mark">from an older version</span>}
           {errors > 0 && <span class="mark error">{counted(errors, 'error')}</span>}
           {warnings > 0 && <span class="mark warning">{counted(warnings, 'warning')}</span>}
         </p>
@@ -102,12 +102,12 @@ export function RunCard({ run, isNear }: { run: Run; isNear: boolean }) {
           </button>
         )}
         {isUnderWay && (
-          <button class="button" title="What is done is kept" onClick={() => void stop(run.id)}>
+          <button class="button" title="Finished rocks are kept" onClick={() => void stop(run.id)}>
             Stop
           </button>
         )}
         {['stopped', 'interrupted', 'failed'].includes(run.state) && (
-          <button class="button" title="Goes on with the rocks that are left" onClick={() => void resume(run.id)}>
+          <button class="button" title="Runs the remaining rocks" onClick={() => void resume(run.id)}>
             Resume
           </button>
         )}
@@ -122,7 +122,7 @@ export function RunCard({ run, isNear }: { run: Run; isNear: boolean }) {
       </div>
       {isCompared && shown.value && (
         <>
-          <h3>What differs</h3>
+          <h3>Differences</h3>
           <RunDifferences run={shown.value} other={run} />
         </>
       )}

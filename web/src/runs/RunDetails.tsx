@@ -3,7 +3,7 @@ import type { ValueDifference } from '../toml/differences';
 import { DifferenceTable } from './Differences';
 import { RunFiles } from './RunFiles';
 
-/// All that can be said of a run.
+/// The details of a run: problems, changes since, files.
 export function RunDetails({ run, changes }: { run: Run; changes: ValueDifference[] | null }) {
   return (
     <div class="run-details">

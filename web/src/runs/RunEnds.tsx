@@ -5,18 +5,18 @@ import { stateText } from './RunStateText';
 
 const isUnderWay = (state: RunState | undefined) => state === 'waiting' || state === 'running';
 
-/// Tells who does not see it that a run has ended.
+/// Announces the end of a run to screen readers.
 export function RunEnds() {
   const before = useRef<Map<string, RunState> | null>(null);
-  const [ended, say] = useState<Run | null>(null);
+  const [ended, setEnded] = useState<Run | null>(null);
   const now = areKnown.value ? runs.value : null;
   useEffect(() => {
     const known = before.current;
     before.current = now && new Map(now.map(({ id, state }) => [id, state]));
-    // One that is quick may have ended before it was heard of.
-    const isNews = ({ id, state }: Run) => !isUnderWay(state) && (!known!.has(id) || isUnderWay(known!.get(id)));
-    const news = known && now?.find(isNews);
-    if (news) say(news);
+    // A quick run may have ended before it was first reported.
+    const hasJustEnded = ({ id, state }: Run) => !isUnderWay(state) && (!known!.has(id) || isUnderWay(known!.get(id)));
+    const run = known && now?.find(hasJustEnded);
+    if (run) setEnded(run);
   }, [now]);
   return (
     <div class="visually-hidden" role="status">

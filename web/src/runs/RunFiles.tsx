@@ -4,7 +4,7 @@ import { useRemote } from '../results/remote';
 import { Waiting } from '../results/Waiting';
 import { bytesText } from '../ui/format';
 
-/// What a run wrote, to be saved.
+/// Links to the files of a run.
 export function RunFiles({ run }: { run: Run }) {
   const answer = useRemote(run.id, run.state, (signal) => results.files(run.id, signal));
   if (!answer.value) return <Waiting of={answer} />;

@@ -3,7 +3,7 @@ import type { Run } from '../api/types';
 import { rename } from '../state/runs';
 import { focusOnceMade } from '../ui/focus';
 
-/// The name of a run; a click makes it a field.
+/// The name of a run; a click turns it into an input.
 export function RunName({ run }: { run: Run }) {
   const [isOpen, open] = useState(false);
   const button = useRef<HTMLButtonElement>(null);
@@ -40,11 +40,11 @@ export function RunName({ run }: { run: Run }) {
       maxLength={200}
       ref={focusOnceMade}
       onFocus={(event) => event.currentTarget.select()}
-      // A field that is taken away is left, too.
+      // Removing the input also fires blur.
       onBlur={(event) => !endedByKey.current && end(event.currentTarget)}
       onKeyDown={(event) => {
         if (event.key !== 'Enter' && event.key !== 'Escape') return;
-        event.preventDefault(); // Enter would press the button, too
+        event.preventDefault(); // Enter would also press the button
         end(event.currentTarget, event.key);
       }}
     />

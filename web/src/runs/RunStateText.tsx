@@ -2,7 +2,7 @@ import type { Run, RunState } from '../api/types';
 import { counted } from '../ui/format';
 
 const looks: Record<RunState, { sign: string; words: string }> = {
-  waiting: { sign: '…', words: 'Waiting for its turn' },
+  waiting: { sign: '…', words: 'Waiting' },
   running: { sign: '▶', words: 'Running' },
   done: { sign: '✓', words: 'Done' },
   stopped: { sign: '■', words: 'Stopped' },
@@ -17,7 +17,7 @@ export function stateText(run: Run): string {
   return looks[run.state].words + (isPart ? of : '');
 }
 
-/// Where a run stands, as a sign and in words.
+/// The state of a run as a sign and in words.
 export function RunStateText({ run }: { run: Run }) {
   return (
     <span class={`run-state ${run.state}`}>

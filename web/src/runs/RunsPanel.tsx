@@ -5,10 +5,10 @@ import { problems } from '../state/model';
 import { RunCard } from './RunCard';
 import './runs.css';
 
-const nearest = 20;
+const recent = 20;
 
 export function RunsPanel() {
-  if (!areKnown.value) return <div class="empty">Asking the server for the runs…</div>;
+  if (!areKnown.value) return <div class="empty">Loading the runs…</div>;
   const runs = ownRuns.value;
   if (runs.length === 0) {
     const hasErrors = problems.value.some(({ severity }) => severity === 'error');
@@ -16,7 +16,7 @@ export function RunsPanel() {
       <div class="empty">
         <p>No run yet. A run simulates the rocks of the project and keeps the results.</p>
         {hasErrors ? (
-          <p>The model has errors, listed under Model; correct them first.</p>
+          <p>The model has errors, listed under Model. Correct them first.</p>
         ) : (
           <button class="button first" style={{ justifySelf: 'center' }} onClick={() => void compute()}>
             Compute
@@ -28,7 +28,7 @@ export function RunsPanel() {
   return (
     <ul class="runs" aria-label="Runs">
       {runs.map((run, k) => (
-        <RunCard key={run.id} run={run} isNear={k < nearest} />
+        <RunCard key={run.id} run={run} isRecent={k < recent} />
       ))}
     </ul>
   );

@@ -1,7 +1,7 @@
-// Whether what is shown was computed from the project as it stands.
+// Whether the shown results were computed from the current project.
 
 import { computed, effect, signal } from '@preact/signals';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { file, text, values } from '../state/document';
 import { hasResults, shown } from '../state/runs';
 import { differencesOf } from '../toml/differences';
@@ -20,7 +20,7 @@ effect(() => {
   if (id !== null)
     textOf(id).then((answer) => {
       if (own.peek() === id) known.value = { id, text: answer };
-    }, sayFailure);
+    }, reportFailure);
 });
 
 const then = computed(() => {
@@ -31,7 +31,7 @@ const then = computed(() => {
   }
 });
 
-/// The values of the run that is shown are not those of the project; false, too, while that is not known.
+/// Whether the values of the shown run differ from those of the project; false while unknown.
 export const isOutdated = computed(
   () => then.value !== null && known.value?.text !== text.value && differencesOf(then.value, values.value).length > 0,
 );

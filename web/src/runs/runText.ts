@@ -1,4 +1,4 @@
-// The text that a run was computed from, beside the text as it stands.
+// The project text of a run, compared with the current text.
 
 import { results } from '../api/results';
 import type { Run } from '../api/types';
@@ -18,7 +18,7 @@ export function textOf(id: string): Promise<string> {
   return asked;
 }
 
-/// The values in which a run's text differs from the project as it stands; null: not known.
+/// The values that differ between a run's text and the current project; null while unknown.
 export function useChanges(run: Run, isWanted: boolean): ValueDifference[] | null {
   const answer = useRemote(run.id, isWanted && run.file === file.value ? run.id : null, () => textOf(run.id));
   if (answer.value === null) return null;

@@ -1,4 +1,4 @@
-// The row of controls above the picture.
+// The toolbar of the scene.
 
 import { contours, exaggeration, shading, type Shading } from '../view/settings';
 import { FilterChoices } from '../paths/FilterChoices';
@@ -46,7 +46,7 @@ export function SceneBar({ open }: { open: OpenScene }) {
           Contour lines
         </label>
         <label>
-          Heights times
+          Vertical exaggeration
           <select value={exaggeration.value} onChange={(event) => (exaggeration.value = Number(event.currentTarget.value))}>
             {stretches.map((factor) => (
               <option key={factor} value={factor}>
@@ -63,7 +63,7 @@ export function SceneBar({ open }: { open: OpenScene }) {
       <SectionButton />
       <button
         class="button"
-        title="Save the picture for print: PNG, 300 dots an inch"
+        title="Save the picture for print: PNG, 300 dpi"
         onClick={() => void saveSheet(() => open.picture())}
       >
         Picture

@@ -1,4 +1,4 @@
-// What the colours of the scene mean.
+// The legends of the scene.
 
 import { mapLegends } from '../maps/mapLegends';
 import { shownMap } from '../maps/shownMap';

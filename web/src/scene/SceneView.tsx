@@ -1,9 +1,9 @@
-// The model in three dimensions, with what is needed to look at it.
+// The view of a 3D model with its controls.
 
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { model } from '../state/model';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import type { OpenScene } from './open';
 import * as picture from './picture';
 import { Compass } from './Compass';
@@ -24,9 +24,9 @@ export function SceneView() {
         open.value = openScene(host.current!);
       } catch {
         picture.failure.value =
-          'This browser shows no 3D graphics (WebGL 2). Switch on hardware acceleration in its settings, or try another browser. Everything else works without it.';
+          'This browser does not provide 3D graphics (WebGL 2). Turn on hardware acceleration in its settings, or use another browser. Everything else works without it.';
       }
-    }, sayFailure);
+    }, reportFailure);
     return () => {
       gone = true;
       open.value?.dispose();
@@ -42,7 +42,7 @@ export function SceneView() {
         </div>
       )}
       {!model.value && picture.failure.value === null && <div class="empty cover">There is no model to show yet.</div>}
-      {picture.isLoading.value && <div class="loading" role="status">Fetching the terrain…</div>}
+      {picture.isLoading.value && <div class="loading" role="status">Loading the terrain…</div>}
       {open.value && model.value && picture.failure.value === null && (
         <>
           <SceneBar open={open.value} />

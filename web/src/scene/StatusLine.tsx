@@ -4,7 +4,7 @@ import { roundStep } from '../view/ticks';
 import { ToolHint } from './ToolHint';
 import { camera, contourInterval, pointer } from './picture';
 
-/// Scale, contours, and where the pointer is.
+/// Scale bar, contour interval, and the point under the pointer.
 export function StatusLine() {
   const { metresPerPixel } = camera.value;
   let metres = roundStep(60 * metresPerPixel);
@@ -15,11 +15,11 @@ export function StatusLine() {
   return (
     <div class="status-line">
       <ToolHint />
-      <span class="scale-bar" title="At the middle of the view">
+      <span class="scale-bar" title="At the centre of the view">
         <i style={{ width: `${metres / metresPerPixel}px` }} />
         {metres >= 1000 ? `${metres / 1000} km` : `${numberText(metres)} m`}
       </span>
-      {contourInterval.value > 0 && <span>contours every {numberText(contourInterval.value)} m</span>}
+      {contourInterval.value > 0 && <span>contour interval {numberText(contourInterval.value)} m</span>}
       {place && map && (
         <span class="map-value">
           {map.meaning}: {value === null ? 'no rock' : <strong>{`${numberText(value!)} ${map.unit}`}</strong>}

@@ -1,6 +1,6 @@
 import { finishTool, tool, useTool } from './tool';
 
-/// What the active tool asks for.
+/// The hint of the active tool.
 export function ToolHint() {
   if (!tool.value) return null;
   return (
@@ -12,8 +12,8 @@ export function ToolHint() {
           Finish
         </button>
       )}
-      <button class="button" title="Leave the tool (Escape)" onClick={() => useTool(null)}>
-        Leave
+      <button class="button" title="Close the tool (Escape)" onClick={() => useTool(null)}>
+        Close
       </button>
     </div>
   );

@@ -1,11 +1,11 @@
-// How the cells of a raster are cut into triangles: by the engine's rule (docs/terrain.md), from the same
-// single-precision heights, so that the finest tiles are the surface on which rocks fall.
+// Cuts the cells of a raster into triangles by the engine's rule (docs/terrain.md), from the same single-precision
+// heights, so that the finest tiles are the simulated surface.
 
-/// South-west to north-east, or north-west to south-east; a cell with a node without data is a hole.
+/// The diagonal towards the north-east or the south-east; a cell with a node without data is a hole.
 export type Cut = 'north-east' | 'south-east' | 'hole';
 
 type Corners = readonly [number, number, number];
-/// Both triangles of a cell whose corners are 0 in the south-west, 1 south-east, 2 north-west, 3 north-east.
+/// The triangles of a cell; its corners are 0 south-west, 1 south-east, 2 north-west, 3 north-east.
 export const trianglesOf: Record<Exclude<Cut, 'hole'>, readonly [Corners, Corners]> = {
   'north-east': [
     [0, 1, 3],
@@ -17,7 +17,7 @@ export const trianglesOf: Record<Exclude<Cut, 'hole'>, readonly [Corners, Corner
   ],
 };
 
-/// Of the cell north-east of a node; `across` nodes are in a row.
+/// The cut of the cell north-east of a node; a row has `across` nodes.
 export function cut(heights: Float32Array, across: number, column: number, row: number): Cut {
   const south = row * across + column;
   const [sw, se] = [heights[south]!, heights[south + 1]!];
@@ -26,7 +26,7 @@ export function cut(heights: Float32Array, across: number, column: number, row: 
   return Math.abs(sw - ne) <= Math.abs(se - nw) ? 'north-east' : 'south-east';
 }
 
-/// The triangles of all cells between so many nodes, as indices of nodes.
+/// The triangles of all cells of `across` x `along` nodes, as node indices.
 export function cutCells(heights: Float32Array, across: number, along: number): Uint32Array {
   const index = new Uint32Array(6 * (across - 1) * (along - 1));
   let k = 0;

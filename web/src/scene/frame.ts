@@ -1,5 +1,5 @@
-// The scene's own coordinates: x east, y north, z up, in metres from a place near the model, so that single precision
-// keeps millimetres where the project's coordinates are millions.
+// The scene's coordinates: x east, y north, z up, in metres from a point near the model, so that single precision resolves
+// millimetres even if the project's coordinates are millions.
 
 import { Vector3 } from 'three';
 import type { Point3 } from '../api/types';

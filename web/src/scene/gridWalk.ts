@@ -11,7 +11,7 @@ export interface PlanGrid {
   rows: number;
 }
 
-/// Calls `visit` for each cell with the span of the ray's parameter in it, until it returns a number: that is returned.
+/// Calls `visit` for each cell with the range of the ray's parameter in it, until it returns a number, which is returned.
 export function walk(
   ray: Ray,
   { x, y, dx, dy, columns, rows }: PlanGrid,
@@ -32,7 +32,7 @@ export function walk(
     leave = Math.min(leave, Math.max(a, b));
   }
   if (enter > leave) return null;
-  const clamp = (value: number, most: number) => Math.min(most, Math.max(0, Math.floor(value)));
+  const clamp = (value: number, last: number) => Math.min(last, Math.max(0, Math.floor(value)));
   let column = clamp((o.x + d.x * enter - x) / dx, columns - 1);
   let row = clamp((o.y + d.y * enter - y) / dy, rows - 1);
   const [stepX, stepY] = [Math.sign(d.x), Math.sign(d.y)];
@@ -51,7 +51,7 @@ export function walk(
   }
 }
 
-/// Where a ray meets a triangle (from either side), as the ray's parameter. Moeller and Trumbore (1997).
+/// The intersection of a ray and a triangle (from either side), as the ray's parameter. Moeller and Trumbore (1997).
 export function meet(ray: Ray, p: ArrayLike<number>, a: number, b: number, c: number): number | null {
   const { origin: o, direction: d } = ray;
   const [ax, ay, az] = [p[a]!, p[a + 1]!, p[a + 2]!];

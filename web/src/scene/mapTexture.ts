@@ -1,4 +1,4 @@
-// A map of results as a picture; where no rock was it is clear.
+// A map of results as a texture, transparent where no rock passed.
 
 import { DataTexture, NearestFilter, RGBAFormat } from 'three';
 import { classOf } from '../maps/classes';
@@ -11,7 +11,7 @@ export function mapTexture(map: ShownMap): DataTexture {
     if (!Number.isNaN(value)) bytes.set([...map.classes[classOf(map.classes, value)]!.colour, 255], 4 * k);
   });
   const made = new DataTexture(bytes, columns, rows, RGBAFormat);
-  made.magFilter = made.minFilter = NearestFilter; // a cell is a cell, and between two classes there is none
+  made.magFilter = made.minFilter = NearestFilter; // no interpolation between classes
   made.userData.of = map;
   made.needsUpdate = true;
   return made;

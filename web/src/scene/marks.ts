@@ -1,4 +1,4 @@
-// Lines, points and bands that mark things on the terrain: seeders, barriers, what tools draw.
+// Marks on the terrain: seeders, barriers, drawings of tools.
 
 import {
   BufferAttribute,
@@ -24,9 +24,9 @@ import { meanSpacing } from '../paths/rockSize';
 
 interface Look {
   colour: string;
-  /// Pixels.
+  /// In pixels.
   size: number;
-  /// Seen through the terrain.
+  /// Whether it is visible through the terrain.
   above?: boolean;
 }
 
@@ -43,17 +43,17 @@ export function line(points: Vector3[], { colour, size, above }: Look, closed = 
 }
 
 const dotVertex = /* glsl */ `
-uniform float size;    // CSS pixels, at the most
-uniform float apart;   // m between neighbours
-uniform vec2 pixels;   // of the picture, its own
-uniform float ratio;   // of those to CSS pixels
+uniform float size;     // maximum diameter, CSS pixels
+uniform float spacing;  // between neighbours, m
+uniform vec2 pixels;    // size of the drawing buffer
+uniform float ratio;    // drawing buffer pixels per CSS pixel
 out float diameter;
 void main() {
   vec4 eye = modelViewMatrix * vec4(position, 1.0);
   gl_Position = projectionMatrix * eye;
   float pixelsPerMetre = projectionMatrix[1][1] * 0.5 * pixels.y / gl_Position.w;
-  diameter = clamp(0.72 * apart * pixelsPerMetre, 2.0 * ratio, size * ratio);
-  // So much nearer that ground in front of it does not cut it.
+  diameter = clamp(0.72 * spacing * pixelsPerMetre, 2.0 * ratio, size * ratio);
+  // Moved towards the camera, so that the ground in front does not cut it.
   vec4 front = projectionMatrix * (eye + vec4(0.0, 0.0, diameter / pixelsPerMetre, 0.0));
   if (front.w > 0.0) gl_Position.z = front.z / front.w * gl_Position.w;
   gl_PointSize = diameter;
@@ -73,19 +73,19 @@ void main() {
   result = vec4(mix(colour, vec3(1.0), rim), 1.0 - smoothstep(edge - ratio, edge, r));
 }`;
 
-/// Discs with a white rim; many are so small that they do not run together.
+/// Discs with a white rim, small enough not to overlap.
 export function dots(points: Vector3[], { colour, size, above }: Look): Object3D {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(points.flatMap((point) => point.toArray())), 3));
   const { r, g, b } = new Color(colour).convertLinearToSRGB();
-  const apart = above ? Infinity : meanSpacing(points.map(({ x, y }) => [x, y]));
+  const spacing = above ? Infinity : meanSpacing(points.map(({ x, y }) => [x, y]));
   const material = new ShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: dotVertex,
     fragmentShader: dotFragment,
     uniforms: {
       size: { value: size },
-      apart: { value: Math.min(apart, 1e9) },
+      spacing: { value: Math.min(spacing, 1e9) },
       colour: { value: [r, g, b] },
       pixels: { value: new Vector2() },
       ratio: { value: 1 },
@@ -104,7 +104,7 @@ export function dots(points: Vector3[], { colour, size, above }: Look): Object3D
   return made;
 }
 
-/// Pieces of line that need not hang together, two points each, drawn in one go.
+/// Separate line segments, two points each, drawn in one call.
 function pieces(points: Vector3[], { colour, size }: Look): Object3D {
   const geometry = new LineSegmentsGeometry();
   geometry.setPositions(points.flatMap((point) => point.toArray()));
@@ -115,7 +115,7 @@ function pieces(points: Vector3[], { colour, size }: Look): Object3D {
   return made;
 }
 
-/// A wall stands between two lines of as many points.
+/// A wall between two lines with the same number of points.
 export interface Wall {
   foot: Vector3[];
   top: Vector3[];
@@ -123,7 +123,7 @@ export interface Wall {
 
 const along = (points: Vector3[]) => points.slice(1).flatMap((point, k) => [points[k]!, point]);
 
-/// Walls of one colour: three things to draw, however many there are and however long.
+/// Walls of one colour: three objects for any number of walls of any length.
 export function walls(list: readonly Wall[], colour: string): Object3D {
   const group = new Group();
   const positions: Vector3[] = [];
@@ -149,7 +149,7 @@ export function walls(list: readonly Wall[], colour: string): Object3D {
   return group;
 }
 
-/// A fan over a closed line; for convex outlines such as a triangle.
+/// A fan of triangles in a convex outline.
 export function patch(points: Vector3[], colour: string): Object3D {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(points.flatMap((point) => point.toArray())), 3));

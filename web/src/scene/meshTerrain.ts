@@ -1,4 +1,4 @@
-// A terrain of any triangles.
+// A terrain of arbitrary triangles.
 
 import { BufferAttribute, BufferGeometry, Mesh, Vector3, type Ray } from 'three';
 import { getArrays } from '../api/client';
@@ -8,8 +8,8 @@ import { meet, walk, type PlanGrid } from './gridWalk';
 import type { Hit, Terrain } from './terrain';
 import type { TerrainMaterial } from './terrainMaterial';
 
-/// Gives each vertex one material: a triangle takes that of its last vertex, so triangles are turned, or get a vertex of
-/// their own, until each ends in a vertex of its material.
+/// Assigns one material to each vertex. The shader takes the material of a triangle's last vertex, so triangles are
+/// rotated, or get a duplicated vertex, until each ends in a vertex of its material.
 function byLastVertex(positions: Float32Array, triangles: Uint32Array, materials: Uint16Array) {
   const count = positions.length / 3;
   const kinds = new Int32Array(count).fill(-1);
@@ -23,14 +23,14 @@ function byLastVertex(positions: Float32Array, triangles: Uint32Array, materials
       const v = triangles[3 * t + k]!;
       if (kinds[v] === kind || kinds[v] === -1) last = k;
     }
-    const turned = last < 0 ? 2 : last;
-    let end = triangles[3 * t + turned]!;
+    const position = last < 0 ? 2 : last;
+    let end = triangles[3 * t + position]!;
     if (last < 0) {
       copies.push(end);
       copyKinds.push(kind);
       end = count + copies.length - 1;
     } else kinds[end] = kind;
-    index.set([triangles[3 * t + ((turned + 1) % 3)]!, triangles[3 * t + ((turned + 2) % 3)]!, end], 3 * t);
+    index.set([triangles[3 * t + ((position + 1) % 3)]!, triangles[3 * t + ((position + 2) % 3)]!, end], 3 * t);
   }
   const places = new Float32Array(3 * (count + copies.length));
   places.set(positions);
@@ -43,7 +43,7 @@ function byLastVertex(positions: Float32Array, triangles: Uint32Array, materials
   return { places, ground, index };
 }
 
-/// The triangles that a cell on plan may hold, for all cells.
+/// A grid on plan with the triangles that overlap each cell.
 class Bins {
   readonly grid: PlanGrid;
   private readonly starts: Uint32Array;
@@ -76,7 +76,7 @@ class Bins {
   private eachCell(visit: (cell: number, triangle: number) => void) {
     const { x, y, dx, dy, columns, rows } = this.grid;
     const p = this.positions;
-    const within = (value: number, most: number) => Math.min(most - 1, Math.max(0, Math.floor(value)));
+    const within = (value: number, count: number) => Math.min(count - 1, Math.max(0, Math.floor(value)));
     for (let t = 0; t < this.triangles.length / 3; ++t) {
       const [a, b, c] = [3 * this.triangles[3 * t]!, 3 * this.triangles[3 * t + 1]!, 3 * this.triangles[3 * t + 2]!];
       const i0 = within((Math.min(p[a]!, p[b]!, p[c]!) - x) / dx, columns);
@@ -116,7 +116,7 @@ export class MeshTerrain implements Terrain {
     geometry.setAttribute('position', new BufferAttribute(places, 3));
     geometry.setAttribute('ground', new BufferAttribute(ground, 1));
     geometry.setIndex(new BufferAttribute(index, 1));
-    // Few facets are shown as they are; of many, the surface.
+    // A few facets are shaded flat, many smoothly.
     const faceted = materials.length < 4000;
     material.uniforms.faceted.value = faceted;
     if (!faceted) geometry.computeVertexNormals();
@@ -133,7 +133,7 @@ export class MeshTerrain implements Terrain {
     return new MeshTerrain(positions, arrays.triangles as Uint32Array, arrays.materials as Uint16Array, material);
   }
 
-  look() {}
+  select() {}
 
   pick(ray: Ray): Hit | null {
     const found = this.bins.pick(ray);
@@ -141,7 +141,7 @@ export class MeshTerrain implements Terrain {
     return { point: ray.at(found.distance, new Vector3()), distance: found.distance, facet: found.triangle };
   }
 
-  places(): Vector3[] {
+  samplePoints(): Vector3[] {
     const all = this.object.geometry.getAttribute('position');
     const step = Math.max(1, Math.floor(all.count / 600));
     return Array.from({ length: Math.floor(all.count / step) }, (_, k) => new Vector3().fromBufferAttribute(all, k * step));

@@ -1,10 +1,10 @@
-// The model in three dimensions: fetches its terrain, places marks, and follows what is chosen on the page.
+// The scene of a 3D model: loads its terrain, places marks, and follows the settings of the page.
 
 import { effect } from '@preact/signals';
 import { Box3, Group, Vector3, type Object3D } from 'three';
 import type { Model, Point3 } from '../api/types';
 import { file } from '../state/document';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { model } from '../state/model';
 import { markColours } from '../view/colours';
 import { drapedOpacity } from '../state/view';
@@ -27,7 +27,7 @@ import type { Terrain } from './terrain';
 import { TiledTerrain } from './tiledTerrain';
 import { overlays, tool } from './tool';
 
-/// What the terrain depends on: other changes of the project leave it as it is.
+/// Identifies the terrain; other changes of the project do not reload it.
 const terrainKey = ({ files, bounds, facets, kind, materials, project }: Model) =>
   JSON.stringify([file.peek(), files, bounds, facets, kind, materials, project.terrain, project.ground, project.area]);
 
@@ -40,37 +40,37 @@ export class ModelScene {
   private key = '';
   private shownFile: string | null = null;
   private asking = new AbortController();
-  /// The named view that was chosen last, and what the camera was then told.
+  /// The last chosen named view and its camera position.
   private viewed: { name: NamedView; eye: Vector3; target: Vector3 } | null = null;
   private readonly seeders = new Group();
   private readonly barriers = new Group();
   private readonly drawings = new Group();
   private readonly ends: (() => void)[] = [];
-  /// What stands over the picture.
+  /// Boxes of the page over the picture.
   private over: Box[] = [];
   private standing: Vector3[] = [];
   private seederNames: Name[] = [];
   private barrierNames: Name[] = [];
-  /// Called when the frame or the terrain is another one.
+  /// Called when the frame or the terrain changes.
   readonly onTerrain: (() => unknown)[] = [];
 
   constructor(host: HTMLElement) {
     this.stage = new Stage(host);
     this.stage.world.add(this.seeders, this.barriers, this.drawings);
-    this.stage.onLost = (lost) => (picture.failure.value = lost ? 'The graphics card let go of the picture. It comes back by itself as soon as it can; otherwise load the page again.' : null);
+    this.stage.onLost = (lost) => (picture.failure.value = lost ? 'The graphics driver dropped the 3D view. It is restored automatically if possible; otherwise reload the page.' : null);
     this.stage.beforeFrame.push(() => this.prepare());
-    this.stage.onResize = () => this.fitAgain();
+    this.stage.onResize = () => this.refit();
     this.ends.push(
       watchOver(host.parentElement ?? host, (over) => {
         this.over = over;
-        if (tool.peek() === null) this.fitAgain();
+        if (tool.peek() === null) this.refit();
       }),
     );
     const names = new NameLayer(host);
     this.stage.afterFrame.push(() => names.draw(this.stage, this.names(), this.over));
     this.ends.push(
       effect(() => {
-        if (model.value && model.value.dimension === 3) void this.show(model.value).catch(sayFailure);
+        if (model.value && model.value.dimension === 3) void this.show(model.value).catch(reportFailure);
       }),
       effect(() => this.paint()),
       effect(() => this.drape()),
@@ -94,7 +94,7 @@ export class ModelScene {
       await this.load(next);
     }
     if (key !== this.key) return;
-    this.terrain?.askOf?.(next.id);
+    this.terrain?.useModel?.(next.id);
     this.mark(next);
   }
 
@@ -131,16 +131,16 @@ export class ModelScene {
     this.stage.world.add(terrain.object);
     this.box = new Box3(frame.local(next.bounds.min), frame.local(next.bounds.max));
     this.box.getBoundingSphere(this.stage.extent);
-    const isOther = this.shownFile !== file.peek();
+    const isOtherProject = this.shownFile !== file.peek();
     this.shownFile = file.peek();
     material.uniforms.range.value.set(this.box.min.z, this.box.max.z);
     material.uniforms.exaggeration.value = exaggeration.peek();
     picture.elevations.value = [next.bounds.min[2], next.bounds.max[2]];
     this.paint();
     this.drape();
-    if (isOther) this.view('oblique');
+    if (isOtherProject) this.view('oblique');
     else {
-      // The same project, changed: the eye stays where it was.
+      // The same project: the camera stays.
       moved.z *= this.stage.world.scale.z;
       this.stage.camera.position.add(moved);
       this.stage.controls.target.add(moved);
@@ -151,14 +151,14 @@ export class ModelScene {
   }
 
   private paint() {
-    // Under a map the ground is plain: its colours would be taken for the map's.
+    // Below a map the ground is grey, so that its colours are not mistaken for the map's.
     const [how, light] = [shownMap.value ? 'hillshade' : shading.value, shade.value];
     void contours.value;
     this.material?.paint(how, light, model.peek()?.materials.length ?? 1);
     this.stage.invalidate();
   }
 
-  /// Lays the map that is chosen on the terrain.
+  /// Drapes the chosen map over the terrain.
   private drape() {
     const [map, opacity] = [shownMap.value, drapedOpacity.value];
     const { uniforms } = this.material ?? {};
@@ -209,7 +209,7 @@ export class ModelScene {
     this.stage.invalidate();
   }
 
-  /// Of what is shown.
+  /// The names to draw.
   names(): Name[] {
     return [...(layers.barriers.peek() ? this.barrierNames : []), ...(layers.seeders.peek() ? this.seederNames : [])];
   }
@@ -229,7 +229,7 @@ export class ModelScene {
   /// Before each frame.
   private prepare() {
     const { stage, material } = this;
-    this.terrain?.look(stage.camera, stage.size.height * stage.renderer.getPixelRatio(), stage.world.scale.z);
+    this.terrain?.select(stage.camera, stage.size.height * stage.renderer.getPixelRatio(), stage.world.scale.z);
     const metresPerPixel = stage.metresPerPixel;
     const interval = contours.peek() ? roundStep(Math.max(14 * metresPerPixel, (this.box.max.z - this.box.min.z) / 60)) : 0;
     if (material) {
@@ -245,18 +245,17 @@ export class ModelScene {
 
   view(name: NamedView) {
     const { camera, controls } = this.stage;
-    look(this.stage, name, this.box, this.terrain?.places() ?? [], this.standing, this.over);
+    look(this.stage, name, this.box, this.terrain?.samplePoints() ?? [], this.standing, this.over);
     this.viewed = { name, eye: camera.position.clone(), target: controls.target.clone() };
   }
 
-  /// A view that nobody moved since stays one of all the ground when the picture gets another size, or what stands
-  /// over it another place.
-  private fitAgain() {
+  /// Fits a named view again after the size of the picture or the boxes over it changed, unless the user moved it.
+  private refit() {
     const name = this.unmovedView();
     if (name) this.view(name);
   }
 
-  /// The named view that was chosen last; null: it was moved since.
+  /// The last chosen named view; null if the user has moved it since.
   private unmovedView(): NamedView | null {
     const { camera, controls } = this.stage;
     if (!this.viewed) return null;
@@ -265,7 +264,7 @@ export class ModelScene {
     return moved < 1e-4 * eye.distanceTo(target) ? name : null;
   }
 
-  /// Does something with what is seen in a picture of another size.
+  /// Runs a task with the view rendered at another size.
   inSize<T>(size: { width: number; height: number }, task: () => T): T {
     const [name, { stage, viewed, over }] = [this.unmovedView(), this];
     const { width, height } = stage.size;
@@ -273,7 +272,7 @@ export class ModelScene {
       return stage.inSize(size, () => {
         this.over = [];
         if (name) this.view(name);
-        // All that is seen across is seen there, too.
+        // The whole width of the view stays visible.
         else stage.dolly(Math.max(1, (width * size.height) / (height * size.width)));
         return task();
       });
@@ -282,11 +281,11 @@ export class ModelScene {
     }
   }
 
-  /// How many parts of the ground would have to be fetched for a picture with so many pixels.
+  /// The number of terrain tiles that are not loaded yet for a picture `pixels` high.
   missing(pixels: number): number {
     const { stage } = this;
     stage.camera.updateMatrixWorld();
-    this.terrain?.look(stage.camera, pixels, stage.world.scale.z);
+    this.terrain?.select(stage.camera, pixels, stage.world.scale.z);
     return this.terrain?.missing ?? 0;
   }
 

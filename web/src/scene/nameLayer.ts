@@ -1,4 +1,4 @@
-// Names of what stands on the terrain, on a picture of their own over that of the scene.
+// Names of seeders and barriers, on a canvas over the scene.
 
 import type { Vector3 } from 'three';
 import { drawLabels, labelOf, placeLabels } from '../view/labels';
@@ -12,7 +12,7 @@ export interface Name {
   at: Vector3;
 }
 
-/// In CSS pixels of the stage's picture; `over`: where no name is to be.
+/// Draws names in CSS pixels of the stage, outside the boxes `over`.
 export function drawNames(pen: CanvasRenderingContext2D, stage: Stage, names: readonly Name[], over: readonly Box[]) {
   const { width, height } = stage.size;
   const labels = names.flatMap(({ text, at }) => {

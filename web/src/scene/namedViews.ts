@@ -1,4 +1,4 @@
-// Views of the whole model from a side.
+// Named views of the whole model.
 
 import { Box3, Vector3 } from 'three';
 import { bestBox, heightOf, widthOf, type Box, type Placed } from '../view/framing';
@@ -16,7 +16,7 @@ export const namedViews = {
 } as const;
 export type NamedView = keyof typeof namedViews;
 
-// From where the model is looked at.
+// Directions from the model to the camera.
 const sides: Record<Exclude<NamedView, 'fit' | 'oblique'>, [number, number, number]> = {
   plan: [0, -1e-4, 1],
   north: [0, 1, 0.12],
@@ -24,14 +24,14 @@ const sides: Record<Exclude<NamedView, 'fit' | 'oblique'>, [number, number, numb
   east: [1, 0, 0.12],
   west: [-1, 0, 0.12],
 };
-const aside = 0.6; // radians from straight up the slope
+const aside = 0.6; // radians from the line of steepest ascent
 const above = 0.62;
 
-/// Obliquely up the slope, so that its face is seen; ground that falls no way in particular is seen from the
-/// south-east, high enough to look into a bowl.
+/// The direction of the oblique view: up the slope, so that its face is visible. Ground without a dominant slope is seen
+/// from the south-east, from high enough to look into a bowl.
 function oblique(ground: readonly Vector3[]): Vector3 {
   const mean = ground.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(Math.max(1, ground.length));
-  // The plane through the places, by least squares: z = x fx + y fy from their mean.
+  // The least-squares plane through the points: z = x fx + y fy from their mean.
   let [xx, xy, yy, xz, yz, zz] = [0, 0, 0, 0, 0, 0];
   for (const point of ground) {
     const { x, y, z } = point.clone().sub(mean);
@@ -39,7 +39,7 @@ function oblique(ground: readonly Vector3[]): Vector3 {
   }
   const determinant = xx * yy - xy * xy;
   const [fx, fy] = [(xz * yy - yz * xy) / determinant, (yz * xx - xz * xy) / determinant];
-  // A face with gullies has most of its relief in this plane; a crater or a bowl, seen against it, hides its rocks.
+  // A face with gullies has most of its relief in this plane; in a crater or a bowl this view would hide the rocks.
   const explained = (fx * xz + fy * yz) / zz;
   if (!(explained > 0.4)) return new Vector3(0.59, -0.81, 1);
   const direction = Math.atan2(-fy, -fx) - aside;
@@ -51,14 +51,14 @@ const corners = ({ min, max }: Box3) =>
 
 interface Aim extends Placed {
   distance: number;
-  /// Where the camera looks, right and up of the middle of all [m].
+  /// The offset of the target from the centre of the model, right and up [m].
   right: number;
   up: number;
   middle: Pixel;
 }
 
-/// From where the places, as seen from far away, fill a box of the picture. `tan` is that of half the angle that the
-/// picture's height has.
+/// The camera position from which the points fill a box of the picture. `tan` is the tangent of half the vertical field
+/// of view.
 function aimFor(seen: readonly { toward: number; x: number; y: number }[], box: Box, height: number, tan: number): Aim {
   const fill = 0.97;
   const [tanX, tanY] = [(fill * tan * widthOf(box)) / height, (fill * tan * heightOf(box)) / height];
@@ -68,7 +68,7 @@ function aimFor(seen: readonly { toward: number; x: number; y: number }[], box: 
     distance = 0.1;
     for (const { toward, x, y } of seen)
       distance = Math.max(distance, toward + Math.max(Math.abs(x - right) / tanX, Math.abs(y - up) / tanY));
-    // What is nearer looks larger: the middle of the picture is not that of the ground.
+    // Nearer points look larger, so the centre of the picture is not that of the ground.
     let [l, r, b, t] = [Infinity, -Infinity, Infinity, -Infinity];
     for (const { toward, x, y } of seen) {
       const [across, high] = [(x - right) / depth(toward), (y - up) / depth(toward)];
@@ -86,8 +86,8 @@ function aimFor(seen: readonly { toward: number; x: number; y: number }[], box: 
   return { size: 1 / distance, points, distance, right, up, middle };
 }
 
-/// Moves the camera so that the model fills what nothing lies over of the picture. `ground`: places all over it; where
-/// there are few, its box stands for it. `standing`: places of what stands on it.
+/// Moves the camera so that the model fills the free part of the picture, outside the boxes `over`. `ground` are points
+/// spread over the terrain; if there are few, its bounding box is used. `standing` are points of seeders and barriers.
 export function look(
   stage: Stage,
   name: NamedView,

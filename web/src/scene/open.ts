@@ -1,4 +1,4 @@
-// All that the scene needs of three.js, in one piece that is fetched when a scene is first shown.
+// The entry to all modules that use three.js, loaded when a scene is first shown.
 
 import { chosenRock, resultsTab } from '../state/view';
 import { ModelScene } from './modelScene';
@@ -10,7 +10,7 @@ import type { SheetPicture } from '../view/sheet';
 export interface OpenScene {
   scene: ModelScene;
   pointing: Pointing;
-  /// For paper.
+  /// The picture for print.
   picture: () => Promise<SheetPicture>;
   dispose(): void;
 }
@@ -19,7 +19,7 @@ export function openScene(host: HTMLElement): OpenScene {
   const scene = new ModelScene(host);
   const pointing = new Pointing(scene);
   const runs = new RunScene(scene);
-  // A click that no tool takes is for a path; one beside all of them is for none.
+  // Without a tool, a click selects the rock of a trajectory; next to all trajectories it deselects.
   pointing.onClick = ({ clientX, clientY }) => {
     chosenRock.value = runs.rockAt(clientX, clientY);
     if (chosenRock.value !== null) resultsTab.value = 'rock';

@@ -1,4 +1,4 @@
-// All paths of a run in one buffer: a few as ribbons of a width in pixels, very many as thin lines.
+// All trajectories of a run in one buffer: drawn as ribbons several pixels wide, or as thin lines if there are very many.
 
 import {
   GLSL3,
@@ -16,8 +16,8 @@ import {
 import type { DrawnPaths } from '../paths/drawnPaths';
 import { colourGlsl, tableGlsl, type PathLook } from './pathShader';
 
-const mostRibbons = 400_000; // segments; a ribbon costs four times what a line does
-const restart = 0xffffffff; // an index at which WebGL 2 begins another line
+const mostRibbons = 400_000; // segments; a ribbon costs four times as much as a line
+const restart = 0xffffffff; // the index that starts a new line in WebGL 2
 
 const vertex = /* glsl */ `
 ${colourGlsl}
@@ -26,7 +26,7 @@ in vec4 hereValues;
 #ifdef RIBBON
 in vec4 next;
 in vec4 nextValues;
-uniform vec2 pixels;   // of the picture, CSS
+uniform vec2 pixels;   // size of the picture, CSS pixels
 uniform float width;   // CSS pixels
 #endif
 uniform float time;
@@ -52,7 +52,7 @@ void main() {
     moment = next.w;
   }
   float side = (gl_VertexID & 1) == 0 ? 1.0 : -1.0;
-  // A little longer than it is, so that bends have no gaps.
+  // Slightly longer than the segment, so that bends have no gaps.
   at.xy += (side * across + (isEnd ? 0.35 : -0.35) * step) * width / pixels * at.w;
 #endif
   place = placeOf(values, rock);
@@ -73,7 +73,7 @@ void main() {
   colour = vec4(colourFor(place), opacity);
 }`;
 
-/// Eight numbers a point: place, time, speed, energy, height, rock.
+/// Eight numbers per point: x, y, z, time, speed, energy, height, rock.
 function interleaved({ starts, positions, times, speeds, energies, heights }: DrawnPaths, shift: ArrayLike<number>) {
   const all = new Float32Array(8 * times.length);
   for (let rock = 0; rock + 1 < starts.length; ++rock)
@@ -117,7 +117,7 @@ function thinLines(points: Float32Array, starts: Uint32Array): BufferGeometry {
   return geometry;
 }
 
-/// `shift` moves the paths' places into the scene's coordinates.
+/// `shift` converts positions to the scene's coordinates.
 export function pathLines(paths: DrawnPaths, look: PathLook, shift: ArrayLike<number>): Object3D {
   const points = interleaved(paths, shift);
   const areRibbons = paths.times.length <= mostRibbons;
@@ -130,8 +130,7 @@ export function pathLines(paths: DrawnPaths, look: PathLook, shift: ArrayLike<nu
     transparent: true,
     depthWrite: false,
   });
-  // The side that faces away is the same ribbon.
-  material.side = 2;
+  material.side = 2; // DoubleSide
   const made = areRibbons ? new Mesh(ribbons(points), material) : new Line(thinLines(points, paths.starts), material);
   made.frustumCulled = false;
   made.renderOrder = 8;

@@ -1,5 +1,5 @@
-// How paths and rocks take their colours: quantities of points as attributes, kinds of rocks from a texture, and a table
-// of colours. Another colouring is another uniform.
+// Colours of trajectories and rocks: quantities are vertex attributes, categories of rocks are in a texture, colours in a
+// table. Changing the colouring only changes uniforms.
 
 import { DataTexture, LinearFilter, NearestFilter, RGBAFormat, RGBAIntegerFormat, UnsignedShortType } from 'three';
 import type { Colouring } from '../paths/colouring';
@@ -8,9 +8,9 @@ import { colourOf, listBytes, rampBytes } from '../view/colours';
 
 const rocksAcross = 1024; // texels in a row of the rocks' texture
 
-/// `values`: speed, energy, height, and the rock's place among those that are drawn.
+/// `values`: speed, energy, height, and the rock's index among the drawn ones.
 export const colourGlsl = /* glsl */ `
-uniform highp usampler2D rocks;  // of each: source, seeder, reason, whether it passes the filter
+uniform highp usampler2D rocks;  // for each rock: source, seeder, reason, whether it passes the filter
 uniform sampler2D table;
 uniform int quantity;            // 0 speed, 1 energy, 2 height, 3 source, 4 seeder, 5 reason, 6 one colour
 uniform float low;
@@ -21,7 +21,7 @@ vec4 rockOf(vec4 values) {
   int rock = int(values.w + 0.5);
   return vec4(texelFetch(rocks, ivec2(rock % ${rocksAcross}, rock / ${rocksAcross}), 0));
 }
-/// Negative: not known.
+/// Position on the scale or index of the category; negative: unknown.
 float placeOf(vec4 values, vec4 rock) {
   if (quantity > 5) return 0.0;
   if (quantity > 2) return float((int(rock[quantity - 3] + 0.5)) % kindCount);
@@ -58,7 +58,7 @@ function tableTexture(bytes: Uint8Array<ArrayBuffer>): DataTexture {
   return made;
 }
 
-/// The uniforms that lines and rocks of a run share.
+/// The uniforms shared by the lines and rocks of a run.
 export class PathLook {
   readonly uniforms;
 
@@ -99,7 +99,7 @@ export class PathLook {
     this.uniforms.single.value = colourOf(colour).map((part) => part / 255);
   }
 
-  /// null: all pass.
+  /// Applies the filter; null: all pass.
   pass(passes: Uint8Array | null) {
     const { value: texture } = this.uniforms.rocks;
     const texels = texture.image.data as unknown as Uint16Array;

@@ -1,11 +1,11 @@
-// Which path is meant by a place of the picture.
+// Picks a trajectory in the scene.
 
 import { Matrix4, type Vector3 } from 'three';
 import type { DrawnPaths } from '../paths/drawnPaths';
 import { nearestRock } from '../paths/nearestRock';
 import type { Stage } from './stage';
 
-/// As `nearestRock` has it. `shift` is where the paths' origin is in the scene.
+/// See `nearestRock`. `shift` is the origin of the trajectories in the scene.
 export function rockNear(
   stage: Stage,
   paths: DrawnPaths,

@@ -1,23 +1,23 @@
-// The pointer and the keys over the picture: where it is on the ground, clicks for the tool, keys for the view.
+// Pointer and keys of the scene: the point on the ground, clicks for tools, keys for views.
 
 import { Vector3 } from 'three';
 import { sendJson } from '../api/client';
 import type { Point3 } from '../api/types';
-import { say } from '../state/messages';
+import { notify } from '../state/messages';
 import { model } from '../state/model';
 import type { ModelScene } from './modelScene';
 import { namedViews, type NamedView } from './namedViews';
 import * as picture from './picture';
 import { finishTool, inTurn, tool, type Place } from './tool';
 
-const drag = 4; // pixels that make a click a drag
+const drag = 4; // pixels of movement that turn a click into a drag
 
 export class Pointing {
   private down: { x: number; y: number } | null = null;
   private last: PointerEvent | null = null;
   private waiting = 0;
   private isRefining = false;
-  /// A click that no tool took.
+  /// Called for clicks without a tool.
   onClick: (event: PointerEvent) => void = () => {};
   private readonly listening = new AbortController();
 
@@ -45,7 +45,7 @@ export class Pointing {
     });
     on('dblclick', (event) => {
       if (tool.value) return finishTool();
-      // The view turns around the place that was meant.
+      // The clicked point becomes the centre of rotation.
       const place = this.placeAt(event.clientX, event.clientY);
       if (place) this.centre(scene.local(place.point));
     });
@@ -59,13 +59,13 @@ export class Pointing {
     return { point: this.scene.frame.project(hit.point), ...(facet !== undefined && { facet }), ...(isCoarse && { isCoarse }) };
   }
 
-  /// The engine's height; null where it has no ground.
+  /// The engine's elevation; null where there is no terrain.
   private async elevation([x, y]: Point3): Promise<number | null> {
     const answer = await sendJson<{ z: (number | null)[] }>('POST', `/api/models/${model.peek()?.id}/elevations`, { points: [[x, y]] });
     return answer.z[0] ?? null;
   }
 
-  /// Asks for the height of the place under the pointer, where it is about right only; one question at a time.
+  /// Requests the exact elevation under the pointer if the drawn one is approximate; one request at a time.
   private async refine() {
     if (this.isRefining) return;
     this.isRefining = true;
@@ -76,7 +76,7 @@ export class Pointing {
         if (picture.pointer.peek() === place) picture.pointer.value = z === null ? null : { point: [x, y, z] };
       }
     } catch {
-      // It stays about right, and says so.
+      // It stays approximate and is shown as such.
     } finally {
       this.isRefining = false;
     }
@@ -94,9 +94,9 @@ export class Pointing {
   private async click(event: PointerEvent) {
     if (!tool.value) return this.onClick(event);
     const place = this.placeAt(event.clientX, event.clientY);
-    if (!place) return say('note', 'There is no ground where you clicked.');
+    if (!place) return notify('note', 'There is no terrain at this point.');
     const [used, { shiftKey: shift, ctrlKey: ctrl }] = [tool.value, event];
-    // A raster may be drawn coarser than it is: the height is the engine's.
+    // A raster may be drawn at lower resolution, so the engine's elevation is used.
     if (model.value?.kind === 'raster') {
       const z = await this.elevation(place.point);
       if (z !== null) place.point[2] = z;

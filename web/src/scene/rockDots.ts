@@ -1,4 +1,4 @@
-// Rocks where they are at a moment.
+// The rocks at a time.
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, GLSL3, Points, ShaderMaterial } from 'three';
 import type { DrawnPaths } from '../paths/drawnPaths';
@@ -11,18 +11,18 @@ const vertex = /* glsl */ `
 ${colourGlsl}
 in vec4 values;
 in float radius;       // m
-uniform float largest; // of all radii
-uniform float least;   // CSS pixels: the radius that the largest rock has far away
-uniform vec2 pixels;   // of the picture, CSS
-uniform float ratio;   // of its own pixels to those
-uniform bool isWhole;  // all have stopped
+uniform float largest; // maximum radius, m
+uniform float least;   // minimum drawn radius of the largest rock, CSS pixels
+uniform vec2 pixels;   // size of the picture, CSS pixels
+uniform float ratio;   // drawing buffer pixels per CSS pixel
+uniform bool isWhole;  // all rocks have stopped
 out float place;
 out float diameter;
 out float atRest;
 void main() {
   vec4 rock = rockOf(values);
   place = placeOf(values, rock);
-  // Where all have stopped, colours of what moves say nothing.
+  // Rocks at rest have no speed, energy or height to colour by.
   atRest = isWhole && quantity < 3 ? 1.0 : 0.0;
   vec4 eye = modelViewMatrix * vec4(position, 1.0);
   vec4 at = projectionMatrix * eye;
@@ -30,7 +30,7 @@ void main() {
   float seen = radius * pixelsPerMetre;
   float share = largest > 0.0 ? radius / largest : 1.0;
   diameter = 2.0 * ratio * max(seen, least * (${leastShare} + (1.0 - ${leastShare}) * share));
-  // So much nearer that ground in front of its lower half does not cut it.
+  // Moved towards the camera, so that the ground in front does not cut its lower half.
   vec4 front = projectionMatrix * (eye + vec4(0.0, 0.0, diameter / ratio / pixelsPerMetre, 0.0));
   if (front.w > 0.0) at.z = front.z / front.w * at.w;
   gl_Position = rock.w > 0.5 ? at : vec4(2.0, 2.0, 2.0, 1.0);
@@ -52,7 +52,7 @@ void main() {
   float edge = 0.5 * diameter;
   if (r > edge + ratio) discard;
   vec3 fill = atRest > 0.5 ? rest : colourFor(place);
-  // An outline that is seen on the colour, and light from the upper left.
+  // An outline that contrasts with the colour, and light from the upper left.
   vec3 rim = dot(fill, vec3(0.2126, 0.7152, 0.0722)) < 0.43 ? vec3(1.0) : vec3(0.165, 0.149, 0.125);
   float wide = min(0.9 * ratio, 0.28 * edge);
   vec2 n = off / edge;

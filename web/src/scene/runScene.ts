@@ -1,4 +1,4 @@
-// What the scene shows of runs: paths, rocks in motion, and the rock that is chosen.
+// Runs in the scene: trajectories, moving rocks, and the selected rock.
 
 import { effect, signal, type ReadonlySignal, type Signal } from '@preact/signals';
 import { Group, Vector3, type Object3D } from 'three';
@@ -16,7 +16,7 @@ import { PathLook } from './pathShader';
 import { rockNear } from './pickPath';
 import { RockDots } from './rockDots';
 
-/// The paths of one run as they are drawn.
+/// The drawn trajectories of one run.
 class RunPaths {
   readonly group = new Group();
   readonly look: PathLook;
@@ -40,10 +40,10 @@ class RunPaths {
 }
 
 export class RunScene {
-  // What is drawn; effects follow these, so that what is drawn later looks as is chosen, too.
+  // The drawn runs. They are signals, so that the effects below also style runs that are drawn later.
   private readonly shown = signal<RunPaths | null>(null);
   private readonly compared = signal<RunPaths | null>(null);
-  /// Another number for each frame of the terrain: places are relative to it.
+  /// Incremented when the frame of the terrain changes, because positions are relative to it.
   private readonly terrain = signal(0);
   private readonly all = new Group();
   private readonly chosen = new Group();
@@ -78,7 +78,7 @@ export class RunScene {
     ];
   }
 
-  /// Follows paths: what is drawn of them stands in the frame of the terrain.
+  /// Redraws a run's trajectories whenever they or the frame of the terrain change.
   private keepPlaced(drawn: Signal<RunPaths | null>, paths: ReadonlySignal<DrawnPaths | null>, width: number): () => void {
     return effect(() => {
       const [now, { terrain }] = [paths.value, this.scene];
@@ -95,7 +95,7 @@ export class RunScene {
     });
   }
 
-  /// The rock whose path is meant by a place of the window.
+  /// The rock at a position of the window; null if none.
   rockAt(clientX: number, clientY: number): number | null {
     const [{ stage }, paths] = [this.scene, shownPaths.peek()];
     if (!paths || !arePathsShown.peek()) return null;
@@ -110,7 +110,7 @@ export class RunScene {
       run.lines.visible = withPaths;
       run.look.uniforms.time.value = whole ? Infinity : now;
       run.look.uniforms.isWhole.value = whole;
-      // When all have stopped, they lie where they ended.
+      // When all rocks have stopped, they are drawn at their end points.
       run.dots.object.visible = !whole || withEnds;
       run.dots.at(whole ? Infinity : now);
     }

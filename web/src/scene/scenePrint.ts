@@ -1,4 +1,4 @@
-// The scene on paper.
+// The scene for print.
 
 import { shownMap } from '../maps/shownMap';
 import { numberText } from '../ui/format';
@@ -11,13 +11,13 @@ import { drawNames } from './nameLayer';
 import * as picture from './picture';
 import { sceneLegends } from './SceneLegend';
 
-const patience = 6000; // ms for ground as fine as the print shows it
+const timeout = 6000; // ms to load terrain at the resolution of the print
 
 const wait = (time: number) => new Promise((done) => setTimeout(done, time));
 
-/// Fetches the ground that the print shows.
-async function fetchGround(scene: ModelScene) {
-  const until = performance.now() + patience;
+/// Loads the terrain at the resolution of the print.
+async function loadTerrain(scene: ModelScene) {
+  const until = performance.now() + timeout;
   const pixels = pictureSize.height * printRatio;
   while (performance.now() < until && scene.inSize(pictureSize, () => scene.missing(pixels)) > 0) await wait(100);
 }
@@ -32,9 +32,9 @@ function paint(scene: ModelScene): SheetPicture {
     const { metresPerPixel, heading } = picture.camera.peek();
     const interval = picture.contourInterval.peek();
     const remarks = [
-      'scale at the middle of the view',
-      ...(interval > 0 ? [`contours every ${numberText(interval)} m`] : []),
-      ...(exaggeration.peek() !== 1 ? [`heights times ${exaggeration.peek()}`] : []),
+      'scale at the centre of the view',
+      ...(interval > 0 ? [`contour interval ${numberText(interval)} m`] : []),
+      ...(exaggeration.peek() !== 1 ? [`vertical exaggeration ${exaggeration.peek()}`] : []),
       ...(shownMap.peek() ? [`map ${shownMap.peek()!.name}`] : []),
     ];
     return { canvas, legends: sceneLegends(), metresPerPixel, heading, remarks };
@@ -42,7 +42,7 @@ function paint(scene: ModelScene): SheetPicture {
 }
 
 export async function scenePicture(scene: ModelScene): Promise<SheetPicture> {
-  await fetchGround(scene);
+  await loadTerrain(scene);
   try {
     return inLight(() => paint(scene));
   } finally {

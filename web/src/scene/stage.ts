@@ -1,4 +1,4 @@
-// The picture: renderer, camera and controls. A frame is drawn when something changed, and not otherwise.
+// The stage: renderer, camera and controls. A frame is drawn only when something changes.
 
 import { Group, MOUSE, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer, type Ray } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
@@ -6,25 +6,25 @@ import type { Pixel } from '../view/nearness';
 
 export class Stage {
   readonly scene = new Scene();
-  /// What stands in the project's space; its z is exaggerated.
+  /// Objects in the project's coordinates, with vertical exaggeration.
   readonly world = new Group();
   readonly camera = new PerspectiveCamera(32, 1, 0.1, 1000);
   readonly renderer: WebGLRenderer;
   readonly controls: OrbitControls;
-  /// Around the model, in the scene's coordinates without exaggeration.
+  /// A sphere around the model, in the scene's coordinates without exaggeration.
   readonly extent = new Sphere(new Vector3(), 100);
-  /// Before each frame; true asks for another one after it.
+  /// Called before each frame; true requests another frame.
   readonly beforeFrame: (() => boolean | void)[] = [];
-  /// After each frame.
+  /// Called after each frame.
   readonly afterFrame: (() => void)[] = [];
-  /// The place of the picture at which the camera looks, CSS pixels; null: its middle.
+  /// The point of the picture at which the camera looks [CSS pixels]; null: the centre.
   private aim: Pixel | null = null;
   onLost: (lost: boolean) => void = () => {};
   onResize: () => void = () => {};
   private frame = 0;
   private readonly watcher: ResizeObserver;
 
-  /// Throws where the browser has no WebGL 2.
+  /// Throws if the browser has no WebGL 2.
   constructor(readonly host: HTMLElement) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
@@ -33,7 +33,7 @@ export class Stage {
     canvas.setAttribute('role', 'application');
     canvas.setAttribute(
       'aria-label',
-      'Model in three dimensions. Arrow keys move it, with Shift they turn it, plus and minus zoom, 1 to 7 choose a view.',
+      'Model in three dimensions. Arrow keys move the view, with Shift they rotate it, plus and minus zoom, 1 to 7 choose a named view.',
     );
     host.append(canvas);
     this.scene.add(this.world);
@@ -61,7 +61,7 @@ export class Stage {
     this.resize();
   }
 
-  /// Another size than that on the page, while it is drawn for paper.
+  /// The size while rendering for print; null otherwise.
   private paper: { width: number; height: number } | null = null;
 
   get size(): { width: number; height: number } {
@@ -81,7 +81,7 @@ export class Stage {
     this.draw();
   }
 
-  /// Moves what the camera looks at to a place of the picture, such as the middle of what nothing lies over.
+  /// Moves the target of the camera to a point of the picture, such as the centre of its free part.
   aimAt(place: Pixel | null) {
     this.aim = place;
     const { width, height } = this.size;
@@ -90,12 +90,12 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  /// So many times as far away.
+  /// Multiplies the distance of the camera.
   dolly(factor: number) {
     this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
   }
 
-  /// Does something as if the picture had another size, such as to look for what it would show.
+  /// Runs a task as if the picture had another size.
   inSize<T>(size: { width: number; height: number }, task: () => T): T {
     const { camera, controls, aim } = this;
     const [eye, target] = [camera.position.clone(), controls.target.clone()];
@@ -114,7 +114,7 @@ export class Stage {
     }
   }
 
-  /// Draws it in that size, with so many pixels of its own for one of the page, and gives a copy.
+  /// Renders at the current size with `ratio` pixels per CSS pixel, and returns a copy.
   copy(ratio: number): HTMLCanvasElement {
     const { width, height } = this.size;
     const before = this.renderer.getPixelRatio();
@@ -139,16 +139,16 @@ export class Stage {
     });
   }
 
-  /// Now; for the picture file, too, whose pixels are gone after the task.
+  /// Draws a frame at once. The pixels can only be read in the same task.
   draw() {
     const moving = this.controls.update();
     this.clip();
     this.camera.updateMatrixWorld();
-    let more = moving;
-    for (const task of this.beforeFrame) more = task() === true || more;
+    let needsMore = moving;
+    for (const task of this.beforeFrame) needsMore = task() === true || needsMore;
     this.renderer.render(this.scene, this.camera);
     for (const task of this.afterFrame) task();
-    if (more) this.invalidate();
+    if (needsMore) this.invalidate();
   }
 
   private clip() {
@@ -163,14 +163,14 @@ export class Stage {
     camera.updateProjectionMatrix();
   }
 
-  /// Metres that a pixel covers at the point around which the view turns.
+  /// Metres per pixel at the centre of rotation.
   get metresPerPixel(): number {
     const distance = this.camera.position.distanceTo(this.controls.target);
     return (2 * distance * Math.tan((this.camera.fov * Math.PI) / 360)) / this.size.height;
   }
 
-  /// The ray through a place of the window, in the scene's coordinates without exaggeration; its direction is not of
-  /// unit length there.
+  /// The ray through a point of the window, in the scene's coordinates without exaggeration. Its direction does not have
+  /// unit length.
   ray(clientX: number, clientY: number): Ray {
     const box = this.renderer.domElement.getBoundingClientRect();
     const at = new Vector2(
@@ -184,7 +184,7 @@ export class Stage {
     return caster.ray;
   }
 
-  /// A place of the world as CSS pixels of the picture; null behind the eye.
+  /// The CSS pixel of a point of the world; null behind the camera.
   pixelOf(point: Vector3): { x: number; y: number } | null {
     const { width, height } = this.size;
     const at = point.clone().applyMatrix4(this.world.matrixWorld).project(this.camera);

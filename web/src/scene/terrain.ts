@@ -1,4 +1,4 @@
-// What the scene asks of a terrain, whatever it is made of.
+// The interface of terrains in the scene.
 
 import type { Camera, Object3D, Ray, Vector3 } from 'three';
 
@@ -8,21 +8,21 @@ export interface Hit {
   distance: number;
   /// The triangle of a mesh.
   facet?: number;
-  /// The terrain is drawn coarser here than it is.
+  /// The terrain is drawn at lower resolution here.
   isCoarse?: boolean;
 }
 
 export interface Terrain {
   object: Object3D;
-  /// Chooses what is drawn from here; `pixels` is the height of the picture.
-  look(camera: Camera & { fov: number }, pixels: number, exaggeration: number): void;
-  /// So many parts that `look` chose are still to be fetched.
+  /// Selects the parts and resolution to draw; `pixels` is the height of the picture.
+  select(camera: Camera & { fov: number }, pixels: number, exaggeration: number): void;
+  /// The number of selected parts that are not loaded yet.
   readonly missing?: number;
-  /// The first place that a ray meets, in the scene's coordinates without exaggeration.
+  /// The first intersection with a ray, in the scene's coordinates without exaggeration.
   pick(ray: Ray): Hit | null;
-  /// Some hundreds of places of the ground, spread over all of it.
-  places(): Vector3[];
-  /// What is fetched from now on is of this model, whose terrain is the same.
-  askOf?(model: string): void;
+  /// Some hundreds of points spread over the terrain.
+  samplePoints(): Vector3[];
+  /// Loads further parts from this model, which has the same terrain.
+  useModel?(model: string): void;
   dispose(): void;
 }

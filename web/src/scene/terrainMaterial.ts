@@ -1,5 +1,5 @@
-// How ground looks: light from the north-west with some from around it, a colour by elevation, slope or material,
-// contour lines, and a map of results over it.
+// The shader of the terrain: light from the north-west with ambient light, colours by elevation, slope or material,
+// contours, and a draped map.
 
 import { DataTexture, DoubleSide, GLSL3, LinearFilter, NearestFilter, RGBAFormat, ShaderMaterial, Vector2, Vector4 } from 'three';
 import { colourOf, elevationRamp, groundColour, listBytes, materialColour, rampBytes, slopeRamp, type Colour } from '../view/colours';
@@ -10,7 +10,7 @@ const vertex = /* glsl */ `
 in vec2 node;
 in float height;
 in vec2 gradient;
-out vec2 cell;    // where in the tile, in cells
+out vec2 cell;    // position in the tile, in cells
 #else
 in float ground;
 flat out int kind;
@@ -47,7 +47,7 @@ out vec4 colour;
 uniform float exaggeration;
 uniform int shading;       // 0 hillshade, 1 elevation, 2 slope, 3 material
 uniform bool faceted;
-uniform vec2 range;        // least and greatest z
+uniform vec2 range;        // minimum and maximum z
 uniform sampler2D ramp;
 uniform sampler2D kinds;
 uniform int kindCount;
@@ -62,7 +62,7 @@ uniform float mapOpacity;
 float lineAt(float value, float width) {
   float slope = fwidth(value);
   float off = abs(fract(value - 0.5) - 0.5) / max(slope, 1e-6);
-  // Neither where lines would run together, nor where level ground would be one broad line.
+  // Hidden where lines would merge, and where level ground would be one broad line.
   float isSeen = (1.0 - smoothstep(0.15, 0.45, slope)) * smoothstep(1e-5, 1e-4, slope);
   return (1.0 - smoothstep(width - 0.5, width + 0.5, off)) * isSeen;
 }
@@ -85,8 +85,8 @@ void main() {
     base = texelFetch(kinds, ivec2(kind % kindCount, 0), 0).rgb;
   }
 
-  // One sun at 315 degrees and 45 up, two weaker ones at 250 and 20, the sky, and a little from behind the viewer of the
-  // first picture, so that steep faces that turn away from the sun keep their colour.
+  // A sun at azimuth 315 and 45 degrees up, weaker ones at 250 and 20, ambient light from the sky, and some light from
+  // the south-east, so that steep faces away from the sun keep their colour.
   float sun = max(dot(shown, vec3(-0.5, 0.5, 0.7071)), 0.0);
   float west = max(dot(shown, vec3(-0.7713, -0.2807, 0.5713)), 0.0);
   float north = max(dot(shown, vec3(0.2807, 0.7713, 0.5713)), 0.0);
@@ -133,7 +133,7 @@ function uniforms() {
     ramp: { value: texture(rampBytes(elevationRamp.light), LinearFilter) },
     kinds: { value: texture(listBytes([materialColour(0)]), NearestFilter) },
     kindCount: { value: 1 },
-    cellKinds: { value: null as DataTexture | null }, // of the tile that is drawn
+    cellKinds: { value: null as DataTexture | null }, // of the current tile
     plain: { value: unit(groundColour.light) },
     ink: { value: unit(dark) },
     interval: { value: 0 },
@@ -156,7 +156,7 @@ export class TerrainMaterial extends ShaderMaterial {
       uniforms: uniforms(),
       defines: tiles ? { TILE: 1 } : {},
       side: DoubleSide,
-      // Lines that lie on the ground are drawn over it.
+      // Keeps lines on the ground visible.
       polygonOffset: true,
       polygonOffsetFactor: 1.5,
       polygonOffsetUnits: 4,

@@ -16,7 +16,7 @@ const tile = new Tile(
   new TerrainMaterial(true),
 );
 
-/// As the engine has it (src/talus/terrain/raster_surface.cpp): the height in a cell, in parts of its sides.
+/// The height as computed by the engine (src/talus/terrain/raster_surface.cpp).
 function engineHeight(x: number, y: number): number | null {
   const [column, row] = [Math.floor(x / cell[0]), Math.floor(y / cell[1])];
   const [u, v] = [x / cell[0] - column, y / cell[1] - row];
@@ -28,7 +28,7 @@ function engineHeight(x: number, y: number): number | null {
   return u + v <= 1 ? sw + u * (se - sw) + v * (nw - sw) : ne + (1 - u) * (nw - ne) + (1 - v) * (se - ne);
 }
 
-test('a place that is pointed at has the height of the engine, and a hole none', () => {
+test('a picked point has the height of the engine, and a hole has none', () => {
   const cuts = new Set<boolean>();
   for (let x = 0.7; x < 30; x += 1.3)
     for (let y = 0.3; y < 10; y += 0.7) {
@@ -41,7 +41,7 @@ test('a place that is pointed at has the height of the engine, and a hole none',
   expect(cuts.size).toBe(2);
 });
 
-test('what is drawn is what is pointed at: the middle of each drawn triangle lies on the surface', () => {
+test('the centroid of each drawn triangle is on the surface', () => {
   const { geometry } = tile.mesh;
   const [node, height] = [geometry.getAttribute('node'), geometry.getAttribute('height')];
   const index = geometry.index!;
@@ -50,11 +50,11 @@ test('what is drawn is what is pointed at: the middle of each drawn triangle lie
     const corners = [0, 1, 2].map((c) => index.getX(k + c));
     const mean = (of: (corner: number) => number) => corners.reduce((sum, corner) => sum + of(corner), 0) / 3;
     const [i, j] = [mean((c) => node.getX(c)), mean((c) => node.getY(c))];
-    // The rim that hangs down has no area on plan.
+    // The skirt has no area on plan.
     const [a, b, c] = corners.map((corner) => [node.getX(corner), node.getY(corner)] as const);
     if ((b![0] - a![0]) * (c![1] - a![1]) === (b![1] - a![1]) * (c![0] - a![0])) continue;
     ++seen;
     expect(mean((corner) => height.getX(corner))).toBeCloseTo(engineHeight(i * cell[0], j * cell[1])!, 4);
   }
-  expect(seen).toBe(2 * 5); // of six cells one is a hole
+  expect(seen).toBe(2 * 5); // one of six cells is a hole
 });

@@ -1,4 +1,4 @@
-// A square piece of a raster terrain, at one level of detail.
+// A tile of a raster terrain at one level of detail.
 
 import {
   Box3,
@@ -28,8 +28,7 @@ export interface TileHeader {
 
 const sharedNodes = new Map<string, BufferAttribute>();
 
-/// The places of a tile's nodes in cells, with a rim around them that hangs down, so that tiles of different levels show
-/// no cracks between them.
+/// The positions of a tile's nodes in cells, with a skirt around them that hides cracks between tiles of different levels.
 function nodesOf(columns: number, rows: number): BufferAttribute {
   const key = `${columns} ${rows}`;
   let nodes = sharedNodes.get(key);
@@ -47,7 +46,7 @@ function nodesOf(columns: number, rows: number): BufferAttribute {
   return nodes;
 }
 
-/// The material of each cell, for the shader: up to 256 of them, after which colours repeat anyway.
+/// The material of each cell for the shader. There are up to 256; colours repeat long before.
 function kindsOf(columns: number, rows: number, materials: NumberArray | undefined): DataTexture {
   const made = new DataTexture(Uint8Array.from(materials ?? new Uint8Array(columns * rows)), columns, rows, RedFormat);
   made.magFilter = made.minFilter = NearestFilter;
@@ -67,7 +66,7 @@ export class Tile {
   private readonly heights: Float32Array;
   private readonly grid: PlanGrid;
   private readonly z: number;
-  /// The ground of each cell, as a picture.
+  /// The material of each cell.
   private readonly kinds: DataTexture;
 
   constructor(
@@ -87,7 +86,7 @@ export class Tile {
     const gradient = new Float32Array(2 * height.length);
     let [low, high, rough] = [Infinity, -Infinity, 0];
     const at = (i: number, j: number) => this.heights[j * columns + i]!;
-    // The slope between neighbours on both sides, or on the one that there is.
+    // The slope between both neighbours, or to the only one.
     const rise = (before: number, here: number, after: number, step: number) => {
       const [b, a] = [Number.isNaN(before) ? here : before, Number.isNaN(after) ? here : after];
       const steps = (b === here && Number.isNaN(before) ? 0 : 1) + (Number.isNaN(after) ? 0 : 1);
@@ -171,11 +170,11 @@ export class Tile {
     });
   }
 
-  /// Nodes with data, at most so many along each side.
-  places(most: number): Vector3[] {
+  /// Nodes with data, at most about `most` along each side.
+  samplePoints(most: number): Vector3[] {
     const { x, y, dx, dy, columns, rows } = this.grid;
     const list: Vector3[] = [];
-    // With both edges.
+    // Includes both edges.
     const some = (count: number) => Array.from({ length: Math.min(most, count) + 1 }, (_, k) => Math.round((k * count) / Math.min(most, count)));
     for (const j of some(rows))
       for (const i of some(columns)) {
@@ -186,7 +185,7 @@ export class Tile {
   }
 
   dispose() {
-    // What is shared stays for other tiles.
+    // The nodes are shared with other tiles.
     const { geometry } = this.mesh;
     geometry.deleteAttribute('node');
     geometry.dispose();

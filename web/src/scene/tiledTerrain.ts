@@ -1,20 +1,20 @@
-// A raster terrain: coarse tiles far away, fine ones near, fetched as they are wanted.
+// A raster terrain of tiles, coarse far away and fine nearby, loaded on demand.
 
 import { Box3, Frustum, Group, Matrix4, Vector3, type Camera, type Ray } from 'three';
 import { getArrays, getJson } from '../api/client';
 import type { Tiles } from '../api/types';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import type { Frame } from './frame';
 import type { Hit, Terrain } from './terrain';
 import type { TerrainMaterial } from './terrainMaterial';
 import { Tile, type TileHeader } from './tile';
 
-const pixelsPerCell = 2.2; // finer tiles are taken where a cell covers more
+const pixelsPerCell = 2.2; // finer tiles are used where a cell is larger
 const requestsAtOnce = 6;
-const mostBytes = 200e6; // of tiles that are kept
+const mostBytes = 200e6; // of cached tiles
 
 interface Node {
-  level: number; // in `levels`, coarsest first
+  level: number; // index into `levels`, coarsest first
   column: number;
   row: number;
   box: Box3;
@@ -50,7 +50,7 @@ export class TiledTerrain implements Terrain {
       for (let column = 0; column < columns; ++column) this.roots.push(this.node(0, column, row));
   }
 
-  /// Ready as soon as the coarsest tiles are here.
+  /// Resolves when the coarsest tiles are loaded.
   static async of(
     model: string,
     frame: Frame,
@@ -65,7 +65,7 @@ export class TiledTerrain implements Terrain {
     return terrain;
   }
 
-  askOf(model: string) {
+  useModel(model: string) {
     this.model = model;
   }
 
@@ -99,7 +99,7 @@ export class TiledTerrain implements Terrain {
     return (node.children = list);
   }
 
-  look(camera: Camera & { fov: number }, pixels: number, exaggeration: number) {
+  select(camera: Camera & { fov: number }, pixels: number, exaggeration: number) {
     ++this.turn;
     const view = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     view.multiply(new Matrix4().makeScale(1, 1, exaggeration));
@@ -132,22 +132,22 @@ export class TiledTerrain implements Terrain {
     for (const node of now) node.tile!.mesh.visible = true;
     this.drawn = now;
     this.wanted.sort((a, b) => b.priority - a.priority);
-    this.fetchNext();
-    this.forget();
+    this.loadNext();
+    this.evict();
   }
 
   get missing(): number {
     return this.wanted.length;
   }
 
-  private fetchNext() {
+  private loadNext() {
     while (this.loading < requestsAtOnce) {
       const next = this.wanted.find((node) => !node.asked && !node.tile);
       if (!next) return;
       void this.load(next).then(
         () => this.changed(),
         (error: unknown) => {
-          if (!this.signal.aborted) sayFailure(error);
+          if (!this.signal.aborted) reportFailure(error);
         },
       );
     }
@@ -175,8 +175,8 @@ export class TiledTerrain implements Terrain {
     }
   }
 
-  /// Lets go of tiles that were not looked at for longest.
-  private forget() {
+  /// Drops the least recently used tiles.
+  private evict() {
     if (this.bytes < mostBytes) return;
     const old = [...this.loaded].filter((node) => node.level > 0 && node.tile!.used < this.turn);
     old.sort((a, b) => a.tile!.used - b.tile!.used);
@@ -199,9 +199,9 @@ export class TiledTerrain implements Terrain {
     return distance < Infinity ? { point: ray.at(distance, new Vector3()), distance, isCoarse } : null;
   }
 
-  places(): Vector3[] {
+  samplePoints(): Vector3[] {
     const most = Math.ceil(Math.sqrt(600 / this.roots.length));
-    return this.roots.flatMap(({ tile }) => tile?.places(most) ?? []);
+    return this.roots.flatMap(({ tile }) => tile?.samplePoints(most) ?? []);
   }
 
   dispose() {

@@ -1,4 +1,4 @@
-// The row of controls above the section.
+// The toolbar of the section.
 
 import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
@@ -22,20 +22,20 @@ export function SectionBar() {
       <button class="button" title="Show all (0)" onClick={fit}>
         Fit
       </button>
-      <button class="button icon" aria-label="Larger" title="Larger (+)" onClick={() => zoom(1.25)}>
+      <button class="button icon" aria-label="Zoom in" title="Zoom in (+)" onClick={() => zoom(1.25)}>
         +
       </button>
-      <button class="button icon" aria-label="Smaller" title="Smaller (−)" onClick={() => zoom(0.8)}>
+      <button class="button icon" aria-label="Zoom out" title="Zoom out (−)" onClick={() => zoom(0.8)}>
         −
       </button>
-      <button class="button" aria-pressed={equalAxes.value} title="One metre up is as long as one metre along" onClick={() => (equalAxes.value = !equalAxes.value)}>
+      <button class="button" aria-pressed={equalAxes.value} title="The same scale on both axes" onClick={() => (equalAxes.value = !equalAxes.value)}>
         Equal axes
       </button>
       <PathChoices />
       <FilterChoices />
       <LayerChoices />
       <DistanceButton />
-      <button class="button" title="Save the picture for print: PNG, 300 dots an inch" onClick={() => void saveSheet(sectionPicture)}>
+      <button class="button" title="Save the picture for print: PNG, 300 dpi" onClick={() => void saveSheet(sectionPicture)}>
         Picture
       </button>
     </ViewBar>

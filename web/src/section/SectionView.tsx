@@ -1,4 +1,4 @@
-// The section of a 2D model, with what is needed to look at it.
+// The view of a 2D model with its controls.
 
 import { useEffect, useRef } from 'preact/hooks';
 import { ToolHint } from '../scene/ToolHint';
@@ -28,7 +28,7 @@ function Status() {
   );
 }
 
-/// A click on a path chooses its rock; one beside all of them, none.
+/// A click on a trajectory selects its rock; next to all trajectories it deselects.
 function chooseRock(event: PointerEvent) {
   const [seen, now] = [pathsToDraw.value, frame.value];
   if (!seen || !now) return;
@@ -56,7 +56,7 @@ export function SectionView() {
         class="section-canvas"
         tabIndex={0}
         role="img"
-        aria-label={`The slope in section, ${now?.seeders.length ?? 0} seeders, ${now?.barriers.length ?? 0} barriers and collectors. Arrows move it, plus and minus zoom, 0 shows all.`}
+        aria-label={`The slope in section, ${now?.seeders.length ?? 0} seeders, ${now?.barriers.length ?? 0} barriers and collectors. Arrow keys move the view, plus and minus zoom, 0 shows all.`}
       />
       <SectionBar />
       <Legends list={sectionLegends()} isAbove />

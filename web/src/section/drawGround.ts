@@ -1,4 +1,4 @@
-// The slope, its grid and axes, on a canvas whose unit is a CSS pixel.
+// Draws the slope, grid and axes on a canvas in CSS pixels.
 
 import { materialColour } from '../view/colours';
 import { overlap, type Box } from '../view/framing';
@@ -16,7 +16,7 @@ export interface Look {
   accent: string;
 }
 
-const tickDistance = 70; // at least so many pixels
+const tickDistance = 70; // minimum, pixels
 
 export function drawGrid(pen: CanvasRenderingContext2D, frame: Frame, look: Look) {
   const [left, high] = placeOf(frame, 0, 0);
@@ -41,7 +41,7 @@ export function drawGrid(pen: CanvasRenderingContext2D, frame: Frame, look: Look
   pen.globalAlpha = 1;
 }
 
-/// Numbers along the left and the lower side, but where something stands over them; gives the boxes that they take.
+/// Draws numbers along the left and lower sides, except where something covers them. Returns their boxes.
 export function drawAxes(pen: CanvasRenderingContext2D, frame: Frame, look: Look, covered: readonly Box[]): Box[] {
   const [left, high] = placeOf(frame, 0, 0);
   const [right, low] = placeOf(frame, frame.width, frame.height);
@@ -69,14 +69,14 @@ export function drawAxes(pen: CanvasRenderingContext2D, frame: Frame, look: Look
   for (const x of ticks(left, right, stepX)) label(tickText(x, stepX), pixelOf(frame, x, 0)[0], bottom - 7, true);
   const heights = ticks(low, high, stepZ).map((z) => ({ z, at: pixelOf(frame, 0, z)[1] }));
   for (const { z, at } of heights) if (at < bottom - 20) label(tickText(z, stepZ), 8, at, false);
-  // The axis is named above its numbers or, where something stands there, below them.
+  // The axis label is above the numbers, or below them if that is covered.
   const numbers = taken.filter((box) => box.left < 10);
   const [top, foot] = [Math.min(...numbers.map((box) => box.top), bottom), Math.max(...numbers.map((box) => box.bottom), 0)];
   if (!label('z, m', 8, top - 9, false)) label('z, m', 8, foot + 8, false);
   return taken;
 }
 
-/// The ground as a body, and each segment in the colour of its material.
+/// Draws the ground, with each segment in the colour of its material.
 export function drawSlope(pen: CanvasRenderingContext2D, frame: Frame, profile: Profile, look: Look) {
   const points = profile.vertices.map(([x, z]) => pixelOf(frame, x, z));
   const first = points[0];

@@ -1,4 +1,4 @@
-// What stands on the slope: seeders, barriers, what tools and forms show.
+// Draws marks on the slope: seeders, barriers, overlays of tools and forms.
 
 import type { Model } from '../api/types';
 import type { Overlay } from '../scene/tool';
@@ -28,7 +28,7 @@ function polyline(pen: Pen, points: [number, number][], width: number, colour: s
   pen.stroke();
 }
 
-/// Each of these draws marks, and gives the names that belong to them.
+/// Each function draws marks and returns their labels.
 export function drawSeeders(pen: Pen, frame: Frame, { seeders }: Model, chosen: string): Label[] {
   return seeders.flatMap((seeder) => {
     for (const line of seeder.lines) polyline(pen, line.map(([x, , z]) => pixelOf(frame, x, z)), 3, markColours.seeder);

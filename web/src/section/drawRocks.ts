@@ -1,4 +1,4 @@
-// Single rocks over the paths: where they are at the moment that is shown, where they ended, the one that is chosen.
+// Draws rocks over the trajectories: moving rocks, end points, the selected rock.
 
 import { indexOfRock, type DrawnPaths } from '../paths/drawnPaths';
 import { drawnRadius, leastRadius } from '../paths/rockSize';
@@ -10,7 +10,7 @@ import { drawPath, rockColours, type PathsToDraw } from './pathLayer';
 
 type Pen = CanvasRenderingContext2D;
 
-/// `places`: three numbers a rock; `pointOf`: the point of its path whose colour it has, or null.
+/// `places` has three coordinates per rock; `pointOf` returns the point of the trajectory that sets its colour, or null.
 function discs(pen: Pen, frame: Frame, seen: PathsToDraw, places: Float32Array, pointOf: (rock: number) => number | null) {
   const { paths, passes, colouring } = seen;
   const colourOfRock = rockColours(colouring);
@@ -32,7 +32,7 @@ function discs(pen: Pen, frame: Frame, seen: PathsToDraw, places: Float32Array, 
 }
 
 const rims = new Map<string, string>();
-/// Of an outline that is seen on a colour as CSS has it.
+/// The colour of an outline that contrasts with a CSS colour.
 function rimOf(fill: string): string {
   const known = rims.get(fill);
   if (known) return known;

@@ -1,14 +1,14 @@
-// Between metres of the section and pixels of its picture.
+// Conversion between metres of the section and pixels of its picture.
 
 import { heightOf, widthOf, type Box } from '../view/framing';
 
 export interface Frame {
   width: number;
   height: number;
-  /// The section's place at the middle of the picture [m].
+  /// The point of the section at the centre of the picture [m].
   x: number;
   z: number;
-  /// Pixels a metre, along and up; equal where the axes are.
+  /// Pixels per metre, horizontally and vertically.
   along: number;
   up: number;
 }
@@ -28,7 +28,7 @@ export const placeOf = (frame: Frame, left: number, top: number): [number, numbe
   frame.z - (top - frame.height / 2) / frame.up,
 ];
 
-/// Shows all of the bounds, in the middle of a box of the picture.
+/// The frame that fits the bounds into a box of the picture, centred.
 export function fitted(bounds: Bounds, { width, height }: { width: number; height: number }, box: Box, equal: boolean): Frame {
   const span = ([low, high]: [number, number]) => Math.max(high - low, 1e-3);
   const along = widthOf(box) / span(bounds.x);
@@ -40,7 +40,7 @@ export function fitted(bounds: Bounds, { width, height }: { width: number; heigh
   return frame;
 }
 
-/// Larger by a factor, with the place at a pixel where it is.
+/// Zooms by a factor about a pixel.
 export function zoomed(frame: Frame, factor: number, left: number, top: number): Frame {
   const along = frame.along * factor;
   if (along < 1e-4 || along > 1e5) return frame;
@@ -50,7 +50,7 @@ export function zoomed(frame: Frame, factor: number, left: number, top: number):
   return { ...next, x: frame.x + x - nowX, z: frame.z + z - nowZ };
 }
 
-/// The picture moves by so many pixels.
+/// Moves the picture by an offset in pixels.
 export const moved = (frame: Frame, left: number, top: number): Frame => ({
   ...frame,
   x: frame.x - left / frame.along,

@@ -1,4 +1,4 @@
-// What of the section is seen: all of it, in what the page leaves free of the picture, until somebody moves it.
+// The visible part of the section: all of it, in the free part of the picture, until the user moves it.
 
 import { computed, effect, signal } from '@preact/signals';
 import { model } from '../state/model';
@@ -9,21 +9,21 @@ import { tool } from '../scene/tool';
 import { fitted, pixelOf, type Bounds, type Frame } from './frame';
 import { profile } from './profile';
 
-/// Null until the picture has a size and something to show.
+/// Null until the picture has a size and content.
 export const frame = signal<Frame | null>(null);
-/// What stands over the picture.
+/// Boxes of the page over the picture.
 export const over = signal<Box[]>([]);
 
-/// Where names and the slope may be; beside it are the numbers of the axes.
+/// The area for names and the slope, inside the numbers of the axes.
 export const roomOf = ({ width, height }: Pick<Frame, 'width' | 'height'>): Box => ({
   left: 46,
   top: 8,
   right: Math.max(width - 12, 66),
   bottom: Math.max(height - 50, 28),
 });
-const nameHeight = 22; // of the name over the highest thing
+const nameHeight = 22; // of a name above the highest mark
 
-/// The slope, and what stands on it.
+/// The bounds of the slope with its seeders and barriers.
 const bounds = computed<Bounds | null>(() => {
   const places = (profile.value?.vertices ?? []).map(([x, z]) => ({ x, z }));
   const now = model.value;
@@ -37,7 +37,7 @@ const bounds = computed<Bounds | null>(() => {
   return { x: range(places.map(({ x }) => x)), z: range(places.map(({ z }) => z)) };
 });
 
-/// All of the section in a picture of a size; `over`: what stands over it.
+/// The frame that shows the whole section in a picture of this size, outside `boxes`.
 export function wholeSection(size: { width: number; height: number }, room: Box, boxes: readonly Box[]): Frame | null {
   const all = bounds.value;
   if (!all) return null;
@@ -50,7 +50,7 @@ export function wholeSection(size: { width: number; height: number }, room: Box,
   return bestBox(room, boxes, place)?.made ?? null;
 }
 
-// What was fitted last: while it is the frame, nobody has moved it.
+// The last fitted frame. While it is the current frame, the user has not moved it.
 let fittedLast: Frame | null = null;
 
 export function fit() {
@@ -59,7 +59,7 @@ export function fit() {
   if (whole) frame.value = fittedLast = whole;
 }
 
-/// What is seen now, in a picture of another size.
+/// The current view in a picture of another size.
 export function framedIn(size: { width: number; height: number }): Frame | null {
   const now = frame.peek();
   if (!now) return null;
@@ -68,7 +68,8 @@ export function framedIn(size: { width: number; height: number }): Frame | null 
   return { ...now, ...size, along: now.along * factor, up: now.up * factor };
 }
 
-/// Keeps the picture's size and, unless it was moved, all of the section in it; ends when called.
+/// Follows the picture's size and, unless the user moved it, keeps the whole section visible. Returns a function that
+/// ends this.
 export function keepFramed(host: HTMLElement): () => void {
   const watch = new ResizeObserver(() => {
     const { clientWidth: width, clientHeight: height } = host;
@@ -81,13 +82,13 @@ export function keepFramed(host: HTMLElement): () => void {
   watch.observe(host);
   const endWatching = watchOver(host, (boxes) => (over.value = boxes));
   let [shown, sizeThen]: [string, string | null] = ['', null];
-  // Another slope, or other axes, are shown whole; else the view stays where the user has it.
+  // A new slope or new axes are shown whole; otherwise the user's view stays.
   const endFitting = effect(() => {
     const [now, all, boxes] = [frame.value, bounds.value, over.value];
     const state = `${model.value?.project.name ?? ''} ${all?.x} ${all?.z} ${equalAxes.value}`;
-    const isOther = state !== shown;
+    const isNew = state !== shown;
     const size = now && `${now.width} ${now.height} ${JSON.stringify(boxes)}`;
-    if (!now || !all || (!isOther && (now !== fittedLast || size === sizeThen || tool.peek() !== null))) return;
+    if (!now || !all || (!isNew && (now !== fittedLast || size === sizeThen || tool.peek() !== null))) return;
     [shown, sizeThen] = [state, size];
     fit();
   });

@@ -1,5 +1,5 @@
-// The paths of the rocks on a picture of their own, which is drawn anew only when the view or the colours change, a few
-// milliseconds at a time, so that ten thousand of them never hold up the page.
+// Trajectories on a separate canvas. It is redrawn only when the view or the colours change, a few milliseconds at a time,
+// so that ten thousand trajectories do not block the page.
 
 import { colourAt, cssOf, restColour } from '../view/colours';
 import { runColour } from '../view/theme';
@@ -10,18 +10,18 @@ import { pixelOf, type Frame } from './frame';
 
 export interface ComparedToDraw {
   paths: DrawnPaths;
-  passes: Uint8Array | null; // of each rock; null: all
+  passes: Uint8Array | null; // for each rock; null: all
 }
 export interface PathsToDraw extends ComparedToDraw {
   colouring: Colouring;
 }
 
-const shades = 48; // a scale is drawn in so many colours
+const shades = 48; // number of colours of a scale
 const budget = 10; // ms at a time
 
 type Pen = CanvasRenderingContext2D;
 
-/// Which colour a point has, as a number, and what colour that is.
+/// The index of each point's colour, and the colours.
 function colourNumbers(colouring: Colouring): { of: (point: number, rock: number) => number; css: string[] } {
   if (colouring.kind === 'run') return { of: () => 0, css: [colouring.colour] };
   if (colouring.kind === 'kinds') return { of: (_, rock) => colouring.numbers[rock]!, css: colouring.colours };
@@ -34,7 +34,7 @@ function colourNumbers(colouring: Colouring): { of: (point: number, rock: number
   return { of, css };
 }
 
-/// The colour of a rock, which is that of a point of its path; null: where it ended.
+/// The colour of a rock at a point of its trajectory; null: at its end point.
 export function rockColours(colouring: Colouring): (point: number | null, rock: number) => string {
   const { of, css } = colourNumbers(colouring);
   return (point, rock) => (point === null && colouring.kind === 'scale' ? restColour : css[of(point ?? 0, rock)]!);
@@ -58,7 +58,7 @@ export function drawPath(pen: Pen, frame: Frame, paths: DrawnPaths, rock: number
   if (now) pen.stroke();
 }
 
-/// Draws one path a call; false when there are no more.
+/// Draws one trajectory per call; false when there are no more.
 type Task = () => boolean;
 
 function coloured(pen: Pen, frame: Frame, { paths, colouring, passes }: PathsToDraw): Task {
@@ -87,7 +87,7 @@ function pathTasks(pen: Pen, frame: Frame, shown: PathsToDraw | null, other: Com
   return [...(other ? [compared(pen, frame, other)] : []), ...(shown ? [coloured(pen, frame, shown)] : [])];
 }
 
-/// All at once, such as for paper.
+/// Draws all trajectories at once, for print.
 export function drawPaths(pen: Pen, frame: Frame, shown: PathsToDraw | null, other: ComparedToDraw | null) {
   pen.lineJoin = 'round';
   for (const task of pathTasks(pen, frame, shown, other)) while (task());
@@ -97,7 +97,7 @@ export class PathLayer {
   readonly canvas = document.createElement('canvas');
   private waiting = 0;
 
-  /// `progress`: called whenever more can be seen.
+  /// `progress` is called whenever more is drawn.
   constructor(private readonly progress: () => void) {}
 
   draw(frame: Frame, shown: PathsToDraw | null, other: ComparedToDraw | null) {
@@ -123,7 +123,7 @@ export class PathLayer {
   }
 }
 
-/// The rock whose path is meant by a pixel; null: none within `within` pixels.
+/// The rock with the trajectory nearest to a pixel; null if none is within `within` pixels.
 export function rockAt({ paths, passes }: PathsToDraw, frame: Frame, left: number, top: number, within: number): number | null {
   const { header, positions } = paths;
   const at = (k: number) => pixelOf(frame, header.origin[0] + positions[3 * k]!, header.origin[2] + positions[3 * k + 2]!);

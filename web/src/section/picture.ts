@@ -1,4 +1,4 @@
-// The picture of the section: what of it is seen, and everything that is drawn, again whenever something changes.
+// Draws the picture of the section whenever something changes.
 
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { model } from '../state/model';
@@ -37,7 +37,7 @@ export const rocksToDraw = computed<PathsToDraw | null>(() =>
     ? { paths: shownPaths.value, colouring: colouring.value, passes: shownPassing.value }
     : null,
 );
-/// What is seen of the runs' paths.
+/// The visible trajectories.
 export const pathsToDraw = computed(() => (layers.paths.value ? rocksToDraw.value : null));
 export const comparedToDraw = computed(() =>
   layers.paths.value && comparedPaths.value ? { paths: comparedPaths.value, passes: comparedPassing.value } : null,
@@ -45,7 +45,7 @@ export const comparedToDraw = computed(() =>
 const moving = computed(() => (shownPaths.value ? new RocksAtTime(shownPaths.value) : null));
 
 function drawRun(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () => void, colours: Look) {
-  // Rocks in motion stand out before their paths.
+  // Trajectories are faded behind moving rocks.
   pen.globalAlpha = isWhole.value ? 1 : 0.3;
   drawPaths();
   pen.globalAlpha = 1;
@@ -57,7 +57,7 @@ function drawRun(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () => voi
   } else if (moving.value) drawMovingRocks(pen, now, seen, moving.value, time.value);
 }
 
-/// All of the picture, in CSS pixels. `covered`: what stands over it, where no name is to be.
+/// Draws the whole picture in CSS pixels, without names in the boxes `covered`.
 export function paint(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () => void, covered: readonly Box[]) {
   const colours = look();
   const path = chosen.value?.join('.') ?? '';
@@ -88,7 +88,7 @@ function draw(canvas: HTMLCanvasElement, now: Frame, paths: HTMLCanvasElement) {
   paint(pen, now, drawPaths, over.value);
 }
 
-/// Keeps a canvas as large as its host and up to date; ends when called.
+/// Keeps a canvas as large as its host and up to date. Returns a function that ends this.
 export function keepDrawn(host: HTMLElement, canvas: HTMLCanvasElement): () => void {
   const stopFraming = keepFramed(host);
   let waiting = 0;

@@ -1,4 +1,4 @@
-// The pointer and the keys over the section: where it is, the view, clicks for the tool or for what stands there.
+// Pointer and keys of the section: position, view, clicks for tools or on seeders and barriers.
 
 import type { Place } from '../scene/tool';
 import { finishTool, tool } from '../scene/tool';
@@ -10,8 +10,8 @@ import { pointer } from './picture';
 import { groundBelow, nearestSegment, profile } from './profile';
 import { pathOf, type Path } from '../model/names';
 
-const drag = 4; // pixels that make a click a drag
-const near = 12; // pixels within which a thing is meant
+const drag = 4; // pixels of movement that turn a click into a drag
+const near = 12; // pixels within which a mark is picked
 
 function placeAt(canvas: HTMLCanvasElement, event: MouseEvent): { x: number; z: number } | null {
   if (!frame.value) return null;
@@ -20,8 +20,8 @@ function placeAt(canvas: HTMLCanvasElement, event: MouseEvent): { x: number; z: 
   return { x, z };
 }
 
-/// With the segment that is meant: the one under the pointer, or the nearest.
-function meant({ x, z }: { x: number; z: number }): Place {
+/// The point with its segment: the nearest one, or the one below the pointer.
+function withSegment({ x, z }: { x: number; z: number }): Place {
   const now = profile.value;
   if (!now || !frame.value) return { point: [x, 0, z] };
   const found = nearestSegment(now, x, z, frame.value.up / frame.value.along);
@@ -29,16 +29,16 @@ function meant({ x, z }: { x: number; z: number }): Place {
   return { point: [x, 0, z], ...(facet !== undefined && { facet }) };
 }
 
-/// The setting whose thing is drawn at a place: a seeder, a barrier, the ground.
+/// The path of the seeder or barrier at a point; null if there is none.
 function thingAt({ x, z }: { x: number; z: number }): Path | null {
   const [now, view] = [model.value, frame.value];
   if (!now || !view) return null;
   const [left, top] = pixelOf(view, x, z);
-  const away = ([px, , pz]: [number, number, number]) => {
+  const distanceTo = ([px, , pz]: [number, number, number]) => {
     const [a, b] = pixelOf(view, px, pz);
     return Math.hypot(a - left, b - top);
   };
-  const seeder = now.seeders.find(({ points }) => points.some((point) => away(point) < near));
+  const seeder = now.seeders.find(({ points }) => points.some((point) => distanceTo(point) < near));
   if (seeder) return pathOf(seeder.path);
   const barrier = now.barriers.find(({ foot, top: high }) => {
     const [a, b] = [foot[0], high[0]];
@@ -48,12 +48,12 @@ function thingAt({ x, z }: { x: number; z: number }): Path | null {
       0,
       a[2] + s * (b[2] - a[2]),
     ]);
-    return middles.some((point) => away(point) < near);
+    return middles.some((point) => distanceTo(point) < near);
   });
   return barrier ? pathOf(barrier.path) : null;
 }
 
-/// `onClick`: a click that neither a tool nor a thing took.
+/// `onClick` is called for clicks without a tool that hit no seeder or barrier.
 export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent) => void): () => void {
   const listening = new AbortController();
   const on = <K extends keyof HTMLElementEventMap>(type: K, task: (event: HTMLElementEventMap[K]) => void) =>
@@ -77,14 +77,14 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent)
     if (!place) return;
     const ground = profile.value ? groundBelow(profile.value, place.x) : null;
     pointer.value = { ...place, ground: ground?.z ?? null };
-    tool.value?.move?.(meant(place));
+    tool.value?.move?.(withSegment(place));
   });
   on('pointerup', (event) => {
     const wasClick = down?.still && event.button === 0;
     down = null;
     const place = placeAt(canvas, event);
     if (!wasClick || !place) return;
-    if (tool.value) return tool.value.click(meant(place), { shift: event.shiftKey, ctrl: event.ctrlKey });
+    if (tool.value) return tool.value.click(withSegment(place), { shift: event.shiftKey, ctrl: event.ctrlKey });
     const thing = thingAt(place);
     if (thing) chosen.value = thing;
     else onClick(event);

@@ -1,9 +1,9 @@
-// The slope of a 2D model, as the engine has it.
+// The slope of a 2D model, from the engine.
 
 import { effect, signal } from '@preact/signals';
 import { getJson, Refused } from '../api/client';
 import type { Point2 } from '../api/types';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { build, model } from '../state/model';
 import { distanceToLine } from '../view/nearness';
 
@@ -13,7 +13,7 @@ export interface Profile {
   materials: number[];
 }
 
-/// Of the last model that could be built.
+/// The profile of the last valid model.
 export const profile = signal<Profile | null>(null);
 
 async function fetchProfile(id: string, asking: AbortSignal) {
@@ -22,9 +22,9 @@ async function fetchProfile(id: string, asking: AbortSignal) {
     if (!asking.aborted) profile.value = { ...answer, model: id };
   } catch (error) {
     if (asking.aborted) return;
-    // Forgotten by the server: built again, it has a picture again.
+    // The server no longer has the model: build it again.
     if (error instanceof Refused && error.status === 404) void build();
-    else sayFailure(error);
+    else reportFailure(error);
   }
 }
 
@@ -39,7 +39,7 @@ effect(() => {
   return () => asking.abort();
 });
 
-/// The ground below a place, and which segment it is; null beside the slope.
+/// The ground at x and its segment; null outside the slope.
 export function groundBelow({ vertices }: Profile, x: number): { z: number; segment: number } | null {
   for (let k = 0; k + 1 < vertices.length; ++k) {
     const [a, b] = [vertices[k]!, vertices[k + 1]!];
@@ -51,7 +51,7 @@ export function groundBelow({ vertices }: Profile, x: number): { z: number; segm
   return null;
 }
 
-/// The segment that comes nearest to a place, and how near [m], with metres up weighed by `stretch`.
+/// The segment nearest to a point, and its distance [m], with heights multiplied by `stretch`.
 export function nearestSegment({ vertices }: Profile, x: number, z: number, stretch: number): { segment: number; distance: number } {
   let best = { segment: 0, distance: Infinity };
   for (let k = 0; k + 1 < vertices.length; ++k) {

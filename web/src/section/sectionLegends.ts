@@ -1,4 +1,4 @@
-// What the colours of the section mean.
+// The legends of the section.
 
 import { pathLegends } from '../paths/pathLegends';
 import { model } from '../state/model';

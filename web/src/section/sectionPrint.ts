@@ -1,4 +1,4 @@
-// The section on paper.
+// The section for print.
 
 import { printRatio } from '../view/png';
 import { pictureSize, type SheetPicture } from '../view/sheet';
@@ -23,7 +23,7 @@ export function sectionPicture(): SheetPicture {
       legends: sectionLegends(),
       metresPerPixel: isEqual ? 1 / seen.along : null,
       heading: null,
-      remarks: [isEqual ? 'section, axes of one scale' : `section, heights times ${(seen.up / seen.along).toPrecision(3)}`],
+      remarks: [isEqual ? 'section, equal axes' : `section, vertical exaggeration ${(seen.up / seen.along).toPrecision(3)}`],
     };
   });
 }

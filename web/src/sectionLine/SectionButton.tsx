@@ -7,7 +7,7 @@ export function SectionButton() {
     <button
       class="button"
       aria-pressed={isOn}
-      title="Draw a line, and see the ground along it"
+      title="Draw a line to see the ground along it"
       onClick={() => (isOn ? useTool(null) : drawSection())}
     >
       Section

@@ -1,4 +1,4 @@
-// The ground along a line that was drawn over the terrain, or typed.
+// The ground along a drawn or typed line.
 
 import { useCallback, useState } from 'preact/hooks';
 import type { GroundSection, Point2 } from '../api/types';
@@ -10,7 +10,7 @@ import { Chart } from '../results/Chart';
 import { shownColour } from '../results/layers';
 import { copyRows, fileName } from '../results/save';
 import { fileStem } from '../state/document';
-import { say, settle } from '../state/messages';
+import { notify, resolve } from '../state/messages';
 import { counted, numberText } from '../ui/format';
 import { equalAxes } from '../view/settings';
 import { equalRanges, gapsOf } from './groundSection';
@@ -22,19 +22,19 @@ import {
   removeSection,
   sectionLine,
   takeLine,
-  waitingPlaces,
+  waitingRows,
 } from './sectionLine';
 import { placeText, sectionRows } from './sectionPlot';
 import './sectionLine.css';
 
-/// Where the line has no ground below it.
+/// A notice on parts of the line without terrain.
 function Gaps({ of }: { of: GroundSection }) {
   const gaps = gapsOf(of);
   if (gaps.length === 0) return null;
   if (of.z_m.every((z) => z === null))
     return <p class="problem warning">There is no terrain anywhere along this line.</p>;
   const shown = gaps.slice(0, 4).map(([from, to]) => `${numberText(from)} m to ${to === null ? 'the end' : `${numberText(to)} m`}`);
-  const more = gaps.length > shown.length ? ` and in ${counted(gaps.length - shown.length, 'more place')}` : '';
+  const more = gaps.length > shown.length ? ` and in ${counted(gaps.length - shown.length, 'more part')}` : '';
   return (
     <p class="problem warning">
       No terrain from {shown.join(', from ')}
@@ -71,14 +71,14 @@ function Plot({ of }: { of: GroundSection }) {
     <div class="section-plot">
       <Chart
         title="Ground along the line"
-        description="Elevation of the ground against the distance along the line. The CSV button saves its numbers, the slider below goes along it."
+        description="Elevation of the ground against the distance along the line. The CSV button saves its numbers, the slider below moves along it."
         file={fileName(fileStem(), 'section')}
         draw={draw}
         rows={() => sectionRows(of)}
         pointed={slid}
         tools={
           <>
-            <label class="choice" title="One metre up is as long as one metre along">
+            <label class="choice" title="The same scale on both axes">
               <input type="checkbox" checked={isEqual} onChange={(event) => (equalAxes.value = event.currentTarget.checked)} />
               Equal axes
             </label>
@@ -92,7 +92,7 @@ function Plot({ of }: { of: GroundSection }) {
       />
       <div class="section-place">
         <label class="choice">
-          Place
+          Position
           <input
             type="range"
             min="0"
@@ -104,7 +104,7 @@ function Plot({ of }: { of: GroundSection }) {
             onBlur={() => slide(null)}
           />
         </label>
-        <output class="mono">{k === null ? counted(of.distance_m.length, 'place') : placeText(of, k)}</output>
+        <output class="mono">{k === null ? counted(of.distance_m.length, 'point') : placeText(of, k)}</output>
       </div>
       <Gaps of={of} />
     </div>
@@ -113,13 +113,13 @@ function Plot({ of }: { of: GroundSection }) {
 
 function Missing({ places }: { places: number }) {
   if (refusal.value !== null) return <p class="problem">{refusal.value}</p>;
-  if (places >= 2) return <div class="empty">Asking for the ground…</div>;
+  if (places >= 2) return <div class="empty">Loading the ground…</div>;
   return (
     <div class="empty">
       <p>
         {places === 0
-          ? 'Click a line on the terrain, or type its places here: then the ground along it is shown.'
-          : 'A line has two places or more.'}
+          ? 'Click a line on the terrain, or type its points here, to see the ground along it.'
+          : 'A line needs at least two points.'}
       </p>
       <button class="button" style={{ justifySelf: 'center' }} onClick={drawSection}>
         Draw a line
@@ -131,13 +131,13 @@ function Missing({ places }: { places: number }) {
 export function SectionTab() {
   const line = sectionLine.value ?? [];
   const section = groundSection.value;
-  const takeSound = (places: Point2[]) => {
-    settle('section line');
-    takeLine(places);
+  const takeValid = (points: Point2[]) => {
+    resolve('section line');
+    takeLine(points);
   };
   const take = (rows: unknown[][]) => {
-    if (rows.flat().every((value) => typeof value === 'number' && Number.isFinite(value))) takeSound(rows as Point2[]);
-    else say('error', 'Places of the line are numbers, x and y in metres.', 'section line');
+    if (rows.flat().every((value) => typeof value === 'number' && Number.isFinite(value))) takeValid(rows as Point2[]);
+    else notify('error', 'Points of the line must be numbers: x and y in metres.', 'section line');
   };
   return (
     <div class="section-tab">
@@ -150,16 +150,16 @@ export function SectionTab() {
           cells={cellsOf(line, 2)}
           least={2}
           take={take}
-          waiting={waitingPlaces.value}
-          wait={(places) => (waitingPlaces.value = places)}
+          waiting={waitingRows.value}
+          keepWaiting={(rows) => (waitingRows.value = rows)}
         >
           {line.length > 0 && (
             <>
               <button class="button" onClick={drawSection}>
-                Draw anew
+                Redraw
               </button>
               <button class="button" onClick={() => takeLine(line.toReversed())}>
-                Turn round
+                Reverse
               </button>
             </>
           )}

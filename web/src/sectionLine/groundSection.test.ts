@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { nearest } from '../figures/plot';
 import { equalRanges, gapsOf, piecesOf } from './groundSection';
 
-// Begins beside the terrain, has a hole in the middle with a step at its end, and leaves the terrain again.
+// Begins outside the terrain, has a hole in the middle with a step at its end, and ends outside the terrain.
 const section = {
   distance_m: [0, 2, 5, 5, 8, 8, 9],
   z_m: [null, 10, 12, null, 7, 6, null],
@@ -10,7 +10,7 @@ const section = {
   y_m: [1, 1, 1, 1, 1, 1, 1],
 };
 
-test('pieces end at holes and at the rim', () => {
+test('pieces end at holes and at the edge of the terrain', () => {
   expect(piecesOf(section)).toEqual([
     [
       [2, 1, 10],
@@ -22,7 +22,7 @@ test('pieces end at holes and at the rim', () => {
     ],
   ]);
 });
-test('gaps say where there is no ground', () => {
+test('gaps are the parts without terrain', () => {
   expect(gapsOf(section)).toEqual([
     [0, 2],
     [5, 8],
@@ -30,16 +30,16 @@ test('gaps say where there is no ground', () => {
   ]);
   expect(gapsOf({ distance_m: [0, 4], z_m: [1, 2], x_m: [0, 4], y_m: [0, 0] })).toEqual([]);
 });
-test('several places without ground are one gap', () => {
+test('several points without terrain are one gap', () => {
   const evenly = { distance_m: [0, 1, 2, 3], z_m: [5, null, null, 5], x_m: [0, 1, 2, 3], y_m: [0, 0, 0, 0] };
   expect(gapsOf(evenly)).toEqual([[1, 3]]);
 });
-test('the nearest place, also beyond the ends and where two are at one distance', () => {
+test('the nearest point, also beyond the ends and between equal distances', () => {
   const distances = [0, 2, 5, 5, 8];
   expect([-1, 0.9, 1.1, 3.6, 99].map((value) => nearest(distances, value))).toEqual([0, 0, 1, 2, 4]);
   expect(nearest([7], 3)).toBe(0);
 });
-test('equal ranges have as many metres a pixel on both axes, and hold everything', () => {
+test('equal ranges have the same scale on both axes and include all values', () => {
   for (const [length, height] of [
     [1000, 30],
     [40, 500],

@@ -1,8 +1,8 @@
-// What is read out of a section of the ground, as the server gives it.
+// Evaluates a ground section from the server.
 
 import type { GroundSection, Point3 } from '../api/types';
 
-/// The lines in space that it is made of, between holes and the terrain's rim.
+/// The continuous polylines between holes and the edge of the terrain.
 export function piecesOf({ x_m, y_m, z_m }: GroundSection): Point3[][] {
   const pieces: Point3[][] = [[]];
   z_m.forEach((z, k) => {
@@ -12,7 +12,7 @@ export function piecesOf({ x_m, y_m, z_m }: GroundSection): Point3[][] {
   return pieces.filter((piece) => piece.length > 1);
 }
 
-/// From where to where along the line there is no ground [m]; null: to its end.
+/// The parts of the line without terrain, from and to [m]; null: to its end.
 export function gapsOf({ distance_m, z_m }: GroundSection): [number, number | null][] {
   const gaps: [number, number | null][] = [];
   let from: number | null = null;
@@ -28,8 +28,8 @@ export function gapsOf({ distance_m, z_m }: GroundSection): [number, number | nu
 }
 
 type Range = [number, number];
-/// Ranges that hold both given ones in a picture of so many pixels, a metre being as long on either axis: the line
-/// begins at the left, its heights are in the middle.
+/// Ranges with the same scale on both axes that include the given ones in a plot of this size [pixels]. The line starts
+/// at the left; heights are centred.
 export function equalRanges([left, right]: Range, [low, high]: Range, width: number, height: number): [Range, Range] {
   const metresPerPixel = Math.max((right - left) / width, (1.08 * (high - low)) / height, 1e-6);
   const [middle, half] = [(low + high) / 2, (metresPerPixel * height) / 2];

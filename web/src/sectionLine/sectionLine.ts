@@ -1,5 +1,5 @@
-// The line on plan along which the ground is looked at, and what the engine says of the ground along it. The line is
-// no part of the project: it stays while the model changes, and is asked for again.
+// The line of the ground section on plan, and the ground along it from the engine. The line is not part of the project: it
+// stays when the model changes, and the section is computed again.
 
 import { batch, effect, signal } from '@preact/signals';
 import { Refused, sendJson } from '../api/client';
@@ -13,14 +13,15 @@ import { build, model } from '../state/model';
 import { resultsOpen, resultsTab } from '../state/view';
 import { piecesOf } from './groundSection';
 
-/// Null: nobody asks for a section. With fewer than two places there is none yet.
+/// Null: no section is requested. With fewer than two points it is not complete yet.
 export const sectionLine = signal<Point2[] | null>(null);
-/// Places that are typed but not complete.
-export const waitingPlaces = signal<readonly Waiting[]>([]);
-/// Of the last line; while another is asked for, that of before.
+/// Incomplete rows of points.
+export const waitingRows = signal<readonly Waiting[]>([]);
+/// The last section, also while the next one is loading.
 export const groundSection = signal<GroundSection | null>(null);
+/// The error if the section could not be computed.
 export const refusal = signal<string | null>(null);
-/// The place that is pointed at, by its number in the section.
+/// The index of the highlighted point of the section.
 export const marked = signal<number | null>(null);
 
 const name = 'Section';
@@ -49,13 +50,13 @@ export function takeLine(line: Point2[]) {
 
 export function removeSection() {
   if (isDrawing()) useTool(null);
-  waitingPlaces.value = [];
+  waitingRows.value = [];
   sectionLine.value = null;
 }
 
 effect(() => {
   void file.value;
-  waitingPlaces.value = [];
+  waitingRows.value = [];
   sectionLine.value = null;
 });
 
@@ -78,7 +79,7 @@ async function ask(id: string, line: Point2[], signal: AbortSignal) {
     });
   } catch (error) {
     if (signal.aborted) return;
-    // Forgotten by the server: built again, it has a section again.
+    // The server no longer has the model: build it again.
     if (error instanceof Refused && error.status === 404) return void build();
     forget();
     refusal.value = error instanceof Error ? error.message : String(error);
@@ -93,7 +94,7 @@ effect(() => {
   return () => asking.abort();
 });
 
-// In the scene: the line on the ground, and the place that is pointed at.
+// Shows the line on the ground and the highlighted point in the scene.
 effect(() => {
   const section = groundSection.value;
   const lines = section ? piecesOf(section) : [];

@@ -1,4 +1,4 @@
-// What is said and saved of a section of the ground.
+// Texts and saved rows of a ground section.
 
 import type { GroundSection } from '../api/types';
 import type { Cell } from '../figures/files';
@@ -12,7 +12,7 @@ export function placeText({ distance_m, z_m, x_m, y_m }: GroundSection, k: numbe
   ].join(between);
 }
 
-/// With the engine's digits; an empty elevation: no terrain from there to the next place.
+/// Rows with all digits. An empty elevation means no terrain from there to the next point.
 export function sectionRows({ distance_m, z_m, x_m, y_m }: GroundSection): Cell[][] {
   return [
     ['distance_m', 'z_m', 'x_m', 'y_m'],

@@ -1,47 +1,47 @@
-// A new project: its name, and what its terrain begins with.
+// A new project: its name and its terrain.
 
 import { useRef, useState } from 'preact/hooks';
-import { chosenFiles, files, keepBeside } from '../model/files';
+import { chosenFiles, files, uploadFiles } from '../model/files';
 import { terrainAmong, terrainOfFile } from '../model/terrainFile';
 import { api } from '../api/client';
 import { localDrafts } from '../state/localDrafts';
-import { say, sayFailure } from '../state/messages';
+import { notify, reportFailure } from '../state/messages';
 import { start } from '../state/opening';
 import { chosen, sidePanel } from '../state/view';
 import { allWritten } from '../state/writes';
 import { fileNameOf, firstText, type Beginning } from './newProject';
 
-/// Names that projects have, also those that were never saved.
+/// The names of all projects, including drafts that were never saved.
 async function takenNames(): Promise<string[]> {
   await allWritten();
   const { files, drafts } = await api.folder();
   return [...files.map(({ name }) => name), ...drafts, ...localDrafts()];
 }
 
-/// Opens a new project; without a name it is called after its terrain.
+/// Opens a new project. Without a name it is named after its terrain file.
 export async function begin(name: string, beginning: Beginning) {
-  const called = name.trim() || (beginning.kind === 'file' ? beginning.name.replace(/\.[^.]+$/, '') : 'New slope');
-  start(fileNameOf(called, await takenNames()), firstText(called, beginning));
+  const projectName = name.trim() || (beginning.kind === 'file' ? beginning.name.replace(/\.[^.]+$/, '') : 'New slope');
+  start(fileNameOf(projectName, await takenNames()), firstText(projectName, beginning));
   sidePanel.value = 'model';
   chosen.value = beginning.kind === 'file' ? null : ['terrain'];
 }
 
-/// Keeps the files in the folder; a project begins with one that can be a terrain.
+/// Uploads files, and opens a new project if one of them can be a terrain.
 export async function beginWith(list: readonly File[], name = '') {
-  const kept = await keepBeside('', list);
-  const terrain = terrainAmong(kept);
+  const uploaded = await uploadFiles('', list);
+  const terrain = terrainAmong(uploaded);
   if (terrain) await begin(name, { kind: 'file', name: terrain.name, key: terrain.key });
-  else if (kept.length > 0)
-    say(
+  else if (uploaded.length > 0)
+    notify(
       'note',
-      'That is not a terrain that Talus reads: a raster (.tif, .asc), a mesh (.obj, .stl, .ply), points (.csv, .xyz, .las) or lines (.dxf, .shp, .gpkg, .geojson).',
+      'Talus cannot read this file as terrain. It reads rasters (.tif, .asc), meshes (.obj, .stl, .ply), points (.csv, .xyz, .las) and lines (.dxf, .shp, .gpkg, .geojson).',
     );
 }
 
 export function NewProject() {
   const [name, setName] = useState('');
   const input = useRef<HTMLInputElement>(null);
-  const beginNow = (beginning: Beginning) => void begin(name, beginning).catch(sayFailure);
+  const beginNow = (beginning: Beginning) => void begin(name, beginning).catch(reportFailure);
   const there = files.value.filter(({ name: file }) => terrainOfFile(file) !== null);
   return (
     <section aria-labelledby="new-project">
@@ -57,11 +57,11 @@ export function NewProject() {
         </button>
         <button class="card" onClick={() => beginNow({ kind: 'space' })}>
           <span class="name">Empty, 3D</span>
-          <span class="faint">Build the slope of closed polylines, or choose a terrain later</span>
+          <span class="faint">Build the slope from closed polylines, or choose a terrain later</span>
         </button>
         <button class="card" onClick={() => input.current?.click()}>
           <span class="name">From a terrain file…</span>
-          <span class="faint">A GeoTIFF, a mesh, surveyed points or contours: pick it, or drop it anywhere here</span>
+          <span class="faint">A GeoTIFF, a mesh, surveyed points or contours: choose it, or drop it anywhere on this page</span>
         </button>
       </div>
       <input
@@ -70,11 +70,11 @@ export function NewProject() {
         hidden
         multiple
         aria-label="Terrain file"
-        onChange={(event) => void beginWith(chosenFiles(event.currentTarget), name).catch(sayFailure)}
+        onChange={(event) => void beginWith(chosenFiles(event.currentTarget), name).catch(reportFailure)}
       />
       {there.length > 0 && (
         <label class="new-name">
-          From a terrain of the folder
+          From a terrain file in the folder
           <select
             value=""
             onChange={(event) => {
@@ -83,7 +83,7 @@ export function NewProject() {
               if (found) beginNow({ kind: 'file', name: file, key: found.key });
             }}
           >
-            <option value="">choose …</option>
+            <option value="">choose…</option>
             {there.map(({ name: file }) => (
               <option key={file} value={file}>
                 {file}

@@ -1,4 +1,4 @@
-// What a new user sees first: examples that are one click from rocks in motion, a new project, the folder's projects.
+// The start page: examples, a new project, the projects of the folder.
 
 import { useEffect } from 'preact/hooks';
 import { signal } from '@preact/signals';
@@ -9,7 +9,7 @@ import { MoreFiles } from '../model/MoreFiles';
 import { listenToDrops } from '../model/terrainFile';
 import { about } from '../state/about';
 import { localDrafts } from '../state/localDrafts';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { open } from '../state/opening';
 import { compute, ownRuns } from '../state/runs';
 import { verifying } from '../state/view';
@@ -20,17 +20,17 @@ import './start.css';
 
 const examples = signal<Example[]>([]);
 const drafts = signal<string[]>([]);
-/// An address that was asked for, for another browser or a script.
+/// A requested address for another browser or a script.
 const given = signal<string | null>(null);
 
 async function load() {
-  await allWritten(); // the draft of the project that was left
+  await allWritten(); // including the draft of the project that was just closed
   const [list, folder] = await Promise.all([api.examples(), readFolder()]);
   examples.value = list;
   drafts.value = folder.drafts;
 }
 
-/// Opens an example with its rocks in motion: one that has not been run yet is.
+/// Opens an example, and runs it if it has no run yet.
 async function show(id: string) {
   const { project } = await api.openExample(id);
   await open(project);
@@ -38,10 +38,10 @@ async function show(id: string) {
 }
 
 export function StartPage() {
-  useEffect(() => void load().catch(sayFailure), []);
+  useEffect(() => void load().catch(reportFailure), []);
   useEffect(() => listenToDrops((list) => beginWith(list)), []);
   if (verifying.value) return <VerificationPage close={() => (verifying.value = false)} />;
-  const openExample = (id: string) => void show(id).catch(sayFailure);
+  const openExample = (id: string) => void show(id).catch(reportFailure);
   return (
     <main class="start">
       <header>
@@ -66,13 +66,13 @@ export function StartPage() {
       <Projects />
       <footer class="faint">
         <p>
-          Does it compute what is published?{' '}
+          Does Talus reproduce published results?{' '}
           <button class="button" onClick={() => (verifying.value = true)}>
             Run the verification cases
           </button>
         </p>
         <p>
-          <button class="button" onClick={() => void api.newAddress().then((address) => (given.value = address), sayFailure)}>
+          <button class="button" onClick={() => void api.newAddress().then((address) => (given.value = address), reportFailure)}>
             Address for another browser
           </button>{' '}
           {given.value && (
@@ -96,16 +96,16 @@ function Projects() {
   const drafted = [...new Set([...drafts.value, ...localDrafts()])];
   const unsaved = drafted.filter((draft) => !projects.some(({ name }) => name === draft));
   if (projects.length + unsaved.length === 0 && !hasMoreFiles.value) return null;
-  const openFile = (name: string) => void open(name).catch(sayFailure);
+  const openFile = (name: string) => void open(name).catch(reportFailure);
   return (
     <section aria-labelledby="projects">
-      <h2 id="projects">Projects of this folder</h2>
+      <h2 id="projects">Projects in this folder</h2>
       <MoreFiles />
       <div class="cards">
         {unsaved.map((name) => (
           <button key={name} class="card" onClick={() => openFile(name)}>
             <span class="name">{name}</span>
-            <span class="faint">a draft, never saved</span>
+            <span class="faint">draft, never saved</span>
           </button>
         ))}
         {projects.map(({ name, modified }) => (
@@ -113,7 +113,7 @@ function Projects() {
             <span class="name">{name}</span>
             <span class="faint">
               {new Date(modified).toLocaleString('en-GB', { dateStyle: 'medium', timeStyle: 'short' })}
-              {drafted.includes(name) && ', with a draft that is not saved'}
+              {drafted.includes(name) && ', with an unsaved draft'}
             </span>
           </button>
         ))}

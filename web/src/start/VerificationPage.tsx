@@ -1,33 +1,33 @@
-// The published cases, side by side with what this program gets.
+// The published cases compared with the results of this program.
 
 import { useEffect, useState } from 'preact/hooks';
 import { api } from '../api/client';
 import type { Verification, VerificationCase } from '../api/types';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { numberText } from '../ui/format';
 
 export function VerificationPage({ close }: { close: () => void }) {
   const [answer, setAnswer] = useState<Verification | null>(null);
-  useEffect(() => void api.verification().then(setAnswer, sayFailure), []);
+  useEffect(() => void api.verification().then(setAnswer, reportFailure), []);
   return (
     <main class="start">
       <header>
         <div>
           <h1>Verification</h1>
           <p class="faint">
-            The cases of Rocscience's verification manual of RocFall3, computed by this program now, and held against
-            the printed numbers.
+            The cases of Rocscience's RocFall3 verification manual, computed now by this program and compared with the
+            printed numbers.
           </p>
         </div>
         <button class="button" onClick={close}>
           ‹ Start page
         </button>
       </header>
-      {!answer && <p role="status">Computing; this takes some seconds…</p>}
+      {!answer && <p role="status">Computing. This takes some seconds…</p>}
       {answer && (
         <>
           <p class={answer.passes ? 'verdict good' : 'verdict bad'} role="status">
-            {answer.passes ? 'All numbers agree within their tolerances.' : 'Some numbers are out of their tolerances.'}
+            {answer.passes ? 'All numbers agree within their tolerances.' : 'Some numbers are outside their tolerances.'}
           </p>
           {answer.cases.map((one) => (
             <Case key={one.case} one={one} />

@@ -1,4 +1,4 @@
-// The first text of a project, and the file that it is to have.
+// The initial text and the file name of a new project.
 
 import { stringText } from '../toml/format';
 
@@ -16,7 +16,7 @@ export function firstText(name: string, beginning: Beginning): string {
   }
 }
 
-/// "cliff-above-b12.toml" of "Cliff above B12", or with a number where there is such a file.
+/// "cliff-above-b12.toml" for "Cliff above B12", numbered if that file exists.
 export function fileNameOf(name: string, taken: readonly string[]): string {
   const letters = name
     .normalize('NFKD')

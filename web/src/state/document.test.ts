@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, test } from 'vitest';
-import { begin, edit, endStep, leave, redo, replaceText, settle, text, undo, undoes, values } from './document';
+import { begin, edit, endStep, leave, markSaved, redo, replaceText, text, undo, undoes, values } from './document';
 import { messages } from './messages';
 
 const saved = '[ground]\ndefault = "Rock"\n';
@@ -11,18 +11,18 @@ beforeEach(() => {
 });
 
 describe('a step', () => {
-  test('is all that is typed into one field', () => {
+  test('combines everything typed into one field', () => {
     [1, 10, 100].forEach(set);
     undo();
     expect(text.value).toBe(saved);
     redo();
     expect(values.value.rocks).toBe(100);
   });
-  test('ends where the field is left, and where the project is saved', () => {
+  test('ends when the field is left and when the project is saved', () => {
     set(100);
     endStep();
     set(200);
-    settle('a.toml', text.value, 'hash 2');
+    markSaved('a.toml', text.value, 'hash 2');
     set(300);
     const seen = [300, 200, 100].map((rocks) => {
       expect(values.value.rocks).toBe(rocks);
@@ -33,23 +33,23 @@ describe('a step', () => {
   });
 });
 
-describe('a text that is not TOML', () => {
+describe('a text that is not valid TOML', () => {
   const broken = `${saved}\n[[broken\n`;
-  test('is not changed by forms, which say so once', () => {
+  test('is not changed by forms, which report it once', () => {
     replaceText(broken, 'edit the text');
     expect([set(1), set(10)]).toEqual([false, false]);
     expect(text.value).toBe(broken);
     expect(undoes.value).toBe('edit the text');
-    expect(messages.value.map(({ kind, text: said }) => `${kind}: ${said}`)).toEqual([
-      'error: Could not change Rocks: the text is not TOML (line 5: Unterminated table-key). Correct it under Text first',
+    expect(messages.value.map(({ kind, text: shown }) => `${kind}: ${shown}`)).toEqual([
+      'error: Could not change Rocks: the text is not valid TOML (line 5: Unterminated table-key). Correct it in the Text tab first',
     ]);
   });
-  test('says what it said last', () => {
+  test('keeps its last valid values', () => {
     expect(values.value).toEqual({ ground: { default: 'Rock' } });
     replaceText(broken, 'edit the text');
     expect(values.value).toEqual({ ground: { default: 'Rock' } });
   });
-  test('and nothing of the project that was open before', () => {
+  test('does not have the values of the previous project', () => {
     expect(values.value).not.toEqual({});
     leave();
     begin('b.toml', broken, broken, 'hash');
@@ -59,9 +59,9 @@ describe('a text that is not TOML', () => {
   });
 });
 
-test('an edit that the text does not allow is said', () => {
+test('an edit that is not possible is reported', () => {
   expect(edit('draw seeder 1', [{ set: ['seeder', 0, 'position'], value: [0, 0] }])).toBe(false);
-  expect(messages.value.map(({ text: said }) => said)).toEqual([
+  expect(messages.value.map(({ text: shown }) => shown)).toEqual([
     'Could not draw seeder 1: there is no [[seeder]] number 0',
   ]);
 });

@@ -1,11 +1,11 @@
-// The project that is open: its text, and every step that led to it. The text is the truth; forms and pictures follow
-// from it, and a change is a change of the text.
+// The open project: its text, and the steps for Undo. The text is the only source; forms and views are derived from it,
+// and every change is a change of the text.
 
 import { batch, computed, effect, signal } from '@preact/signals';
-import type { Edit, Path, Row, TableName } from "../model/names";
+import type { Edit, Path, Row, TableName } from '../model/names';
 import { edited, valuesOf } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
-import { say, settle as settleMessages, settleAll } from './messages';
+import { notify, resolve, resolveAll } from './messages';
 
 interface Step {
   text: string;
@@ -15,14 +15,14 @@ interface Step {
 const mostSteps = 500;
 const mostCharacters = 50_000_000; // of all steps together
 
-/// The file's name, relative to the folder; null: nothing is open.
+/// The file's name, relative to the folder; null if no project is open.
 export const file = signal<string | null>(null);
-/// Another number for each project that is opened, and for none: what began in one does not go on in the next.
+/// Incremented whenever a project is opened or closed, so that tasks of one do not continue in the next.
 export const opening = signal(0);
-/// Its name without folders and ending: what a project without a name is called.
+/// The file's name without folder and extension, used for projects without a name.
 export const fileStem = () => (file.value ?? '').replace(/^.*\/|\.toml$/g, '');
 export const text = signal('');
-/// The hash of the file that the text began from, or was written to last; null: it was never saved.
+/// The hash of the file that the text is based on or was last saved to; null if it was never saved.
 export const savedHash = signal<string | null>(null);
 const savedText = signal('');
 const past = signal<Step[]>([]);
@@ -31,10 +31,10 @@ const future = signal<Step[]>([]);
 export const isChanged = computed(() => text.value !== savedText.value || savedHash.value === null);
 export const undoes = computed(() => past.value.at(-1)?.what ?? null);
 export const redoes = computed(() => future.value.at(-1)?.what ?? null);
-/// A draft that was taken up, or the file of which changed while it was made, until the user has seen it.
-export const takenUp = signal<'of the file' | 'of an earlier file' | 'of a file that is gone' | null>(null);
+/// How the restored draft relates to the file, until the user dismisses the notice; null if there is none.
+export const restored = signal<'of the file' | 'of an earlier file' | 'of a deleted file' | null>(null);
 
-/// What the text says; while it is not TOML (in the text editor), what it said last.
+/// The values of the text; while it is not valid TOML, the last valid ones.
 let last: { opening: number; values: TomlTable } = { opening: 0, values: {} };
 export const syntaxError = signal<{ line: number; message: string } | null>(null);
 export const values = computed<TomlTable>(() => {
@@ -42,7 +42,7 @@ export const values = computed<TomlTable>(() => {
   try {
     last.values = valuesOf(text.value);
   } catch {
-    // Said by `syntaxError`, and by the server, with the line.
+    // Reported by `syntaxError` and by the server, with the line.
   }
   return last.values;
 });
@@ -50,14 +50,14 @@ effect(() => {
   try {
     valuesOf(text.value);
     syntaxError.value = null;
-    settleMessages('edit'); // could not be done to a text that was not TOML
+    resolve('edit'); // edits are possible again
   } catch (error) {
     const { lineNumber, message } = error as { lineNumber?: number; message: string };
     syntaxError.value = { line: lineNumber ?? 0, message };
   }
 });
 
-/// The value at a path of the project; undefined: not given.
+/// The value at a path of the project; undefined if not given.
 export function valueAt(path: Path): TomlValue | undefined {
   return path.reduce<TomlValue | undefined>(
     (at, part) => (at !== null && typeof at === 'object' ? (at as Record<string, TomlValue>)[String(part)] : undefined),
@@ -65,7 +65,7 @@ export function valueAt(path: Path): TomlValue | undefined {
   );
 }
 
-/// The tables of a kind: `rowsOf('material')`.
+/// The entries of a repeated table: `rowsOf('material')`.
 export function rowsOf<T extends TableName>(key: T): Row<T>[] {
   const rows = values.value[key];
   return Array.isArray(rows) ? (rows as Row<T>[]) : [];
@@ -78,8 +78,8 @@ function remember(step: Step) {
   past.value = steps;
 }
 
-/// Takes a whole new text as one step. Steps of the same kind (`merge`, such as the keystrokes in one field) that
-/// follow each other are undone together, until one ends there.
+/// Sets a new text as one step. Consecutive steps with the same `merge`, such as keystrokes in one field, are undone
+/// together.
 export function replaceText(next: string, what: string, merge = '') {
   if (next === text.value) return;
   batch(() => {
@@ -90,23 +90,23 @@ export function replaceText(next: string, what: string, merge = '') {
   lastMerge = merge;
 }
 let lastMerge = '';
-/// What stands now can be come back to: a field was left, the project was saved or computed.
+/// Ends merging: a field was left, or the project was saved or computed.
 export function endStep() {
   lastMerge = '';
 }
 
-/// Changes the text by edits, as one step. False, and said, where the text does not allow it.
+/// Applies edits to the text as one step. Returns false and reports an error if that is not possible.
 export function edit(what: string, edits: readonly Edit[], merge = ''): boolean {
   try {
     replaceText(edited(text.value, edits), what, merge);
-    settleMessages('edit');
+    resolve('edit');
     return true;
   } catch (error) {
-    const wrong = syntaxError.value;
-    const why = wrong
-      ? `the text is not TOML (line ${wrong.line}: ${wrong.message}). Correct it under Text first`
+    const invalid = syntaxError.value;
+    const why = invalid
+      ? `the text is not valid TOML (line ${invalid.line}: ${invalid.message}). Correct it in the Text tab first`
       : (error as Error).message;
-    say('error', `Could not ${what}: ${why}`, 'edit');
+    notify('error', `Could not ${what}: ${why}`, 'edit');
     return false;
   }
 }
@@ -133,9 +133,9 @@ export function redo() {
   endStep();
 }
 
-/// Takes up a project: its text as it is now and as it is in the file, and the file's hash.
+/// Opens a project: its current text, the saved text, and the hash of the file.
 export function begin(name: string, now: string, saved: string, hash: string | null) {
-  settleAll();
+  resolveAll();
   batch(() => {
     ++opening.value;
     file.value = name;
@@ -143,27 +143,27 @@ export function begin(name: string, now: string, saved: string, hash: string | n
     future.value = [];
     savedText.value = saved;
     savedHash.value = hash;
-    takenUp.value = null;
+    restored.value = null;
     text.value = now;
   });
   endStep();
 }
 
 export function leave() {
-  settleAll();
+  resolveAll();
   batch(() => {
     ++opening.value;
     file.value = null;
   });
 }
 
-/// The text as it was then is in the file, which has this hash and from now on this name.
-export function settle(name: string, saved: string, hash: string | null) {
+/// Records that the file `name` has this text and hash.
+export function markSaved(name: string, saved: string, hash: string | null) {
   batch(() => {
     file.value = name;
     savedHash.value = hash;
     savedText.value = saved;
-    takenUp.value = null;
+    restored.value = null;
   });
   endStep();
 }

@@ -1,25 +1,25 @@
-// Drafts: what is not saved is kept by the server within a second, and in the browser, should the server be gone, or
-// have the draft of another tab that this one does not come from.
+// Drafts of unsaved changes. They are sent to the server within a second. If the server does not respond, or has a draft of
+// another tab that this one is not based on, they are stored in the browser.
 
 import { effect, signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { Draft, KeptDraft } from '../api/types';
-import { keptKey, workplace } from './about';
+import { storageKey, workplace } from './about';
 import { file, isChanged, opening, savedHash, text } from './document';
-import { forgetLocal, keepLocally } from './localDrafts';
+import { removeLocal, storeLocal } from './localDrafts';
 import { tabOf, type LocalDraft } from './revisions';
 import { writeInTurn } from './writes';
 
-/// This page, as long as it is loaded.
+/// Identifies this page until it is reloaded.
 const tab = Math.random().toString(36).slice(2, 12);
 let changes = 0;
 
-/// Whether the open project is changed in another tab or browser, too.
+/// Whether the open project is also being changed in another tab or browser.
 export const isChangedElsewhere = signal(false);
-/// Drafts of the open project that do not come from what is shown, until the user has said what to do with them.
+/// Other drafts of the open project, until the user decides about them.
 export const draftsAside = signal<LocalDraft[]>([]);
 
-/// What the server has of a project, as far as this tab knows; `draft` undefined: not sure.
+/// The server's draft of a project, as far as this tab knows; undefined if uncertain.
 interface Known {
   draft: Draft | null | undefined;
   revision: string | null;
@@ -27,11 +27,11 @@ interface Known {
 const known = new Map<string, Known>();
 const knownOf = (name: string): Known => known.get(name) ?? { draft: null, revision: null };
 
-/// The revision of what this tab sends next, and that of the server's draft that it was made of.
+/// The revision of this tab's next draft, and that of the server's draft it is based on.
 export const nextRevision = (name: string) => ({ revision: `${tab}.${++changes}`, after: knownOf(name).revision });
 
-/// What was found when the project was opened.
-export function takeNote(name: string, draft: KeptDraft | null) {
+/// Records the server's draft when a project is opened.
+export function recordDraft(name: string, draft: KeptDraft | null) {
   known.set(name, { draft, revision: draft?.revisions.at(-1) ?? null });
 }
 
@@ -43,56 +43,56 @@ function isKnown(name: string, draft: Draft | null): boolean {
   return there.text === draft.text && there.saved === draft.saved;
 }
 
-/// Keeps a draft in this browser, under the name of this tab.
-export const keepHere = (name: string, draft: Draft, of = nextRevision(name)) =>
-  keepLocally(name, { text: draft.text, saved: draft.saved, ...of, time: Date.now() });
+/// Stores a draft of this tab in the browser.
+export const storeHere = (name: string, draft: Draft, of = nextRevision(name)) =>
+  storeLocal(name, { text: draft.text, saved: draft.saved, ...of, time: Date.now() });
 
-/// What is kept aside for good, or let go.
-export function letGo(name: string, drafts: readonly LocalDraft[]) {
-  for (const { revision } of drafts) forgetLocal(name, tabOf(revision));
+/// Deletes drafts from the browser.
+export function discard(name: string, drafts: readonly LocalDraft[]) {
+  for (const { revision } of drafts) removeLocal(name, tabOf(revision));
   draftsAside.value = draftsAside.value.filter((draft) => !drafts.includes(draft));
 }
 
-// Tabs that have the same project open hear of each other's drafts; whoever takes the draft away is answered by those
-// who still have one.
-interface Word {
+// Tabs with the same project notify each other of drafts. If one tab deletes the server's draft, others with unsaved
+// changes send theirs again.
+interface DraftNews {
   key: string;
-  isTakenAway: boolean;
+  isDeleted: boolean;
 }
-const keyOf = (name: string) => keptKey('draft', name);
+const keyOf = (name: string) => storageKey('draft', name);
 const tabs = new BroadcastChannel('drafts of tabs');
-tabs.onmessage = ({ data }: MessageEvent<Word>) => {
+tabs.onmessage = ({ data }: MessageEvent<DraftNews>) => {
   const name = file.value;
   if (name === null || keyOf(name) !== data.key) return;
-  if (!data.isTakenAway) {
+  if (!data.isDeleted) {
     isChangedElsewhere.value = true;
   } else if (isChanged.value) {
     known.set(name, { ...knownOf(name), draft: undefined });
-    void keepNow();
+    void storeNow();
   }
 };
 
-async function keepDraft(name: string, draft: Draft | null) {
+async function sendDraft(name: string, draft: Draft | null) {
   const of = nextRevision(name);
   try {
     await api.keepDraft(name, draft, of, workplace());
     known.set(name, { draft, revision: draft && of.revision });
-    forgetLocal(name, tab);
+    removeLocal(name, tab);
   } catch (error) {
-    if (draft) keepHere(name, draft, of);
-    else forgetLocal(name, tab);
+    if (draft) storeHere(name, draft, of);
+    else removeLocal(name, tab);
     if (draft && error instanceof Refused && error.status === 409 && name === file.value)
       isChangedElsewhere.value = true;
   }
-  tabs.postMessage({ key: keyOf(name), isTakenAway: draft === null } satisfies Word);
+  tabs.postMessage({ key: keyOf(name), isDeleted: draft === null } satisfies DraftNews);
 }
 
-export const dropDraft = (name: string) => writeInTurn(() => keepDraft(name, null));
+export const deleteDraft = (name: string) => writeInTurn(() => sendDraft(name, null));
 
-/// In which opening this tab had something to keep: a draft that was always another's is not taken away.
-let hadOneIn: number | null = null;
+/// The opening in which this tab had unsaved changes. Otherwise it does not delete a draft, which is another tab's.
+let changedIn: number | null = null;
 effect(() => {
-  if (isChanged.value) hadOneIn = opening.value;
+  if (isChanged.value) changedIn = opening.value;
 });
 effect(() => {
   void opening.value;
@@ -100,30 +100,30 @@ effect(() => {
   draftsAside.value = [];
 });
 
-let keeping: ReturnType<typeof setTimeout> | undefined;
-export async function keepNow() {
-  clearTimeout(keeping);
+let timer: ReturnType<typeof setTimeout> | undefined;
+export async function storeNow() {
+  clearTimeout(timer);
   const [name, draft] = [file.value, draftNow()];
-  if (name === null || hadOneIn !== opening.value) return;
+  if (name === null || changedIn !== opening.value) return;
   await writeInTurn(async () => {
-    if (isKnown(name, draft)) forgetLocal(name, tab);
-    else await keepDraft(name, draft);
+    if (isKnown(name, draft)) removeLocal(name, tab);
+    else await sendDraft(name, draft);
   });
 }
 
 effect(() => {
   void [file.value, text.value, isChanged.value];
-  clearTimeout(keeping);
-  keeping = setTimeout(() => void keepNow(), 400);
+  clearTimeout(timer);
+  timer = setTimeout(() => void storeNow(), 400);
 });
 
-/// A tab that closes within that time still sends what the server does not have; what is too long for that the browser
-/// has.
-export function keepOnLeaving() {
+/// When the page closes, sends a draft that the server does not have. A keepalive request limits its size, so it is also
+/// stored in the browser.
+export function storeOnLeaving() {
   const [name, draft] = [file.value, draftNow()];
   if (name === null || draft === null || isKnown(name, draft)) return;
   const of = nextRevision(name);
-  keepHere(name, draft, of);
+  storeHere(name, draft, of);
   const body = JSON.stringify({ file: name, ...draft, ...of, workplace: workplace() });
   const headers = { 'Content-Type': 'application/json' };
   fetch('/api/draft', { method: 'PUT', keepalive: true, headers, body }).catch(() => undefined);

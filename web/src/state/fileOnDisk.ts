@@ -1,14 +1,13 @@
-// Another program may change the file of the open project. Looked for where the page comes to the front, and before the
-// rocks are thrown.
+// Detects changes of the open project's file by other programs, when the page gets the focus and before a run.
 
 import { api, Refused } from '../api/client';
-import { file, isChanged, opening, replaceText, savedHash, settle, takenUp } from './document';
-import { say, sayFailure } from './messages';
+import { file, isChanged, markSaved, opening, replaceText, restored, savedHash } from './document';
+import { notify, reportFailure } from './messages';
 import { writeInTurn } from './writes';
 
-/// Of the file on the disk, when the user was told of it last; null: there is none.
-let seen: string | null = null;
-export const sawFile = (hash: string | null) => (seen = hash);
+/// The hash of the file when the user was last informed about it; null if the file does not exist.
+let known: string | null = null;
+export const setKnownFile = (hash: string | null) => (known = hash);
 
 async function readFile(name: string): Promise<{ text: string; saved: string | null }> {
   try {
@@ -19,32 +18,32 @@ async function readFile(name: string): Promise<{ text: string; saved: string | n
   }
 }
 
-/// After what this page writes itself.
-const look = (name: string, asked: number) =>
+/// Compares the file with the page, after pending writes of this page.
+const compare = (name: string, asked: number) =>
   writeInTurn(async () => {
     const { text: now, saved } = await readFile(name);
-    if (opening.value !== asked || file.value !== name || saved === savedHash.value || saved === seen) return;
-    sawFile(saved);
+    if (opening.value !== asked || file.value !== name || saved === savedHash.value || saved === known) return;
+    setKnownFile(saved);
     if (saved === null) {
-      savedHash.value = null; // saving writes it anew
-      takenUp.value = 'of a file that is gone';
+      savedHash.value = null; // saving creates it again
+      restored.value = 'of a deleted file';
     } else if (isChanged.value) {
-      takenUp.value = 'of an earlier file';
+      restored.value = 'of an earlier file';
     } else {
-      replaceText(now, 'read the file again');
-      settle(name, now, saved);
-      say('note', `${name} was changed by another program, and was read again.`);
+      replaceText(now, 'reload the file');
+      markSaved(name, now, saved);
+      notify('note', `Another program changed ${name}. It was reloaded.`);
     }
   });
 
-/// An unchanged page takes what the file says by now; of a changed one the user is told.
-export async function lookAtFile() {
+/// Reloads a changed file if the page has no unsaved changes; otherwise informs the user.
+export async function checkFile() {
   if (file.value === null) return;
   try {
-    await look(file.value, opening.value);
+    await compare(file.value, opening.value);
   } catch (error) {
-    if (error instanceof Refused) sayFailure(error);
+    if (error instanceof Refused) reportFailure(error);
   }
 }
 
-addEventListener('focus', () => void lookAtFile());
+addEventListener('focus', () => void checkFile());

@@ -1,8 +1,8 @@
-// Which rocks of the run are looked at, in the scene as in the results.
+// The rock filter, shared by the views and the results.
 
 import { ofProject } from './ofProject';
 
-/// Names of a list are joined by "or", the conditions by "and"; null: any.
+/// All conditions must be met; the names of a list are alternatives; null: no condition.
 export interface RockFilter {
   reasons: string[] | null;
   seeders: string[] | null;

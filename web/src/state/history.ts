@@ -1,15 +1,15 @@
-// Back and Forward of the browser: from a form to the outline, from tab to tab, from a project to the start page.
+// Back and Forward of the browser, between forms, tabs, projects and the start page.
 
 import { batch, effect } from '@preact/signals';
 import { file, rowsOf } from './document';
-import { sayFailure } from './messages';
+import { reportFailure } from './messages';
 import { close, open } from './opening';
 import { chosen, resultsTab, sidePanel, verifying, type ResultsTab, type SidePanel } from './view';
 import { allWritten } from './writes';
-import { taken } from '../ui/typing';
+import { afterTyping } from '../ui/typing';
 import type { Path, TableName } from '../model/names';
 
-/// Where the user is, as an entry of the browser's history.
+/// A location in the workbench, as an entry of the browser's history.
 interface Place {
   talus: 1;
   file: string | null;
@@ -32,56 +32,56 @@ function placeNow(): Place {
 }
 
 const isPlace = (state: unknown): state is Place => (state as Place | null)?.talus === 1;
-/// On the start page it is all the same which tabs were open.
+/// On the start page the open tabs do not matter.
 function isSame(a: Place, b: Place): boolean {
   if (a.file === null && b.file === null) return a.verifying === b.verifying;
   return JSON.stringify(a) === JSON.stringify(b);
 }
 
-const isThere = (path: Place['chosen']) =>
+const exists = (path: Place['chosen']) =>
   path === null || typeof path[1] !== 'number' || rowsOf(path[0] as TableName).length > path[1];
 
 async function goTo(place: Place) {
   if (place.file !== file.value) {
     if (file.value !== null) close();
-    await allWritten(); // the draft of what was left, which may be what is opened
+    await allWritten(); // including the draft of the closed project, which may be the one to open
     if (place.file !== null) await open(place.file);
   }
   batch(() => {
     verifying.value = place.verifying;
     sidePanel.value = place.sidePanel;
     resultsTab.value = place.resultsTab;
-    chosen.value = place.file !== null && isThere(place.chosen) ? place.chosen : null;
+    chosen.value = place.file !== null && exists(place.chosen) ? place.chosen : null;
   });
 }
 
-/// Follows where the user goes, and goes where the browser says.
+/// Records where the user goes, and follows Back and Forward.
 export function listenToHistory(): () => void {
   let going = 0;
   let isDue = false;
   history.replaceState(placeNow(), '');
-  // What changes in one go is one step.
-  const note = () => {
+  // Changes in one task are one step.
+  const record = () => {
     isDue = false;
-    const [now, noted]: [Place, unknown] = [placeNow(), history.state];
-    if (going > 0 || (isPlace(noted) && isSame(now, noted))) return;
+    const [now, last]: [Place, unknown] = [placeNow(), history.state];
+    if (going > 0 || (isPlace(last) && isSame(now, last))) return;
     history.pushState(now, '');
   };
   const end = effect(() => {
     placeNow();
-    if (!isDue) queueMicrotask(note);
+    if (!isDue) queueMicrotask(record);
     isDue = true;
   });
   const go = ({ state }: PopStateEvent) => {
     if (!isPlace(state)) return;
-    taken(async () => {
+    afterTyping(async () => {
       ++going;
       try {
         await goTo(state);
       } catch (error) {
-        sayFailure(error);
+        reportFailure(error);
       } finally {
-        // Where it could not go, it is here.
+        // If it failed, the entry is the actual location.
         if (--going === 0) history.replaceState(placeNow(), '');
       }
     });

@@ -1,4 +1,4 @@
-// What the browser remembers of how the page is used, whatever is open.
+// Signals stored in the browser, independent of the project.
 
 import { effect, signal } from '@preact/signals';
 

@@ -1,20 +1,20 @@
-// Drafts that could not reach the server, in the browser: one of each tab, since none may take the place of another's.
+// Drafts stored in the browser because they could not be sent to the server: one per tab, so that none replaces another.
 
 import type { Draft } from '../api/types';
-import { keptKey } from './about';
+import { storageKey } from './about';
 import { tabOf, type LocalDraft } from './revisions';
 
-const keyOf = (name: string) => keptKey('draft', name);
+const keyOf = (name: string) => storageKey('draft', name);
 
 export function localDraftsOf(name: string): LocalDraft[] {
   const kept = localStorage.getItem(keyOf(name));
   if (kept === null) return [];
   const found = JSON.parse(kept) as LocalDraft[] | Draft;
-  // Before drafts had revisions there was one of all tabs.
+  // The earlier format: one draft without a revision for all tabs.
   return Array.isArray(found) ? found : [{ ...found, revision: 'earlier.0', after: null, time: 0 }];
 }
 
-/// Which projects have one.
+/// The projects with a local draft.
 export function localDrafts(): string[] {
   const before = keyOf('');
   return Object.keys(localStorage).flatMap((key) => (key.startsWith(before) ? [key.slice(before.length)] : []));
@@ -25,14 +25,14 @@ function write(name: string, drafts: readonly LocalDraft[]) {
   try {
     localStorage.setItem(keyOf(name), JSON.stringify(drafts));
   } catch {
-    // The browser has no more room; the server may have it.
+    // The browser's storage is full; the server may have the draft.
   }
 }
 
 const ofOthers = (name: string, tab: string) => localDraftsOf(name).filter(({ revision }) => tabOf(revision) !== tab);
 
-/// In the place of what its tab had before.
-export const keepLocally = (name: string, draft: LocalDraft) =>
+/// Replaces the draft of the same tab.
+export const storeLocal = (name: string, draft: LocalDraft) =>
   write(name, [...ofOthers(name, tabOf(draft.revision)), draft]);
 
-export const forgetLocal = (name: string, tab: string) => write(name, ofOthers(name, tab));
+export const removeLocal = (name: string, tab: string) => write(name, ofOthers(name, tab));

@@ -1,12 +1,12 @@
 import { beforeEach, expect, test } from 'vitest';
-import { attempt, messages, say, settleAll } from './messages';
+import { attempt, messages, notify, resolveAll } from './messages';
 
 const texts = () => messages.value.map(({ text }) => text);
 const fail = (text: string) => () => Promise.reject(new Error(text));
 
 beforeEach(() => (messages.value = []));
 
-test('an error goes when the same goes well, and no other', async () => {
+test('success removes the error of the same action only', async () => {
   await attempt('save the project', fail('the disk is full'));
   await attempt('compute', fail('no rocks'));
   expect(texts()).toEqual(['the disk is full', 'no rocks']);
@@ -14,20 +14,20 @@ test('an error goes when the same goes well, and no other', async () => {
   expect(texts()).toEqual(['no rocks']);
 });
 
-test('another failure of the same takes the place of the last', async () => {
+test('a new failure replaces the previous one of the same action', async () => {
   await attempt('save the project', fail('the disk is full'));
   await attempt('save the project', fail('the folder is gone'));
   expect(texts()).toEqual(['the folder is gone']);
 });
 
-test('errors of a project end with it; what was done stays said', () => {
-  say('error', 'Could not change the name');
-  say('saved', 'Saved a.toml');
-  settleAll();
+test('closing a project removes its errors, but not other messages', () => {
+  notify('error', 'Could not change the name');
+  notify('saved', 'Saved a.toml');
+  resolveAll();
   expect(texts()).toEqual(['Saved a.toml']);
 });
 
-test('what is given up is not a failure', async () => {
+test('an aborted request is not a failure', async () => {
   await attempt('draw', () => Promise.reject(new DOMException('', 'AbortError')));
   expect(texts()).toEqual([]);
 });

@@ -1,4 +1,4 @@
-// What the page tells the user in passing.
+// Messages of the page to the user.
 
 import { signal } from '@preact/signals';
 
@@ -6,15 +6,15 @@ export interface Message {
   id: number;
   kind: 'saved' | 'note' | 'error';
   text: string;
-  /// What was tried; when the same goes well, what is said against it goes.
+  /// The action that failed; its success removes the message.
   about: string | null;
 }
 
 export const messages = signal<Message[]>([]);
 let next = 0;
 
-/// An error stays until it is dismissed, or holds no more: what was tried goes well, or the project is left.
-export function say(kind: Message['kind'], text: string, about: string | null = null) {
+/// Shows a message. An error stays until it is dismissed, the action succeeds, or the project is closed.
+export function notify(kind: Message['kind'], text: string, about: string | null = null) {
   if (messages.value.some((message) => message.kind === kind && message.text === text)) return;
   const id = next++;
   messages.value = [...messages.value, { id, kind, text, about }];
@@ -26,27 +26,27 @@ const keep = (isKept: (message: Message) => boolean) => {
 };
 
 export const dismiss = (id: number) => keep((message) => message.id !== id);
-export const settle = (about: string) => keep((message) => message.about !== about);
-/// What is said against a project ends with it.
-export const settleAll = () => keep(({ kind }) => kind !== 'error');
+export const resolve = (about: string) => keep((message) => message.about !== about);
+/// Removes all errors when the project is closed.
+export const resolveAll = () => keep(({ kind }) => kind !== 'error');
 
-const isGivenUp = (error: unknown) => error instanceof DOMException && error.name === 'AbortError';
+const isAborted = (error: unknown) => error instanceof DOMException && error.name === 'AbortError';
 
-/// What went wrong, of something that nobody waits for.
-export function sayFailure(error: unknown, about: string | null = null) {
-  if (isGivenUp(error)) return;
-  if (about !== null) settle(about);
-  say('error', error instanceof Error ? error.message : String(error), about);
+/// Shows an error, unless a request was aborted on purpose.
+export function reportFailure(error: unknown, about: string | null = null) {
+  if (isAborted(error)) return;
+  if (about !== null) resolve(about);
+  notify('error', error instanceof Error ? error.message : String(error), about);
 }
 
-/// Tries something: what goes wrong is said, until it goes well.
+/// Runs a task. A failure is shown until the same action succeeds.
 export async function attempt<Answer>(about: string, task: () => Promise<Answer>): Promise<Answer | undefined> {
   try {
     const answer = await task();
-    settle(about);
+    resolve(about);
     return answer;
   } catch (error) {
-    sayFailure(error, about);
+    reportFailure(error, about);
     return undefined;
   }
 }

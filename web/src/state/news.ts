@@ -1,43 +1,43 @@
-// What the server tells of itself, once for all tabs of the workbench: a browser has few connections to a server, and a
-// stream takes one for good. One tab listens and passes on what it hears; when it is closed, another one does.
+// Events of the server, received once for all tabs of the workbench: a browser has few connections to a server, and an
+// event stream occupies one permanently. One tab listens and forwards events; when it is closed, another one takes over.
 
 export type News =
   | { kind: 'connected' | 'lost' }
-  /// An event of the server, with its data as they came.
+  /// An event of the server with its raw data.
   | { kind: 'event'; event: string; data: string };
 
-const again = 2000; // ms
+const retryDelay = 2000; // ms
 
-/// Listens until `signal` says that it is enough.
-function listen(events: readonly string[], tell: (news: News) => void, signal: AbortSignal) {
+/// Listens until `signal` is aborted.
+function listen(events: readonly string[], forward: (news: News) => void, signal: AbortSignal) {
   const source = new EventSource('/api/events');
   signal.addEventListener('abort', () => source.close());
-  source.onopen = () => tell({ kind: 'connected' });
+  source.onopen = () => forward({ kind: 'connected' });
   source.onerror = () => {
-    tell({ kind: 'lost' });
+    forward({ kind: 'lost' });
     if (source.readyState === EventSource.CLOSED)
-      setTimeout(() => !signal.aborted && listen(events, tell, signal), again);
+      setTimeout(() => !signal.aborted && listen(events, forward, signal), retryDelay);
   };
   for (const event of events)
-    source.addEventListener(event, ({ data }: MessageEvent<string>) => tell({ kind: 'event', event, data }));
+    source.addEventListener(event, ({ data }: MessageEvent<string>) => forward({ kind: 'event', event, data }));
 }
 
-/// Hears events of these names, in this tab or through another one; ends with the function that is given back.
-export function hearNews(events: readonly string[], hear: (news: News) => void): () => void {
+/// Receives events of these names, directly or through another tab. Returns a function that ends this.
+export function subscribe(events: readonly string[], receive: (news: News) => void): () => void {
   const end = new AbortController();
-  // Only pages that came from the computer itself, or safely, have locks.
+  // Locks exist only in secure contexts: localhost and HTTPS.
   if (!navigator.locks) {
-    listen(events, hear, end.signal);
+    listen(events, receive, end.signal);
     return () => end.abort();
   }
   const channel = new BroadcastChannel('news of the server');
-  channel.onmessage = ({ data }: MessageEvent<News>) => hear(data);
-  const tell = (news: News) => {
+  channel.onmessage = ({ data }: MessageEvent<News>) => receive(data);
+  const forward = (news: News) => {
     channel.postMessage(news);
-    hear(news);
+    receive(news);
   };
   const turn = () => {
-    listen(events, tell, end.signal);
+    listen(events, forward, end.signal);
     return new Promise<void>((done) => end.signal.addEventListener('abort', () => done()));
   };
   navigator.locks.request('listens to the server', { signal: end.signal }, turn).catch(() => undefined);

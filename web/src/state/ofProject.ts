@@ -1,10 +1,10 @@
-// How a project is looked at. It belongs to the project: another one that is opened begins with nothing of it.
+// Signals that belong to the open project. They are reset when another project is opened.
 
 import { effect, signal, untracked, type Signal } from '@preact/signals';
-import { keptKey } from './about';
+import { storageKey } from './about';
 import { file, opening } from './document';
 
-/// A signal that begins anew whenever a project is opened or left.
+/// A signal that is reset whenever a project is opened or closed.
 export function ofProject<T>(first: T): Signal<T> {
   const value = signal<T>(first);
   effect(() => {
@@ -29,21 +29,21 @@ function write<T>(key: string, value: T, first: T) {
   try {
     localStorage.setItem(key, JSON.stringify(value));
   } catch {
-    // The browser has no more room: it holds until the page is closed.
+    // The browser's storage is full; the value is lost when the page is closed.
   }
 }
 
-/// The same, of which the browser remembers, project by project, what is not as at first.
+/// A signal whose value the browser stores for each project.
 export function keptOfProject<T extends string | number | boolean>(what: string, first: T): Signal<T> {
   const value = signal<T>(first);
   let of = opening.peek();
   effect(() => {
     const [name, now] = [file.value, value.value];
-    // What was of the project before is not written under the name of the next.
+    // The value of the previous project must not be stored for the next one.
     if (of !== opening.value) {
       of = opening.value;
-      untracked(() => (value.value = name === null ? first : read(keptKey(`view ${what}`, name), first)));
-    } else if (name !== null) write(keptKey(`view ${what}`, name), now, first);
+      untracked(() => (value.value = name === null ? first : read(storageKey(`view ${what}`, name), first)));
+    } else if (name !== null) write(storageKey(`view ${what}`, name), now, first);
   });
   return value;
 }

@@ -1,36 +1,36 @@
-// The runs beside the open projects, as the server tells of them.
+// The runs of all projects, as reported by the server.
 
 import { computed, effect, signal } from '@preact/signals';
 import { api } from '../api/client';
 import { leftOut } from '../model/leftOut';
 import type { Run } from '../api/types';
 import { file, text } from './document';
-import { lookAtFile } from './fileOnDisk';
-import { attempt, say, sayFailure, settle } from './messages';
-import { lookAgain } from './model';
-import { hearNews } from './news';
+import { checkFile } from './fileOnDisk';
+import { attempt, notify, reportFailure, resolve } from './messages';
+import { rebuild } from './model';
+import { subscribe } from './news';
 
 export const runs = signal<Run[]>([]);
-/// The run that is looked at, and one that is laid over it.
+/// The shown run, and the one compared with it.
 export const shownId = signal<string | null>(null);
 export const comparedId = signal<string | null>(null);
-/// Runs that this page began and whose rocks were not seen yet.
+/// Runs started on this page that were not played yet.
 export const startedHere = new Set<string>();
 export const isConnected = signal(true);
-/// Whether the server has told of its runs.
+/// Whether the list of runs is loaded.
 export const areKnown = signal(false);
 
 const find = (id: string | null) => runs.value.find((run) => run.id === id) ?? null;
 export const shown = computed(() => find(shownId.value));
 export const compared = computed(() => find(comparedId.value));
 export const running = computed(() => runs.value.find((run) => run.state === 'running') ?? null);
-/// Of the open project, newest first.
+/// The runs of the open project, newest first.
 export const ownRuns = computed(() => runs.value.filter((run) => run.file === file.value));
 
-/// One that failed may have tables that end anywhere: what is wrong with it is shown instead.
+/// A failed run may have truncated tables, so its errors are shown instead.
 export const hasResults = (run: Run) => run.has_results && run.state !== 'failed';
 
-// Who opens a project sees its newest results; what is shown of another project goes.
+// Opening a project shows its newest results and hides those of the previous project.
 let pickedFor: string | null = null;
 effect(() => {
   const name = file.value;
@@ -45,7 +45,7 @@ effect(() => {
 
 const isKnown = (id: string) => runs.peek().some((run) => run.id === id);
 
-/// What a request answered. Events tell of the same change, and may have told of later ones already.
+/// Takes the run from a response, unless events already report its state, which may be newer.
 function takeAnswer(run: Run) {
   if (!isConnected.peek() || !isKnown(run.id)) take(run);
 }
@@ -55,30 +55,30 @@ function take(run: Run) {
   runs.value = known ? runs.value.map((old) => (old.id === run.id ? run : old)) : [run, ...runs.value];
 }
 
-/// Throws the rocks of the text as it stands.
+/// Runs the current project.
 export async function compute(more: { name?: string; rocks?: number; seed?: number } = {}) {
-  await lookAtFile();
+  await checkFile();
   if (file.value === null) return;
   try {
     const run = await api.compute(file.value, text.value, more);
-    settle('compute');
+    resolve('compute');
     startedHere.add(run.id);
     takeAnswer(run);
     shownId.value = run.id;
-    void lookAgain();
-    if (leftOut()) say('note', `Computed${leftOut()}`);
+    void rebuild();
+    if (leftOut()) notify('note', `Computed${leftOut()}`);
   } catch (error) {
-    sayFailure(error, 'compute');
+    reportFailure(error, 'compute');
   }
 }
-// What is said against a text holds for no other.
+// An error of a run refers to one version of the text.
 effect(() => {
   void text.value;
-  settle('compute');
+  resolve('compute');
 });
 
 export const stop = (id: string) => attempt(`run ${id}`, () => api.stopRun(id).then(takeAnswer));
-export const writeWhatIsDone = (id: string) => attempt(`run ${id}`, () => api.writeRun(id).then(takeAnswer));
+export const writePartialResults = (id: string) => attempt(`run ${id}`, () => api.writeRun(id).then(takeAnswer));
 export const resume = (id: string) => attempt(`run ${id}`, () => api.resumeRun(id).then(takeAnswer));
 export const rename = (id: string, name: string) => attempt(`run ${id}`, () => api.renameRun(id, name).then(takeAnswer));
 export const remove = (id: string) => attempt(`run ${id}`, () => api.removeRun(id).then(() => forget(id)));
@@ -89,20 +89,20 @@ function forget(id: string) {
   if (comparedId.value === id) comparedId.value = null;
 }
 
-/// The runs as they are now, whatever was heard of them before.
-const catchUp = () =>
+/// Loads the current list of runs.
+const loadRuns = () =>
   attempt('runs', async () => {
     runs.value = await api.runs();
     areKnown.value = true;
   });
 
-/// Follows what the server tells; when it is gone, goes on trying.
+/// Follows the events of the server and reconnects if the connection is lost. Returns a function that ends this.
 export function follow(): () => void {
-  void catchUp();
-  return hearNews(['run', 'removed'], (news) => {
+  void loadRuns();
+  return subscribe(['run', 'removed'], (news) => {
     if (news.kind !== 'event') {
       isConnected.value = news.kind === 'connected';
-      if (isConnected.value) void catchUp();
+      if (isConnected.value) void loadRuns();
     } else if (news.event === 'run') take(JSON.parse(news.data) as Run);
     else forget((JSON.parse(news.data) as { id: string }).id);
   });

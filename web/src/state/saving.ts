@@ -1,31 +1,31 @@
-// Writing the project's file: as it is, under another name, and what to do when it was changed meanwhile.
+// Saves the project's file, also under another name, and handles conflicts with other programs.
 
 import { signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import { leftOut } from '../model/leftOut';
 import { workplace } from './about';
-import { file, opening, replaceText, savedHash, settle, text } from './document';
-import { dropDraft, nextRevision } from './drafts';
-import { sawFile } from './fileOnDisk';
-import { say, sayFailure, settle as settleMessages } from './messages';
+import { file, markSaved, opening, replaceText, savedHash, text } from './document';
+import { deleteDraft, nextRevision } from './drafts';
+import { setKnownFile } from './fileOnDisk';
+import { notify, reportFailure, resolve } from './messages';
 import { writeInTurn } from './writes';
 
-/// Why the file was not written: it is another one than was read. Until the user has said what to do.
+/// Why the file was not saved: another program changed it. Null once the user has decided.
 export const conflict = signal<string | null>(null);
 export const savingAs = signal(false);
 
-/// `replaced`: asked for in its turn, when what was asked before is written.
+/// `replaced` returns the hash of the file to replace; it is called when earlier writes are done.
 function write(name: string, replaced: () => string | null | Promise<string | null>): Promise<void> {
   const asked = opening.value;
   return writeInTurn(async () => {
-    if (opening.value !== asked) return; // left meanwhile; the draft has it
+    if (opening.value !== asked) return; // closed in the meantime; the draft has the text
     const now = text.value;
     const before = await replaced();
     const { saved } = await api.saveProject(name, { text: now, saved: before }, nextRevision(name), workplace());
-    sawFile(saved);
-    if (opening.value === asked) settle(name, now, saved);
-    settleMessages('save');
-    say('saved', `Saved ${name}${leftOut()}`);
+    setKnownFile(saved);
+    if (opening.value === asked) markSaved(name, now, saved);
+    resolve('save');
+    notify('saved', `Saved ${name}${leftOut()}`);
   });
 }
 
@@ -38,11 +38,11 @@ export async function save() {
     await write(file.value, () => savedHash.value);
   } catch (error) {
     if (isConflict(error) && opening.value === asked) conflict.value = (error as Refused).message;
-    else sayFailure(error, 'save');
+    else reportFailure(error, 'save');
   }
 }
 
-/// Whatever the file says by now, it says this from now on.
+/// Saves the project, whatever the file contains now.
 export async function overwrite() {
   const name = file.value;
   if (name === null) return;
@@ -56,7 +56,7 @@ export async function overwrite() {
   });
 }
 
-/// Under another name, which the project has from then on. False: there is such a file.
+/// Saves the project under another name, which it keeps. Returns false if that file exists and `replace` is false.
 export async function saveAs(name: string, replace = false): Promise<boolean> {
   const old = file.value;
   try {
@@ -65,16 +65,16 @@ export async function saveAs(name: string, replace = false): Promise<boolean> {
     if (isConflict(error) && !replace) return false;
     throw error;
   }
-  if (old !== null && old !== name) await dropDraft(old);
+  if (old !== null && old !== name) await deleteDraft(old);
   return true;
 }
 
-/// Takes the file as it is on the disk, as a step that can be undone.
-export async function readAgain() {
+/// Loads the file again, as a step that can be undone.
+export async function reload() {
   const [name, asked] = [file.value, opening.value];
   if (name === null) return;
   const project = await api.project(name);
   if (opening.value !== asked) return;
-  replaceText(project.text, 'read the file again');
-  settle(name, project.text, project.saved);
+  replaceText(project.text, 'reload the file');
+  markSaved(name, project.text, project.saved);
 }

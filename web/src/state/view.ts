@@ -1,4 +1,4 @@
-// How the page is looked at: what is chosen, which panels are open, light or dark.
+// The state of the page: selection, open panels, theme.
 
 import { signal } from '@preact/signals';
 import type { Path } from '../model/names';
@@ -15,18 +15,18 @@ export const sidePanel = kept<SidePanel>('side panel', 'model');
 export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'envelopes' | 'maps' | 'compare' | 'section';
 export const resultsTab = kept<ResultsTab>('results tab', 'overview');
 export const resultsOpen = kept('results open', true);
-/// Of the window's height.
+/// As a share of the window's height.
 export const resultsShare = kept('results share', 0.34);
-/// Whether tables show numbers with all the digits that the files have.
+/// Whether tables show all digits of the files.
 export const allDigits = kept('all digits', false);
 
-/// A thing of the project by its path, such as ["seeder", 0]: its form is open, and the scene marks it.
+/// The path of the selected entry, such as ["seeder", 0], whose form is open and which the views highlight.
 export const chosen = ofProject<Path | null>(null);
-/// The rock of the run that is looked at.
+/// The selected rock of the shown run.
 export const chosenRock = ofProject<number | null>(null);
-/// The map of the run that lies on the terrain, by its name.
+/// The name of the map that is draped over the terrain.
 export const drapedMap = ofProject<string | null>(null);
 export const helpOpen = signal(false);
 export const drapedOpacity = kept('opacity of the map', 1);
-/// Whether the published cases are looked at, on the start page.
+/// Whether the start page shows the verification cases.
 export const verifying = signal(false);

@@ -1,4 +1,4 @@
-// Requests that write into the folder go one after the other, so that none overtakes another.
+// Sends requests that write to the folder one after the other.
 
 let last: Promise<unknown> = Promise.resolve();
 
@@ -8,5 +8,5 @@ export function writeInTurn<T>(request: () => Promise<T>): Promise<T> {
   return turn;
 }
 
-/// When all that were asked for so far are answered.
+/// Resolves when all requests so far are done.
 export const allWritten = () => last.then(() => undefined);

@@ -1,4 +1,4 @@
-// In which values two texts differ; comments, order and layout do not count.
+// The values that differ between two texts, regardless of comments, order and layout.
 
 import type { TomlTable, TomlValue } from './format';
 
@@ -14,7 +14,7 @@ const isTable = (value: TomlValue | undefined): value is TomlTable =>
 const isTableList = (value: TomlValue | undefined): value is TomlTable[] =>
   Array.isArray(value) && value.length > 0 && value.every(isTable);
 
-/// Whether two values are the same, whatever the types of their numbers.
+/// Whether two values are equal, regardless of the types of numbers.
 export function isSame(a: TomlValue | undefined, b: TomlValue | undefined): boolean {
   if (a === b || (Number.isNaN(a) && Number.isNaN(b))) return true;
   if (Array.isArray(a) && Array.isArray(b)) return a.length === b.length && a.every((part, k) => isSame(part, b[k]));
@@ -22,14 +22,14 @@ export function isSame(a: TomlValue | undefined, b: TomlValue | undefined): bool
     const keys = Object.keys(a);
     return keys.length === Object.keys(b).length && keys.every((key) => isSame(a[key], b[key]));
   }
-  // 1 and 1.0, and integers of another type.
+  // number and bigint
   return isNumber(a) && isNumber(b) && a == b;
 }
 const isNumber = (value: unknown): value is number | bigint => typeof value === 'number' || typeof value === 'bigint';
 
 const byIndex = (list: TomlTable[]): TomlTable => Object.fromEntries(list.entries());
 
-/// Tables are gone into as long as both sides have one; lists of numbers are one value.
+/// Compares tables recursively; a list that is not of tables counts as one value.
 export function differencesOf(here: TomlTable, there: TomlTable, path = ''): ValueDifference[] {
   const keys = [...new Set([...Object.keys(here), ...Object.keys(there)])];
   return keys.flatMap((name) => {

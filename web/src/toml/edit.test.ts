@@ -3,7 +3,7 @@ import { edited, valuesOf } from './edit';
 
 const lines = (...all: string[]) => all.join('\n') + '\n';
 
-describe('what is not touched stays as it was written', () => {
+describe('untouched text keeps its layout', () => {
   const text = lines(
     '# A slope.',
     'name  = "A"   # its name',
@@ -31,7 +31,7 @@ describe('what is not touched stays as it was written', () => {
     expect(edited(text, [{ set: ['terrain', 'section', 1, 0], value: 12 }])).toBe(
       text.replace('[10,-10.0]', '[12,-10.0]'),
     ));
-  test('a key that is new', () =>
+  test('a new key', () =>
     expect(edited(text, [{ set: ['material', 0, 'friction_angle_deg'], value: 30 }])).toBe(
       text.replace('# measured\n', '# measured\nfriction_angle_deg = 30\n'),
     ));
@@ -41,28 +41,28 @@ describe('what is not touched stays as it was written', () => {
       '# Only words.\n\nname = "B"\n\n# The rock.\n[[material]]\n',
     );
   });
-  test('a table goes with its comment', () =>
+  test('a removed table takes its comment with it', () =>
     expect(edited(text, [{ remove: ['material', 0] }])).toBe(
       text.slice(0, text.indexOf('# The rock.')) + text.slice(text.indexOf('# The soil.')),
     ));
-  test('the last table goes', () =>
+  test('the last table is removed', () =>
     expect(edited(text, [{ remove: ['material', 1] }])).toBe(text.slice(0, text.indexOf('\n# The soil.'))));
-  test('a table more', () =>
+  test('a new table', () =>
     expect(edited(text, [{ append: ['material'], value: { name: 'Scree', friction_angle_deg: 34 } }])).toBe(
       text + lines('', '[[material]]', 'name = "Scree"', 'friction_angle_deg = 34'),
     ));
-  test('a vertex more has a line of its own', () =>
+  test('a new vertex has a line of its own', () =>
     expect(edited(text, [{ set: ['terrain', 'section', 2], value: [20, -15] }])).toBe(
       text.replace('  [10,-10.0],\n', '  [10,-10.0],\n  [20, -15],\n'),
     ));
-  test('a vertex less takes its line with it', () => {
+  test('a removed vertex takes its line with it', () => {
     expect(edited(text, [{ remove: ['terrain', 'section', 1] }])).toBe(text.replace('  [10,-10.0],\n', ''));
     expect(edited(text, [{ remove: ['terrain', 'section', 0] }])).toBe(text.replace('  [0, 0],      # crest\n', ''));
   });
 });
 
-describe('tables that are missing', () => {
-  test('are made', () => {
+describe('missing tables', () => {
+  test('are created', () => {
     expect(edited('', [{ set: ['output', 'maps'], value: false }])).toBe('[output]\nmaps = false\n');
     expect(edited('name = "A"', [{ append: ['seeder'], value: { rocks: 1 } }])).toBe(
       'name = "A"\n\n[[seeder]]\nrocks = 1\n',
@@ -74,7 +74,7 @@ describe('tables that are missing', () => {
     ));
 });
 
-describe('forms that TOML allows besides', () => {
+describe('other forms of TOML', () => {
   test('dotted keys', () => {
     const text = lines('analysis.model = "lumped_mass"', 'analysis.rotation = true', '', '[terrain]', 'width_m = 5');
     expect(edited(text, [{ set: ['analysis', 'rotation'], value: false }])).toBe(text.replace('true', 'false'));
@@ -87,7 +87,7 @@ describe('forms that TOML allows besides', () => {
       terrain: { width_m: 5 },
     });
   });
-  test('all keys of a table that is written with dots', () => {
+  test('all dotted keys of a table', () => {
     const text = lines('name = "A"', 'analysis.model = "lumped_mass"', 'analysis.rotation = true');
     expect(edited(text, [{ remove: ['analysis'] }])).toBe('name = "A"\n');
   });
@@ -98,7 +98,7 @@ describe('forms that TOML allows besides', () => {
     });
     expect(valuesOf(edited(text, [{ set: ['material', 0, 'rn'], value: 0.3 }]))).toEqual({ material: [{ rn: 0.3 }] });
   });
-  test('a distribution with a header of its own', () => {
+  test('a distribution with its own header', () => {
     const text = lines('[[seeder]]', 'rocks = 5', '[seeder.mass_kg]', 'mean = 100', '[[seeder]]', 'rocks = 6');
     expect(edited(text, [{ set: ['seeder', 0, 'mass_kg', 'mean'], value: 200 }])).toBe(text.replace('100', '200'));
     expect(edited(text, [{ set: ['seeder', 0, 'name'], value: 'A' }])).toBe(
@@ -113,7 +113,7 @@ describe('forms that TOML allows besides', () => {
     expect(edited(text, [{ remove: ['seeder', 0] }])).toBe('[[seeder]]\nrocks = 6\n');
     expect(valuesOf(edited(text, [{ append: ['seeder'], value: { rocks: 7 } }])).seeder).toHaveLength(3);
   });
-  test('a list of tables in line', () => {
+  test('an inline list of tables', () => {
     const text = 'material = [{ name = "A" }, { name = "B" }]\n';
     expect(edited(text, [{ set: ['material', 1, 'name'], value: 'C' }])).toBe(text.replace('"B"', '"C"'));
     expect(edited(text, [{ append: ['material'], value: { name: 'C' } }])).toBe(
@@ -125,7 +125,7 @@ describe('forms that TOML allows besides', () => {
       'material = [{ name = "A", rn = { mean = 1 } }, { name = "B" }]\n',
     );
   });
-  test('the only one of a list in line, and keys of an empty table', () => {
+  test('the only entry of an inline list, and keys of an empty table', () => {
     expect(edited('a = [1]\n', [{ remove: ['a', 0] }])).toBe('a = []\n');
     expect(edited('a = []\n', [{ set: ['a', 0], value: 1 }])).toBe('a = [1]\n');
     expect(edited('a = {}\n', [{ set: ['a', 'b'], value: 1 }])).toBe('a = { b = 1 }\n');
@@ -141,10 +141,10 @@ describe('forms that TOML allows besides', () => {
   });
 });
 
-describe('line ends of Windows', () => {
+describe('Windows line ends', () => {
   const text = '# A\r\nname = "A"\r\n\r\n[[material]]\r\nname = "Rock"\r\n\r\n[[seeder]]\r\nrocks = 5\r\n';
   const hasOnlyCrLf = (result: string) => expect(result.replaceAll('\r\n', '')).not.toMatch(/[\r\n]/);
-  test('stay, in what is added, too', () => {
+  test('are also used in added text', () => {
     for (const edit of [
       { set: ['material', 0, 'roughness_deg'], value: 3 },
       { set: ['output', 'maps'], value: true },
@@ -160,7 +160,7 @@ describe('line ends of Windows', () => {
   });
 });
 
-describe('a text without an end of line at its end', () => {
+describe('a text without a final newline', () => {
   test('a key, a table', () => {
     expect(edited('[a]\nb = 1', [{ set: ['a', 'c'], value: 2 }])).toBe('[a]\nb = 1\nc = 2\n');
     expect(edited('[a]\nb = 1 # so', [{ append: ['d'], value: { e: 1 } }])).toBe('[a]\nb = 1 # so\n\n[[d]]\ne = 1\n');
@@ -168,7 +168,7 @@ describe('a text without an end of line at its end', () => {
   });
 });
 
-test('whatever is set can be read back', () => {
+test('set values can be read back', () => {
   const values = [
     1,
     -0.5,
@@ -189,7 +189,7 @@ test('whatever is set can be read back', () => {
     expect(valuesOf(edited('[x]\n', [{ set: ['x', 'y'], value }]))).toEqual({ x: { y: value } });
 });
 
-test('what is removed twice is removed', () => {
+test('removing twice is allowed', () => {
   const once = edited('a = 1\n[b]\nc = 2\n', [
     { remove: ['b', 'c'] },
     { remove: ['b', 'c'] },
@@ -199,7 +199,7 @@ test('what is removed twice is removed', () => {
   expect(once).toBe('a = 1\n[b]\n');
 });
 
-test('the mark with which some editors begin a file stays', () => {
+test('a byte order mark is kept', () => {
   const marked = '\ufeffname = "A"\r\n';
   expect(valuesOf(marked)).toEqual({ name: 'A' });
   expect(edited(marked, [{ set: ['name'], value: 'B' }, { append: ['seeder'], value: { rocks: 5 } }])).toBe(
@@ -207,8 +207,8 @@ test('the mark with which some editors begin a file stays', () => {
   );
 });
 
-test('what is not a list of tables gets no table', () => {
+test('a table is not appended to anything but a list of tables', () => {
   const append = () => [{ append: ['material'], value: { name: 'A' } }];
   for (const text of ['material = 3\n', 'material = { name = "B" }\n', '[material]\nname = "B"\n'])
-    expect(() => edited(text, append())).toThrow('material is there already, and is not a list of tables');
+    expect(() => edited(text, append())).toThrow('material already exists and is not a list of tables');
 });

@@ -1,5 +1,4 @@
-// Changes a TOML text where it must change and nowhere else: comments, order and layout of the rest stay as they were
-// written.
+// Edits a TOML text locally: comments, order and layout of everything else are preserved.
 
 import { parseTOML, type AST } from 'toml-eslint-parser';
 import { commentStart, insertAfter, insertListed, lineEnd, lineStart, removeListed, splice } from './lines';
@@ -9,9 +8,9 @@ import { withoutMark } from './values';
 export type Path = readonly (string | number)[];
 
 export type Edit =
-  /// Replaces the value at a path, or adds it where its table is; tables that are missing are made.
+  /// Replaces or adds the value at a path. Missing tables are created.
   | { set: Path; value: TomlValue }
-  /// Removes a key, an entry of a list, or a table with what belongs to it. What is not there is removed already.
+  /// Removes a key, an entry of a list, or a table with its subtables, if it exists.
   | { remove: Path }
   /// Adds a table `[[path]]` after the last of its kind.
   | { append: Path; value: TomlTable };
@@ -21,7 +20,7 @@ export { valuesOf } from './values';
 export function edited(text: string, edits: readonly Edit[]): string {
   const own = withoutMark(text);
   if (own !== text) return text[0] + edited(own, edits);
-  // Line ends of Windows stay where all are of Windows.
+  // Windows line ends are kept if the text has no others.
   if (/\r\n/.test(text) && !/(^|[^\r])\n/.test(text))
     return edited(text.replaceAll('\r\n', '\n'), edits).replaceAll('\n', '\r\n');
   return edits.reduce((now, edit) => {
@@ -43,7 +42,7 @@ function topOf(text: string): AST.TOMLTopLevelTable {
   return parseTOML(text, { tomlVersion: '1.0' }).body[0];
 }
 
-/// The text of keys before the first table, then each table with its header.
+/// The keys before the first table, then each table with its header.
 function tablesOf(top: AST.TOMLTopLevelTable): { path: Path; node: Table; pairs: Pair[] }[] {
   const pairs = top.body.filter((node): node is Pair => node.type === 'TOMLKeyValue');
   const tables = top.body.filter((node): node is AST.TOMLTable => node.type === 'TOMLTable');
@@ -55,7 +54,7 @@ function tablesOf(top: AST.TOMLTopLevelTable): { path: Path; node: Table; pairs:
 
 const keysOf = (pair: Pair) => pair.key.keys.map((key) => (key.type === 'TOMLBare' ? key.name : key.value));
 
-/// What stands at a path: a pair, with the way on from there into its value.
+/// The pair at or above a path, and the rest of the path into its value.
 function findPair(top: AST.TOMLTopLevelTable, path: Path): { pair: Pair; rest: Path } | null {
   for (const table of tablesOf(top)) {
     if (!isPrefix(table.path, path)) continue;
@@ -77,7 +76,7 @@ function memberOf(node: AST.TOMLInlineTable, part: string | number): Pair | null
   return node.body.find((pair) => isSame(keysOf(pair), [part])) ?? null;
 }
 
-/// As many tables within each other as the path says.
+/// Nested tables along the path around a value.
 function wrapped(path: Path, value: TomlValue): TomlValue {
   return path.reduceRight<TomlValue>((inner, part) => ({ [String(part)]: inner }), value);
 }
@@ -101,11 +100,11 @@ function setInside(text: string, node: Content, path: Path, value: TomlValue): s
       ? insertListed(text, last.range, node.range[1], inlineText(fresh))
       : splice(text, node.range[0], node.range[1], `[${inlineText(fresh)}]`);
   }
-  // A plain value gives way to a table: 0.35 becomes { mean = 0.4 } where its mean is set.
+  // A plain value is replaced by a table: 0.35 becomes { mean = 0.4 } when its mean is set.
   return splice(text, node.range[0], node.range[1], inlineText(wrapped(path, value)));
 }
 
-/// The last pair that is written with dots and belongs to a table above the path, as far as the path goes with it.
+/// The last dotted pair that shares the beginning of the path, and the table above it.
 function dottedSibling(top: AST.TOMLTopLevelTable, path: Path): { pair: Pair; above: Path } | null {
   let found: { pair: Pair; above: Path } | null = null;
   for (const table of tablesOf(top)) {
@@ -119,7 +118,7 @@ function dottedSibling(top: AST.TOMLTopLevelTable, path: Path): { pair: Pair; ab
   return found;
 }
 
-/// Whether tables or dotted keys make up a value that is set as a whole.
+/// Whether the value at a path is spread over tables or dotted keys.
 const isScattered = (top: AST.TOMLTopLevelTable, path: Path) =>
   tablesOf(top).some(
     (table) =>
@@ -143,14 +142,14 @@ function setValue(text: string, path: Path, value: TomlValue): string {
     return insertAfter(text, sibling.pair.range[1], `${keys.join('.')} = ${inlineText(value)}`);
   }
 
-  // The longest table above the path that has a header, or lies before the first one.
+  // The innermost table above the path that has a header, or the keys before the first table.
   const tables = tablesOf(top).filter(({ path: above }) => isPrefix(above, path) && above.length < path.length);
   const home = tables.reduce((best, table) => (table.path.length >= best.path.length ? table : best));
   const rest = path.slice(home.path.length);
   if (home.path.length === 0 && rest.length > 1) {
     const header = rest.slice(0, -1);
     if (typeof header[1] === 'number') throw new Error(`there is no [[${String(header[0])}]] number ${header[1]}`);
-    // Tables of one level have a header; what is in them stands in line.
+    // A new top-level table has a header; tables within it are inline.
     const [name, ...inner] = rest;
     const piece = `[${keyText(String(name))}]\n${pairText(String(inner[0]), wrapped(inner.slice(1), value))}`;
     return `${text.trimEnd()}${text.trim() ? '\n\n' : ''}${piece}\n`;
@@ -162,7 +161,7 @@ function setValue(text: string, path: Path, value: TomlValue): string {
   return beforeFirstTable(text, top, piece);
 }
 
-/// After the comments at the beginning of the file, before the first table and what is said of it.
+/// Inserts text before the first table and its comment.
 function beforeFirstTable(text: string, top: AST.TOMLTopLevelTable, piece: string): string {
   const first = top.body[0];
   if (!first) return `${text.trimEnd()}${text.trim() ? '\n' : ''}${piece}\n`;
@@ -192,8 +191,7 @@ function removeAt(text: string, path: Path): string {
     const end = Math.min(lineEnd(text, found.pair.range[1]) + 1, text.length);
     return splice(text, lineStart(text, found.pair.range[0]), end, '');
   }
-  // Keys that are written with dots, each on its line; then tables, with their comments. From the last one on, so that
-  // places hold.
+  // Dotted keys with their lines, and tables with their comments, from the last one on, so that positions stay valid.
   const whole = (table: Path, pair: Pair) => [...table, ...keysOf(pair)];
   const dotted = tablesOf(top).flatMap(({ path: own, pairs }) =>
     isPrefix(path, own) ? [] : pairs.filter((pair) => isPrefix(path, whole(own, pair))),
@@ -203,15 +201,15 @@ function removeAt(text: string, path: Path): string {
     const table = tables[k];
     return table ? commentStart(text, lineStart(text, table.node.range[0])) : text.length;
   };
-  const doomed: [number, number][] = [
+  const ranges: [number, number][] = [
     ...dotted.map(({ range: [from, to] }): [number, number] => [lineStart(text, from), lineEnd(text, to) + 1]),
     ...tables.flatMap(({ path: own }, k): [number, number][] =>
       isPrefix(path, own) ? [[startOf(k), startOf(k + 1)]] : [],
     ),
   ];
-  if (doomed.length === 0) return text;
-  const left = doomed.sort(([a], [b]) => b - a).reduce((now, [from, to]) => splice(now, from, to, ''), text);
-  const isAtEnd = doomed.some(([, to]) => to >= text.length);
+  if (ranges.length === 0) return text;
+  const left = ranges.sort(([a], [b]) => b - a).reduce((now, [from, to]) => splice(now, from, to, ''), text);
+  const isAtEnd = ranges.some(([, to]) => to >= text.length);
   return isAtEnd && left.trim() ? `${left.trimEnd()}\n` : left;
 }
 
@@ -221,7 +219,7 @@ function appendTable(text: string, path: Path, value: TomlTable): string {
   if (found && found.rest.length === 0 && found.pair.value.type === 'TOMLArray')
     return setInside(text, found.pair.value, [found.pair.value.elements.length], value);
   if (found || tablesOf(top).some(({ path: own }) => isSame(own, path)))
-    throw new Error(`${path.join('.')} is there already, and is not a list of tables`);
+    throw new Error(`${path.join('.')} already exists and is not a list of tables`);
   const piece = tableText(path.map(String), value);
   const last = tablesOf(top).findLast(({ path: own }) => own.length > path.length && isPrefix(path, own));
   if (!last) return `${text.trimEnd()}${text.trim() ? '\n\n' : ''}${piece}\n`;

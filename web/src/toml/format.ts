@@ -12,7 +12,7 @@ export function keyText(key: string): string {
 }
 
 export function stringText(text: string): string {
-  // What JSON escapes, TOML's basic strings read alike; DEL is escaped there, too.
+  // TOML's basic strings have the escapes of JSON; TOML also requires DEL to be escaped.
   return JSON.stringify(text).replaceAll('\u007f', '\\u007f');
 }
 
@@ -20,12 +20,10 @@ function numberText(value: number): string {
   if (Number.isNaN(value)) return 'nan';
   if (!Number.isFinite(value)) return value > 0 ? 'inf' : '-inf';
   if (Number.isInteger(value) && Math.abs(value) < 1e15) return Object.is(value, -0) ? '0' : value.toFixed(0);
-  const text = String(value);
-  // TOML wants a digit after the point, and one before the exponent needs none.
-  return text;
+  return String(value);
 }
 
-/// On one line; long lists have a line for each row.
+/// The value on one line; long lists of lists have one row per line.
 export function inlineText(value: TomlValue): string {
   if (typeof value === 'string') return stringText(value);
   if (typeof value === 'number') return numberText(value);
@@ -44,7 +42,7 @@ export function pairText(key: string, value: TomlValue): string {
   return `${keyText(key)} = ${inlineText(value)}`;
 }
 
-/// A table of a list, with its header.
+/// A table of an array of tables, with its header.
 export function tableText(path: readonly string[], value: TomlTable): string {
   const pairs = Object.entries(value).map(([key, part]) => pairText(key, part));
   return [`[[${path.map(keyText).join('.')}]]`, ...pairs].join('\n');

@@ -1,3 +1,3 @@
-/// Values as JSON, which has whole numbers of any size; its functions take none that a double cannot hold.
+/// Values as JSON. Integers beyond double precision are rounded to numbers.
 export const jsonText = (value: unknown): string =>
   JSON.stringify(value, (_key, part: unknown) => (typeof part === 'bigint' ? Number(part) : part));

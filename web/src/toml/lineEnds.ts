@@ -1,15 +1,15 @@
-// Line ends between a file and a field of text, which knows only those of Unix.
+// Converts line ends between a file and a text area, which only has \n.
 
 export const asTyped = (text: string) => text.replace(/\r\n?/g, '\n');
 
-/// Where the character of a field stands in the text.
+/// The position in the text of a position in the text area.
 function placeIn(text: string, typedPlace: number): number {
   let at = 0;
   for (let k = 0; k < typedPlace; ++k) at += text.startsWith('\r\n', at) ? 2 : 1;
   return at;
 }
 
-/// The text with what was typed into the field; line ends stay as they were, and new ones are like the first.
+/// The text changed to what the text area contains. Existing line ends are kept; new ones are like the first.
 export function withTyped(text: string, typed: string): string {
   if (!text.includes('\r')) return typed;
   const before = asTyped(text);

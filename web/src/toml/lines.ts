@@ -1,4 +1,4 @@
-// Pieces of a text whose layout stays: lines, comments above them, entries of lists.
+// Inserting and removing parts of a text: lines with their comments, entries of lists.
 
 import type { AST } from 'toml-eslint-parser';
 
@@ -12,13 +12,13 @@ export const lineEnd = (text: string, at: number) => {
 
 export const lineStart = (text: string, at: number) => text.lastIndexOf('\n', at - 1) + 1;
 
-/// Puts lines after the line in which something ends.
+/// Inserts lines after the line of a position.
 export function insertAfter(text: string, at: number, lines: string): string {
   const end = lineEnd(text, at);
   return end === text.length ? `${text}\n${lines}\n` : splice(text, end + 1, end + 1, `${lines}\n`);
 }
 
-/// Where the comment lines begin that stand directly above a line.
+/// The start of the comment lines directly above a line.
 export function commentStart(text: string, line: number): number {
   let start = line;
   while (start > 0) {
@@ -29,13 +29,13 @@ export function commentStart(text: string, line: number): number {
   return start;
 }
 
-/// Whether something stands alone on its lines, but for a comma and a comment after it.
+/// Whether a range is alone on its lines, except for a comma and a comment after it.
 function isAlone(text: string, [from, to]: AST.Range): boolean {
   const before = text.slice(lineStart(text, from), from);
   return before.trim() === '' && /^[ \t]*,?[ \t]*(#.*)?$/.test(text.slice(to, lineEnd(text, to)));
 }
 
-/// An entry more after the last of a list that ends at `end`: on a line of its own, where the last one has one.
+/// Inserts an entry after the last one of a list that ends at `end`, on its own line if the last one is.
 export function insertListed(text: string, last: AST.Range, end: number, piece: string): string {
   if (!isAlone(text, last) || lineEnd(text, last[1]) >= end) return splice(text, last[1], last[1], `, ${piece}`);
   const start = lineStart(text, last[0]);
@@ -46,7 +46,7 @@ export function insertListed(text: string, last: AST.Range, end: number, piece: 
   return hasComma ? grown : splice(grown, last[1], last[1], ',');
 }
 
-/// One of several with commas between them.
+/// Removes one of several comma-separated entries.
 export function removeListed(text: string, list: readonly { range: AST.Range }[], k: number): string {
   const [from, to] = list[k]!.range;
   if (list.length > 1 && isAlone(text, [from, to]))

@@ -7,7 +7,7 @@ export function Messages() {
       {isOverdue.value && (
         <div class="note">
           <span>
-            Still waiting for the server. Should it last, see whether talus serve is still running; nothing is lost.
+            Still waiting for the server. If this continues, check that talus serve is running. Nothing is lost.
           </span>
         </div>
       )}

@@ -1,10 +1,10 @@
 import { useState } from 'preact/hooks';
 import { file } from '../state/document';
-import { sayFailure } from '../state/messages';
-import { conflict, overwrite, readAgain, saveAs, savingAs } from '../state/saving';
+import { reportFailure } from '../state/messages';
+import { conflict, overwrite, reload, saveAs, savingAs } from '../state/saving';
 import { Dialog } from './Dialog';
 
-/// What saving asks the user.
+/// The dialogs of saving.
 export function SavingDialogs() {
   return (
     <>
@@ -18,18 +18,18 @@ function Conflict({ why }: { why: string }) {
   const close = () => (conflict.value = null);
   const act = (what: () => Promise<unknown>) => {
     close();
-    void what().catch(sayFailure);
+    void what().catch(reportFailure);
   };
   return (
     <Dialog title="Not saved" close={close}>
       <p>{why}</p>
-      <p class="faint">Reading it again replaces what is on this page; that can be undone.</p>
+      <p class="faint">Reloading replaces what is on this page; this can be undone.</p>
       <div class="choices">
-        <button class="button" onClick={() => act(readAgain)}>
-          Read it again
+        <button class="button" onClick={() => act(reload)}>
+          Reload the file
         </button>
         <button class="button danger" onClick={() => act(overwrite)}>
-          Overwrite it
+          Overwrite the file
         </button>
         <button
           class="button first"
@@ -47,22 +47,22 @@ function Conflict({ why }: { why: string }) {
 
 function SaveAs() {
   const [name, setName] = useState((file.value ?? 'project.toml').replace(/\.toml$/, ' copy.toml'));
-  const [isThere, setIsThere] = useState(false);
-  // Said here: messages of the page lie below a dialog.
+  const [exists, setExists] = useState(false);
+  // Shown in the dialog, which covers the messages of the page.
   const [failure, setFailure] = useState<string | null>(null);
   const close = () => (savingAs.value = false);
   const full = /\.toml$/i.test(name.trim()) ? name.trim() : `${name.trim()}.toml`;
   const act = async (replace: boolean) => {
     setFailure(null);
     if (await saveAs(full, replace)) close();
-    else setIsThere(true);
+    else setExists(true);
   };
   return (
     <Dialog title="Save as" close={close}>
       <form
         onSubmit={(event) => {
           event.preventDefault();
-          act(isThere).catch((error: unknown) => setFailure(error instanceof Error ? error.message : String(error)));
+          act(exists).catch((error: unknown) => setFailure(error instanceof Error ? error.message : String(error)));
         }}
       >
         <label for="save-as-name">Name of the file in the folder</label>
@@ -73,19 +73,19 @@ function SaveAs() {
           value={name}
           onInput={(event) => {
             setName(event.currentTarget.value);
-            setIsThere(false);
+            setExists(false);
             setFailure(null);
           }}
         />
-        {isThere && <span class="problem">There is a file {full} already.</span>}
+        {exists && <span class="problem">A file {full} already exists.</span>}
         {failure !== null && (
           <span class="problem" role="alert">
             {failure}
           </span>
         )}
         <div class="choices">
-          <button class={`button ${isThere ? 'danger' : 'first'}`} disabled={name.trim() === ''}>
-            {isThere ? 'Replace it' : 'Save'}
+          <button class={`button ${exists ? 'danger' : 'first'}`} disabled={name.trim() === ''}>
+            {exists ? 'Replace the file' : 'Save'}
           </button>
         </div>
       </form>

@@ -7,7 +7,7 @@ interface Props<Name extends string> {
   choose: (name: Name) => void;
 }
 
-/// A row of tabs; arrow keys go along it.
+/// A row of tabs; arrow keys move between them.
 export function Tabs<Name extends string>({ label, tabs, now, choose }: Props<Name>) {
   const go = (event: KeyboardEvent) => {
     const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;

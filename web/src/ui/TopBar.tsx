@@ -7,7 +7,7 @@ import { theme, type Theme } from '../state/view';
 import { ComputeMenu } from '../runs/ComputeMenu';
 import { RunEnds } from '../runs/RunEnds';
 import { clockText, counted } from './format';
-import { taken } from './typing';
+import { afterTyping } from './typing';
 
 const themes: Theme[] = ['system', 'light', 'dark'];
 
@@ -33,7 +33,7 @@ export function TopBar() {
   const name = typeof values.value.name === 'string' ? values.value.name : fileStem();
   return (
     <header class="bar">
-      <button class="button plain icon" title="Start page" aria-label="Start page" onClick={() => taken(close)}>
+      <button class="button plain icon" title="Start page" aria-label="Start page" onClick={() => afterTyping(close)}>
         <img class="logo" src="/icon.svg" alt="" />
       </button>
       <div class="title">
@@ -72,7 +72,7 @@ export function TopBar() {
       <RunEnds />
       {!isConnected.value && (
         <span class="problem" role="alert">
-          The server does not answer
+          The server does not respond
         </span>
       )}
       {isBuilding.value && <span class="faint">checking…</span>}

@@ -1,5 +1,5 @@
-// Where the keyboard stands when something opens.
+// Keyboard focus of newly opened elements.
 
-/// As a `ref`: the field has the focus when it is made. A function written in place would be another one whenever the
-/// page is drawn again, and take the focus each time from what is being typed elsewhere.
+/// A `ref` that focuses an element when it is created. An inline function would be a new one on every render, and take
+/// the focus each time.
 export const focusOnceMade = (field: HTMLElement | null) => field?.focus();

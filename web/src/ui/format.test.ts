@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { decimalsOf, fixedText, shiftedText } from './format';
 
-test('a number of a file in another unit has the same digits', () => {
+test('changing the unit of a number keeps its digits', () => {
   expect(shiftedText('152530.42507165897', 3)).toBe('152.53042507165897');
   expect(shiftedText('-42', 3)).toBe('-0.042');
   expect(shiftedText('98000', 3)).toBe('98');
@@ -12,7 +12,7 @@ test('a number of a file in another unit has the same digits', () => {
   expect(shiftedText('unlimited', 3)).toBe('unlimited');
 });
 
-test('a column has the decimals that tell its values apart', () => {
+test('a column has enough decimals to distinguish its values', () => {
   expect(decimalsOf([0.5, 12.25, 19.875])).toBe(3);
   expect(decimalsOf([2667891.2345, 2668591.9])).toBe(2); // 700 m apart
   expect(decimalsOf([0, 152530.42507165897])).toBe(0);

@@ -1,4 +1,4 @@
-// Numbers and times for people; what figures need of it, too, is in figures/format.
+// Numbers and times as text. Functions shared with the figures are in figures/format.
 
 import { numberText } from '../figures/format';
 
@@ -12,7 +12,7 @@ export function clockText(seconds: number): string {
   return hours > 0 ? `${hours}:${two(minutes)}:${two(whole % 60)}` : `${minutes}:${two(whole % 60)}`;
 }
 
-/// How many decimals tell the values of a column apart that are of one kind: five digits of their range, four at most.
+/// The number of decimals for the values of a column: five significant digits of their range, at most four decimals.
 export function decimalsOf(values: readonly number[]): number {
   const known = values.filter(Number.isFinite);
   const [low, high] = known.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], [Infinity, -Infinity]);
@@ -21,7 +21,7 @@ export function decimalsOf(values: readonly number[]): number {
   return Math.min(Math.max(4 - Math.floor(Math.log10(size)), 0), 4);
 }
 
-/// A number as it is written, over 10 to the `places`, with the same digits: "152530.4" is "152.5304" over 1000.
+/// A number text divided by 10 to the power `places`, with the same digits: "152.5304" for "152530.4" and 3 places.
 export function shiftedText(text: string, places: number): string {
   const parts = /^([+-]?)(\d+)(?:\.(\d*))?(?:e([+-]?\d+))?$/i.exec(text);
   if (!parts || places === 0) return text;
@@ -40,7 +40,7 @@ export function bytesText(bytes: number): string {
   return `${numberText(bytes / 1000 ** k, 3)} ${units[k]}`;
 }
 
-/// When something was, in the reader's time: "21 Nov, 11:05".
+/// A time in the user's time zone: "21 Nov, 11:05".
 export function momentText(iso: string): string {
   const moment = new Date(iso);
   if (Number.isNaN(moment.getTime())) return iso;

@@ -1,12 +1,12 @@
-// Keys that work everywhere on the page.
+// Keyboard shortcuts of the whole page.
 
 import { file, redo, undo } from '../state/document';
 import { save } from '../state/saving';
 import { compute } from '../state/runs';
-import { finishTool, takeBack, tool, useTool } from '../scene/tool';
-import { isWriting, taken } from './typing';
+import { finishTool, removeLastPoint, tool, useTool } from '../scene/tool';
+import { afterTyping, isWriting } from './typing';
 
-/// A field with something typed in it has an undo of its own; one that shows what the project says has none.
+/// Whether an element has its own Undo: a field with typed text that is not stored yet.
 const undoesItself = (target: EventTarget | null) =>
   isWriting(target) &&
   !(target instanceof HTMLSelectElement) &&
@@ -21,15 +21,15 @@ function onKey(event: KeyboardEvent) {
     event.preventDefault();
     void what();
   };
-  if (ctrl && key === 's') return act(() => taken(save));
-  if (ctrl && event.key === 'Enter') return act(() => taken(compute));
+  if (ctrl && key === 's') return act(() => afterTyping(save));
+  if (ctrl && event.key === 'Enter') return act(() => afterTyping(compute));
   if (undoesItself(event.target)) return;
   if (ctrl && key === 'z') return act(event.shiftKey ? redo : undo);
   if (ctrl && key === 'y') return act(redo);
   if (!tool.value || isWriting(event.target)) return;
   if (event.key === 'Escape') return act(() => useTool(null));
   if (event.key === 'Enter' && event.target === document.body) return act(finishTool);
-  if (event.key === 'Backspace') return act(takeBack);
+  if (event.key === 'Backspace') return act(removeLastPoint);
 }
 
 export function listenToKeys(): () => void {

@@ -1,24 +1,24 @@
-// What is being typed counts before anything is done with the project; and where a field is left, a step ends.
+// Stores typed text before any action on the project. Leaving a field ends a step of Undo.
 
 import { endStep } from '../state/document';
-import { keepOnLeaving } from '../state/drafts';
+import { storeOnLeaving } from '../state/drafts';
 
 export const isWriting = (target: EventTarget | null) =>
   target instanceof HTMLElement &&
   (target.isContentEditable || ['INPUT', 'TEXTAREA', 'SELECT'].includes(target.tagName));
 
-/// A field takes it when it changes.
-function takeTyped() {
+/// Stores the text of the focused field by a change event.
+function storeTyped() {
   if (isWriting(document.activeElement)) document.activeElement?.dispatchEvent(new Event('change', { bubbles: true }));
 }
 
-export function taken(what: () => unknown) {
-  takeTyped();
+export function afterTyping(action: () => unknown) {
+  storeTyped();
   endStep();
-  void what();
+  void action();
 }
 
-const onLeaving = () => taken(keepOnLeaving);
+const onLeaving = () => afterTyping(storeOnLeaving);
 
 export function listenToTyping(): () => void {
   addEventListener('focusout', endStep);

@@ -1,4 +1,4 @@
-// The tool that measures between places of the ground.
+// A tool that measures distances on the ground.
 
 import { signal } from '@preact/signals';
 import type { Point3 } from '../api/types';
@@ -8,7 +8,7 @@ import { numberText } from '../ui/format';
 const places = signal<Point3[]>([]);
 const owner = 'distance';
 
-/// Of the polyline through the places: on plan, up, in space, and how steep from its first to its last.
+/// The length of the polyline on plan and in space, and the height difference and slope from its first to its last point.
 function measured([first, ...rest]: Point3[]): string {
   let [plan, space, before] = [0, 0, first!];
   for (const now of rest) {
@@ -29,7 +29,7 @@ function take(next: Point3[]) {
 
 const distance: Tool = {
   name: 'Distance',
-  hint: () => (places.value.length > 1 ? measured(places.value) : 'Click two places or more. Escape leaves.'),
+  hint: () => (places.value.length > 1 ? measured(places.value) : 'Click two or more points. Escape ends.'),
   click: ({ point }) => take([...places.value, point]),
   back: () => take(places.value.slice(0, -1)),
   cancel: () => take([]),
@@ -38,7 +38,7 @@ const distance: Tool = {
 export function DistanceButton() {
   const isOn = tool.value === distance;
   return (
-    <button class="button" aria-pressed={isOn} title="Measure between places of the ground" onClick={() => useTool(isOn ? null : distance)}>
+    <button class="button" aria-pressed={isOn} title="Measure distances on the ground" onClick={() => useTool(isOn ? null : distance)}>
       Distance
     </button>
   );

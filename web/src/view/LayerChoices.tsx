@@ -1,7 +1,7 @@
 import { Popover } from './Popover';
 import { layerNames, layers } from './settings';
 
-/// What of the model and of the run a view shows.
+/// The layers of the model and of the run that a view shows.
 export function LayerChoices() {
   return (
     <Popover title="Layers">

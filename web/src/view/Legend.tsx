@@ -1,4 +1,4 @@
-// Legends beside a picture: a scale with its ends and middle, a list of kinds, or classes.
+// Legends over a view: a colour scale, a list of categories, or classes.
 
 import { endsOf, type ClassesOfValues, type KindsOfThings, type LegendData, type ScaleOfColours } from './legends';
 import './legend.css';
@@ -36,14 +36,14 @@ function KindsLegend({ of }: { of: KindsOfThings }) {
   );
 }
 
-/// The greatest on top.
+/// With the highest class on top.
 function ClassesLegend({ of }: { of: ClassesOfValues }) {
   return (
     <figure class="legend classes">
       <figcaption>{of.title}</figcaption>
       <ul>
-        {of.classes.toReversed().map(({ text, colour, isThere }) => (
-          <li key={text} class={isThere ? '' : 'faint'}>
+        {of.classes.toReversed().map(({ text, colour, isUsed }) => (
+          <li key={text} class={isUsed ? '' : 'faint'}>
             <i style={{ background: colour }} />
             <span class="mono">{text}</span>
           </li>

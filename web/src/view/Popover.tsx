@@ -4,7 +4,7 @@ import './popover.css';
 
 const margin = 8; // px
 
-/// Moves the panel so that all of it lies in the picture, which cuts off what does not.
+/// Moves the panel inside the picture, which would clip it.
 function keepInside(content: HTMLElement) {
   const room = (content.closest('.picture') ?? document.documentElement).getBoundingClientRect();
   content.style.left = '0';
@@ -15,7 +15,7 @@ function keepInside(content: HTMLElement) {
   content.style.maxHeight = `${Math.max(120, room.bottom - margin - top)}px`;
 }
 
-/// A button with a small panel below it, which closes by Escape or a press outside.
+/// A button with a panel below it, which closes on Escape or a click outside.
 export function Popover({ title, label, children }: { title: ComponentChildren; label?: string; children: ComponentChildren }) {
   const element = useRef<HTMLDetailsElement>(null);
   const content = useRef<HTMLDivElement>(null);

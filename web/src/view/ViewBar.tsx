@@ -1,15 +1,15 @@
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 
-/// The row of controls above a picture; where there is little room it is folded behind its first button.
+/// The toolbar of a view; in a narrow view it is folded behind its first button.
 export function ViewBar({ children }: { children: ComponentChildren }) {
   const [isFolded, fold] = useState(true);
   return (
     <div class={`view-bar ${isFolded ? 'folded' : ''}`} role="toolbar" aria-label="View">
       <button
         class="button icon fold"
-        title="Tools of the view"
-        aria-label="Tools of the view"
+        title="View tools"
+        aria-label="View tools"
         aria-expanded={!isFolded}
         onClick={() => fold(!isFolded)}
       >

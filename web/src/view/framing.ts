@@ -1,8 +1,8 @@
-// Where in a picture a thing is shown: as large as it can be without lying under what stands over the picture.
+// Places the content of a view as large as possible outside the parts that controls and legends cover.
 
 import type { Pixel } from './nearness';
 
-/// In CSS pixels from the picture's upper left corner.
+/// A box in CSS pixels from the upper left corner of the view.
 export interface Box {
   left: number;
   top: number;
@@ -13,9 +13,9 @@ export interface Box {
 export const widthOf = ({ left, right }: Box) => right - left;
 export const heightOf = ({ top, bottom }: Box) => bottom - top;
 export const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-const holds = ({ left, top, right, bottom }: Box, [x, y]: Pixel) => x > left && x < right && y > top && y < bottom;
+const contains = ({ left, top, right, bottom }: Box, [x, y]: Pixel) => x > left && x < right && y > top && y < bottom;
 
-/// All boxes between the edges of the room and of what stands over it.
+/// All boxes between the edges of the room and of the boxes over it.
 function boxesIn(room: Box, over: readonly Box[]): Box[] {
   const edges = (low: number, high: number, at: number[]) =>
     [...new Set([low, ...at.filter((edge) => edge > low && edge < high), high])].sort((a, b) => a - b);
@@ -25,17 +25,18 @@ function boxesIn(room: Box, over: readonly Box[]): Box[] {
   return pairs(across).flatMap(([left, right]) => pairs(down).map(([top, bottom]) => ({ left, top, right, bottom })));
 }
 
-/// Of a thing put into a box: how large (its length, whatever the unit) it is there, and some places of it in the picture.
+/// Content placed in a box: its size (a length in any unit), and some of its points in the view.
 export interface Placed {
   size: number;
   points: Iterable<Pixel>;
 }
 
 const middle = ({ left, right }: Box) => (left + right) / 2;
-const sideCost = 0.35; // of its size: what a thing may lose to stand in the middle instead of at the side
+const sideCost = 0.35; // the share of its size that content may lose to be in the centre instead of at the side
 
-/// The box within the room in which a thing is largest, or nearly so and nearer to the middle, and no place of it lies under one of `over`: the thing may reach
-/// past what is over a corner of its box where it does not fill that corner. `place`: puts the thing into a box.
+/// Places the content in the box within the room in which it is largest, with a preference for the centre, and in which
+/// none of its points is covered by `over`. A covered corner is allowed if the content leaves it free. `place` places the
+/// content in a box.
 export function bestBox<T extends Placed>(room: Box, over: readonly Box[], place: (box: Box) => T): T | null {
   const found = boxesIn(room, over)
     .filter((box) => widthOf(box) >= 20 && heightOf(box) >= 20)
@@ -46,14 +47,14 @@ export function bestBox<T extends Placed>(room: Box, over: readonly Box[], place
     })
     .sort((a, b) => b.worth - a.worth);
   const isFree = ({ points }: Placed) => {
-    for (const point of points) if (over.some((box) => holds(box, point))) return false;
+    for (const point of points) if (over.some((box) => contains(box, point))) return false;
     return true;
   };
   const free = found.find(({ box, placed }) => !over.some((each) => overlap(each, box)) || isFree(placed));
   return (free ?? found[0])?.placed ?? null;
 }
 
-/// Places along lines, so near to each other that what is between two of them cannot hide.
+/// Points along a polyline, at most `step` pixels apart.
 export function* alongLine(points: readonly Pixel[], step = 8): Iterable<Pixel> {
   for (let k = 0; k < points.length; ++k) {
     const [from, to] = [points[Math.max(0, k - 1)]!, points[k]!];

@@ -1,9 +1,9 @@
-// Where the names of things stand in a picture, so that none lies on another.
+// Places names in a view without overlaps.
 
 import { overlap, type Box } from './framing';
 import type { Pixel } from './nearness';
 
-/// A name, how large it is, and the place that it names, which has a mark of so many pixels around it.
+/// A name with its size, its point, and the radius of the point's mark (`reach`).
 export interface Label {
   text: string;
   width: number;
@@ -14,8 +14,8 @@ export interface Label {
 
 export interface PlacedLabel extends Label {
   box: Box;
-  /// It stands so far away that a line has to lead to its place.
-  isApart: boolean;
+  /// Whether it is so far away that a line connects it to its point.
+  isDetached: boolean;
 }
 
 const gap = 3; // pixels between a mark and its name
@@ -41,8 +41,8 @@ function boxAt({ width, height, at: [x, y], reach }: Label, [right, down]: reado
 const isWithin = (box: Box, room: Box) =>
   box.left >= room.left && box.right <= room.right && box.top >= room.top && box.bottom <= room.bottom;
 
-/// Each name beside its place where there is room, the first ones first: above it, beside it, below it, then farther
-/// away. Left out are those for which there is no room, and those of places outside it. Marks keep names off, too.
+/// Places each name near its point, the first ones first: above, beside, below, then farther away. Names do not overlap
+/// marks. A name is omitted if there is no space, or if its point is outside the room.
 export function placeLabels(labels: readonly Label[], room: Box, over: readonly Box[]): PlacedLabel[] {
   const inRoom = labels.filter(({ at: [x, y] }) => x >= room.left && x <= room.right && y >= room.top && y <= room.bottom);
   const marks = inRoom.map(({ at: [x, y], reach: r }): Box => ({ left: x - r, top: y - r, right: x + r, bottom: y + r }));
@@ -51,7 +51,7 @@ export function placeLabels(labels: readonly Label[], room: Box, over: readonly 
     const taken = [...over, ...marks, ...placed.map(({ box }) => box)];
     const tries = distances.flatMap((away) => directions.map((direction) => ({ away, box: boxAt(label, direction, away) })));
     const found = tries.find(({ box }) => isWithin(box, room) && !taken.some((other) => overlap(box, other)));
-    if (found) placed.push({ ...label, box: found.box, isApart: found.away > 0 });
+    if (found) placed.push({ ...label, box: found.box, isDetached: found.away > 0 });
   }
   return placed;
 }
@@ -59,11 +59,11 @@ export function placeLabels(labels: readonly Label[], room: Box, over: readonly 
 type Pen = CanvasRenderingContext2D;
 const font = '600 12px system-ui, sans-serif';
 
-/// Names as they are measured before they are placed.
+/// A label with its measured size.
 export function labelOf(pen: Pen, text: string, at: Pixel, reach: number): Label {
   pen.font = font;
-  const most = 40; // characters
-  const short = text.length > most ? `${text.slice(0, most - 1)}…` : text;
+  const limit = 40; // characters
+  const short = text.length > limit ? `${text.slice(0, limit - 1)}…` : text;
   return { text: short, width: pen.measureText(short).width + 4, height: 15, at, reach };
 }
 
@@ -72,9 +72,9 @@ export function drawLabels(pen: Pen, labels: readonly PlacedLabel[], colours: { 
   pen.textAlign = 'left';
   pen.textBaseline = 'middle';
   pen.lineJoin = 'round';
-  for (const { text, at: [x, y], box, isApart } of labels) {
+  for (const { text, at: [x, y], box, isDetached } of labels) {
     const [left, middle] = [box.left + 2, (box.top + box.bottom) / 2];
-    if (isApart) {
+    if (isDetached) {
       const [toX, toY] = [Math.max(box.left, Math.min(box.right, x)), Math.max(box.top, Math.min(box.bottom, y))];
       for (const [width, colour] of [[3, colours.halo], [1, colours.text]] as const) {
         pen.lineWidth = width;

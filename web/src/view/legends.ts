@@ -1,4 +1,4 @@
-// What colours mean, as data: the page shows it beside a picture, a saved picture has it drawn.
+// Legends as data, shown over a view and drawn into saved pictures.
 
 import { numberText } from '../ui/format';
 import { cssOf, type Colour, type Ramp } from './colours';
@@ -6,11 +6,11 @@ import { cssOf, type Colour, type Ramp } from './colours';
 export interface ScaleOfColours {
   kind: 'scale';
   title: string; // with the unit
-  /// Places from 0 to 1, and their colours.
+  /// Positions from 0 to 1, and their colours.
   stops: readonly (readonly [number, string])[];
   low: number;
   high: number;
-  /// Greater values have the last colour.
+  /// Whether higher values have the last colour.
   isClipped: boolean;
 }
 export interface KindsOfThings {
@@ -21,8 +21,8 @@ export interface KindsOfThings {
 export interface ClassesOfValues {
   kind: 'classes';
   title: string;
-  /// The least first.
-  classes: { text: string; colour: string; isThere: boolean }[];
+  /// The lowest first.
+  classes: { text: string; colour: string; isUsed: boolean }[];
   note: string;
 }
 export interface Remark {
@@ -45,7 +45,7 @@ const ink = '#1d2326';
 const faint = '#5a6468';
 const font = (size: number, weight = 400) => `${weight} ${size}px system-ui, 'Noto Sans', 'DejaVu Sans', sans-serif`;
 
-/// Words in lines of at most so many pixels.
+/// Wraps a text into lines of at most `width` pixels.
 export function linesOf(pen: Pen, text: string, width: number): string[] {
   const lines: string[] = [];
   for (const word of text.split(' ')) {
@@ -84,18 +84,18 @@ function drawScale(pen: Pen, scale: ScaleOfColours, x: number, y: number, width:
   return y + 30;
 }
 
-function drawList(pen: Pen, list: readonly { text: string; colour: string; isThere?: boolean }[], x: number, y: number, width: number): number {
+function drawList(pen: Pen, list: readonly { text: string; colour: string; isUsed?: boolean }[], x: number, y: number, width: number): number {
   pen.font = font(11);
-  for (const { text, colour, isThere = true } of list) {
+  for (const { text, colour, isUsed = true } of list) {
     swatch(pen, colour, x, y + 3, 20, 12);
-    pen.fillStyle = isThere ? ink : faint;
+    pen.fillStyle = isUsed ? ink : faint;
     pen.fillText(text, x + 28, y + 13, width - 28);
     y += 16;
   }
   return y;
 }
 
-/// One below the other from a place downwards; gives where the last one ends.
+/// Draws legends one below the other. Returns the y of their end.
 export function drawLegends(pen: Pen, list: readonly LegendData[], x: number, y: number, width: number): number {
   pen.textAlign = 'left';
   pen.textBaseline = 'alphabetic';

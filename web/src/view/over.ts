@@ -1,11 +1,11 @@
-// What stands over a picture: controls, legends, the line at its foot.
+// The parts of a view covered by controls, legends and the status line.
 
 import type { Box } from './framing';
 
 const parts = '.view-bar, .legends > *, .status-line, .compass';
 const margin = 6; // pixels kept free around them
 
-/// In the picture's pixels.
+/// The covered boxes in pixels of the view.
 export function boxesOver(host: HTMLElement): Box[] {
   const from = host.getBoundingClientRect();
   return [...host.querySelectorAll(parts)].flatMap((part): Box[] => {
@@ -22,7 +22,7 @@ export function boxesOver(host: HTMLElement): Box[] {
   });
 }
 
-/// Calls with what stands over a picture now, and whenever it is something else or elsewhere, until it is ended.
+/// Calls `changed` with the covered boxes, now and whenever they change. Returns a function that ends this.
 export function watchOver(host: HTMLElement, changed: (over: Box[]) => void): () => void {
   let last = '';
   let waiting = 0;

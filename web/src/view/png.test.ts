@@ -17,9 +17,9 @@ const png = Buffer.concat([
   chunk('IEND', Buffer.alloc(0)),
 ]);
 
-test('the density stands behind the header, a metre, with its checksum', () => {
+test('the resolution follows the header, in pixels per metre, with its checksum', () => {
   const made = Buffer.from(withDensity(png, 300));
-  const density = Buffer.from([0, 0, 0x2e, 0x23, 0, 0, 0x2e, 0x23, 1]); // 11811 a metre
+  const density = Buffer.from([0, 0, 0x2e, 0x23, 0, 0, 0x2e, 0x23, 1]); // 11811 per metre
   expect(made.subarray(33, 54)).toEqual(chunk('pHYs', density));
   expect(made.subarray(0, 33)).toEqual(png.subarray(0, 33));
   expect(made.subarray(54)).toEqual(png.subarray(33));

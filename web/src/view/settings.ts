@@ -1,4 +1,4 @@
-// What the views show and how, as the user left it. All but how fast rocks are played belongs to the project.
+// The display settings of the views. All but the playback speed belong to the project.
 
 import { kept } from '../state/kept';
 import { keptOfProject } from '../state/ofProject';
@@ -10,7 +10,7 @@ export const exaggeration = keptOfProject<number>('exaggeration', 1);
 
 export type PathColour = 'speed' | 'energy' | 'height' | 'source' | 'seeder' | 'reason';
 export const pathColour = keptOfProject<PathColour>('path colour', 'speed');
-/// Seconds of the rocks in a second of the viewer.
+/// Simulated seconds per second of playback.
 export const playbackSpeed = kept('view playback speed', 1);
 
 export const layers = {
@@ -20,7 +20,7 @@ export const layers = {
   paths: keptOfProject<boolean>('paths', true),
   ends: keptOfProject<boolean>('ends', true),
 };
-export const layerNames = { terrain: 'Terrain', seeders: 'Seeders', barriers: 'Barriers', paths: 'Paths', ends: 'End points' } as const;
+export const layerNames = { terrain: 'Terrain', seeders: 'Seeders', barriers: 'Barriers', paths: 'Trajectories', ends: 'End points' } as const;
 
-/// In the section view and in sections: one metre up is as long as one metre along.
+/// In the section view and in ground sections: the same scale on both axes.
 export const equalAxes = keptOfProject<boolean>('equal axes', true);

@@ -1,9 +1,9 @@
-// A picture on paper: with its title, what its colours mean, how long its metres are, where north is, and whence it came.
+// A picture for print: a sheet with title, legends, scale bar, north arrow and source.
 
 import { about } from '../state/about';
 import { file, fileStem, values } from '../state/document';
 import { model } from '../state/model';
-import { sayFailure } from '../state/messages';
+import { reportFailure } from '../state/messages';
 import { hasResults, shown } from '../state/runs';
 import { saveFile } from '../figures/files';
 import { counted, numberText } from '../ui/format';
@@ -11,23 +11,23 @@ import { drawLegends, type LegendData } from './legends';
 import { printPng, printRatio } from './png';
 import { roundStep } from './ticks';
 
-/// An A4 page across, but for its margins: 267 mm by 180 mm, in CSS pixels.
+/// A landscape A4 page without its margins, 267 mm by 180 mm, in CSS pixels.
 const sheet = { width: 1009, height: 680 };
 const margin = 14;
 const columnWidth = 190;
 const frame = { left: margin, top: 62, width: sheet.width - 3 * margin - columnWidth, height: sheet.height - 62 - 34 };
-/// Of the picture itself, in CSS pixels.
+/// The size of the picture on the sheet, in CSS pixels.
 export const pictureSize = { width: frame.width, height: frame.height };
 
 export interface SheetPicture {
-  /// As large as `pictureSize`, in pixels of the print.
+  /// The picture of `pictureSize`, in pixels of the print.
   canvas: HTMLCanvasElement;
   legends: readonly LegendData[];
-  /// Metres that a CSS pixel covers; null: not the same everywhere.
+  /// Metres per CSS pixel; null if they vary.
   metresPerPixel: number | null;
-  /// Degrees from north, clockwise, toward which one looks; null: there is no north.
+  /// The view direction in degrees from north, clockwise; null if there is no north.
   heading: number | null;
-  /// What else is to be known of it.
+  /// Further remarks.
   remarks: readonly string[];
 }
 
@@ -35,10 +35,10 @@ type Pen = CanvasRenderingContext2D;
 const [ink, faint] = ['#1d2326', '#5a6468'];
 const font = (size: number, weight = 400) => `${weight} ${size}px system-ui, 'Noto Sans', 'DejaVu Sans', sans-serif`;
 
-/// The length of a bar of so many pixels at the most, a round number of metres.
-export function barLength(metresPerPixel: number, most: number): number {
-  const metres = roundStep(0.4 * most * metresPerPixel);
-  return metres / metresPerPixel > most ? metres / 2 : metres;
+/// The length of a scale bar of at most `maximum` pixels, a round number of metres.
+export function barLength(metresPerPixel: number, maximum: number): number {
+  const metres = roundStep(0.4 * maximum * metresPerPixel);
+  return metres / metresPerPixel > maximum ? metres / 2 : metres;
 }
 
 function drawScaleBar(pen: Pen, metresPerPixel: number, x: number, y: number): number {
@@ -63,7 +63,7 @@ function drawScaleBar(pen: Pen, metresPerPixel: number, x: number, y: number): n
   return y + 26;
 }
 
-/// An arrow of some 40 pixels around a place.
+/// Draws a north arrow of some 40 pixels around a point.
 function drawNorth(pen: Pen, heading: number, x: number, y: number) {
   pen.save();
   pen.translate(x, y);
@@ -104,7 +104,7 @@ function drawWords(pen: Pen, remarks: readonly string[]) {
   pen.fillText(facts.join(' · '), margin, sheet.height - 12, sheet.width - 2 * margin);
 }
 
-/// The whole sheet, opaque.
+/// Draws the whole sheet, opaque.
 export function sheetOf({ canvas, legends, metresPerPixel, heading, remarks }: SheetPicture): HTMLCanvasElement {
   const made = document.createElement('canvas');
   Object.assign(made, { width: Math.round(sheet.width * printRatio), height: Math.round(sheet.height * printRatio) });
@@ -133,6 +133,6 @@ export async function saveSheet(picture: () => SheetPicture | Promise<SheetPictu
   try {
     saveFile(`${fileStem() || 'view'}.png`, await printPng(sheetOf(await picture())));
   } catch (error) {
-    sayFailure(error);
+    reportFailure(error);
   }
 }

@@ -1,4 +1,4 @@
-// Whether the page is light or dark now, and its colours for pictures that CSS does not reach.
+// The light or dark theme, and its colours for canvases.
 
 import { effect, signal } from '@preact/signals';
 import { theme } from '../state/view';
@@ -11,19 +11,19 @@ export const shade = signal<'light' | 'dark'>('light');
 effect(() => {
   const now = theme.value === 'system' ? (systemIsDark.value ? 'dark' : 'light') : theme.value;
   document.documentElement.dataset.theme = now;
-  shade.value = now; // after the colours, which are read when it changes
+  shade.value = now; // set after the CSS colours, which are read when it changes
 });
 
-/// Of the run that is shown, and of the one that is compared with it.
+/// The colour of the shown or the compared run.
 export function runColour(which: 'shown' | 'compared'): string {
   void shade.value;
   return cssColour(`--run-${which}`);
 }
 
-/// A colour of theme.css by its name, such as "--text". Read it again when `shade` changes.
+/// A colour of theme.css by name, such as "--text". It changes with `shade`.
 export const cssColour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-/// Does something in the light colours of paper, whatever the page has. The page is not seen meanwhile.
+/// Runs a synchronous task in the light theme, for print.
 export function inLight<T>(task: () => T): T {
   const before = shade.peek();
   const show = (next: 'light' | 'dark') => {

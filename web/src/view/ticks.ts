@@ -1,14 +1,14 @@
 // Round numbers for axes, contours and scale bars.
 
-/// The least of 1, 2 and 5 times a power of ten that is at least `least`.
-export function roundStep(least: number): number {
-  if (!(least > 0) || !Number.isFinite(least)) return 1;
-  const power = 10 ** Math.floor(Math.log10(least) + 1e-9);
-  const lead = least / power;
+/// The smallest 1, 2 or 5 times a power of ten that is at least `minimum`.
+export function roundStep(minimum: number): number {
+  if (!(minimum > 0) || !Number.isFinite(minimum)) return 1;
+  const power = 10 ** Math.floor(Math.log10(minimum) + 1e-9);
+  const lead = minimum / power;
   return power * (lead <= 1.000001 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
 }
 
-/// The next number with two digits that count: 123 is 130.
+/// Rounds up to two significant digits: 130 for 123.
 export function roundUp(value: number): number {
   if (!(value > 0)) return 0;
   const unit = 10 ** (Math.floor(Math.log10(value)) - 1);

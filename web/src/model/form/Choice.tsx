@@ -7,24 +7,24 @@ interface Props {
   id?: string;
   label?: string;
   words: string[];
-  /// What the words mean to people, where it is not the word.
+  /// Displayed texts, if they differ from the words.
   titles?: Record<string, string>;
   value: TomlValue | undefined;
-  /// What holds where nothing is chosen; empty: something must be.
+  /// The text if nothing is chosen; empty if a choice is required.
   absent: string;
   invalid?: boolean;
   describedBy?: string;
-  /// One of very many: its other words come when somebody is about to choose.
+  /// One of very many controls: its options are added on focus.
   isOneOfMany?: boolean;
   take: (value: string | undefined) => void;
 }
 
-/// One word of several. What the file has is shown even where it is none of them.
+/// A choice of one word. A value of the file is shown even if it is not one of the words.
 export function Choice(props: Props) {
   const { id, label, words, titles = {}, value, absent, invalid, describedBy, isOneOfMany = false, take } = props;
-  const [isNear, approach] = useState(!isOneOfMany);
+  const [isNear, setNear] = useState(!isOneOfMany);
   const now = cellText(value);
-  const near = () => approach(true);
+  const approach = () => setNear(true);
   const all = !isNear ? [now].filter(Boolean) : now === '' || words.includes(now) ? words : [...words, now];
   return (
     <select
@@ -33,11 +33,11 @@ export function Choice(props: Props) {
       aria-invalid={invalid ?? false}
       aria-describedby={describedBy}
       value={now}
-      onFocus={near}
-      onPointerDown={near}
+      onFocus={approach}
+      onPointerDown={approach}
       onChange={(event) => take(event.currentTarget.value || undefined)}
     >
-      {(absent || now === '') && <option value="">{absent || 'choose …'}</option>}
+      {(absent || now === '') && <option value="">{absent || 'choose…'}</option>}
       {all.map((word) => (
         <option key={word} value={word}>
           {titles[word] ?? wordText(word)}

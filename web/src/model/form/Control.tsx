@@ -1,4 +1,4 @@
-// The control of a setting, by the form of its value.
+// The control of a setting, by the kind of its value.
 
 import { valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
@@ -6,7 +6,7 @@ import { pathText, put } from '../place';
 import { absentText, valueText, wordText } from '../words';
 import { Choice } from './Choice';
 import { DistributionControl } from './DistributionControl';
-import { idOf, sayingsId, type FieldProps } from './fieldProps';
+import { idOf, problemsId, type FieldProps } from './fieldProps';
 import { FileControl } from './FileControl';
 import { LineControl, RowsControl, TupleControl } from './geometry';
 import { LibraryControl } from './LibraryControl';
@@ -22,7 +22,7 @@ export function Control({ field, path }: FieldProps) {
   const value = valueAt(path);
   const id = idOf(path);
   const invalid = value !== undefined && problemsAt(pathText(path)).some(({ severity }) => severity === 'error');
-  const describedBy = sayingsId(path);
+  const describedBy = problemsId(path);
   const take = (next: Parameters<typeof put>[1]) => put(path, next, field.title);
   const common = { id, invalid, describedBy };
   switch (field.type.kind) {

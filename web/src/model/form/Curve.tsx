@@ -1,4 +1,4 @@
-// The density of a random property, as the engine draws it.
+// The probability density of a random property, computed by the engine.
 
 import { useEffect, useState } from 'preact/hooks';
 import { api } from '../../api/client';
@@ -22,7 +22,7 @@ export function Curve({ distribution, path, unit, title }: Props) {
   const key = String(path.at(-1));
   const asked = jsonText(distribution);
   useEffect(() => {
-    // Texts where numbers belong are reported elsewhere.
+    // Parts that are not numbers are reported at their fields.
     if (
       Object.entries(JSON.parse(asked) as TomlTable).some(
         ([part, value]) => part !== 'distribution' && typeof value !== 'number',
@@ -34,7 +34,7 @@ export function Curve({ distribution, path, unit, title }: Props) {
       void api
         .distribution(key, JSON.parse(asked) as TomlTable, own.signal)
         .then((answer) => setDensity(answer.density))
-        // What is wrong with it is said at its fields.
+        // Problems are reported at the fields.
         .catch(() => !own.signal.aborted && setDensity([]));
     }, 150);
     return () => {

@@ -1,4 +1,4 @@
-// A random property: a number, or a mean with a kind of distribution and its parameters; and the curve of it.
+// A random property: a number, or a mean with a distribution and its parameters, and its density.
 
 import { edit, valueAt } from '../../state/document';
 import type { Problem } from '../../api/types';
@@ -10,7 +10,7 @@ import { isTable, pathText, put, thingOf } from '../place';
 import { absentText, valueText } from '../words';
 import { Choice } from './Choice';
 import { Curve } from './Curve';
-import { idOf, sayingsId, type FieldProps } from './fieldProps';
+import { idOf, problemsId, type FieldProps } from './fieldProps';
 import { TypedInput } from './TypedInput';
 
 const kindTitles: Record<string, string> = { [constantKind]: 'constant' };
@@ -25,18 +25,19 @@ export function DistributionControl({ field, path }: FieldProps) {
   const kinds = field.type.parts.find(({ key }) => key === 'distribution')?.type;
   const id = idOf(path);
   const parts = field.type.parts.map(({ key }) => key);
-  /// The part that a problem is about: its path says it, or its words do.
+  /// The part that a problem is about, by its path or by its words.
   const partOf = ({ path: at, what }: Problem) =>
     parts.find((key) => at === pathText([...path, key])) ?? parts.find((key) => what.includes(` ${key} `)) ?? 'mean';
-  const saidOf = (key: string) => problemsOf(path).filter((problem) => partOf(problem) === key);
+  const problemsOfPart = (key: string) => problemsOf(path).filter((problem) => partOf(problem) === key);
   const marks = (key: string) => ({
-    invalid: value !== undefined && saidOf(key).some(({ severity }) => severity === 'error'),
-    describedBy: saidOf(key).length > 0 ? sayingsId(path) : undefined,
+    invalid: value !== undefined && problemsOfPart(key).some(({ severity }) => severity === 'error'),
+    describedBy: problemsOfPart(key).length > 0 ? problemsId(path) : undefined,
   });
 
   const inherited = inheritedAt(path);
   const chooseKind = (next: string | undefined) => {
-    const what = `${next === constantKind ? 'make constant' : `make ${next}`}: ${field.title.toLowerCase()} of ${thingOf(path)}`;
+    const kindText = next === undefined || next === constantKind ? 'constant' : next;
+    const what = `change ${field.title.toLowerCase()} of ${thingOf(path)} to ${kindText}`;
     const now = mean ?? (isTable(inherited) ? inherited.mean : inherited) ?? standard?.mean;
     if (next === undefined || next === constantKind) {
       edit(what, [now === undefined ? { remove: path } : { set: path, value: now }]);

@@ -1,4 +1,4 @@
-// A table of numbers that is typed in, or pasted from a spreadsheet.
+// An editable table of numbers, typed or pasted from a spreadsheet.
 
 import type { ComponentChildren } from 'preact';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
@@ -23,15 +23,15 @@ import { TypedInput } from './TypedInput';
 interface Props {
   label: string;
   columns: string[];
-  /// As the project has them.
+  /// The cells in the project.
   cells: string[][];
-  /// How many cells of a row may not be empty.
+  /// The number of cells of a row that must not be empty.
   least: number;
   take: (rows: TomlValue[][], what: string) => void;
-  /// Rows that are not complete, and where they are kept.
+  /// Incomplete rows, and the function that stores them.
   waiting: readonly Waiting[];
-  wait: (rows: readonly Waiting[]) => void;
-  /// Whether something is said against a cell of the project, and where that stands.
+  keepWaiting: (rows: readonly Waiting[]) => void;
+  /// Whether a cell of the project has an error, and the id of the element that describes it.
   isWrong?: (row: number, column: number) => boolean;
   describedBy?: string;
   /// Further buttons below the table.
@@ -42,22 +42,22 @@ const page = 100;
 const withoutBlanks = (rows: Row[]) => rows.slice(0, rows.findLastIndex(({ cells }) => !isBlank(cells)) + 1);
 
 export function EditTable(props: Props) {
-  const { label, columns, cells, least, take, waiting, wait, isWrong, describedBy, children } = props;
+  const { label, columns, cells, least, take, waiting, keepWaiting, isWrong, describedBy, children } = props;
   const [first, setFirst] = useState(0);
   const [pasting, setPasting] = useState<{ begun: (Cell & { text: string }) | null } | null>(null);
   const focus = useRef<[number, number] | null>(null);
   const table = useRef<HTMLTableElement>(null);
   const shown = withWaiting(cells, waiting);
   const blank: Row = { cells: Array<string>(columns.length).fill(''), given: null };
-  // The last row is always empty, for the next one to be typed.
+  // The last row is always empty, for typing the next one.
   const rendered = isBlank(shown.at(-1)?.cells ?? ['.']) ? shown : [...shown, blank];
 
   const change = (next: Row[], what: string) => {
     const now = settled(withoutBlanks(next), least);
     if (!isSame(now.rows, cells.map(asGiven))) take(now.rows, what);
-    wait(now.waiting);
+    keepWaiting(now.waiting);
   };
-  // How much a row needs can change, too.
+  // The number of required cells can change, too.
   const isComplete = waiting.some((row) => rowValue(row.cells, least) !== undefined);
   useEffect(() => {
     if (isComplete) change(shown, 'complete rows of');
@@ -116,7 +116,7 @@ export function EditTable(props: Props) {
     if (event.key === 'ArrowUp' && row > 0) go(row - 1, column);
     else if (event.key === 'ArrowDown' && row + 1 < rendered.length) go(row + 1, column);
     else if (event.key === 'Enter') {
-      // The cell is taken first: a row that is complete makes way for the next.
+      // Leaving the cell stores it, which completes the row before the next one is focused.
       (event.currentTarget as HTMLElement).blur();
       go(row + 1, 0);
     } else return;

@@ -1,4 +1,4 @@
-// One setting: its label, its value, what the engine says against it, and help.
+// One setting: label, value, problems and help.
 
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
@@ -12,7 +12,7 @@ import { Control } from './Control';
 import { idOf, type FieldProps } from './fieldProps';
 import { Help } from './Help';
 
-/// Whether a field is one control, whose label points at it; a group of controls has a name of its own.
+/// Whether a field has a single control, which its label refers to. Other fields are labelled groups.
 const isSingle = ({ type }: Setting) =>
   ['number', 'whole', 'boolean', 'choice', 'text', 'file', 'word or number', 'list'].includes(type.kind);
 
@@ -52,7 +52,7 @@ export function Field({ field, path, before }: FieldProps & { before?: Component
         {value !== undefined && !field.required && (
           <button
             class="mini"
-            title={`Back to what holds without it`}
+            title="Reset to the default"
             aria-label={`Clear ${field.title}`}
             onClick={() => put(path, undefined, field.title)}
           >
@@ -75,7 +75,7 @@ export function Field({ field, path, before }: FieldProps & { before?: Component
             <Control field={field} path={path} />
           </fieldset>
           <p id={`${id}-idle`} class="faint">
-            Of a {wordText(field.onlyFor)} only; the rock model is {wordText(rockModel.value)}.
+            Applies only to the {wordText(field.onlyFor)} model; the rock model is {wordText(rockModel.value)}.
           </p>
         </>
       ) : (

@@ -1,15 +1,15 @@
-// A file that the project names: one of the folder, or one that is uploaded beside the project.
+// A file of the project: one of the folder, or an uploaded one.
 
 import { useEffect, useRef } from 'preact/hooks';
 import { file, valueAt } from '../../state/document';
-import { sayFailure } from '../../state/messages';
+import { reportFailure } from '../../state/messages';
 import { problemsAt } from '../../state/model';
-import { chosenFiles, files, fittingFiles, fittingName, keepBeside, loadFiles, relativeTo } from '../files';
+import { chosenFiles, files, fittingFiles, fittingName, loadFiles, relativeTo, uploadFiles } from '../files';
 import { MoreFiles } from '../MoreFiles';
 import { cellText } from '../numbers';
 import { pathText, put } from '../place';
 import { absentText } from '../words';
-import { idOf, sayingsId, type FieldProps } from './fieldProps';
+import { idOf, problemsId, type FieldProps } from './fieldProps';
 
 export function FileControl({ field, path }: FieldProps) {
   useEffect(() => void loadFiles(), []);
@@ -18,12 +18,12 @@ export function FileControl({ field, path }: FieldProps) {
   const now = cellText(value);
   const project = file.value ?? '';
   const names = fittingFiles(field.key, files.value).map(({ name }) => relativeTo(project, name));
-  // Of the keys that make a terrain the engine says that one is needed; here it is which file.
+  // For alternative keys of a terrain the engine reports that one is needed; here only the file is missing.
   const absent = field.excludes.length > 0 ? 'no file chosen' : absentText(field) || 'no file chosen';
-  const emptyText = names.length > 0 || now ? absent : 'no fitting file in the folder yet';
+  const emptyText = names.length > 0 || now ? absent : 'no suitable file in the folder yet';
   const problems = problemsAt(pathText(path));
   const upload = async (list: File[]) => {
-    const name = fittingName(field.key, await keepBeside(project, list), files.value);
+    const name = fittingName(field.key, await uploadFiles(project, list), files.value);
     if (name !== undefined) put(path, name, field.title);
   };
   return (
@@ -31,7 +31,7 @@ export function FileControl({ field, path }: FieldProps) {
       <select
         id={idOf(path)}
         aria-invalid={value !== undefined && problems.some(({ severity }) => severity === 'error')}
-        aria-describedby={sayingsId(path)}
+        aria-describedby={problemsId(path)}
         value={now}
         onChange={(event) => put(path, event.currentTarget.value || undefined, field.title)}
       >
@@ -51,7 +51,7 @@ export function FileControl({ field, path }: FieldProps) {
         hidden
         multiple
         aria-label={`Upload a file for ${field.title}`}
-        onChange={(event) => void upload(chosenFiles(event.currentTarget)).catch(sayFailure)}
+        onChange={(event) => void upload(chosenFiles(event.currentTarget)).catch(reportFailure)}
       />
       <MoreFiles />
     </div>

@@ -5,14 +5,14 @@ import type { Field } from '../schema';
 import { absentText, rangeText } from '../words';
 import { Words } from './Words';
 
-/// `max_time_s` in `[analysis]`, as the file has it.
+/// The location of a setting in the file: "in [analysis]".
 function place(path: Path): string {
   const [table, next] = path;
   if (path.length === 1) return 'before the first table';
   return typeof next === 'number' ? `in [[${table}]]` : `in [${table}]`;
 }
 
-/// What a setting means, which values it may have, and where it comes from.
+/// The meaning of a setting, its range, its default and its source.
 export function Help({ field, path }: { field: Field; path: Path }) {
   const range = 'range' in field.type ? rangeText(field.type.range) : '';
   const absent = absentText(field);

@@ -6,7 +6,7 @@ import { absentText } from '../words';
 import { Choice } from './Choice';
 import type { Common, FieldProps } from './fieldProps';
 
-/// The material of the library whose values hold where nothing is given, and where they are from.
+/// The choice of a library material, whose values are the defaults of a material, with its source.
 export function LibraryControl({ field, path, ...common }: FieldProps & Common) {
   useEffect(loadLibrary, []);
   const value = valueAt(path);

@@ -11,7 +11,7 @@ interface Props {
   take: (value: TomlValue | undefined) => void;
 }
 
-/// Numbers with commas or blanks between them.
+/// A list of numbers separated by commas or spaces.
 export function ListControl({ value, take, ...rest }: Props) {
   const text = Array.isArray(value) ? value.map(cellText).join(', ') : cellText(value);
   const read = (typed: TomlValue | undefined) =>

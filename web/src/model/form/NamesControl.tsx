@@ -1,4 +1,4 @@
-// What classes of a raster, or values of an attribute, are called here: each a material.
+// Assigns a material to each class of a raster or value of an attribute.
 
 import { useState } from 'preact/hooks';
 import { edit, valueAt } from '../../state/document';
@@ -46,7 +46,7 @@ export function NamesControl({ field, path }: FieldProps) {
                     value={name}
                     absent=""
                     take={(next) =>
-                      next !== undefined && edit(`make ${key} ${next}`, [{ set: [...path, chosenName(key)], value: next }])
+                      next !== undefined && edit(`assign ${next} to ${key}`, [{ set: [...path, chosenName(key)], value: next }])
                     }
                   />
                 </td>

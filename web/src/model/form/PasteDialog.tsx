@@ -1,4 +1,4 @@
-// Rows for an edit table out of a text, and the questions that the text leaves open.
+// Pastes rows into an edit table and asks how to read ambiguous numbers.
 
 import { useState } from 'preact/hooks';
 import { Dialog } from '../../ui/Dialog';
@@ -13,24 +13,24 @@ export interface Cell {
 interface Props {
   columns: string[];
   hasRows: boolean;
-  /// What was pasted into a cell.
+  /// The text that was pasted into a cell.
   begun: (Cell & { text: string }) | null;
   close: () => void;
   take: (rows: string[][], where: 'instead' | 'below' | Cell) => void;
 }
 
 const meanings: Record<Commas, (number: string) => string> = {
-  'part thousands': (number) => `${number.replaceAll(',', '')}: commas part thousands`,
+  'separate thousands': (number) => `${number.replaceAll(',', '')}: commas separate thousands`,
   'are decimal': (number) => `${number.replace(',', '.')}: commas are decimal`,
-  'part columns': (number) => `${number.split(',').join(' and ')}: commas part columns`,
+  'separate columns': (number) => `${number.split(',').join(' and ')}: commas separate columns`,
 };
 
 export function PasteDialog({ columns, hasRows, begun, close, take }: Props) {
   const [text, setText] = useState(begun?.text ?? '');
   const [commas, setCommas] = useState<Commas | null>(null);
-  const { open, rows: asItStands } = readPasted(text);
+  const { open, rows: unresolved } = readPasted(text);
   const chosen = open && commas && open.readings.includes(commas) ? commas : undefined;
-  const block = chosen ? readPasted(text, chosen).rows : asItStands;
+  const block = chosen ? readPasted(text, chosen).rows : unresolved;
   const rows = withoutNames(block, columns.length);
   const wrong = rows.findIndex((row) => row.length > columns.length);
   const fits = begun && begun.column + Math.max(...block.map((row) => row.length)) <= columns.length;
@@ -39,8 +39,8 @@ export function PasteDialog({ columns, hasRows, begun, close, take }: Props) {
   return (
     <Dialog title="Paste rows" close={close}>
       <p class="faint">
-        Columns {columns.join(', ')}: copied from a spreadsheet, or apart by commas, semicolons or blanks. A heading is
-        left out.
+        Columns {columns.join(', ')}: copied from a spreadsheet, or separated by commas, semicolons or spaces. A heading
+        is skipped.
       </p>
       <textarea
         class="mono"
@@ -52,7 +52,7 @@ export function PasteDialog({ columns, hasRows, begun, close, take }: Props) {
       />
       {open && (
         <fieldset class="choices">
-          <legend>What is {open.number}?</legend>
+          <legend>How should {open.number} be read?</legend>
           {open.readings.map((reading) => (
             <label key={reading} class="check">
               <input
@@ -70,7 +70,7 @@ export function PasteDialog({ columns, hasRows, begun, close, take }: Props) {
         {counted(rows.length, 'row')}
         {wrong >= 0 && (
           <span class="problem">
-            Row {wrong + 1} has {rows[wrong]!.length} columns; {columns.length} are taken, from the left.
+            Row {wrong + 1} has {rows[wrong]!.length} columns; only the first {columns.length} are used.
           </span>
         )}
       </p>
@@ -82,7 +82,7 @@ export function PasteDialog({ columns, hasRows, begun, close, take }: Props) {
         )}
         {(hasRows || !at) && (
           <button class={at ? 'button' : 'button first'} disabled={isOpen} onClick={() => take(rows, 'instead')}>
-            {hasRows ? 'Replace all rows' : 'Take the rows'}
+            {hasRows ? 'Replace all rows' : 'Add the rows'}
           </button>
         )}
         {hasRows && (

@@ -1,4 +1,4 @@
-// What closed polylines become: the engine's triangles on plan, and its report of the merge.
+// The triangles that the engine makes of closed polylines, on plan, and its report of the merge.
 
 import { useEffect, useState } from 'preact/hooks';
 import { api } from '../../api/client';
@@ -21,7 +21,7 @@ export function PolygonPreview({ polylines }: { polylines: TomlValue[] }) {
       void api
         .polygons(JSON.parse(asked) as { polylines: unknown; tolerance_m: number }, own.signal)
         .then(setAnswer)
-        // What is wrong with a polyline is said at its field.
+        // Problems are reported at the field.
         .catch(() => !own.signal.aborted && setAnswer(null));
     }, 300);
     return () => {
@@ -38,7 +38,7 @@ export function PolygonPreview({ polylines }: { polylines: TomlValue[] }) {
   const at = (k: number) =>
     `${(5 + (vertices[k]![0] - left) * scale).toFixed(1)},${(5 + (top - vertices[k]![1]) * scale).toFixed(1)}`;
   const height = 10 + (top - Math.min(...ys)) * scale;
-  const turned = tableAt(['terrain']).rotate_deg !== undefined;
+  const isRotated = tableAt(['terrain']).rotate_deg !== undefined;
   return (
     <figure class="preview">
       <svg
@@ -52,7 +52,7 @@ export function PolygonPreview({ polylines }: { polylines: TomlValue[] }) {
       </svg>
       <figcaption>
         {counted(triangles.length, 'triangle')} of {counted(vertices.length, 'vertex', 'vertices')}, on plan
-        {turned ? ' before turning' : ''}. {report}
+        {isRotated ? ' before rotation' : ''}. {report}
       </figcaption>
     </figure>
   );

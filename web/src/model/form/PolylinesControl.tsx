@@ -1,4 +1,4 @@
-// Closed polylines, each an edit table; together they are the slope.
+// Closed polylines, one edit table each, which together form the slope.
 
 import { useState } from 'preact/hooks';
 import { edit, valueAt } from '../../state/document';
@@ -26,7 +26,7 @@ export function PolylinesControl({ path }: FieldProps) {
   return (
     <div class="polylines">
       {Array.from({ length: lists.length + (hasNew ? 1 : 0) }, (_, k) => (
-        // A new one stays where it is when its first vertex makes it one of the project's.
+        // A new polyline keeps its position when its first vertex adds it to the project.
         <Polyline key={k} path={path} lists={lists} k={k} added={() => setAdding(false)} />
       ))}
       {!hasNew && (
@@ -60,7 +60,7 @@ function Polyline({ path, lists, k, added }: { path: Path; lists: TomlValue[]; k
     edit(`delete polyline ${k + 1}`, [lists.length === 1 ? { set: path, value: [] } : { remove: own }]);
   const state =
     given === undefined
-      ? 'new: type or paste its vertices, the last as the first'
+      ? 'new: type or paste its vertices; the last equals the first'
       : `${counted(rows.length, 'vertex', 'vertices')}, ${isClosed(rows) ? 'closed' : 'open'}`;
   return (
     <details class="polyline" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
@@ -80,7 +80,7 @@ function Polyline({ path, lists, k, added }: { path: Path; lists: TomlValue[]; k
             class="button"
             onClick={() => edit(`close polyline ${k + 1}`, [{ set: [...own, rows.length], value: rows[0]! }])}
           >
-            Close it
+            Close the polyline
           </button>
         )}
         {given !== undefined && (

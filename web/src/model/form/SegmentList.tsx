@@ -1,4 +1,4 @@
-// A material for each segment of the section.
+// The material of each segment of the section.
 
 import { edit, valueAt } from '../../state/document';
 import { model, problemsAt } from '../../state/model';
@@ -7,7 +7,7 @@ import { counted } from '../../ui/format';
 import { cellText } from '../numbers';
 import { is2d, pathText, tableAt } from '../place';
 import { Choice } from './Choice';
-import { sayingsId, type FieldProps } from './fieldProps';
+import { problemsId, type FieldProps } from './fieldProps';
 import { materialNames } from './references';
 
 export function SegmentList({ field, path }: FieldProps) {
@@ -24,7 +24,7 @@ export function SegmentList({ field, path }: FieldProps) {
   if (!is2d.value && model.value?.kind === 'raster') return null;
   const choose = (k: number, next: string) =>
     edit(
-      `make segment ${k + 1} ${next}`,
+      `assign ${next} to segment ${k + 1}`,
       given.length > 0 ? [{ set: [...path, k], value: next }] : [{ set: path, value: all.with(k, next) }],
       `${own}.${k}`,
     );
@@ -55,7 +55,7 @@ export function SegmentList({ field, path }: FieldProps) {
                       absent={k < all.length ? '' : 'none'}
                       isOneOfMany
                       invalid={k >= all.length || k >= count || wrong.has(`${own}.${k}`)}
-                      describedBy={wrong.has(`${own}.${k}`) ? sayingsId(path) : undefined}
+                      describedBy={wrong.has(`${own}.${k}`) ? problemsId(path) : undefined}
                       take={(next) => next !== undefined && choose(k, next)}
                     />
                   )}
@@ -77,7 +77,7 @@ interface ListProps {
   standard: string;
 }
 
-/// The list was written by hand, or the section was: nobody else knows which of the segments the materials are for.
+/// A notice if the list was edited by hand and its length differs from the number of segments.
 function UnequalNumbers({ path, given, count, standard }: ListProps) {
   const missing = count - given.length;
   if (given.length === 0 || missing === 0) return null;
@@ -85,13 +85,13 @@ function UnequalNumbers({ path, given, count, standard }: ListProps) {
   return (
     <div>
       <p class="problem warning">
-        The text lists {counted(given.length, 'material')} for {counted(count, 'segment')}. Look over which is whose:
-        where one was left out, all after it are a segment off.
+        The project lists {counted(given.length, 'material')} for {counted(count, 'segment')}. Check every segment: if a
+        material was left out, all later ones are off by one segment.
       </p>
       <button class="button" onClick={() => edit('fit the materials to the segments', [{ set: path, value: filled }])}>
         {missing > 0
-          ? `Make the last ${missing === 1 ? 'one' : missing} ${standard}`
-          : `Leave out the last ${missing === -1 ? 'one' : -missing}`}
+          ? `Assign ${standard} to the last ${missing === 1 ? 'segment' : `${missing} segments`}`
+          : `Remove the last ${missing === -1 ? 'material' : `${-missing} materials`}`}
       </button>
     </div>
   );

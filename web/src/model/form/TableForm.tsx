@@ -1,4 +1,4 @@
-// The form of one table of the project, its fields in groups.
+// The form of a table of the project, with its fields in groups.
 
 import { useState } from 'preact/hooks';
 import { edit, valueAt, values } from '../../state/document';
@@ -13,7 +13,7 @@ import { Field } from './Field';
 
 const isGiven = (path: Path) => valueAt(path) !== undefined || problemsOf(path).length > 0;
 
-/// All of a table's settings, or only some.
+/// The form of all settings of a table, or of some (`only`).
 export function TableForm({ table, path, only }: { table: Table['key']; path: Path; only?: readonly Name[] }) {
   const described = tableOf(table);
   if (!described) return null;
@@ -55,12 +55,12 @@ function GroupOfFields({ table, group, path }: { table: Table; group: Group; pat
   );
 }
 
-/// Settings that exclude each other: one way is chosen, the others go.
+/// Mutually exclusive settings: choosing one removes the others.
 function OneOf({ ways, path }: { ways: Setting[][]; path: Path }) {
   const [picked, setPicked] = useState<string | null>(null);
-  const isSaid = (field: Setting) => valueAt([...path, field.key]) !== undefined;
+  const isGivenHere = (field: Setting) => valueAt([...path, field.key]) !== undefined;
   const nameOfWay = (way: Setting[]) => way[0]!.key;
-  const now = ways.find((way) => nameOfWay(way) === picked) ?? ways.find((way) => way.some(isSaid)) ?? ways[0]!;
+  const now = ways.find((way) => nameOfWay(way) === picked) ?? ways.find((way) => way.some(isGivenHere)) ?? ways[0]!;
   const pick = (next: Setting[]) => {
     setPicked(nameOfWay(next));
     const gone = new Set([
@@ -70,7 +70,7 @@ function OneOf({ ways, path }: { ways: Setting[][]; path: Path }) {
     const removes = [...gone]
       .filter((key) => valueAt([...path, key]) !== undefined)
       .map((key) => ({ remove: [...path, key] }));
-    if (removes.length > 0) edit(`give ${next[0]!.title.toLowerCase()} of ${thingOf(path)}`, removes);
+    if (removes.length > 0) edit(`switch to ${next[0]!.title.toLowerCase()} of ${thingOf(path)}`, removes);
   };
   return (
     <div class="one-of">
@@ -85,9 +85,9 @@ function OneOf({ ways, path }: { ways: Setting[][]; path: Path }) {
           </button>
         ))}
       </div>
-      {/* More than one in the file: the engine says so, and each can be cleared. */}
+      {/* If the file has several, the engine reports it, and each can be cleared. */}
       {ways
-        .flatMap((way) => way.filter((field) => way === now || isSaid(field)))
+        .flatMap((way) => way.filter((field) => way === now || isGivenHere(field)))
         .map((field) => (
           <Field key={field.key} field={field} path={[...path, field.key]} />
         ))}

@@ -10,14 +10,14 @@ export interface TypedInputProps {
   invalid?: boolean;
   describedBy?: string;
   words?: string;
-  /// A text, which is taken when it is complete; a number is taken with every key.
+  /// A text is stored when the field is left, a number with every key.
   isText?: boolean;
   take: (value: TomlValue | undefined) => void;
   onKeyDown?: (event: KeyboardEvent & { currentTarget: HTMLInputElement }) => void;
   onPaste?: (event: ClipboardEvent) => void;
 }
 
-/// A line of input. While it is typed in, it shows what was typed; otherwise what the project says.
+/// An input field. It shows the typed text while typing, otherwise the project's value.
 export function TypedInput(props: TypedInputProps) {
   const { value, take, isText = false } = props;
   const [typed, setTyped] = useState<string | null>(null);

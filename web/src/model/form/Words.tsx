@@ -1,4 +1,4 @@
-/// A sentence of the engine's; what stands between backquotes is code.
+/// A sentence of the engine; text between backquotes is code.
 export function Words({ text }: { text: string }) {
   return <>{text.split('`').map((part, k) => (k % 2 === 1 ? <code key={k}>{part}</code> : part))}</>;
 }

@@ -1,4 +1,4 @@
-// Some of a few words: true stands for all of them, false for none.
+// A choice of several words: true is all of them, false none.
 
 import { valueAt } from '../../state/document';
 import type { TomlValue } from '../../toml/format';

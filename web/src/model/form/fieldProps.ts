@@ -1,4 +1,4 @@
-// What a setting's field and the control in it both know.
+// Common properties of fields and their controls.
 
 import type { Path } from '../names';
 import { problemsOf } from '../awaited';
@@ -9,7 +9,7 @@ export interface FieldProps {
   path: Path;
 }
 
-/// What a control of one value needs besides it.
+/// Further properties of a control with one value.
 export interface Common {
   id: string;
   invalid: boolean;
@@ -17,5 +17,5 @@ export interface Common {
 }
 
 export const idOf = (path: Path) => `field-${path.join('-')}`;
-/// Where it stands what is said of a setting, for its controls to point at.
-export const sayingsId = (path: Path) => (problemsOf(path).length > 0 ? `${idOf(path)}-problems` : undefined);
+/// The id of the element with the problems of a setting, for aria-describedby.
+export const problemsId = (path: Path) => (problemsOf(path).length > 0 ? `${idOf(path)}-problems` : undefined);

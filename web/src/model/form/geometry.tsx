@@ -1,4 +1,4 @@
-// Controls of settings that are points: one, rows of them, lists of rows.
+// Controls of settings with coordinates: one point, rows of points, a line.
 
 import { useEffect } from 'preact/hooks';
 import { edit, valueAt, values } from '../../state/document';
@@ -11,40 +11,40 @@ import { cellText } from '../numbers';
 import { is2d, pathText, put, tableAt, thingOf } from '../place';
 import { absentText } from '../words';
 import { cellsOf, rowEdits, rowValue } from '../rows';
-import { wait, waitingAt } from '../unfinished';
+import { keepWaiting, waitingAt } from '../unfinished';
 import { isBlank, isSameRow, type Waiting } from '../waitingRows';
 import { Choice } from './Choice';
 import { DrawButton } from './DrawButton';
 import { EditTable } from './EditTable';
-import { idOf, sayingsId, type FieldProps } from './fieldProps';
+import { idOf, problemsId, type FieldProps } from './fieldProps';
 import { TypedInput } from './TypedInput';
 
-/// How many numbers a position has at the least: its height may be left out where `height_above_m` says it.
+/// The minimum number of coordinates of a position. The height may be omitted if `height_above_m` is given.
 function leastOf({ field, path }: FieldProps, columns: number): number {
   const words = 'words' in field.type ? field.type.words : [];
   const mayBeLeftOut = words.includes('surface') && tableAt(path.slice(0, 2)).height_above_m !== undefined;
   return mayBeLeftOut ? columns - 1 : columns;
 }
 
-/// The cells of a setting that the engine says something against.
+/// The cells of a setting that have an error.
 function wrongCells(path: Path): (row: number, column: number) => boolean {
   const own = pathText(path);
   const wrong = new Set(problemsAt(own).flatMap(({ severity, path: at }) => (severity === 'error' ? [at] : [])));
   return (row, column) => wrong.has(`${own}.${row}`) || wrong.has(`${own}.${row}.${column}`);
 }
 
-/// What a table of a setting's rows needs to know, besides the rows; `field` is where problems are told.
+/// Properties of the edit table of a setting's rows; `field` is the path of the field that shows the problems.
 export function tableProps(path: Path, field: Path = path) {
   const own = pathText(path);
   return {
     waiting: waitingAt(own),
-    wait: (rows: readonly Waiting[]) => wait(own, rows),
+    keepWaiting: (rows: readonly Waiting[]) => keepWaiting(own, rows),
     isWrong: wrongCells(path),
-    describedBy: sayingsId(field),
+    describedBy: problemsId(field),
   };
 }
 
-/// Where one word may stand for all numbers: which, or the numbers.
+/// A tuple of numbers, or one word instead of them.
 export function TupleControl(props: FieldProps) {
   const { field, path } = props;
   const instead = field.type.kind === 'tuple' ? field.type.instead : [];
@@ -60,7 +60,7 @@ export function TupleControl(props: FieldProps) {
         value={isWord ? value : undefined}
         absent="as numbers"
         invalid={isWord && problemsAt(pathText(path)).some(({ severity }) => severity === 'error')}
-        describedBy={sayingsId(path)}
+        describedBy={problemsId(path)}
         take={(word) => put(path, word, field.title)}
       />
       {!isWord && <TupleCells {...props} />}
@@ -73,7 +73,7 @@ function TupleCells({ field, path }: FieldProps) {
   const value = valueAt(path);
   const given = cellsOf(value === undefined ? [] : [value], columns.length)[0] ?? null;
   const blank = Array<string>(columns.length).fill('');
-  const draft = waitingAt(pathText(path)).find(({ over }) => isSameRow(over, given));
+  const draft = waitingAt(pathText(path)).find(({ replaces }) => isSameRow(replaces, given));
   const cells = draft?.cells ?? given ?? blank;
   const defaults = Array.isArray(field.default) ? field.default : [];
   const words = 'words' in field.type ? field.type.words : [];
@@ -85,10 +85,10 @@ function TupleCells({ field, path }: FieldProps) {
   const take = (changed: readonly string[]) => {
     const row = isBlank(changed) ? undefined : rowValue(changed, least);
     if (row || isBlank(changed)) put(path, row, field.title);
-    wait(own, row || isBlank(changed) ? [] : [{ at: 0, cells: changed, over: given }]);
+    keepWaiting(own, row || isBlank(changed) ? [] : [{ at: 0, cells: changed, replaces: given }]);
   };
   const missing = columns.filter((_, k) => k < least && cells[k] === '');
-  // How much it needs can change, too: a height above the ground makes up for z.
+  // The number of required cells can change, too: a height above the ground replaces z.
   const isComplete = draft !== undefined && rowValue(draft.cells, least) !== undefined;
   useEffect(() => {
     if (isComplete) take(draft.cells);
@@ -103,7 +103,7 @@ function TupleCells({ field, path }: FieldProps) {
               id={k === 0 ? id : undefined}
               label={`${field.title}, ${column}`}
               invalid={value !== undefined && isWrong(k)}
-              describedBy={[isWrong(k) && sayingsId(path), draft && `${id}-draft`].filter(Boolean).join(' ') || undefined}
+              describedBy={[isWrong(k) && problemsId(path), draft && `${id}-draft`].filter(Boolean).join(' ') || undefined}
               value={cells[k] === '' ? undefined : cells[k]}
               placeholder={defaults.length > 0 ? String(defaults[columns.length === 2 && k === 1 ? 2 : k] ?? '') : ''}
               words={column === 'z' && words.length > 0 ? `${id}-words` : undefined}
@@ -124,9 +124,9 @@ function TupleCells({ field, path }: FieldProps) {
       )}
       {draft && (
         <p id={`${id}-draft`} class="problem warning">
-          Taken when {missing.join(' and ')} is given, too
-          {missing.join() === 'z' && words.includes('surface') && ', or a height above'}
-          {given && '; the project keeps it as before'}.
+          Incomplete: enter {missing.join(' and ')}
+          {missing.join() === 'z' && words.includes('surface') && ' or a height above'}
+          {given && '. Until then the project keeps the previous value'}.
         </p>
       )}
     </>
@@ -162,14 +162,15 @@ export function RowsControl({ field, path }: FieldProps) {
   );
 }
 
-/// What becomes of the materials of segments when vertices come and go.
+/// Explains which materials segments have after vertices are added or deleted.
 function WhatFollows() {
   const segments = valueAt(['ground', 'segments']);
   if (!Array.isArray(segments) || segments.length === 0) return null;
   return (
     <p class="faint">
-      Segments keep their materials: both parts of one that a new vertex splits; where a vertex goes, the segment before
-      it. Of rows that are replaced by more or fewer, each segment has the material that lay nearest.
+      Segments keep their materials. A new vertex splits a segment into two of the same material; deleting a vertex keeps
+      the material of the segment before it. If rows are replaced by more or fewer, each segment takes the material of
+      the nearest former segment.
     </p>
   );
 }
@@ -187,7 +188,7 @@ export function LineControl({ field, path }: FieldProps) {
             label={`${field.title}, x`}
             value={value}
             invalid={value !== undefined && problemsAt(pathText(path)).some(({ severity }) => severity === 'error')}
-            describedBy={sayingsId(path)}
+            describedBy={problemsId(path)}
             placeholder="x"
             take={(next) => put(path, next, field.title)}
           />

@@ -1,4 +1,4 @@
-// Settings that name other things of the project: materials, barriers, collectors.
+// Settings that refer to other entries of the project: materials, barriers, collectors.
 
 import { rowsOf, valueAt } from '../../state/document';
 import { nameOf, put } from '../place';
@@ -11,7 +11,7 @@ import type { KeyOf, TableName } from '../names';
 const names = (key: TableName) => rowsOf(key).map((_, index) => nameOf(key, index));
 export const materialNames = () => names('material');
 
-/// Texts that are the name of something.
+/// Settings that are the name of another entry.
 export const materialFields: ReadonlySet<string> = new Set<`${TableName}.${KeyOf}`>(['ground.default', 'area.material', 'design.protect']);
 
 export function NameChoice({ field, path, ...common }: FieldProps & Common) {
@@ -29,7 +29,7 @@ export function NameChoice({ field, path, ...common }: FieldProps & Common) {
   );
 }
 
-/// Some of the barriers and collectors.
+/// A choice of several barriers and collectors.
 export function NameList({ field, path }: FieldProps) {
   const value = valueAt(path);
   const given = Array.isArray(value) ? value.map(cellText) : [];
