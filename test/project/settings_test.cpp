@@ -693,7 +693,7 @@ Json schema_of(const Table& table, const Setting& setting) {
 }
 
 TEST(ConditionsOfSettings, AreEmbeddedInTheReport) {
-  const std::string_view script = io::assets::script;
+  const std::string_view script = assets::script;
   const std::size_t begin = script.find('{', script.find("const settingConditions = ")),
                     end = script.find(";\n", begin);
   const auto embedded = nlohmann::json::parse(script.substr(begin, end - begin));
