@@ -1,10 +1,10 @@
-# Puts the fixed parts of the report's page (src/talus/report/page/) and the figures that it shares with the workbench
-# (web/src/figures/, bundled with what they use of D3) into the library, so that the program is one file and its reports
-# need no network. Included, it gives talus_embed_report(target); as a script
-# (cmake -DFOLDER=... -DFIGURES=... -DBUNDLE=... -DSCHEMA=... -DOUTPUT=... -P embed.cmake) it writes the C++ file with one
-# string a part.
+# Embeds the fixed parts of the report's page (src/talus/report/page/) and the figures that it shares with the workbench
+# (web/src/figures/, bundled with the parts of D3 that they use) in the library, so that the program is one file and its
+# reports need no network. Included, it defines talus_embed_report(target); as a script
+# (cmake -DFOLDER=... -DFIGURES=... -DBUNDLE=... -DSCHEMA=... -DOUTPUT=... -P embed.cmake) it writes the C++ file
+# with one string per part.
 
-# In this order on the page: each may use what stands before it.
+# In this order on the page: each may use the ones before it.
 set(TALUS_REPORT_SCRIPTS format figure run tables statistics overview terrain inputs slope mapframe plan maps
   envelopes energy distributions impacts barriers design paper page)
 
@@ -77,7 +77,7 @@ set(TALUS_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 include(${CMAKE_CURRENT_LIST_DIR}/npm.cmake)
 
 # The figures are bundled by esbuild: the workbench's, which npm fetches with D3 in the versions of web/package-lock.json;
-# or, where there is no workbench, Debian's esbuild and D3, without npm and network.
+# or, without the workbench, Debian's esbuild and D3, without npm and network.
 find_program(ESBUILD esbuild)
 find_path(D3_MODULES d3-selection/src/index.js PATHS /usr/share/nodejs NO_DEFAULT_PATH DOC "The folder of D3's modules")
 set(TALUS_FIGURES_WITH_NPM ON)

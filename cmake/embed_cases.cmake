@@ -1,4 +1,4 @@
-# Puts the published cases (verification/) into the library, so that `talus verify` needs no files. Included, it gives
+# Embeds the published cases (verification/) in the library, so that `talus verify` needs no files. Included, it defines
 # talus_embed_cases(target); as a script (cmake -DFOLDER=... -DOUTPUT=... -P embed_cases.cmake) it writes the C++ file.
 
 if(CMAKE_SCRIPT_MODE_FILE)

@@ -1,4 +1,4 @@
-# Puts the bundled examples into the program, but for that of the library: talus_embed_examples(target).
+# Embeds the bundled examples in the program, except that of the library: talus_embed_examples(target).
 
 set(TALUS_EMBED_BYTES_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_bytes.cmake)
 

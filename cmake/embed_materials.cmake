@@ -1,5 +1,5 @@
-# Puts the library of materials (src/talus/project/materials.toml) into the program, so that it needs no files.
-# Included, it gives talus_embed_materials(target); as a script (cmake -DINPUT=... -DOUTPUT=... -P embed_materials.cmake)
+# Embeds the library of materials (src/talus/project/materials.toml) in the program, so that it needs no files.
+# Included, it defines talus_embed_materials(target); as a script (cmake -DINPUT=... -DOUTPUT=... -P embed_materials.cmake)
 # it writes the C++ file.
 
 if(CMAKE_SCRIPT_MODE_FILE)

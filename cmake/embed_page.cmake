@@ -1,4 +1,4 @@
-# Builds the workbench's page (web/) with Vite and puts it into the program: talus_embed_page(target).
+# Builds the workbench's page (web/) with Vite and embeds it in the program: talus_embed_page(target).
 
 include(${CMAKE_CURRENT_LIST_DIR}/npm.cmake)
 

@@ -1,5 +1,5 @@
-# Compiler settings that every target of Talus shares: talus_flags holds what users of the library must have, too, since
-# bits and layouts depend on it; talus_own_flags the rest.
+# Compiler settings of all targets of Talus: talus_flags has those that users of the library need, too, because bits and
+# layouts depend on them; talus_own_flags has the rest.
 add_library(talus_flags INTERFACE)
 set_target_properties(talus_flags PROPERTIES EXPORT_NAME flags)
 target_compile_features(talus_flags INTERFACE cxx_std_20)
@@ -9,16 +9,16 @@ target_compile_options(talus_own_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wconversion -Wno-sign-conversion
   # Where several files are compiled at once, a name of another file is hidden on purpose.
   $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
-  # Designated initializers leave out what has a default on purpose; four doubles side by side have no ABI to keep.
+  # Designated initializers omit members with defaults on purpose; vectors of four doubles are not part of a stable ABI.
   -Wno-missing-field-initializers -Wno-psabi
-  # sqrt and friends need not set errno; this changes no result and lets them be one instruction.
+  # sqrt and the like need not set errno: they become one instruction, with the same results.
   -fno-math-errno
-  # A vector's coordinates are written one by one; to read two of them at once waits until both have arrived in memory.
+  # A vector's coordinates are written one by one; reading two at once would wait until both are in memory.
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
-# No fused multiply-add: the bits of a result must not depend on what the compiler found to fuse.
+# No fused multiply-add: the bits of a result must not depend on what the compiler fuses.
 target_compile_options(talus_flags INTERFACE -ffp-contract=off)
-# Sums have one order on every processor, and a vector's coordinates need not wait for each other. It changes how vectors
-# are laid out, so all or none must be compiled with it.
+# Sums have the same order on every processor, and a vector's coordinates do not wait for each other. It changes the
+# layout of vectors, so all code must be compiled with it, or none.
 target_compile_definitions(talus_flags INTERFACE EIGEN_DONT_VECTORIZE)
 if(TALUS_WERROR)
   target_compile_options(talus_own_flags INTERFACE -Werror)
@@ -26,11 +26,11 @@ endif()
 if(TALUS_SANITIZE)
   target_compile_options(talus_flags INTERFACE -O1 -g1
     -fsanitize=${TALUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
-    # Instrumented code makes g++ 12 see optionals used before they are set.
+    # In instrumented code g++ 12 reports optionals as used before they are set, wrongly.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE})
 endif()
-if(TALUS_FUZZ)  # the library tells libFuzzer which branches an input took
+if(TALUS_FUZZ)  # lets libFuzzer see which branches of the library an input takes
   target_compile_options(talus_flags INTERFACE -fsanitize=fuzzer-no-link)
   target_link_options(talus_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()

@@ -1,6 +1,5 @@
-# What `cmake --install` puts below its prefix: the program, the headers and the libraries of all rooms, and a CMake
-# package, with which another project says `find_package(Talus)` and links Talus::talus, or single rooms
-# (Talus::flight).
+# What `cmake --install` installs: the program, the headers and libraries of all rooms, and a CMake package, with which
+# another project can use `find_package(Talus)` and link Talus::talus, or single rooms (Talus::flight).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

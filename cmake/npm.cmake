@@ -1,5 +1,5 @@
-# What npm fetches for a folder with a package-lock.json, and from nowhere but that list:
-# talus_npm(STAMP FOLDER) gives the file that is there once it has.
+# Fetches the packages in a folder's package-lock.json with npm, and no others:
+# talus_npm(STAMP FOLDER) sets STAMP to the file that exists once this is done.
 
 find_program(NPM npm)
 
@@ -10,7 +10,7 @@ function(talus_npm stamp_variable folder)
   set(stamp ${folder}/node_modules/.package-lock.json)
   set(${stamp_variable} ${stamp} PARENT_SCOPE)
   get_property(known GLOBAL PROPERTY TALUS_NPM_FOLDERS)
-  if(folder IN_LIST known)  # another target has it fetched, too
+  if(folder IN_LIST known)  # another target fetches it already
     return()
   endif()
   set_property(GLOBAL APPEND PROPERTY TALUS_NPM_FOLDERS ${folder})

@@ -1,8 +1,8 @@
-# talus_room(NAME LOWER...): the folder src/talus/NAME as a library talus_NAME, which knows the rooms LOWER.
+# talus_room(NAME LOWER...): the folder src/talus/NAME as a library talus_NAME, which may include the rooms LOWER.
 #
-# The compiler finds `talus/NAME/...` in a folder of that room alone, build/rooms/NAME, which holds a link to the sources;
-# it is given those of the room, of LOWER, and of what they know. So an include of any other room does not compile.
-# A room is declared after those that it knows, so that there is no circle.
+# The compiler finds `talus/NAME/...` in a folder of that room only, build/rooms/NAME, which contains a link to the
+# sources. It gets the folders of the room, of LOWER and of their lower rooms, so that an include of any other room does
+# not compile. A room is declared after its lower rooms, so that there is no cycle.
 function(talus_room name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/talus/${name}/*.cpp)
   set(visible ${CMAKE_BINARY_DIR}/rooms/${name})
@@ -27,7 +27,7 @@ function(talus_room name)
   endif()
   talus_unity(${target})
   set_property(GLOBAL APPEND PROPERTY TALUS_ROOMS ${target})
-  # For the tests: what the compiler is given.
+  # For the tests: the include folders of the room.
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/rooms/${name}.txt
     CONTENT "$<JOIN:$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>,\n>\n")
 endfunction()

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// A folder of this process, in memory where the machine has such a place.
+/// A folder for this process, in memory if the machine has /dev/shm.
 std::filesystem::path own_folder() {
   const std::filesystem::path memory = "/dev/shm";
   std::string name =

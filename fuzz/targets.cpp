@@ -33,10 +33,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is made of an input stays small, so that many are tried in a second.
+// Limits that keep the work for an input small, so that many are tried per second.
 constexpr std::size_t most_parts = 2000;
 
-/// Refusals are what a reader may do; all else that is thrown goes on to whoever called.
+/// A reader may refuse its input; all other exceptions are passed on.
 template <class Work>
 Verdict verdict_of(Work&& work) {
   try {
@@ -50,7 +50,7 @@ Verdict verdict_of(Work&& work) {
   }
 }
 
-/// The first byte of an input, which is taken off it.
+/// Removes the first byte of an input and returns it.
 std::size_t take_choice(std::string_view& input) {
   const std::size_t choice = input.empty() ? 0 : static_cast<unsigned char>(input.front());
   input.remove_prefix(std::min<std::size_t>(1, input.size()));
@@ -67,7 +67,7 @@ fs::path written(const fs::path& file, std::string_view bytes) {
 
 // ---- projects ----
 
-/// Whether a project would open files: those are for other targets.
+/// Whether a project would open files, which other targets cover.
 bool needs_files(const project::Project& project) {
   const auto& terrain = project.terrain;
   const bool seeders_do = std::ranges::any_of(project.seeders, [](const project::Seeder& seeder) {
@@ -97,7 +97,7 @@ Verdict read_project(std::string_view input, const fs::path& folder) {
     rest.remove_prefix(overrides.settings.back().size());
   }
   return verdict_of([&] {
-    // The file itself is not there, so that no path in it is looked at.
+    // The project file does not exist, so that no path in it is accessed.
     const project::Reading reading = project::read_project_text(text, folder / "not-there.toml", overrides);
     (void)project::echo(reading.project).dump();
     if (needs_files(reading.project) || !is_small(reading.project)) return;
@@ -145,7 +145,7 @@ Verdict read_points(std::string_view input, const fs::path& folder) {
   });
 }
 
-/// What stands beside a table whose bytes are hostile.
+/// The other files of a folder with a hostile table.
 constexpr std::string_view summary_of_no_rocks =
     R"({"talus": {"version": ""}, "name": "", "fingerprint": "", "seed": 0, "interrupted": false, "end_reasons": {},
         "rocks": {"planned": 0, "done": 0, "lifted": 0, "with_endpoint": 0, "with_path": 0}, "events": 0,
@@ -177,7 +177,7 @@ Verdict read_state(std::string_view input, const fs::path&) {
   std::memcpy(&length, input.data(), sizeof length);
   input.remove_prefix(sizeof length);
   const std::string_view header = input.substr(0, length);
-  // The file as write_run_state() would make it around these bytes.
+  // The file that write_run_state() would write with these bytes.
   ByteWriter out;
   for (const char c : std::string_view("talus run state\n")) out.put(c);
   out.put(run_state_format);

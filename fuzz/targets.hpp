@@ -1,6 +1,6 @@
 #pragma once
-// Where bytes from outside come in, each as a function of bytes: what libFuzzer calls (main.cpp), and what the ordinary
-// tests feed with the kept corpus (test/fuzz/corpus_test.cpp).
+// The readers of bytes from outside, each as a function of bytes: called by libFuzzer (main.cpp), and by the ordinary
+// tests with the stored corpus (test/fuzz/corpus_test.cpp).
 
 #include <array>
 #include <filesystem>
@@ -8,35 +8,35 @@
 
 namespace talus::fuzz {
 
-/// What a reader makes of an input. Anything else that it throws, or does, is a defect.
+/// The outcome of reading an input. Any other exception or behaviour is a defect.
 enum class Verdict { read, refused };
 
-/// Reads an input, and does with it what a run would do first. Files are made in `folder`, and none is opened outside.
+/// Reads an input and processes it as the start of a run would. Files are created in `folder`; none outside is opened.
 using Read = Verdict (*)(std::string_view input, const std::filesystem::path& folder);
 
-/// A project's text, up to the first NUL; what follows, between NULs, are settings as with --set. A project that needs
-/// no file is built, if its terrain is small.
+/// A project's text up to the first NUL, then settings as for --set, separated by NULs. If the project needs no files
+/// and its terrain is small, its model is built.
 Verdict read_project(std::string_view input, const std::filesystem::path& folder);
 
-/// The first byte chooses OBJ, STL or PLY, the others are the file. A small mesh is cleaned.
+/// The first byte selects OBJ, STL or PLY, the others are the file. A small mesh is cleaned.
 Verdict read_mesh(std::string_view input, const std::filesystem::path& folder);
 
-/// The first byte chooses text or LAS, the others are the file. From few points a surface is made.
+/// The first byte selects text or LAS, the others are the file. Few points are made into a surface.
 Verdict read_points(std::string_view input, const std::filesystem::path& folder);
 
-/// The first byte chooses whole or real numbers, the others are a grid of text, held against its header.
+/// The first byte selects integers or real numbers, the others are an ASCII grid, which is checked.
 Verdict read_grid(std::string_view input, const std::filesystem::path& folder);
 
-/// The first byte chooses which file of a run's folder the others are: summary.json or one of the tables; they are
-/// read for the report and, of paths, for drawing.
+/// The first byte selects the file of a run's folder that the others are: summary.json or a table. It is read for the
+/// report and, if it has paths, for drawing.
 Verdict read_results(std::string_view input, const std::filesystem::path& folder);
 
-/// A state of a run, without its checksums, which no mutation would hit: four bytes of the header's length, the header,
-/// what the observers saved.
+/// A state of a run without its checksums, which no mutation would match: four bytes for the header's length, the
+/// header, and the observers' sums.
 Verdict read_state(std::string_view input, const std::filesystem::path& folder);
 
 struct Target {
-  std::string_view name;  // also of the folder of its corpus
+  std::string_view name;  // also that of its corpus folder
   Read read;
 };
 

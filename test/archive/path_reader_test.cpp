@@ -60,7 +60,7 @@ TEST(PathReader, RefusesWhatIsNoPath) {
   EXPECT_EQ(paths_message(paths_head), "was read");
   EXPECT_EQ(paths_message(paths_head + cut),
             "paths.csv: the path of rock 3 does not end (a path's last row has the state ended). The file was cut "
-            "short or damaged; run the project again to get it whole");
+            "short or damaged; run the project again to write it anew");
   EXPECT_EQ(paths_message(paths_head + cut + path_rows(4)),
             "paths.csv:5: rock 4 begins before rock 3 has ended (a path's last row has the state ended). The file was "
             "cut or joined by hand; run the project again");

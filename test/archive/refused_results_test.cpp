@@ -15,7 +15,7 @@ namespace {
 
 using sample_run::Folder;
 
-constexpr const char* cut_short = ". The file was cut short or damaged; run the project again to get it whole";
+constexpr const char* cut_short = ". The file was cut short or damaged; run the project again to write it anew";
 
 std::string refusal(const Folder& folder) {
   try {
@@ -33,7 +33,7 @@ TEST(RefusedResults, ARowOfAMegabyte) {
   EXPECT_EQ(refusal(folder),
             "endpoints.csv:2: the row has 1 values (expected 15, one for each column)" + std::string(cut_short));
   folder.write("endpoints.csv", sample_run::endpoints_head + std::string((std::size_t{1} << 20) + 1, '1') + "\n");
-  EXPECT_EQ(refusal(folder), "endpoints.csv:2: the row has more than 1048576 bytes (no row of a table is so long)" +
+  EXPECT_EQ(refusal(folder), "endpoints.csv:2: the row has more than 1048576 bytes (no row of a table is that long)" +
                                  std::string(cut_short));
 }
 
@@ -42,7 +42,7 @@ TEST(RefusedResults, AQuoteThatStaysOpenForAMegabyte) {
   folder.write("summary.json", sample_run::summary("Refused").dump());
   // Quickly, too: every line is looked at once.
   folder.write("endpoints.csv", sample_run::endpoints_head + '"' + std::string(std::size_t{4} << 20, '\n'));
-  EXPECT_EQ(refusal(folder), "endpoints.csv:2: the row has more than 1048576 bytes (no row of a table is so long)" +
+  EXPECT_EQ(refusal(folder), "endpoints.csv:2: the row has more than 1048576 bytes (no row of a table is that long)" +
                                  std::string(cut_short));
 }
 
@@ -50,10 +50,9 @@ TEST(RefusedResults, ASummaryOfListsWithinLists) {
   const Folder folder("refused");
   const std::size_t deep = 1'000'000;
   folder.write("summary.json", "{\"project\": " + std::string(deep, '[') + std::string(deep, ']') + "}");
-  EXPECT_EQ(
-      refusal(folder),
-      "summary.json: is damaged (it holds lists within lists, 1000001 deep; expected at most 100). Name a folder that "
-      "`talus run` has written");
+  EXPECT_EQ(refusal(folder),
+            "summary.json: is damaged (its lists are nested 1000001 deep; expected at most 100). Name a folder that "
+            "`talus run` has written");
 }
 
 TEST(RefusedResults, ANumberBeyondAllNumbers) {

@@ -117,14 +117,13 @@ std::string message_about_value(const char* pointer, const Json& value) {
 
 TEST(RunFacts, RefuseWhatIsNoSummary) {
   const std::string hint = ". Name a folder that `talus run` has written";
-  EXPECT_EQ(message_about(""),
-            "summary.json: there is no such file (a run's folder holds it once the run is done)" + hint);
+  EXPECT_EQ(message_about(""), "summary.json: there is no such file (the folder of a finished run has it)" + hint);
   EXPECT_EQ(message_about("[1, 2"),
             "summary.json:1: the JSON ends too early (after 5 bytes). The file was cut short or damaged; run the "
-            "project again to get it whole");
+            "project again to write it anew");
   EXPECT_EQ(message_about("[1, 2]"), "summary.json: is of type array (expected an object)" + hint);
   EXPECT_EQ(message_about(std::string(100'000, '[')),
-            "summary.json: is damaged (it holds lists within lists, 100000 deep; expected at most 100)" + hint);
+            "summary.json: is damaged (its lists are nested 100000 deep; expected at most 100)" + hint);
   EXPECT_EQ(message_about("{}"), "summary.json: talus: is missing (a run writes it)" + hint);
   EXPECT_EQ(message_about_value("/rocks/planned", -6),
             "summary.json: rocks/planned: is of type number (expected a whole number, 0 or more)" + hint);

@@ -45,7 +45,7 @@ std::string message_about_summary(const char* pointer, const nlohmann::ordered_j
 }
 
 constexpr auto name_a_run = ". Name a folder that `talus run` has written";
-constexpr auto damaged = ". The file was cut short or damaged; run the project again to get it whole";
+constexpr auto damaged = ". The file was cut short or damaged; run the project again to write it anew";
 
 TEST(RunFolder, ReadsWhatARunWrites) {
   const sample_run::Folder folder("run-folder");
@@ -160,10 +160,9 @@ TEST(RunFolderRefuses, FoldersThatAreNone) {
   folder.write("file", "");
   EXPECT_EQ(message(folder.path / "file"),
             "DIR: is not a folder (expected the folder of a run). Name a folder that `talus run` has written");
-  EXPECT_EQ(
-      message(folder.path),
-      "DIR/summary.json: there is no such file (a run's folder holds it once the run is done). Name a folder that "
-      "`talus run` has written");
+  EXPECT_EQ(message(folder.path),
+            "DIR/summary.json: there is no such file (the folder of a finished run has it). Name a folder that "
+            "`talus run` has written");
 }
 
 TEST(RunFolderRefuses, SummariesThatAreNoJson) {

@@ -60,13 +60,12 @@ std::string message(const auto& work_that_fails) {
 TEST(OutputFile, CannotGoOnWithLessThanWasKept) {
   const Workplace work;
   work.write("short.csv.part", "0123");
-  EXPECT_EQ(
-      message([&] { OutputFile(work / "short.csv", 5); }),
-      (work / "short.csv.part").string() + ": cannot go on with this file (it has 4 bytes, expected 5 at the least)");
+  EXPECT_EQ(message([&] { OutputFile(work / "short.csv", 5); }),
+            (work / "short.csv.part").string() + ": cannot continue this file (it has 4 bytes, expected at least 5)");
   EXPECT_EQ(work.read("short.csv.part"), "0123");
   EXPECT_EQ(message([&] { OutputFile(work / "none.csv", 0); }),
             (work / "none.csv").string() +
-                ": cannot go on with this file (No such file or directory). Choose another folder with -o");
+                ": cannot continue this file (No such file or directory). Choose another folder with -o");
 }
 
 TEST(TableMark, FindsItsTableAsAPartOrFinished) {

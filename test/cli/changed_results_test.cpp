@@ -47,7 +47,7 @@ class ChangedResults : public ::testing::Test {
 
 TEST_F(ChangedResults, AreRebuilt) {
   EXPECT_THAT(after([] {}), HasSubstr("is already complete in"));
-  const auto begins_anew = [](const std::string& name) { return HasSubstr(name + " is not whole in "); };
+  const auto begins_anew = [](const std::string& name) { return HasSubstr(name + " is incomplete in "); };
   EXPECT_THAT(after([&] { fs::resize_file(out_ / "report.html", 0); }), begins_anew("report.html"));
   EXPECT_THAT(after([&] {
                 const std::string rows = bytes_of(out_ / "paths.csv");
@@ -118,7 +118,7 @@ TEST_F(ChangedResults, AreNotRemovedIfTheyAreInputOfThisRun) {
   const Said said = talus_says("run " + (out_ / "old.toml").string() + " -q -o " + out_.string());
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_EQ(said.text, (out_ / "old.toml").string() + ": is in " + out_.string() +
-                           " (it is a result of the run before, which this one replaces). Give the file another name, "
+                           " (it is a result of an earlier run, which this one replaces). Give the file another name, "
                            "or write elsewhere with -o\n");
   EXPECT_EQ(bytes_of(out_ / "old.toml"), before);
 }

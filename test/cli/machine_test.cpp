@@ -99,9 +99,8 @@ mass_kg = 100
 )");
   const Said said = talus_says("run a.toml -o .", "cd " + (work / "").string() + " && ");
   EXPECT_EQ(said.exit_code, 2);
-  EXPECT_THAT(said.text,
-              HasSubstr("a.toml:5: [terrain]: points endpoints.csv is in . (a run writes its results there, "
-                        "and would take its place). Give the file another name, or write elsewhere with -o"));
+  EXPECT_THAT(said.text, HasSubstr("a.toml:5: [terrain]: points endpoints.csv is in . (a run writes its results there "
+                                   "and would replace it). Give the file another name, or write elsewhere with -o"));
   EXPECT_EQ(work.read("endpoints.csv"), points);
   fs::create_symlink(work / "endpoints.csv", work / "link.csv");
   EXPECT_EQ(
@@ -164,7 +163,7 @@ TEST(Machine, WithoutEnoughMemoryARunKeepsItsResults) {
     if (said.exit_code != 4) continue;
     EXPECT_THAT(said.text, HasSubstr("not enough memory")) << megabytes;
     if (!fs::exists(work / "out/run.state")) continue;
-    EXPECT_THAT(said.text, HasSubstr("of 20000 rocks are kept: with --resume it goes on from there"));
+    EXPECT_THAT(said.text, HasSubstr("of 20000 rocks are kept: with --resume it continues from there"));
     if (++kept > 1) continue;
     const Said rest = talus_says(arguments("out") + " --resume");
     EXPECT_EQ(rest.exit_code, 0) << rest.text;

@@ -133,7 +133,7 @@ TEST_F(OnRanks, AKilledRunIsResumedByOneProcessAndViceVersa) {
     const auto again = with(run("killed"), {"--resume"});
     const Said said = ranks_first ? alone(again) : on(2, again);
     ASSERT_EQ(said.exit_code, 0) << said.text;
-    EXPECT_EQ(count(said.text, "going on after"), 1) << said.text;
+    EXPECT_EQ(count(said.text, "resuming after"), 1) << said.text;
     EXPECT_EQ(differences(whole, files_of(work / "killed")), "") << (ranks_first ? "ranks first" : "ranks last");
     EXPECT_TRUE(has_text(on(2, again).text, "is already complete in"));
     fs::remove_all(work / "killed");
@@ -225,7 +225,7 @@ TEST_F(OnRanks, AreAllEndedByAFullDisk) {
   const std::string said = work.read("said");
   EXPECT_EQ(count(said, "cannot write to this file (File too large). The first "), 1) << said;
   EXPECT_TRUE(has_text(said,
-                       " of 120000 rocks are kept: with --resume the run goes on from there. Allow larger files "
+                       " of 120000 rocks are kept: with --resume the run continues from there. Allow larger files "
                        "(ulimit -f), or write elsewhere with -o\n"))
       << said;
   EXPECT_TRUE(fs::exists(work / "full/run.state"));

@@ -149,7 +149,7 @@ TEST(RefusedByTheProgram, ToWriteToPipesFoldersAndDevices) {
   ASSERT_EQ(::mkfifo((place / "pipe").c_str(), 0600), 0);
   std::filesystem::create_directories(place / "folder");
   std::filesystem::create_symlink("/dev/null", place / "link");
-  const std::string hint = "). Name an ordinary file, or one that is not there yet\n";
+  const std::string hint = "). Name an ordinary file, or one that does not exist yet\n";
   EXPECT_EQ(said(place, "new --force " + (place / "pipe").string(), "timeout 20 "),
             "2 pipe: cannot write this file (it is a pipe" + hint);
   EXPECT_EQ(said(place, "verify --json " + (place / "folder").string()),

@@ -72,7 +72,7 @@ TEST(Resume, AfterKillsAtTwentyRandomMomentsGivesTheSameBytes) {
     const int code = child.wait();
     ASSERT_TRUE(code == 0 || code == 128 + SIGKILL) << work.read("said");
     killed += code != 0 ? 1 : 0;
-    continued += contains(work.read("said"), "going on after") ? 1 : 0;
+    continued += contains(work.read("said"), "resuming after") ? 1 : 0;
     ASSERT_LT(round, 100) << "it is never killed in time";
     if (round % 5 == 4) {  // to the end
       ASSERT_EQ(Child(resuming(arguments("killed")), work / "said").wait(), 0) << work.read("said");
@@ -138,7 +138,7 @@ TEST_F(StoppedRun, IsWholeAfterBeingResumed) {
   const Said said = resumed();
   EXPECT_EQ(said.exit_code, 0) << said.text;
   EXPECT_TRUE(
-      contains(said.text, "going on after " + std::to_string(summary["rocks"]["done"].get<int>()) + " of 40000 rocks"))
+      contains(said.text, "resuming after " + std::to_string(summary["rocks"]["done"].get<int>()) + " of 40000 rocks"))
       << said.text;
   EXPECT_TRUE(contains(said.text, "  40000 rocks including the earlier ones\n")) << said.text;
   EXPECT_EQ(differences(whole(), files_of(work / "stopped")), "");
@@ -163,7 +163,7 @@ TEST_F(StoppedRun, IsRefusedIfTheProjectHasChanged) {
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_TRUE(contains(said.text, state_file() +
                                       ": the project is not the one that this run began with (sampling.seed was 1 and "
-                                      "is 7). Undo the change to go on, or run without --resume to begin anew\n"))
+                                      "is 7). Undo the change to resume, or run without --resume to start over\n"))
       << said.text;
 }
 
@@ -172,7 +172,7 @@ TEST_F(StoppedRun, IsRefusedIfOtherRocksAreAskedFor) {
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_TRUE(contains(said.text, state_file() +
                                       ": this is the state of rocks 0 to 39999 (expected shard 1/2 with rocks 0 to "
-                                      "19999). Undo the change to go on, or run without --resume to begin anew\n"))
+                                      "19999). Undo the change to resume, or run without --resume to start over\n"))
       << said.text;
 }
 
@@ -219,7 +219,7 @@ TEST(Resume, WithoutACheckpointBeginsAnew) {
   const Workplace work;
   const Said said = talus_says("run " + tutorial("2d") + " --resume -o " + (work / "out").string());
   EXPECT_EQ(said.exit_code, 0);
-  EXPECT_TRUE(contains(said.text, "there is no checkpoint in " + (work / "out").string() + ": the run begins anew\n"));
+  EXPECT_TRUE(contains(said.text, "there is no checkpoint in " + (work / "out").string() + ": the run starts over\n"));
   EXPECT_FALSE(fs::exists(work / "out/run.state"));
 }
 
@@ -244,7 +244,7 @@ TEST(Resume, AfterAFullDiskGivesTheSameBytes) {
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_TRUE(contains(said.text, "cannot write to this file (File too large). The first ")) << said.text;
   EXPECT_TRUE(contains(said.text,
-                       " of 120000 rocks are kept: with --resume the run goes on from there. Allow larger files "
+                       " of 120000 rocks are kept: with --resume the run continues from there. Allow larger files "
                        "(ulimit -f), or write elsewhere with -o\n"))
       << said.text;
   EXPECT_TRUE(fs::exists(work / "full/run.state"));
@@ -264,7 +264,7 @@ TEST(Resume, AfterAFailedReportWritesTheMissingFiles) {
   EXPECT_FALSE(fs::exists(work / "out/summary.json")) << "it would mark the run as complete";
   const Said again = talus_says(run + (work / "out").string() + " --resume");
   EXPECT_EQ(again.exit_code, 0) << again.text;
-  EXPECT_TRUE(contains(again.text, ": the run begins anew\n")) << again.text;
+  EXPECT_TRUE(contains(again.text, ": the run starts over\n")) << again.text;
   EXPECT_EQ(differences(files_of(work / "whole"), files_of(work / "out")), "");
 }
 
@@ -281,12 +281,13 @@ TEST_F(FinishedRun, ThatLostAFileIsRunAgain) {
   for (const char* name : {"paths.vtp", "report.html", "paths.csv"}) {
     fs::remove(work / "out" / name);
     const Said said = talus_says(run + " --resume");
-    EXPECT_TRUE(contains(said.text, name + (" is not whole in " + (work / "out").string()) + ": the run begins anew\n"))
+    EXPECT_TRUE(
+        contains(said.text, name + (" is incomplete in " + (work / "out").string()) + ": the run starts over\n"))
         << said.text;
     EXPECT_EQ(differences(whole, files_of(work / "out")), "");
   }
   fs::resize_file(work / "out/endpoints.csv", 1000);
-  EXPECT_TRUE(contains(talus_says(run + " --resume").text, "endpoints.csv is not whole in "));
+  EXPECT_TRUE(contains(talus_says(run + " --resume").text, "endpoints.csv is incomplete in "));
   EXPECT_EQ(differences(whole, files_of(work / "out")), "");
 }
 
@@ -311,13 +312,13 @@ TEST_F(FinishedRun, OfAnotherProjectIsNotOverwritten) {
   const std::string summary = (work / "out/summary.json").string();
   EXPECT_EQ(talus_says(run + " --resume --seed 7").text,
             summary +
-                ": these are the results of another project (sampling.seed was 1 and is 7). Undo the change to go "
-                "on, or run without --resume to begin anew\n");
+                ": these are the results of another project (sampling.seed was 1 and is 7). Undo the change to resume, "
+                "or run without --resume to start over\n");
   const Said said = talus_says(run + " --resume --shard 1/2");
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_EQ(said.text, summary +
                            ": these are the results of rocks 0 to 49 (expected shard 1/2 with rocks 0 to 24). "
-                           "Undo the change to go on, or run without --resume to begin anew\n");
+                           "Undo the change to resume, or run without --resume to start over\n");
   EXPECT_EQ(differences(before, files_of(work / "out")), "");
   EXPECT_EQ(talus_says(run + " --seed 7").exit_code, 0) << "without --resume";
 }

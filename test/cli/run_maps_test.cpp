@@ -205,8 +205,8 @@ TEST(RunMaps, ASelectionIsMergedAndResumedToTheSameBytes) {
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_EQ(other.text, (work / "whole/summary.json").string() +
                             ": these are the results of another project (output.maps was "
-                            "[\"deposits\",\"velocity\"] and is true). Undo the change to go on, or run without "
-                            "--resume to begin anew\n");
+                            "[\"deposits\",\"velocity\"] and is true). Undo the change to resume, or run without "
+                            "--resume to start over\n");
 }
 
 TEST(RunMaps, SelectTheColumnsOfEnvelopesInSection) {

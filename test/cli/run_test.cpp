@@ -197,7 +197,7 @@ TEST(TalusRun, ReportsBeforehandWhatBlocksItsResults) {
   std::string expected;
   for (const char* folder : {"out/endpoints.csv", "out/report.html.part", "out/summary.json", "out/run.state"})
     expected += (place / folder).string() +
-                ": cannot write this result (it is a folder). Take it away, or write elsewhere with -o\n";
+                ": cannot write this result (it is a folder). Remove it, or write elsewhere with -o\n";
   EXPECT_EQ(said.text, expected);
 }
 

@@ -183,9 +183,9 @@ TEST_F(MergeRefuses, DuplicateRocks) {
   run_shard(work, tutorial("3d"), 3, 4);  // rocks 1500 to 2249
   expect_refused(folders(work, {1, 2, 3}, 3) + at("3-of-4"),
                  at("3-of-4/run.state") + ": rocks 1500 to 1999 are also in " + at("2-of-3") +
-                     " (every rock counts once). Leave one of the two folders out\n" + at("3-of-3/run.state") +
+                     " (every rock counts once). Leave out one of the two folders\n" + at("3-of-3/run.state") +
                      ": rocks 2000 to 2249 are also in " + at("3-of-4") +
-                     " (every rock counts once). Leave one of the two folders out\n");
+                     " (every rock counts once). Leave out one of the two folders\n");
 }
 
 TEST_F(MergeRefuses, RunsOfAnotherProject) {

@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-TEST(FolderLock, IsHeldByOneUntilItGoes) {
+TEST(FolderLock, IsHeldByOneUntilItIsDestroyed) {
   const sample_run::Folder folder{"lock-held"}, other{"lock-other"};
   {
     const auto lock = FolderLock::take(folder.path);
@@ -20,7 +20,7 @@ TEST(FolderLock, IsHeldByOneUntilItGoes) {
   EXPECT_TRUE(FolderLock::take(folder.path));
 }
 
-TEST(FolderLock, OfAnotherIsAReasonNotToWrite) {
+TEST(FolderLock, OfAnotherProcessPreventsWriting) {
   const sample_run::Folder folder{"lock-taken"};
   const FolderLock lock = lock_output_folder(folder.path);
   try {
@@ -33,8 +33,8 @@ TEST(FolderLock, OfAnotherIsAReasonNotToWrite) {
   }
 }
 
-// What is wrong with such a folder says who writes there.
-TEST(FolderLock, OfWhatCannotBeLockedKeepsNobodyOut) {
+// Writing to such a folder reports what is wrong with it.
+TEST(FolderLock, HasNoEffectOnFoldersThatCannotBeLocked) {
   const sample_run::Folder folder{"lock-absent"};
   const auto first = FolderLock::take(folder.path / "not there"), second = FolderLock::take(folder.path / "not there");
   EXPECT_TRUE(first && second);

@@ -40,7 +40,7 @@ class OrdinaryFile : public ::testing::Test {
   sample_run::Folder folder_{"ordinary"};
 };
 
-TEST_F(OrdinaryFile, IsToldFromWhatHasNoEnd) {
+TEST_F(OrdinaryFile, IsDistinguishedFromPipesAndDevices) {
   EXPECT_EQ(not_an_ordinary_file(folder_.path / "file"), std::nullopt);
   EXPECT_EQ(not_an_ordinary_file(folder_.path / "no such file"), std::nullopt);
   EXPECT_EQ(not_an_ordinary_file(folder_.path), "it is a folder");

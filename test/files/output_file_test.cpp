@@ -28,7 +28,7 @@ class PlaceOfFile : public ::testing::Test {
   sample_run::Folder folder_{"output"};
 };
 
-TEST(OutputFile, DoesNotWriteThroughWhatLiesInItsWay) {
+TEST(OutputFile, DoesNotWriteThroughLinksInItsWay) {
   const sample_run::Folder folder{"output_part"};
   folder.write("other", "stays");
   const auto write = [&](const char* name) {
@@ -46,7 +46,7 @@ TEST(OutputFile, DoesNotWriteThroughWhatLiesInItsWay) {
   EXPECT_TRUE(write("c"));
 }
 
-TEST(OutputFile, GathersSmallPiecesForTheDisk) {
+TEST(OutputFile, BuffersSmallPieces) {
   const sample_run::Folder folder{"output_gathered"};
   const auto written = [&] { return fs::file_size(folder.path / "table.part"); };
   const std::string row(99, 'x');
@@ -60,13 +60,13 @@ TEST(OutputFile, GathersSmallPiecesForTheDisk) {
   }
 }
 
-TEST_F(PlaceOfFile, IsThatOfAnOrdinaryFileOrOfNone) {
+TEST_F(PlaceOfFile, MayBeAnOrdinaryFileOrNotExist) {
   folder_.write("file", "");
   EXPECT_EQ(place("file"), "file");
   EXPECT_EQ(place("new"), "new");
 }
 
-TEST_F(PlaceOfFile, IsWhereLinksLead) {
+TEST_F(PlaceOfFile, IsTheTargetOfLinks) {
   fs::create_directories(folder_.path / "a/b");
   folder_.write("file", "");
   fs::create_symlink("../../file", folder_.path / "a/b/link");
@@ -79,12 +79,12 @@ TEST_F(PlaceOfFile, IsWhereLinksLead) {
             "round: cannot write this file (Too many levels of symbolic links). Choose another folder with -o");
 }
 
-TEST_F(PlaceOfFile, IsNoneOfWhatIsNoFile) {
+TEST_F(PlaceOfFile, MustNotBeAFolderOrDevice) {
   ASSERT_EQ(::mkfifo((folder_.path / "pipe").c_str(), 0600), 0);
   fs::create_symlink("pipe", folder_.path / "link");
   fs::create_directories(folder_.path / "folder");
   fs::create_symlink("/dev/null", folder_.path / "null");
-  const std::string hint = "). Name an ordinary file, or one that is not there yet";
+  const std::string hint = "). Name an ordinary file, or one that does not exist yet";
   EXPECT_EQ(refusal("pipe"), "pipe: cannot write this file (it is a pipe" + hint);
   EXPECT_EQ(refusal("link"), "link: cannot write this file (it is a pipe" + hint);
   EXPECT_EQ(refusal("folder"), "folder: cannot write this file (it is a folder" + hint);

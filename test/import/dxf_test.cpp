@@ -9,6 +9,7 @@
 
 #include "support/dxf.hpp"
 #include "support/rasters.hpp"
+#include "support/vectors.hpp"
 #include "talus/import/dxf_file.hpp"
 #include "talus/import/survey_files.hpp"
 #include "talus/import/vector_file.hpp"
@@ -20,7 +21,6 @@ using namespace testing_tools;
 using ::testing::HasSubstr;
 
 const VectorRequest lines{.layer_key = "lines_layer", .kinds = {ShapeKind::line}};
-const VectorRequest polygons{.kinds = {ShapeKind::polygon}};
 
 class DxfTest : public RasterFolder {
  protected:

@@ -17,8 +17,6 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-const std::vector<float> from_the_south{9, 10, 11, 12, 5, 6, 7, 8, 1, 2, 3, 4};
-
 class RasterBand : public RasterReading {};
 
 TEST_F(RasterBand, CellsWithoutDataBecomeNan) {

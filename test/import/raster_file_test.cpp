@@ -16,8 +16,6 @@ using namespace testing_tools;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const std::vector<float> from_the_south{9, 10, 11, 12, 5, 6, 7, 8, 1, 2, 3, 4};
-
 class RasterFileTest : public RasterReading {};
 
 TEST_F(RasterFileTest, NodesAreTheCentresOfCellsFromTheSouthWest) {

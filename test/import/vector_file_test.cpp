@@ -45,8 +45,6 @@ class VectorFileTest : public RasterFolder {
   }
 };
 
-const VectorRequest polygons{.kinds = {ShapeKind::polygon}};
-
 TEST_F(VectorFileTest, ReadsPointsLinesAndPolygonsWithTheirValues) {
   make({{"POINT Z (1 2 3)", "a"},
         {"LINESTRING (0 0, 5 0, 5 5)", ""},

@@ -261,7 +261,7 @@ TEST(ReportRefuses, PlacesWhereNothingCanBeWritten) {
   std::filesystem::create_directories(folder.path / "taken.html" / "inside");
   EXPECT_EQ(message({folder.path}, folder.path / "taken.html"),
             (folder.path / "taken.html").string() +
-                ": cannot write this file (it is a folder). Name an ordinary file, or one that is not there yet");
+                ": cannot write this file (it is a folder). Name an ordinary file, or one that does not exist yet");
   EXPECT_FALSE(std::filesystem::exists(folder.path / "taken.html.part"));
 }
 

@@ -1,4 +1,4 @@
-// The memory that maps may take.
+// The memory limit of maps.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ struct Loaded {
   Model model;
 };
 
-/// The tutorial's slope with so many cells a metre that its maps take some megabytes.
+/// The tutorial's slope with cells so small that its maps take some megabytes.
 Loaded load(std::int64_t rocks, const std::string& setting = "output.report=false") {
   Reading reading =
       read_project(test::tutorial("3d"),
@@ -77,8 +77,9 @@ Gathered gather(const Loaded& loaded, std::size_t limit) {
   return gathered;
 }
 
-// Without a limit 16 MB of visits wait. With one that the maps themselves just keep, fewer do, and no bit is another.
-TEST(MapMemory, IsKeptByFewerVisitsThatWait) {
+// Without a limit 16 MB of visits are queued. With a limit just above the maps themselves fewer are, with the same
+// bits.
+TEST(MapMemory, IsKeptByQueueingFewerVisits) {
   for (const char* split : {"output.maps_by_source=false", "output.maps_by_source=true"}) {
     const Loaded loaded = load(20'000, split);
     const Gathered free = gather(loaded, 0);
@@ -90,7 +91,7 @@ TEST(MapMemory, IsKeptByFewerVisitsThatWait) {
   }
 }
 
-TEST(MapMemory, OfWhichThereIsTooLittleEndsTheRunWithWhatIsDone) {
+TEST(MapMemory, ThatIsExceededEndsTheRunAndKeepsTheRocksDone) {
   const Workplace work;
   const Loaded loaded = load(6000);
   RunOptions options{.campaign = {.threads = 2}};
@@ -103,10 +104,10 @@ TEST(MapMemory, OfWhichThereIsTooLittleEndsTheRunWithWhatIsDone) {
       "\\. Maps take less with larger cells \\(output.raster_cell_m\\), fewer quantities \\(output.maps\\) or no "
       "percentiles \\(output.percentiles = \\[\\]\\)";
   const std::string said = why_not([&] { run(loaded, work / "out", options); });
-  EXPECT_THAT(said, MatchesRegex(lack +
-                                 "the first [0-9]+ of 6000 rocks are kept: with --resume it goes on from there, "
-                                 "given more" +
-                                 hint));
+  EXPECT_THAT(
+      said, MatchesRegex(
+                lack + "the first [0-9]+ of 6000 rocks are kept: with --resume it continues from there, if given more" +
+                hint));
   const std::string kept = said.substr(said.find("first"), said.find(" of 6000") - said.find("first"));
   options.resume = true;
   EXPECT_THAT(why_not([&] { run(loaded, work / "out", options); }), HasSubstr(kept)) << "still too little";
@@ -126,7 +127,7 @@ TEST(MapMemory, OfWhichThereIsTooLittleEndsTheRunWithWhatIsDone) {
             "");
 }
 
-TEST(MapMemory, OfMergedShardsIsLimitedToo) {
+TEST(MapMemory, IsLimitedWhenShardsAreMerged) {
   const Workplace work;
   const Loaded loaded = load(3000);
   for (const std::uint64_t number : {1, 2}) run(loaded, work / std::to_string(number), {.shard = Shard{number, 2}});
@@ -139,7 +140,7 @@ TEST(MapMemory, OfMergedShardsIsLimitedToo) {
   EXPECT_EQ(why_not([&] { merge_runs(options); }), "");
 }
 
-// Each rank has maps of its own until all are added: here only the helper's are limited, and then only those of rank 0.
+// Each rank has maps of its own until they are gathered: first only the helper's are limited, then only rank 0's.
 TEST(MapMemory, IsLimitedOnEachRank) {
   const Workplace work;
   const Loaded loaded = load(6000);

@@ -1,4 +1,4 @@
-// What ranks say to each other, without MPI: they are threads here. With MPI: test/cli/ranks_test.cpp.
+// Runs on several ranks without MPI: the ranks are threads. With MPI: test/cli/ranks_test.cpp.
 
 #include "talus/run/run_on_ranks.hpp"
 
@@ -54,7 +54,7 @@ RunResult run(const Loaded& loaded, const fs::path& folder, const RunOptions& op
   return run_into(folder, loaded.project, loaded.model, loaded.warnings, options);
 }
 
-/// The same on several ranks; gives the exit codes that the helpers were let go with.
+/// Runs on several ranks; returns the exit codes of the helpers.
 RunResult run_on(int ranks, const Loaded& loaded, const fs::path& folder, RunOptions options) {
   std::optional<RunResult> result;
   std::atomic<int> let_go{0};
@@ -82,7 +82,7 @@ TEST(RunOnRanks, GivesTheBytesOfOneProcess) {
   const auto whole = files_of(work / "whole");
   ASSERT_GT(whole.size(), 8U);
   for (const int ranks : {2, 3, 8}) {
-    for (const double every : {0.0, 1e-6}) {  // seconds between checkpoints: none, and one as often as may be
+    for (const double every : {0.0, 1e-6}) {  // seconds between checkpoints: none, and as often as possible
       options.checkpoint_every = every;
       const RunResult result = run_on(ranks, loaded, work / "ranks", options);
       EXPECT_EQ(result.outcome.ranks, ranks);
@@ -94,7 +94,7 @@ TEST(RunOnRanks, GivesTheBytesOfOneProcess) {
   }
 }
 
-TEST(RunOnRanks, ThatWasStoppedGoesOnWithAnyNumberOfRanks) {
+TEST(RunOnRanks, ResumesWithAnyNumberOfRanks) {
   const Workplace work;
   const Loaded loaded = load(work);
   run(loaded, work / "whole", {.campaign = {.threads = 2}});
@@ -134,7 +134,7 @@ TEST(RunOnRanks, MayBeAShard) {
     ASSERT_EQ(files->erase("run.state"), 1U);  // it holds timings
   }
   EXPECT_EQ(differences(expected, found), "");
-  // Of more shards than rocks some have none.
+  // With more shards than rocks some have none.
   options.shard = Shard{1, 5000};
   EXPECT_EQ(run_on(3, loaded, work / "empty", options).summary.done, 0U);
 }
@@ -174,9 +174,10 @@ TEST(RunOnRanks, RefusesRanksWithAnotherProject) {
     return help_run(mine, own.project, own.model, own.warnings, {});
   };
   EXPECT_EQ(message(4, loaded, work / "out", help),
-            "rank 2 on machine 2: this rank would not compute what the others do (sampling.seed was 1 and is 7). Give "
-            "all ranks the same command, the same files and the same program, on machines of one kind; or let each "
-            "run alone (--alone)");
+            "rank 2 on machine 2: this rank would not compute the same results as the others (sampling.seed was 1 and "
+            "is 7). Give "
+            "all ranks the same command, the same files and the same program, on machines of one kind; or run each "
+            "alone (--alone)");
   EXPECT_EQ(work.read("out/run.state"), "of an earlier run");
   EXPECT_FALSE(fs::exists(work / "out/endpoints.csv.part"));
 }
@@ -192,7 +193,7 @@ TEST(RunOnRanks, RefusesAnotherVersion) {
               testing::HasSubstr("(talus 0.0.7 runs there, and " TALUS_VERSION " here)"));
 }
 
-TEST(RunOnRanks, SaysAllThatIsWrongOnOthers) {
+TEST(RunOnRanks, ReportsAllErrorsOfOtherRanks) {
   const Workplace work;
   const Loaded loaded = load(work);
   const auto help = [&](Ranks& mine) {
@@ -204,7 +205,7 @@ TEST(RunOnRanks, SaysAllThatIsWrongOnOthers) {
             "rank 3 on machine 3: a.toml:3: no file\nrank 3 on machine 3: a.toml:4: no number 3");
 }
 
-TEST(RunOnRanks, EndsWhereOneFailsOnTheWay) {
+TEST(RunOnRanks, EndsIfOneFailsDuringTheRun) {
   const Workplace work;
   const Loaded loaded = load(work);
   const auto help = [&](Ranks& mine) {
@@ -237,10 +238,10 @@ TEST(RunOnRanks, AnySignalledRankStopsAll) {
       });
 }
 
-// Ranks that went ahead of the rock that was left keep nothing of what they did: as one process.
-TEST(RunOnRanks, AreStoppedInTheMiddleOfLongRocks) {
+// Blocks after the first abandoned rock are discarded, as in one process.
+TEST(RunOnRanks, StopsDuringLongRocks) {
   const Workplace work;
-  // None of the rocks of the sample that a run begins with is a long one.
+  // None of the sample rocks at the beginning of a run is a long one.
   const std::string file = work.write("endless.toml", testing_tools::endless_slope(650, 3, 947));
   Reading reading = read_project(file, {{"output.paths=\"all\"", "output.report=false"}, {}, {}});
   Loaded loaded{std::move(reading.project), std::move(reading.warnings), {}};
@@ -268,7 +269,7 @@ TEST(RunOnRanks, AreStoppedInTheMiddleOfLongRocks) {
   EXPECT_EQ(differences(alone, files_when_stopped(3)), "");
 }
 
-TEST(RunOnRanks, AreStoppedBeforeTheFirstRockByAnyOfThem) {
+TEST(RunOnRanks, AnyRankStopsAllBeforeTheFirstRock) {
   const Workplace work;
   const Loaded loaded = load(work);
   const std::atomic<bool> stop{true};
@@ -287,7 +288,7 @@ TEST(RunOnRanks, AreStoppedBeforeTheFirstRockByAnyOfThem) {
   EXPECT_FALSE(fs::exists(work / "out/endpoints.csv.part"));
 }
 
-TEST(RankMessages, HoldWhatWasSaid) {
+TEST(RankMessages, AreReadAsTheyWereWritten) {
   const auto received = [](std::string bytes) { return Ranks::Message{3, std::move(bytes)}; };
   const auto block = received(message_of(DoneBlock{{7, 9}, {"rows\n", "", "more\n"}}));
   EXPECT_EQ(kind_of(block), MessageKind::block);

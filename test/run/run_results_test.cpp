@@ -8,8 +8,8 @@
 namespace talus::project {
 namespace {
 
-// Cells of maps are counted with 32 bits.
-TEST(Maps, OfMoreCellsThanCanBeToldApartAreRefused) {
+// Cells of maps are numbered with 32 bits.
+TEST(Maps, WithTooManyCellsAreRefused) {
   Problems warnings;
   const Project project = read_project_text(R"(
 [terrain]
@@ -32,7 +32,7 @@ raster_cell_m = 0.01
   } catch (const BadInput& bad) {
     EXPECT_EQ(bad.problems().text(),
               "slope.toml: [output]: raster_cell_m is 0.01 (the terrain is 1e+10 such cells wide; expected fewer than "
-              "2e+09). Take larger cells");
+              "2e+09). Choose larger cells");
   }
 }
 

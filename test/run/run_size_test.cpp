@@ -38,7 +38,7 @@ TEST(RunSize, IsAboutWhatIsWritten) {
     const RunSize size = built.expected({0, built.model.rocks()});
     EXPECT_GT(size.paths_bytes, 0.7 * written("paths.csv")) << paths;
     EXPECT_LT(size.paths_bytes, 1.4 * written("paths.csv")) << paths;
-    // Rows of ends are alike; the header is not counted.
+    // Rows of end points are of similar length; the header is not counted.
     EXPECT_NEAR(size.endpoints_bytes / written("endpoints.csv"), 1, 0.05) << paths;
     EXPECT_GT(size.processor_seconds, 0);
     const RunSize part = built.expected({1500, 2250});
@@ -70,10 +70,10 @@ TEST(RunSize, OfMapsIsAboutWhatIsWritten) {
   }
 }
 
-// Rocks that each touch `each` of `all` cells, whichever they like: n of them touch all (1 - (1 - each / all)^n), one
-// cell is touched by k of n with the probability of the binomial distribution. What is estimated is a least number: too
-// small by 2 % where next to no cell was touched twice.
-TEST(RunSize, FollowsFromHowManyCellsOneRockOrTwoTouched) {
+// Each rock touches `each` of `all` cells at random: n rocks touch all (1 - (1 - each / all)^n), and the number of
+// rocks that touch a cell is binomially distributed. The estimate is a lower bound: too small by 2 % if hardly any cell
+// was touched twice.
+TEST(RunSize, FollowsFromTheCellsTouchedByOneAndByTwoRocks) {
   constexpr double all = 1e6, few = 32;
   for (const double each : {300.0, 3000.0, 30'000.0}) {
     const double p = each / all;
@@ -90,7 +90,7 @@ TEST(RunSize, FollowsFromHowManyCellsOneRockOrTwoTouched) {
   EXPECT_EQ(expected_touched(32, 10, 1, 0, 1e6), 10);
 }
 
-TEST(RunSize, OfFewRocksIsNotAskedFor) {
+TEST(RunSize, IsNotEstimatedForFewRocks) {
   const Built few("\"all\"", 63);
   EXPECT_EQ(few.expected({0, 63}).bytes(), 0);
   EXPECT_FALSE(large_run_text(few.expected({0, 63}), 1));

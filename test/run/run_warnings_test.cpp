@@ -12,7 +12,7 @@ namespace {
 
 using Ends = std::vector<std::pair<EndReason, std::uint64_t>>;
 
-/// What a run warns of after so many rocks, of which these did not come to rest.
+/// The warnings of a run of this many rocks, of which some did not come to rest.
 std::string warned_after(std::uint64_t rocks, const Ends& ends) {
   Summary summary(rocks, 0);
   summary.done = rocks;
@@ -22,11 +22,11 @@ std::string warned_after(std::uint64_t rocks, const Ends& ends) {
   return warnings.text();
 }
 
-TEST(WarningsOfRocks, TellOfEndsThatAreTheModelsAndNotTheSlopes) {
+TEST(WarningsOfRocks, ReportEndsAtLimitsOfTheModel) {
   EXPECT_EQ(
       warned_after(20'000, {{EndReason::no_data, 18'369}}),
       "warning: rocks: 18369 of 20000 rocks ended where the terrain has no data (runout, reach and end points are "
-      "cut there). Use a terrain that has data where rocks come");
+      "cut there). Use a terrain that has data where rocks go");
   EXPECT_EQ(warned_after(100, {{EndReason::maximum_steps, 1}, {EndReason::maximum_time, 1}}),
             "warning: rocks: 1 of 100 rocks were ended after the maximum number of steps (runout, reach and end points "
             "are cut there). Raise analysis.max_steps\n"
@@ -34,13 +34,13 @@ TEST(WarningsOfRocks, TellOfEndsThatAreTheModelsAndNotTheSlopes) {
             "there). Raise analysis.max_time_s");
 }
 
-TEST(WarningsOfRocks, LeaveOneInAHundredAlone) {
+TEST(WarningsOfRocks, IgnoreOneInAHundred) {
   EXPECT_EQ(warned_after(200, {{EndReason::no_data, 1}, {EndReason::maximum_time, 1}}), "");
   EXPECT_NE(warned_after(199, {{EndReason::no_data, 1}, {EndReason::maximum_time, 1}}), "");
   EXPECT_EQ(warned_after(0, {}), "");
 }
 
-TEST(WarningsOfRocks, TakeTheEdgeOfTheModelForMeant) {
+TEST(WarningsOfRocks, IgnoreRocksThatLeaveTheModel) {
   EXPECT_EQ(warned_after(100, {{EndReason::left_model, 100}}), "");
 }
 
@@ -50,7 +50,7 @@ RunDescription described(const char* model) {
   return description;
 }
 
-TEST(WarningsOfSources, NameThoseWhoseRocksWereNotRun) {
+TEST(WarningsOfSources, NameSourcesWhoseRocksWereNotRun) {
   const RunDescription three = described(
       R"({"sources": [{"name": "West", "rocks": [[0, 10], [50, 10]]}, {"name": "Middle", "rocks": [[10, 20]]},
                       {"name": "East", "rocks": [[30, 20]]}]})");
@@ -73,7 +73,7 @@ TEST(WarningsOfSources, NameThoseWhoseRocksWereNotRun) {
   EXPECT_EQ(warnings.text(), "") << "of one source the first rocks are as good as any";
 }
 
-TEST(WarningsOfCollectors, TellHowManyRocksPassedAbove) {
+TEST(WarningsOfCollectors, ReportHowManyRocksPassedAbove) {
   const RunDescription two =
       described(R"({"barriers": [{"name": "Net", "kind": "barrier"}, {"name": "Road", "kind": "collector"}]})");
   const auto told = [&](std::uint64_t above) {
@@ -101,7 +101,7 @@ DesignPlan two_lines() {
   return plan;
 }
 
-TEST(WarningsOfDesign, SayWhatHoldsTheBestKitOfALineBack) {
+TEST(WarningsOfDesign, ReportWhatLimitsTheBestKitOfALine) {
   DesignResult result;
   result.lines.resize(2);
   result.lines[0].whole.rocks = 3611;

@@ -1,4 +1,4 @@
-// A run that is stopped while it writes its results: all rocks are kept, and it goes on to the same bytes.
+// A run that is stopped while it writes its results keeps all rocks, and resumes to the same bytes.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ class StoppedWriting : public testing::Test {
   RunResult run(const char* folder, const RunOptions& options) {
     return run_into(work / folder, project, model, warnings, options);
   }
-  /// A run that never was stopped.
+  /// A run that was never stopped.
   std::map<std::string, std::string> whole() {
     EXPECT_TRUE(run("whole", {}).has_results);
     return files_of(work / "whole");
@@ -63,7 +63,7 @@ TEST_F(StoppedWriting, AfterTheLastRockKeepsAllRocks) {
   options.campaign.stop = &stop;
   options.campaign.progress = [&](std::uint64_t done) { stop = done == 10'000; };
   options.closing_seconds = 0;
-  options.checkpoint_every = 0;  // never, but what is done is kept all the same
+  options.checkpoint_every = 0;  // no checkpoints, but the rocks done are kept anyway
   const RunResult result = run("stopped", options);
   EXPECT_FALSE(result.has_results);
   EXPECT_FALSE(result.outcome.interrupted);
@@ -74,7 +74,7 @@ TEST_F(StoppedWriting, AfterTheLastRockKeepsAllRocks) {
   expect_whole_when_resumed(10'000);
 }
 
-TEST_F(StoppedWriting, AmongTheRocksKeepsThoseThatAreDone) {
+TEST_F(StoppedWriting, BetweenRocksKeepsTheRocksDone) {
   std::atomic<bool> stop{false};
   RunOptions options;
   options.campaign.stop = &stop;
@@ -87,7 +87,7 @@ TEST_F(StoppedWriting, AmongTheRocksKeepsThoseThatAreDone) {
   EXPECT_GE(done, 200U);
   EXPECT_LT(done, 10'000U);
 
-  // Only what is done so far is written.
+  // Only the results so far are written.
   RunOptions writing;
   writing.resume = true;
   writing.only_results = true;
@@ -100,14 +100,14 @@ TEST_F(StoppedWriting, AmongTheRocksKeepsThoseThatAreDone) {
   expect_whole_when_resumed(done);
 }
 
-TEST_F(StoppedWriting, IsHeardBeforeTheFirstRock) {
+TEST_F(StoppedWriting, TakesEffectBeforeTheFirstRock) {
   const std::atomic<bool> stop{true};
   RunOptions options;
   options.campaign.stop = &stop;
   EXPECT_THROW((void)run("stopped", options), Stopped);
 }
 
-TEST_F(StoppedWriting, IsLeftInTheMiddleOfIt) {
+TEST_F(StoppedWriting, TakesEffectWhileMapsAreWritten) {
   std::atomic<bool> stop{false};
   RunOptions options;
   options.campaign.stop = &stop;
@@ -121,7 +121,7 @@ TEST_F(StoppedWriting, IsLeftInTheMiddleOfIt) {
   if (!result.has_results) {
     expect_whole_when_resumed(10'000);
   } else {
-    EXPECT_EQ(differences(whole(), files_of(work / "stopped")), "");  // it was heard too late
+    EXPECT_EQ(differences(whole(), files_of(work / "stopped")), "");  // the stop came too late
   }
 }
 

@@ -4,12 +4,16 @@
 #ifdef TALUS_HAS_GDAL
 
 #include <string>
+#include <vector>
 
 #include "support/rasters.hpp"
 #include "talus/import/class_raster.hpp"
 #include "talus/import/raster_file.hpp"
 
 namespace talus::testing_tools {
+
+/// The cells of a default RasterSpec in the order of a RasterGrid.
+inline const std::vector<float> from_the_south{9, 10, 11, 12, 5, 6, 7, 8, 1, 2, 3, 4};
 
 class RasterReading : public RasterFolder {
  protected:

@@ -12,8 +12,12 @@
 #include <vector>
 
 #include "talus/gdal/gdal_raster.hpp"
+#include "talus/import/vector_file.hpp"
 
 namespace talus::testing_tools {
+
+/// A request for polygons only.
+inline const VectorRequest polygons{.kinds = {ShapeKind::polygon}};
 
 /// A feature as well-known text and the value of the layer's attribute.
 using WrittenFeature = std::pair<std::string, std::string>;

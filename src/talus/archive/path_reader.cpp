@@ -22,7 +22,7 @@ void refuse_unfinished_path(const std::filesystem::path& file, std::uint64_t roc
   throw BadInput(Problem{.file = file.string(),
                          .what = fmt::format("the path of rock {} does not end", rock),
                          .why = "a path's last row has the state ended",
-                         .hint = "The file was cut short or damaged; run the project again to get it whole"});
+                         .hint = "The file was cut short or damaged; run the project again to write it anew"});
 }
 
 PathReader::PathReader(const std::filesystem::path& file) : file_(file), row_(file) {}

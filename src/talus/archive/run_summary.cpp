@@ -12,7 +12,7 @@ namespace talus {
 namespace {
 
 constexpr const char* folder_hint = "Name a folder that `talus run` has written";
-constexpr const char* damaged_hint = "The file was cut short or damaged; run the project again to get it whole";
+constexpr const char* damaged_hint = "The file was cut short or damaged; run the project again to write it anew";
 
 /// The outermost object, of which the barriers go to `take` as soon as each is read.
 JsonValue parse_summary(const std::filesystem::path& file, const std::function<void(const JsonValue&)>& take) {

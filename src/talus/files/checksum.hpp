@@ -1,5 +1,5 @@
 #pragma once
-// Checksums of bytes: to notice damage, and to tell inputs apart.
+// Checksums of bytes, to detect damage and to identify inputs.
 
 #include <cstdint>
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace talus {
 
-/// XXH3 with 128 bits (Y. Collet, xxHash 0.8): the same on every machine. Not for secrets: who wants to can make two
-/// inputs with one checksum.
+/// XXH3 with 128 bits (Y. Collet, xxHash 0.8): the same on every machine. Not cryptographic: inputs with the same
+/// checksum can be constructed.
 struct Digest {
   std::uint64_t high = 0, low = 0;
   friend bool operator==(const Digest&, const Digest&) = default;
@@ -17,7 +17,7 @@ struct Digest {
 /// As 32 hexadecimal digits.
 [[nodiscard]] std::string text_of(const Digest& digest);
 
-/// Of bytes that come piece by piece; how they are split does not matter.
+/// The checksum of bytes added in pieces; the result does not depend on how they are split.
 class Checksum {
  public:
   Checksum();

@@ -14,15 +14,15 @@
 namespace talus {
 namespace {
 
-// What a message quotes of a row: enough to find it, not a whole file that has lost its line ends.
+// The part of a row that a message quotes: enough to find it, but not a whole file without line ends.
 std::string excerpt(std::string_view text) {
   constexpr std::size_t most = 40;
   return text.size() <= most ? fmt::format("\"{}\"", text) : fmt::format("\"{}...\"", text.substr(0, most));
 }
 
-constexpr std::size_t longest_row = std::size_t{1} << 20;  // bytes; but for names of the user's it has some 300
+constexpr std::size_t longest_row = std::size_t{1} << 20;  // bytes; without the user's names about 300
 
-constexpr auto cut_short = "The file was cut short or damaged; run the project again to get it whole";
+constexpr auto cut_short = "The file was cut short or damaged; run the project again to write it anew";
 
 }  // namespace
 
@@ -54,8 +54,8 @@ CsvReader::CsvReader(const std::filesystem::path& file, std::span<const std::str
 bool CsvReader::read_record() {
   record_.clear();
   line_ = lines_read_ + 1;
-  for (bool open_quote = false;;) {  // a quoted value may hold a line end: go on while a quote is open
-    // Not std::getline(): a file of another kind may be one line of gigabytes.
+  for (bool open_quote = false;;) {  // a quoted value may contain a line end: read on while a quote is open
+    // Not std::getline(): a binary file may be one line of gigabytes.
     stream_.getline(line_read_.data(), static_cast<std::streamsize>(line_read_.size()));
     const auto length = static_cast<std::size_t>(stream_.gcount());
     if (stream_.bad()) refuse("", "cannot be read", "the system reports a read error");
@@ -65,7 +65,8 @@ bool CsvReader::read_record() {
     }
     ++lines_read_;
     if (stream_.fail() || record_.size() + length > longest_row + 1) {
-      refuse("", fmt::format("the row has more than {} bytes", longest_row), "no row of a table is so long", cut_short);
+      refuse("", fmt::format("the row has more than {} bytes", longest_row), "no row of a table is that long",
+             cut_short);
     }
     if (stream_.eof()) refuse("", "the last line has no line end", "every row ends with one", cut_short);
     const std::string_view part(line_read_.data(), length - 1);
@@ -81,7 +82,7 @@ bool CsvReader::read_record() {
 void CsvReader::split() {
   fields_.clear();
   unquoted_.clear();
-  unquoted_.reserve(record_.size());  // so that views into it stay valid while it grows
+  unquoted_.reserve(record_.size());  // keeps views into it valid while it grows
   const std::string_view row = record_;
   for (std::size_t at = 0;;) {
     if (at < row.size() && row[at] == '"') {
@@ -116,7 +117,7 @@ bool CsvReader::next() {
 void CsvReader::go_to(std::uint64_t byte) {
   stream_.clear();
   stream_.seekg(static_cast<std::streamoff>(byte));
-  knows_lines_ = false;
+  is_line_known_ = false;
 }
 
 double CsvReader::number(std::size_t column) const {
@@ -141,7 +142,7 @@ std::int64_t CsvReader::whole_number(std::size_t column) const {
 
 void CsvReader::refuse(std::string where, std::string what, std::string why, std::string hint) const {
   throw BadInput({.file = file_,
-                  .line = knows_lines_ ? line_ : 0,
+                  .line = is_line_known_ ? line_ : 0,
                   .where = std::move(where),
                   .what = std::move(what),
                   .why = std::move(why),

@@ -1,6 +1,6 @@
 #pragma once
-// Reads one of our own comma-separated files row by row, in constant memory, and refuses what it does not understand
-// with file and line. Quoting as in RFC 4180, since names of seeders and barriers are the user's.
+// Reads one of Talus's own comma-separated files row by row, in constant memory, and reports errors with file and line.
+// Quoting follows RFC 4180, since the names of seeders and barriers are the user's.
 
 #include <cstdint>
 #include <filesystem>
@@ -24,14 +24,13 @@ class CsvReader {
 
   [[nodiscard]] std::span<const std::string> columns() const { return columns_; }
 
-  /// Goes to the next row; false after the last. Throws BadInput on a row with too few or too many values, and on a
-  /// last line without an end, the mark of a file that was cut short; and on one of more than a megabyte.
+  /// Moves to the next row; false after the last. Throws BadInput for a row with too few or too many values or of more
+  /// than a megabyte, and for a last line without a line end, the sign of a file that was cut short.
   [[nodiscard]] bool next();
-  /// The next row is the one that begins with this byte of the file. Problems about it and those after it name no
-  /// line.
+  /// Continues with the row that begins at this byte of the file. Errors in it and in later rows have no line number.
   void go_to(std::uint64_t byte);
 
-  // The values of the current row, by column. Views hold until the next call of next().
+  // The values of the current row, by column. Views are valid until the next call of next().
   [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
   [[nodiscard]] double number(std::size_t column) const;              // finite
   [[nodiscard]] std::int64_t whole_number(std::size_t column) const;  // not negative
@@ -50,13 +49,13 @@ class CsvReader {
   std::vector<char> buffer_;
   std::ifstream stream_;
   std::vector<char> line_read_;
-  std::string record_;    // the current row as it stands in the file
-  std::string unquoted_;  // text of its quoted values; fields_ may point into it
+  std::string record_;    // the current row as in the file
+  std::string unquoted_;  // text of its quoted values, into which fields_ may point
   std::vector<std::string_view> fields_;
   std::vector<std::string> columns_;
   int line_ = 0;  // of the current row's first line
   int lines_read_ = 0;
-  bool knows_lines_ = true;
+  bool is_line_known_ = true;
 };
 
 }  // namespace talus

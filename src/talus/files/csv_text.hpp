@@ -12,11 +12,11 @@
 
 namespace talus {
 
-/// The numbers of the row before. One that comes again in its column is not turned into digits again: a rock leaves
-/// where and when it arrived, which is every other row of its path, and rocks of one seeder often have one mass.
+/// The numbers of the previous row. A number that repeats in its column is not formatted again: in a path every
+/// departure is where and when the rock arrived, and rocks of a seeder often have the same mass.
 class CsvMemory {
  public:
-  /// The digits of a number that stands in a column.
+  /// The digits of a number in a column.
   [[nodiscard]] std::string_view digits(std::size_t column, double x) {
     Cell& cell = cells_[column % cells_.size()];
     const auto bits = std::bit_cast<std::uint64_t>(x);
@@ -48,7 +48,7 @@ class CsvRow {
     return *this;
   }
   CsvRow& operator<<(std::integral auto x) { return number(x); }
-  /// Quoted where it must be (RFC 4180).
+  /// Quoted if necessary (RFC 4180).
   CsvRow& operator<<(std::string_view word) {
     separate();
     if (word.find_first_of(",\"\r\n") == std::string_view::npos) {
@@ -98,7 +98,7 @@ class CsvRow {
   std::string& text_;
   CsvMemory* memory_;
   std::size_t column_ = 0;
-  std::array<char, 512> line_;  // what is not yet in the text: one large addition is faster than many small ones
+  std::array<char, 512> line_;  // not yet appended to the text: one large append is faster than many small ones
   std::size_t length_ = 0;
 };
 

@@ -24,21 +24,21 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* files_key = "files";
 
-bool others_write_to(const fs::path& name) { return name.extension() == ".gpkg"; }
+bool is_changed_by_readers(const fs::path& name) { return name.extension() == ".gpkg"; }
 
-/// Of a name that a record has, which may come from anybody.
+/// Whether a name in a record, which cannot be trusted, refers to a file in the folder.
 bool stays_in_folder(const fs::path& name) {
   if (name.empty() || name.is_absolute()) return false;
   return std::ranges::none_of(name, [](const fs::path& part) { return part.empty() || part == "." || part == ".."; });
 }
 
-/// Nothing where it is not an ordinary file, or cannot be read.
+/// nullopt if it is not an ordinary file, or cannot be read.
 std::optional<Json> record_of(const fs::path& file, const fs::path& name) {
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(file, error);
   if (error || not_an_ordinary_file(file)) return std::nullopt;
   Json record{{"bytes", bytes}};
-  if (others_write_to(name)) return record;
+  if (is_changed_by_readers(name)) return record;
   Checksum checksum;
   std::ifstream in(file, std::ios::binary);
   std::string piece(std::size_t{1} << 20, '\0');
@@ -57,7 +57,7 @@ void write(const fs::path& folder, const Json& files) {
   file.commit();
 }
 
-/// Nothing where there is none that can be read.
+/// nullopt if there is no record, or it cannot be read.
 std::optional<Json> read(const fs::path& folder) {
   try {
     Json json = read_json_object<Json>(folder / file_record_name, "");
@@ -73,7 +73,7 @@ struct Entry {
   std::optional<Json> record;
 };
 
-void look_at_all(const fs::path& folder, std::vector<Entry>& entries, bool also_parts) {
+void read_entries(const fs::path& folder, std::vector<Entry>& entries, bool also_parts) {
   const StopScope* const here = StopScope::current();
   tbb::parallel_for_each(entries, [&](Entry& entry) {
     const StopScope there(here);
@@ -88,14 +88,14 @@ void look_at_all(const fs::path& folder, std::vector<Entry>& entries, bool also_
 void write_file_record(const fs::path& folder, std::span<const std::string> names) {
   std::vector<Entry> entries;
   for (const std::string& name : names) entries.push_back({name, {}});
-  look_at_all(folder, entries, true);
+  read_entries(folder, entries, true);
   Json files = Json::object();
   for (Entry& entry : entries) {
     if (!entry.record) {
       throw BadInput(Problem{.file = (folder / entry.name).string(),
-                             .what = "cannot be read again",
+                             .what = "cannot be read",
                              .why = "it was written by this run",
-                             .hint = "Does another program work in this folder?"});
+                             .hint = "Is another program working in this folder?"});
     }
     files[entry.name] = std::move(*entry.record);
   }
@@ -107,7 +107,7 @@ std::optional<std::string> changed_file(const fs::path& folder) {
   if (!files) return file_record_name;
   std::vector<Entry> entries;
   for (const auto& [name, record] : files->items()) entries.push_back({name, {}});
-  look_at_all(folder, entries, false);
+  read_entries(folder, entries, false);
   for (const Entry& entry : entries) {
     if (!entry.record || *entry.record != files->at(entry.name)) return entry.name;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// files.json: which files a run left in its folder, so that one that was lost, cut or changed since is noticed.
+// files.json: the files that a run wrote to its folder, so that lost, truncated or changed ones are detected.
 
 #include <filesystem>
 #include <optional>
@@ -11,22 +11,22 @@ namespace talus {
 
 inline constexpr const char* file_record_name = "files.json";
 
-/// Of each file its size and its checksum (XXH3, 128 bits, as `xxhsum -H2` gives it); of a GeoPackage, which programs
-/// write to when they look into it, the size alone. Names are relative to the folder; a file that still has the name
-/// `NAME.part` is recorded under its final one. Throws BadInput where one cannot be read, or the record not be written.
+/// Records the size and checksum of each file (XXH3, 128 bits, as printed by `xxhsum -H2`); of a GeoPackage, which
+/// programs modify when they read it, only the size. Names are relative to the folder; a file still named `NAME.part`
+/// is recorded under its final name. Throws BadInput if a file cannot be read or the record cannot be written.
 void write_file_record(const std::filesystem::path& folder, std::span<const std::string> names);
 
-/// The first file that is not as it was recorded; the record itself where there is none. Nothing where all are.
+/// The first file that is not as recorded, or the record itself if there is none. nullopt if all files are as recorded.
 [[nodiscard]] std::optional<std::string> changed_file(const std::filesystem::path& folder);
 
-/// The names in the record, of those that stay in the folder; none where there is no record that can be read.
+/// The names in the record that are in the folder; none if no record can be read.
 [[nodiscard]] std::vector<std::string> recorded_files(const std::filesystem::path& folder);
 
-/// Removes the files of the record that are not among those `kept`: results of an earlier run that the present one does
-/// not make. Only plain files go, and none through a link to another folder; the record itself stays.
+/// Removes the recorded files that are not in `kept`: results of an earlier run that the present one does not write.
+/// Removes only regular files, and none through a link to another folder; the record itself stays.
 void remove_recorded_files_but(const std::filesystem::path& folder, std::span<const std::string> kept);
 
-/// Records one file anew, where there is a record that has it.
+/// Updates one file in the record, if it is recorded.
 void renew_in_record(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace talus

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with one file, of which only the first few are told: a wrong file has one in each of its million lines.
+// The errors of one file, of which only the first few are reported: a bad file may have one in each of a million lines.
 
 #include <cstddef>
 #include <string>
@@ -13,12 +13,12 @@ class FirstProblems {
  public:
   static constexpr std::size_t most_reported = 10;
 
-  /// `things` are what has the problems, in words: "lines", "features".
+  /// `things` have the errors, for messages: "lines", "features".
   FirstProblems(std::string file, std::string things) : file_(std::move(file)), things_(std::move(things)) {}
 
   void add(int line, std::string what, std::string why, std::string hint = "");
   [[nodiscard]] bool any() const { return count_ > 0; }
-  /// Throws BadInput with the first ones and the number of the others.
+  /// Throws BadInput with the first errors and the number of the others, if there are any.
   void throw_if_any() const;
 
  private:

@@ -13,7 +13,7 @@ namespace talus {
 
 std::optional<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
   const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file < 0) return FolderLock(-1);  // whoever writes there will say what is wrong with it
+  if (file < 0) return FolderLock(-1);  // writing to the folder will report what is wrong with it
   if (flock(file, LOCK_EX | LOCK_NB) == 0) return FolderLock(file);
   const bool is_taken = errno == EWOULDBLOCK;
   close(file);
@@ -30,7 +30,7 @@ FolderLock lock_output_folder(const std::filesystem::path& folder) {
   throw BadInput(Problem{.file = folder.string(),
                          .what = "cannot write results here",
                          .why = "another program is writing results into this folder",
-                         .hint = "Wait for its end, or write elsewhere",
+                         .hint = "Wait until it has ended, or write elsewhere",
                          .option = "-o"});
 }
 

@@ -1,16 +1,16 @@
 #pragma once
-// Whose a folder is while results are written there, as programs that would write there see each other.
+// A lock on a folder while results are written there, which keeps other programs from writing to it.
 
 #include <filesystem>
 #include <optional>
 
 namespace talus {
 
-/// Held until it goes, or the program does, however that ends. Where the file system has no such locks (folders on NFS)
-/// it keeps nobody out.
+/// Held until it is destroyed or the process ends, however it ends. Has no effect if the file system has no such locks
+/// (some folders on NFS).
 class FolderLock {
  public:
-  /// Nothing where another has it.
+  /// nullopt if another process holds it.
   [[nodiscard]] static std::optional<FolderLock> take(const std::filesystem::path& folder);
   FolderLock(FolderLock&& other) noexcept : file_(other.file_) { other.file_ = -1; }
   FolderLock& operator=(FolderLock&&) = delete;
@@ -23,7 +23,7 @@ class FolderLock {
   int file_;
 };
 
-/// Throws BadInput where another has it.
+/// Throws BadInput if another process holds it.
 [[nodiscard]] FolderLock lock_output_folder(const std::filesystem::path& folder);
 
 }  // namespace talus

@@ -29,7 +29,7 @@ std::string text_of_json_file(const std::filesystem::path& path, std::string_vie
   std::error_code error;
   if (!stream) {
     refuse(std::filesystem::exists(path, error) ? "cannot be opened" : "there is no such file",
-           "a run's folder holds it once the run is done");
+           "the folder of a finished run has it");
   }
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   if (error || bytes > most_bytes) {
@@ -41,7 +41,7 @@ std::string text_of_json_file(const std::filesystem::path& path, std::string_vie
   stream.read(text.data(), static_cast<std::streamsize>(bytes));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (const std::size_t depth = depth_of_json(text); depth > deepest_json) {
-    refuse("is damaged", fmt::format("it holds lists within lists, {} deep; expected at most {}", depth, deepest_json));
+    refuse("is damaged", fmt::format("its lists are nested {} deep; expected at most {}", depth, deepest_json));
   }
   return text;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// What is wrong with one mesh file: errors are collected until reading has no more sense, so that the user sees many at
-// once; warnings do not stop it.
+// The errors and warnings of one mesh file. Errors are collected as long as reading makes sense, so that the user sees
+// many at once.
 
 #include <cstdint>
 #include <string>
@@ -10,25 +10,25 @@
 
 namespace talus {
 
-/// Where in a mesh file: a line of a text format, or a thing such as "face 3 of 12" of a binary one.
+/// A place in a mesh file: a line of a text format, or an element such as "face 3 of 12" of a binary one.
 struct MeshPlace {
-  std::uint32_t line = 0;  // 1-based; 0 where there are no lines
+  std::uint32_t line = 0;  // 1-based; 0 in a file without lines
   std::string where;
 };
 
 class MeshProblems {
  public:
-  /// After so many errors reading stops: a wrong file would have one in each of its million lines.
+  /// Reading stops after this many errors: a bad file may have one in each of a million lines.
   static constexpr std::size_t most_errors = 20;
 
   explicit MeshProblems(std::string file) : file_(std::move(file)) {}
 
-  /// Notes an error. Throws BadInput with all of them when there are too many to go on.
+  /// Adds an error. Throws BadInput with all errors if there are too many to continue.
   void refuse(const MeshPlace& place, std::string what, std::string why, std::string hint = "");
-  /// Notes an error after which nothing more can be understood, and throws BadInput with all of them.
+  /// Adds an error after which reading cannot continue, and throws BadInput with all errors.
   [[noreturn]] void stop(const MeshPlace& place, std::string what, std::string why, std::string hint = "");
   void warn(const MeshPlace& place, std::string what, std::string why, std::string hint = "");
-  /// Throws BadInput when there was an error.
+  /// Throws BadInput if there are errors.
   void throw_if_any() const;
 
   [[nodiscard]] const Problems& warnings() const { return warnings_; }
@@ -41,10 +41,10 @@ class MeshProblems {
   Problems warnings_;
 };
 
-/// Warns when coordinates as large as `largest` [m], kept as 32-bit floats, stand more than a millimetre apart.
+/// Warns if 32-bit floats as large as `largest` [m] are more than a millimetre apart.
 void warn_of_single_precision(float largest, MeshProblems& problems);
 
-/// Foreign text made fit for a message: in quotes, at most 40 bytes, anything unprintable as `?`.
+/// Text from a file as a message may quote it: in quotes, at most 40 bytes, with `?` for unprintable characters.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace talus

@@ -1,5 +1,5 @@
 #pragma once
-// Files that are read to their end must have one: a pipe that nobody writes to would be waited for.
+// Input files must be ordinary files: reading a pipe without a writer would wait forever.
 
 #include <filesystem>
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace talus {
 
-/// Why a path is not that of an ordinary file: "it is a folder", "it is a pipe". Nothing where it is one, and where
-/// there is nothing of that name or nothing is known of it, of which opening it says more.
+/// Why a path is not an ordinary file: "it is a folder", "it is a pipe". nullopt if it is one, does not exist or cannot
+/// be accessed (opening it reports the reason).
 [[nodiscard]] std::optional<std::string> not_an_ordinary_file(const std::filesystem::path& path);
 
 }  // namespace talus

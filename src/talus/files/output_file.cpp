@@ -27,20 +27,20 @@ namespace {
                          .option = "-o"});
 }
 
-/// Some devices cannot be synchronised; what matters is that they took the data.
+/// Some devices cannot be synchronised; it is enough that they accepted the data.
 bool is_synchronised(int descriptor) { return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP; }
 
-/// The file itself, never what a link of its name leads to. Null where that fails.
+/// Opens the file itself, never the target of a link. Null on failure.
 std::FILE* opened(const std::filesystem::path& path, int how, const char* mode) {
-  constexpr mode_t all_may_that_the_mask_lets = 0666;
-  const int descriptor = open(path.c_str(), how | O_NOFOLLOW | O_CLOEXEC, all_may_that_the_mask_lets);
+  constexpr mode_t mode_before_umask = 0666;
+  const int descriptor = open(path.c_str(), how | O_NOFOLLOW | O_CLOEXEC, mode_before_umask);
   if (descriptor < 0) return nullptr;
   std::FILE* const file = fdopen(descriptor, mode);
   if (file == nullptr) close(descriptor);
   return file;
 }
 
-/// So that a new name outlives a loss of power, too. A system that cannot do this has nothing to be asked for.
+/// Makes a new name survive a power failure. Ignored where the system does not support it.
 void synchronise_folder_of(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -57,33 +57,33 @@ OutputFile::OutputFile(std::filesystem::path path) : OutputFile(path, part_of(pa
 
 OutputFile::OutputFile(std::filesystem::path path, std::filesystem::path part)
     : path_(std::move(path)), part_(std::move(part)) {
-  // What a program that was killed has left there, or somebody has laid there to lead it elsewhere: a link, a pipe.
+  // Removes what a killed program left there, or a link or pipe that was put there to redirect the output.
   if (unlink(part_.c_str()) != 0 && errno == EISDIR) fail("create this file");
   file_ = opened(part_, O_WRONLY | O_CREAT | O_EXCL, "wb");
   if (file_ == nullptr) fail("create this file");
-  gather();
+  set_buffer();
 }
 
 OutputFile::OutputFile(std::filesystem::path path, std::uint64_t bytes)
     : path_(std::move(path)), part_(part_of(path_)), position_(bytes), keeps_part_(true) {
   std::error_code ignored;
   if (!std::filesystem::exists(part_, ignored) && std::rename(path_.c_str(), part_.c_str()) != 0) {
-    fail("go on with this file");
+    fail("continue this file");
   }
   const std::uintmax_t size = std::filesystem::file_size(part_, ignored);
   if (ignored || size < bytes) {
     throw BadInput(Problem{.file = part_.string(),
-                           .what = "cannot go on with this file",
-                           .why = fmt::format("it has {} bytes, expected {} at the least", ignored ? 0 : size, bytes)});
+                           .what = "cannot continue this file",
+                           .why = fmt::format("it has {} bytes, expected at least {}", ignored ? 0 : size, bytes)});
   }
   file_ = opened(part_, O_RDWR, "r+b");
-  if (file_ == nullptr) fail("go on with this file");
-  gather();
+  if (file_ == nullptr) fail("continue this file");
+  set_buffer();
   if (ftruncate(fileno(file_), static_cast<off_t>(bytes)) != 0 || std::fseek(file_, 0, SEEK_END) != 0) {
     const int error = errno;
     std::fclose(file_);
     file_ = nullptr;
-    refuse(path_, "go on with this file", error);
+    refuse(path_, "continue this file", error);
   }
 }
 
@@ -94,11 +94,11 @@ OutputFile::~OutputFile() {
   if (!keeps_part_) std::filesystem::remove(part_, ignored);
 }
 
-void OutputFile::gather() {
+void OutputFile::set_buffer() {
   constexpr std::size_t bytes = 1 << 18;
-  gathered_ = std::make_unique_for_overwrite<char[]>(bytes);
-  // (Without an array of one's own glibc takes no notice of the size.)
-  std::setvbuf(file_, gathered_.get(), _IOFBF, bytes);
+  buffer_ = std::make_unique_for_overwrite<char[]>(bytes);
+  // (glibc ignores the size unless it is given a buffer.)
+  std::setvbuf(file_, buffer_.get(), _IOFBF, bytes);
 }
 
 void OutputFile::fail(const char* doing) const { refuse(path_, doing, errno); }
@@ -135,9 +135,9 @@ std::filesystem::path place_of_file(const std::filesystem::path& path) {
     throw BadInput(Problem{.file = path.string(),
                            .what = "cannot write this file",
                            .why = *why,
-                           .hint = "Name an ordinary file, or one that is not there yet"});
+                           .hint = "Name an ordinary file, or one that does not exist yet"});
   }
-  constexpr int most_links = 40;  // as the system follows
+  constexpr int most_links = 40;  // the limit of the system
   std::filesystem::path place = path;
   std::error_code error;
   for (int links = 0; std::filesystem::is_symlink(place, error); ++links) {

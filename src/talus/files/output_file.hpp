@@ -1,5 +1,5 @@
 #pragma once
-// Files that appear under their final names only when they are whole.
+// Files that appear under their final names only when they are complete.
 
 #include <cstdint>
 #include <cstdio>
@@ -11,28 +11,28 @@
 
 namespace talus {
 
-/// Written as `NAME.part` beside its final place. Every failure (no permission, disk full) throws BadInput that names
-/// the file; what is not committed is removed, unless it was to be kept.
+/// Written as `NAME.part` next to its final place. Every failure (no permission, disk full) throws BadInput with the
+/// file's name. A file that is not committed is removed, unless its part is to be kept.
 class OutputFile : public TextSink {
  public:
   explicit OutputFile(std::filesystem::path path);
-  /// Written as `part`, in the same folder: of a file that several may write at the same time each has one of its own.
+  /// Written as `part`, in the same folder: processes that may write a file at the same time need distinct parts.
   OutputFile(std::filesystem::path path, std::filesystem::path part);
-  /// Goes on with what an earlier program left as `NAME.part`, or under the final name: its first `bytes` bytes, of
-  /// which there must be so many; the rest is cut off.
+  /// Continues a file that an earlier program left as `NAME.part` or under its final name, after its first `bytes`
+  /// bytes, which must exist; the rest is cut off.
   OutputFile(std::filesystem::path path, std::uint64_t bytes);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile() override;
 
   void write(std::string_view text) override;
-  /// What is written next stands so many bytes after the file's beginning; what lies between is to be written later.
+  /// Continues at this byte of the file; bytes that were skipped must be written later.
   void seek(std::uint64_t position);
-  /// Where the next byte will stand.
+  /// The position of the next byte.
   [[nodiscard]] std::uint64_t position() const { return position_; }
-  /// Everything written so far is on the disk afterwards.
+  /// Writes everything so far to the disk.
   void sync();
-  /// From now on the part stays if this is not committed.
+  /// Keeps the part from now on, even if it is not committed.
   void keep_part() { keeps_part_ = true; }
   /// Flushes to the disk and renames to the final name.
   void commit();
@@ -42,28 +42,28 @@ class OutputFile : public TextSink {
 
  private:
   [[noreturn]] void fail(const char* doing) const;
-  /// Of the file that has just been opened: gathers what is written to it.
-  void gather();
+  /// Gives the file that has just been opened a large buffer.
+  void set_buffer();
 
   std::filesystem::path path_, part_;
-  std::unique_ptr<char[]> gathered_;  // the file's own, until it is closed
+  std::unique_ptr<char[]> buffer_;  // used by the file until it is closed
   std::FILE* file_ = nullptr;
   std::uint64_t position_ = 0;
   bool keeps_part_ = false;
 };
 
-/// Where a single file that the user names is written, to be asked before the work: the file itself, or the one that a
-/// link names, which is then not replaced. Throws BadInput where a folder, a device or the like has that name.
+/// The place to write a single file that the user names, to be checked before the work: the file itself, or the target
+/// of a link, which is then not replaced. Throws BadInput if it is a folder, a device or the like.
 [[nodiscard]] std::filesystem::path place_of_file(const std::filesystem::path& path);
 
-/// Of a file that another library has written as `part`: to the disk, and then to its final name. Throws BadInput where
-/// that fails; the part is removed then.
+/// Synchronises a file that another library has written as `part`, and renames it to its final name. Throws BadInput on
+/// failure, and then removes the part.
 void finish_file(const std::filesystem::path& part, const std::filesystem::path& path);
 
-/// Gives a file another name, in the place of one that may have it; throws BadInput where that fails.
+/// Renames a file, and replaces one that has the new name. Throws BadInput on failure.
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Makes a folder, and those above it; throws BadInput if it cannot be made or written to.
+/// Creates a folder and its parents. Throws BadInput if it cannot be created or written to.
 void make_output_folder(const std::filesystem::path& folder);
 
 }  // namespace talus

@@ -1,11 +1,11 @@
 #pragma once
-// Where the text of a table goes. Who makes the text need not be who keeps it.
+// The destination of a table's text, which separates making the text from storing it.
 
 #include <string_view>
 
 namespace talus {
 
-/// Takes a table's text in the order of its rows.
+/// Receives a table's text in the order of its rows.
 class TextSink {
  public:
   virtual ~TextSink() = default;

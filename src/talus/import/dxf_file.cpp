@@ -19,7 +19,7 @@ namespace talus {
 
 namespace {
 
-constexpr int longest_line = 4096;                // bytes; the format has 2049
+constexpr int longest_dxf_line = 4096;            // bytes; the format has 2049
 constexpr std::int64_t longest_header = 100'000;  // lines; some 300 variables of 2 to 8
 
 struct Pair {
@@ -48,7 +48,7 @@ class DxfText {
   };
 
   std::optional<std::string> line() {
-    const char* text = file_ ? CPLReadLine2L(file_.get(), longest_line, nullptr) : nullptr;
+    const char* text = file_ ? CPLReadLine2L(file_.get(), longest_dxf_line, nullptr) : nullptr;
     if (!text) return std::nullopt;
     ++lines_;
     const std::string_view all(text);

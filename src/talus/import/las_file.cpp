@@ -21,7 +21,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "LAS is little-endian, and its numbers are copied without conversion");
 
-constexpr std::uint64_t most_points = std::uint64_t{1} << 30U;
+constexpr std::uint64_t most_las_points = std::uint64_t{1} << 30U;
 constexpr std::uint64_t longest_record = 1 << 20;  // bytes; coordinate systems take a few kilobytes
 constexpr std::size_t shortest_header = 227, header_of_14 = 375;
 // The minimum number of bytes of a point, by format.
@@ -132,8 +132,8 @@ class LasReader {
            "its coordinates would not be finite");
     }
     if (las_.declared == 0) stop("has no points", "its header says so");
-    if (las_.declared >= most_points) {
-      stop(fmt::format("declares {} points", las_.declared), fmt::format("Talus reads fewer than {}", most_points),
+    if (las_.declared >= most_las_points) {
+      stop(fmt::format("declares {} points", las_.declared), fmt::format("Talus reads fewer than {}", most_las_points),
            "Thin it, cut it to the slope, or make a raster from it");
     }
     if (first_ > size_ || las_.declared > (size_ - first_) / length_) {

@@ -19,9 +19,9 @@ struct Piece {
   std::array<bool, 3> is_free;  // whether edge k is one of the boundary
 };
 
-class SideCut {
+class FacetCut {
  public:
-  SideCut(const std::vector<Vec3>& vertices, double tolerance) : vertices_(vertices), tolerance_(tolerance) {}
+  FacetCut(const std::vector<Vec3>& vertices, double tolerance) : vertices_(vertices), tolerance_(tolerance) {}
 
   // Calls take(corners) for each piece of a facet whose sides pass these vertices.
   template <class Take>
@@ -91,7 +91,7 @@ class SideCut {
 }  // namespace
 
 Findings put_corners_into_sides(const std::vector<Vec3>& vertices, CutFacets& facets, double tolerance_m) {
-  SideCut cut{vertices, tolerance_m};
+  FacetCut cut{vertices, tolerance_m};
   const std::vector<MeshEdge> edges = free_edges(facets.triangles);
   if (edges.empty()) return {};
   const Vec3 origin = vertices[edges.front().ends >> 32];  // boxes are coarse far from it

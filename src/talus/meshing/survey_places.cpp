@@ -12,11 +12,6 @@
 namespace talus {
 namespace {
 
-[[noreturn]] void refuse(const std::string& source, std::string what, std::string why, std::string hint = "") {
-  throw BadInput(Problem{
-      .file = source, .where = "terrain", .what = std::move(what), .why = std::move(why), .hint = std::move(hint)});
-}
-
 template <class Take>
 void each_vertex(const Survey& survey, Take&& take) {
   for (const Vec3& p : survey.points) take(p);
@@ -29,17 +24,18 @@ ExactGrid grid_over(const Survey& survey, const std::string& source) {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
   each_vertex(survey, [&](const Vec3& p) {
     if (!(p.cwiseAbs().maxCoeff() < largest_coordinate_m)) {
-      refuse(source, fmt::format("({:.10g}, {:.10g}, {:.10g}) is too far from the origin", p.x(), p.y(), p.z()),
-             fmt::format("coordinates must be smaller than {:g} m", largest_coordinate_m), "Are they in metres?");
+      refuse_survey(source, fmt::format("({:.10g}, {:.10g}, {:.10g}) is too far from the origin", p.x(), p.y(), p.z()),
+                    fmt::format("coordinates must be smaller than {:g} m", largest_coordinate_m),
+                    "Are they in metres?");
     }
     low = low.cwiseMin(p.head<2>());
     high = high.cwiseMax(p.head<2>());
   });
   const double width = (high - low).maxCoeff();
   if (width > ExactGrid::widest_m) {
-    refuse(source, fmt::format("the survey is {:.0f} m wide", width),
-           fmt::format("Talus triangulates up to {:.0f} m", ExactGrid::widest_m),
-           "Is a point far from the others, or are they not in metres?");
+    refuse_survey(source, fmt::format("the survey is {:.0f} m wide", width),
+                  fmt::format("Talus triangulates up to {:.0f} m", ExactGrid::widest_m),
+                  "Is a point far from the others, or are they not in metres?");
   }
   return ExactGrid::over(low, high);
 }
@@ -53,15 +49,21 @@ struct VertexAt {
 
 }  // namespace
 
+void refuse_survey(const std::string& source, std::string what, std::string why, std::string hint) {
+  throw BadInput(Problem{
+      .file = source, .where = "terrain", .what = std::move(what), .why = std::move(why), .hint = std::move(hint)});
+}
+
 SurveyPlaces places_of(const Survey& survey, const std::string& source, SurveyReport& report) {
   report.points = survey.points.size();
   report.lines = survey.lines.size();
   for (const auto& line : survey.lines) report.line_vertices += line.size();
   const std::size_t count = report.points + report.line_vertices;
-  if (count == 0) refuse(source, "the survey has no points", "a surface needs three or more");
+  if (count == 0) refuse_survey(source, "the survey has no points", "a surface needs three or more");
   if (count >= most_survey_places) {
-    refuse(source, fmt::format("the survey has {} points", count),
-           fmt::format("Talus triangulates fewer than {}", most_survey_places), "Thin it or make a raster from it");
+    refuse_survey(source, fmt::format("the survey has {} points", count),
+                  fmt::format("Talus triangulates fewer than {}", most_survey_places),
+                  "Thin it or make a raster from it");
   }
 
   SurveyPlaces places;

@@ -27,4 +27,7 @@ struct SurveyPlaces {
 /// Fills in the points and lines in `report`. Throws BadInput for a survey that is empty, too wide or too large.
 [[nodiscard]] SurveyPlaces places_of(const Survey& survey, const std::string& source, SurveyReport& report);
 
+/// Throws BadInput about the data of a survey.
+[[noreturn]] void refuse_survey(const std::string& source, std::string what, std::string why, std::string hint = "");
+
 }  // namespace talus

@@ -16,19 +16,14 @@
 namespace talus {
 namespace {
 
-[[noreturn]] void refuse(const std::string& source, std::string what, std::string why, std::string hint = "") {
-  throw BadInput(Problem{
-      .file = source, .where = "terrain", .what = std::move(what), .why = std::move(why), .hint = std::move(hint)});
-}
-
 void check_extent(const SurveyPlaces& places, const std::string& source) {
   if (places.at.size() < 3) {
-    refuse(source, fmt::format("the survey has {}", counted(places.at.size(), "place", "places")),
-           "a surface needs three or more");
+    refuse_survey(source, fmt::format("the survey has {}", counted(places.at.size(), "place", "places")),
+                  "a surface needs three or more");
   }
   if (!Triangulation::span_a_plane(places.at)) {
-    refuse(source, fmt::format("all {} places of the survey lie on one line", places.at.size()), "they span no surface",
-           "For a 2D slope use section");
+    refuse_survey(source, fmt::format("all {} places of the survey lie on one line", places.at.size()),
+                  "they span no surface", "For a 2D slope use section");
   }
 }
 
@@ -136,10 +131,11 @@ SurveySurface surface_of(const Survey& survey, const SurveyOptions& options) {
     if (kept[i]) mesh.triangles.push_back(triangulation.triangles()[i].corner);
   }
   if (mesh.triangles.empty()) {
-    refuse(options.source, "no triangle of the survey remains",
-           fmt::format("{} are beyond the boundary, {} at the rim have a side longer than max_edge_m, and {} at the "
-                       "rim are almost a line",
-                       report.beyond_boundary, report.with_long_sides, report.flat_at_rim));
+    refuse_survey(
+        options.source, "no triangle of the survey remains",
+        fmt::format("{} are beyond the boundary, {} at the rim have a side longer than max_edge_m, and {} at the "
+                    "rim are almost a line",
+                    report.beyond_boundary, report.with_long_sides, report.flat_at_rim));
   }
   report.holes = holes_in(triangulation, kept);
   report_rim(triangulation, places, kept, report);

@@ -11,9 +11,9 @@ namespace talus::project {
 
 namespace {
 
-constexpr int least_time_between = 20;  // times what writing took
+constexpr int least_time_between = 20;  // in multiples of the time that writing took
 
-bool is_there(const std::filesystem::path& file) {
+bool is_present(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::exists(file, ignored);
 }
@@ -68,7 +68,7 @@ std::optional<std::string> difference(const RunDescription& then, const RunDescr
 Found find_checkpoint(const std::filesystem::path& folder, const RunDescription& description, const RockRange& range,
                       const std::optional<Shard>& shard) {
   const std::filesystem::path file = folder / run_state_name;
-  if (!is_there(file)) {
+  if (!is_present(file)) {
     const FinishedRun finished = find_finished_run(folder, description, range, shard);
     return {std::nullopt, !shard && finished.is_whole, finished.lacks};
   }

@@ -25,7 +25,7 @@ std::string shortened(const Json& value) {
   return text;
 }
 
-/// The settings that differ, up to three of them.
+/// The first three settings that differ, in words.
 std::vector<std::string> changed_settings(const Json& then, const Json& now) {
   constexpr std::size_t most = 3;
   std::vector<std::string> changes;
@@ -44,7 +44,7 @@ std::vector<std::string> changed_settings(const Json& then, const Json& now) {
   return changes;
 }
 
-/// Nothing where there is none that can be read.
+/// nullopt if there is no summary, or it cannot be read.
 std::optional<RunIdentity> run_in(const std::filesystem::path& folder) {
   try {
     return read_run_identity(folder / "summary.json");
@@ -53,7 +53,7 @@ std::optional<RunIdentity> run_in(const std::filesystem::path& folder) {
   }
 }
 
-/// The rocks that a summary tells of.
+/// The rocks of a run, in words.
 std::string rocks_of(const RunIdentity& run) {
   if (!run.shard) return name_of({0, run.rocks.planned}, std::nullopt);
   const std::uint64_t first = run.shard->first_rock;
@@ -79,7 +79,7 @@ void refuse_to_go_on(const std::filesystem::path& file, std::string what, std::s
   throw BadInput(Problem{.file = file.string(),
                          .what = std::move(what),
                          .why = std::move(why),
-                         .hint = "Undo the change to go on, or run without --resume to begin anew"});
+                         .hint = "Undo the change to resume, or run without --resume to start over"});
 }
 
 std::optional<std::string> difference_of_projects(const Json& then, const std::string& fingerprint_then,
@@ -87,7 +87,7 @@ std::optional<std::string> difference_of_projects(const Json& then, const std::s
   const std::vector<std::string> settings = changed_settings(then, now.project);
   if (!settings.empty()) return fmt::format("{}", fmt::join(settings, "; "));
   if (fingerprint_then == now.fingerprint) return std::nullopt;
-  return "all settings are the same, but not what the files hold that they name, of terrain, ground or releases";
+  return "all settings are the same, but the contents of their files (terrain, ground or releases) are not";
 }
 
 std::optional<std::string> replaced_results(const std::filesystem::path& folder, const RunDescription& now) {

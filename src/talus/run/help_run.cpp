@@ -1,4 +1,4 @@
-// The part of all ranks but the first.
+// The work of all ranks but rank 0.
 
 #include <deque>
 #include <optional>
@@ -17,12 +17,12 @@ namespace {
 
 constexpr int rank_0 = 0;
 
-/// Thrown where rank 0 lets this one go in the middle of something.
+/// Thrown when rank 0 dismisses this rank, whatever it is doing.
 struct Dismissed {
   int exit_code;
 };
 
-/// What a rank gathers between two times when all is added up.
+/// What a rank accumulates between two gatherings of sums.
 struct Work {
   Work(const RunDescription& description, const Project& project, const Model& model, int threads)
       : sums(description, project, model),
@@ -30,7 +30,7 @@ struct Work {
         list(sums.observers()),
         worker(model, texts.observers(), list, threads, [this] { return texts.take(); }) {}
 
-  /// Of the blocks done those before this rock: nothing is missing between them.
+  /// Adds the finished blocks before this rock to the sums; none is missing between them.
   void add_before(std::uint64_t next_rock) {
     for (; !held.empty() && held.front().rocks.last <= next_rock; held.pop_front()) commit(held.front(), list);
   }
@@ -38,7 +38,7 @@ struct Work {
   RunSums sums;
   TableTexts texts;
   std::vector<SummingObserver*> list;
-  std::deque<DoneBlock> held;  // not in the sums yet; their rows were sent
+  std::deque<DoneBlock> held;  // not yet in the sums; their rows were sent
   BlockWorker worker;
 };
 
@@ -104,7 +104,7 @@ class Helper {
       case MessageKind::leave:
         throw Dismissed{exit_code_from(content_of(message))};
       default:
-        throw BadBytes("rank 0 sends what only others may");
+        throw BadBytes("rank 0 sent a message that only other ranks may send");
     }
   }
 
@@ -128,10 +128,10 @@ class Helper {
   std::uint64_t maps_memory_;
   const std::atomic<bool>* stop_;
   Naps naps_;
-  bool has_said_stop_ = false;                           // that it was asked to, here
-  bool is_stopping_ = false, has_said_stopped_ = false;  // at the wish of rank 0
+  bool has_said_stop_ = false;                           // told rank 0 that a stop was requested here
+  bool is_stopping_ = false, has_said_stopped_ = false;  // at the request of rank 0
   GatherInbox inbox_;
-  std::unique_ptr<Work> work_;  // made when there is some
+  std::unique_ptr<Work> work_;  // created when there is work
 };
 
 }  // namespace

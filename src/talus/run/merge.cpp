@@ -29,7 +29,7 @@ struct Part {
   [[nodiscard]] std::filesystem::path file() const { return folder / run_state_name; }
 };
 
-/// Runs what may find problems, so that all are reported.
+/// Runs `work` and collects its errors, so that all are reported.
 void gather(Problems& problems, const auto& work) {
   try {
     work();
@@ -96,10 +96,10 @@ std::string text_of(const RockRange& rocks) {
   return fmt::format("rocks {} to {}", rocks.first, rocks.last - 1);
 }
 
-/// Expects them in the order of their rocks.
+/// Expects the parts in the order of their rocks.
 void check_that_none_is_double(const std::vector<Part>& parts) {
   Problems problems;
-  const Part* longest = nullptr;  // of those before, the one that goes furthest
+  const Part* longest = nullptr;  // of the earlier parts, the one that extends furthest
   for (const Part& part : parts) {
     const RockRange rocks = part.state.rocks();
     if (rocks.count() == 0) continue;
@@ -109,7 +109,7 @@ void check_that_none_is_double(const std::vector<Part>& parts) {
                     .what = fmt::format("{} {} also in {}", text_of(common), common.count() == 1 ? "is" : "are",
                                         longest->folder.string()),
                     .why = "every rock counts once",
-                    .hint = "Leave one of the two folders out"});
+                    .hint = "Leave out one of the two folders"});
     }
     if (longest == nullptr || rocks.last > longest->state.done) longest = &part;
   }
@@ -138,7 +138,7 @@ void refuse_missing(const std::vector<Part>& parts, const std::vector<RockRange>
                                         rocks.count() == 1 ? "is" : "are")};
     if (unfinished != parts.end()) {
       problem.file = unfinished->file().string();
-      problem.why = "this run did not come to its end";
+      problem.why = "this run did not finish";
       problem.hint = "Run it again with --resume, or merge what there is with --partial";
     } else {
       problem.file = "merge";
@@ -171,7 +171,7 @@ void check_tables(const std::vector<Part>& parts) {
   throw_if_any(problems);
 }
 
-/// The first so many bytes of a file but for its first line, which is the same in all parts.
+/// Appends the first `bytes` bytes of a file, without its first line unless requested: it is the same in all parts.
 void append_rows(OutputFile& out, const std::filesystem::path& file, std::uint64_t bytes, bool with_header) {
   std::ifstream in(file, std::ios::binary);
   std::string header;
@@ -182,16 +182,15 @@ void append_rows(OutputFile& out, const std::filesystem::path& file, std::uint64
   while (left > 0) {
     in.read(piece.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(left, piece.size())));
     if (in.gcount() == 0) {
-      throw BadInput(
-          Problem{.file = file.string(), .what = "cannot read this table", .why = "it ended before its end"});
+      throw BadInput(Problem{.file = file.string(), .what = "cannot read this table", .why = "it ended early"});
     }
     out.write(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount())));
     left -= static_cast<std::uint64_t>(in.gcount());
   }
 }
 
-/// Put together under names of their own first: a table may be put into its own place, and a run that was cut off goes
-/// on with its `.part`.
+/// Joins the tables under temporary names first: the result may replace one of its inputs, and an interrupted run
+/// resumes with its `.part`.
 void join_tables(const std::vector<Part>& parts, const std::filesystem::path& output) {
   const auto joined_name = [&](const TableMark& mark) { return output / (mark.file_name + ".joined"); };
   const std::vector<TableMark>& tables = parts.front().state.tables;
@@ -206,7 +205,8 @@ void join_tables(const std::vector<Part>& parts, const std::filesystem::path& ou
   for (const TableMark& mark : tables) rename_file(joined_name(mark), output / mark.file_name);
 }
 
-/// The results may be put beside the only part, but not on one of several, whose tables they would take the place of.
+/// The results may be written to the folder of a single part, but not to that of one of several, whose tables they
+/// would replace.
 void check_output(const std::vector<Part>& parts, const std::filesystem::path& output) {
   std::error_code ignored;
   for (const Part& part : parts) {
@@ -230,7 +230,7 @@ void merge_states(const std::vector<Part>& parts, RunSums& sums) {
       if (sums.summary().done - before == part.state.rocks().count()) return;
       throw BadInput(Problem{.file = part.file().string(),
                              .what = "cannot use this state of a run",
-                             .why = "its sums are of other rocks than it says"});
+                             .why = "its sums are of other rocks than its header declares"});
     });
   }
   throw_if_any(problems);

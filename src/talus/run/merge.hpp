@@ -1,5 +1,5 @@
 #pragma once
-// Runs of parts of one campaign, put together into the results of the whole. The project's files are not needed.
+// Merges runs of parts of a campaign into the results of the whole. Does not need the project's files.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,12 +14,12 @@
 namespace talus::project {
 
 struct MergeOptions {
-  /// Each a folder with a run.state, or one with subfolders that have one.
+  /// Folders with a run.state, or with subfolders that have one.
   std::vector<std::filesystem::path> folders;
   std::filesystem::path output;   // empty: the only folder, or the project's name
-  bool partial = false;           // make do with what there is, marked as interrupted
-  int threads = 0;                // to write maps with; 0: as many as there are cores
-  std::uint64_t maps_memory = 0;  // that maps may take [bytes]; 0: half of what this process may use
+  bool partial = false;           // accept missing rocks; the results are marked as interrupted
+  int threads = 0;                // for writing maps; 0: all cores
+  std::uint64_t maps_memory = 0;  // limit for maps [bytes]; 0: half of the memory available to this process
 };
 
 struct MergeResult {
@@ -27,15 +27,15 @@ struct MergeResult {
   RunDescription description;
   Summary summary;
   Problems warnings;
-  std::vector<RockRange> missing;  // rocks that nobody did
+  std::vector<RockRange> missing;  // rocks that no part has
   std::size_t parts = 0;
 };
 
-/// Whatever the order of the folders, and whatever the parts are, every file has the bytes that one run of all rocks
-/// gives (`timings` aside). Tables are streamed; in memory there are the maps and one part's state at a time. Throws
-/// BadInput, before anything is written, on states that cannot be read, are of different campaigns, have rocks in
-/// common or, unless the result may be partial, leave some out; and on tables that are not those of their states.
-/// Throws OutOfMemory, before anything is written, where the maps together take more than they may.
+/// Every file has the same bytes as in one run of all rocks (except `timings`), whatever the parts and their order.
+/// Tables are streamed; only the maps and one part's state at a time are in memory. Throws BadInput, before anything is
+/// written, for states that cannot be read, are of different campaigns, have rocks in common or (unless the result may
+/// be partial) leave some out; and for tables that do not belong to their states. Throws OutOfMemory, before anything
+/// is written, if the maps together exceed their limit.
 MergeResult merge_runs(const MergeOptions& options);
 
 }  // namespace talus::project

@@ -142,7 +142,7 @@ bool GatherInbox::add(const Ranks::Message& message) {
 
 namespace {
 
-/// Gives the bytes to `send`, piece by piece.
+/// Passes the bytes to `send` in pieces.
 void save_sums(std::span<SummingObserver* const> observers, const std::function<void(std::string_view)>& send) {
   ByteWriter out(send);
   for (SummingObserver* observer : observers) observer->save(out);
@@ -160,7 +160,7 @@ void merge_sums(const std::string& bytes, std::span<SummingObserver* const> obse
 void gather_sums(Ranks& ranks, GatherInbox& inbox, std::span<SummingObserver* const> observers,
                  const std::function<void(const Ranks::Message&)>& handle_other) {
   Naps naps;
-  const auto look = [&] {
+  const auto poll = [&] {
     const auto message = ranks.receive();
     if (!message) {
       std::this_thread::sleep_for(naps.next(ranks));
@@ -172,12 +172,12 @@ void gather_sums(Ranks& ranks, GatherInbox& inbox, std::span<SummingObserver* co
   for (int step = 1; step < ranks.size(); step *= 2) {
     if ((ranks.rank() & step) != 0) {
       const int to = ranks.rank() - step;
-      while (!inbox.is_asked_) look();
+      while (!inbox.is_asked_) poll();
       inbox.is_asked_ = false;
       save_sums(observers, [&](std::string_view piece) {
         constexpr std::size_t most_unsent = 16U << 20;
         ranks.send(to, message_of(MessageKind::piece_of_sums, piece));
-        while (ranks.unsent() > most_unsent) look();
+        while (ranks.unsent() > most_unsent) poll();
       });
       ranks.send(to, message_of(MessageKind::end_of_sums));
       return;
@@ -185,7 +185,7 @@ void gather_sums(Ranks& ranks, GatherInbox& inbox, std::span<SummingObserver* co
     const int other = ranks.rank() + step;
     if (other >= ranks.size()) continue;
     ranks.send(other, message_of(MessageKind::ask_for_sums));
-    while (!inbox.are_whole_) look();
+    while (!inbox.are_whole_) poll();
     inbox.are_whole_ = false;
     merge_sums(std::exchange(inbox.sums_, {}), observers);
   }

@@ -1,22 +1,22 @@
 #pragma once
-// What the ranks of a run say to each other. Rank 0 counts out the rocks and writes the results; the others are its
+// The messages between the ranks of a run. Rank 0 hands out the rocks and writes the results; the others are its
 // helpers:
 //
-//   helper to rank 0     hello: it has read the project, and what it made of it
-//   rank 0 to helpers    rocks: a block to throw; each has a few before it (campaign/block_counter.hpp)
-//   helper to rank 0     block: the rows of its tables; what it adds to the sums is kept until
+//   helper to rank 0     hello: it has read the project; with a description of the run
+//   rank 0 to helpers    rocks: a block to simulate; each helper has a few queued (campaign/block_counter.hpp)
+//   helper to rank 0     block: the rows of its tables; its contribution to the sums is kept until
 //   rank 0 to helpers    done: all rocks before this one are done, on all ranks
-//   rank 0 to helpers    gather: nothing is under way any more; what all summed up is added, along a tree of the ranks
-//   rank to rank         ask: send me your sums, and those that you were sent
-//   rank to rank         sums, in pieces, of which the last says so
-//   rank 0 to helpers    stop: leave the rocks on their way
+//   rank 0 to helpers    gather: no block is under way; the sums of all ranks are added up along a tree
+//   rank to rank         ask: request the sums of a rank, including those it has received
+//   rank to rank         sums, in pieces, followed by an end
+//   rank 0 to helpers    stop: abandon the rocks under way
 //   helper to rank 0     stopped: no more blocks will come
-//   rank 0 to helpers    leave: with this exit code, whatever is under way
+//   rank 0 to helpers    leave: exit with this code, whatever is under way
 //
-// and, at any time, from a helper: stop (it was asked to by a signal), cannot (something is wrong there).
+// and, at any time, from a helper: stop (requested by a signal), cannot (an error occurred there).
 //
-// What a stopped run keeps are the rocks before the first one that was left, wherever that was. So nothing of a block
-// is in the sums while one before it is under way.
+// A stopped run keeps the rocks before the first abandoned one, on whatever rank that was. So a block is added to the
+// sums only when all earlier ones are done.
 
 #include <chrono>
 #include <cstdint>
@@ -46,7 +46,7 @@ enum class MessageKind : std::uint8_t {
   cannot
 };
 
-/// Its kind and what it says. Throws BadBytes where it is no message.
+/// The kind and content of a message. Throws BadBytes if it is not a message.
 [[nodiscard]] MessageKind kind_of(const Ranks::Message& message);
 [[nodiscard]] std::string_view content_of(const Ranks::Message& message);
 [[nodiscard]] std::string message_of(MessageKind kind, std::string_view content = {});
@@ -58,21 +58,21 @@ struct Hello {
   RunDescription description;
 };
 [[nodiscard]] std::string message_of(const Hello& hello);
-/// Of another version only the version and the machine are read.
+/// From another version of Talus, only the version and the machine are read.
 [[nodiscard]] Hello hello_from(std::string_view content);
 
 [[nodiscard]] std::string message_of(const RockRange& rocks);
 [[nodiscard]] RockRange rocks_from(std::string_view content);
 
-/// Without what it adds to the sums.
+/// Without its contribution to the sums.
 [[nodiscard]] std::string message_of(const DoneBlock& block);
 [[nodiscard]] DoneBlock block_from(std::string_view content);
 
-/// That all rocks before this one are done.
+/// All rocks before this one are done.
 [[nodiscard]] std::string done_message(std::uint64_t next_rock);
 [[nodiscard]] std::uint64_t next_rock_from(std::string_view content);
 
-/// What is wrong on a rank, and the exit code that it stands for.
+/// An error on a rank, and its exit code.
 struct Cannot {
   std::string machine, text;
   int exit_code = 0;
@@ -83,13 +83,13 @@ struct Cannot {
 [[nodiscard]] std::string leave_message(int exit_code);
 [[nodiscard]] int exit_code_from(std::string_view content);
 
-/// How long a rank that found nothing to do sleeps before it looks for messages again: the longer nothing came the
-/// longer, so that an answer is late by no more than it took to come. To sleep and wake costs about 15 us of a core;
-/// waiting within MPI would take all of it.
+/// How long an idle rank sleeps before it polls for messages again. The naps double while nothing arrives, so that a
+/// message is noticed late by no more than the time it took to arrive. Sleeping and waking costs about 15 us of a core;
+/// waiting within MPI would occupy it.
 class Naps {
  public:
   void found_something() { next_ = shortest; }
-  /// While something is on its way it is short: it moves only when this rank looks.
+  /// Short while messages are being sent: they progress only when this rank polls.
   [[nodiscard]] std::chrono::microseconds next(Ranks& ranks);
 
  private:
@@ -97,7 +97,7 @@ class Naps {
   std::chrono::microseconds next_ = shortest;
 };
 
-/// What the ranks send each other while they add up; it may come before a rank has begun to.
+/// Messages of gathering, which may arrive before a rank has begun to gather.
 class GatherInbox {
  public:
   /// Whether the message belongs here; keeps it if so.
@@ -108,13 +108,13 @@ class GatherInbox {
                           const std::function<void(const Ranks::Message&)>& handle_other);
 
   bool is_asked_ = false;
-  std::string sums_;  // of the one rank that was asked
+  std::string sums_;  // of the rank that was asked
   bool are_whole_ = false;
 };
 
-/// Adds up what the observers of all ranks hold, called by each of them: rank 0 has all of it afterwards, and the
-/// others are to forget theirs. Along a tree, in as many rounds as the number of ranks has binary digits. Each rank
-/// holds one other's sums at a time. Messages of other kinds are handed on; what handling them throws ends it.
+/// Adds up the sums of all ranks; must be called by each of them. Afterwards rank 0 has the total, and the others must
+/// discard theirs. Proceeds along a binary tree, and a rank keeps the sums of one other rank at a time. Messages of
+/// other kinds are passed to handle_other, whose exceptions end the gathering.
 void gather_sums(Ranks& ranks, GatherInbox& inbox, std::span<SummingObserver* const> observers,
                  const std::function<void(const Ranks::Message&)>& handle_other);
 

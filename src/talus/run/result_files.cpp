@@ -35,7 +35,7 @@ bool ends_with_a_line(const std::filesystem::path& table) {
   return file.get() == '\n';
 }
 
-bool is_whole(const std::filesystem::path& file) {
+bool is_complete(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(file, ignored) && (file.extension() != ".csv" || ends_with_a_line(file)) &&
          !std::filesystem::exists(OutputFile::part_of(file), ignored);
@@ -45,7 +45,7 @@ void refuse(const std::filesystem::path& place, const char* why, Problems& probl
   problems.add({.file = place.string(),
                 .what = "cannot write this result",
                 .why = why,
-                .hint = "Take it away, or write elsewhere",
+                .hint = "Remove it, or write elsewhere",
                 .option = "-o"});
 }
 
@@ -53,7 +53,7 @@ void refuse(const std::filesystem::path& place, const char* why, Problems& probl
 
 namespace {
 
-/// Whether a run writes a file of this name, or removes what an earlier one wrote; relative to its folder.
+/// Whether a run writes a file of this name (relative to its folder), or removes one that an earlier run wrote.
 bool is_name_of_result(const std::filesystem::path& name) {
   const std::string first = name.begin()->string();
   if (first == "maps") return is_name_of_map_file(name) || name.filename() == SourceRow::file_name;
@@ -86,7 +86,7 @@ std::vector<std::string> result_files(const RunDescription& description, const s
 std::optional<std::string> lacking_file(const std::filesystem::path& folder, const RunDescription& description,
                                         const std::optional<Shard>& shard) {
   for (const std::string& name : result_files(description, shard)) {
-    if (!is_whole(folder / name)) return name;
+    if (!is_complete(folder / name)) return name;
   }
   return changed_file(folder);
 }
@@ -103,7 +103,7 @@ std::vector<std::string> written_files(const std::filesystem::path& folder, cons
   if (shard) return names;
   for (auto entry = std::filesystem::recursive_directory_iterator(folder / "maps", error);
        !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
-    // Styles are the user's to change.
+    // Styles are not recorded, because users may change them.
     const std::filesystem::path& file = entry->path();
     if ((file.extension() == ".tif" && is_name_of_map_file(file)) || file.filename() == SourceRow::file_name)
       names.push_back(file.lexically_relative(folder).generic_string());
@@ -120,27 +120,27 @@ void check_that_inputs_are_kept(const std::filesystem::path& folder, const Proje
   if (error) return;
   Problems problems;
   const std::vector<std::string> recorded = recorded_files(folder);
-  const auto look = [&](const fs::path& file, Problem problem) {
+  const auto check = [&](const fs::path& file, Problem problem) {
     const fs::path real = fs::canonical(file, error);
     if (error) return;
     const fs::path within = real.lexically_relative(results);
     if (within.empty() || *within.begin() == "..") return;
     const bool is_recorded = std::ranges::find(recorded, within.generic_string()) != recorded.end();
     if (!is_name_of_result(within) && !is_recorded) return;
-    problem.why = is_name_of_result(within) ? "a run writes its results there, and would take its place"
-                                            : "it is a result of the run before, which this one replaces";
+    problem.why = is_name_of_result(within) ? "a run writes its results there and would replace it"
+                                            : "it is a result of an earlier run, which this one replaces";
     problem.hint = "Give the file another name, or write elsewhere";
     problem.option = "-o";
     problems.add(std::move(problem));
   };
-  look(project.file, {.file = project.file.string(), .what = fmt::format("is in {}", folder.string())});
+  check(project.file, {.file = project.file.string(), .what = fmt::format("is in {}", folder.string())});
   for (const NamedFile& named : project.named_files) {
-    look(project.file.parent_path() / named.file,
-         {.file = named.said_in,
-          .line = named.line,
-          .where = named.where,
-          .what = fmt::format("{} {} is in {}", named.key, named.file.string(), folder.string()),
-          .path = named.path});
+    check(project.file.parent_path() / named.file,
+          {.file = named.said_in,
+           .line = named.line,
+           .where = named.where,
+           .what = fmt::format("{} {} is in {}", named.key, named.file.string(), folder.string()),
+           .path = named.path});
   }
   if (problems.has_errors()) throw BadInput(std::move(problems));
 }

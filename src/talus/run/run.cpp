@@ -20,7 +20,7 @@ namespace talus::project {
 
 namespace {
 
-/// From where `bad` was caught. A problem on the way need not be the end: says so where a checkpoint is on the disk.
+/// Rethrows `bad`, to be called where it was caught; if there is a checkpoint on the disk, with a hint to resume.
 [[noreturn]] void throw_with_way_on(const BadInput& bad, const Checkpoints& checkpoints) {
   std::error_code ignored;
   const auto& last = checkpoints.last();
@@ -29,7 +29,7 @@ namespace {
   for (Problem problem : bad.problems().list()) {
     if (problem.severity == Severity::error) {
       const std::string hint = std::move(problem.hint);
-      problem.hint = fmt::format("The first {} of {} rocks are kept: with --resume the run goes on from there{}{}",
+      problem.hint = fmt::format("The first {} of {} rocks are kept: with --resume the run continues from there{}{}",
                                  last->count(), checkpoints.range().count(), hint.empty() ? "" : ". ", hint);
     }
     problems.add(std::move(problem));
@@ -37,15 +37,15 @@ namespace {
   throw BadInput(std::move(problems));
 }
 
-/// Every sum and table is whole here: what is done is kept before there is no memory at all.
-void stop_where_memory_is_short(std::uint64_t done, const RunOptions& options, const RunSums& sums,
-                                Checkpoints& checkpoints) {
+/// Called between blocks, when sums and tables are consistent: writes a checkpoint before memory is exhausted.
+void stop_if_memory_is_short(std::uint64_t done, const RunOptions& options, const RunSums& sums,
+                             Checkpoints& checkpoints) {
   if (!memory_is_short() && !sums.lacking_memory()) return;
   if (options.checkpoint_every > 0 || options.shard) checkpoints.write(done);
   throw std::bad_alloc();
 }
 
-/// The same where there is not enough memory.
+/// Throws OutOfMemory, with a hint to resume if there is a checkpoint.
 [[noreturn]] void throw_out_of_memory(const RunSums& sums, const Checkpoints& checkpoints) {
   std::error_code ignored;
   const auto& last = checkpoints.last();
@@ -54,9 +54,9 @@ void stop_where_memory_is_short(std::uint64_t done, const RunOptions& options, c
   if (!last || !std::filesystem::exists(checkpoints.file(), ignored)) {
     text += "; none of its rocks are kept";
   } else {
-    text += fmt::format("; the first {} of {} rocks are kept: with --resume it goes on from there", last->count(),
+    text += fmt::format("; the first {} of {} rocks are kept: with --resume it continues from there", last->count(),
                         checkpoints.range().count());
-    if (of_maps) text += ", given more";
+    if (of_maps) text += ", if given more";
   }
   if (of_maps) {
     text +=
@@ -66,18 +66,18 @@ void stop_where_memory_is_short(std::uint64_t done, const RunOptions& options, c
   throw OutOfMemory(text);
 }
 
-/// The state, and one that was being written when its run was killed.
+/// Removes the state, and one that was being written when its run was killed.
 void remove_state(const std::filesystem::path& file) {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
   std::filesystem::remove(OutputFile::part_of(file), ignored);
 }
 
-/// Where a run begins: with its first rock, or after those that an earlier one has done.
+/// Where a run begins: at its first rock, or after those of the run that it resumes.
 struct Start {
   RunStateHeader state;
-  bool goes_on = false;      // the state is on the disk
-  bool is_complete = false;  // nothing is left to do
+  bool resumes = false;      // from the state on the disk
+  bool is_complete = false;  // all rocks are done
 };
 
 Start find_start(const std::filesystem::path& folder, const RunDescription& description, const RunOptions& options) {
@@ -88,20 +88,20 @@ Start find_start(const std::filesystem::path& folder, const RunDescription& desc
   if (!options.resume) return start;
   const Found found = find_checkpoint(folder, description, start.state.range, options.shard);
   start.is_complete = found.is_complete;
-  start.goes_on = found.state.has_value();
+  start.resumes = found.state.has_value();
   if (found.state) start.state = *found.state;
   start.state.description = {};  // it is the same
   if (start.is_complete || !options.say) return start;
-  if (start.goes_on) {
-    options.say(fmt::format("going on after {} of {} rocks", start.state.rocks().count(), start.state.range.count()));
+  if (start.resumes) {
+    options.say(fmt::format("resuming after {} of {} rocks", start.state.rocks().count(), start.state.range.count()));
   } else {
-    const std::string lacks = found.lacks.empty() ? "there is no checkpoint in " : found.lacks + " is not whole in ";
-    options.say(fmt::format("{}{}: the run begins anew", lacks, folder.string()));
+    const std::string lacks = found.lacks.empty() ? "there is no checkpoint in " : found.lacks + " is incomplete in ";
+    options.say(fmt::format("{}{}: the run starts over", lacks, folder.string()));
   }
   return start;
 }
 
-/// Throws the rocks that are left, in this process.
+/// Simulates the remaining rocks in this process.
 CampaignOutcome simulate_rocks(const Model& model, const RunOptions& options, const RockRange& all, std::uint64_t next,
                                RunSums& sums, TableFiles& tables, Checkpoints& checkpoints) {
   std::vector<Observer*> observers = tables.observers();
@@ -111,7 +111,7 @@ CampaignOutcome simulate_rocks(const Model& model, const RunOptions& options, co
   campaign.progress = [&](std::uint64_t done) {
     if (options.campaign.progress) options.campaign.progress(done - all.first);
     if (done == all.last) return;
-    stop_where_memory_is_short(done, options, sums, checkpoints);
+    stop_if_memory_is_short(done, options, sums, checkpoints);
     checkpoints.after(done);
   };
   CampaignOutcome outcome = run_campaign(model, observers, campaign);
@@ -132,12 +132,12 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   const Start start = find_start(folder, description, options);
   const RunStateHeader& begun = start.state;
   if (start.is_complete) return {.summary = Summary(0, 0), .range = begun.range, .was_complete = true};
-  if (!start.goes_on && options.say) {
+  if (!start.resumes && options.say) {
     if (const auto earlier = replaced_results(folder, description)) {
       options.say(fmt::format("replacing the results in {}: {}", folder.string(), *earlier));
     }
   }
-  // Before anything of an earlier run is touched.
+  // Before anything of an earlier run is changed.
   check_that_results_have_room(folder, description, options.shard);
   const std::vector<int> threads =
       options.ranks != nullptr ? meet_ranks(*options.ranks, description, options.campaign.threads) : std::vector<int>();
@@ -147,7 +147,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   sums.limit_maps_memory(options.maps_memory);
   TableFiles tables(folder, TableContext::of(model), table_rocks(project, model.rocks()));
   Checkpoints checkpoints(folder, begun, description, sums, tables, options.checkpoint_every);
-  if (start.goes_on) {
+  if (start.resumes) {
     const auto observers = sums.observers();
     merge_run_state(state_file, observers);
     tables.go_on(begun.tables);
@@ -157,7 +157,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     tables.begin();
   }
   try {
-    beginning.reset();  // a stop is heard by the campaign
+    beginning.reset();  // from here on the campaign handles a stop
     RunCourse course{begun.range, begun.shard};
     if (options.campaign.progress) options.campaign.progress(begun.done - begun.range.first);
     if (begun.done < begun.range.last && sums.lacking_memory()) throw std::bad_alloc();
@@ -165,8 +165,8 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
         options.ranks != nullptr
             ? simulate_on_ranks(*options.ranks, threads, project, model, options, begun, sums, tables, checkpoints)
             : simulate_rocks(model, options, begun.range, begun.done, sums, tables, checkpoints);
-    // The state has to be on the disk where somebody may need it: of a shard for merging, of a run that was stopped or
-    // has taken long for going on.
+    // Keep the state on the disk where it may be needed: of a shard for merging, of a run that was stopped or has taken
+    // long for resuming.
     const bool may_be_resumed =
         options.checkpoint_every > 0 && (outcome.interrupted || checkpoints.last() || memory_is_short());
     if (options.shard || may_be_resumed) checkpoints.write(outcome.done);

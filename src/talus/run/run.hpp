@@ -1,5 +1,5 @@
 #pragma once
-// A whole run: the model's rocks, and its results in a folder.
+// A whole run: simulates the model's rocks and writes the results to a folder.
 
 #include <filesystem>
 #include <functional>
@@ -19,41 +19,40 @@
 namespace talus::project {
 
 struct RunOptions {
-  /// Which rocks is not said here but by `shard`. Progress is called with how many rocks of the run are done, those of
-  /// a run that it goes on with included; first once before any rock is thrown.
+  /// The rocks are set by `shard`, not here. Progress is called with the number of rocks done, including those of a run
+  /// that is resumed; for the first time before any rock is simulated.
   CampaignOptions campaign;
-  std::optional<Shard> shard;                   // nothing: the whole campaign
-  bool resume = false;                          // go on from the last checkpoint in the folder
+  std::optional<Shard> shard;                   // nullopt: the whole campaign
+  bool resume = false;                          // resume from the last checkpoint in the folder
   double checkpoint_every = 20;                 // [s]; 0: never
-  std::function<void(const std::string&)> say;  // what the user should know before rocks are thrown
-  Ranks* ranks = nullptr;                       // that simulate rocks, too, this being rank 0; null: this process alone
-  const FolderLock* lock = nullptr;             // of the folder, who calls having it; null: it is locked for the run
-  std::uint64_t maps_memory = 0;                // that maps may take [bytes]; 0: half of what this process may use
-  bool only_results = false;                    // of the rocks done so far: no more are computed
-  /// How long a run that was stopped among its rocks may take to write the results of what is done [s].
+  std::function<void(const std::string&)> say;  // prints notes for the user before rocks are simulated
+  Ranks* ranks = nullptr;                       // helpers of this process, which is rank 0; null: this process alone
+  const FolderLock* lock = nullptr;             // the caller's lock of the folder; null: the run locks it
+  std::uint64_t maps_memory = 0;                // limit for maps [bytes]; 0: half of the memory available
+  bool only_results = false;                    // write the results of the rocks done so far; simulate no more
+  /// How long a run that was stopped may take to write the results of the rocks done [s].
   double closing_seconds = 1;
 };
 
 struct RunResult {
   CampaignOutcome outcome;
   Summary summary;
-  Problems warnings;              // those that only the run could know
-  RockRange range;                // rocks that were to be done
-  std::uint64_t done_before = 0;  // rocks of an earlier run that this one went on with
-  bool was_complete = false;      // there was nothing left to do; the summary is empty
-  /// All results of the rocks done were written. Otherwise the run was stopped before; its rocks are in run.state, from
-  /// where it can go on, and its tables are there.
+  Problems warnings;              // found by the run
+  RockRange range;                // of the run
+  std::uint64_t done_before = 0;  // rocks of the earlier run that was resumed
+  bool was_complete = false;      // all rocks were done already; the summary is empty
+  /// Whether all results of the rocks done were written. If not, the run was stopped before: its tables are there, and
+  /// it can be resumed from run.state.
   bool has_results = true;
 };
 
-/// Runs the campaign and writes endpoints.csv, paths.csv, barriers.csv, summary.json, report.html and, in 3D, maps,
-/// as the project asks; of a shard tables, summary.json and run.state, for merging (merge.hpp). While it runs,
-/// run.state is written now and then, and stays if the run does not come to its end: one that resumes goes on from
-/// there and gives the same bytes. A run that is stopped among its rocks writes what it has, as far as the time allows;
-/// one that is stopped while it writes keeps its state and leaves the results. Where maps come to take more memory than
-/// they may, or there is none, it keeps what is done and throws OutOfMemory. Throws BadInput where the folder cannot
-/// be written to, and then says from where it can be resumed, and where another program writes results there; files are
-/// there whole or not at all. Throws Stopped where it is stopped before its first rock.
+/// Runs the campaign and writes endpoints.csv, paths.csv, barriers.csv, summary.json, report.html and, in 3D, maps, as
+/// the project requests; of a shard tables, summary.json and run.state, for merging (merge.hpp). run.state is also
+/// written at intervals, and stays if the run does not finish: a resumed run gives the same bytes. A run that is
+/// stopped while it simulates writes the results so far, if time allows; one that is stopped while it writes keeps its
+/// state without results. If maps exceed their limit or memory is exhausted, it keeps the rocks done and throws
+/// OutOfMemory. Throws BadInput if the folder cannot be written to (with a hint to resume), or if another program
+/// writes results there. Files appear complete or not at all. Throws Stopped if stopped before the first rock.
 RunResult run_into(const std::filesystem::path& folder, const Project& project, const Model& model,
                    const Problems& warnings, const RunOptions& options);
 

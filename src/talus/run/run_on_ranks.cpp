@@ -22,7 +22,7 @@ constexpr int bad_input = 2;  // the exit code of BadInput
 
 std::string name_of(int rank, const std::string& machine) { return fmt::format("rank {} on {}", rank, machine); }
 
-/// What is wrong there need not be wrong here: says where, in front of each line.
+/// The errors of another rank, with the rank and its machine in front of each line.
 Problems problems_of(int rank, const Cannot& cannot) {
   Problems problems;
   std::string_view left = cannot.text;
@@ -44,11 +44,12 @@ std::optional<std::string> what_differs(const Hello& theirs, const RunDescriptio
   return fmt::format("talus {} runs there, and {} here", theirs.version, TALUS_VERSION);
 }
 
-/// The part of rank 0: counts out blocks, puts what comes back in its order, and now and then adds everything up.
-class Foreman {
+/// The work of rank 0: hands out blocks, orders those that come back, and gathers the sums at intervals.
+class Coordinator {
  public:
-  Foreman(Ranks& ranks, std::span<const int> threads, const Model& model, const RunOptions& options,
-          const RunStateHeader& begun, RunSums& sums, TableFiles& tables, TableTexts& texts, Checkpoints& checkpoints)
+  Coordinator(Ranks& ranks, std::span<const int> threads, const Model& model, const RunOptions& options,
+              const RunStateHeader& begun, RunSums& sums, TableFiles& tables, TableTexts& texts,
+              Checkpoints& checkpoints)
       : ranks_(ranks),
         options_(options),
         range_(begun.range),
@@ -61,7 +62,7 @@ class Foreman {
         worker_(model, texts.observers(), sums_, threads[0], [&texts] { return texts.take(); }),
         helpers_at_work_(ranks.size() - 1) {}
 
-  /// Gives the rock after the last one done.
+  /// Returns the rock after the last one done.
   std::uint64_t run() {
     while (true) {
       while (const auto message = ranks_.receive()) {
@@ -93,8 +94,8 @@ class Foreman {
   }
 
  private:
-  /// Rows that wait for earlier ones; more blocks are not handed out while there are more. What is missing is under
-  /// way already.
+  /// The limit for rows that wait for earlier ones: above it no blocks are handed out. The missing ones are under way
+  /// already.
   static constexpr std::size_t most_waiting_bytes = std::size_t{256} << 20;
 
   void handle(const Ranks::Message& message) {
@@ -111,7 +112,7 @@ class Foreman {
       case MessageKind::cannot:
         throw_failure_of_rank(message.from, cannot_from(content_of(message)));
       default:
-        throw BadBytes(fmt::format("rank {} sends what only rank 0 may", message.from));
+        throw BadBytes(fmt::format("rank {} sent a message that only rank 0 may send", message.from));
     }
   }
 
@@ -122,7 +123,7 @@ class Foreman {
   }
 
   void write_in_order() {
-    std::set<int> waiting;  // helpers whose blocks are part of the run now
+    std::set<int> waiting;  // helpers whose blocks are in order now
     while (auto next = order_.next()) {
       auto& [rank, block] = *next;
       tables_.append(block.texts);
@@ -143,7 +144,7 @@ class Foreman {
     for (int rank = 1; rank < ranks_.size(); ++rank) ranks_.send(rank, message_of(MessageKind::stop));
   }
 
-  /// One block a rank and round, so that where there are few all have some.
+  /// One block per rank and round, so that all ranks get some even if there are few.
   void hand_out() {
     for (bool is_more = true; is_more;) {
       is_more = false;
@@ -179,9 +180,9 @@ class Foreman {
   Naps naps_;
   bool is_asked_to_stop_ = false;  // by a helper
   bool is_stopping_ = false;
-  std::optional<Checkpoints::Clock::time_point> pause_began_;  // no more blocks are handed out, for a checkpoint
+  std::optional<Checkpoints::Clock::time_point> pause_began_;  // no blocks are handed out until a checkpoint is written
   BlockWorker worker_;
-  int helpers_at_work_;  // that have not said that they stopped
+  int helpers_at_work_;  // helpers that have not stopped
 };
 
 }  // namespace
@@ -189,7 +190,7 @@ class Foreman {
 std::vector<int> meet_ranks(Ranks& ranks, const RunDescription& description, int own_threads) {
   std::vector<int> threads(static_cast<std::size_t>(ranks.size()), 1);
   threads[0] = own_threads > 0 ? own_threads : ranks.threads();
-  std::map<int, Problems> problems;  // by rank, so that they come in an order
+  std::map<int, Problems> problems;  // in the order of the ranks
   Naps naps;
   for (int expected = ranks.size() - 1; expected > 0;) {
     stop_point();
@@ -207,15 +208,15 @@ std::vector<int> meet_ranks(Ranks& ranks, const RunDescription& description, int
       problems[message->from].append(problems_of(message->from, cannot));
       continue;
     }
-    expect_bytes(kind == MessageKind::hello, "a rank begins with something else than hello");
+    expect_bytes(kind == MessageKind::hello, "the first message of a rank is not hello");
     const Hello hello = hello_from(content_of(*message));
     threads[static_cast<std::size_t>(message->from)] = hello.threads;
     if (const auto why = what_differs(hello, description)) {
       problems[message->from].add({.where = name_of(message->from, hello.machine),
-                                   .what = "this rank would not compute what the others do",
+                                   .what = "this rank would not compute the same results as the others",
                                    .why = *why,
                                    .hint = "Give all ranks the same command, the same files and the same program, on "
-                                           "machines of one kind; or let each run alone (--alone)"});
+                                           "machines of one kind; or run each alone (--alone)"});
     }
   }
   Problems all;
@@ -230,7 +231,7 @@ CampaignOutcome simulate_on_ranks(Ranks& ranks, std::span<const int> threads, co
   const auto begin = std::chrono::steady_clock::now();
   TableTexts texts(TableContext::of(model), table_rocks(project, model.rocks()));
   CampaignOutcome outcome;
-  outcome.done = Foreman(ranks, threads, model, options, begun, sums, tables, texts, checkpoints).run();
+  outcome.done = Coordinator(ranks, threads, model, options, begun, sums, tables, texts, checkpoints).run();
   outcome.interrupted = outcome.done < begun.range.last;
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   outcome.threads = 0;

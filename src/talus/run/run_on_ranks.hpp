@@ -1,6 +1,6 @@
 #pragma once
-// A run whose rocks are thrown by several processes. Rank 0 runs it as if it were alone (run.hpp) but for the throwing;
-// the others help it until it lets them go.
+// A run whose rocks are simulated by several processes. Rank 0 runs it as if it were alone (run.hpp), except that the
+// other ranks help to simulate until it dismisses them.
 
 #include <atomic>
 #include <span>
@@ -14,26 +14,26 @@
 
 namespace talus::project {
 
-/// For rank 0: waits until all others have read the project, and gives the threads of each. Throws BadInput with all
-/// that went wrong on them, or differs: everything has to be the same everywhere, to the bits of paths. Throws Stopped
-/// at the request of the thread's StopScope or of one of them.
+/// For rank 0: waits until all others have read the project, and returns the number of threads of each. Throws BadInput
+/// with all errors on them and all differences between them: everything must be the same, to the bits of the paths.
+/// Throws Stopped at the request of the thread's StopScope or of another rank.
 [[nodiscard]] std::vector<int> meet_ranks(Ranks& ranks, const RunDescription& description, int own_threads);
 
-/// For rank 0, after meeting: throws the rocks that `begun` leaves to be done, with the threads of each rank. Sums and
-/// tables then hold them. Throws what went wrong on any rank.
+/// For rank 0, after meet_ranks: simulates the rocks that remain after `begun` with the threads of each rank, and adds
+/// them to sums and tables. Throws the error of any rank.
 CampaignOutcome simulate_on_ranks(Ranks& ranks, std::span<const int> threads, const Project& project,
                                   const Model& model, const RunOptions& options, const RunStateHeader& begun,
                                   RunSums& sums, TableFiles& tables, Checkpoints& checkpoints);
 
-/// For rank 0, at the end of whatever happened: lets the others go with this exit code.
+/// For rank 0, at the end in any case: makes the others exit with this code.
 void dismiss_ranks(Ranks& ranks, int exit_code);
 
-/// For the others, once they have read the project: does what rank 0 wants, and gives its exit code. Of the options
-/// threads, stop and shard matter.
+/// For the other ranks, after reading the project: does the work that rank 0 assigns, and returns its exit code. Of the
+/// options only threads, stop and shard are used.
 int help_run(Ranks& ranks, const Project& project, const Model& model, const Problems& warnings,
              const RunOptions& options);
 
-/// For the others, where something is wrong: rank 0 will say it. Gives its exit code.
+/// For the other ranks, after an error, which rank 0 will report. Returns its exit code.
 int cannot_help(Ranks& ranks, const std::string& what, int exit_code);
 
 }  // namespace talus::project

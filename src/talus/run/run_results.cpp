@@ -29,7 +29,7 @@ namespace talus::project {
 
 namespace {
 
-/// The cells of the maps: as large as the project says, or those of the terrain's raster.
+/// The cells of the maps: of the project's size, or those of the terrain's raster.
 template <class Surface>
 MapGrid map_grid(const Project& project, const LocalFrame& frame, const Surface& surface) {
   const Vec2 low = surface.bounds().low.head(2);
@@ -41,7 +41,7 @@ MapGrid map_grid(const Project& project, const LocalFrame& frame, const Surface&
                            .what = fmt::format("raster_cell_m is {:g}", *cell),
                            .why = fmt::format("the terrain is {:.3g} such cells wide; expected fewer than {:g}", across,
                                               MapGrid::most_cells_across),
-                           .hint = "Take larger cells"});
+                           .hint = "Choose larger cells"});
   }
   if constexpr (std::is_same_v<Surface, RasterSurface>) {
     const RasterGrid& raster = surface.grid();
@@ -58,7 +58,7 @@ std::optional<std::size_t> split_by(const RunDescription& description) {
   return description.sources.size();
 }
 
-void warn_of_what_is_not_written(const RunDescription& description, Problems& warnings) {
+void warn_of_unwritten_files(const RunDescription& description, Problems& warnings) {
   const auto warn = [&](const char* what, const char* setting) {
     warnings.add({Severity::warning, "", 0, "[output]", what, "this program was built without GDAL",
                   fmt::format("Build it with GDAL, or set {}", setting)});
@@ -69,7 +69,7 @@ void warn_of_what_is_not_written(const RunDescription& description, Problems& wa
   }
 }
 
-/// Where every rock has a section of its own, heights above one of them say nothing.
+/// If every rock has a section of its own, heights above the ground are left out: they have no common reference.
 void write_section_envelopes(const std::filesystem::path& folder, const RunDescription& description,
                              MapObserver* maps) {
   remove_envelopes(folder);
@@ -180,13 +180,13 @@ std::vector<SummingObserver*> RunSums::observers() {
 
 namespace {
 
-/// What is made of tables and summary, which still has the name `summary`.
-void write_what_follows(const std::filesystem::path& folder, const RunDescription& description,
-                        const std::optional<DesignResult>& design, const std::filesystem::path& summary) {
+/// Writes the files derived from the tables and the summary, which is still named `summary`.
+void write_derived(const std::filesystem::path& folder, const RunDescription& description,
+                   const std::optional<DesignResult>& design, const std::filesystem::path& summary) {
   remove_design_tables(folder);
   if (design) write_design_tables(folder, *description.design, *design);
   write_derived_files(folder, summary.c_str());
-  // That of an earlier run would tell of other tables.
+  // A report of an earlier run would not match the tables.
   std::error_code ignored;
   std::filesystem::remove(folder / "report.html", ignored);
   if (!description.wants_report) return;
@@ -200,7 +200,7 @@ Problems write_results(const std::filesystem::path& folder, const RunDescription
                        const RunCourse& course) {
   Problems found;
   if (!course.shard) {
-    warn_of_what_is_not_written(description, found);
+    warn_of_unwritten_files(description, found);
     write_all_maps(folder / "maps", description, sums.maps(), course.threads);
     write_section_envelopes(folder, description, sums.maps());
   }
@@ -219,7 +219,7 @@ Problems write_results(const std::filesystem::path& folder, const RunDescription
   OutputFile summary(folder / "summary.json");
   write_summary(summary, description, warnings, sums.summary(), course, design ? &*design : nullptr);
   summary.sync();
-  if (!course.shard) write_what_follows(folder, description, design, OutputFile::part_of("summary.json"));
+  if (!course.shard) write_derived(folder, description, design, OutputFile::part_of("summary.json"));
   const std::vector<std::string> written = written_files(folder, description, course.shard);
   remove_recorded_files_but(folder, written);
   write_file_record(folder, written);

@@ -1,6 +1,6 @@
 #pragma once
-// What a run gathers over its rocks besides its tables, and what is written of it. A run and a merging of shards have
-// this in common; the latter has no model.
+// The sums of a run over its rocks, and the results written from them and the tables. Shared by a run and a merge of
+// shards, which has no model.
 
 #include <filesystem>
 #include <memory>
@@ -20,34 +20,35 @@
 
 namespace talus::project {
 
-/// What makes maps of the model's rocks; nothing where the project wants none. Refers to the model.
+/// The observer that makes maps of the model's rocks; null if the project has none. Refers to the model.
 [[nodiscard]] std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model);
 
 /// `warnings`: those known before the run.
 [[nodiscard]] RunDescription describe(const Project& project, const Model& model, const Problems& warnings);
 
-/// The same less what nobody will write and need not be gathered: but a shard's maps are written by those who merge it.
+/// As describe(), without maps that this program cannot write; but a shard keeps its maps, which are written when it is
+/// merged.
 [[nodiscard]] RunDescription describe_run(const Project& project, const Model& model, const Problems& warnings,
                                           const std::optional<Shard>& shard);
 
-/// Of a campaign of so many rocks, those that the tables hold one by one.
+/// The rocks of a campaign of `rocks` rocks that have rows of their own in the tables.
 [[nodiscard]] TableRocks table_rocks(const Project& project, std::uint64_t rocks);
 
 /// All sums over rocks.
 class RunSums {
  public:
-  /// To observe the rocks of a model, which must outlive it. Maps only where the description plans any.
+  /// To observe the rocks of a model, which must outlive it. Has maps only if the description has.
   RunSums(const RunDescription& description, const Project& project, const Model& model);
-  /// To take what others have saved, and no rocks.
+  /// To merge saved sums, without observing rocks.
   explicit RunSums(const RunDescription& description);
 
-  /// In the order in which they are saved: who adds one adds it to both constructors, and here.
+  /// In the order in which they are saved. A new one must be added to both constructors and here.
   [[nodiscard]] std::vector<SummingObserver*> observers();
   [[nodiscard]] const Summary& summary() const { return summary_.summary(); }
   [[nodiscard]] MapObserver* maps() { return maps_.get(); }  // null: none
-  /// How much memory maps may take [bytes]; 0: half of what this process may use.
+  /// The limit for the memory of maps [bytes]; 0: half of the memory available to this process.
   void limit_maps_memory(std::uint64_t bytes);
-  /// Where maps take more, that in words; to be asked when sums are whole, that is after blocks.
+  /// A message if maps exceed the limit; to be called between blocks, when the sums are consistent.
   [[nodiscard]] std::optional<std::string> lacking_memory() const;
   [[nodiscard]] const DesignObserver* design() const { return design_ ? &*design_ : nullptr; }
 
@@ -57,10 +58,10 @@ class RunSums {
   std::unique_ptr<MapObserver> maps_;
 };
 
-/// Writes maps, the design of barriers, what is made of the tables (which must be there whole), the report, as the
-/// description plans them, and last summary.json: where it is, all is. What an earlier run recorded among its files and
-/// this one does not make is removed. Of a shard, summary.json alone. Gives the warnings that came with the rocks.
-/// Throws BadInput where a file cannot be written.
+/// Writes maps, the design of barriers, the files derived from the tables (which must be complete) and the report, as
+/// the description plans them, and last summary.json: if it exists, all files do. Removes recorded files of an earlier
+/// run that this one does not write. Of a shard, only summary.json. Returns the warnings about the rocks. Throws
+/// BadInput if a file cannot be written.
 Problems write_results(const std::filesystem::path& folder, const RunDescription& description, RunSums& sums,
                        const RunCourse& course);
 

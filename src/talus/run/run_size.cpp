@@ -19,10 +19,10 @@ namespace talus::project {
 namespace {
 
 constexpr std::uint64_t most_simulated = 32;
-constexpr std::uint64_t part_of_run = 64;  // that the estimate may simulate: one rock in so many
+constexpr std::uint64_t part_of_run = 64;  // the estimate simulates at most one rock in this many
 constexpr double large_bytes = 1e9;
-// Of a cell of a map: compressed, overviews included (3.9 on rough ground, 2 to 3 on a smooth slope), and of one
-// thread.
+// Per value of a map's cell: bytes with compression and overviews (3.9 on rough ground, 2 to 3 on a smooth slope), and
+// seconds of one thread.
 constexpr double bytes_a_value = 3.5, seconds_a_value = 4e-7;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -38,7 +38,7 @@ struct Counter : TextSink {
   double bytes = 0;
 };
 
-/// The text of a table of some rocks, all of which are in it.
+/// Measures the text of a table in which all rocks have rows.
 template <class Table>
 class Sized {
  public:
@@ -58,10 +58,10 @@ class Sized {
   Counter counter_;
   Table table_;
   std::unique_ptr<ObserverPart> part_;
-  double seconds_ = 0;  // that making the text took
+  double seconds_ = 0;  // for making the text
 };
 
-/// The maps of some rocks, which are added when they are asked for.
+/// Measures the maps of some rocks.
 class SizedMaps {
  public:
   SizedMaps(const Project& project, const Model& model) {
@@ -71,7 +71,8 @@ class SizedMaps {
     if (!maps_) return;
     part_ = maps_->new_part();
     values_a_cell_ = static_cast<double>(map_kinds({project.output.maps, project.output.percentiles}).size());
-    if (maps_->is_split()) values_a_cell_ *= 2;  // of the sources together a cell has at least as much as of all rocks
+    if (maps_->is_split())
+      values_a_cell_ *= 2;  // the maps of all sources have at least as many values as those of all rocks
     if (is_section) return;
     std::visit(
         [&](const auto& surface) {
@@ -90,7 +91,7 @@ class SizedMaps {
     part_ = maps_->new_part();
     return maps_->maps();
   }
-  /// That so many rocks touch, after `few`.
+  /// The number of cells that `rocks` rocks touch, extrapolated from `few`.
   double cells(double few, double rocks) {
     if (!maps_) return 0;
     double touched = 0, by_one = 0, by_two = 0;
@@ -154,7 +155,7 @@ RunSize expected_size(const Project& project, const Model& model, const RockRang
     barriers.see(record, simulator.log());
   }
   const double cells = maps.cells(static_cast<double>(simulated), static_cast<double>(rocks.count()));
-  // Once more for the time: the first of a thread's rocks are slower than all others, and so are new cells.
+  // A second pass for the time, because the first rocks of a thread and new cells are slower.
   const double seconds = seconds_of([&] {
     for (std::uint64_t k = 0; k < simulated && !is_stopped(); ++k) {
       const RockRecord record = simulator.simulate(rock(k), false, maps.are_made());

@@ -13,14 +13,14 @@ namespace talus::project {
 
 namespace {
 
-/// Ends that are none of the slope's.
+/// End reasons that are limits of the data or the computation, not of the slope.
 struct Limit {
   EndReason reason;
   const char* what;
   const char* hint;
 };
 constexpr Limit limits[] = {
-    {EndReason::no_data, "ended where the terrain has no data", "Use a terrain that has data where rocks come"},
+    {EndReason::no_data, "ended where the terrain has no data", "Use a terrain that has data where rocks go"},
     {EndReason::maximum_steps, "were ended after the maximum number of steps", "Raise analysis.max_steps"},
     {EndReason::maximum_time, "were ended at the maximum time", "Raise analysis.max_time_s"}};
 
@@ -59,14 +59,14 @@ void warn_of_rocks(const Summary& summary, Problems& warnings) {
 void warn_of_sources(const RunDescription& description, std::uint64_t first_not_run, Problems& warnings) {
   std::vector<std::string> none, some;
   for (const auto& source : description.model.at("sources")) {
-    std::uint64_t rocks = 0, thrown = 0;
+    std::uint64_t rocks = 0, released = 0;
     for (const auto& row : source.at("rocks")) {
       const auto first = row.at(0).get<std::uint64_t>(), count = row.at(1).get<std::uint64_t>();
       rocks += count;
-      thrown += std::min(count, first_not_run - std::min(first, first_not_run));
+      released += std::min(count, first_not_run - std::min(first, first_not_run));
     }
-    if (thrown < rocks)
-      (thrown == 0 ? none : some).push_back(fmt::format("\"{}\"", source.at("name").get<std::string>()));
+    if (released < rocks)
+      (released == 0 ? none : some).push_back(fmt::format("\"{}\"", source.at("name").get<std::string>()));
   }
   if (none.empty() && description.model.at("sources").size() < 2) return;
   constexpr std::size_t most = 5;

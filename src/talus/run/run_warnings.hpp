@@ -1,5 +1,5 @@
 #pragma once
-// What is doubtful about a run and shows in its sums only.
+// Warnings about a run that only its sums can show.
 
 #include <cstdint>
 
@@ -10,18 +10,18 @@
 
 namespace talus::project {
 
-/// Adds what only the sums tell: rocks that were lost, lifted, or, more than one in a hundred, ended by a limit of the
-/// data or of the computation.
+/// Warns of rocks that were lost, lifted, or (if more than one in a hundred) ended by a limit of the data or of the
+/// computation.
 void warn_of_rocks(const Summary& summary, Problems& warnings);
 
-/// Adds of which sources a run that was stopped has thrown no rock, or not all: its results are not those of the whole.
+/// Warns of sources from which a stopped run has released no rocks, or not all: its results are not representative.
 void warn_of_sources(const RunDescription& description, std::uint64_t first_not_run, Problems& warnings);
 
-/// Adds which collectors many rocks passed above: their statistics are of the others.
+/// Warns of collectors above which many rocks passed: their statistics are of the other rocks only.
 void warn_of_collectors(const RunDescription& description, const Summary& summary, Problems& warnings);
 
-/// Adds which lines of a design no rock crosses, and, where no kit catches the wanted share, what holds the best kit of
-/// each line back.
+/// Warns of design lines that no rock crosses and, if no kit catches the wanted share, of what limits the best kit of
+/// each line.
 void warn_of_design(const DesignPlan& plan, const DesignResult& result, Problems& warnings);
 
 }  // namespace talus::project
