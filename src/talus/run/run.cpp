@@ -150,7 +150,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   if (start.resumes) {
     const auto observers = sums.observers();
     merge_run_state(state_file, observers);
-    tables.go_on(begun.tables);
+    tables.resume(begun.tables);
     checkpoints.begin_with(begun);
   } else {
     remove_state(state_file);
