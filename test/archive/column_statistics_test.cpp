@@ -1,4 +1,4 @@
-// What a run's tables give, counted again, is what the run has counted; filters against counts made here.
+// Statistics of a run's tables equal those of its summary; filters are compared with counts made here.
 
 #include "talus/archive/column_statistics.hpp"
 
@@ -93,7 +93,7 @@ TEST_F(StatisticsOfARun, OfABarrierAreThoseOfItsSummary) {
       const Tally tally = barrier_statistics(folder_.path, facts_, facts_.barriers[k].name, column, {});
       EXPECT_EQ(json_of(statistics_of(tally)), known[column]) << column;
     }
-    // Their squares are added up in another order in the table.
+    // Their squares are summed in another order in the table.
     for (const char* column : {"ke_translational_J", "ke_total_J"}) {
       const Descriptive found =
           barrier_statistics(folder_.path, facts_, facts_.barriers[k].name, column, {}).describe();
@@ -104,7 +104,7 @@ TEST_F(StatisticsOfARun, OfABarrierAreThoseOfItsSummary) {
   }
 }
 
-TEST_F(StatisticsOfARun, AreOfTheRocksThatAFilterLeaves) {
+TEST_F(StatisticsOfARun, CountTheRocksThatPassAFilter) {
   const auto is = [](const char* column, const std::string& text) {
     return [=](const Row& row) { return row.at(column) == text; };
   };
@@ -128,7 +128,7 @@ TEST_F(StatisticsOfARun, AreOfTheRocksThatAFilterLeaves) {
               return hit(row.at("rock"), "Fence") || hit(row.at("rock"), facts_.barriers[1].name);
             }));
 
-  const double energy = std::stod(ends_[10].at("max_ke_J"));  // a limit counts
+  const double energy = std::stod(ends_[10].at("max_ke_J"));  // a limit is inclusive
   const std::uint64_t most = count_if([&](const Row& row) { return std::stod(row.at("max_ke_J")) <= energy; });
   ASSERT_TRUE(most > 0 && most < ends_.size());
   EXPECT_EQ(count({.most_energy_J = energy}), most);
@@ -136,7 +136,7 @@ TEST_F(StatisticsOfARun, AreOfTheRocksThatAFilterLeaves) {
   EXPECT_EQ(count({.least_energy_J = energy, .most_energy_J = energy}), 1U);
 }
 
-TEST_F(StatisticsOfARun, OfABarrierAreOfTheHitsOfThoseRocks) {
+TEST_F(StatisticsOfARun, OfABarrierCountTheHitsOfThoseRocks) {
   const RockFilter filter{.seeders = {"Ledge"}};
   std::map<std::string, std::string> seeder_of;
   for (const Row& row : ends_) seeder_of[row.at("rock")] = row.at("seeder");
@@ -148,14 +148,14 @@ TEST_F(StatisticsOfARun, OfABarrierAreOfTheHitsOfThoseRocks) {
   const Tally tally = barrier_statistics(folder_.path, facts_, "Fence", "impact_height_m", filter);
   EXPECT_EQ(tally.count(), heights.size());
   EXPECT_EQ(tally.describe().maximum, *std::max_element(heights.begin(), heights.end()));
-  // The fence goes along y from 0.
+  // The fence runs along y from 0.
   const Descriptive stations = barrier_statistics(folder_.path, facts_, "Fence", "station_m", {}).describe();
   const Descriptive y = barrier_statistics(folder_.path, facts_, "Fence", "y_m", {}).describe();
   EXPECT_NEAR(*stations.minimum, *y.minimum, 1e-9);
   EXPECT_NEAR(*stations.maximum, *y.maximum, 1e-9);
 }
 
-TEST_F(StatisticsOfARun, KnowEveryColumnOfNumbers) {
+TEST_F(StatisticsOfARun, CoverEveryQuantity) {
   const auto check = [](const auto& columns, const std::vector<NumberColumn>& numbers, const auto& tally_of) {
     for (const std::string_view column : columns) {
       const bool is_number = column != "rock" && column != "seeder" && column != "end_reason" && column != "barrier" &&
@@ -171,13 +171,13 @@ TEST_F(StatisticsOfARun, KnowEveryColumnOfNumbers) {
         [&](std::string_view column) { return barrier_statistics(folder_.path, facts_, "Fence", column, {}); });
 }
 
-TEST_F(StatisticsOfARun, OfADamagedTableAreRefused) {
+TEST_F(StatisticsOfARun, AreRefusedForADamagedTable) {
   folder_.write("endpoints.csv", folder_.read("endpoints.csv") + "75,cut");
   EXPECT_THROW((void)endpoint_statistics(folder_.path, facts_, "x_m", {}), BadInput);
 }
 
-// A section in map coordinates, and more rocks than are kept: quantiles come from counts in bins.
-TEST(StatisticsOfManyRocks, AreRightWhereCoordinatesAreLarge) {
+// A section in map coordinates, with too many rocks to keep their values: quantiles come from counts in bins.
+TEST(StatisticsOfManyRocks, AreAccurateForLargeCoordinates) {
   const sample_run::Folder folder("column-statistics");
   folder.write("utm.toml", R"(
 name = "Eastings"
@@ -214,7 +214,7 @@ report = false
     std::sort(list.begin(), list.end());
     const Tally tally = endpoint_statistics(folder.path, facts, column, {});
     EXPECT_FALSE(tally.sketch().is_exact());
-    for (const double p : {0.25, 0.5, 0.75, 0.95}) {  // most are no less than 260 m from the origin
+    for (const double p : {0.25, 0.5, 0.75, 0.95}) {  // most are at least 260 m from the origin
       const double exact = list[static_cast<std::size_t>(p * 100'000)];
       EXPECT_NEAR(*tally.sketch().quantile(p), exact, 0.0005 * 260) << column << " " << p;
     }
@@ -224,7 +224,7 @@ report = false
             summary["statistics"]["end_x_m"]);
 }
 
-TEST(Cumulative, RisesToOneByWayOfTheValues) {
+TEST(Cumulative, RisesToOneThroughTheValues) {
   Tally tally(1000);
   for (int k = 0; k < 1000; ++k) tally.add(k % 500);
   const auto points = cumulative(tally, 50);
@@ -237,7 +237,7 @@ TEST(Cumulative, RisesToOneByWayOfTheValues) {
   for (const auto& [value, share] : points) EXPECT_DOUBLE_EQ(share, (value + 1) / 500);
 }
 
-TEST(Cumulative, OfFewValuesHasAll) {
+TEST(Cumulative, HasAllOfAFewValues) {
   Tally tally(3);
   for (const double x : {2.0, 7.0, 2.0}) tally.add(x);
   const auto points = cumulative(tally, 50);

@@ -1,4 +1,4 @@
-// design.csv, design_ranking.csv and the key of summary.json, to the letter; and the plan as JSON.
+// The exact text of design.csv, design_ranking.csv and the key of summary.json; the plan as JSON.
 
 #include "talus/archive/design_tables.hpp"
 
@@ -55,7 +55,7 @@ DesignResult small_result() {
   return result;
 }
 
-TEST(DesignTables, AreWrittenToTheLetter) {
+TEST(DesignTables, HaveTheExpectedText) {
   EXPECT_EQ(design_table(small_plan(), small_result()),
             "line,section,from_m,to_m,rocks,share,share_low,share_high,"
             "ke_translational_p97.5_J,ke_translational_p97.5_low_J,ke_translational_p97.5_high_J,"
@@ -72,7 +72,7 @@ TEST(DesignTables, AreWrittenToTheLetter) {
             "1,\"Road, lower\",15.5,3,500,2,yes,no,1039.5,4,3,0.75,0.25,1,1,0,0,\n");
 }
 
-TEST(DesignTables, SayWhatHoldsAKitBack) {
+TEST(DesignTables, NameTheLimitOfAKit) {
   KitChoice kit = small_result().ranking.front();
   EXPECT_EQ(limit_text(small_plan(), kit), "");
   kit.caught->of = 4501;
@@ -87,7 +87,7 @@ TEST(DesignTables, SayWhatHoldsAKitBack) {
   EXPECT_EQ(limit_text(small_plan(), kit), "12 of 4,501 have more than 500 kJ: give greater energies_kJ");
 }
 
-TEST(DesignTables, ComeAndGo) {
+TEST(DesignTables, AreWrittenAndRemoved) {
   const test::Workplace work;
   write_design_tables(work / "", small_plan(), small_result());
   EXPECT_EQ(work.read("design.csv"), design_table(small_plan(), small_result()));
@@ -97,7 +97,7 @@ TEST(DesignTables, ComeAndGo) {
   EXPECT_THROW(write_design_tables(work / "nowhere", small_plan(), small_result()), BadInput);
 }
 
-TEST(DesignJson, HoldsWhatTheReportShows) {
+TEST(DesignJson, HasTheFiguresOfTheReport) {
   const Json json = design_json(small_plan(), small_result());
   EXPECT_EQ(json["standard"], "UNI 11211-4");
   EXPECT_EQ(json["factors"]["risk"], 1.1);
@@ -114,7 +114,7 @@ TEST(DesignJson, HoldsWhatTheReportShows) {
   EXPECT_EQ(design_json(small_plan(), result)["best"], nullptr);
 }
 
-TEST(DesignJson, BringsAPlanBack) {
+TEST(DesignJson, RestoresAPlan) {
   DesignPlan plan = small_plan();
   EXPECT_EQ(plan_from(Json::parse(plan_json(plan).dump()), 2), plan);
   plan.protect.reset();
@@ -125,7 +125,7 @@ TEST(DesignJson, BringsAPlanBack) {
   EXPECT_EQ(plan_from(Json::parse(plan_json(plan).dump()), 2), plan);
 }
 
-TEST(DesignJson, RefusesAPlanThatCannotBe) {
+TEST(DesignJson, RefusesAnInvalidPlan) {
   const auto refused = [](const std::function<void(Json&)>& change) {
     Json json = plan_json(small_plan());
     change(json);

@@ -49,7 +49,7 @@ std::vector<Row> envelopes_of(const std::string& toml, bool has_heights = true) 
 
 double number(const Row& row, const std::string& name) { return std::stod(row.at(name)); }
 
-// Launched from the origin of a map far away over a plain 80 m below, at 10 m/s; nothing is left of an impact.
+// Launched far from the origin over a plain 80 m below, at 10 m/s; an impact stops it.
 const std::string launch_off_a_cliff = R"(
 [terrain]
 section = [[500000, 100], [500001.5, 100], [500001.5, 20], [500100, 20]]
@@ -67,7 +67,7 @@ raster_cell_m = 2
 percentiles = [50, 99]
 )";
 
-TEST(EnvelopeTable, OfAFlightIsThatOfItsParabola) {
+TEST(EnvelopeTable, OfAFlightAgreesWithItsParabola) {
   const std::vector<Row> rows = envelopes_of(launch_off_a_cliff);
   const double g = 9.80665, start = 500001, lands = start + 10 * std::sqrt(2 * 90 / g);
   ASSERT_EQ(rows.size(), static_cast<std::size_t>((lands - 500000) / 2) + 1);
@@ -82,7 +82,7 @@ TEST(EnvelopeTable, OfAFlightIsThatOfItsParabola) {
     EXPECT_NEAR(number(rows[k], "velocity_max_m_s"), speed, 1e-5 * speed);
     EXPECT_NEAR(number(rows[k], "velocity_p99_m_s"), speed, 0.01 * speed);
     EXPECT_NEAR(number(rows[k], "energy_translational_mean_kJ"), speed * speed, 1e-4 * speed * speed);
-    // In the first cell it flies over the ledge and past its brink.
+    // In the first cell it flies over the ledge and beyond its edge.
     if (k > 0) {
       EXPECT_NEAR(number(rows[k], "bounce_height_max_m"), 90 - fallen_before, 1e-4) << k;
     }
@@ -92,7 +92,7 @@ TEST(EnvelopeTable, OfAFlightIsThatOfItsParabola) {
   }
 }
 
-TEST(EnvelopeTable, LeavesOutHeightsThatAreNotKnown) {
+TEST(EnvelopeTable, OmitsUnknownHeights) {
   const Row row = envelopes_of(launch_off_a_cliff, false).front();
   EXPECT_TRUE(row.contains("velocity_p50_m_s"));
   EXPECT_TRUE(std::ranges::none_of(row, [](const auto& cell) { return cell.first.starts_with("bounce"); }));

@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-TEST(EvenChoice, IsOfAsManyAsAreWantedAndEvenlySpread) {
+TEST(EvenChoice, HasTheWantedNumberAndIsEvenlySpread) {
   for (const std::uint64_t rocks : {1, 2, 7, 100, 999, 12345}) {
     for (const std::uint64_t wanted : {0, 1, 3, 50, 998, 999, 20000}) {
       const EvenChoice choice(wanted, rocks);
@@ -19,7 +19,7 @@ TEST(EvenChoice, IsOfAsManyAsAreWantedAndEvenlySpread) {
       for (std::uint64_t rock = 0; rock < rocks; ++rock) {
         EXPECT_EQ(choice.count_before(rock), chosen);
         chosen += choice.contains(rock) ? 1 : 0;
-        // Of every beginning of the row its share, to less than one rock.
+        // Every leading range has its share to within one rock.
         const double share = static_cast<double>(choice.count()) / static_cast<double>(rocks);
         EXPECT_LT(std::abs(static_cast<double>(chosen) - share * static_cast<double>(rock + 1)), 1);
       }
@@ -29,8 +29,8 @@ TEST(EvenChoice, IsOfAsManyAsAreWantedAndEvenlySpread) {
   }
 }
 
-TEST(EvenChoice, HoldsForVeryManyRocks) {
-  // As many as a project may have; and so many that rocks and wanted multiplied have 80 bits.
+TEST(EvenChoice, WorksForVeryManyRocks) {
+  // The maximum of a project; and so many that the product of rocks and wanted has 80 bits.
   constexpr std::uint64_t rocks = 1'000'000'000'000, wanted = rocks - 1;
   const EvenChoice choice(wanted, rocks);
   EXPECT_EQ(choice.count_before(rocks), wanted);
@@ -48,9 +48,9 @@ TEST(EvenChoice, HoldsForVeryManyRocks) {
   }
 }
 
-// Cells of a grid of 100 columns are released row by row, a rock each, and a hundredth of the rocks is chosen: with a
-// fixed place in each stretch all would come from one column.
-TEST(EvenChoice, KeepsNoStepWithWhatComesBackInARhythm) {
+// Cells of a grid of 100 columns are released row by row, one rock each, and one in a hundred rocks is chosen: with a
+// fixed place in each interval all would come from one column.
+TEST(EvenChoice, DoesNotInterfereWithPeriodicReleases) {
   constexpr std::uint64_t columns = 100, wanted = 2000, rocks = wanted * columns;
   const EvenChoice choice(wanted, rocks);
   std::vector<double> of_column(columns);
@@ -58,8 +58,8 @@ TEST(EvenChoice, KeepsNoStepWithWhatComesBackInARhythm) {
   constexpr double expected = static_cast<double>(wanted) / columns;
   double chi_squared = 0;
   for (const double count : of_column) chi_squared += (count - expected) * (count - expected) / expected;
-  // 99 degrees of freedom: mean 99, standard deviation sqrt(2 * 99) = 14. Four of these either way; a fixed place gives
-  // 198,000, and one after the other 0.
+  // 99 degrees of freedom: mean 99, standard deviation sqrt(2 * 99) = 14. The limits are four of these either way; a
+  // fixed place gives 198,000, and consecutive columns 0.
   EXPECT_NEAR(chi_squared, 99, 56);
 }
 

@@ -1,4 +1,4 @@
-// Arcs against the closed form of a parabola, and of a flight that linear drag brakes.
+// Compares arcs with the closed forms of a parabola and of a flight with linear drag.
 
 #include "talus/archive/path_arcs.hpp"
 
@@ -36,7 +36,7 @@ std::vector<PathPoint> points_of(const Path& path, double tolerance) {
   return points;
 }
 
-TEST(PathArcs, OfAFreeFlightAreTheParabola) {
+TEST(PathArcs, OfAFreeFlightAreAParabola) {
   Dice dice(3);
   for (int trial = 0; trial < 300; ++trial) {
     const Vec3 p = dice.in_cube(500) + Vec3(2'600'000, 1'200'000, 800), v = dice.in_cube(20), g(0, 0, -gravity);
@@ -55,7 +55,7 @@ TEST(PathArcs, OfAFreeFlightAreTheParabola) {
       EXPECT_NEAR(point.ke_total_J, energy, 1e-6 * energy);
       EXPECT_EQ(point.state, &point == &points.back() ? impact : projectile);
     }
-    // The middle of a chord is where it departs most, by g t^2/8: within the tolerance, and not with one piece less.
+    // A chord is furthest from the arc at its middle, by g t^2/8: within the tolerance, but not with one piece less.
     const double piece = duration / static_cast<double>(pieces);
     EXPECT_LE(gravity * piece * piece / 8, tolerance * (1 + 1e-6));
     if (pieces > 1) {
@@ -65,8 +65,8 @@ TEST(PathArcs, OfAFreeFlightAreTheParabola) {
   }
 }
 
-// v = v0 e^(-kt) + (g/k)(1 - e^(-kt)): of two seconds among trees that brake by a fifth a second.
-TEST(PathArcs, OfABrakedFlightAreCloseToIt) {
+// v = v0 e^(-kt) + (g/k)(1 - e^(-kt)): two seconds among trees with k = 0.2 1/s.
+TEST(PathArcs, OfAFlightThroughTreesAreCloseToIt) {
   constexpr double k = 0.2, duration = 2;
   const Vec3 g(0, 0, -gravity), v(8, 3, 4), fall = g / k;
   const auto velocity = [&](double t) { return Vec3(v * std::exp(-k * t) + fall * (1 - std::exp(-k * t))); };
@@ -84,8 +84,8 @@ TEST(PathArcs, OfABrakedFlightAreCloseToIt) {
   }
 }
 
-// Free flight for a while, and then among trees: between the same two rows.
-TEST(PathArcs, OfAFlightThatTreesBrakeInPartAreOffByNoMoreThanIsSaid) {
+// Between the same two rows a free flight at first, then among trees.
+TEST(PathArcs, OfAFlightPartlyThroughTreesAreWithinTheStatedError) {
   constexpr double k = 0.2, duration = 2;
   const Vec3 g(0, 0, -gravity), v(15, 3, 4), fall = g / k;
   for (const double forest : {0.0, 0.2, 0.46, 1.0, 1.54, 1.9}) {
@@ -112,7 +112,7 @@ TEST(PathArcs, OfAFlightThatTreesBrakeInPartAreOffByNoMoreThanIsSaid) {
   }
 }
 
-TEST(PathArcs, RowsStayAsTheyAreAndWhatIsNoFlightIsStraight) {
+TEST(PathArcs, KeepRowsAndAreStraightExceptInFlight) {
   const Path path{.rows = {row(projectile, 0, {0, 0, 10}, {0, 0, 0}), row(impact, 1, {0, 0, 5}, {0, 0, -10}, 7),
                            row(sliding, 1, {0, 0, 5}, {3, 0, 0}, 9), row(impact, 9, {20, 0, 1}, {2, 0, 0}, 9),
                            row(projectile, 9, {20, 0, 1}, {2, 0, 0}, 9), row(barrier, 9, {20, 0, 1}, {2, 0, 0}, 9),
@@ -126,13 +126,13 @@ TEST(PathArcs, RowsStayAsTheyAreAndWhatIsNoFlightIsStraight) {
     EXPECT_EQ(points[k].velocity_m_s, path.rows[k].velocity_m_s);
     EXPECT_EQ(points[k].ke_total_J, path.rows[k].ke_translational_J + path.rows[k].ke_rotational_J);
   }
-  // From rest, where the mass follows from the end of the flight alone.
+  // From rest, where the mass follows from the end of the flight only.
   const auto fine = points_of(path, 0.01);
-  EXPECT_EQ(fine.size(), path.rows.size() + 11);  // sqrt(10/0.08) = 11.2 pieces of the one flight that takes time
+  EXPECT_EQ(fine.size(), path.rows.size() + 11);  // sqrt(10/0.08) = 11.2 pieces of the only flight with a duration
   EXPECT_NEAR(fine[6].ke_total_J, 0.5 * mass * 25, 1);
 }
 
-TEST(PathArcs, AVeryLongFlightHasNoMorePointsThanIsWorthIt) {
+TEST(PathArcs, LimitTheNumberOfPointsOfAVeryLongFlight) {
   const Path path{.rows = {row(projectile, 0, {0, 0, 0}, {0, 0, 0}),
                            row(ended, 600, {0, 0, -gravity * 180'000}, {0, 0, -gravity * 600})}};
   EXPECT_EQ(points_of(path, 0.05).size(), std::size_t{most_pieces_of_a_flight} + 1);

@@ -21,7 +21,7 @@ PathEventRow row(PathState state, double time, double x, double z, double vx, do
           .pe_J = rock_mass * g * (z - datum)};
 }
 
-/// A flight from (0, 0), and a slide along the level from where it ends.
+/// A flight from (0, 0), then a level slide from its end.
 Path flight_and_slide(double seconds) {
   const double vx = 7, x = vx * seconds, z = 3 * seconds - g / 2 * seconds * seconds;
   return {5,
@@ -29,7 +29,7 @@ Path flight_and_slide(double seconds) {
            row(sliding, seconds, x, z, 6, 0), row(ended, seconds + 2, x + 6, z, 0, 0)}};
 }
 
-TEST(EnergiesAlongAPath, AddUpToTheSameInFlight) {
+TEST(EnergiesAlongAPath, HaveAConstantSumInFlight) {
   const Path path = flight_and_slide(2.5);
   const double total = path.rows[0].total_J();
   const auto energies = energies_along(path, 0.01);
@@ -46,7 +46,7 @@ TEST(EnergiesAlongAPath, AddUpToTheSameInFlight) {
   }
 }
 
-TEST(EnergiesAlongAPath, AreThoseOfTheTableAtItsRows) {
+TEST(EnergiesAlongAPath, EqualThoseOfTheTableAtItsRows) {
   const Path path = flight_and_slide(2.5);
   const auto energies = energies_along(path, 0.01);
   std::size_t next = 0;
@@ -60,7 +60,7 @@ TEST(EnergiesAlongAPath, AreThoseOfTheTableAtItsRows) {
   EXPECT_EQ(next, energies.size()) << "there are points between the rows of a slide";
 }
 
-TEST(EnergiesAlongAPath, OfALevelPathAreThoseOfItsRows) {
+TEST(EnergiesAlongAPath, OfALevelPathEqualThoseOfItsRows) {
   const auto energies = energies_along({1, {row(sliding, 0, 0, 0, 4, 0), row(ended, 3, 6, 0, 0, 0)}}, 0.01);
   ASSERT_EQ(energies.size(), 2U);
   EXPECT_EQ(energies[1].pe_J, rock_mass * g * -datum);

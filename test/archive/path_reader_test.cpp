@@ -16,7 +16,7 @@ using sample_run::paths_head;
 
 bool all(std::uint64_t) { return true; }
 
-TEST(PathReader, ReadsOnePathAfterTheOther) {
+TEST(PathReader, ReadsPathByPath) {
   const sample_run::Folder folder("path-reader");
   folder.write("paths.csv", paths_head + path_rows(3) + path_rows(8) + path_rows(9));
   PathReader reader(folder.path / "paths.csv");
@@ -32,7 +32,7 @@ TEST(PathReader, ReadsOnePathAfterTheOther) {
   EXPECT_FALSE(reader.next(all));
 }
 
-TEST(PathReader, PassesOverThoseThatAreNotWanted) {
+TEST(PathReader, SkipsPathsThatAreNotSelected) {
   const sample_run::Folder folder("path-reader");
   folder.write("paths.csv", paths_head + path_rows(3) + path_rows(8) + path_rows(9));
   PathReader reader(folder.path / "paths.csv");
@@ -54,7 +54,7 @@ std::string paths_message(const std::string& text) {
   return "was read";
 }
 
-TEST(PathReader, RefusesWhatIsNoPath) {
+TEST(PathReader, RefusesRowsThatAreNotAPath) {
   const std::string whole = path_rows(3), last = "3,3,ended,2.25,5,0,-12.2,0,0,0,0,0,0,0,0,0\n";
   const std::string cut = whole.substr(0, whole.size() - last.size());
   EXPECT_EQ(paths_message(paths_head), "was read");

@@ -1,4 +1,4 @@
-// Results of a run that were made to take all of the memory, or all of the stack.
+// Hostile results of a run that would exhaust memory or the stack.
 
 #include <gtest/gtest.h>
 
@@ -40,13 +40,13 @@ TEST(RefusedResults, ARowOfAMegabyte) {
 TEST(RefusedResults, AQuoteThatStaysOpenForAMegabyte) {
   const Folder folder("refused");
   folder.write("summary.json", sample_run::summary("Refused").dump());
-  // Quickly, too: every line is looked at once.
+  // It must also be fast: every line is read once.
   folder.write("endpoints.csv", sample_run::endpoints_head + '"' + std::string(std::size_t{4} << 20, '\n'));
   EXPECT_EQ(refusal(folder), "endpoints.csv:2: the row has more than 1048576 bytes (no row of a table is that long)" +
                                  std::string(cut_short));
 }
 
-TEST(RefusedResults, ASummaryOfListsWithinLists) {
+TEST(RefusedResults, ASummaryOfNestedLists) {
   const Folder folder("refused");
   const std::size_t deep = 1'000'000;
   folder.write("summary.json", "{\"project\": " + std::string(deep, '[') + std::string(deep, ']') + "}");
@@ -55,14 +55,14 @@ TEST(RefusedResults, ASummaryOfListsWithinLists) {
             "`talus run` has written");
 }
 
-TEST(RefusedResults, ANumberBeyondAllNumbers) {
+TEST(RefusedResults, ANumberTooLargeForADouble) {
   const Folder folder("refused");
   folder.write("summary.json", "{\"rocks\": {\"done\": 1e999}}");
-  EXPECT_EQ(refusal(folder), "summary.json: holds a number that is too large (expected numbers that 64 bits can hold)" +
+  EXPECT_EQ(refusal(folder), "summary.json: has a number that is too large (expected numbers that 64 bits can hold)" +
                                  std::string(cut_short));
 }
 
-TEST(RefusedResults, AStatisticWhoseNameIsNoPointer) {
+TEST(RefusedResults, AStatisticWhoseNameIsNotAJsonPointer) {
   const Folder folder("refused");
   auto summary = sample_run::summary("Refused");
   summary["statistics"]["a~b/c"] = 1;
@@ -72,22 +72,22 @@ TEST(RefusedResults, AStatisticWhoseNameIsNoPointer) {
             "`talus run` has written");
 }
 
-TEST(RefusedResults, ASummaryBeyondAllBounds) {
+TEST(RefusedResults, ASummaryOfManyGigabytes) {
   const Folder folder("refused");
   folder.write("summary.json", "{}");
-  std::filesystem::resize_file(folder.path / "summary.json", std::uintmax_t{1} << 34);  // without taking room on disk
+  std::filesystem::resize_file(folder.path / "summary.json", std::uintmax_t{1} << 34);  // sparse on disk
   EXPECT_EQ(
       refusal(folder),
       "summary.json: cannot be read (it has 16384 MiB; expected at most 1024). Name a folder that `talus run` has "
       "written");
 }
 
-TEST(RefusedResults, ADescriptionOfListsWithinLists) {
+TEST(RefusedResults, ADescriptionOfNestedLists) {
   const std::string json = "{\"name\":" + std::string(100'000, '[') + std::string(100'000, ']') + "}";
   EXPECT_THROW((void)description_from(json), BadBytes);
 }
 
-TEST(DepthOfJson, CountsWhatIsNotText) {
+TEST(DepthOfJson, IgnoresBracketsInStrings) {
   EXPECT_EQ(depth_of_json(""), 0U);
   EXPECT_EQ(depth_of_json("1"), 0U);
   EXPECT_EQ(depth_of_json("[[], {}]"), 2U);

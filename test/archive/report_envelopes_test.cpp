@@ -30,7 +30,7 @@ std::string envelopes_message(const std::string& text) {
   return "none";
 }
 
-TEST(ReportEnvelopes, AreOfTheColumnsThatAreDrawn) {
+TEST(ReportEnvelopes, HaveTheColumnsThatAreDrawn) {
   const ReportEnvelopes read = envelopes_of(
       "x_m,passages,reach_share,energy_total_max_kJ,energy_translational_max_kJ,velocity_p95_m_s\n"
       "0.5,2,1,200,150,3.5\n1.5,0,0,,,\n");
@@ -43,10 +43,10 @@ TEST(ReportEnvelopes, AreOfTheColumnsThatAreDrawn) {
   EXPECT_THAT(read.cells[1].values, ElementsAre(Optional(0.0), std::nullopt, std::nullopt));
 }
 
-TEST(ReportEnvelopes, OfManyCellsAreTheGreatestOfEveryFew) {
+TEST(ReportEnvelopes, CombineCellsByTheirMaximum) {
   const std::size_t rows = 2 * most_report_envelope_cells + 500;
   std::string text = "x_m,velocity_max_m_s\n";
-  // The first in three is the fastest; the last two of them all have no value.
+  // The first of every three is the fastest; the last two rows have no value.
   for (std::size_t k = 0; k < rows; ++k) {
     text += fmt::format("{},{}\n", k, k + 2 < rows ? (k % 3 == 0 ? fmt::format("{}.5", k) : "0.25") : "");
   }
@@ -62,7 +62,7 @@ TEST(ReportEnvelopes, OfManyCellsAreTheGreatestOfEveryFew) {
   EXPECT_EQ(envelopes_of(text.substr(0, text.find("\n1000,") + 1)).cells_each, 1U) << "as many as a page can show";
 }
 
-TEST(ReportEnvelopes, ThatAreNoneAreRefused) {
+TEST(ReportEnvelopes, RefuseOtherFiles) {
   EXPECT_THAT(envelopes_message("rock,time_s\n0,1\n"),
               HasSubstr("envelopes.csv:1: the columns are \"rock,time_s\" (expected \"x_m,...\")"));
   EXPECT_THAT(envelopes_message("x_m,velocity_max_m_s\n0.5,fast\n"),

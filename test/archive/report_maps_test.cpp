@@ -1,4 +1,4 @@
-// Maps as the report draws them.
+// The maps of the report.
 
 #include "talus/archive/report_maps.hpp"
 
@@ -20,7 +20,7 @@ namespace {
 
 using sample_run::Folder;
 
-/// A rock through cells from west to east, in each with this total energy [J] and height [m].
+/// A rock that crosses cells from west to east, with this total energy [J] and height [m] in each.
 void write_maps_of(const Folder& folder, const std::vector<float>& values) {
   std::vector<MapVisit> path;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -55,7 +55,7 @@ TEST(ReportMaps, AreReachEnergyHeightAndVelocity) {
   EXPECT_EQ(maps[1].rows, 1);
 }
 
-TEST(ReportMaps, HaveLevelsFromTheLeastToTheGreatestValue) {
+TEST(ReportMaps, HaveLevelsFromTheMinimumToTheMaximum) {
   if (!can_write_maps()) GTEST_SKIP() << "no maps without GDAL";
   const Folder folder("report-maps");
   write_maps_of(folder, {1, 10, 100});
@@ -64,12 +64,12 @@ TEST(ReportMaps, HaveLevelsFromTheLeastToTheGreatestValue) {
   EXPECT_EQ(energy.range.least, 0.001F);
   EXPECT_EQ(energy.range.greatest, 0.1F);
   EXPECT_EQ(energy.limits, (ClassLimits{30, 100, 300, 1000, 3000}));
-  EXPECT_EQ(energy.levels, (std::vector<std::uint8_t>{1, 128, 255}));  // 10 lies in the middle of its logarithms
+  EXPECT_EQ(energy.levels, (std::vector<std::uint8_t>{1, 128, 255}));  // 10 is in the middle of the logarithms
   EXPECT_EQ(named(maps, "bounce_height_max_m").levels, (std::vector<std::uint8_t>{4, 26, 255}));
   EXPECT_EQ(named(maps, "velocity_max_m_s").levels, (std::vector<std::uint8_t>{255, 255, 255}));
 }
 
-// What a page shows of a value is within half a step of it.
+// A value on the page is within half a level of the original.
 TEST(ReportMaps, KeepValuesToHalfALevel) {
   if (!can_write_maps()) GTEST_SKIP() << "no maps without GDAL";
   const Folder folder("report-maps");
@@ -86,7 +86,7 @@ TEST(ReportMaps, KeepValuesToHalfALevel) {
   }
 }
 
-TEST(ReportMaps, AreNoLargerThanAPageCanShow) {
+TEST(ReportMaps, AreLimitedToWhatAPageCanShow) {
   if (!can_write_maps()) GTEST_SKIP() << "no maps without GDAL";
   const Folder folder("report-maps");
   std::vector<float> values(1500, 1);
@@ -96,10 +96,10 @@ TEST(ReportMaps, AreNoLargerThanAPageCanShow) {
   const ReportMap& energy = named(maps, "energy_total_max_kJ");
   EXPECT_EQ(energy.columns, 375);
   EXPECT_EQ(energy.cell[0], 20);
-  EXPECT_EQ(energy.range.greatest, 0.05F) << "the greatest value is kept";
+  EXPECT_EQ(energy.range.greatest, 0.05F) << "the maximum is kept";
 }
 
-TEST(ReportMaps, AreNoneWhereTheRunLeftNone) {
+TEST(ReportMaps, AreEmptyForARunWithoutMaps) {
   const Folder folder("report-maps");
   EXPECT_TRUE(read_report_maps(folder.path).empty());
 }

@@ -23,7 +23,7 @@ std::vector<Texts> texts_of_rows(const std::vector<Row>& rows) {
   return texts;
 }
 
-/// Rocks 0, 3, 6 ...: of each 0 to 2 hits on barriers whose names need quotes, some with the line's end that a row has.
+/// Rocks 0, 3, 6 ... with 0 to 2 hits each on barriers whose names need quotes, some with a line end in them.
 struct Hits {
   std::string text = sample_run::barriers_head;
   std::vector<std::vector<Texts>> of_rock;
@@ -45,7 +45,7 @@ Hits many_hits(std::uint64_t rocks) {
   return hits;
 }
 
-TEST(RowsOfARock, AreFoundWhereverTheyStand) {
+TEST(RowsOfARock, AreFoundAnywhereInTheTable) {
   const sample_run::Folder folder("rock-rows");
   constexpr std::uint64_t rocks = 60'000;
   const Hits hits = many_hits(rocks);
@@ -70,7 +70,7 @@ TEST(RowsOfARock, AreAllRowsOfItsPath) {
   }
 }
 
-TEST(RowsOfARock, OfAnotherFileAreRefused) {
+TEST(RowsOfARock, AreRefusedFromAnotherFile) {
   const sample_run::Folder folder("rock-rows");
   folder.write("endpoints.csv", "rock,seeder\n0,Crest\n");
   EXPECT_THROW((void)rows_of_rock<EndpointRow>(folder.path, 0), BadInput);

@@ -18,7 +18,7 @@ RunFacts facts_of(const Json& summary) {
   return read_run_facts(folder.path);
 }
 
-TEST(RunFacts, SayWhatTheSummarySays) {
+TEST(RunFacts, AreThoseOfTheSummary) {
   Json summary = sample_run::summary_3d();
   summary["terrain"]["crs_wkt"] = "PROJCRS[...]";
   summary["origin_m"] = {1024, 2048, 0};
@@ -54,19 +54,19 @@ TEST(RunFacts, SayWhatTheSummarySays) {
   EXPECT_EQ(facts.barriers[1].statistics_of("velocity_m_s").maximum, std::nullopt);
 }
 
-TEST(RunFacts, StationsAreThoseOfTheLineAsItWasGiven) {
+TEST(RunFacts, HaveStationsAlongTheLineOfTheInput) {
   Json summary = sample_run::summary_3d();
   summary["barriers"][0]["stations_m"] = {7, 30, 60};
   EXPECT_EQ(facts_of(summary).barriers[0].stations, (std::vector<double>{7, 30, 60}));
 }
 
-TEST(RunFacts, AWallWithoutLimitHasNoCapacity) {
+TEST(RunFacts, HaveNoCapacityForAWallWithoutLimit) {
   Json summary = sample_run::summary_3d();
   summary["project"]["barrier"][0]["capacity_kJ"] = "inf";
   EXPECT_EQ(facts_of(summary).barriers[0].capacity_kJ, std::nullopt);
 }
 
-TEST(RunFacts, OfABarrierThatNoRockHitHaveNoStatistics) {
+TEST(RunFacts, HaveNoStatisticsOfABarrierWithoutHits) {
   Json summary = sample_run::summary_3d();
   Json& fence = summary["barriers"][0];
   fence["hits"] = 0;
@@ -78,7 +78,7 @@ TEST(RunFacts, OfABarrierThatNoRockHitHaveNoStatistics) {
   EXPECT_EQ(facts.statistics_of("ke_total_J").maximum, std::nullopt);
 }
 
-TEST(RunFacts, TellTheSourceOfEachRock) {
+TEST(RunFacts, HaveTheSourceOfEachRock) {
   const RunFacts facts = facts_of(sample_run::summary_3d());
   const char* const expected[] = {"Wall", "Wall", "Tower, \"old\"", "Tower, \"old\"", "Wall", "Wall", ""};
   for (std::uint64_t rock = 0; rock < 7; ++rock) EXPECT_EQ(facts.source_of(rock), expected[rock]) << rock;
@@ -87,7 +87,7 @@ TEST(RunFacts, TellTheSourceOfEachRock) {
   EXPECT_EQ(facts_of(summary).source_of(0), "");
 }
 
-TEST(RunFacts, OfASectionThereIsNoGeoPackage) {
+TEST(RunFacts, WantNoGeoPackageForASection) {
   Json summary = sample_run::summary_3d();
   summary["terrain"]["kind"] = "section";
   EXPECT_FALSE(facts_of(summary).wants_geopackage);
@@ -115,7 +115,7 @@ std::string message_about_value(const char* pointer, const Json& value) {
   return message_about(summary.dump());
 }
 
-TEST(RunFacts, RefuseWhatIsNoSummary) {
+TEST(RunFacts, RefuseOtherFiles) {
   const std::string hint = ". Name a folder that `talus run` has written";
   EXPECT_EQ(message_about(""), "summary.json: there is no such file (the folder of a finished run has it)" + hint);
   EXPECT_EQ(message_about("[1, 2"),

@@ -17,7 +17,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-// The message about the folder, with its path taken out.
+// The message about the folder, with its path replaced.
 std::string message(const std::filesystem::path& folder) {
   try {
     static_cast<void>(read_run_folder(folder));
@@ -30,7 +30,7 @@ std::string message(const std::filesystem::path& folder) {
   return "no message";
 }
 
-// The message about an otherwise good folder in which one file holds this text.
+// The message about a valid folder in which one file has this text.
 std::string message_about(const std::string& file, const std::string& text) {
   const sample_run::Folder folder("run-folder");
   sample_run::write(folder);
@@ -80,7 +80,7 @@ TEST(RunFolder, ReadsWhatARunWrites) {
 TEST(RunFolder, AddsUpTheLossOfEachImpactOverAllRocks) {
   const sample_run::Folder folder("run-folder");
   sample_run::write(folder);
-  // A third rock that loses 10 kJ and then 2.5 kJ, and is not among the paths kept.
+  // A third rock that loses 10 kJ and then 2.5 kJ, whose path is not kept.
   folder.write("paths.csv",
                sample_run::paths_head + sample_run::path_rows(0) + sample_run::path_rows(1) +
                    "2,0,impact,0,0,0,0,0,0,0,0,0,0,20000,0,5000\n2,1,projectile,0,0,0,0,0,0,0,0,0,0,9000,1000,5000\n"
@@ -98,7 +98,7 @@ TEST(RunFolder, AddsUpTheLossOfEachImpactOverAllRocks) {
   EXPECT_EQ(run.paths.total, 3u);
 }
 
-TEST(RunFolder, SaysWhatIsNotThere) {
+TEST(RunFolder, NotesMissingTables) {
   const sample_run::Folder folder("run-folder");
   folder.write("summary.json", sample_run::summary("bare").dump());
   const RunFolder run = read_run_folder(folder.path);
@@ -123,7 +123,7 @@ TEST(RunFolder, ReadsNamesWithCommasQuotesAndLineEnds) {
   EXPECT_EQ(run.hits.items[1].barrier, "");
 }
 
-TEST(RunFolder, LeavesLongListsOutOfTheEchoedProject) {
+TEST(RunFolder, ShortensLongListsOfTheProject) {
   const sample_run::Folder folder("run-folder");
   auto summary = sample_run::summary("Tutorial 1");
   summary["project"]["terrain"]["vertices"] = std::vector<int>(5000, 1);
@@ -131,9 +131,9 @@ TEST(RunFolder, LeavesLongListsOutOfTheEchoedProject) {
   EXPECT_EQ(read_run_folder(folder.path).summary.project->at("terrain").at("vertices"), "5000 entries");
 }
 
-// ---- what is refused
+// ---- refused folders
 
-TEST(RunFolder, KeepsOfManyBarriersThoseWithTheMostHits) {
+TEST(RunFolder, KeepsTheBarriersWithTheMostHits) {
   const sample_run::Folder folder("run-folder");
   sample_run::write(folder);
   auto summary = sample_run::summary("Tutorial 1");
@@ -153,7 +153,7 @@ TEST(RunFolder, KeepsOfManyBarriersThoseWithTheMostHits) {
                                      "summary.json has all of them."));
 }
 
-TEST(RunFolderRefuses, FoldersThatAreNone) {
+TEST(RunFolderRefuses, PathsThatAreNotAFolder) {
   const sample_run::Folder folder("run-folder");
   EXPECT_EQ(message(folder.path / "absent"),
             "DIR: there is no such folder (expected the folder of a run). Name a folder that `talus run` has written");
@@ -165,7 +165,7 @@ TEST(RunFolderRefuses, FoldersThatAreNone) {
             "`talus run` has written");
 }
 
-TEST(RunFolderRefuses, SummariesThatAreNoJson) {
+TEST(RunFolderRefuses, SummariesThatAreNotJson) {
   EXPECT_EQ(message_about("summary.json", "{\n\"name\": \"Tut"),
             std::string("DIR/summary.json:2: the JSON ends too early (after 14 bytes)") + damaged);
   EXPECT_EQ(message_about("summary.json", "{\n\n\"name\": nonsense}"),
@@ -203,8 +203,8 @@ TEST(RunFolderRefuses, SummariesOfAnotherShape) {
   refused("/terrain/relief", nlohmann::ordered_json{{"x0", 0}}, "terrain/relief/y0: is missing (a run writes it)");
 }
 
-// A run writes all of them: what lacks one was damaged, or is of something else.
-TEST(RunFolderRefuses, SummariesThatLackAnything) {
+// A run writes all keys: a file without one is damaged or of something else.
+TEST(RunFolderRefuses, SummariesWithoutAKey) {
   const auto whole = sample_run::summary("Tutorial 1");
   for (const auto& [key, value] : whole.items()) {
     auto summary = whole;
@@ -223,14 +223,14 @@ TEST(RunFolderRefuses, TablesWithOtherColumns) {
             std::string("DIR/paths.csv:1: the file is empty (its first line must name the columns)") + damaged);
 }
 
-TEST(RunFolderRefuses, RowsThatAreNotWhole) {
+TEST(RunFolderRefuses, IncompleteRows) {
   EXPECT_EQ(message_about("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0) + "1,seeder 1,3\n"),
             std::string("DIR/endpoints.csv:3: the row has 3 values (expected 15, one for each column)") + damaged);
   EXPECT_EQ(message_about("barriers.csv", sample_run::barriers_head + "\"Fence,1,1.9\n"),
             std::string("DIR/barriers.csv:2: a quoted value has no end (the file ends inside it)") + damaged);
 }
 
-TEST(RunFolderRefuses, ValuesThatAreNoNumbers) {
+TEST(RunFolderRefuses, ValuesThatAreNotNumbers) {
   const auto row = [](const std::string& rock, const std::string& x) {
     return sample_run::endpoints_head + rock + ",seeder 1," + x +
            ",0,-12.2,4.5,12.2,13.01,2.25,4,at rest,1000,0.4455,120000,1.5\n";
@@ -245,7 +245,7 @@ TEST(RunFolderRefuses, ValuesThatAreNoNumbers) {
             "DIR/endpoints.csv:2: rock: \"-1\" is not a count (expected a whole number, 0 or more)");
 }
 
-TEST(RunFolderRefuses, TablesThatWereCutShort) {
+TEST(RunFolderRefuses, TruncatedTables) {
   const std::string paths = sample_run::paths_head + sample_run::path_rows(0) + sample_run::path_rows(1);
   // Inside a line.
   EXPECT_EQ(message_about("paths.csv", paths.substr(0, paths.size() - 1)),
@@ -259,11 +259,11 @@ TEST(RunFolderRefuses, TablesThatWereCutShort) {
       std::string("DIR/paths.csv: the path of rock 1 does not end (a path's last row has the state ended)") + damaged);
   EXPECT_EQ(
       message_about("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0)),
-      "DIR/endpoints.csv: holds 1 rock (summary.json beside it counts 2). The files are of different runs, or one was "
+      "DIR/endpoints.csv: has 1 rock (summary.json next to it counts 2). The files are of different runs, or one was "
       "cut short; run the project again");
 }
 
-TEST(RunFolder, TakesASampleOfTheEndPoints) {
+TEST(RunFolder, AcceptsASampleOfTheEndPoints) {
   const sample_run::Folder folder("sample");
   sample_run::write(folder);
   folder.write("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0));
@@ -273,7 +273,7 @@ TEST(RunFolder, TakesASampleOfTheEndPoints) {
   EXPECT_EQ(read_run_folder(folder.path).endpoints.total, 1u);
 }
 
-TEST(RunFolderRefuses, PathsThatMakeNoSense) {
+TEST(RunFolderRefuses, InvalidPaths) {
   std::string paths = sample_run::paths_head + sample_run::path_rows(0);
   paths.replace(paths.find("sliding"), 7, "flying");
   EXPECT_EQ(message_about("paths.csv", paths),
@@ -300,9 +300,9 @@ TEST(RunFolderRefuses, AllBadFilesAtOnce) {
                                      ::testing::HasSubstr("paths.csv")));
 }
 
-// ---- what is kept of much
+// ---- sampling
 
-TEST(RunFolder, KeepsTheSameRocksOfManyInAnyOrder) {
+TEST(RunFolder, KeepsTheSameRocksInAnyOrder) {
   constexpr std::uint64_t rocks = 20000;
   std::vector<std::string> rows;
   for (std::uint64_t rock = 0; rock < rocks; ++rock)
@@ -331,7 +331,7 @@ TEST(RunFolder, KeepsTheSameRocksOfManyInAnyOrder) {
   EXPECT_EQ(kept(), forwards);
 }
 
-TEST(SpreadSample, TakesItsPartOfEveryStretchOfRocks) {
+TEST(SpreadSample, TakesItsShareOfEveryRangeOfRocks) {
   constexpr std::uint64_t rocks = 1'000'000, stretch = 50'000;
   SpreadSample<std::uint64_t> sample(300, 1'000'000);
   for (std::uint64_t rock = 0; rock < rocks; ++rock) sample.add(rock, 1, rock);
@@ -346,7 +346,7 @@ TEST(SpreadSample, TakesItsPartOfEveryStretchOfRocks) {
   }
 }
 
-TEST(SpreadSample, KeepsWithinItsWeightWhateverTheOrder) {
+TEST(SpreadSample, StaysWithinItsWeightInAnyOrder) {
   const auto kept = [](bool reversed) {
     SpreadSample<std::uint64_t> sample(100, 500);
     for (std::uint64_t i = 0; i < 1000; ++i) {
@@ -363,13 +363,13 @@ TEST(SpreadSample, KeepsWithinItsWeightWhateverTheOrder) {
   EXPECT_GT(weight, 400u);
 }
 
-TEST(SpreadSample, KeepsOneEvenIfItIsTooHeavy) {
+TEST(SpreadSample, KeepsOneItemEvenIfItIsTooHeavy) {
   SpreadSample<int> sample(10, 5);
   sample.add(0, 50, 7);
   EXPECT_THAT(sample.take(), ElementsAre(7));
 }
 
-TEST(SpreadSample, TakesItemsOfOneRockTogether) {
+TEST(SpreadSample, KeepsItemsOfOneRockTogether) {
   SpreadSample<std::string> sample(3, 100);
   for (const std::uint64_t rock : {5, 0, 1}) {
     sample.add(rock, 1, std::to_string(rock) + "a");

@@ -1,4 +1,4 @@
-// run.state as a file: what is written comes back, and what is not as it was written is refused.
+// run.state as a file: it is restored as written, and any change is refused.
 
 #include "talus/archive/run_state.hpp"
 
@@ -21,7 +21,7 @@ using testing_tools::saved;
 
 constexpr std::uint64_t rocks = 500;
 
-/// A header with everything in it.
+/// A header with all fields set.
 RunStateHeader full_header() {
   RunStateHeader header;
   RunDescription& description = header.description;
@@ -72,7 +72,7 @@ class RunStateFile : public testing::Test {
     SummingObserver* const observers[] = {&observer};
     write_run_state(file, header, observers);
   }
-  /// What is said of the file when it is read; empty where nothing is wrong.
+  /// The message when the file is read; empty if there is none.
   [[nodiscard]] std::string message() const {
     try {
       (void)read_run_state_header(file);
@@ -92,7 +92,7 @@ class RunStateFile : public testing::Test {
   const std::filesystem::path file = work / "run.state";
 };
 
-TEST_F(RunStateFile, ComesBackAsItWas) {
+TEST_F(RunStateFile, IsRestoredAsWritten) {
   const RunStateHeader header = full_header();
   SummaryObserver observer = observer_of(150);
   write(header, observer);
@@ -129,7 +129,7 @@ TEST_F(RunStateFile, OfTheWholeCampaignHasNoShard) {
   EXPECT_FALSE(read_run_state_header(file).description.maps);
 }
 
-TEST_F(RunStateFile, ReplacesTheOneBeforeOrLeavesItAsItIs) {
+TEST_F(RunStateFile, ReplacesThePreviousOneOrLeavesItUnchanged) {
   SummaryObserver few = observer_of(10), many = observer_of(20);
   write(full_header(), few);
   const std::string before = work.read("run.state");
@@ -138,7 +138,7 @@ TEST_F(RunStateFile, ReplacesTheOneBeforeOrLeavesItAsItIs) {
   EXPECT_EQ(message(), "");
 }
 
-TEST_F(RunStateFile, IsRefusedWithItsReason) {
+TEST_F(RunStateFile, IsRefusedWithAReason) {
   SummaryObserver observer = observer_of(150);
   write(full_header(), observer);
   const std::string state = work.read("run.state");
@@ -147,7 +147,7 @@ TEST_F(RunStateFile, IsRefusedWithItsReason) {
     return message();
   };
   EXPECT_EQ(of(""), refused("it is empty"));
-  EXPECT_EQ(of("rock,seeder,x_m\n0,Crest,1.5\n"), refused("it is not a state of a run"));
+  EXPECT_EQ(of("rock,seeder,x_m\n0,Crest,1.5\n"), refused("it is not the state of a run"));
   EXPECT_EQ(of("talus ru"), refused("it was cut short"));
   EXPECT_EQ(of(state.substr(0, 24)), refused("it was cut short"));
   EXPECT_EQ(of(state.substr(0, 300)), refused("it was cut short"));
@@ -168,8 +168,8 @@ TEST_F(RunStateFile, IsRefusedWithItsReason) {
   EXPECT_NE(message(), "");
 }
 
-// Not one bit can be turned, and not one byte left out, without being noticed.
-TEST_F(RunStateFile, EveryDamageIsNoticed) {
+// No bit can be flipped and no byte removed without detection.
+TEST_F(RunStateFile, DetectsAllDamage) {
   SummaryObserver observer = observer_of(150);
   write(full_header(), observer);
   const std::string state = work.read("run.state");
@@ -197,7 +197,7 @@ TEST_F(RunStateFile, EveryDamageIsNoticed) {
   }
 }
 
-TEST_F(RunStateFile, OfOtherObserversIsRefused) {
+TEST_F(RunStateFile, IsRefusedForOtherObservers) {
   SummaryObserver observer = observer_of(150);
   write(full_header(), observer);
   SummaryObserver more_barriers(rocks, 2, {});
@@ -206,7 +206,7 @@ TEST_F(RunStateFile, OfOtherObserversIsRefused) {
   EXPECT_THROW(merge_run_state(file, {}), BadInput);
 }
 
-TEST(RunDescription, IsRefusedWhereItIsNone) {
+TEST(RunDescription, IsRefusedIfInvalid) {
   const std::string good = json_text(full_header().description);
   EXPECT_EQ(json_text(description_from(good)), good);
   const auto refused = [&](const char* key, nlohmann::ordered_json value) {
@@ -222,7 +222,7 @@ TEST(RunDescription, IsRefusedWhereItIsNone) {
   EXPECT_FALSE(refused("name", "another name"));
   EXPECT_TRUE(refused("name", 5));
   EXPECT_TRUE(refused("rocks", "many"));
-  EXPECT_TRUE(refused("barriers", 2));  // the model tells of one
+  EXPECT_TRUE(refused("barriers", 2));  // the model has one
   EXPECT_TRUE(refused(
       "maps",
       {{"origin", {0, 0}}, {"cell", {0, 1}}, {"by_source", true}, {"subjects", {"velocity"}}, {"percentiles", {50}}}));

@@ -39,8 +39,8 @@ std::string written(const RunDescription& description, const Summary& summary) {
   return out.text;
 }
 
-// It is written piece by piece, and looks as if it had been in one.
-TEST(SummaryFile, IsOneObjectInOneForm) {
+// Written piece by piece, it looks the same as if written at once.
+TEST(SummaryFile, IsOneConsistentlyFormattedObject) {
   for (const std::size_t barriers : {0U, 1U, 3U}) {
     Summary summary(10, barriers);
     if (barriers > 0) summary.barriers[0].height.add(1);
@@ -55,7 +55,7 @@ TEST(SummaryFile, IsOneObjectInOneForm) {
   }
 }
 
-TEST(SummaryFile, SaysLittleOfBarriersThatNoRockHit) {
+TEST(SummaryFile, HasNoStatisticsOfBarriersWithoutHits) {
   Summary summary(10, 2);
   BarrierTally& hit = summary.barriers[1];
   for (Tally* tally : {&hit.translational_energy, &hit.total_energy, &hit.height, &hit.velocity}) tally->add(2);
@@ -68,8 +68,8 @@ TEST(SummaryFile, SaysLittleOfBarriersThatNoRockHit) {
   EXPECT_EQ(barriers[1]["histograms"]["impact_height_m"]["counts"].size(), 1U);
 }
 
-// Once written, read and written again, it is the same: the one declaration serves both.
-TEST(SummaryFile, IsReadAsItWasWritten) {
+// Writing, reading and writing again gives the same text: one declaration serves both.
+TEST(SummaryFile, IsReadAsWritten) {
   Summary summary(10, 2);
   summary.done = 10;
   summary.ends[static_cast<std::size_t>(EndReason::at_rest)] = 10;
@@ -91,8 +91,8 @@ TEST(SummaryFile, IsReadAsItWasWritten) {
   EXPECT_EQ(taken, (std::vector<std::string>{"c0", "c1"}));
 }
 
-// Which run it is of is known also where the rest is of another version of the program.
-TEST(SummaryFile, SaysWhichRunItIsOf) {
+// The identity of the run can be read even if another version of the program wrote the rest.
+TEST(SummaryFile, HasTheIdentityOfItsRun) {
   const sample_run::Folder folder("summary-file");
   Json summary = sample_run::summary("Slope");
   for (const char* key : {"statistics", "histograms", "notes", "timings"}) summary.erase(key);

@@ -12,7 +12,7 @@ namespace {
 
 using test::Workplace;
 
-TEST(OutputFile, GoesOnWithAPart) {
+TEST(OutputFile, ResumesAPart) {
   const Workplace work;
   work.write("table.csv.part", "0123456789 and more that was not kept");
   {
@@ -27,14 +27,14 @@ TEST(OutputFile, GoesOnWithAPart) {
   EXPECT_FALSE(std::filesystem::exists(work / "table.csv.part"));
 }
 
-TEST(OutputFile, GoesOnWithAFinishedFileWhereThereIsNoPart) {
+TEST(OutputFile, ResumesAFinishedFileWithoutAPart) {
   const Workplace work;
   work.write("table.csv", "0123456789");
   OutputFile(work / "table.csv", 4).commit();
   EXPECT_EQ(work.read("table.csv"), "0123");
 }
 
-TEST(OutputFile, KeepsItsPartOnlyIfItShould) {
+TEST(OutputFile, KeepsItsPartOnlyIfAsked) {
   const Workplace work;
   { OutputFile(work / "a").write("a"); }
   EXPECT_FALSE(std::filesystem::exists(work / "a.part"));
@@ -57,7 +57,7 @@ std::string message(const auto& work_that_fails) {
   return "nothing was refused";
 }
 
-TEST(OutputFile, CannotGoOnWithLessThanWasKept) {
+TEST(OutputFile, DoesNotResumeAShorterFile) {
   const Workplace work;
   work.write("short.csv.part", "0123");
   EXPECT_EQ(message([&] { OutputFile(work / "short.csv", 5); }),
@@ -81,11 +81,11 @@ TEST(TableMark, FindsItsTableAsAPartOrFinished) {
   work.write("t.csv.part", other);
   EXPECT_EQ(message([&] { (void)find_marked(work / "", mark); }),
             (work / "t.csv.part").string() +
-                ": this table is not the one that the state was saved with (the rows before the saved place differ). "
-                "It was changed or taken away; run these rocks again");
+                ": this table is not the one that the state was saved with (its rows up to the saved place differ). "
+                "It was changed or removed; run these rocks again");
 }
 
-TEST(TableMark, ComesBackAsItWasAndNamesNoOtherFolder) {
+TEST(TableMark, IsRestoredAndRefusesOtherFolders) {
   ByteWriter out;
   TableMark{"t.csv", 17, {1, 2}}.save(out);
   ByteReader in(out.bytes());
@@ -98,7 +98,7 @@ TEST(TableMark, ComesBackAsItWasAndNamesNoOtherFolder) {
   }
 }
 
-TEST(TableFiles, GoOnWhereTheyWere) {
+TEST(TableFiles, ResumeAtTheirMarks) {
   const Workplace work;
   std::vector<TableMark> marks;
   const auto add_rock = [](TableFiles& files, std::uint64_t rock) {
@@ -118,10 +118,10 @@ TEST(TableFiles, GoOnWhereTheyWere) {
     add_rock(files, 0);
     marks = files.sync();
     files.keep_parts();
-    add_rock(files, 7);  // after the mark: not kept
+    add_rock(files, 7);  // after the mark: dropped
   }
   TableFiles files(work / "", context, TableRocks(10, {}, 0));
-  files.go_on(marks);
+  files.resume(marks);
   add_rock(files, 1);
   files.finish();
   std::istringstream lines(work.read("endpoints.csv"));

@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-TEST(TableRocks, HaveAnEndWhereverTheyHaveAPath) {
+TEST(TableRocks, HaveAnEndPointForEveryPath) {
   constexpr std::uint64_t rocks = 5000;
   const TableRocks::Limit all;
   for (const TableRocks::Limit endpoints : {all, TableRocks::Limit(0), TableRocks::Limit(30), TableRocks::Limit(777)}) {

@@ -220,13 +220,13 @@ TEST_F(MergeRefuses, ChangedStatesAndTables) {
   expect_refused(
       folders(work, {1, 2, 3}, 3),
       at("1-of-3/endpoints.csv") +
-          ": this table is not the one that the state was saved with (the rows before the saved place differ). It was "
-          "changed or taken away; run these rocks again\n" +
+          ": this table is not the one that the state was saved with (its rows up to the saved place differ). It was "
+          "changed or removed; run these rocks again\n" +
           at("2-of-3/barriers.csv") +
-          ": this table is missing (No such file or directory). It was changed or taken away; run these rocks again\n" +
+          ": this table is missing (No such file or directory). It was changed or removed; run these rocks again\n" +
           at("3-of-3/paths.csv") + ": this table is too short (it has " + std::to_string(paths.size() - 10) +
-          " bytes, expected " + std::to_string(paths.size()) +
-          " at the least). It was changed or taken away; run these rocks again\n");
+          " bytes, expected at least " + std::to_string(paths.size()) +
+          "). It was changed or removed; run these rocks again\n");
 }
 
 TEST_F(MergeRefuses, ToOverwriteItsInput) {

@@ -97,7 +97,7 @@ TEST(GeoPackage, HasFourLayersInTheTerrainsCoordinateSystem) {
   }
 }
 
-TEST(GeoPackage, HoldsTheSectionsOfADesign) {
+TEST(GeoPackage, HasTheSectionsOfADesign) {
   const sample_run::Folder folder("gpkg");
   Json summary = summary_3d();
   const auto section = [](double from, double to, std::uint64_t rocks) {
@@ -136,7 +136,7 @@ TEST(GeoPackage, HoldsTheSectionsOfADesign) {
   EXPECT_TRUE(second->IsFieldNull(second->GetFieldIndex("height_p97.5_m")));
 }
 
-TEST(GeoPackage, WithoutACoordinateSystemLiesInAPlane) {
+TEST(GeoPackage, HasAnUndefinedCartesianSystemByDefault) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   EXPECT_EQ(message(folder.path), "was written");
@@ -144,7 +144,7 @@ TEST(GeoPackage, WithoutACoordinateSystemLiesInAPlane) {
   EXPECT_STREQ(file.layer("paths").GetSpatialRef()->GetName(), "Undefined Cartesian SRS");
 }
 
-TEST(GeoPackage, HoldsTheTableOfEndPoints) {
+TEST(GeoPackage, HasTheTableOfEndPoints) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   EXPECT_EQ(message(folder.path), "was written");
@@ -170,7 +170,7 @@ TEST(GeoPackage, HoldsTheTableOfEndPoints) {
   EXPECT_EQ(place->getZ(), -12.2);
 }
 
-TEST(GeoPackage, HoldsPathsWithTheirArcsAndWhereTheyBegin) {
+TEST(GeoPackage, HasPathsWithTheirArcsAndReleases) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   EXPECT_EQ(message(folder.path), "was written");
@@ -185,7 +185,8 @@ TEST(GeoPackage, HoldsPathsWithTheirArcsAndWhereTheyBegin) {
   EXPECT_STREQ(path->GetFieldAsString("end_reason"), "at rest");
   EXPECT_EQ(path->GetFieldAsDouble("max_ke_J"), 120000);
   EXPECT_EQ(path->GetFieldAsDouble("max_bounce_m"), 1.5);
-  // A fall of 1.577 s: sqrt(9.81/(8 0.25)) 1.577 = 3.5, four pieces; then the slide. The contact's two rows are one.
+  // A fall of 1.577 s: sqrt(9.81/(8 0.25)) 1.577 = 3.5, four pieces; then the slide. The two rows of the contact are
+  // one point.
   const OGRLineString& line = *path->GetGeometryRef()->toLineString();
   ASSERT_EQ(line.getNumPoints(), 1 + 4 + 1);
   EXPECT_EQ(line.getX(0), 0.5);
@@ -197,7 +198,7 @@ TEST(GeoPackage, HoldsPathsWithTheirArcsAndWhereTheyBegin) {
   EXPECT_EQ(release->GetGeometryRef()->toPoint()->getX(), 0.5);
 }
 
-TEST(GeoPackage, HoldsBarriersWithWhatTheyAreDesignedFor) {
+TEST(GeoPackage, HasBarriersWithTheirStatistics) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   EXPECT_EQ(message(folder.path), "was written");
@@ -240,7 +241,7 @@ TEST(GeoPackage, HoldsBarriersWithWhatTheyAreDesignedFor) {
   EXPECT_FALSE(track->IsFieldSetAndNotNull(track->GetFieldIndex("velocity_max_m_s")));
 }
 
-/// The numbers of so many evenly chosen of these.
+/// The numbers of `wanted` evenly chosen rocks.
 std::vector<std::int64_t> chosen(std::uint64_t wanted, const std::vector<std::int64_t>& of) {
   const EvenChoice choice(wanted, of.size());
   std::vector<std::int64_t> rocks;
@@ -250,7 +251,7 @@ std::vector<std::int64_t> chosen(std::uint64_t wanted, const std::vector<std::in
   return rocks;
 }
 
-TEST(GeoPackage, OfManyRocksHoldsThoseThatAreEvenlySpread) {
+TEST(GeoPackage, HasAnEvenChoiceOfManyRocks) {
   const sample_run::Folder folder("gpkg");
   const std::vector<std::int64_t> all{0, 1, 2, 3, 4, 5};
   Json summary = summary_3d();
@@ -271,21 +272,21 @@ TEST(GeoPackage, OfManyRocksHoldsThoseThatAreEvenlySpread) {
   summary["project"]["output"]["geopackage"] = 3;
   write(all, all);
   expect(chosen(3, all), chosen(3, all));
-  // Of two paths, both are shown; of four, three.
+  // Both of two paths are shown, and three of four.
   for (const std::uint64_t with_path : {2, 4}) {
     const auto ways = chosen(with_path, all);
     summary["project"]["output"]["paths"] = with_path;
     write(all, ways);
     expect(chosen(3, all), chosen(3, ways));
   }
-  // Nor has the table the ends of all rocks.
+  // The table does not have the end points of all rocks either.
   summary["project"]["output"]["endpoints"] = 5;
   const auto ends = chosen(5, all), ways = chosen(4, ends);
   write(ends, ways);
   expect(chosen(3, ends), chosen(3, ways));
 }
 
-TEST(GeoPackage, OfAnInterruptedRunHoldsWhatIsThere) {
+TEST(GeoPackage, HasTheRocksDoneOfAnInterruptedRun) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   folder.write("endpoints.csv", endpoints_head + endpoint_row(0) + endpoint_row(1));
@@ -304,7 +305,7 @@ TEST(GeoPackage, HasTheSameBytesEachTime) {
   EXPECT_EQ(message(folder.path), "was written");
   const std::string once = folder.read("results.gpkg");
   EXPECT_GT(once.size(), 10'000U);
-  EXPECT_EQ(message(folder.path), "was written");  // over itself
+  EXPECT_EQ(message(folder.path), "was written");  // overwrites itself
   EXPECT_TRUE(folder.read("results.gpkg") == once);
   const sample_run::Folder other("gpkg");
   write_3d(other);
@@ -316,7 +317,7 @@ TEST(GeoPackage, HasTheSameBytesEachTime) {
   EXPECT_FALSE(folder.read("results.gpkg") == once);
 }
 
-TEST(GeoPackage, RefusesTablesThatDoNotBelongTogether) {
+TEST(GeoPackage, RefusesTablesOfDifferentRuns) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   folder.write("paths.csv", paths_head + path_rows(7));
@@ -335,7 +336,7 @@ TEST(GeoPackage, RefusesTablesThatDoNotBelongTogether) {
   EXPECT_EQ(message(folder.path), "paths.csv: cannot be opened (it must be a readable file)");
 }
 
-TEST(GeoPackage, SaysWhereItCannotBeWritten) {
+TEST(GeoPackage, ReportsWhereItCannotBeWritten) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   std::filesystem::create_directories(folder.path / "results.gpkg/in the way");
@@ -348,7 +349,7 @@ TEST(GeoPackage, SaysWhereItCannotBeWritten) {
   EXPECT_NE(text.find("). Free some space, or choose another folder with -o"), std::string::npos) << text;
 }
 
-TEST(GeoPackage, AFullDiskLeavesNothingHalfWritten) {
+TEST(GeoPackage, LeavesNoPartOnAFullDisk) {
   const sample_run::Folder folder("gpkg");
   Json summary = summary_3d();
   summary["rocks"]["planned"] = 3000;
@@ -364,12 +365,12 @@ TEST(GeoPackage, AFullDiskLeavesNothingHalfWritten) {
   EXPECT_EQ(text.find("results.gpkg: cannot write this file (GDAL: "), 0U) << text;
   EXPECT_FALSE(std::filesystem::exists(folder.path / "results.gpkg"));
   EXPECT_FALSE(std::filesystem::exists(folder.path / "results.gpkg.part"));
-  EXPECT_EQ(message(folder.path), "was written");  // with room again
+  EXPECT_EQ(message(folder.path), "was written");  // with space again
 }
 
 #else
 
-TEST(GeoPackage, WithoutGdalIsRefused) {
+TEST(GeoPackage, IsRefusedWithoutGdal) {
   const sample_run::Folder folder("gpkg");
   write_3d(folder);
   EXPECT_FALSE(can_write_geopackage());
@@ -380,7 +381,7 @@ TEST(GeoPackage, WithoutGdalIsRefused) {
 
 #endif
 
-TEST(DerivedFiles, AreThoseThatTheProjectAsksFor) {
+TEST(DerivedFiles, AreThoseOfTheProject) {
   const sample_run::Folder folder("derived");
   Json summary = summary_3d();
   write_3d(folder, summary);
@@ -390,7 +391,7 @@ TEST(DerivedFiles, AreThoseThatTheProjectAsksFor) {
   summary["project"]["output"]["geopackage"] = "none";
   summary["project"]["output"]["vtk"] = false;
   write_3d(folder, summary);
-  write_derived_files(folder.path);  // those of the run before do not stay
+  write_derived_files(folder.path);  // removes those of the previous run
   EXPECT_FALSE(std::filesystem::exists(folder.path / "results.gpkg"));
   EXPECT_FALSE(std::filesystem::exists(folder.path / "paths.vtp"));
 }

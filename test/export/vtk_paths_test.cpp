@@ -1,4 +1,4 @@
-// paths.vtp, taken apart as a reader of VTK's XML files does.
+// paths.vtp, parsed as a reader of VTK's XML files does.
 
 #include "talus/export/vtk_paths.hpp"
 
@@ -48,7 +48,7 @@ std::map<std::string, std::string> attributes_in(const std::string& element) {
   return found;
 }
 
-/// Every element is opened and closed as XML wants it.
+/// Every element is opened and closed as XML requires.
 void expect_well_formed(const std::string& xml) {
   std::vector<std::string> open;
   static const std::regex tag("<(/?)(\\w+)((?:\\s+\\w+=\"[^\"<>]*\")*)\\s*(/?)>|<\\?xml version=\"1.0\"\\?>");
@@ -85,7 +85,7 @@ Vtp read(const std::string& file) {
   for (std::size_t at = 0; (at = head.find("<DataArray", at)) != std::string::npos; ++at) {
     auto array = attributes_in(head.substr(at, head.find('>', at) - at));
     const std::size_t offset = std::stoul(array["offset"]);
-    EXPECT_EQ(offset, expected_offset);  // one after the other, none over another
+    EXPECT_EQ(offset, expected_offset);  // consecutive, without overlap
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, appended.data() + offset, sizeof bytes);
     expected_offset = offset + sizeof bytes + bytes;
@@ -98,14 +98,14 @@ Vtp read(const std::string& file) {
   return vtp;
 }
 
-/// A rock that is thrown from (0, 0, 100) with (4, 3, 10) m/s, strikes after 4 s and slides 8 m in 2 s.
+/// A rock launched from (0, 0, 100) with (4, 3, 10) m/s, which impacts after 4 s and slides 8 m in 2 s.
 const std::string thrown =
     "5,0,projectile,0,0,0,100,4,3,10,1,2,3,6250,50,0\n"
     "5,1,impact,4,16,12,60,4,3,-30,1,2,3,46250,50,0\n"
     "5,2,sliding,4,16,12,60,4,0,0,0,0,0,800,0,0\n"
     "5,3,ended,6,24,12,60,0,0,0,0,0,0,0,0,0\n";
 
-TEST(VtkPaths, HoldEveryPathAsALineWithItsArcs) {
+TEST(VtkPaths, HaveEveryPathAsALineWithItsArcs) {
   const sample_run::Folder folder("vtk");
   folder.write("paths.csv", paths_head + path_rows(0) + thrown + path_rows(9));
   write_vtk_paths(folder.path);
@@ -132,7 +132,7 @@ TEST(VtkPaths, HoldEveryPathAsALineWithItsArcs) {
   EXPECT_EQ(vtp.components.at("Points"), 3);
   EXPECT_EQ(vtp.components.at("velocity_m_s"), 3);
 
-  // The thrown rock falls with 10 m/s2: 4 s sqrt(10/(8 0.05)) = 20 pieces, and three rows more.
+  // The launched rock falls with 10 m/s2: 4 s sqrt(10/(8 0.05)) = 20 pieces, and three more rows.
   const auto first = static_cast<std::size_t>(offsets[0]), end = static_cast<std::size_t>(offsets[1]);
   ASSERT_EQ(end - first, 20U + 3U);
   for (std::size_t k = first; k < first + 20; ++k) {
@@ -152,7 +152,7 @@ TEST(VtkPaths, HoldEveryPathAsALineWithItsArcs) {
   EXPECT_EQ(place[3 * (end - 1)], 24);
 }
 
-TEST(VtkPaths, WithoutAPathHoldNoLine) {
+TEST(VtkPaths, HaveNoLineWithoutAPath) {
   const sample_run::Folder folder("vtk");
   folder.write("paths.csv", paths_head);
   write_vtk_paths(folder.path);
@@ -161,8 +161,8 @@ TEST(VtkPaths, WithoutAPathHoldNoLine) {
   EXPECT_EQ(vtp.piece.at("NumberOfLines"), "0");
 }
 
-// More than is gathered in memory before it is written.
-TEST(VtkPaths, OfManyRocksAreWhole) {
+// More than is buffered before it is written.
+TEST(VtkPaths, AreCompleteForManyRocks) {
   const sample_run::Folder folder("vtk");
   std::string text = paths_head;
   constexpr std::uint64_t rocks = 20'000;
@@ -179,7 +179,7 @@ TEST(VtkPaths, OfManyRocksAreWhole) {
   }
 }
 
-TEST(VtkPaths, SayWhereTheyCannotBeWritten) {
+TEST(VtkPaths, ReportWhereTheyCannotBeWritten) {
   const sample_run::Folder folder("vtk");
   folder.write("paths.csv", paths_head + path_rows(0));
   std::filesystem::create_directories(folder.path / "paths.vtp.part/in the way");
@@ -192,7 +192,7 @@ TEST(VtkPaths, SayWhereTheyCannotBeWritten) {
   }
 }
 
-TEST(VtkPaths, AFullDiskLeavesNothingHalfWritten) {
+TEST(VtkPaths, LeaveNoPartOnAFullDisk) {
   const sample_run::Folder folder("vtk");
   std::string text = paths_head;
   for (std::uint64_t rock = 0; rock < 5000; ++rock) text += path_rows(rock);

@@ -1,4 +1,4 @@
-// Maps as files: read back with GDAL, as a geographic information system would.
+// Map files, read back with GDAL as a geographic information system would.
 
 #include "talus/maps/map_files.hpp"
 
@@ -37,7 +37,7 @@ using test::Workplace;
 
 const MapSelection selection{.percentiles = {50, 99.5}};
 
-/// Two rocks on cells of 2 m: one goes from (0, 0) to (2, 1), the other is in (2, 1) only, on coordinates of a country.
+/// Two rocks on cells of 2 m in national coordinates: one goes from (0, 0) to (2, 1), the other is in (2, 1) only.
 Maps two_rocks() {
   Maps maps(MapGrid({2'600'000, 1'200'000}, 2, {}));
   const auto visit = [](MapCell cell, float value, std::uint32_t impacts, bool is_deposit) {
@@ -95,17 +95,17 @@ std::set<std::string> files_in(const std::filesystem::path& folder) {
   return names;
 }
 
-TEST(MapFiles, WhatAKilledRunLeftIsNoHindrance) {
+TEST(MapFiles, ReplaceThePartsOfAKilledRun) {
   const Workplace work;
   std::filesystem::create_directories(work / "maps");
-  // The head of a TIFF, and the number of entries of its first directory: none.
+  // The head of a TIFF whose first directory has no entries.
   work.write("maps/passages.tif.part", std::string("II*\0\x08\0\0\0\0\0", 10));
   (void)write_maps(two_rocks(), selection, "", work / "maps");
   EXPECT_EQ(read_back(work / "maps/passages.tif").values, (std::vector<double>{0, 0, 2, 1, 1, 0}));
   EXPECT_FALSE(std::filesystem::exists(work / "maps/passages.tif.part"));
 }
 
-TEST(MapFiles, AreReadBackAsTheyWereMeant) {
+TEST(MapFiles, AreReadBackAsWritten) {
   const Workplace work;
   OGRSpatialReference crs;
   crs.importFromEPSG(2056);
@@ -139,7 +139,7 @@ TEST(MapFiles, AreReadBackAsTheyWereMeant) {
   EXPECT_NEAR(read_back(work / "maps/bounce_height_p99.5_m.tif").values[2], 49.9, 0.5);
 }
 
-TEST(MapFiles, AreTheListThatIsDocumented) {
+TEST(MapFiles, AreThoseOfTheDocumentation) {
   const Workplace work;
   const auto names = write_maps(two_rocks(), selection, "", work / "maps");
   std::set<std::string> expected;
@@ -148,11 +148,11 @@ TEST(MapFiles, AreTheListThatIsDocumented) {
     expected.insert(name + ".qml");
   }
   EXPECT_EQ(names.size(), 4U + 4U * 4U);
-  EXPECT_EQ(files_in(work / "maps"), expected);  // and nothing half written
+  EXPECT_EQ(files_in(work / "maps"), expected);  // and no parts
   EXPECT_EQ(read_back(work / "maps/passages.tif").authority, "");
 }
 
-TEST(MapFiles, LargeOnesHaveOverviewsInWhichATrackStaysVisible) {
+TEST(MapFiles, HaveOverviewsInWhichATrackStaysVisible) {
   const Workplace work;
   Maps maps(MapGrid({0, 0}, 1, {}));
   std::vector<MapVisit> track;
@@ -185,8 +185,8 @@ std::vector<double> values_of(GDALRasterBand& band) {
   return values;
 }
 
-// On 601 x 301 cells, which is odd on both sides at every level, with holes of every shape.
-TEST(MapFiles, AnOverviewHoldsTheGreatestOfItsFourCells) {
+// 601 x 301 cells, odd on both sides at every level, with holes of every shape.
+TEST(MapFiles, HaveOverviewsOfTheMaximumOfFourCells) {
   const Workplace work;
   testing_tools::Dice dice(7);
   Maps maps(MapGrid({0, 0}, 1, {}));
@@ -238,14 +238,14 @@ TEST(MapFiles, AnOverviewHoldsTheGreatestOfItsFourCells) {
         }
       }
       EXPECT_EQ(wrong, 0U) << name << ", overview " << level;
-      EXPECT_TRUE(level > 0 || empty > 100) << name;  // so that holes are looked at
+      EXPECT_TRUE(level > 0 || empty > 100) << name;  // so that holes are tested
       fine = &coarse;
       cells = found;
     }
   }
 }
 
-TEST(MapFiles, WhereNoRockWasTheyTakeNoRoom) {
+TEST(MapFiles, TakeNoSpaceForCellsWithoutRocks) {
   const Workplace work;
   Maps maps(MapGrid({0, 0}, 1, {}));
   const std::vector<MapVisit> far_apart{{{0, 0}, {1, 1, 1, 1}, 0, false}, {{6'000, 4'000}, {9, 9, 9, 9}, 0, false}};
@@ -261,7 +261,7 @@ TEST(MapFiles, WhereNoRockWasTheyTakeNoRoom) {
   EXPECT_EQ(values[static_cast<std::size_t>(smallest.GetXSize()) - 1], 0.009F);
 }
 
-TEST(MapFiles, LieOnTheCellsOfARasterThatAreNoSquares) {
+TEST(MapFiles, AreOnTheCellsOfARasterThatAreNotSquare) {
   const Workplace work;
   Maps maps(MapGrid::around_nodes({100.5, 201}, {1, 2}, {{2'600'000, 1'200'000, 0}}));
   const std::vector<MapVisit> visits{{{0, 0}, {1, 1, 1, 1}, 0, false}, {{3, 1}, {2, 2, 2, 2}, 0, false}};
@@ -273,7 +273,7 @@ TEST(MapFiles, LieOnTheCellsOfARasterThatAreNoSquares) {
   EXPECT_EQ(read.values, (std::vector<double>{-9999, -9999, -9999, 2, 1, -9999, -9999, -9999}));
 }
 
-TEST(MapFiles, AFullDiskIsRefusedAndNothingHalfWrittenStays) {
+TEST(MapFiles, RefuseAFullDiskAndLeaveNoParts) {
   const Workplace work;
   Maps maps(MapGrid({0, 0}, 1, {}));
   testing_tools::Dice dice(8);
@@ -297,7 +297,7 @@ TEST(MapFiles, AFullDiskIsRefusedAndNothingHalfWrittenStays) {
   EXPECT_FALSE(files_in(work / "maps").contains("energy_total_max_kJ.tif"));
 }
 
-// Of whatever values: the maps of two runs compare.
+// Whatever the values: maps of two runs must be comparable.
 TEST(MapFiles, OfOneKindHaveTheSameClasses) {
   const auto style_of = [](const std::string& name, float value) {
     Maps maps(MapGrid({0, 0}, 1, {}));
@@ -316,13 +316,13 @@ TEST(MapFiles, OfOneKindHaveTheSameClasses) {
   EXPECT_NE(style_of("energy_total_max_kJ", 1), style_of("velocity_max_m_s", 1));
 }
 
-TEST(MapFiles, WithoutARockThereAreNone) {
+TEST(MapFiles, AreNotWrittenWithoutARock) {
   const Workplace work;
   EXPECT_TRUE(write_maps(Maps(MapGrid({0, 0}, 1, {})), selection, "", work / "maps").empty());
   EXPECT_FALSE(std::filesystem::exists(work / "maps"));
 }
 
-TEST(MapFiles, AFolderThatCannotBeMadeIsRefused) {
+TEST(MapFiles, RefuseAFolderThatCannotBeCreated) {
   const Workplace work;
   work.write("maps", "a file in the way");
   EXPECT_THROW((void)write_maps(two_rocks(), selection, "", work / "maps"), BadInput);
@@ -330,7 +330,7 @@ TEST(MapFiles, AFolderThatCannotBeMadeIsRefused) {
 
 #else
 
-TEST(MapFiles, WithoutGdalTheyAreRefused) {
+TEST(MapFiles, AreRefusedWithoutGdal) {
   EXPECT_FALSE(can_write_maps());
   EXPECT_THROW((void)write_maps(Maps(MapGrid({0, 0}, 1, {})), {}, "", "maps"), BadInput);
 }

@@ -1,4 +1,4 @@
-// Maps that were written are read as they were.
+// Reads maps that were written.
 
 #include "talus/maps/map_reading.hpp"
 
@@ -25,7 +25,7 @@ using sample_run::Folder;
 
 const MapSelection selection{.percentiles = {50, 9, 99.5}};
 
-/// Rocks on cells of 2 x 2 m of a country: each in one of `cells`, with its number plus one as its velocity.
+/// Rocks on cells of 2 x 2 m in national coordinates: each in one of `cells`, with its number plus one as its velocity.
 Maps rocks_in(const std::vector<MapCell>& cells) {
   Maps maps(MapGrid({2'600'000, 1'200'000}, 2, {}));
   std::vector<std::vector<MapVisit>> visits;
@@ -44,7 +44,7 @@ MapFile named(const std::vector<MapFile>& maps, const std::string& name) {
   return found == maps.end() ? MapFile{} : *found;
 }
 
-TEST(MapsOfARun, AreListedWithWhatTheyShow) {
+TEST(MapsOfARun, AreListedWithTheirMeaning) {
   const Folder work("map-reading");
   const Maps maps = rocks_in({{0, 0}, {1, 0}, {1, 0}, {2, 1}});
   const auto names = write_maps(maps, selection, "", work.path / "maps");
@@ -61,24 +61,24 @@ TEST(MapsOfARun, AreListedWithWhatTheyShow) {
   EXPECT_EQ(energy.limits, (ClassLimits{30, 100, 300, 1000, 3000}));
   EXPECT_EQ(energy.range.least, 0.004);
   EXPECT_EQ(energy.range.greatest, 0.016);
-  // Percentiles ascend, whatever the order in which they were asked for.
+  // Percentiles are ascending, in whatever order they were asked for.
   std::vector<std::string> of_velocity;
   for (const MapFile& map : found)
     if (map.name.starts_with("velocity_p")) of_velocity.push_back(map.name);
   EXPECT_EQ(of_velocity, (std::vector<std::string>{"velocity_p9_m_s", "velocity_p50_m_s", "velocity_p99.5_m_s"}));
 }
 
-TEST(MapsOfARun, WhoseStyleIsAPipeAreListedWithoutItsLimits) {
+TEST(MapsOfARun, AreListedWithoutARangeIfTheStyleIsAPipe) {
   const Folder work("map-reading");
   (void)write_maps(rocks_in({{0, 0}}), selection, "", work.path / "maps");
   const auto style = work.path / "maps/velocity_max_m_s.qml";
   ASSERT_TRUE(std::filesystem::remove(style));
-  ASSERT_EQ(::mkfifo(style.c_str(), 0600), 0);  // which nobody writes to
+  ASSERT_EQ(::mkfifo(style.c_str(), 0600), 0);  // without a writer
   EXPECT_EQ(named(maps_of_run(work.path), "velocity_max_m_s").range.greatest, 0);
   EXPECT_EQ(named(maps_of_run(work.path), "velocity_mean_m_s").range.greatest, 1);
 }
 
-TEST(MapsOfARun, OfEachSourceComeAfterThoseOfAll) {
+TEST(MapsOfARun, ListThoseOfEachSourceAfterThoseOfAll) {
   const Folder work("map-reading");
   std::vector<Maps> by_source;
   by_source.push_back(rocks_in({{0, 0}}));
@@ -112,8 +112,8 @@ TEST(AMap, IsReadFromTheSouth) {
   EXPECT_TRUE(std::isnan(passages.values[2])) << "where no rock was there is nothing to count";
 }
 
-// 700 x 300 cells, of which overviews have 350 x 150 and 175 x 75.
-TEST(AMap, IsReadAsCoarseAsIsAskedFor) {
+// 700 x 300 cells, with overviews of 350 x 150 and 175 x 75.
+TEST(AMap, IsReadAtTheRequestedResolution) {
   const Folder work("map-reading");
   const std::vector<MapCell> cells{{0, 0}, {699, 299}, {351, 10}, {350, 11}};
   (void)write_maps(rocks_in(cells), selection, "", work.path / "maps");
@@ -131,8 +131,8 @@ TEST(AMap, IsReadAsCoarseAsIsAskedFor) {
   EXPECT_EQ(quarter.rows, 75);
 }
 
-// Of an odd number of rows the coarser map reaches further south, where it has no cells: its northern edge stays.
-TEST(AMap, StaysInItsPlaceWhenItGetsCoarser) {
+// With an odd number of rows the coarser map reaches further south, where it has no cells; its northern edge stays.
+TEST(AMap, KeepsItsPlaceAtACoarserResolution) {
   const Folder work("map-reading");
   (void)write_maps(rocks_in({{0, 0}, {600, 300}}), selection, "", work.path / "maps");
   const MapFile velocity = named(maps_of_run(work.path), "velocity_max_m_s");
@@ -143,7 +143,7 @@ TEST(AMap, StaysInItsPlaceWhenItGetsCoarser) {
   EXPECT_EQ(half.values.back(), 2);
 }
 
-TEST(AMap, ThatIsDamagedIsRefused) {
+TEST(AMap, IsRefusedIfDamaged) {
   const Folder work("map-reading");
   (void)write_maps(rocks_in({{0, 0}}), selection, "", work.path / "maps");
   work.write("maps/passages.tif", "no picture");
@@ -152,12 +152,12 @@ TEST(AMap, ThatIsDamagedIsRefused) {
 
 #endif
 
-TEST(MapsOfARun, ThatHasNoneAreNone) {
+TEST(MapsOfARun, AreEmptyForARunWithoutMaps) {
   const Folder work("map-reading");
   EXPECT_TRUE(maps_of_run(work.path).empty());
 }
 
-TEST(MapClasses, FollowEachOtherFromZeroWithoutEnd) {
+TEST(MapClasses, CoverAllValuesFromZero) {
   const auto classes = map_classes({30, 100, 300, 1000, 3000});
   EXPECT_EQ(classes.front().from, 0);
   EXPECT_EQ(classes.front().to, 30);

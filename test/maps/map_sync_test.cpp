@@ -1,4 +1,4 @@
-// A map is on the disk before it has its name: a disk that fails to take it is noticed.
+// A map is synced to disk before it gets its name: a failing disk is noticed.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@
 namespace talus {
 namespace {
 
-/// From now on fsync() fails in this thread, as on a disk that is broken.
+/// Makes fsync() fail in this thread, as on a broken disk.
 bool break_disk() {
   std::array<sock_filter, 4> rules{sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, 0),
                                    sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_fsync, 0, 1),
@@ -35,7 +35,7 @@ bool break_disk() {
   return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-TEST(MapSync, AMapThatTheDiskDoesNotTakeIsNone) {
+TEST(MapSync, LeavesNoMapIfTheDiskFails) {
   const test::Workplace work;
   Maps maps(MapGrid({0, 0}, 1, {}));
   const std::vector<MapVisit> visits{{{0, 0}, {1, 1, 1, 1}, 0, false}};

@@ -20,24 +20,24 @@ using testing::ElementsAre;
 
 using Names = std::vector<std::string>;
 
-TEST(SourceFolders, AreCalledAsTheirSources) {
+TEST(SourceFolders, AreNamedAfterTheirSources) {
   const Names names{"Wand 3", "Höhle (Süd)", "north-east_2.b", "断崖"};
   EXPECT_EQ(folder_names(names), names);
 }
 
-TEST(SourceFolders, HaveNamesThatEverySystemTakes) {
+TEST(SourceFolders, HaveNamesThatEverySystemAllows) {
   const Names names{"a/b\\c",   "<b>bold</b>",     "..",    ".", "", " . hidden. ", "con",
                     "Com1.txt", "line\nbreak\x7f", "*?\"|:"};
   EXPECT_THAT(folder_names(names), ElementsAre("a_b_c", "_b_bold__b_", "source", "source-2", "source-3", "hidden",
                                                "_con", "_Com1.txt", "line_break_", "_____"));
 }
 
-TEST(SourceFolders, DifferFromOneAnother) {
+TEST(SourceFolders, AreDistinct) {
   const Names names{"a/b", "a_b", "A_B", "a_b-2", "a:b", "x"};
   EXPECT_THAT(folder_names(names), ElementsAre("a_b", "a_b-2", "A_B-3", "a_b-2-2", "a_b-4", "x"));
 }
 
-TEST(SourceFolders, HaveNamesThatAreNotTooLongAndCutNoLetterInTwo) {
+TEST(SourceFolders, TruncateLongNamesBetweenCharacters) {
   std::string letters = "x";
   for (int k = 0; k < 80; ++k) letters += "ä";  // two bytes each: byte 100 is the second of one
   const Names names{letters, std::string(300, 'y'), std::string(99, 'z') + " and more"};
@@ -66,7 +66,7 @@ std::vector<Maps> three_sources() {
 }
 const Names three_names{"a/b", "nothing", "a, \"b\""};
 
-TEST(SourceMaps, LieInAFolderForEachSourceThatHasRocks) {
+TEST(SourceMaps, AreInAFolderForEachSourceWithRocks) {
   const Workplace work;
   write_source_maps(three_sources(), three_names, {}, "", work / "by_source");
   std::set<std::string> found;
@@ -79,7 +79,7 @@ TEST(SourceMaps, LieInAFolderForEachSourceThatHasRocks) {
   EXPECT_TRUE(std::filesystem::exists(work / "by_source/a_b/energy_total_mean_kJ.qml"));
 }
 
-TEST(SourceMaps, OfAnEarlierRunAreRemovedAndNothingElse) {
+TEST(SourceMaps, OfAnEarlierRunAreRemovedButNoOtherFiles) {
   const Workplace work;
   write_source_maps(three_sources(), three_names, {}, "", work / "by_source");
   work.write("by_source/a_b/mine.tif", "somebody else's");
@@ -98,10 +98,10 @@ TEST(SourceMaps, OfAnEarlierRunAreRemovedAndNothingElse) {
   write_source_maps(three_sources(), three_names, {}, "", work / "by_source");
   remove_source_maps(work / "by_source");
   EXPECT_FALSE(std::filesystem::exists(work / "by_source"));
-  remove_source_maps(work / "by_source");  // nothing there, no message
+  remove_source_maps(work / "by_source");  // does nothing without a folder
 }
 
-TEST(SourceMaps, AFolderThatCannotBeMadeIsRefused) {
+TEST(SourceMaps, RefuseAFolderThatCannotBeCreated) {
   const Workplace work;
   std::filesystem::create_directory(work / "by_source");
   work.write("by_source/a_b", "a file in the way");

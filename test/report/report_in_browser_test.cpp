@@ -1,4 +1,4 @@
-// The report as a browser draws it.
+// The report in a browser.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 using testing_tools::has_browser;
 using testing_tools::said_in_page;
 
-/// A terrain of so many metres a side around the rocks, which end within 10 m of the origin.
+/// A terrain of `side_m` metres a side around the rocks, which end within 10 m of the origin.
 nlohmann::ordered_json on_terrain(double side_m) {
   constexpr int nodes = 20;
   auto heights = nlohmann::ordered_json::array();
@@ -37,7 +37,7 @@ nlohmann::ordered_json on_terrain(double side_m) {
   return summary;
 }
 
-/// The greatest x on the plan's axis, a click on the plan's switch if there is one, and the greatest x then.
+/// The maximum x on the plan's axis, before and after a click on the plan's switch if there is one.
 const std::string greatest_x_before_and_after = R"(
   const svg = document.querySelector('svg[aria-label^="Plan of the terrain"]');
   const greatest = () => Math.max(...[...svg.querySelector('.axis').querySelectorAll('text')].map((t) => +t.textContent.replace('−', '-').replace(',', '')));
@@ -56,17 +56,17 @@ std::string plan_of(double side_m) {
   return said_in_page(folder.path / "report.html", greatest_x_before_and_after);
 }
 
-TEST(ReportInBrowser, PlanOpensOnTheRocksWhereTheyFillLittleOfTheTerrain) {
+TEST(ReportInBrowser, PlanOpensOnTheRocksIfTheyCoverLittleOfTheTerrain) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(plan_of(1000), "6 Show the whole terrain 400 Show the rocks");
 }
 
-TEST(ReportInBrowser, PlanShowsTheTerrainWhereRocksFillIt) {
+TEST(ReportInBrowser, PlanShowsTheTerrainIfRocksCoverIt) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(plan_of(5), "5 no switch");
 }
 
-/// What `script` gives in the report of a run with this summary.
+/// The result of `script` in the report of a run with this summary.
 std::string said_of(const nlohmann::ordered_json& summary, const std::string& script) {
   const sample_run::Folder folder("report-said");
   sample_run::write(folder);
@@ -75,7 +75,7 @@ std::string said_of(const nlohmann::ordered_json& summary, const std::string& sc
   return said_in_page(folder.path / "report.html", script);
 }
 
-/// Rows of the table with this caption, cells apart by "|".
+/// Rows of the table with this caption, cells separated by "|".
 std::string rows_of(const std::string& caption) {
   return R"(
   const table = [...document.querySelectorAll('table')].find((t) => t.caption && t.caption.textContent.startsWith(')" +
@@ -84,7 +84,7 @@ std::string rows_of(const std::string& caption) {
 )";
 }
 
-TEST(ReportInBrowser, SaysWhatTheRunWarnedOfAndNotedWithoutTheNameOfTheProjectsFile) {
+TEST(ReportInBrowser, ShowsWarningsAndNotesWithoutTheNameOfTheProjectFile) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   auto summary = sample_run::summary("Notes");
   summary["warnings"] = {"warning: rocks: 2 of 2 rocks were ended at the maximum time",
@@ -97,7 +97,7 @@ TEST(ReportInBrowser, SaysWhatTheRunWarnedOfAndNotedWithoutTheNameOfTheProjectsF
             "[ground]: 5 cells are in no polygon; 2 of 2 rocks left the model");
 }
 
-TEST(ReportInBrowser, DrawsEnvelopesAsStepsThatEndWhereNoRockWas) {
+TEST(ReportInBrowser, DrawsEnvelopesAsStepsWithGapsWithoutRocks) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   const sample_run::Folder folder("report-envelopes");
   sample_run::write(folder);
@@ -122,7 +122,7 @@ TEST(ReportInBrowser, DrawsEnvelopesAsStepsThatEndWhereNoRockWas) {
             "x 1 to 2 m\nmaximum 8 kJ\npercentile 99.5 3 kJ\npercentile 95 2 kJ\nmean 1 kJ");
 }
 
-/// A line of a design with the same numbers everywhere, wide ones.
+/// A line of a design with the same wide numbers everywhere.
 nlohmann::ordered_json design_line(const std::string& name) {
   using Json = nlohmann::ordered_json;
   const Json range{1'234'567.8, 1'123'456.7, 1'345'678.9};
@@ -145,7 +145,7 @@ nlohmann::ordered_json design_line(const std::string& name) {
           {"sections", Json::array({section(0, needs), section(20, worst)})}};
 }
 
-/// A summary with every table of the report, and much in them.
+/// A summary with every table of the report, all of them long.
 nlohmann::ordered_json wide_summary() {
   using Json = nlohmann::ordered_json;
   auto summary = on_terrain(1000);
@@ -196,7 +196,7 @@ nlohmann::ordered_json wide_summary() {
   return summary;
 }
 
-// The style for paper is laid on a page that is as wide as A4 between its margins.
+// The print style is applied to a page as wide as A4 between its margins.
 constexpr auto tables_beyond_the_paper = R"(
   for (const sheet of document.styleSheets)
     for (const rule of sheet.cssRules)
@@ -208,17 +208,17 @@ constexpr auto tables_beyond_the_paper = R"(
   return (tables.length > 12) + ' ' + beyond.map((t) => t.caption && t.caption.textContent).join();
 )";
 
-TEST(ReportInBrowser, PrintsTablesWhole) {
+TEST(ReportInBrowser, PrintsCompleteTables) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(said_of(wide_summary(), tables_beyond_the_paper), "true ");
 }
 
-TEST(ReportInBrowser, IsNoWiderThanTheScreen) {
+TEST(ReportInBrowser, FitsTheWidthOfTheScreen) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(said_of(wide_summary(), "return document.documentElement.scrollWidth <= innerWidth;"), "true");
 }
 
-TEST(ReportInBrowser, HasAColumnForEachSeederWhereTheyHaveManySettings) {
+TEST(ReportInBrowser, HasAColumnForEachSeederWithManySettings) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(said_of(wide_summary(), rows_of("Seeders") + "return rows[0] + '; ' + rows[1] + '; ' + rows[7];"),
             "|Faces_0|Faces_1|Faces_2|Faces_3; Polygons|releases/of_the_whole_cliff.gpkg|releases/of_the_whole_cliff."
@@ -233,7 +233,7 @@ TEST(ReportInBrowser, ShowsTheClassOfTheWorstSection) {
             "Upper|2,500|6|8.35|2,500|6|8.35|3,500|7|9.5");
 }
 
-TEST(ReportInBrowser, SaysOfEveryKineticEnergyWhetherItIsTheTotal) {
+TEST(ReportInBrowser, NamesEveryKineticEnergyAsTotalOrTranslational) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(said_of(wide_summary(), R"(
     const texts = [...document.querySelectorAll('main *')].filter((e) => !e.children.length).map((e) => e.textContent);
@@ -244,7 +244,7 @@ TEST(ReportInBrowser, SaysOfEveryKineticEnergyWhetherItIsTheTotal) {
             "true ");
 }
 
-TEST(ReportInBrowser, SaysWhatWasAnalysed) {
+TEST(ReportInBrowser, DescribesTheAnalysis) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   auto summary = on_terrain(1000);
   summary["terrain"]["bounds"] = {{2600000, 1200000, 1052.15}, {2602190, 1202580, 2206.972}};
@@ -268,7 +268,7 @@ TEST(ReportInBrowser, SaysWhatWasAnalysed) {
             "unit = Wald|Type_Two");
 }
 
-TEST(ReportInBrowser, KnowsACoordinateSystemByItsNameAndNumberInBothTextForms) {
+TEST(ReportInBrowser, ReadsTheNameAndNumberOfACoordinateSystemInBothTextForms) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(said_of(sample_run::summary("Names"), R"(
     return [crsText('PROJCS["ETRS89 / UTM 32N",GEOGCS["ETRS89",AUTHORITY["EPSG","4258"]],AUTHORITY["EPSG","25832"]]'),
@@ -277,7 +277,7 @@ TEST(ReportInBrowser, KnowsACoordinateSystemByItsNameAndNumberInBothTextForms) {
             R"(ETRS89 / UTM 32N (EPSG:25832); The "quarry"; unnamed)");
 }
 
-TEST(ReportInBrowser, GivesHighPercentilesOfEndPointsAndHits) {
+TEST(ReportInBrowser, ShowsHighPercentilesOfEndPointsAndHits) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   auto summary = sample_run::summary("Percentiles");
   summary["statistics"]["runout_xy_m"]["percentiles"] = {{"95", 28.25}, {"99", 28.375}};
@@ -289,7 +289,7 @@ TEST(ReportInBrowser, GivesHighPercentilesOfEndPointsAndHits) {
             "Percentile 95|99.5; Percentile 99|99.9");
 }
 
-TEST(ReportInBrowser, SaysWhatTheHitsLeaveOutAndWhyAClearanceIsNegative) {
+TEST(ReportInBrowser, ExplainsRocksThatPassAboveAndNegativeClearances) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   auto summary = sample_run::summary("Above");
   summary["barriers"][0]["least_clearance_m"] = -0.449;
@@ -306,7 +306,7 @@ TEST(ReportInBrowser, HasScaleBarsOfRoundLength) {
             "0.5 1 10 20 200 5000");
 }
 
-TEST(ReportInBrowser, DrawsMapsOfWhatTheRocksDid) {
+TEST(ReportInBrowser, DrawsMaps) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   if (!can_write_maps()) GTEST_SKIP() << "no maps without GDAL";
   const sample_run::Folder folder("report-maps");
@@ -334,7 +334,7 @@ TEST(ReportInBrowser, DrawsMapsOfWhatTheRocksDid) {
             "up to 8 kJ|Coordinate system unknown; image.relief image.cells .scale-bar .north .release ; 4 8 kJ");
 }
 
-/// The style for paper, laid on a page that is as wide as A4 between its margins; `mm` of a length in pixels.
+/// The print style on a page as wide as A4 between its margins; `mm` converts a length in pixels.
 constexpr auto on_paper = R"(
   for (const sheet of document.styleSheets)
     for (const rule of sheet.cssRules)
@@ -343,10 +343,10 @@ constexpr auto on_paper = R"(
   const mm = (pixels) => pixels * 184 / document.body.getBoundingClientRect().width;
 )";
 
-TEST(ReportInBrowser, MapsHaveTheScaleThatTheySayOnPaper) {
+TEST(ReportInBrowser, MapsHaveTheirStatedScaleOnPaper) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   for (const double side_m : {5.0, 70.0, 1000.0}) {
-    // The scale bar is so many metres, and so many millimetres on paper.
+    // The length of the scale bar in metres, and in millimetres on paper.
     EXPECT_EQ(said_of(on_terrain(side_m), std::string(on_paper) + R"(
       const svg = document.querySelector('svg[aria-label^="Plan of the terrain"]');
       const bar = svg.querySelector('.scale-bar');
@@ -372,7 +372,7 @@ TEST(ReportInBrowser, MapsNameTheirCoordinateSystem) {
   EXPECT_EQ(said_of(summary, second), "Local coordinates");
 }
 
-TEST(ReportInBrowser, MapsAreAsWideAsThePageOrTwoAbreast) {
+TEST(ReportInBrowser, MapsAreAsWideAsThePageOrSideBySide) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(said_of(on_terrain(1000), std::string(on_paper) + R"(
     const view = (x, y) => mapWidth({x: [0, x], y: [0, y]}) === drawing.wide ? 'wide' : 'half';
@@ -386,7 +386,7 @@ TEST(ReportInBrowser, MapsAreAsWideAsThePageOrTwoAbreast) {
             "wide half half 0.2044 0.2044");
 }
 
-TEST(ReportInBrowser, FiguresLeaveRoomForAnotherOnTheirPage) {
+TEST(ReportInBrowser, TwoFiguresFitOnAPage) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   constexpr double half_a_page_mm = 133;  // of A4 between its margins
   const std::string tallest = std::string(on_paper) + R"(
@@ -399,7 +399,7 @@ TEST(ReportInBrowser, FiguresLeaveRoomForAnotherOnTheirPage) {
   EXPECT_LT(std::stod(said_of(sample_run::summary("Section"), tallest)), half_a_page_mm);
 }
 
-TEST(ReportInBrowser, InSpaceEnergyIsDrawnOverTheDistanceTravelledAndEndPointsAreRunouts) {
+TEST(ReportInBrowser, In3dEnergyIsDrawnOverTheDistanceTravelledAndEndPointsAreRunouts) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   const std::string said = R"(
     const labels = (title) => [...document.querySelectorAll('figure')].filter((f) => f.querySelector('h4').textContent.startsWith(title))
@@ -414,7 +414,7 @@ TEST(ReportInBrowser, InSpaceEnergyIsDrawnOverTheDistanceTravelledAndEndPointsAr
             "Number of the impact number of the impact/position (x)");
 }
 
-TEST(ReportInBrowser, NumbersHaveTheDigitsThatTheyDeserve) {
+TEST(ReportInBrowser, NumbersHaveASensiblePrecision) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(said_of(sample_run::summary("Digits"),
                     "return [0.9822534, 375.9585, 1879792.2, 12.5, 4, 0.000293506, 1.3677e-14, -0.0338, null].map((x) "

@@ -55,7 +55,7 @@ std::string message(const std::vector<std::filesystem::path>& folders, const std
   return "no message";
 }
 
-TEST(Report, NeedsNothingFromOutside) {
+TEST(Report, LoadsNothingExternal) {
   const sample_run::Folder folder("report");
   sample_run::write(folder);
   const std::string page = page_of(folder);
@@ -70,13 +70,13 @@ TEST(Report, NeedsNothingFromOutside) {
   }
   for (const char* part : {"fetch(", "XMLHttpRequest", "WebSocket", "sendBeacon", "import("})
     EXPECT_THAT(own, Not(HasSubstr(part)));
-  // The browser is told to hold the page to it, whatever a script in it may try.
+  // The content security policy enforces this, whatever a script in the page tries.
   EXPECT_THAT(
       page,
       HasSubstr("default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:"));
 }
 
-TEST(Report, IsOneWholePage) {
+TEST(Report, IsOneCompletePage) {
   const sample_run::Folder folder("report");
   sample_run::write(folder);
   const std::string page = page_of(folder);
@@ -84,11 +84,11 @@ TEST(Report, IsOneWholePage) {
   EXPECT_TRUE(page.ends_with("</html>\n"));
   EXPECT_THAT(page, HasSubstr("<title>Tutorial 1 · Talus rockfall report</title>"));
   EXPECT_THAT(page, Not(HasSubstr("{{style}}")));
-  EXPECT_EQ(count_of(page, "</script>"), 3u);  // data, figures with D3, and the page: nothing inside ends one early
+  EXPECT_EQ(count_of(page, "</script>"), 3u);  // data, figures with D3, and the page
   EXPECT_THAT(std::string(assets::figures), HasSubstr("D3 (https://d3js.org), copyright"));
 }
 
-TEST(Report, HoldsEveryNumberOfTheSummary) {
+TEST(Report, HasEveryNumberOfTheSummary) {
   const sample_run::Folder folder("report");
   sample_run::write(folder);
   const auto shown = data_in(page_of(folder)).at("runs").at(0).at("summary");
@@ -100,7 +100,7 @@ TEST(Report, HoldsEveryNumberOfTheSummary) {
   for (const std::string& number : numbers) EXPECT_THAT(page, HasSubstr(number));
 }
 
-TEST(Report, HoldsPathsEndPointsHitsAndLosses) {
+TEST(Report, HasPathsEndPointsHitsAndLosses) {
   const sample_run::Folder folder("report");
   sample_run::write(folder);
   const auto run = data_in(page_of(folder)).at("runs").at(0);
@@ -139,7 +139,8 @@ TEST(Report, ShowsNamesAsTextAndNeverAsMarkup) {
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_EQ(count_of(page, "</script>"), 3u);
   EXPECT_EQ(data_in(page).at("runs").at(0).at("summary").at("barriers").at(0).at("name"), name);
-  // The page's scripts set text and attributes only, and so do the figures, whose bundle has D3's own ways beside.
+  // The page's scripts and the figures set text and attributes only; the bundle of the figures also has D3's own
+  // functions.
   std::string scripts(assets::script);
   for (const auto& file : std::filesystem::directory_iterator(TALUS_SOURCE_DIR "/web/src/figures")) {
     std::ifstream in(file.path());
@@ -151,7 +152,7 @@ TEST(Report, ShowsNamesAsTextAndNeverAsMarkup) {
   }
 }
 
-TEST(Report, SurvivesNamesThatAreNoUtf8OrLookLikePlaces) {
+TEST(Report, AcceptsNamesThatAreNotUtf8OrLookLikePlaceholders) {
   const sample_run::Folder folder("report");
   sample_run::write(folder, "{{script}}");
   folder.write("barriers.csv",
@@ -161,7 +162,7 @@ TEST(Report, SurvivesNamesThatAreNoUtf8OrLookLikePlaces) {
   EXPECT_EQ(data_in(page).at("runs").at(0).at("hits").at("rows").at(0).at(0), "Fence \xEF\xBF\xBD");
 }
 
-TEST(Report, LaysTwoRunsOverEachOther) {
+TEST(Report, ComparesTwoRuns) {
   const sample_run::Folder first("report-first"), second("report-second"), out("report-out");
   sample_run::write(first, "In section");
   sample_run::write(second, "Extruded");
@@ -202,12 +203,12 @@ TEST(Report, CountsTwoRunsInTheSameBins) {
     EXPECT_EQ(summary.at("histograms").at("runout_xy_m").dump(), both[k].dump());
     EXPECT_EQ(summary.at("barriers").at(0).at("histograms").at("ke_translational_J").dump(), both[1 - k].dump());
   }
-  // Alone, a run keeps its own.
+  // A single run keeps its own bins.
   const auto alone = data_in(page_of(first)).at("runs").at(0).at("summary");
   EXPECT_EQ(alone.at("histograms").at("runout_xy_m").dump(), fine.dump());
 }
 
-TEST(Report, OfManyRocksIsTheSameEveryTimeAndNoLargerThanItsLimits) {
+TEST(Report, OfManyRocksIsReproducibleAndWithinItsLimits) {
   const sample_run::Folder folder("report");
   auto summary = sample_run::summary("many");
   summary["rocks"]["done"] = summary["rocks"]["with_endpoint"] = 3000;
@@ -229,7 +230,7 @@ TEST(Report, OfManyRocksIsTheSameEveryTimeAndNoLargerThanItsLimits) {
   EXPECT_EQ(page_of(folder), page);
 }
 
-TEST(Report, IsThereWholeOrNotAtAll) {
+TEST(Report, IsCompleteOrAbsent) {
   const sample_run::Folder folder("report");
   sample_run::write(folder);
   const auto html = folder.path / "report.html";
@@ -238,21 +239,20 @@ TEST(Report, IsThereWholeOrNotAtAll) {
   EXPECT_FALSE(std::filesystem::exists(folder.path / "report.html.part"));
 }
 
-TEST(ReportRefuses, OtherThanOneOrTwoRuns) {
-  EXPECT_EQ(message({}, "report.html"),
-            "report: given 0 run folders (a report is of one run, or of two laid over each other)");
+TEST(ReportRefuses, AnyOtherNumberOfRuns) {
+  EXPECT_EQ(message({}, "report.html"), "report: given 0 run folders (a report shows one run, or two for comparison)");
   EXPECT_EQ(message({"a", "b", "c"}, "report.html"),
-            "report: given 3 run folders (a report is of one run, or of two laid over each other)");
+            "report: given 3 run folders (a report shows one run, or two for comparison)");
 }
 
-TEST(ReportRefuses, BothFoldersAtOnce) {
+TEST(ReportRefuses, ProblemsOfBothFoldersAtOnce) {
   EXPECT_EQ(
       message({"absent-1", "absent-2"}, "report.html"),
       "absent-1: there is no such folder (expected the folder of a run). Name a folder that `talus run` has written\n"
       "absent-2: there is no such folder (expected the folder of a run). Name a folder that `talus run` has written");
 }
 
-TEST(ReportRefuses, PlacesWhereNothingCanBeWritten) {
+TEST(ReportRefuses, UnwritablePlaces) {
   const sample_run::Folder folder("report");
   sample_run::write(folder);
   const auto html = folder.path / "absent" / "report.html";

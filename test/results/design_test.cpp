@@ -19,11 +19,11 @@ using testing_tools::expect_damage_is_survived;
 using testing_tools::saved;
 using testing_tools::takes;
 
-/// A rock of 200 kg and a radius of 0.3 m whose spin holds a tenth of its energy of translation.
+/// A rock of 200 kg and a radius of 0.3 m, with a rotational energy of a tenth of its translational energy.
 struct Crosses {
   std::uint32_t barrier;
   double time, velocity, height, station;
-  bool above = false;  // the panel
+  bool above = false;  // above the panel
 };
 
 struct Seen {
@@ -89,7 +89,7 @@ TEST(DesignLine, IsCutIntoSections) {
   EXPECT_EQ((DesignLine{"Place in 2D", 0}.section_at(1)), 0u);
 }
 
-TEST(DesignLine, BeginsWhereItFirstStands) {
+TEST(DesignLine, BeginsAtItsFirstPointOnTheTerrain) {
   const DesignLine line{"Upper", 0, 25, 10, 3, 100};
   EXPECT_EQ(line.section_at(90), 0u);
   EXPECT_EQ(line.section_at(109.9), 0u);
@@ -98,13 +98,13 @@ TEST(DesignLine, BeginsWhereItFirstStands) {
   EXPECT_EQ(line.section_begin(3), 125);
 }
 
-TEST(Design, TakesTheFirstCrossingOfEachRockAtWhateverHeight) {
-  const DesignResult result = result_of(
-      plan_without_factors(),
-      {rock_that({{0, 1.0, 10, 1.5, 5}}),
-       rock_that({{0, 3.0, 4, 0.5, 15}, {0, 2.0, 6, 2.5, 5, true}}),                // above, and back against it
-       rock_that({{0, 1.0, 12, 1.0, 22}, {1, 1.5, 90, 9, 5}, {2, 2.0, 14, 3, 4}}),  // a line that is not designed
-       rock_that({})});
+TEST(Design, TakesTheFirstCrossingOfEachRockAtAnyHeight) {
+  const DesignResult result =
+      result_of(plan_without_factors(),
+                {rock_that({{0, 1.0, 10, 1.5, 5}}),
+                 rock_that({{0, 3.0, 4, 0.5, 15}, {0, 2.0, 6, 2.5, 5, true}}),                // above, and back into it
+                 rock_that({{0, 1.0, 12, 1.0, 22}, {1, 1.5, 90, 9, 5}, {2, 2.0, 14, 3, 4}}),  // a line without a design
+                 rock_that({})});
   const DesignResult::Line& upper = result.lines[0];
   EXPECT_EQ(upper.whole.rocks, 3u);
   EXPECT_EQ(upper.whole.from, 0);
@@ -130,7 +130,7 @@ TEST(Design, TakesTheFirstCrossingOfEachRockAtWhateverHeight) {
   EXPECT_FALSE(upper.sections[1].demand);
 }
 
-TEST(Design, AsksForWhatTheCheckDoes) {
+TEST(Design, AppliesTheCheck) {
   DesignPlan plan = plan_without_factors();
   plan.design_percentile = 50;
   plan.factors.trajectory = 1.1;
@@ -145,7 +145,7 @@ TEST(Design, AsksForWhatTheCheckDoes) {
   EXPECT_DOUBLE_EQ(whole.demand->maximum_energy, 250e3 * 1.05 * 1.1 * 1.1 * 1.2);
   EXPECT_EQ(whole.demand->kit_class, 2);
   EXPECT_DOUBLE_EQ(whole.demand->height, 5 * 1.1 + 0.3);
-  // Of nine values the median lies below the eighth with 98 %: 80 m/s, 640 kJ.
+  // The median of nine values is below the eighth with 98 %: 80 m/s, 640 kJ.
   EXPECT_DOUBLE_EQ(whole.demand_at_upper_end->maximum_energy, 640e3 * 1.05 * 1.1 * 1.1 * 1.2);
   EXPECT_DOUBLE_EQ(whole.demand_at_upper_end->height, 8 * 1.1 + 0.3);
   plan.factors.block_mass = 1000;
@@ -155,8 +155,8 @@ TEST(Design, AsksForWhatTheCheckDoes) {
   EXPECT_FALSE(result_of(plan, rocks).lines[0].whole.demand_at_upper_end) << "nine values say too little of it";
 }
 
-/// Eight rocks at the upper line: seven with up to 10 kJ (10 m/s), of which one is 3 m high; one with 14.4 kJ and 1 m.
-/// Four of them at the lower line, all with 14.4 kJ and below 2 m.
+/// Eight rocks at the upper line: seven with up to 10 kJ (10 m/s), one of them 3 m high; one with 14.4 kJ and 1 m. Four
+/// of them at the lower line, all with 14.4 kJ and below 2 m.
 std::vector<Seen> eight_rocks() {
   std::vector<Seen> rocks;
   for (int k = 0; k < 6; ++k) rocks.push_back(rock_that({{0, 1, 10, 1, 5}}));
@@ -183,8 +183,8 @@ void expect_kit(const KitChoice& kit, std::size_t line, double height, double en
 
 TEST(Design, RanksKitsByWhatTheyCatchAndCost) {
   const DesignResult result = result_of(plan_without_factors(), eight_rocks());
-  // Wanted are three of four. Lower: all four need 20 kJ; 8 m long. Upper: 6 of 8 with 2 m and 10 kJ; 25 m long.
-  // A height of 4 m catches one more there, and none here.
+  // The target is three of four. Lower: all four need 20 kJ; 8 m long. Upper: 6 of 8 with 2 m and 10 kJ; 25 m long. A
+  // height of 4 m catches one more at the upper line, and none at the lower.
   ASSERT_EQ(result.ranking.size(), 3u);
   expect_kit(result.ranking[0], 1, 2, 20e3, true, 4, 0, 0, 8 * 2 * 20);
   expect_kit(result.ranking[1], 0, 2, 10e3, true, 6, 1, 1, 25 * 2 * 10);
@@ -195,8 +195,8 @@ TEST(Design, RanksKitsByWhatTheyCatchAndCost) {
   EXPECT_NEAR(result.ranking[1].caught->high, 0.9681, 5e-5);
 }
 
-// Of 6 of 8 the interval is 0.349 to 0.968, of 7 of 8 it is 0.473 to 0.997.
-TEST(Design, IsSureWhereTheWholeIntervalSaysTheSame) {
+// The interval of 6 of 8 is 0.349 to 0.968, that of 7 of 8 is 0.473 to 0.997.
+TEST(Design, IsSureIfTheWholeIntervalAgrees) {
   DesignPlan plan = plan_without_factors();
   plan.lines.resize(1);
   plan.energies = {10e3};
@@ -214,10 +214,10 @@ TEST(Design, IsSureWhereTheWholeIntervalSaysTheSame) {
   EXPECT_EQ(sure_of(0.98), (Found{{false, false}, {false, true}}));
 }
 
-// Ten rocks reach the lower line, which is to be protected; six of them cross the upper one, five of those 1 m high,
-// one 3 m. The others pass beyond its ends: no kit there catches 75 %, and the smallest that catches 75 % of the six
-// leads.
-TEST(Design, SaysThatTheEndsHoldAKitBack) {
+// Ten rocks reach the lower line, which is protected; six of them cross the upper one, five of these 1 m high and one 3
+// m. The others pass beyond its ends: no kit there catches 75 %, and the smallest that catches 75 % of the six ranks
+// first.
+TEST(Design, NamesTheEndsOfTheLineAsTheLimit) {
   DesignPlan plan = plan_without_factors();
   plan.protect = 2;
   plan.lines.resize(1);
@@ -239,7 +239,7 @@ TEST(Design, SaysThatTheEndsHoldAKitBack) {
     EXPECT_EQ(kit.limit, KitLimit::ends);
     EXPECT_EQ(kit.beside, 4u);
   }
-  // Of 60 % the ends let enough through: 4 m catch six of ten, 2 m only five.
+  // For 60 % enough rocks cross the line: 4 m catch six of ten, 2 m only five.
   plan.catch_share = 0.6;
   const DesignResult lower = result_of(plan, rocks);
   EXPECT_EQ(lower.ranking[0].height, 4);
@@ -247,8 +247,8 @@ TEST(Design, SaysThatTheEndsHoldAKitBack) {
   EXPECT_EQ(lower.ranking[1].limit, KitLimit::height);
 }
 
-// With 10 kJ at the most, seven of the eight at the upper line are caught: one has more energy.
-TEST(Design, SaysThatTheEnergyHoldsAKitBack) {
+// With at most 10 kJ, seven of the eight at the upper line are caught: one has more energy.
+TEST(Design, NamesTheEnergyAsTheLimit) {
   DesignPlan plan = plan_without_factors();
   plan.lines.resize(1);
   plan.catch_share = 0.95;
@@ -259,7 +259,7 @@ TEST(Design, SaysThatTheEnergyHoldsAKitBack) {
   EXPECT_EQ(result.ranking[1].limit, KitLimit::height);
 }
 
-TEST(Design, PutsLastWhatCatchesTooFew) {
+TEST(Design, RanksKitsLastThatCatchTooFew) {
   DesignPlan plan = plan_without_factors();
   plan.catch_share = 0.95;
   const DesignResult result = result_of(plan, eight_rocks());
@@ -268,8 +268,8 @@ TEST(Design, PutsLastWhatCatchesTooFew) {
   expect_kit(result.ranking[2], 0, 2, 20e3, false, 7, 1, 0, 25 * 2 * 20);
 }
 
-// Half of the rocks roll over the line with 14.4 kJ, the others fly over it with 10 kJ, 3 m high: a kit of 4 m gets
-// along with less energy.
+// Half of the rocks roll over the line with 14.4 kJ, the others fly over it with 10 kJ at 3 m: a kit of 4 m needs less
+// energy.
 TEST(Design, KeepsAHigherKitThatNeedsLessEnergy) {
   DesignPlan plan = plan_without_factors();
   plan.lines.resize(1);
@@ -279,13 +279,13 @@ TEST(Design, KeepsAHigherKitThatNeedsLessEnergy) {
   for (int k = 0; k < 2; ++k) rocks.push_back(rock_that({{0, 1, 10, 3, 5}}));
   const DesignResult result = result_of(plan, rocks);
   ASSERT_EQ(result.ranking.size(), 2u);
-  // Both cost the same, and the lower one comes first.
+  // Both cost the same, and the lower kit comes first.
   expect_kit(result.ranking[0], 0, 2, 20e3, true, 2, 2, 0, 25 * 2 * 20);
   expect_kit(result.ranking[1], 0, 4, 10e3, true, 2, 0, 2, 25 * 4 * 10);
   EXPECT_EQ(result.lines[0].whole.percentiles[3][0].value, 1.5) << "a height by rounding is none";
 }
 
-TEST(Design, OffersNoMoreEnergyThanHelps) {
+TEST(Design, DoesNotOfferEnergyThatDoesNotHelp) {
   DesignPlan plan = plan_without_factors();
   plan.energies = {10e3, 20e3, 40e3, 80e3};
   plan.catch_share = 0.95;
@@ -293,7 +293,7 @@ TEST(Design, OffersNoMoreEnergyThanHelps) {
   expect_kit(result.ranking.back(), 0, 2, 20e3, false, 7, 1, 0, 25 * 2 * 20);
 }
 
-TEST(Design, WithoutRocksFindsNoKit) {
+TEST(Design, HasNoKitWithoutRocks) {
   const DesignResult result = result_of(plan_without_factors(), {});
   EXPECT_FALSE(result.lines[0].whole.share);
   ASSERT_EQ(result.ranking.size(), 2u);
@@ -302,9 +302,9 @@ TEST(Design, WithoutRocksFindsNoKit) {
   EXPECT_FALSE(result.ranking[0].is_sure);
 }
 
-// What is to be protected is line 2, which four of eight rocks reach: three of them by way of line 0; one only after it
-// had passed there.
-TEST(Design, CountsRocksThatReachWhatIsToBeProtected) {
+// Line 2 is protected. Four of eight rocks reach it: three of them across line 0, and one that passes line 0 only
+// afterwards.
+TEST(Design, CountsTheRocksThatReachTheProtectedLine) {
   DesignPlan plan = plan_without_factors();
   plan.protect = 2;
   std::vector<Seen> rocks;
@@ -390,7 +390,7 @@ TEST(Design, SurvivesDamagedBytes) {
   }
 }
 
-TEST(Design, OfOtherLinesOrKitsIsRefused) {
+TEST(Design, RefusesStatesOfOtherLinesOrKits) {
   const DesignPlan plan = plan_without_factors();
   DesignObserver mine(plan, 10);
   const auto with = [&](const std::function<void(DesignPlan&)>& change) {

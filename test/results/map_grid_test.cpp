@@ -29,7 +29,7 @@ PathPiece piece_of(const Vec3& p, const Vec3& v, const Vec3& a, double duration)
   return {{p, v, a}, duration, 0, Vec3::Zero(), false};
 }
 
-TEST(MapGrid, HasItsBordersAtMultiplesOfTheCellInTheUsersCoordinates) {
+TEST(MapGrid, HasBordersAtMultiplesOfTheCellInUserCoordinates) {
   LocalFrame frame;
   frame.origin = {2600 * 1024.0, -1024, 0};
   const MapGrid grid = MapGrid::at_multiples(2.5, frame, Vec2(-311.3, 7.1));
@@ -41,7 +41,7 @@ TEST(MapGrid, HasItsBordersAtMultiplesOfTheCellInTheUsersCoordinates) {
   EXPECT_EQ(grid.origin().x(), grid.border(0, 0) + frame.origin.x());
 }
 
-TEST(MapGrid, OfARasterHasItsNodesInTheMiddleOfItsCells) {
+TEST(MapGrid, OfARasterHasItsNodesAtCellCentres) {
   LocalFrame frame;
   frame.origin = {2600 * 1024.0, -1024, 0};
   const MapGrid grid = MapGrid::around_nodes({-311.25, 7.5}, {2.5, 5}, frame);
@@ -56,14 +56,14 @@ TEST(MapGrid, OfARasterHasItsNodesInTheMiddleOfItsCells) {
   EXPECT_FALSE(grid == MapGrid::around_nodes({-311.25, 7.5}, {2.5, 2.5}, frame));
 }
 
-TEST(MapGrid, ACellHoldsItsLowerBordersOnly) {
+TEST(MapGrid, CellsIncludeTheirLowerBordersOnly) {
   const MapGrid grid({10, 20}, 0.5, {});
   EXPECT_EQ(grid.cell_at({10, 20, 0}), (MapCell{0, 0}));
   EXPECT_EQ(grid.cell_at({10.5, 20.49, 7}), (MapCell{1, 0}));
   EXPECT_EQ(grid.cell_at({9.99, 19.5, 0}), (MapCell{-1, -1}));
 }
 
-TEST(MapWalk, AFlightGoesStraightOverTheCells) {
+TEST(MapWalk, FollowsAFlightStraightOverTheCells) {
   const MapGrid grid({0, 0}, 1, {});
   const auto list = stays(grid, piece_of({0.5, 0.5, 9}, {1, 0.5, 3}, {0, 0, -9.81}, 2));
   ASSERT_EQ(list.size(), 4U);
@@ -76,14 +76,14 @@ TEST(MapWalk, AFlightGoesStraightOverTheCells) {
   EXPECT_EQ(list[3].leave, 2);
 }
 
-TEST(MapWalk, ThroughACornerItGoesToTheCellBeyond) {
+TEST(MapWalk, CrossesACornerToTheOppositeCell) {
   const MapGrid grid({0, 0}, 1, {});
   const auto list = stays(grid, piece_of({0.5, 0.5, 0}, {1, 1, 0}, {0, 0, 0}, 1));
   ASSERT_EQ(list.size(), 2U);
   EXPECT_EQ(list[1].cell, (MapCell{1, 1}));
 }
 
-TEST(MapWalk, WhatItOnlyTouchesIsNotVisited) {
+TEST(MapWalk, DoesNotVisitCellsThatAreOnlyTouched) {
   const MapGrid grid({0, 0}, 1, {});
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
@@ -98,7 +98,7 @@ TEST(MapWalk, WhatItOnlyTouchesIsNotVisited) {
         ASSERT_EQ(to_it.size(), 1U) << x << ' ' << y << ' ' << beside;
         EXPECT_EQ(to_it[0].cell, ahead);
         EXPECT_EQ(to_it[0].leave, 1);
-        // Through it, braked or not.
+        // Through it, slowed or not.
         for (const double braked : {0.0, -0.4}) {
           const PathPiece piece = piece_of(corner - way, way, braked * way, 2);
           const auto through = stays(grid, piece);
@@ -111,7 +111,7 @@ TEST(MapWalk, WhatItOnlyTouchesIsNotVisited) {
   }
 }
 
-TEST(MapWalk, ARockThatStandsOrFallsStraightDownStaysInItsCell) {
+TEST(MapWalk, StaysInOneCellForARockThatStandsOrFallsVertically) {
   const MapGrid grid({0, 0}, 1, {});
   const auto list = stays(grid, piece_of({1, 3, 5}, {0, 0, 2}, {0, 0, -9.81}, 1.5));
   ASSERT_EQ(list.size(), 1U);
@@ -120,7 +120,7 @@ TEST(MapWalk, ARockThatStandsOrFallsStraightDownStaysInItsCell) {
   EXPECT_EQ(list[0].leave, 1.5);
 }
 
-TEST(MapWalk, UphillAndDownAgainItComesBackOverTheSameBorders) {
+TEST(MapWalk, CrossesTheSameBordersUphillAndBackDown) {
   const MapGrid grid({0, 0}, 1, {});
   const auto list = stays(grid, piece_of({0.5, 0.5, 0}, {-2, 0, 0}, {1, 0, 0}, 4));  // to x = -1.5 and back
   ASSERT_EQ(list.size(), 5U);
@@ -129,8 +129,8 @@ TEST(MapWalk, UphillAndDownAgainItComesBackOverTheSameBorders) {
   EXPECT_NEAR(list[0].leave + list[3].leave, 4, 1e-12);
 }
 
-// Against looking at very many moments, on paths as legs along the ground may have them: curved, turning, from rest.
-TEST(MapWalk, AgreesWithLookingEverywhere) {
+// Compared with sampling at very many times, on trajectories like those on the ground: curved, turning, from rest.
+TEST(MapWalk, AgreesWithDenseSampling) {
   Dice dice(5);
   std::size_t seen = 0;
   for (int trial = 0; trial < 3000; ++trial) {
@@ -144,7 +144,8 @@ TEST(MapWalk, AgreesWithLookingEverywhere) {
     if (dice.chance(0.1)) v.setZero();
     if (dice.chance(0.1)) v.x() = 0;
     if (dice.chance(0.1)) a.y() = 0;
-    if (dice.chance(0.2)) a.head<2>() = -dice.between(0.2, 2) * v.head<2>();  // braked: comes back on its own track
+    if (dice.chance(0.2))
+      a.head<2>() = -dice.between(0.2, 2) * v.head<2>();  // decelerated: comes back on its own track
     Vec3 p = dice.in_cube(30);
     if (dice.chance(0.2)) p.x() = grid.border(0, grid.index(0, p.x()));  // starts on a border
     const PathPiece piece = piece_of(p, v, a, dice.magnitude(1e-3, 4));
@@ -166,7 +167,7 @@ TEST(MapWalk, AgreesWithLookingEverywhere) {
       while (k + 1 < list.size() && list[k].leave < t) ++k;
       const Vec3 q = piece.path.at(t);
       const MapCell there = list[k].cell;
-      // Within rounding of a border either side will do.
+      // Within rounding of a border either side is correct.
       const double slack = 1e-8;
       const auto inside = [&](std::size_t axis, std::int32_t place) {
         return q[axis] >= grid.border(axis, place) - slack && q[axis] <= grid.border(axis, place + 1) + slack;

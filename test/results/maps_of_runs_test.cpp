@@ -1,4 +1,4 @@
-// The greatest value in all cells of a map is the greatest that the run has for the rock, whatever the cells.
+// The maximum over all cells of a map equals the run's maximum for the rock, whatever the cells.
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ RockRecord record_of(const Release& release, const RockOutcome& outcome) {
   return record;
 }
 
-TEST(MapsOfRuns, HaveTheGreatestHeightAndEnergyOfTheRun) {
+TEST(MapsOfRuns, HaveTheMaximumHeightAndEnergyOfTheRun) {
   Dice dice(51);
   for (int trial = 0; trial < 300; ++trial) {
     RasterGrid grid{.columns = 41, .rows = 41};
@@ -80,8 +80,8 @@ std::optional<MapTally> tally_at(const Maps& maps, MapCell cell) {
   return std::nullopt;
 }
 
-// On the ground at a node of a grid of cells, in whichever direction it goes: flights and impacts of no time first.
-TEST(MapsOfRuns, ARockThatStartsOnACornerCountsInTheCellThatItGoesInto) {
+// On the ground at a node of the grid, in any direction: starts with flights and impacts of no duration.
+TEST(MapsOfRuns, CountARockThatStartsOnACornerInTheCellThatItEnters) {
   RasterGrid grid{.columns = 41, .rows = 41};
   grid.z.assign(41 * 41, 0);
   const RasterSurface surface(grid);
@@ -114,7 +114,7 @@ TEST(MapsOfRuns, ARockThatStartsOnACornerCountsInTheCellThatItGoesInto) {
   }
 }
 
-TEST(MapsOfRuns, ARockThatStaysOnACornerCountsInTheCellThatHoldsIt) {
+TEST(MapsOfRuns, CountARockThatStaysOnACornerInTheCellThatContainsIt) {
   RasterGrid grid{.columns = 41, .rows = 41};
   grid.z.assign(41 * 41, 0);
   const RasterSurface surface(grid);

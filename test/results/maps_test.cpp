@@ -36,7 +36,7 @@ Profile level_ground(double z = 0, double end = 1000) {
 const Profile flat_ground = level_ground();
 const GreatestHeights over_flat_ground = greatest_height_over(flat_ground, RockModel::lumped_mass);
 
-/// A rock that goes through these pieces, one after the other wherever they are.
+/// A rock with these pieces, which need not join.
 Seen rock_of(std::vector<PathPiece> pieces, EndReason reason = EndReason::at_rest, double mass = 1000) {
   Seen seen;
   seen.record.body = sphere_of_mass(mass, 2700);
@@ -84,10 +84,10 @@ bool are_same(const Maps& a, const Maps& b) {
   return true;
 }
 
-// To the precision of a visit's numbers.
+// The precision of the numbers of a visit.
 void expect_single(double found, double expected) { EXPECT_NEAR(found, expected, 1e-7 * expected); }
 
-TEST(Maps, ARockCountsOnceInACellHoweverOftenItComes) {
+TEST(Maps, CountARockOnceInACell) {
   // There, back, and there again.
   const Maps maps = maps_of({rock_of({flight({0.5, 0.5, 1}, {2, 0, 0}, 1), flight({2.5, 0.5, 1}, {-1, 0, 0}, 2),
                                       flight({0.5, 0.5, 1}, {3, 0, 0}, 1)})});
@@ -99,7 +99,7 @@ TEST(Maps, ARockCountsOnceInACellHoweverOftenItComes) {
   }
 }
 
-TEST(Maps, EnergiesAreTheGreatestOfTheStay) {
+TEST(Maps, HaveTheMaximumEnergiesOfTheStay) {
   const Vec3 spin(0, 3, 4);
   const Seen seen = rock_of({flight({0.5, 0.5, 9}, {1, 0, 0}, 1.2, spin)});
   const Maps maps = maps_of({seen});
@@ -114,8 +114,8 @@ TEST(Maps, EnergiesAreTheGreatestOfTheStay) {
   EXPECT_NEAR(second.mean(energy_total), 500 * (1 + 144) + rotational, 0.01);
 }
 
-TEST(Maps, HeightIsAboveTheGroundBelow) {
-  // A flight whose top, 1.25 m above its start, is over the second cell.
+TEST(Maps, MeasureHeightAboveTheGroundBelow) {
+  // A flight whose apex, 1.25 m above its start, is over the second cell.
   const Maps over_flat = maps_of({rock_of({flight({0.5, 0.5, 2}, {2, 0, 5}, 1)})});
   expect_single(tally_at(over_flat, {1, 0})->maximum(bounce_height), 3.25);
   expect_single(tally_at(over_flat, {0, 0})->maximum(bounce_height), 2 + 5 * 0.25 - 5 * 0.25 * 0.25);
@@ -127,10 +127,10 @@ TEST(Maps, HeightIsAboveTheGroundBelow) {
   part->see(seen.record, seen.log);
   observer.commit(*part);
   expect_single(tally_at(observer.maps(), {0, 0})->maximum(bounce_height), 1);
-  EXPECT_EQ(tally_at(observer.maps(), {1, 0})->maximum(bounce_height), 0);  // there is no ground
+  EXPECT_EQ(tally_at(observer.maps(), {1, 0})->maximum(bounce_height), 0);  // without ground below
 }
 
-TEST(Maps, OnTheGroundALumpedMassHasNoHeightAndASphereItsRadius) {
+TEST(Maps, HaveNoHeightForALumpedMassOnTheGroundAndTheRadiusForASphere) {
   PathPiece leg = flight({0.5, 0.5, 0.7}, {1, 0, 0}, 1);
   leg.path.a = Vec3::Zero();
   leg.on_ground = true;
@@ -141,7 +141,7 @@ TEST(Maps, OnTheGroundALumpedMassHasNoHeightAndASphereItsRadius) {
   expect_single(tally_at(sphere, {1, 0})->maximum(bounce_height), 0.7);
 }
 
-TEST(Maps, DepositsAreRocksThatStay) {
+TEST(Maps, CountRocksThatStayAsDeposits) {
   const auto ended = [](EndReason reason) { return rock_of({flight({0.5, 0.5, 1}, {1, 0, 0}, 1)}, reason); };
   const Maps maps = maps_of({ended(EndReason::at_rest), ended(EndReason::stopped_by_barrier),
                              ended(EndReason::left_model), ended(EndReason::maximum_time), ended(EndReason::lost)});
@@ -150,7 +150,7 @@ TEST(Maps, DepositsAreRocksThatStay) {
   EXPECT_EQ(tally_at(maps, {0, 0})->deposits(), 0U);
 }
 
-TEST(Maps, ImpactsAreCountedEachTime) {
+TEST(Maps, CountEveryImpact) {
   Seen seen = rock_of({flight({0.5, 0.5, 1}, {1, 0, 0}, 1)});
   seen.log.impacts = {{0.6, 0.5, 0}, {0.7, 0.5, 0}, {1.5, 0.5, 0}};
   const Maps maps = maps_of({seen, seen});
@@ -178,7 +178,7 @@ std::vector<Seen> random_rocks(Dice& dice, int count) {
   return rocks;
 }
 
-/// Keeps every value of every rock.
+/// A reference that keeps every value of every rock.
 struct Kept {
   std::array<std::vector<double>, map_quantity_count> values;
   std::uint64_t deposits = 0, impacts = 0;
@@ -220,8 +220,8 @@ std::map<Place, Kept> keep_everything(const std::vector<Seen>& rocks) {
   return cells;
 }
 
-// A glide is its steps: whether a step crosses borders of cells or not, the maps are those of the steps one by one.
-TEST(Maps, AGlideIsItsSteps) {
+// The maps of a glide are those of its steps one by one, whether or not a step crosses cell borders.
+TEST(Maps, TreatAGlideLikeItsSteps) {
   Dice dice(5);
   std::vector<Seen> folded, unfolded;
   for (int k = 0; k < 200; ++k) {
@@ -257,7 +257,7 @@ TEST(Maps, AGlideIsItsSteps) {
   EXPECT_EQ(a.bytes(), b.bytes());
 }
 
-TEST(Maps, AgreeWithKeepingEveryValue) {
+TEST(Maps, AgreeWithAReferenceThatKeepsEveryValue) {
   Dice dice(23);
   const std::vector<Seen> rocks = random_rocks(dice, 2000);
   const Maps maps = maps_of(rocks);
@@ -295,7 +295,7 @@ TEST(Maps, DoNotDependOnHowTheRocksAreSplit) {
   const std::vector<Seen> rocks = random_rocks(dice, 500);
   const Maps whole = maps_of(rocks);
   for (int trial = 0; trial < 10; ++trial) {
-    // Shards, each of several parts committed in any order, merged in any order.
+    // Shards, each with several parts committed in any order, merged in any order.
     std::vector<std::unique_ptr<MapObserver>> shards;
     for (int k = 0; k < 3; ++k) {
       shards.push_back(std::make_unique<MapObserver>(unit_grid, over_flat_ground));
@@ -319,11 +319,11 @@ TEST(Maps, DoNotDependOnHowTheRocksAreSplit) {
   }
 }
 
-TEST(Maps, SplitBySourceAddUpToThoseOfAllRocks) {
+TEST(Maps, OfEachSourceAddUpToThoseOfAllRocks) {
   Dice dice(37);
   std::vector<Seen> rocks = random_rocks(dice, 600);
   constexpr std::uint32_t sources = 4;
-  // In long rows, as seeders give them, and in any order.
+  // In long ranges, as seeders release them, and in any order.
   for (std::uint32_t k = 0; k < rocks.size(); ++k) {
     const auto any = static_cast<std::uint32_t>(dice.below(sources - 1));
     rocks[k].record.source = SourceId{k < 300 ? k / 150 : any};
@@ -333,7 +333,7 @@ TEST(Maps, SplitBySourceAddUpToThoseOfAllRocks) {
     const auto part = split.new_part();
     for (std::size_t k = first; k < first + 100; ++k) part->see(rocks[k].record, rocks[k].log);
     split.commit(*part);
-    EXPECT_EQ(split.maps().rocks(), first + 100);  // asked for in between, too
+    EXPECT_EQ(split.maps().rocks(), first + 100);  // also asked for in between
   }
   EXPECT_TRUE(are_same(split.maps(), maps_of(rocks)));
   ASSERT_EQ(split.by_source().size(), sources);
@@ -348,7 +348,7 @@ TEST(Maps, SplitBySourceAddUpToThoseOfAllRocks) {
   EXPECT_FALSE(are_same(split.by_source()[0], split.by_source()[1]));  // the comparison can fail
 }
 
-TEST(Maps, NotSplitHaveNoSources) {
+TEST(Maps, HaveNoSourcesIfNotSplit) {
   MapObserver whole(unit_grid, over_flat_ground);
   const auto part = whole.new_part();
   Seen seen = rock_of({flight({0.5, 0.5, 1}, {1, 0, 0}, 1)});
@@ -359,7 +359,7 @@ TEST(Maps, NotSplitHaveNoSources) {
   EXPECT_EQ(whole.maps().rocks(), 1U);
 }
 
-TEST(Maps, TheirExtentIsWhatRocksTouched) {
+TEST(Maps, ExtendOverTheTouchedCells) {
   EXPECT_FALSE(Maps(unit_grid).extent());
   const Maps maps =
       maps_of({rock_of({flight({-40.5, 3.5, 9}, {1, 0, 0}, 1)}), rock_of({flight({70.5, -2.5, 9}, {0, 0, 0}, 1)})});
@@ -369,8 +369,8 @@ TEST(Maps, TheirExtentIsWhatRocksTouched) {
   EXPECT_EQ(extent->last, (MapCell{70, 3}));
 }
 
-// What maps.hpp says of memory.
-TEST(Maps, MemoryFollowsTheCellsThatRocksTouch) {
+// The figures of memory in maps.hpp.
+TEST(Maps, TakeMemoryForTheTouchedCells) {
   Dice dice(31);
   std::vector<Seen> rocks;
   for (int k = 0; k < 1000; ++k) {

@@ -1,4 +1,4 @@
-// Summaries and maps that are saved and merged again.
+// Saves summaries and maps and merges them again.
 
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ std::string state_of(const std::vector<Seen>& rocks, const Make& make) {
   return saved(*observer);
 }
 
-// Random splits over observers, each of which is saved; merged in random order into one that may have seen some itself.
+// Random splits over observers, each saved, and merged in random order into one that may have seen some rocks itself.
 void expect_any_split_merges_to_the_whole(Dice& dice, const std::vector<Seen>& rocks, const Make& make) {
   const std::string whole = state_of(rocks, make);
   for (int trial = 0; trial < 10; ++trial) {
@@ -105,7 +105,7 @@ void expect_any_split_merges_to_the_whole(Dice& dice, const std::vector<Seen>& r
   EXPECT_NE(state_of(fewer, make), whole) << "the comparison can fail";
 }
 
-/// What tests of saved things want: made, used and passed about as a value.
+/// A copyable wrapper of an observer, for the tools of support/saved.hpp.
 struct Handle {
   std::unique_ptr<SummingObserver> observer;
   void merge_saved(ByteReader& in) { observer->merge_saved(in); }
@@ -129,12 +129,12 @@ TEST(SavedResults, Summaries) {
   }
 }
 
-TEST(SavedResults, SummariesOfOtherRunsAreRefused) {
+TEST(SavedResults, RefuseSummariesOfOtherRuns) {
   SummaryObserver mine(10, 1, {}), longer(11, 1, {}), more_barriers(10, 2, {});
   EXPECT_FALSE(takes(longer, saved(mine)));
   EXPECT_FALSE(takes(more_barriers, saved(mine)));
   SummaryObserver elsewhere(10, 1, {Vec3(1024, 0, 0)});
-  EXPECT_FALSE(takes(elsewhere, saved(mine))) << "its positions are counted from another origin";
+  EXPECT_FALSE(takes(elsewhere, saved(mine))) << "its positions have another origin";
   EXPECT_TRUE(takes(mine, saved(mine)));
 }
 
@@ -164,7 +164,7 @@ TEST(SavedResults, Maps) {
   }
 }
 
-TEST(SavedResults, MapsOnAnotherGridOrOfOtherSourcesAreRefused) {
+TEST(SavedResults, RefuseMapsOfAnotherGridOrOtherSources) {
   const auto maps = [](double cell, std::optional<std::size_t> sources) {
     return std::make_unique<MapObserver>(MapGrid({0, 0}, cell, {}), heights, sources);
   };

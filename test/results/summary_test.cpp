@@ -44,7 +44,7 @@ std::string bytes_of(const auto& sums) {
   return out.take();
 }
 
-TEST(Runout, IsTheWayFromStartToEnd) {
+TEST(Runout, IsTheDistanceFromReleaseToEnd) {
   const Runout way = runout(ended_at({1, 1, 50}, {4, 5, 38}).record.outcome);
   EXPECT_DOUBLE_EQ(way.plan, 5);
   EXPECT_DOUBLE_EQ(way.drop, 12);
@@ -68,7 +68,7 @@ TEST(Summary, CountsReasonsEventsAndLiftedRocks) {
   EXPECT_DOUBLE_EQ(summary.end_x.describe().mean.value(), 4);
 }
 
-TEST(Summary, RemembersTheFirstLostRockWhateverTheOrder) {
+TEST(Summary, KeepsTheLowestNumberOfALostRockInAnyOrder) {
   SummaryObserver observer(3, 0, {});
   for (const std::uint64_t rock : {9, 4, 6}) {
     Seen seen = ended_at(Vec3::Zero(), Vec3::Zero(), rock == 9 ? EndReason::at_rest : EndReason::lost);
@@ -80,15 +80,15 @@ TEST(Summary, RemembersTheFirstLostRockWhateverTheOrder) {
   EXPECT_EQ(observer.summary().first_lost, 4U);
 }
 
-TEST(Summary, PositionsAreTheUsers) {
+TEST(Summary, HasPositionsInUserCoordinates) {
   LocalFrame frame;
   frame.origin = {2'600'000, 1'100'000, 500};
   EXPECT_DOUBLE_EQ(summary_of({ended_at({0, 0, 0}, {12.5, 0, 0})}, 0, frame).end_x.describe().mean.value(),
                    2'600'012.5);
 }
 
-// So many that they are counted in bins.
-TEST(Summary, QuantilesOfPositionsInMapCoordinatesAreNearTheTruth) {
+// Enough rocks to be counted in bins.
+TEST(Summary, HasAccurateQuantilesOfPositionsInMapCoordinates) {
   constexpr std::uint64_t rocks = QuantileSketch::most_exact + 1;
   SummaryObserver observer(rocks, 0, {Vec3(2'600'960, 1'199'104, 0)});
   const auto part = observer.new_part();
@@ -118,7 +118,7 @@ TEST(Summary, NotesThatManyRocksLeftTheModel) {
   EXPECT_TRUE(notes_of(summary_of({})).empty());
 }
 
-TEST(Summary, ABarrierCountsHitsAndTheRocksBehindThem) {
+TEST(Summary, CountsHitsOnABarrierAndTheirRocks) {
   Seen twice = ended_at(Vec3::Zero(), Vec3::Zero()), over = twice;
   const Rock& rock = twice.record.body;
   for (const double speed : {4.0, 10.0}) {
@@ -147,7 +147,7 @@ TEST(Summary, ABarrierCountsHitsAndTheRocksBehindThem) {
   EXPECT_NEAR(tally.total_energy.describe().mean.value(), 0.5 * 1000 * 58 + 0.5 * rock.inertia * 9, 1e-9);
 }
 
-TEST(Summary, OfManyCollectorsTakesMemoryForThoseThatRocksCameTo) {
+TEST(Summary, TakesMemoryOnlyForCollectorsThatRocksReach) {
   constexpr std::uint32_t collectors = 100'000;
   static_assert(sizeof(BarrierTally) < 1000);
   Seen seen = ended_at({0, 0, 1}, {2, 0, 0});
@@ -204,8 +204,8 @@ TEST(Summary, DoesNotDependOnHowTheRocksAreSplit) {
   }
 }
 
-// Few values are kept as they are, and their moments are made when somebody asks: of any number the same bits.
-TEST(Tally, OfFewValuesIsThatOfMoments) {
+// A few values are kept, and their moments made on demand: for any number of them the bits are the same.
+TEST(Tally, OfFewValuesEqualsMoments) {
   Dice dice(27);
   for (const std::uint64_t count : {1U, 31U, 32U, 33U, 34U, 100U}) {
     std::vector<double> values;
@@ -227,7 +227,7 @@ TEST(Tally, OfFewValuesIsThatOfMoments) {
   }
 }
 
-TEST(Tally, AHistogramHoldsEveryValue) {
+TEST(Tally, HasAHistogramOfEveryValue) {
   Tally tally(4);
   EXPECT_FALSE(tally.histogram(10));
   for (const double x : {1.0, 2.5, 2.6, 9.0}) tally.add(x);

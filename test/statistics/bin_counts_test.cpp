@@ -49,7 +49,7 @@ TEST(LogBins, TheMiddleOfABinIsWithinOnePercentOfItsValues) {
   }
 }
 
-TEST(LogBins, GrowWithTheirValues) {
+TEST(LogBins, AreInTheOrderOfTheirValues) {
   std::uint32_t before = log_bins::bin_of(log_bins::least);
   EXPECT_EQ(before, 0U);
   for (float value = log_bins::least; value < 3; value *= 1.0005F) {
@@ -112,9 +112,8 @@ TEST(BinCounts, SmallValuesAreZeroAndLargeOnesStayInTheLastBin) {
   EXPECT_NEAR(quantile(counts, 0, 0, 1, 3), 4, 0.04);
 }
 
-// Near each other and far from each other, few and many, settled now and then: what is asked gives the same, and it is
-// the same to the last bit.
-TEST(BinCounts, WhenTheyAreSettledMakesNoDifference) {
+// Values close together and far apart, few and many, settled at different times: the results are equal to the last bit.
+TEST(BinCounts, DoNotDependOnWhenTheyAreSettled) {
   Dice dice(18);
   for (int trial = 0; trial < 300; ++trial) {
     BinCounts now_and_then = one_place(), once = one_place();
@@ -139,8 +138,8 @@ TEST(BinCounts, WhenTheyAreSettledMakesNoDifference) {
   }
 }
 
-// Counts of many digits, added one by one and by merging: the same bits.
-TEST(BinCounts, CountsFarInOneBin) {
+// Counts of many digits, added one by one and by merging, have the same bits.
+TEST(BinCounts, CountsMillionsInOneBin) {
   BinCounts one_by_one = one_place(), merged = one_place(), part = one_place();
   for (int k = 0; k < 200'000; ++k) one_by_one.at(0).add(1, 5);
   for (int k = 0; k < 40'000; ++k) part.at(0).add(1, 5);
@@ -154,7 +153,7 @@ TEST(BinCounts, CountsFarInOneBin) {
   EXPECT_NEAR(quantile(merged, 0, 1, 1, 200'001), 80, 0.8);
 }
 
-TEST(BinCounts, MergeToTheSameCountsWhateverTheSplit) {
+TEST(BinCounts, MergesToTheSameCountsFromAnySplit) {
   Dice dice(19);
   BinCounts whole = one_place();
   std::vector<BinCounts> parts(5);
@@ -175,8 +174,8 @@ TEST(BinCounts, MergeToTheSameCountsWhateverTheSplit) {
   EXPECT_TRUE(are_same(backwards, whole));
 }
 
-// Some hundred values of four quantities that differ by a factor of ten or so: what maps have in a cell.
-TEST(BinCounts, TakeLittleMemory) {
+// A few hundred values of four quantities within a factor of about ten: a typical map cell.
+TEST(BinCounts, TakesLittleMemory) {
   Dice dice(20);
   BinCounts counts(4);
   constexpr std::uint32_t places = 1000;

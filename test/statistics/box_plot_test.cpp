@@ -24,13 +24,13 @@ void expect_the_sample(const BoxPlot& plot) {
 
 TEST(BoxPlotOfASample, IsTukeys) { expect_the_sample(*box_plot(sample)); }
 
-TEST(BoxPlotOfASketch, IsTheSameWhileTheValuesAreKept) {
+TEST(BoxPlotOfASketch, EqualsThatOfTheSampleWhileValuesAreKept) {
   QuantileSketch sketch(sample.size());
   for (const double x : sample) sketch.add(x);
   expect_the_sample(*box_plot(sketch));
 }
 
-TEST(BoxPlotOfASketch, IsNearOnceInBins) {
+TEST(BoxPlotOfASketch, IsCloseOnceValuesAreInBins) {
   std::mt19937_64 bits(1);
   std::normal_distribution<double> bell(10, 3);
   std::vector<double> values;
@@ -48,14 +48,14 @@ TEST(BoxPlotOfASketch, IsNearOnceInBins) {
   expect_near(near.median, exact.median);
   expect_near(near.upper_quartile, exact.upper_quartile);
   expect_near(near.upper_whisker, exact.upper_whisker);
-  // 0.7 % of a normal lies beyond the fences.
+  // 0.7 % of a normal distribution is beyond the fences.
   EXPECT_NEAR(static_cast<double>(exact.outlier_count), 350, 60);
   EXPECT_NEAR(static_cast<double>(near.outlier_count), static_cast<double>(exact.outlier_count), 10);
   EXPECT_EQ(exact.outliers.size(), exact.outlier_count);
   EXPECT_TRUE(near.outliers.empty());
 }
 
-TEST(BoxPlotOfASample, TakesAValueOnTheFenceForNoOutlier) {
+TEST(BoxPlotOfASample, DoesNotCountAValueOnTheFenceAsAnOutlier) {
   // Quartiles 0 and 2, fence at 5.
   const BoxPlot plot = *box_plot(std::vector<double>{0, 0, 1, 2, 5});
   EXPECT_EQ(plot.upper_quartile, 2);
@@ -75,7 +75,7 @@ TEST(BoxPlotOfASample, OfOneOrEqualValuesIsALine) {
   }
 }
 
-// Of 0 0 0 10 the upper quartile lies between the last value inside the fence and the outlier.
+// For 0 0 0 10 the upper quartile is between the last value inside the fence and the outlier.
 TEST(BoxPlotOfASample, NeverDrawsAWhiskerInsideItsBox) {
   const BoxPlot plot = *box_plot(std::vector<double>{0, 0, 0, 0, 100});
   EXPECT_EQ(plot.upper_quartile, 0);

@@ -87,8 +87,8 @@ TEST(DescriptiveStatistics, AgreeWithTheDefinitionsInLongDouble) {
   expect_agreement(skewed, 1e-13);
 }
 
-// Central moments do not change when a multiple of a power of two is added that every value can hold exactly.
-TEST(DescriptiveStatistics, LoseNothingFarFromZero) {
+// Central moments do not change if an offset is added with which every value is still exact.
+TEST(DescriptiveStatistics, AreExactFarFromZero) {
   std::mt19937_64 bits(2);
   std::vector<double> near, far;
   for (int i = 0; i < 1000; ++i) {
@@ -103,7 +103,7 @@ TEST(DescriptiveStatistics, LoseNothingFarFromZero) {
   expect_agreement(near, 1e-13);
 }
 
-TEST(DescriptiveStatistics, LeaveEmptyWhatASampleIsTooSmallFor) {
+TEST(DescriptiveStatistics, AreEmptyIfTheSampleIsTooSmall) {
   const Descriptive none = describe(std::vector<double>{});
   EXPECT_EQ(none.count, 0u);
   EXPECT_EQ(none.sum, 0);
@@ -135,7 +135,7 @@ TEST(DescriptiveStatistics, OfEqualValuesHaveNoShape) {
   EXPECT_FALSE(rows.skewness || rows.kurtosis) << "a spreadsheet divides by zero here";
 }
 
-// Two neighbouring doubles: the smallest spread there is. By symmetry skewness 0, and kurtosis that of a coin.
+// Two neighbouring doubles have the smallest possible spread: skewness 0 by symmetry, and the kurtosis of a coin.
 TEST(DescriptiveStatistics, ResolveNeighbouringDoubles) {
   const double x = 2'600'000.1;
   const Descriptive rows = describe(std::vector<double>{x, std::nextafter(x, 1e9), x, std::nextafter(x, 1e9)});
@@ -143,7 +143,7 @@ TEST(DescriptiveStatistics, ResolveNeighbouringDoubles) {
   EXPECT_NEAR(*rows.kurtosis, -6, 1e-9);
 }
 
-TEST(DescriptiveMoments, AreTheSameBitsInAnyOrderAndSplit) {
+TEST(DescriptiveMoments, HaveTheSameBitsInAnyOrderAndSplit) {
   std::mt19937_64 bits(3);
   std::normal_distribution<double> bell(49.17, 0.25);
   std::vector<double> sample;
@@ -170,7 +170,7 @@ TEST(DescriptiveMoments, AreTheSameBitsInAnyOrderAndSplit) {
   }
 }
 
-TEST(DescriptiveMoments, MergeWithNothingEitherWay) {
+TEST(DescriptiveMoments, MergeWithEmptyOnesEitherWay) {
   Moments some;
   some.add(-3);
   some.add(-5);
@@ -184,7 +184,7 @@ TEST(DescriptiveMoments, MergeWithNothingEitherWay) {
 }
 
 // The 97.5 % column of any printed table.
-TEST(DescriptiveStudentT, IsThatOfTheTables) {
+TEST(DescriptiveStudentT, AgreesWithPrintedTables) {
   EXPECT_NEAR(student_t_975(1), 12.7062, 5e-5);
   EXPECT_NEAR(student_t_975(2), 4.3027, 5e-5);
   EXPECT_NEAR(student_t_975(10), 2.2281, 5e-5);

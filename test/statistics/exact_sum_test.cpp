@@ -19,7 +19,7 @@ ExactSum sum_of(const std::vector<double>& terms) {
   return sum;
 }
 
-// Terms of every size that a double can have, both signs.
+// Terms of all magnitudes of a double, with both signs.
 std::vector<double> wild_terms(std::size_t count, std::uint64_t seed) {
   std::mt19937_64 bits(seed);
   std::vector<double> terms;
@@ -102,7 +102,7 @@ TEST(ExactSum, IsTheSameForAnySplit) {
   }
 }
 
-TEST(ExactSum, ComesBackToZeroWhenEveryTermIsTakenAway) {
+TEST(ExactSum, IsZeroAgainAfterEveryTermIsSubtracted) {
   std::vector<double> terms = wild_terms(2000, 6);
   for (std::size_t i = 0; i < 2000; ++i) terms.push_back(-terms[i]);
   std::mt19937_64 shuffler(7);
@@ -111,7 +111,7 @@ TEST(ExactSum, ComesBackToZeroWhenEveryTermIsTakenAway) {
   EXPECT_EQ(sum_of(terms).value(), 0);
 }
 
-TEST(ExactSum, TellsDifferentSumsApart) {
+TEST(ExactSum, DistinguishesDifferentSums) {
   EXPECT_FALSE(sum_of({1e300}) == sum_of({1e300, 0x1p-1074})) << "though both round to the same double";
 }
 
@@ -128,7 +128,7 @@ TEST(ExactSum, AgreesWithIntegersOverMillionsOfTerms) {
   EXPECT_EQ(sum.value(), static_cast<double>(integer) * 0x1p-20);
 }
 
-// Merging doubles the number of terms: 2^70 of them without adding one by one, far past the limbs' own room.
+// Merging doubles the number of terms: 2^70 of them without adding one by one, far beyond the capacity of the limbs.
 TEST(ExactSum, CarriesManyTerms) {
   ExactSum ones = sum_of({1}), minus = sum_of({-1});
   for (int i = 0; i < 70; ++i) {
@@ -139,7 +139,7 @@ TEST(ExactSum, CarriesManyTerms) {
   EXPECT_EQ(minus.value(), -0x1p70);
 }
 
-TEST(ExactSum, LeadingPartsHoldMoreThanOneDouble) {
+TEST(ExactSum, HasLeadingPartsWithMoreBitsThanADouble) {
   const auto parts = sum_of({1e40, 1, -0x1p-70, 0x1p-900}).leading();
   EXPECT_EQ(parts[0], 1e40);
   EXPECT_EQ(parts[1], 1);

@@ -21,7 +21,7 @@ TEST(FixedSum, AddsWholeNumbersExactly) {
   EXPECT_EQ(sum.value(), expected);
 }
 
-TEST(FixedSum, CutsOffWhatIsBelowItsUnit) {
+TEST(FixedSum, TruncatesToItsUnit) {
   FixedSum sum;
   sum.add(0x1p-24);
   sum.add(0x1.8p-25);

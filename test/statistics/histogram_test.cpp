@@ -16,7 +16,7 @@ std::vector<double> all_edges(const BinEdges& edges) {
   return list;
 }
 
-TEST(HistogramNiceBins, AreTheOnesAReaderWouldChoose) {
+TEST(HistogramNiceBins, HaveRoundEdges) {
   EXPECT_EQ(all_edges(nice_bins(0, 10, 10)), (std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
   EXPECT_EQ(all_edges(nice_bins(0, 10, 9)), (std::vector<double>{0, 2, 4, 6, 8, 10}));
   EXPECT_EQ(all_edges(nice_bins(4.93, 18.64, 5)), (std::vector<double>{0, 5, 10, 15, 20}));
@@ -25,7 +25,7 @@ TEST(HistogramNiceBins, AreTheOnesAReaderWouldChoose) {
   EXPECT_EQ(all_edges(nice_bins(-3e6, 2.5e6, 3)), (std::vector<double>{-5e6, 0, 5e6}));
 }
 
-TEST(HistogramNiceBins, HoldTheRangeInAtMostTheBinsAskedForAndInNoNarrowerStep) {
+TEST(HistogramNiceBins, CoverTheRangeWithTheNarrowestStepThatFits) {
   std::mt19937_64 bits(1);
   std::uniform_real_distribution<double> exponent(-6, 7), part(-1, 1);
   for (int i = 0; i < 5000; ++i) {
@@ -49,7 +49,7 @@ TEST(HistogramNiceBins, HoldTheRangeInAtMostTheBinsAskedForAndInNoNarrowerStep) 
   }
 }
 
-TEST(HistogramNiceBins, OfARangeWithoutWidthAreDistinctAllTheSame) {
+TEST(HistogramNiceBins, AreDistinctForARangeWithoutWidth) {
   for (const double x : {0.0, 3.0, -3.0, 2'600'000.1, 1e-9, 1e90}) {
     for (const double wider : {x, std::nextafter(x, 1e99)}) {
       const BinEdges edges = nice_bins(x, wider, 20);
@@ -60,14 +60,14 @@ TEST(HistogramNiceBins, OfARangeWithoutWidthAreDistinctAllTheSame) {
   }
 }
 
-TEST(HistogramCounts, GiveAnEdgeToTheBinAboveItButTheLastToTheLast) {
+TEST(HistogramCounts, CountAnEdgeInTheBinAboveItAndTheLastEdgeInTheLastBin) {
   Histogram histogram(nice_bins(0, 1, 10));
   for (int i = 0; i <= 10; ++i) histogram.add(i / 10.0);
   EXPECT_EQ(histogram.counts(), (std::vector<std::uint64_t>{1, 1, 1, 1, 1, 1, 1, 1, 1, 2}));
   EXPECT_EQ(histogram.underflow() + histogram.overflow(), 0u);
 }
 
-TEST(HistogramCounts, CountWhatLiesOutside) {
+TEST(HistogramCounts, CountValuesOutside) {
   Histogram histogram(nice_bins(0, 1, 10));
   for (const double x : {-1e-300, -5.0, 0.5, std::nextafter(1.0, 2.0), 7.0, 8.0}) histogram.add(x);
   EXPECT_EQ(histogram.underflow(), 2u);
@@ -75,7 +75,7 @@ TEST(HistogramCounts, CountWhatLiesOutside) {
   EXPECT_EQ(histogram.total(), 6u);
 }
 
-TEST(HistogramCounts, AgreeWithTheEdgesForValuesRightAtThem) {
+TEST(HistogramCounts, AreExactAtTheEdges) {
   for (const BinEdges& edges :
        {nice_bins(-0.15, 0.42, 50), nice_bins(2'600'000, 2'600'007, 70), nice_bins(1e-7, 9e-7, 33)}) {
     for (std::uint64_t i = 0; i < edges.bins; ++i) {
@@ -108,7 +108,7 @@ TEST(HistogramMerge, IsTheSameForAnySplit) {
   EXPECT_EQ(right.edges(), edges);
 }
 
-/// Numbers in about 40 bins of their own.
+/// Random numbers in about 40 bins.
 Histogram of(const std::vector<double>& numbers) {
   const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
   Histogram histogram(nice_bins(*least, *most, 40));
@@ -116,14 +116,14 @@ Histogram of(const std::vector<double>& numbers) {
   return histogram;
 }
 
-TEST(HistogramCommonBins, AreThoseOfTheWiderStepOrTheLeastThatHoldsWholeBinsOfBoth) {
-  // Steps of 2 and of 5: of 10.
+TEST(HistogramCommonBins, HaveTheWiderStepOrTheNarrowestMadeOfWholeBinsOfBoth) {
+  // Steps of 2 and 5 give steps of 10.
   EXPECT_EQ(all_edges(common_bins({3, 2, 0, 5}, {0, 5, 0, 4}, 50)), (std::vector<double>{0, 10, 20}));
   EXPECT_EQ(all_edges(common_bins({-3, 1, -1, 9}, {0, 5, -1, 1}, 50)), (std::vector<double>{-0.5, 0, 0.5, 1}));
   EXPECT_EQ(common_bins({0, 1, 0, 10}, {0, 1, 0, 10}, 50), (BinEdges{0, 1, 0, 10})) << "equal ones stay";
 }
 
-TEST(HistogramCommonBins, CountEveryValueInTheBinThatHoldsIt) {
+TEST(HistogramCommonBins, CountEveryValueInItsBin) {
   std::mt19937_64 bits(7);
   std::uniform_real_distribution<double> exponent(-4, 6), part(-1, 1);
   for (int i = 0; i < 500; ++i) {
@@ -152,7 +152,7 @@ TEST(HistogramCommonBins, CountEveryValueInTheBinThatHoldsIt) {
   }
 }
 
-TEST(HistogramCommonBins, OfSingleValuesFarApartAreFew) {
+TEST(HistogramCommonBins, AreFewForSingleValuesFarApart) {
   const Histogram a = of({50.0, 50.0}), b = of({1e6});
   const BinEdges edges = common_bins(a.edges(), b.edges(), 50);
   EXPECT_LE(edges.bins, 50u);

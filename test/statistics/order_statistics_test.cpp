@@ -20,9 +20,9 @@ void expect_ranks(double p, std::uint64_t count, double confidence, std::optiona
   EXPECT_EQ(bounds.high, high) << p << ' ' << count << ' ' << confidence;
 }
 
-// Tables of the sign test: of 10 values the median lies between the second and the ninth, of 20 between the 6th and the
-// 15th, of 100 between the 40th and the 61st.
-TEST(QuantileRankBounds, OfTheMedianAreThoseOfTables) {
+// Tables of the sign test: the median is between the 2nd and the 9th of 10 values, between the 6th and the 15th of 20,
+// and between the 40th and the 61st of 100.
+TEST(QuantileRankBounds, OfTheMedianAgreeWithPrintedTables) {
   expect_ranks(0.5, 10, 0.95, 1, 8);
   expect_ranks(0.5, 20, 0.95, 5, 14);
   expect_ranks(0.5, 100, 0.95, 39, 60);
@@ -30,8 +30,8 @@ TEST(QuantileRankBounds, OfTheMedianAreThoseOfTables) {
   expect_ranks(0.5, 5, 0.95, {}, {});  // 2 / 2^5 = 6 %
 }
 
-// The greatest of n values lies above the quantile p unless all n are below: p^n.
-TEST(QuantileRankBounds, HaveAnUpperEndFromAsManyValuesOnAsOneNeeds) {
+// The maximum of n values is above the quantile p unless all n are below it: p^n.
+TEST(QuantileRankBounds, HaveAnUpperEndFromTheRequiredNumberOfValues) {
   expect_ranks(0.95, 71, 0.95, 62, {});
   expect_ranks(0.95, 72, 0.95, 63, 71);
   EXPECT_FALSE(quantile_rank_bounds(0.99, 367, 0.95).high);
@@ -40,7 +40,7 @@ TEST(QuantileRankBounds, HaveAnUpperEndFromAsManyValuesOnAsOneNeeds) {
   expect_ranks(0.5, 1, 0.95, {}, {});
 }
 
-TEST(QuantileRankBounds, OfTheEndsAreTheEnds) {
+TEST(QuantileRankBounds, OfTheMinimumAndMaximumAreTheirRanks) {
   expect_ranks(0, 50, 0.95, {}, 0);
   expect_ranks(1, 50, 0.95, 49, {});
 }
@@ -58,7 +58,7 @@ std::vector<double> binomial(std::uint64_t n, double p) {
   return probabilities;
 }
 
-TEST(QuantileRankBounds, AreTheNarrowestThatKeepHalfTheErrorAtEachEnd) {
+TEST(QuantileRankBounds, AreTheNarrowestWithHalfTheErrorAtEachEnd) {
   for (const std::uint64_t n : {1U, 2U, 7U, 40U, 173U, 400U}) {
     for (const double p : {0.01, 0.3, 0.5, 0.95, 0.99}) {
       const std::vector<double> probability = binomial(n, p);
@@ -81,7 +81,7 @@ TEST(QuantileRankBounds, AreTheNarrowestThatKeepHalfTheErrorAtEachEnd) {
   }
 }
 
-/// How often the interval holds the 95th percentile of an exponential distribution.
+/// How often the interval contains the 95th percentile of an exponential distribution.
 double coverage(std::size_t values, double confidence, int trials) {
   Dice dice(5);
   const double truth = -std::log(0.05);
@@ -95,7 +95,7 @@ double coverage(std::size_t values, double confidence, int trials) {
   return static_cast<double>(held) / trials;
 }
 
-TEST(QuantileEstimate, HoldsTheTruthAsOftenAsItSays) {
+TEST(QuantileEstimate, HasItsNominalCoverage) {
   constexpr std::size_t values = 200;
   constexpr int trials = 4000;
   const RankBounds ranks = quantile_rank_bounds(0.95, values, 0.9);
@@ -114,12 +114,12 @@ void expect_share(std::uint64_t hits, std::uint64_t trials, double low, double h
   EXPECT_NEAR(bounds.high, high, 5e-5) << hits << " of " << trials;
 }
 
-TEST(ShareBounds, AreThoseOfClopperAndPearson) {
+TEST(ShareBounds, AgreeWithClopperAndPearson) {
   expect_share(0, 10, 0, 0.3085);
   expect_share(5, 10, 0.1871, 0.8129);
   expect_share(10, 10, 0.6915, 1);
   expect_share(10, 100, 0.0490, 0.1762);
-  // Without a hit: (1 - high)^n is what the confidence leaves.
+  // Without a hit: (1 - high)^n equals the tail probability.
   EXPECT_DOUBLE_EQ(share_bounds(0, 300, 0.9).high, 1 - std::pow(0.05, 1.0 / 300));
   EXPECT_EQ(share_bounds(0, 300, 0.9).low, 0);
   EXPECT_EQ(share_bounds(300, 300, 0.9).high, 1);
@@ -149,7 +149,7 @@ TEST(RankedValues, AreTheOrderStatisticsAndQuantilesOfTheirSketch) {
   }
 }
 
-TEST(QuantileEstimate, LiesWithinItsInterval) {
+TEST(QuantileEstimate, IsWithinItsInterval) {
   for (std::uint64_t n = 1; n <= 40; ++n) {
     QuantileSketch sketch(n);
     for (std::uint64_t k = 1; k <= n; ++k) sketch.add(static_cast<double>(k * k));
@@ -167,8 +167,8 @@ TEST(QuantileEstimate, LiesWithinItsInterval) {
   }
 }
 
-// Both of two values lie below the 99th percentile with a probability of 98 %, of three with 97 %.
-TEST(QuantileEstimate, BeyondAllValuesIsTheGreatest) {
+// Two values are both below the 99th percentile with a probability of 98 %, three with 97 %.
+TEST(QuantileEstimate, BeyondAllValuesIsTheMaximum) {
   QuantileSketch two(2), three(3);
   for (const double x : {1.0, 3.0}) two.add(x);
   for (const double x : {1.0, 2.0, 3.0}) three.add(x);
@@ -177,7 +177,7 @@ TEST(QuantileEstimate, BeyondAllValuesIsTheGreatest) {
   EXPECT_DOUBLE_EQ(RankedValues(three).estimate(0.99, 0.95).value, 2.98);
 }
 
-TEST(RankedValues, OfOneValueHaveNoInterval) {
+TEST(RankedValues, OfASingleValueHaveNoInterval) {
   QuantileSketch sketch(1);
   sketch.add(3);
   EXPECT_EQ(RankedValues(sketch).estimate(0.95, 0.95), (Estimate{3, {}, {}}));

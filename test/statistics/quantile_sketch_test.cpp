@@ -51,7 +51,7 @@ TEST(QuantileSketchOfFew, IsTheSpreadsheetsPercentile) {
   EXPECT_EQ(sketch.quantile(1), 50);
 }
 
-TEST(QuantileSketchOfFew, HasNoneWithoutValues) {
+TEST(QuantileSketchOfFew, HasNoQuantilesWithoutValues) {
   EXPECT_EQ(QuantileSketch(10).quantile(0.5), std::nullopt);
   EXPECT_EQ(QuantileSketch(many).quantile(0.5), std::nullopt);
   EXPECT_EQ(sketch_of({3}, 1).quantile(0.7), 3);
@@ -70,17 +70,17 @@ TEST(QuantileSketchOfMany, IsWithinItsErrorForValuesOfAnySignAndSize) {
   EXPECT_EQ(sketch.quantile(1), *std::max_element(values.begin(), values.end()));
 }
 
-TEST(QuantileSketchOfMany, KeepsItsErrorForEverySingleValue) {
+TEST(QuantileSketchOfMany, KeepsItsErrorBoundForEveryValue) {
   for (double x = 1e-12; x < 1e24; x *= 1.0173) {
     for (const double value : {x, -x}) {
-      // Between two far ones, so that the exact extremes do not help.
+      // Between two distant values, so that the exact extremes do not help.
       const QuantileSketch sketch = sketch_of({-1e25, value, 1e25}, many);
       ASSERT_NEAR(*sketch.quantile(0.5), value, 0.0005 * x);
     }
   }
 }
 
-TEST(QuantileSketchOfMany, TellsPlacesApartNextToItsOrigin) {
+TEST(QuantileSketchOfMany, ResolvesPositionsNearItsOrigin) {
   QuantileSketch sketch(many, 652288);
   std::vector<double> values;
   for (int k = 0; k <= 2000; ++k) values.push_back(652100 + 0.1 * k);
@@ -105,7 +105,7 @@ TEST(QuantileSketchOfFew, IsTheSameWithAnyOrigin) {
   }
 }
 
-TEST(QuantileSketchOfMany, CountsTheTinyAsZeroAndTheHugeInTheLastBin) {
+TEST(QuantileSketchOfMany, CountsTinyValuesAsZeroAndHugeOnesInTheLastBin) {
   EXPECT_EQ(sketch_of({-1, 1e-13, 1}, many).quantile(0.5), 0);
   EXPECT_EQ(sketch_of({-1, -1e-13, 1}, many).quantile(0.5), 0);
   const QuantileSketch huge = sketch_of({1, 1e30, 1e40}, many);
@@ -118,7 +118,7 @@ TEST(QuantileSketchOfMany, InterpolatesBetweenTheTwoMiddleValues) {
   EXPECT_NEAR(*sketch.quantile(0.5), 15, 0.0005 * 15);
 }
 
-// What is to be told apart later: the quantiles, and the ascending counts behind them.
+// Compares the quantiles, and the ascending counts behind them.
 void expect_same(const QuantileSketch& a, const QuantileSketch& b) {
   ASSERT_EQ(a.is_exact(), b.is_exact());
   ASSERT_EQ(a.count(), b.count());
@@ -133,7 +133,7 @@ void expect_same(const QuantileSketch& a, const QuantileSketch& b) {
 
 TEST(QuantileSketchMerge, IsTheSameForAnySplitAndOrder) {
   std::mt19937_64 bits(2);
-  // Exact; in bins from the first; in bins because more came than were planned; and just at the limit.
+  // Exact; in bins from the start; in bins because more values came than planned; and exactly at the limit.
   for (const auto& [count, planned] : {std::pair<std::size_t, std::uint64_t>{20'000, 20'000},
                                        {20'000, many},
                                        {300, many},
@@ -147,7 +147,7 @@ TEST(QuantileSketchMerge, IsTheSameForAnySplitAndOrder) {
     for (const std::size_t parts : {2u, 7u}) {
       std::shuffle(values.begin(), values.end(), bits);
       std::vector<QuantileSketch> sketches(parts, QuantileSketch(planned));
-      // Uneven, so that one part may be in bins already while another is not.
+      // Uneven, so that some parts are in bins while others are not.
       for (const double x : values) sketches[bits() % 10 == 0 ? bits() % parts : 0].add(x);
       QuantileSketch forwards(planned), backwards(planned);
       for (std::size_t i = 0; i < parts; ++i) {
@@ -160,8 +160,8 @@ TEST(QuantileSketchMerge, IsTheSameForAnySplitAndOrder) {
   }
 }
 
-// A few values wait for bins; what is answered is as if they were there.
-TEST(QuantileSketchOfMany, AnswersAlikeWhileItHasFew) {
+// The first few values wait before they are put into bins; answers must not depend on that.
+TEST(QuantileSketchOfMany, AnswersTheSameBeforeAndAfterBinning) {
   for (const std::size_t count : {1U, 2U, 300U, 512U, 513U}) {
     const QuantileSketch few = sketch_of(mixed_values(count), many);
     EXPECT_FALSE(few.is_exact());

@@ -1,4 +1,4 @@
-// Sums, moments and quantiles that are saved and merged again.
+// Saves sums, moments and quantiles and merges them again.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ using testing_tools::takes;
 
 constexpr std::size_t part_count = 5;
 
-/// Adds so many values of `draw` to a whole and each to one of five parts.
+/// Adds `count` values of `draw` to a whole, and each to one of five parts.
 template <class T>
 void fill(Dice& dice, std::size_t count, T& whole, std::vector<T>& parts, const auto& draw) {
   for (std::size_t k = 0; k < count; ++k) {
@@ -49,7 +49,7 @@ TEST(SavedStatistics, ExactSums) {
   expect_damage_is_survived<ExactSum>(dice, saved(whole), empty, [](ExactSum& sum) { (void)sum.value(); });
 }
 
-TEST(SavedStatistics, ASumIsSavedAsANumberWhateverItsTerms) {
+TEST(SavedStatistics, EqualSumsOfDifferentTermsHaveEqualBytes) {
   ExactSum one, many;
   one.add(-3);
   for (int k = 0; k < 3000; ++k) many.add(-0.001953125);  // 2^-9
@@ -65,7 +65,7 @@ TEST(SavedStatistics, FixedSums) {
   expect_merged_parts_are_the_whole<FixedSum>(dice, whole, parts, [] { return FixedSum(); });
 }
 
-/// Counts at one place, with one way to add, as the others have.
+/// Counts at one place, with the same add() as the others.
 struct Bins {
   BinCounts counts{4};
   Bins() { counts.new_place(); }
@@ -92,7 +92,7 @@ TEST(SavedStatistics, Bins) {
   });
 }
 
-TEST(SavedStatistics, BinsSayHowManyValuesTheyBring) {
+TEST(SavedStatistics, BinsReturnTheirNumberOfValues) {
   Bins bins;
   for (int k = 0; k < 70'000; ++k) bins.counts.at(0).add(1, 12);
   bins.counts.at(0).add(3, 0);  // in no bin
@@ -140,8 +140,8 @@ TEST(SavedStatistics, QuantilesOfManyValues) {
   expect_damage_is_survived<QuantileSketch>(dice, saved(whole), empty, use_sketch);
 }
 
-// More hits on a barrier than rocks: each part keeps its values, all together are counted in bins.
-TEST(SavedStatistics, QuantilesThatOutgrowTheirPlan) {
+// More hits on a barrier than rocks: each part keeps its values, the whole is counted in bins.
+TEST(SavedStatistics, QuantilesOfMoreValuesThanPlanned) {
   Dice dice(7);
   constexpr std::uint64_t planned = 50'000;
   QuantileSketch whole(planned);
@@ -158,7 +158,7 @@ TEST(SavedStatistics, QuantilesOfAnotherPlanAreRefused) {
   EXPECT_FALSE(takes(eleven, saved(ten)));
 }
 
-// A zero is a zero: which of its two signs came first must show nowhere.
+// The sign of the first zero must not show in the result.
 TEST(SavedStatistics, TheSignOfAZeroIsNotKept) {
   for (const std::uint64_t planned : {10U, 1'000'000U}) {
     QuantileSketch one(planned), other(planned);

@@ -16,15 +16,15 @@ namespace {
 
 constexpr std::string_view velocity_column = "velocity_m_s", station_column = "station_m";
 
-/// The place of a column of a table.
+/// The zero-based place of a column in a table.
 template <TableRow Row>
 std::size_t place_of_column(std::string_view name) {
   const auto found = std::ranges::find(column_names<Row>, name);
-  TALUS_PROMISE(found != column_names<Row>.end(), "the table has the column");
+  TALUS_PROMISE(found != column_names<Row>.end(), "the table must have the column");
   return static_cast<std::size_t>(found - column_names<Row>.begin());
 }
 
-/// What can be added up in a table.
+/// The quantities of a table.
 template <TableRow Row>
 std::vector<NumberColumn> quantities_of() {
   std::vector<NumberColumn> quantities;
@@ -38,7 +38,7 @@ void insert_after(std::string_view name, NumberColumn column, std::vector<Number
   columns.insert(std::next(std::ranges::find(columns, name, &NumberColumn::name)), column);
 }
 
-/// What numbers of a column are counted next to: the origin, if they are positions.
+/// The origin for quantiles of a column: the local origin for positions, otherwise 0.
 double origin_of(const RunFacts& facts, std::string_view column) {
   constexpr std::array<std::string_view, 3> positions{"x_m", "y_m", "z_m"};
   const auto found = std::ranges::find(positions, column);
@@ -49,7 +49,7 @@ bool is_one_of(const std::vector<std::string>& names, std::string_view name) {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Which rocks hit one of some barriers; asked in the order of the rocks.
+/// Whether rocks hit one of the barriers; expects rocks in ascending order.
 class RocksThatHit {
  public:
   RocksThatHit(const std::filesystem::path& folder, const std::vector<std::string>& barriers) : barriers_(barriers) {
@@ -71,7 +71,7 @@ class RocksThatHit {
   bool has_row_ = false;
 };
 
-/// Calls visit(row) for each row of endpoints.csv whose rock passes.
+/// Calls visit(row) for each row of endpoints.csv whose rock passes the filter.
 template <class Visit>
 void for_rocks(const std::filesystem::path& folder, const RunFacts& facts, const RockFilter& filter, Visit&& visit) {
   using R = EndpointRow;
@@ -92,7 +92,7 @@ void for_rocks(const std::filesystem::path& folder, const RunFacts& facts, const
   }
 }
 
-/// What is asked of hits on a barrier: a column, or what follows from some.
+/// The value of a hit: a column of its row, or a quantity that follows from several.
 class NumberOfHit {
  public:
   NumberOfHit(const BarrierFacts& barrier, std::string_view column) : barrier_(barrier), column_(column) {
@@ -148,7 +148,7 @@ Tally barrier_statistics(const std::filesystem::path& folder, const RunFacts& fa
   Tally tally(facts.planned_rocks(), origin_of(facts, column));
   TableReader<HitRow> row(folder / HitRow::file_name);
   const auto known = std::ranges::find(facts.barriers, barrier, &BarrierFacts::name);
-  TALUS_PROMISE(known != facts.barriers.end(), "the run has the barrier");
+  TALUS_PROMISE(known != facts.barriers.end(), "the run must have the barrier");
   const NumberOfHit number(*known, column);
   const auto add = [&] {
     if (row.get<&HitRow::barrier>() == barrier) tally.add(number(row));

@@ -1,5 +1,5 @@
 #pragma once
-// Statistics of one column of a run's table over some of its rocks.
+// Statistics of one column of a run's table over a selection of its rocks.
 
 #include <filesystem>
 #include <optional>
@@ -12,33 +12,33 @@
 
 namespace talus {
 
-/// Which rocks count. An empty list lets all pass; of several names in one any will do.
+/// Selects rocks. An empty list passes all rocks; otherwise any of its names matches.
 struct RockFilter {
   std::vector<std::string> end_reasons, seeders, sources;
-  std::vector<std::string> barriers;                    // that the rock hit
-  std::optional<double> least_energy_J, most_energy_J;  // greatest kinetic energy along the path
+  std::vector<std::string> barriers;                    // hit by the rock
+  std::optional<double> least_energy_J, most_energy_J;  // limits of the maximum total kinetic energy
 
   [[nodiscard]] bool is_empty() const;
 };
 
-/// What can be asked for, and its unit; empty: a number.
+/// A column with statistics, and its unit; empty: none.
 struct NumberColumn {
   std::string_view name, unit;
 };
 [[nodiscard]] const std::vector<NumberColumn>& endpoint_numbers();
-/// The numbers of barriers.csv, and two that follow from them: `velocity_m_s`, the velocity's size, and `station_m`,
-/// how far along the barrier's line the hit is, on plan.
+/// The quantities of barriers.csv, and two that follow from them: `velocity_m_s`, the magnitude of the velocity, and
+/// `station_m`, the place of the hit along the barrier's line on plan.
 [[nodiscard]] const std::vector<NumberColumn>& barrier_numbers();
 
-/// Of endpoints.csv: with every rock, the same numbers as in the summary. Throws BadInput
-/// where a table is damaged. Expects a column that there is.
+/// Statistics of a column of endpoints.csv; over all rocks they equal those of the summary. Throws BadInput if a table
+/// is damaged. Expects a column of endpoint_numbers().
 [[nodiscard]] Tally endpoint_statistics(const std::filesystem::path& folder, const RunFacts& facts,
                                         std::string_view column, const RockFilter& filter);
-/// Of the hits on one barrier in barriers.csv; the filter is of the rocks.
+/// Statistics of the hits on one barrier in barriers.csv by the rocks that pass the filter.
 [[nodiscard]] Tally barrier_statistics(const std::filesystem::path& folder, const RunFacts& facts,
                                        std::string_view barrier, std::string_view column, const RockFilter& filter);
 
-/// The share of values that are not greater, at up to so many values, the least and the greatest among them.
+/// The cumulative distribution at no more than `most_points` values, including the minimum and maximum.
 struct CumulativePoint {
   double value, share;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// The design of barriers as JSON: its plan, to be kept with a run's state, and its result, in summary.json.
+// The design of barriers as JSON: its plan, saved in a run's state, and its result, in summary.json.
 
 #include <nlohmann/json.hpp>
 
@@ -10,10 +10,11 @@
 namespace talus {
 
 [[nodiscard]] nlohmann::ordered_json plan_json(const DesignPlan& plan);
-/// Of so many barriers and collectors. Throws BadBytes, or an exception of the library, on what is not a plan for them.
+/// The plan for a model with this number of barriers and collectors. Throws BadBytes, or an exception of the JSON
+/// library, on anything else.
 [[nodiscard]] DesignPlan plan_from(const nlohmann::ordered_json& json, std::size_t barriers);
 
-/// What holds a kit back and what helps, in words; empty where nothing does.
+/// Why a kit does not catch enough rocks, and what helps; empty if it does.
 [[nodiscard]] std::string limit_text(const DesignPlan& plan, const KitChoice& kit);
 
 /// The value of the key `design` of summary.json.

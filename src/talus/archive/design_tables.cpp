@@ -11,7 +11,7 @@ namespace talus {
 
 namespace {
 
-constexpr const char* ends[] = {"", "_low", "_high"};
+constexpr const char* interval_ends[] = {"", "_low", "_high"};
 
 std::optional<std::uint64_t> class_of(const std::optional<int>& kit_class) {
   return kit_class ? std::optional(static_cast<std::uint64_t>(*kit_class)) : std::nullopt;
@@ -21,7 +21,8 @@ std::vector<std::string> percentile_columns(const std::vector<double>& percentil
   std::vector<std::string> names;
   for (const DesignQuantity& quantity : design_quantities) {
     for (const double percentile : percentiles) {
-      for (const char* end : ends) names.push_back(design_column(quantity, fmt::format("{}", percentile), end));
+      for (const char* end : interval_ends)
+        names.push_back(design_column(quantity, fmt::format("{}", percentile), end));
     }
   }
   return names;
@@ -100,9 +101,9 @@ std::vector<ColumnText> DesignRow::family_texts() {
     texts.push_back({design_column(quantity, "…", end), std::string(quantity.unit), std::move(meaning)});
   };
   for (const DesignQuantity& quantity : design_quantities) {
-    add(quantity, ends[0], fmt::format("{}: each of `percentiles`", quantity.meaning));
-    add(quantity, ends[1], "lower end of its confidence interval");
-    add(quantity, ends[2], "upper end of its confidence interval");
+    add(quantity, interval_ends[0], fmt::format("{}: each of `percentiles`", quantity.meaning));
+    add(quantity, interval_ends[1], "lower end of its confidence interval");
+    add(quantity, interval_ends[2], "upper end of its confidence interval");
   }
   return texts;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// envelopes.csv: what maps show on plan, along a section.
+// envelopes.csv: the quantities of maps along a section.
 
 #include <filesystem>
 #include <string>
@@ -17,7 +17,7 @@ struct EnvelopeRow {
   static constexpr const char* file_name = "envelopes.csv";
 
   double x_m = 0;
-  FamilyValues values{};  // of the maps that were chosen
+  FamilyValues values{};  // of the chosen maps
 
   static constexpr auto columns() {
     using R = EnvelopeRow;
@@ -31,7 +31,7 @@ struct EnvelopeRow {
 /// row.
 [[nodiscard]] std::string envelope_table(const Maps& maps, const MapSelection& selection, bool has_heights);
 
-/// Writes it into a run's folder; throws BadInput where it cannot be written.
+/// Writes the table into a run's folder; throws BadInput if that fails.
 void write_envelopes(const std::filesystem::path& folder, const Maps& maps, const MapSelection& selection,
                      bool has_heights);
 void remove_envelopes(const std::filesystem::path& folder);

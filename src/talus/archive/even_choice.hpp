@@ -1,25 +1,25 @@
 #pragma once
-// So many of all rocks, evenly spread over their numbers: whether a rock is one of them depends on nothing else.
+// A selection of rocks that is evenly spread over their numbers and depends on nothing else.
 
 #include <algorithm>
 #include <cstdint>
 
 namespace talus {
 
-/// The rocks are cut into as many stretches of equal length as rocks are wanted, and of each stretch one rock is taken,
-/// at a place that follows from the stretch's number as if by chance. So every run of rocks, which is to say every
-/// seeder, line and source, has its share to less than one rock (stratified sampling: Cochran, Sampling Techniques,
-/// chapter 5), and places that come back in a rhythm - cells released row by row - do not keep step with the choice.
+/// The rocks are divided into as many intervals of equal length as rocks are wanted. One rock is taken from each, at a
+/// pseudorandom place that depends only on the number of the interval. So every range of rocks, and with it every
+/// seeder, line and source, has its share to within one rock (stratified sampling: Cochran, Sampling Techniques,
+/// chapter 5). Periodic releases, such as cells row by row, do not interfere with the selection.
 class EvenChoice {
  public:
-  /// `wanted` of `rocks`; all of them where more are wanted. Of up to 1e12 rocks.
+  /// `wanted` of `rocks`, or all if more are wanted. Expects up to 1e12 rocks.
   EvenChoice(std::uint64_t wanted, std::uint64_t rocks) : wanted_(std::min(wanted, rocks)), rocks_(rocks) {}
 
   [[nodiscard]] bool contains(std::uint64_t rock) const {
     if (wanted_ == rocks_ || wanted_ == 0) return wanted_ != 0;
     return chosen_in(stretch_of(rock)) == rock;
   }
-  /// How many rocks of a smaller number are chosen.
+  /// The number of chosen rocks with a lower number.
   [[nodiscard]] std::uint64_t count_before(std::uint64_t rock) const {
     if (wanted_ == rocks_ || wanted_ == 0) return wanted_ == 0 ? 0 : rock;
     if (rock >= rocks_) return wanted_;
@@ -29,7 +29,7 @@ class EvenChoice {
   [[nodiscard]] std::uint64_t count() const { return wanted_; }
 
  private:
-  __extension__ using Wide = unsigned __int128;  // products of two numbers of rocks
+  __extension__ using Wide = unsigned __int128;  // for products of two rock counts
 
   [[nodiscard]] std::uint64_t stretch_of(std::uint64_t rock) const {
     return static_cast<std::uint64_t>(Wide{rock} * wanted_ / rocks_);

@@ -1,5 +1,5 @@
 #pragma once
-// Stretches of a barrier's foot, and places along it, on plan.
+// Parts of a barrier's foot, and stations along it on plan.
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@ namespace talus {
 
 using FootLine = std::vector<std::array<double, 3>>;
 
-/// How far each point of a line is from its first one, along it on plan [m].
+/// The station of each point of a line: its distance from the first along the line on plan [m].
 [[nodiscard]] inline std::vector<double> stations_along(const FootLine& line) {
   std::vector<double> stations;
   for (std::size_t k = 0; k < line.size(); ++k) {
@@ -21,7 +21,7 @@ using FootLine = std::vector<std::array<double, 3>>;
   return stations;
 }
 
-/// The part of a line in space between two stations [m], those of its points being given; two points at the least,
+/// The part of a line in space between two stations [m], given the stations of its points. It has at least two points,
 /// unless the line has fewer.
 [[nodiscard]] inline FootLine stretch_of(const FootLine& line, const std::vector<double>& stations, double from,
                                          double to) {
@@ -43,7 +43,7 @@ using FootLine = std::vector<std::array<double, 3>>;
   return stretch.empty() ? FootLine{line[line.size() - 2], line.back()} : stretch;
 }
 
-/// The station of that point of the line that is nearest to a place [m], those of its points being given.
+/// The station of the point of the line nearest to a place [m], given the stations of its points.
 [[nodiscard]] inline double station_of(const FootLine& line, const std::vector<double>& stations, double x, double y) {
   double station = stations.empty() ? 0 : stations.front(), nearest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {

@@ -1,12 +1,12 @@
 #pragma once
-// Structs as JSON objects. A struct declares its members with their keys, once,
+// Structs as JSON objects. A struct declares its members with their keys once,
 //
 //   static auto fields() { return std::tuple(field("name", &Barrier::name), field_if_any("note", &Barrier::note)); }
 //
-// and from that follow the object that is written, in this order, and the reader, which refuses what is missing or of
-// another kind and says where it stands. Members are numbers, texts, flags, other such structs, lists of any of these,
-// objects whose keys are names (Named), and JSON that is left as it is (SharedJson). An optional is null where it is
-// empty; a member of field_if_any() is left out where it is empty. Keys that are not declared are passed over.
+// From that follow the object that is written, in this order, and the reader. The reader refuses missing values and
+// values of another type, with their place. Members are numbers, texts, flags, other such structs, lists of any of
+// these, objects whose keys are names (Named), and JSON that is kept as it is (SharedJson). An empty optional is null;
+// an empty field_if_any() is left out. Keys that are not declared are ignored.
 
 #include <fmt/format.h>
 
@@ -26,9 +26,9 @@
 namespace talus {
 
 using JsonValue = nlohmann::ordered_json;  // in the order of the file
-/// An object that nobody here looks into; copies share it.
+/// JSON that is kept as it is; copies share it.
 using SharedJson = std::shared_ptr<const JsonValue>;
-/// An object whose keys are names, in its order.
+/// An object whose keys are names, in their order.
 template <class T>
 using Named = std::vector<std::pair<std::string, T>>;
 
@@ -53,13 +53,13 @@ template <class T>
 concept Declared = requires {
   T::fields();
 };
-/// Kinds of their own: T::from(json, place).
+/// Types with their own reader: T::from(json, place).
 template <class T>
 concept ReadsItself = requires(const JsonValue& json, const JsonPlace& place) {
   { T::from(json, place) } -> std::same_as<T>;
 };
 
-/// Where in a file a value stands: "barriers/0/name".
+/// The place of a value in a file: "barriers/0/name".
 class JsonPlace {
  public:
   JsonPlace() = default;
@@ -72,16 +72,16 @@ class JsonPlace {
   }
 
  private:
-  const JsonPlace* above_ = nullptr;  // nothing: the whole file
+  const JsonPlace* above_ = nullptr;  // nullptr: the whole file
   std::string_view key_;
   std::optional<std::size_t> index_;
 };
 
-/// Thrown where a value is not what is declared.
+/// Thrown if a value is not as declared.
 struct BadField {
   std::string where, what, why;
 };
-/// What is wrong with a value that is of the right kind: T::fault() gives one, or nothing.
+/// A fault of a value of the right type: T::fault() returns one, or nullopt.
 struct FieldFault {
   std::string what, why;
 };
@@ -119,7 +119,7 @@ template <class T>
 
 }  // namespace json_fields
 
-/// The entry of a name; null where there is none.
+/// The entry of a name; nullptr if there is none.
 template <class T>
 [[nodiscard]] const T* find_named(const Named<T>& named, std::string_view name) {
   for (const auto& entry : named) {
@@ -128,13 +128,13 @@ template <class T>
   return nullptr;
 }
 
-/// Calls visit(field) for each that a struct declares, in their order.
+/// Calls visit(field) for each field of a struct, in their order.
 template <Declared T, class Visit>
 void for_fields(Visit&& visit) {
   std::apply([&](const auto&... field) { (visit(field), ...); }, T::fields());
 }
 
-/// Whether a field is written of this object.
+/// Whether this field of an object is written.
 template <class Object, class OfField>
 [[nodiscard]] bool is_there(const Object& object, const OfField& field) {
   return field.is_always_there || !json_fields::is_empty(object.*field.member);
@@ -172,7 +172,7 @@ template <class T>
 template <class T>
 void read_json(const JsonValue& json, const JsonPlace& place, T& value);
 
-/// Those fields of an object that are wanted by their keys.
+/// Reads the fields of an object that are selected by their keys.
 template <Declared T, class Wants>
 void read_fields(const JsonValue& json, const JsonPlace& place, T& value, Wants&& wants) {
   expect_kind(json.is_object(), json, place, "an object");
@@ -231,7 +231,7 @@ void read_json(const JsonValue& json, const JsonPlace& place, T& value) {
     expect_kind(json.is_number_unsigned(), json, place, "a whole number, 0 or more");
     value = json.get<std::uint64_t>();
   } else {
-    static_assert(std::same_as<T, double>, "a kind that is not known");
+    static_assert(std::same_as<T, double>, "no reader for this type");
     expect_kind(json.is_number(), json, place, "a number");
     value = json.get<double>();
   }

@@ -29,7 +29,7 @@ TerrainSummary terrain_of(const Model& model, const Profile& profile) {
   return terrain;
 }
 
-// The terrain from above as a coarse grid of elevations, for pictures.
+// The terrain as a coarse grid of elevations, for pictures.
 template <class Surface>
 Relief relief_of(const Model& model, const Surface& surface) {
   constexpr double most_cells_a_side = 160;
@@ -70,7 +70,7 @@ TerrainSummary terrain_of(const Model& model, const RasterSurface& raster) {
   return surface_of(model, raster, "raster");
 }
 
-/// The foot of a barrier on the ground; in a section, which has no plan, where it stands.
+/// The foot of a barrier on the ground; in a section, which has no plan, its point.
 std::vector<std::array<double, 3>> foot_of(const Model& model, const Barrier& barrier) {
   std::vector<std::array<double, 3>> foot;
   const auto add = [&](const Vec3& local) {
@@ -87,7 +87,7 @@ std::vector<std::array<double, 3>> foot_of(const Model& model, const Barrier& ba
   return foot;
 }
 
-/// How far along the line as it was given each point of the foot is, on plan: nothing where it is as far as along the
+/// The stations of the points of the foot along the line of the input, on plan; empty if they equal those along the
 /// foot.
 std::vector<double> stations_of(const Barrier& barrier) {
   constexpr double by_rounding = 1e-6;  // [m]
@@ -107,7 +107,7 @@ std::vector<double> stations_of(const Barrier& barrier) {
   return stations;
 }
 
-/// Which rocks come from which source: of each the first rock and the number of each unbroken row of them.
+/// The rocks of each source: first rock and number of every unbroken range.
 std::vector<SourceRocks> sources_of(const Model& model) {
   std::vector<SourceRocks> sources(model.sources.size());
   for (std::size_t k = 0; k < sources.size(); ++k) sources[k].name = model.sources[k];
@@ -124,7 +124,7 @@ std::vector<SourceRocks> sources_of(const Model& model) {
   return sources;
 }
 
-/// What is known of a barrier beforehand.
+/// The facts of a barrier that are known before the run.
 BarrierPlace place_of(const Model& model, const Barrier& barrier) {
   BarrierPlace place{.name = barrier.name,
                      .kind = barrier.is_collector ? "collector" : "barrier",
@@ -133,7 +133,7 @@ BarrierPlace place_of(const Model& model, const Barrier& barrier) {
   return place;
 }
 
-/// The kernel's origin, next to which positions are counted. None of it is a negative zero.
+/// The origin of the local frame, without negative zeros.
 Json origin_json(const LocalFrame& frame) {
   const Vec3 origin = frame.origin + Vec3::Zero();
   return {origin.x(), origin.y(), origin.z()};

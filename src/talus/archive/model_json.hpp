@@ -1,5 +1,5 @@
 #pragma once
-// What summary.json says of a run's model, before any rock is thrown.
+// The parts of summary.json that describe the model, known before any rock is run.
 
 #include <nlohmann/json.hpp>
 
@@ -7,8 +7,8 @@
 
 namespace talus {
 
-/// The keys `seed`, `energy_datum_m`, `origin_m` (of the local frame), `terrain` (a section's vertices, or a coarse
-/// relief), `barriers` (a list of name, kind and foot) and `sources` (which rocks come from which).
+/// The keys `seed`, `energy_datum_m`, `origin_m` (of the local frame), `terrain` (the vertices of a section, or a
+/// coarse relief), `barriers` (a list of name, kind and foot) and `sources` (the rocks of each source).
 [[nodiscard]] nlohmann::ordered_json model_json(const Model& model);
 
 }  // namespace talus

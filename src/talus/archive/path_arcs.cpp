@@ -32,7 +32,7 @@ class Arc {
     if (squared > 0) mass_ = 2 * faster.ke_translational_J / squared;
   }
 
-  /// How many pieces make it within a tolerance.
+  /// The number of pieces for which the lines are within a tolerance.
   [[nodiscard]] int pieces(double tolerance) const {
     if (duration_ <= 0) return 1;
     const double greatest = std::max(a_.norm(), (a_ + duration_ * j_).norm());

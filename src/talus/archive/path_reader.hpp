@@ -1,5 +1,5 @@
 #pragma once
-// Reads paths.csv one path after the other, in memory that holds one.
+// Reads paths.csv path by path, with one path in memory.
 
 #include <filesystem>
 #include <functional>
@@ -12,11 +12,11 @@ namespace talus {
 
 class PathReader {
  public:
-  /// Throws BadInput where the file is none or has other columns.
+  /// Throws BadInput if there is no file, or if it has other columns.
   explicit PathReader(const std::filesystem::path& file);
 
-  /// Goes to the next path of a rock that is wanted, in the order of the file; false after the last. Throws BadInput on
-  /// rows that are not paths.
+  /// Goes to the next path of a selected rock, in the order of the file; false after the last. Throws BadInput on rows
+  /// that are not a path.
   [[nodiscard]] bool next(const std::function<bool(std::uint64_t rock)>& wants);
   [[nodiscard]] const Path& path() const { return path_; }
 
@@ -26,7 +26,7 @@ class PathReader {
   Path path_;
 };
 
-// What all readers of paths ask of a row: its values but for the spin; and what they refuse.
+// Shared by the readers of paths: the values of a row without its spin; and the problems that they report.
 [[nodiscard]] PathEventRow path_row(const TableReader<PathEventRow>& row);
 [[noreturn]] void refuse_other_rock(const TableReader<PathEventRow>& row, std::uint64_t rock, std::uint64_t unfinished);
 [[noreturn]] void refuse_unfinished_path(const std::filesystem::path& file, std::uint64_t rock);

@@ -40,7 +40,7 @@ ReportEnvelopes read_report_envelopes(const std::filesystem::path& file) {
     auto& cell = out.cells.back();
     cell.to_x_m = x_m;
     const FamilyValues values = row.get<&EnvelopeRow::values>();
-    // An optional without a value is less than any with one.
+    // An empty optional compares less than any value.
     for (std::size_t n = 0; n < places.size(); ++n) cell.values[n] = std::max(cell.values[n], values[places[n]]);
   }
   return out;

@@ -15,13 +15,13 @@ namespace {
 
 struct Shown {
   const char* name;
-  bool is_logarithmic;  // its levels
+  bool is_logarithmic;  // whether levels are logarithmic
 };
 
 constexpr Shown shown_maps[] = {
     {"reach_share", true}, {"energy_total_max_kJ", true}, {"bounce_height_max_m", false}, {"velocity_max_m_s", false}};
 
-/// Of the values above 0.
+/// The range of the values above 0.
 ValueRange range_of(const std::vector<float>& values) {
   ValueRange range;
   for (const float value : values) {

@@ -1,5 +1,5 @@
 #pragma once
-// The maps of a run as the report draws them: a few of all kinds, coarse, their values in 255 levels.
+// The maps of a run for the report: some of them, coarse, with values in 255 levels.
 
 #include <array>
 #include <cstdint>
@@ -11,9 +11,8 @@
 
 namespace talus {
 
-/// A map whose cells have levels instead of values: 0 where no rock was, else k from 1 to 255, which stands for
-/// least (greatest / least)^((k - 1) / 254) where they are logarithmic and for greatest (k - 1) / 254 where they are
-/// not.
+/// A map whose cells have levels instead of values: 0 without a rock; k from 1 to 255 stands for least (greatest /
+/// least)^((k - 1) / 254) if levels are logarithmic, and for greatest (k - 1) / 254 if they are linear.
 struct ReportMap {
   std::string name;  // of its file: maps/NAME.tif
   bool is_logarithmic = false;
@@ -25,11 +24,11 @@ struct ReportMap {
   std::vector<std::uint8_t> levels{};  // row by row from the south
 };
 
-/// Most cells a side: more could not be told apart on a page.
+/// Maximum number of cells a side: more could not be distinguished on a page.
 inline constexpr int most_report_cells = 400;
 
-/// Reach, energy, height and velocity, as far as a run has left them in FOLDER/maps; none where the program was built
-/// without GDAL. Throws BadInput on a map that cannot be read.
+/// Reach, energy, height and velocity, as far as they are in FOLDER/maps; none if the program was built without GDAL.
+/// Throws BadInput on a map that cannot be read.
 [[nodiscard]] std::vector<ReportMap> read_report_maps(const std::filesystem::path& folder);
 
 }  // namespace talus

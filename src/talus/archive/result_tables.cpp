@@ -23,7 +23,7 @@ double rotational_energy(const Rock& rock, const Motion& motion) {
   return 0.5 * rock.inertia * motion.spin.squaredNorm();
 }
 
-/// The text of a block's rows.
+/// The text of the rows of a block.
 struct TextPart : ObserverPart {
   explicit TextPart(const TableContext& c) : context(c) {}
   const TableContext& context;

@@ -1,6 +1,6 @@
 #pragma once
-// The tables of a run folder: endpoints.csv, paths.csv, barriers.csv. How a rock becomes text is told here; where the
-// text goes is the sink's affair (text_sink.hpp): to a file, or to another process that has the file.
+// Writes endpoints.csv, paths.csv and barriers.csv: turns rocks into rows of text. Where the text goes is decided by
+// the sink (text_sink.hpp): into a file, or to the process that has the file.
 
 #include <optional>
 #include <string>
@@ -14,25 +14,25 @@
 
 namespace talus {
 
-/// What the tables need to know of the model: everything else is in the records.
+/// The facts of the model that tables need; everything else is in the records.
 struct TableContext {
   LocalFrame frame;
   double gravity = standard_gravity;           // [m/s2]
-  double energy_datum = 0;                     // the user's z [m]
+  double energy_datum = 0;                     // z in user coordinates [m]
   std::vector<std::string> seeders, barriers;  // their names
 
   [[nodiscard]] static TableContext of(const Model& model);
 };
 
-/// A table: what rocks say of themselves becomes text in the threads that compute them, and the text of a block goes
-/// to the sink when the block is committed.
+/// A table. Rows become text in the threads that compute the rocks; the text of a block goes to the sink when the block
+/// is committed.
 class TableObserver : public Observer {
  public:
-  /// The sink must outlive it; it is given rows only, never the header.
+  /// The sink must outlive it; it gets rows only, never the header.
   TableObserver(TableContext context, TextSink& sink) : context_(std::move(context)), sink_(sink) {}
   void commit(ObserverPart& part) override;
 
-  /// The name of its file, and the first line there.
+  /// The name of its file, and the first line of the file.
   [[nodiscard]] virtual std::string_view file_name() const = 0;
   [[nodiscard]] virtual std::string header() const = 0;
 
@@ -44,7 +44,7 @@ class TableObserver : public Observer {
   TextSink& sink_;
 };
 
-/// One row a rock, of those that have one.
+/// One row for each rock that the table contains.
 class EndpointsTable : public TableObserver {
  public:
   EndpointsTable(TableContext context, TextSink& sink, const TableRocks& rocks);
@@ -57,7 +57,7 @@ class EndpointsTable : public TableObserver {
   TableRocks rocks_;
 };
 
-/// The rows of a path, of the rocks that have one there.
+/// The rows of the paths that the table contains.
 class PathsTable : public TableObserver {
  public:
   PathsTable(TableContext context, TextSink& sink, const TableRocks& rocks);
@@ -70,7 +70,7 @@ class PathsTable : public TableObserver {
   TableRocks rocks_;
 };
 
-/// One row a hit.
+/// One row for each hit.
 class BarriersTable : public TableObserver {
  public:
   using TableObserver::TableObserver;
@@ -80,7 +80,7 @@ class BarriersTable : public TableObserver {
   [[nodiscard]] std::string header() const override { return header_of<HitRow>(); }
 };
 
-// What rocks say of themselves as rows, into one that is used again and again.
+// Fill a row, which can be reused, from a record.
 void fill(EndpointRow& row, const TableContext& context, const RockRecord& record);
 void fill(PathEventRow& row, const TableContext& context, const RockRecord& record, std::size_t event,
           const PathRow& seen);

@@ -10,10 +10,10 @@ namespace talus {
 
 namespace {
 
-constexpr std::uint64_t little = 1u << 16u;  // bytes that are read rather than searched further
+constexpr std::uint64_t direct_read_bytes = 1u << 16u;  // bytes that are read without further bisection
 
-/// The rock of the row that a line holds, if it holds one whole: not every line does, since a name in quotes may hold a
-/// line's end.
+/// The rock of the row in a line; nullopt if the line is not a whole row, which happens if a quoted name contains a
+/// line end.
 std::optional<std::uint64_t> rock_in(std::string_view line, std::size_t column, std::size_t columns) {
   std::optional<std::uint64_t> rock;
   for (std::size_t k = 0;; ++k) {
@@ -34,7 +34,7 @@ std::optional<std::uint64_t> rock_in(std::string_view line, std::size_t column, 
   }
 }
 
-/// Where a row begins that has no row of the rock before it; 0: the file's beginning. By bisection.
+/// The beginning of a row before which the rock has none, found by bisection; 0: the beginning of the file.
 std::uint64_t begin_before(const std::filesystem::path& file, std::size_t column, std::size_t columns,
                            std::uint64_t rock) {
   std::error_code error;
@@ -42,9 +42,9 @@ std::uint64_t begin_before(const std::filesystem::path& file, std::size_t column
   if (error) return 0;
   std::ifstream stream(file, std::ios::binary);
   std::string part;
-  while (high - low > little) {
+  while (high - low > direct_read_bytes) {
     const std::uint64_t middle = low + (high - low) / 2;
-    part.resize(std::min<std::uint64_t>(little, high - middle));
+    part.resize(std::min<std::uint64_t>(direct_read_bytes, high - middle));
     stream.seekg(static_cast<std::streamoff>(middle));
     if (!stream.read(part.data(), static_cast<std::streamsize>(part.size()))) return low;
     std::optional<std::uint64_t> found;

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of one rock in a table of a run, found without reading all of it: tables are in the order of the rocks.
+// The rows of one rock in a table of a run, found by bisection: tables are in the order of the rocks.
 
 #include <cstdint>
 #include <filesystem>
@@ -9,11 +9,10 @@
 
 namespace talus {
 
-/// Goes to where a row begins that has no row of the rock before it, or to the first row. `column` is that of the rock.
+/// Goes to a place before the first row of the rock and close to it. `column` is the column of the rock.
 void go_near_rock(CsvReader& row, const std::filesystem::path& file, std::size_t column, std::uint64_t rock);
 
-/// Its rows in a table of a run's folder, in their order; none where the table has none. Throws BadInput where the file
-/// is no such table.
+/// The rows of a rock in a table of a run's folder, in their order. Throws BadInput if the file is not such a table.
 template <TableRow Row>
 [[nodiscard]] std::vector<Row> rows_of_rock(const std::filesystem::path& folder, std::uint64_t rock) {
   const std::filesystem::path file = folder / Row::file_name;

@@ -24,14 +24,14 @@ MapSubjects subjects_from(const Json& names) {
   MapSubjects subjects;
   for (const Json& name : names) {
     const auto found = std::ranges::find(map_subject_names, name.get_ref<const std::string&>());
-    expect_bytes(found != map_subject_names.end(), "the description's maps show nothing known");
+    expect_bytes(found != map_subject_names.end(), "the description's maps have an unknown subject");
     subjects.set(static_cast<std::size_t>(found - map_subject_names.begin()));
   }
-  expect_bytes(subjects.any(), "the description's maps show nothing");
+  expect_bytes(subjects.any(), "the description's maps have no subject");
   return subjects;
 }
 
-/// All but what may be long.
+/// Everything except the parts that may be long.
 Json head_of(const RunDescription& description) {
   Json json;
   json["name"] = description.name;
@@ -69,14 +69,14 @@ std::string json_text(const RunDescription& description) {
 
 namespace {
 
-/// The barriers and sources that the sums are of are those that summary.json tells of.
+/// Checks that the barriers and sources of the sums are those of the model.
 void check_model(const RunDescription& description) {
   const Json& model = description.model;
   for (const char* key : {"seed", "energy_datum_m", "origin_m", "terrain", "barriers", "sources"}) (void)model.at(key);
   const Json& origin = model.at("origin_m");
   expect_bytes(origin.is_array() && origin.size() == 3 &&
                    std::ranges::all_of(origin, [](const Json& x) { return x.is_number(); }),
-               "the description's origin is none");
+               "the description's origin is damaged");
   expect_bytes(model.at("barriers").is_array() && model.at("barriers").size() == description.barriers,
                "the description's barriers disagree");
   for (const Json& barrier : model.at("barriers")) (void)barrier.at("name").get_ref<const std::string&>();

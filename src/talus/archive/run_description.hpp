@@ -1,6 +1,6 @@
 #pragma once
-// All that the results of a run depend on besides its sums over rocks and its tables: who has these three can write
-// summary.json, the maps and the report without the project's files.
+// Everything that summary.json, the maps and the report need besides the sums over rocks and the tables. With these
+// three they can be written without the project's files.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace talus {
 
-/// The maps that a run makes; of a section, in one row of cells along it.
+/// The maps of a run; for a section, one row of cells along it.
 struct MapPlan {
   Vec2 origin, cell;  // of the grid, as in results/map_grid.hpp
   bool by_source = false;
@@ -23,33 +23,33 @@ struct MapPlan {
 
 struct RunDescription {
   std::string name;
-  std::string fingerprint;  // of everything that the results follow from
-  /// Of the paths of some rocks: two machines, or two builds of the program, that agree in it compute the same bits.
+  std::string fingerprint;  // of all inputs of the results
+  /// Hash of some trajectories: machines or builds of the program with the same hash compute the same bits.
   std::string sample;
   std::uint64_t rocks = 0;            // of the whole campaign
-  std::size_t barriers = 0;           // and collectors
-  nlohmann::ordered_json project;     // echoed whole, defaults filled in
-  nlohmann::ordered_json model;       // as model_json() has it
-  std::vector<std::string> warnings;  // those known before the run
-  std::string crs_wkt;                // of the user's coordinates; empty: not known
+  std::size_t barriers = 0;           // number of barriers and collectors
+  nlohmann::ordered_json project;     // complete, with defaults
+  nlohmann::ordered_json model;       // model_json()
+  std::vector<std::string> warnings;  // known before the run
+  std::string crs_wkt;                // of the user coordinates; empty: unknown
   std::vector<std::string> sources;   // their names
-  std::optional<MapPlan> maps;        // that are gathered; nothing: none
-  std::optional<DesignPlan> design;   // of barriers; nothing: none
-  bool wants_maps = false;            // of 3D terrain
-  bool wants_envelopes = false;       // of a section
-  bool wants_geopackage = false;      // that can be made on 3D terrain only
+  std::optional<MapPlan> maps;        // nullopt: no maps
+  std::optional<DesignPlan> design;   // nullopt: no design of barriers
+  bool wants_maps = false;            // on 3D terrain
+  bool wants_envelopes = false;       // along a section
+  bool wants_geopackage = false;      // on 3D terrain only
   bool wants_report = true;
 };
 
-/// Of the model's local frame, in the user's coordinates [m].
+/// The origin of the model's local frame in user coordinates [m].
 [[nodiscard]] Vec3 origin_of(const RunDescription& description);
 
-/// Those that the tables hold one by one, as `output` in the project says; all where it does not.
+/// The rocks in the tables, from `output` in the project; all without it.
 [[nodiscard]] TableRocks rocks_in_tables(const RunDescription& description);
 
-/// As JSON.
+/// The description as JSON.
 [[nodiscard]] std::string json_text(const RunDescription& description);
-/// Throws BadBytes where the text is not what json_text() gave.
+/// Reads the text of json_text(). Throws BadBytes on anything else.
 [[nodiscard]] RunDescription description_from(std::string_view json_text);
 
 }  // namespace talus

@@ -13,7 +13,7 @@ namespace talus {
 
 namespace {
 
-/// "all" (nothing), "none" (0) or a number of rocks.
+/// "all" (nullopt), "none" (0) or a number of rocks.
 struct RockLimit {
   TableRocks::Limit most{};
   static RockLimit from(const JsonValue& json, const JsonPlace& place) {
@@ -24,7 +24,7 @@ struct RockLimit {
   }
 };
 
-/// A number, or "inf": nothing.
+/// A number, or "inf" (nullopt).
 struct Capacity {
   std::optional<double> kJ{};
   static Capacity from(const JsonValue& json, const JsonPlace& place) {
@@ -34,7 +34,7 @@ struct Capacity {
   }
 };
 
-// What is needed of the project as the summary echoes it.
+// The needed parts of the project in the summary.
 
 struct GivenBarrier {  // or collector, which has no capacity
   std::string name{};
@@ -70,7 +70,7 @@ struct GivenProject {
   }
 };
 
-// What is needed of the design.
+// The needed parts of the design.
 
 struct Share {
   double value = 0;
@@ -115,7 +115,7 @@ Part part_of(const SharedJson& json, const char* key) {
   return part;
 }
 
-/// What the project says of the barriers and collectors of each name.
+/// The settings of barriers and collectors by name.
 class GivenByName {
  public:
   explicit GivenByName(const GivenProject& project) {
@@ -146,7 +146,7 @@ std::vector<SourceStretch> source_stretches(const RunSummary& summary) {
   return stretches;
 }
 
-/// The figures of a section, in the order of their names.
+/// The figures of a section, in the order of RunFacts::design_figures.
 std::vector<std::optional<double>> figures_of(const SectionFigures& section, const GivenDesign& design) {
   std::vector<std::optional<double>> figures;
   for (const DesignQuantity& quantity : design_quantities) {
@@ -190,7 +190,7 @@ void add_design(const GivenDesign& design, RunFacts& facts) {
   }
 }
 
-/// Brings the parts together. Throws BadField.
+/// Derives all other facts from the summary. Throws BadField.
 void complete(RunFacts& facts) {
   const RunSummary& summary = facts.summary;
   const auto project = part_of<GivenProject>(summary.project, "project");

@@ -1,5 +1,5 @@
 #pragma once
-// What those need of summary.json who make other files of a run's tables: its parts brought together.
+// The facts of summary.json that are needed to make other files from the tables of a run.
 
 #include <array>
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace talus {
 
-/// What rocks did at a barrier, and what the project says of it.
+/// A barrier: its results, and its settings in the project.
 struct BarrierFacts : BarrierSummary {
-  std::vector<double> stations{};  // of each point of the foot, along the line as it was given, on plan [m]
+  std::vector<double> stations{};  // of each point of the foot along the line of the input, on plan [m]
   double height_m = 0, inclination_deg = 0;
-  std::optional<double> capacity_kJ{};  // nothing: of a collector, or without limit
+  std::optional<double> capacity_kJ{};  // nullopt: a collector, or without limit
 };
 
 /// A section of a line along which a barrier is designed.
@@ -28,33 +28,33 @@ struct DesignSection {
   std::vector<std::array<double, 3>> foot_m;
   std::uint64_t rocks = 0;
   std::optional<double> share;                 // of all rocks
-  std::vector<std::optional<double>> figures;  // in the order of RunFacts::design_figures
+  std::vector<std::optional<double>> figures;  // by RunFacts::design_figures
 };
 
-/// Rocks one after the other that come from one source.
+/// Consecutive rocks of one source.
 struct SourceStretch {
   std::uint64_t first_rock = 0, rocks = 0;
   std::string source;
 };
 
 struct RunFacts {
-  RunSummary summary;  // but for its barriers
+  RunSummary summary;  // without its barriers
   bool is_section = false;
-  TableRocks in_tables{0};             // rocks that the tables hold, if they were done
-  std::uint64_t geopackage_rocks = 0;  // of how many of them results.gpkg is to hold the ends, or the paths
+  TableRocks in_tables{0};             // rocks in the tables, if they were done
+  std::uint64_t geopackage_rocks = 0;  // number of end points, and of paths, in results.gpkg
   bool wants_geopackage = false, wants_vtk = false;
   std::vector<BarrierFacts> barriers;
   std::vector<SourceStretch> sources;  // in the order of the rocks
-  /// What is known of each section, named as the columns of design.csv: percentiles, and what the check asks for.
+  /// Names of the figures of a section, as columns of the layer `design`: percentiles, and the demands of the check.
   std::vector<std::string> design_figures;
-  std::vector<DesignSection> design_sections;  // empty where no barrier is designed
+  std::vector<DesignSection> design_sections;  // empty without a design
 
   [[nodiscard]] std::uint64_t planned_rocks() const { return summary.rocks.planned; }  // of the whole campaign
-  /// The source of a rock; empty where the summary does not say.
+  /// The source of a rock; empty if the summary has none.
   [[nodiscard]] const std::string& source_of(std::uint64_t rock) const;
 };
 
-/// Reads FOLDER/summary.json, or what is to become it. Throws BadInput where it is none, or not as a run writes
+/// Reads FOLDER/summary.json, or the file that will become it. Throws BadInput if it is missing or not as a run writes
 /// it.
 [[nodiscard]] RunFacts read_run_facts(const std::filesystem::path& folder, const char* summary = "summary.json");
 

@@ -16,7 +16,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t most_impacts = 100;  // for which losses are kept by number
+constexpr std::size_t most_impacts = 100;  // whose losses are kept by number
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string where, std::string what, std::string why,
                          std::string hint = {}, int line = 0) {
@@ -28,7 +28,7 @@ constexpr std::size_t most_impacts = 100;  // for which losses are kept by numbe
                          .hint = std::move(hint)});
 }
 
-constexpr std::size_t most_barriers = 100;  // that a report shows one by one
+constexpr std::size_t most_barriers = 100;  // shown one by one in a report
 
 constexpr auto name_a_run = "Name a folder that `talus run` has written";
 
@@ -40,7 +40,7 @@ std::string date_of(const std::filesystem::path& file) {
 
 // ---- the summary
 
-// A model may hold millions of triangles in its own file; on paper only their number is of use.
+// The project may contain millions of triangles; only their number is useful on paper.
 void shorten_long_lists(JsonValue& node) {
   constexpr std::size_t most = 400;
   if (node.is_array() && node.size() > most) {
@@ -50,17 +50,17 @@ void shorten_long_lists(JsonValue& node) {
   }
 }
 
-/// Of all barriers those that a report shows: the ones with the most hits.
+/// Selects the barriers that a report shows: those with the most hits.
 class BarriersWithMostHits {
  public:
   void add(BarrierSummary barrier) {
     kept_.push_back({total_++, std::move(barrier)});
-    if (kept_.size() == 2 * most_barriers) leave_out();
+    if (kept_.size() == 2 * most_barriers) drop_others();
   }
   [[nodiscard]] std::size_t total() const { return total_; }
-  /// In the order of the summary.
+  /// Returns them in the order of the summary.
   [[nodiscard]] std::vector<BarrierSummary> take() {
-    leave_out();
+    drop_others();
     std::ranges::sort(kept_, {}, &Numbered::number);
     std::vector<BarrierSummary> barriers;
     for (Numbered& kept : kept_) barriers.push_back(std::move(kept.barrier));
@@ -69,11 +69,11 @@ class BarriersWithMostHits {
 
  private:
   struct Numbered {
-    std::size_t number;  // in the summary, from 0
+    std::size_t number;  // zero-based place in the summary
     BarrierSummary barrier;
   };
 
-  void leave_out() {
+  void drop_others() {
     if (kept_.size() <= most_barriers) return;
     std::ranges::stable_sort(kept_, std::ranges::greater(), [](const Numbered& kept) { return kept.barrier.hits; });
     kept_.resize(most_barriers);
@@ -117,7 +117,7 @@ Kept<EndpointRow> read_endpoints(const std::filesystem::path& file, std::size_t 
   return kept;
 }
 
-// Follows the rows of paths.csv, one rock after the other.
+// Reads the rows of paths.csv, rock by rock.
 class PathTable {
  public:
   explicit PathTable(const Limits& limits) : sample_(limits.paths, limits.path_rows) {}
@@ -139,7 +139,7 @@ class PathTable {
     if (state == PathState::ended) end();
   }
 
-  /// The rock whose path has not ended, after the last row.
+  /// The rock whose path has not ended after the last row, if there is one.
   [[nodiscard]] std::optional<std::uint64_t> unfinished() const {
     return in_path_ ? std::optional(path_.rock) : std::nullopt;
   }
@@ -208,8 +208,8 @@ Kept<HitRow> read_hits(const std::filesystem::path& file, std::size_t limit) {
 void check_count(const RunFolder& run, const std::filesystem::path& endpoints) {
   const std::uint64_t counted = run.summary.rocks.with_endpoint;
   if (counted == run.endpoints.total) return;
-  refuse(endpoints, "", fmt::format("holds {} {}", run.endpoints.total, run.endpoints.total == 1 ? "rock" : "rocks"),
-         fmt::format("summary.json beside it counts {}", counted),
+  refuse(endpoints, "", fmt::format("has {} {}", run.endpoints.total, run.endpoints.total == 1 ? "rock" : "rocks"),
+         fmt::format("summary.json next to it counts {}", counted),
          "The files are of different runs, or one was cut short; run the project again");
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a run left in its folder, read for showing: the summary whole, and of the tables as much as a page can hold.
-// Tables are streamed, so a folder of any size takes the same memory.
+// The contents of a run's folder for display: the whole summary, and as much of the tables as a page can show. Tables
+// are streamed: a folder of any size takes the same memory.
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace talus {
 
-/// How much of a run is kept. Rocks are chosen by the sampling rule of spread_sample.hpp, the same for the same run.
+/// Limits of what is kept of a run. Rocks are sampled by spread_sample.hpp, the same ones each time.
 struct Limits {
   std::size_t paths = 300;
   std::size_t path_rows = 40'000;  // of all kept paths together
@@ -29,13 +29,13 @@ struct Path {
   std::vector<PathEventRow> rows{};  // without spin
 };
 
-/// Energy lost at the k-th impact on the ground, over all rocks in paths.csv that got that far.
+/// Energy lost at the k-th impact on the ground, over all rocks in paths.csv with that many.
 struct ImpactLoss {
   std::uint64_t count = 0;
   double sum_J = 0, least_J = 0, most_J = 0;
 };
 
-/// A table's kept part and how many there were of its kind.
+/// The kept items of a table, and the total number of such items.
 template <class Item>
 struct Kept {
   bool has_file = false;
@@ -45,19 +45,19 @@ struct Kept {
 
 struct RunFolder {
   std::filesystem::path folder;
-  RunSummary summary{};  // of barriers those with the most hits; of the project no long lists
-  std::string date{};    // when its file was written (UTC)
+  RunSummary summary{};  // with the barriers with the most hits, and without long lists in the project
+  std::string date{};    // of the file (UTC)
   Kept<EndpointRow> endpoints{};
   Kept<Path> paths{};
   Kept<HitRow> hits{};
   std::vector<ImpactLoss> impact_losses{};  // [0]: first impact; the first hundred are kept
   std::vector<ReportMap> maps{};
   ReportEnvelopes envelopes{};
-  std::vector<std::string> notes{};  // what is not there, for the reader of the page
+  std::vector<std::string> notes{};  // on missing parts, for the reader of the page
 };
 
-/// Reads a run's folder, whose summary may have another name while it is made. A missing table is a note; a summary
-/// that is missing, or any file that is not what it should be, is BadInput, with one problem for each such file.
+/// Reads a run's folder; its summary may have another name while it is being made. A missing table is a note. A missing
+/// summary, or a damaged file, is BadInput with one problem for each such file.
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& limits = {},
                                         const char* summary = "summary.json");
 

@@ -53,8 +53,8 @@ RunStateHeader header_from(std::string_view bytes) {
   ByteReader in(bytes);
   RunStateHeader header;
   if (const std::string version = in.text(); version != TALUS_VERSION) {
-    throw BadBytes(
-        fmt::format("talus {} wrote it, this is talus {}, which may compute otherwise", version, TALUS_VERSION));
+    throw BadBytes(fmt::format("talus {} wrote it, this is talus {}, which may compute different results", version,
+                               TALUS_VERSION));
   }
   header.description = description_from(in.text());
   header.range.first = in.get<std::uint64_t>();
@@ -64,22 +64,22 @@ RunStateHeader header_from(std::string_view bytes) {
                    header.range.last <= header.description.rocks,
                "its rocks disagree");
   const auto number = in.get<std::uint64_t>(), of = in.get<std::uint64_t>();
-  expect_bytes(number <= of, "its shard is none");
+  expect_bytes(number <= of, "its shard is not valid");
   if (number > 0) header.shard = Shard{number, of};
   header.seconds = in.get<double>();
   header.threads = in.get<std::int32_t>();
-  expect_bytes(std::isfinite(header.seconds) && header.seconds >= 0 && header.threads > 0, "its timings are none");
+  expect_bytes(std::isfinite(header.seconds) && header.seconds >= 0 && header.threads > 0, "its timings are damaged");
   constexpr std::size_t least_mark = sizeof(std::uint64_t) + 1 + sizeof(std::uint64_t) + digest_size;
   for (std::size_t left = in.count(least_mark); left > 0; --left) header.tables.push_back(TableMark::read(in));
   in.expect_end();
   return header;
 }
 
-/// The length of the header, after a look at what stands before it.
+/// The length of the header, after checking the bytes before it.
 std::uint64_t header_size(std::string_view preamble) {
   const std::string_view begin = preamble.substr(0, magic.size());
   expect_bytes(!begin.empty(), "it is empty");
-  expect_bytes(begin == magic.substr(0, begin.size()), "it is not a state of a run");
+  expect_bytes(begin == magic.substr(0, begin.size()), "it is not the state of a run");
   expect_bytes(preamble.size() >= preamble_size, cut_short);
   ByteReader in(preamble.substr(magic.size()));
   expect_bytes(in.get<std::uint32_t>() == format, "another version of talus wrote it");
@@ -100,7 +100,7 @@ std::uint64_t size_of(const std::filesystem::path& file) {
   return size;
 }
 
-/// The first so many bytes, or all where there are fewer.
+/// The first `most` bytes, or all if there are fewer.
 std::string read_bytes(const std::filesystem::path& file, std::uint64_t most) {
   std::string bytes(std::min(size_of(file), most), '\0');
   std::ifstream in(file, std::ios::binary);

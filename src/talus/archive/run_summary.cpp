@@ -14,7 +14,7 @@ namespace {
 constexpr const char* folder_hint = "Name a folder that `talus run` has written";
 constexpr const char* damaged_hint = "The file was cut short or damaged; run the project again to write it anew";
 
-/// The outermost object, of which the barriers go to `take` as soon as each is read.
+/// The outermost object; its barriers are passed to `take` as soon as each is read.
 JsonValue parse_summary(const std::filesystem::path& file, const std::function<void(const JsonValue&)>& take) {
   const std::string text = text_of_json_file(file, folder_hint, most_json_bytes);
   const auto refuse = [&](std::string what, std::string why, int line = 0) {
@@ -32,7 +32,7 @@ JsonValue parse_summary(const std::filesystem::path& file, const std::function<v
            at_end ? fmt::format("after {} bytes", text.size()) : fmt::format("at byte {}", error.byte),
            1 + static_cast<int>(line_ends));
   } catch (const JsonValue::out_of_range&) {
-    refuse("holds a number that is too large", "expected numbers that 64 bits can hold");
+    refuse("has a number that is too large", "expected numbers that 64 bits can hold");
   }
   return json;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// summary.json as a struct: what a run was and how it came out. Each member is declared with its key, from which follow
-// what writes the file (summary_json.hpp), what reads it, and the report's copy of it.
+// summary.json as a struct: the inputs and results of a run. Each member is declared with its key. The writer
+// (summary_json.hpp), the reader and the report follow from that.
 
 #include <array>
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace talus {
 
-/// The thirteen rows of a spreadsheet's descriptive statistics, the quartiles and two percentiles, in the unit of the
-/// quantity's name; null where there are too few values.
+/// The thirteen rows of a spreadsheet's descriptive statistics, the quartiles and two percentiles, in the unit in the
+/// quantity's name; null if there are too few values.
 struct Statistics {
   struct Percentiles {
     std::optional<double> p95{}, p99{};
@@ -44,7 +44,7 @@ struct Statistics {
   }
 };
 
-/// Bins of one width from `low` on, in the unit of the quantity's name.
+/// Bins of equal width from `low` on, in the unit in the quantity's name.
 struct HistogramCounts {
   double low = 0, width = 1;
   std::vector<std::uint64_t> counts{};
@@ -55,13 +55,14 @@ struct HistogramCounts {
   }
   [[nodiscard]] std::optional<FieldFault> fault() const;
 };
-using Histograms = Named<std::optional<HistogramCounts>>;  // null: there were no values
+using Histograms = Named<std::optional<HistogramCounts>>;  // null: no values
 
-/// What the model says of a barrier or collector: its foot in the user's coordinates [m].
+/// A barrier or collector of the model: its foot in user coordinates [m].
 struct BarrierPlace {
   std::string name{}, kind{};  // "barrier" or "collector"
   std::vector<std::array<double, 3>> line_xyz{};
-  /// How far along the line as it was given each point of the foot is, on plan [m]; empty: as far as along the foot.
+  /// Stations of the points of the foot along the line of the input, on plan [m]; empty if they equal those along the
+  /// foot.
   std::vector<double> stations_m{};
 
   static auto fields() {
@@ -71,7 +72,7 @@ struct BarrierPlace {
   }
 };
 
-/// Hits on a barrier by what came of them.
+/// Number of hits on a barrier by their outcome.
 struct BarrierOutcomes {
   std::uint64_t stopped = 0, rebounded = 0, broke_through = 0, passed = 0;
 
@@ -84,12 +85,12 @@ struct BarrierOutcomes {
   }
 };
 
-/// And what rocks did there.
+/// A barrier with its results.
 struct BarrierSummary : BarrierPlace {
   std::uint64_t hits = 0, rocks_hit = 0, passed_above = 0;
   BarrierOutcomes outcomes{};
   std::optional<double> least_clearance_m{};
-  Named<Statistics> statistics{};  // none where no rock hit it
+  Named<Statistics> statistics{};  // empty if no rock hit it
   Histograms histograms{};         // likewise
 
   static auto fields() {
@@ -100,11 +101,11 @@ struct BarrierSummary : BarrierPlace {
                    field("outcomes", &B::outcomes), field("least_clearance_m", &B::least_clearance_m),
                    field_if_any("statistics", &B::statistics), field_if_any("histograms", &B::histograms)));
   }
-  /// Of a quantity of the hits; all of it empty where no rock hit.
+  /// Statistics of a quantity of the hits; empty if no rock hit it.
   [[nodiscard]] Statistics statistics_of(std::string_view quantity) const;
 };
 
-/// The terrain as a coarse grid of elevations for pictures, row after row from the south-west.
+/// The terrain as a coarse grid of elevations for pictures, row by row from the south-west.
 struct Relief {
   double x0 = 0, y0 = 0, cell_m = 1;
   std::uint64_t columns = 0, rows = 0;
@@ -121,7 +122,7 @@ struct Relief {
 struct TerrainSummary {
   std::string kind{};                            // "section", "mesh" or "raster"
   std::vector<std::array<double, 2>> section{};  // its vertices x, z [m]
-  std::string crs_wkt{};                         // empty: not known
+  std::string crs_wkt{};                         // empty: unknown
   std::vector<std::array<double, 3>> bounds{};   // lowest and highest corner [m]
   std::optional<std::uint64_t> triangles{};
   std::optional<Relief> relief{};
@@ -135,7 +136,7 @@ struct TerrainSummary {
   [[nodiscard]] std::optional<FieldFault> fault() const;
 };
 
-/// Which rocks come from a source: the first and the number of each unbroken row of them.
+/// The rocks of a source: first rock and number of each unbroken range.
 struct SourceRocks {
   std::string name{};
   std::vector<std::array<std::uint64_t, 2>> rocks{};
@@ -143,7 +144,7 @@ struct SourceRocks {
   static auto fields() { return std::tuple(field("name", &SourceRocks::name), field("rocks", &SourceRocks::rocks)); }
 };
 
-/// Which run a summary is of.
+/// The identity of the run of a summary.
 struct RunIdentity {
   struct Program {
     std::string version{};
@@ -151,7 +152,7 @@ struct RunIdentity {
   };
   struct Rocks {
     std::uint64_t planned = 0, done = 0, lifted = 0;  // planned: of the whole campaign
-    std::uint64_t with_endpoint = 0, with_path = 0;   // of those done, how many the tables hold one by one
+    std::uint64_t with_endpoint = 0, with_path = 0;   // rocks in the tables, of those done
     static auto fields() {
       return std::tuple(field("planned", &Rocks::planned), field("done", &Rocks::done), field("lifted", &Rocks::lifted),
                         field("with_endpoint", &Rocks::with_endpoint), field("with_path", &Rocks::with_path));
@@ -166,11 +167,11 @@ struct RunIdentity {
   };
 
   Program talus{};
-  std::string fingerprint{};  // of everything that the results follow from
+  std::string fingerprint{};  // of all inputs of the results
   Rocks rocks{};
-  std::optional<Part> shard{};  // nothing: the whole campaign
+  std::optional<Part> shard{};  // nullopt: the whole campaign
   bool interrupted = false;
-  SharedJson project{};  // echoed whole, defaults filled in
+  SharedJson project{};  // complete, with defaults
 };
 
 struct RunSummary : RunIdentity {
@@ -185,17 +186,17 @@ struct RunSummary : RunIdentity {
 
   std::string name{};
   std::uint64_t seed = 0;
-  std::vector<std::array<std::uint64_t, 2>> missing_rocks{};  // of merged runs: the first and the number of each row
+  std::vector<std::array<std::uint64_t, 2>> missing_rocks{};  // of merged runs: first rock and number of each range
   Named<std::uint64_t> end_reasons{};                         // those that occurred
   std::uint64_t events = 0;
   Named<Statistics> statistics{};
   Histograms histograms{};
   std::vector<BarrierSummary> barriers{};  // and collectors
-  SharedJson design{};                     // design_json.hpp; nothing where none was asked for
+  SharedJson design{};                     // design_json.hpp; null without a design
   std::vector<SourceRocks> sources{};
   std::vector<std::string> warnings{}, notes{};
-  double energy_datum_m = 0;         // the user's z at which potential energy is zero
-  std::array<double, 3> origin_m{};  // next to which positions are counted
+  double energy_datum_m = 0;         // z in user coordinates at which potential energy is zero
+  std::array<double, 3> origin_m{};  // origin for the quantiles of positions
   TerrainSummary terrain{};
   Timings timings{};
 
@@ -213,16 +214,15 @@ struct RunSummary : RunIdentity {
   }
 };
 
-/// Reads summary.json, or what is to become it. Barriers, of which there may be very many, are given to `take` one by
-/// one where it is given, and are not kept then. Throws BadInput where the file is not a summary as a run writes it.
+/// Reads summary.json, or the file that will become it. If `take` is given, barriers, which may be many, are passed to
+/// it one by one and not kept. Throws BadInput if the file is not a summary as a run writes it.
 [[nodiscard]] RunSummary read_run_summary(const std::filesystem::path& file,
                                           const std::function<void(BarrierSummary)>& take = {});
 
-/// What a summary says of which run it is of, also where another version of the program wrote the rest. Throws
-/// BadInput.
+/// Reads the identity of the run, also from a summary of another version of the program. Throws BadInput.
 [[nodiscard]] RunIdentity read_run_identity(const std::filesystem::path& file);
 
-/// A BadField of such a file as BadInput.
+/// Throws a BadField of such a file as BadInput.
 [[noreturn]] void refuse_summary(const std::filesystem::path& file, const BadField& bad);
 
 }  // namespace talus

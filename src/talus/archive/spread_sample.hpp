@@ -1,6 +1,6 @@
 #pragma once
-// Some of many rocks, spread evenly over their numbers: which ones depends neither on the order in which they come nor
-// on how many there will be.
+// A sample of rocks that is spread evenly over their numbers. It depends neither on the order in which they come nor on
+// their total number.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,24 +11,25 @@
 namespace talus {
 
 /// Keeps the items whose rock numbers come first in the golden-ratio sequence, as many as the limits allow. The
-/// multiples of the golden ratio modulo 1 fall into any run of rocks in proportion to its length (the three-distance
-/// theorem, Sos 1958), so neither a long line of releases nor a seeder with few rocks is shown lopsidedly.
-/// Rock 0 is always kept, and at least one item is.
+/// multiples of the golden ratio modulo 1 fall into any range of rocks in proportion to its length (the three-distance
+/// theorem, Sos 1958). So neither a long line of releases nor a seeder with few rocks is shown out of proportion. Rock
+/// 0 is always kept, and so is at least one item.
 template <class Item>
 class SpreadSample {
  public:
   SpreadSample(std::size_t most_items, std::size_t most_weight) : most_items_(most_items), most_weight_(most_weight) {}
 
-  /// Whether an item of this rock has a chance, so that others need not be built.
+  /// Whether an item of this rock can still be kept, so that others need not be built.
   [[nodiscard]] bool wants(std::uint64_t rock) const { return !closed_ || place(rock) < limit_; }
 
-  /// `weight` counts against `most_weight`; several items of one rock are kept together or not at all.
+  /// `weight` counts towards `most_weight`; items of one rock are kept all together or not at all.
   void add(std::uint64_t rock, std::size_t weight, Item item) {
     if (!wants(rock)) return;
     kept_.emplace(place(rock), Entry{rock, weight, std::move(item)});
     weight_ += weight;
     while ((kept_.size() > most_items_ || weight_ > most_weight_) && kept_.begin()->first != kept_.rbegin()->first) {
-      // What is once refused stays refused, with all that come after it: that is what makes the order of arrival moot.
+      // A refused item stays refused, and so do all with a later place: the result is independent of the order of
+      // arrival.
       limit_ = kept_.rbegin()->first;
       closed_ = true;
       while (kept_.rbegin()->first == limit_) {
@@ -60,7 +61,7 @@ class SpreadSample {
   std::size_t most_items_, most_weight_;
   std::multimap<std::uint64_t, Entry> kept_;  // by place
   std::size_t weight_ = 0;
-  std::uint64_t limit_ = 0;  // places from here on are refused, once closed
+  std::uint64_t limit_ = 0;  // places from here on are refused once it is closed
   bool closed_ = false;
 };
 

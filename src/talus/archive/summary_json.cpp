@@ -19,7 +19,7 @@ std::optional<HistogramCounts> histogram_of(const Tally& tally) {
                          {histogram->counts().begin(), histogram->counts().end()}};
 }
 
-/// A part of the description as it is declared.
+/// A part of the description as a declared struct.
 template <class Part>
 Part part_of(const Json& json, const char* key) {
   Part part;
@@ -28,7 +28,7 @@ Part part_of(const Json& json, const char* key) {
   return part;
 }
 
-/// What the model says of a barrier, and what rocks did there.
+/// A barrier of the model with its results.
 BarrierSummary barrier_summary(BarrierPlace place, const BarrierTally& tally) {
   const auto count = [&](BarrierOutcome outcome) { return tally.outcomes[static_cast<std::size_t>(outcome)]; };
   BarrierSummary barrier{std::move(place)};
@@ -50,9 +50,9 @@ BarrierSummary barrier_summary(BarrierPlace place, const BarrierTally& tally) {
   return barrier;
 }
 
-/// As dump(1) has it so many levels deep; a text within it has no line ends.
+/// Like dump(1), at a depth of `depth` levels; JSON strings contain no line ends.
 std::string text_of(const Json& value, std::size_t depth) {
-  // Names of files, of which there may be some in the warnings, need not be UTF-8.
+  // Warnings may contain file names that are not UTF-8.
   const std::string text = value.dump(1, ' ', false, Json::error_handler_t::replace);
   std::string indented;
   indented.reserve(text.size() + text.size() / 8);
@@ -73,14 +73,14 @@ void write_barriers(TextSink& out, const Json& barriers, const Summary& sums) {
   out.write(sums.barriers.empty() ? "]" : "\n ]");
 }
 
-/// How many rocks the tables hold one by one, of those done.
+/// The number of rocks in the tables, of those done.
 void add_rocks_in_tables(const RunDescription& description, const RunCourse& course, RunSummary::Rocks& counts) {
   const TableRocks rocks = rocks_in_tables(description);
   const auto add = [&](std::uint64_t first, std::uint64_t last) {
     counts.with_endpoint += rocks.endpoints_before(last) - rocks.endpoints_before(first);
     counts.with_path += rocks.paths_before(last) - rocks.paths_before(first);
   };
-  // The rocks done are all up to the first that was not, or those between the missing ones.
+  // The rocks done are all before the first missing one, and those between the missing ranges.
   std::uint64_t next = course.range.first;
   for (const RockRange& missing : course.missing) {
     add(next, missing.first);
@@ -89,7 +89,7 @@ void add_rocks_in_tables(const RunDescription& description, const RunCourse& cou
   add(next, course.missing.empty() ? next + counts.done : course.range.last);
 }
 
-/// All but the barriers.
+/// The summary without its barriers.
 RunSummary run_summary(const RunDescription& description, const Summary& sums, const RunCourse& course) {
   const Json& model = description.model;
   RunSummary summary;

@@ -1,5 +1,5 @@
 #pragma once
-// Writes summary.json (run_summary.hpp) from what a run was and its sums.
+// Writes summary.json (run_summary.hpp) from the facts of a run and its sums.
 
 #include <optional>
 #include <string>
@@ -14,24 +14,23 @@
 
 namespace talus {
 
-/// How a run went, or several that were merged.
+/// The course of a run, or of several merged runs.
 struct RunCourse {
-  RockRange range;             // the rocks that were to be done
-  std::optional<Shard> shard;  // nothing: the whole campaign
+  RockRange range;             // planned rocks
+  std::optional<Shard> shard;  // nullopt: the whole campaign
   bool interrupted = false;
-  std::vector<RockRange> missing;  // of merged runs: rocks that none of them did
-  double seconds = 0;              // spent on computing; of several runs all together
-  int threads = 1;                 // at most, of several runs
+  std::vector<RockRange> missing;  // of merged runs: rocks that are in none of them
+  double seconds = 0;              // computing time, summed over merged runs
+  int threads = 1;                 // maximum over merged runs
 };
 
-/// Everything but `timings` depends on the project, the seed and the rocks done, and on nothing else. `warnings` are
-/// all of the run, those of the description among them. `design`: where the description has a plan for it. Written
-/// piece by piece, since there may be very many barriers; of those that no rock hit there are no statistics and
-/// histograms.
+/// Everything except `timings` depends only on the project, the seed and the rocks done. `warnings` are all warnings of
+/// the run, including those of the description. Expects `design` if the description has a plan for it. Written piece by
+/// piece, because there may be very many barriers; barriers without hits have no statistics and histograms.
 void write_summary(TextSink& out, const RunDescription& description, const std::vector<std::string>& warnings,
                    const Summary& summary, const RunCourse& course, const DesignResult* design = nullptr);
 
-/// What a tally says.
+/// The statistics of a tally.
 [[nodiscard]] Statistics statistics_of(const Tally& tally);
 
 }  // namespace talus

@@ -18,7 +18,7 @@ constexpr std::uint64_t tail_bytes = 1U << 16;
   throw BadInput(Problem{.file = file.string(),
                          .what = std::move(what),
                          .why = std::move(why),
-                         .hint = "It was changed or taken away; run these rocks again"});
+                         .hint = "It was changed or removed; run these rocks again"});
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ TableMark TableMark::read(ByteReader& in) {
   mark.file_name = in.text();
   const bool is_name = !mark.file_name.empty() && mark.file_name.front() != '.' &&
                        std::filesystem::path(mark.file_name).filename() == mark.file_name;
-  expect_bytes(is_name, "a table has no name of a file");
+  expect_bytes(is_name, "a table has no valid file name");
   mark.bytes = in.get<std::uint64_t>();
   mark.tail.high = in.get<std::uint64_t>();
   mark.tail.low = in.get<std::uint64_t>();
@@ -47,7 +47,7 @@ TableMark mark_of(const std::filesystem::path& file, std::string_view file_name,
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) refuse(file, "this table is missing", error.message());
   if (size < bytes) {
-    refuse(file, "this table is too short", fmt::format("it has {} bytes, expected {} at the least", size, bytes));
+    refuse(file, "this table is too short", fmt::format("it has {} bytes, expected at least {}", size, bytes));
   }
   const std::uint64_t length = std::min(bytes, tail_bytes);
   std::string tail(length, '\0');
@@ -64,7 +64,7 @@ std::filesystem::path find_marked(const std::filesystem::path& folder, const Tab
   const std::filesystem::path part = OutputFile::part_of(whole);
   const std::filesystem::path& file = std::filesystem::exists(part, ignored) ? part : whole;
   if (mark_of(file, mark.file_name, mark.bytes) != mark) {
-    refuse(file, "this table is not the one that the state was saved with", "the rows before the saved place differ");
+    refuse(file, "this table is not the one that the state was saved with", "its rows up to the saved place differ");
   }
   return file;
 }
@@ -94,10 +94,10 @@ void TableFiles::begin() {
   }
 }
 
-void TableFiles::go_on(std::span<const TableMark> marks) {
+void TableFiles::resume(std::span<const TableMark> marks) {
   for (Entry& entry : entries_) {
     const auto mark = std::ranges::find(marks, entry.table->file_name(), &TableMark::file_name);
-    if (mark == marks.end()) refuse(folder_ / entry.table->file_name(), "the state knows nothing of this table", "");
+    if (mark == marks.end()) refuse(folder_ / entry.table->file_name(), "the state has no mark of this table", "");
     (void)find_marked(folder_, *mark);
   }
   for (Entry& entry : entries_) {
@@ -113,7 +113,7 @@ std::vector<Observer*> TableFiles::observers() const {
 }
 
 void TableFiles::append(std::span<const std::string> texts) {
-  expect_bytes(texts.size() == entries_.size(), "rows of other tables");
+  expect_bytes(texts.size() == entries_.size(), "the rows are of other tables");
   for (std::size_t k = 0; k < texts.size(); ++k) entries_[k].sink->write(texts[k]);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which rocks the tables of a run hold one by one.
+// Which rocks are in the tables of a run.
 
 #include <algorithm>
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace talus {
 
-/// The rocks of endpoints.csv are an even choice of all; those of paths.csv one of these: where a path is, the end of
-/// it is, too. A limit counts rocks of the whole campaign; without one all rocks are there.
+/// The rocks of endpoints.csv are an even choice of all; those of paths.csv are an even choice of these, so that every
+/// path has its end point. A limit counts rocks of the whole campaign; without one all rocks are in the table.
 class TableRocks {
  public:
   using Limit = std::optional<std::uint64_t>;
@@ -26,7 +26,7 @@ class TableRocks {
   [[nodiscard]] std::uint64_t endpoints() const { return endpoints_.count(); }
   [[nodiscard]] std::uint64_t paths() const { return paths_.count(); }
 
-  /// Of rocks with a smaller number.
+  /// Counts of rocks with a lower number.
   [[nodiscard]] std::uint64_t endpoints_before(std::uint64_t rock) const { return endpoints_.count_before(rock); }
   [[nodiscard]] std::uint64_t paths_before(std::uint64_t rock) const {
     return paths_.count_before(endpoints_.count_before(rock));

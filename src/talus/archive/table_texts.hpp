@@ -1,5 +1,5 @@
 #pragma once
-// The tables of a run as text that somebody else will write.
+// The tables of a run as text that another process writes.
 
 #include <array>
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace talus {
 
-/// Gathers the rows of the tables, in the order of `make_tables`.
+/// Collects the rows of the tables, in the order of `make_tables`.
 class TableTexts {
  public:
   TableTexts(const TableContext& context, const TableRocks& rocks)
@@ -23,7 +23,7 @@ class TableTexts {
     for (const auto& table : tables_) list.push_back(table.get());
     return list;
   }
-  /// The rows that came since the last call, of each table.
+  /// The rows of each table since the last call.
   [[nodiscard]] std::vector<std::string> take() {
     std::vector<std::string> texts;
     for (Sink& sink : sinks_) texts.push_back(std::exchange(sink.text, {}));

@@ -40,7 +40,7 @@ GeoPackageFile::GeoPackageFile(std::filesystem::path path, const std::string& cr
   }
   messages_.clear();
   std::error_code error;
-  std::filesystem::remove(part_, error);  // of a run that was killed
+  std::filesystem::remove(part_, error);  // left by a killed run
   dataset_.reset(driver->Create(part_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   if (!dataset_ || dataset_->StartTransaction() != OGRERR_NONE) fail();
 }
@@ -74,7 +74,7 @@ void GeoPackageFile::add(OGRLayer& layer, OGRFeature& feature) {
 void GeoPackageFile::commit() {
   if (dataset_->CommitTransaction() != OGRERR_NONE) fail();
   dataset_.reset();
-  if (messages_.has_failure()) fail();  // what goes wrong while a file is closed is only said
+  if (messages_.has_failure()) fail();  // errors while a file is closed are only messages
   finish_file(part_, path_);
   is_committed_ = true;
 }

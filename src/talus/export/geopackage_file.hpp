@@ -1,5 +1,5 @@
 #pragma once
-// A GeoPackage that appears under its name when it is whole. For files that are built with GDAL only.
+// A GeoPackage that appears under its name when it is complete. For files that are built with GDAL only.
 
 #include <cpl_conv.h>
 #include <gdal_priv.h>
@@ -22,18 +22,18 @@ struct GeoField {
   OGRFieldType type = OFTReal;  // or OFTInteger64, OFTString
 };
 
-/// Written as `NAME.part` beside its final place. Its bytes follow from its content: the time of the last change, of
-/// which the format wants one, is the beginning of 1970. Every failure throws BadInput that names the file; what is not
-/// committed is removed.
+/// Written as `NAME.part` next to its final place, and removed if it is not committed. Its bytes depend on its content
+/// only: the time of the last change, which the format requires, is the beginning of 1970. Every failure throws
+/// BadInput that names the file.
 class GeoPackageFile {
  public:
-  /// `crs_wkt`: of all layers; empty where it is not known, which makes it an undefined one in a plane.
+  /// `crs_wkt`: coordinate system of all layers; empty if unknown, which gives an undefined Cartesian one.
   GeoPackageFile(std::filesystem::path path, const std::string& crs_wkt);
   GeoPackageFile(const GeoPackageFile&) = delete;
   GeoPackageFile& operator=(const GeoPackageFile&) = delete;
   ~GeoPackageFile();
 
-  /// A layer of points or lines in space.
+  /// Adds a layer of points or lines in space.
   [[nodiscard]] OGRLayer& add_layer(const char* name, OGRwkbGeometryType type, const char* meaning,
                                     std::span<const GeoField> fields);
   void add(OGRLayer& layer, OGRFeature& feature);
@@ -44,7 +44,7 @@ class GeoPackageFile {
 
   std::filesystem::path path_, part_;
   GdalMessages messages_;
-  // Of this thread, until the file is closed.
+  // Options of this thread, until the file is closed.
   CPLConfigOptionSetter date_{"OGR_CURRENT_DATE", "1970-01-01T00:00:00.000Z", false};
   CPLConfigOptionSetter journal_{"OGR_SQLITE_JOURNAL", "OFF", false};
   CPLConfigOptionSetter synchronous_{"OGR_SQLITE_SYNCHRONOUS", "OFF", false};

@@ -106,11 +106,11 @@ class Layers {
     for_points_along(path, geopackage_tolerance_m, [&](const PathPoint& at) {
       const auto& [x, y, z] = at.position_m;
       const int last = line.getNumPoints() - 1;
-      // A contact gives two rows in one place.
+      // A contact has two rows in one place.
       if (last >= 0 && line.getX(last) == x && line.getY(last) == y && line.getZ(last) == z) return;
       line.addPoint(x, y, z);
     });
-    if (line.getNumPoints() == 1) line.addPoint(line.getX(0), line.getY(0), line.getZ(0));  // a line has two
+    if (line.getNumPoints() == 1) line.addPoint(line.getX(0), line.getY(0), line.getZ(0));  // a line needs two points
     const RockLayerRow row{.rock = end.rock,
                            .seeder = end.seeder,
                            .source = facts_.source_of(end.rock),
@@ -181,7 +181,7 @@ class Layers {
   OGRLayer *endpoints_, *paths_, *releases_;
 };
 
-/// Goes through paths.csv in step with the rows of endpoints.csv.
+/// Reads paths.csv in step with the rows of endpoints.csv.
 class PathsInStep {
  public:
   PathsInStep(const std::filesystem::path& file, const RunFacts& facts)
@@ -189,19 +189,19 @@ class PathsInStep {
         reader_(file),
         in_tables_(facts.in_tables),
         chosen_(facts.geopackage_rocks, facts.in_tables.paths()) {
-    go_on();
+    advance();
   }
 
-  /// The path of this rock, if it is one of those that are shown. Rocks come in rising order.
+  /// The path of this rock if it is shown; nullptr otherwise. Expects rocks in ascending order.
   [[nodiscard]] const Path* of(std::uint64_t rock) {
     if (!has_path_ || reader_.path().rock > rock) return nullptr;
     if (reader_.path().rock < rock) refuse();
     return &reader_.path();
   }
-  void go_on() {
+  void advance() {
     has_path_ = reader_.next([&](std::uint64_t rock) { return chosen_.contains(in_tables_.paths_before(rock)); });
   }
-  /// Once all rocks are through.
+  /// Must be called after the last rock.
   void finish() const {
     if (has_path_) refuse();
   }
@@ -235,7 +235,7 @@ void write_geopackage(const RunFacts& facts, const std::filesystem::path& folder
     if (ends.contains(facts.in_tables.endpoints_before(rock))) layers.add_endpoint(row.whole());
     if (const Path* path = paths.of(rock)) {
       layers.add_path(*path, row.whole());
-      paths.go_on();
+      paths.advance();
     }
   }
   paths.finish();

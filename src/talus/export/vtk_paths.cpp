@@ -16,15 +16,15 @@ namespace talus {
 
 namespace {
 
-using ByteCount = std::uint64_t;  // header_type="UInt64": stands before each array
+using ByteCount = std::uint64_t;  // header_type="UInt64": precedes each array
 
-/// The bytes of one array, gathered in memory and put into its place in the file a piece at a time.
+/// The bytes of one array, collected in memory and written to their place in the file piece by piece.
 class Array {
  public:
-  /// `attributes`: as in the file.
+  /// `attributes` are those of the XML element.
   Array(std::string attributes, ByteCount bytes) : attributes_(std::move(attributes)), bytes_(bytes) {}
 
-  /// The element that says where its bytes are; `offset` from the mark _ on.
+  /// Its XML element; `offset` of its bytes is counted from the mark _ on.
   [[nodiscard]] std::string element(ByteCount offset) const {
     return fmt::format("<DataArray {} format=\"appended\" offset=\"{}\"/>", attributes_, offset);
   }
@@ -67,7 +67,7 @@ Counts count(const std::filesystem::path& paths) {
   return counts;
 }
 
-/// All arrays, in the order in which their bytes stand in the file.
+/// All arrays, in the order of their bytes in the file.
 struct Arrays {
   explicit Arrays(const Counts& counts)
       : time(R"(type="Float64" Name="time_s")", counts.points * sizeof(double)),

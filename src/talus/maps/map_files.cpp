@@ -30,7 +30,7 @@ namespace talus {
 
 namespace {
 
-/// Whether write_maps() could have given a map this name, with whatever percentile.
+/// Whether a map from write_maps() can have this name, with any percentile.
 bool is_name_of_map(std::string_view name) {
   const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}});
   return std::any_of(kinds.begin(), kinds.end(), [&](const MapKind& kind) {
@@ -104,7 +104,7 @@ class Options {
 constexpr double no_rock = -9999;
 double value_without_rock(const MapKind& kind) { return kind.is_count ? 0 : no_rock; }
 
-/// A map on its way into its file: a raster in memory that keeps only those of its blocks that are written to.
+/// A map before it is written to its file: a raster in memory that keeps only the blocks that have data.
 class Scratch {
  public:
   static constexpr int block = 256;  // cells a side
@@ -144,7 +144,7 @@ class Scratch {
     VSIUnlink(name_.c_str());
   }
 
-  /// Values of a block of cells, from north to south, whose first is at (x, y) of the picture.
+  /// Writes the values of a block of cells, from north to south; its first cell is at (x, y) of the picture.
   void write(int x, int y, int columns, int rows, std::vector<double>& values) {
     for (const double value : values) {
       if (value <= 0) continue;
@@ -166,20 +166,20 @@ class Scratch {
     const Options cloud_optimised{
         "COMPRESS=DEFLATE", "LEVEL=1",       "PREDICTOR=YES",   "OVERVIEWS=FORCE_USE_EXISTING",
         "SPARSE_OK=TRUE",   "BLOCKSIZE=256", "BIGTIFF=IF_SAFER"};
-    // Left by a run that was killed: GDAL would open it, and report errors of what it holds.
+    // A part that a killed run left: GDAL would open it and report errors in it.
     std::error_code ignored;
     std::filesystem::remove(part, ignored);
     messages.clear();
-    const auto goes_on = [](double, const char*, void*) -> int {
+    const auto continues = [](double, const char*, void*) -> int {
       return StopScope::current() == nullptr || !StopScope::current()->is_asked() ? TRUE : FALSE;
     };
     const bool is_made =
         GDALDatasetUniquePtr(
-            driver("COG", file_).CreateCopy(part.c_str(), raster_.get(), FALSE, cloud_optimised, goes_on, nullptr)) !=
+            driver("COG", file_).CreateCopy(part.c_str(), raster_.get(), FALSE, cloud_optimised, continues, nullptr)) !=
         nullptr;
-    if (!goes_on(1, "", nullptr)) std::filesystem::remove(part, ignored);
+    if (!continues(1, "", nullptr)) std::filesystem::remove(part, ignored);
     stop_point();
-    if (!is_made || messages.has_failure()) {  // what goes wrong while a file is closed is only said
+    if (!is_made || messages.has_failure()) {  // errors while a file is closed are only messages
       std::filesystem::remove(part, ignored);
       refuse(file_, messages);
     }
@@ -198,7 +198,7 @@ class Scratch {
   ValueRange range_;
 };
 
-/// The tiles that lie in the same block of a picture, which goes from north to south.
+/// The tiles that are in the same block of a picture, which goes from north to south.
 using Blocks = std::map<std::pair<int, int>, std::vector<const Maps::Tile*>>;
 
 Blocks blocks_of(const Maps& maps, const Maps::Extent& extent) {
@@ -215,7 +215,7 @@ Blocks blocks_of(const Maps& maps, const Maps::Extent& extent) {
   return blocks;
 }
 
-/// The maps of a group: each of the cells is looked at once.
+/// The maps of a group: each cell is read once.
 void write_group(const Maps& maps, const MapGroup& group, const Maps::Extent& extent, const Blocks& blocks,
                  bool is_large, const std::string& crs_wkt, const std::filesystem::path& folder) {
   std::vector<std::unique_ptr<Scratch>> files;
@@ -250,8 +250,8 @@ void write_group(const Maps& maps, const MapGroup& group, const Maps::Extent& ex
     }
     for (std::size_t k = 0; k < files.size(); ++k) files[k]->write(x, y, columns, rows, values[k]);
   }
-  // Isolated: a thread that waits for the last file must not begin another group meanwhile, for which there would have
-  // to be memory, too.
+  // Isolated: a thread that waits for the last file must not start another group meanwhile, which would need memory,
+  // too.
   const StopScope* const here = StopScope::current();
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for_each(files, [&](std::unique_ptr<Scratch>& file) {
@@ -263,7 +263,7 @@ void write_group(const Maps& maps, const MapGroup& group, const Maps::Extent& ex
   });
 }
 
-/// Whether some count needs more than 32 bits.
+/// Whether a count needs more than 32 bits.
 bool has_large_counts(const Maps& maps) {
   for (const Maps::Tile* tile : maps.tiles()) {
     stop_point();
@@ -275,7 +275,7 @@ bool has_large_counts(const Maps& maps) {
   return false;
 }
 
-/// GDAL 3.6 makes a driver's list of options when it is first asked for, without a lock: not by all threads at once.
+/// GDAL 3.6 makes a driver's list of options on first use, without a lock. So this is done once before threads start.
 void make_lists_of_options() {
   const GdalMessages quiet;
   for (const char* name : {"GTiff", "COG"}) {

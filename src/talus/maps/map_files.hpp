@@ -1,5 +1,5 @@
 #pragma once
-// Maps as cloud-optimised GeoTIFFs, each with a style for QGIS beside it.
+// Maps as cloud-optimised GeoTIFFs, each with a style for QGIS.
 
 #include <filesystem>
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace talus {
 
-/// Whether a run may have written a file of this name among its maps: a map, or the style beside it.
+/// Whether a run may have written a map or style with this file name.
 [[nodiscard]] bool is_name_of_map_file(const std::filesystem::path& name);
 
 /// Whether this program was built with GDAL, which writes the files.
 [[nodiscard]] bool can_write_maps();
 
-/// Removes the maps that an earlier run left in a folder, so that none is taken for one of this run. Other files stay.
+/// Removes the maps of an earlier run from a folder, so that none is mistaken for one of this run. Other files stay.
 void remove_maps(const std::filesystem::path& folder);
 
-/// Writes FOLDER/NAME.tif and FOLDER/NAME.qml for each map of the selection, of which the maps must hold the contents,
-/// all over the cells that rocks touched; docs/outputs.md lists the names. `crs_wkt` is the coordinate system of the
-/// user's coordinates, empty where it is not known. Files appear when they are whole. Without a rock nothing is
-/// written. Throws BadInput where the folder cannot be written to, and where the program was built without GDAL.
+/// Writes FOLDER/NAME.tif and FOLDER/NAME.qml for each map of the selection, over the cells that rocks touched. The
+/// maps must have the contents of the selection; docs/outputs.md lists the names. `crs_wkt` is the coordinate system of
+/// the user coordinates, empty if unknown. Files appear when they are complete. Nothing is written without a rock.
+/// Throws BadInput if the folder is not writable, or if the program was built without GDAL.
 ///
 /// Returns the names of the maps.
 std::vector<std::string> write_maps(const Maps& maps, const MapSelection& selection, const std::string& crs_wkt,

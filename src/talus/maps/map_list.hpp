@@ -1,5 +1,5 @@
 #pragma once
-// Which maps there are: what each is called, what it shows, what it is measured in and in which classes it is shown.
+// The list of maps: the name, meaning, unit and classes of each.
 
 #include <functional>
 #include <span>
@@ -12,35 +12,35 @@
 
 namespace talus {
 
-/// What a cell of an overview holds of the cells beneath it.
+/// The value of an overview cell: the maximum or the mean of the cells beneath it.
 enum class MapOverview { greatest, mean };
 
 struct MapKind {
-  std::string name;     // of the file, with its unit
-  std::string meaning;  // one phrase, for who opens the file
-  std::string unit;     // empty: a number
+  std::string name;     // of the file, including the unit
+  std::string meaning;  // one phrase, stored in the file
+  std::string unit;     // empty: none
   ClassLimits limits{};
-  bool is_count = false;  // a whole number; where there is nothing to count it is 0, as where no rock was
+  bool is_count = false;  // a whole number, 0 in cells without a rock
   MapOverview overview = MapOverview::greatest;
 };
 
-/// Maps of which a cell's values are found together.
+/// Maps whose values in a cell are computed together.
 struct MapGroup {
   std::vector<MapKind> kinds;
-  /// One value for each kind.
+  /// Writes one value for each kind.
   std::function<void(const MapTally& cell, std::span<double> values)> values;
 };
 
-/// Which maps are made.
+/// Which maps to make.
 struct MapSelection {
   MapSubjects subjects = all_map_subjects;
-  std::vector<double> percentiles{};  // in [0, 100], of the quantities among the subjects
+  std::vector<double> percentiles{};  // in [0, 100], for the quantities among the subjects
 };
 
-/// What has to be gathered for them.
+/// The quantities that have to be gathered for them.
 [[nodiscard]] MapContents contents_of(const MapSelection& selection);
 
-/// For maps of so many rocks; groups without a map are left out.
+/// For maps of `rocks` rocks; groups without a map are left out.
 [[nodiscard]] std::vector<MapGroup> map_groups(std::uint64_t rocks, const MapSelection& selection);
 
 /// One for each subject, with … in the name for max, mean or a percentile.

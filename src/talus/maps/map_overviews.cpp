@@ -13,9 +13,9 @@ namespace talus {
 
 namespace {
 
-constexpr int largest_side = 256;  // of a map that needs no overview, and of the blocks that are worked on
+constexpr int largest_side = 256;  // of a map without overviews, and of the blocks that are processed
 
-/// Four cells, or those of them that lie on the map, as one.
+/// Four cells, or those of them that are on the map, as one.
 class Merged {
  public:
   Merged(MapOverview what, double no_data) : what_(what), no_data_(no_data) {}
@@ -85,7 +85,7 @@ bool build_overviews(GDALDataset& raster, MapOverview what) {
     factors.push_back(factor *= 2);
   }
   if (factors.empty()) return true;
-  // Their bands without values, which then come from here.
+  // Makes the bands of the overviews without values, which are computed here.
   const CPLConfigOptionSetter sparse("SPARSE_OK_OVERVIEW", "TRUE", false);
   if (raster.BuildOverviews("NONE", static_cast<int>(factors.size()), factors.data(), 0, nullptr, nullptr, nullptr) !=
       CE_None) {

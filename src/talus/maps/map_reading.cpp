@@ -26,11 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* by_source = "by_source/";  // below the folder of maps
+constexpr const char* by_source = "by_source/";  // in the folder of maps
 
 fs::path file_of(const fs::path& folder, const std::string& name) { return folder / "maps" / (name + ".tif"); }
 
-/// Of a map's name, where percentiles are any.
+/// A map's name with any percentile replaced by 50.
 std::string kind_of(const std::string& name) {
   const std::size_t at = name.find("_p");
   if (at == std::string::npos) return name;
@@ -43,7 +43,7 @@ struct Known {
   ClassLimits limits;
 };
 
-/// The kind of map that a file's name stands for; nothing where it is not a map of a run.
+/// The kind of map of a file name; nullopt if it is not a map of a run.
 std::optional<Known> known(const std::string& stem) {
   static const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}});
   const auto found = std::ranges::find(kinds, kind_of(stem), &MapKind::name);
@@ -62,7 +62,7 @@ double percentile_in(const std::string& stem) {
 
 namespace {
 
-/// A number in quotes behind an attribute's name.
+/// The number in quotes after an attribute's name.
 std::optional<double> attribute(const std::string& text, const char* name) {
   const std::size_t at = text.find(std::string(name) + "=\"");
   if (at == std::string::npos) return std::nullopt;
@@ -73,9 +73,9 @@ std::optional<double> attribute(const std::string& text, const char* name) {
   return value;
 }
 
-/// The beginning of the style beside a map, which says what it shows; nothing where there is none to be read.
+/// The beginning of a map's style file, which has its range; empty if it cannot be read.
 std::string style_of(const fs::path& map) {
-  constexpr std::size_t most = std::size_t{1} << 20;  // bytes; ours have some thousand
+  constexpr std::size_t most = std::size_t{1} << 20;  // bytes; ours have a few thousand
   const fs::path style = fs::path(map).replace_extension(".qml");
   if (not_an_ordinary_file(style)) return {};
   std::ifstream stream(style, std::ios::binary);
@@ -98,7 +98,7 @@ void read_head(const fs::path& folder, MapFile& map) {
   map.range.greatest = attribute(text, "greatestValue").value_or(0);
 }
 
-/// The maps in one folder: `maps/` and the prefix of their names.
+/// Adds the maps in one folder: `maps/` and the prefix of their names.
 void add_maps(const fs::path& folder, const std::string& prefix, const std::string& source,
               std::vector<MapFile>& maps) {
   std::vector<std::string> stems;
@@ -122,7 +122,7 @@ void add_maps(const fs::path& folder, const std::string& prefix, const std::stri
   }
 }
 
-/// A map, or one of its overviews, as it lies in the file: from north to south.
+/// A map, or one of its overviews, as stored: from north to south.
 GDALRasterBand& level_of(GDALRasterBand& whole, int pixels) {
   const auto fits = [&](GDALRasterBand& band) { return std::max(band.GetXSize(), band.GetYSize()) <= pixels; };
   GDALRasterBand* best = &whole;
@@ -162,14 +162,14 @@ MapValues read_map(const fs::path& folder, const MapFile& map, int pixels) {
   MapValues found;
   found.columns = band.GetXSize();
   found.rows = band.GetYSize();
-  // Every overview halves the one before it, and at the eastern and southern edge reaches beyond the map.
+  // Every overview is half the size of the one before, and reaches beyond the map at the eastern and southern edge.
   double stride = 1;
   while (std::ceil(whole.GetXSize() / stride) > found.columns || std::ceil(whole.GetYSize() / stride) > found.rows)
     stride *= 2;
   found.cell = {place[1] * stride, -place[5] * stride};
   found.origin = {place[0], place[3] - found.rows * found.cell[1]};
   found.values.resize(static_cast<std::size_t>(found.columns) * static_cast<std::size_t>(found.rows));
-  // From the last line of the file to the first: it is the southernmost.
+  // Line by line from the end of the file, where the southernmost line is.
   const auto line = static_cast<GSpacing>(found.columns) * static_cast<GSpacing>(sizeof(float));
   float* const last_line =
       found.values.data() + static_cast<std::size_t>(found.columns) * static_cast<std::size_t>(found.rows - 1);

@@ -1,5 +1,5 @@
 #pragma once
-// Maps that a run has written, read for showing.
+// Reads the maps of a run for display.
 
 #include <array>
 #include <filesystem>
@@ -11,19 +11,19 @@
 namespace talus {
 
 struct MapFile {
-  std::string name;  // of the file in the run's folder, without `maps/` and ending: passages, by_source/Crest/passages
+  std::string name;     // of its file without `maps/` and extension: passages, by_source/Crest/passages
   std::string meaning;  // one phrase
-  std::string unit;     // empty: a number
+  std::string unit;     // empty: none
   ClassLimits limits{};
   ValueRange range;    // of the whole map
-  std::string source;  // whose rocks it is of; empty: all
+  std::string source;  // source of its rocks; empty: all
 };
 
-/// The maps in a run's folder, in the order of map_list.hpp, those of all rocks first. None where the program was built
+/// The maps in a run's folder, in the order of map_list.hpp, those of all rocks first. Empty if the program was built
 /// without GDAL. Throws BadInput on a map that cannot be read.
 [[nodiscard]] std::vector<MapFile> maps_of_run(const std::filesystem::path& folder);
 
-/// A map's cells, or those of an overview.
+/// The cells of a map or of an overview.
 struct MapValues {
   std::array<double, 2> origin{};  // the south-western corner [m]
   std::array<double, 2> cell{};    // [m]
@@ -31,11 +31,11 @@ struct MapValues {
   std::vector<float> values;  // row by row from the south; NaN: no data
 };
 
-/// No overviews are made that are smaller.
+/// The size of the smallest overviews.
 inline constexpr int least_pixels = 256;
 
-/// The finest of a map's overviews (or the map itself) that has at most so many cells a side; expects `least_pixels` at
-/// the least. Throws BadInput.
+/// The finest of a map's overviews (or the map itself) with at most `pixels` cells a side; expects at least
+/// `least_pixels`. Throws BadInput.
 [[nodiscard]] MapValues read_map(const std::filesystem::path& folder, const MapFile& map, int pixels);
 
 }  // namespace talus

@@ -8,7 +8,8 @@ namespace talus {
 
 namespace {
 
-// "YlOrRd" of C. Brewer's ColorBrewer 2.0: one hue deeper and deeper, told apart in print and by the colour-blind.
+// "YlOrRd" of C. Brewer's ColorBrewer 2.0: one hue that gets deeper, distinguishable in print and by colour-blind
+// readers.
 constexpr std::array<std::array<std::uint8_t, 3>, map_class_count> colours{{{0xff, 0xff, 0xb2},
                                                                             {0xfe, 0xd9, 0x76},
                                                                             {0xfe, 0xb2, 0x4c},
@@ -37,7 +38,7 @@ std::array<MapClass, map_class_count> map_classes(const ClassLimits& limits) {
 std::string qgis_style(const ClassLimits& limits, const std::string& unit, const ValueRange& range) {
   std::string items;
   for (const MapClass& each : map_classes(limits)) {
-    // QGIS gives the limit itself to the class below it: of numbers with a fraction none lies there.
+    // QGIS assigns the limit itself to the class below it: values with a fraction are never exactly on it.
     const std::string end = std::isinf(each.to) ? "inf" : fmt::format("{}", each.to);
     items += fmt::format("     <item value=\"{}\" label=\"{}\" color=\"#{:02x}{:02x}{:02x}\" alpha=\"255\"/>\n", end,
                          label_of(each, unit), each.colour[0], each.colour[1], each.colour[2]);

@@ -1,5 +1,5 @@
 #pragma once
-// What can be mapped, by the names that users choose from.
+// The subjects of maps, with the names that users choose from.
 
 #include <array>
 #include <bitset>
@@ -8,8 +8,7 @@
 
 namespace talus {
 
-/// Counts, of which each is one map, and then quantities, of which each has a map of its greatest, its mean and its
-/// percentiles.
+/// Counts, with one map each, then quantities, with maps of the maximum, the mean and the percentiles.
 enum class MapSubject {
   passages,
   reach_share,
@@ -21,12 +20,12 @@ enum class MapSubject {
   bounce_height
 };
 
-/// By MapSubject: of counts the names of the files, of quantities what the names of the files begin with.
+/// By MapSubject: the file names of counts, and the beginnings of the file names of quantities.
 inline constexpr std::array<std::string_view, 8> map_subject_names{"passages", "reach_share",  "deposits",
                                                                    "impacts",  "energy_total", "energy_translational",
                                                                    "velocity", "bounce_height"};
 
-/// Some of them, by MapSubject.
+/// A set of subjects, by MapSubject.
 using MapSubjects = std::bitset<map_subject_names.size()>;
 
 inline constexpr MapSubjects all_map_subjects{(1U << map_subject_names.size()) - 1};

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t longest_name = 100;  // bytes; file systems take 255
 
-bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80; }  // of a character of UTF-8
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80; }  // byte of a UTF-8 character
 
 void cut_ends(std::string& name) {
   const auto first = name.find_first_not_of(" .");
@@ -34,7 +34,7 @@ std::string in_small_letters(std::string name) {
   return name;
 }
 
-/// What Windows takes for a device, whatever ending stands behind it.
+/// Whether Windows treats the name as a device, whatever its extension.
 bool is_device(const std::string& name) {
   const std::string word = in_small_letters(name.substr(0, name.find('.')));
   if (word == "con" || word == "prn" || word == "aux" || word == "nul") return true;

@@ -14,7 +14,7 @@
 
 namespace talus {
 
-/// A row of sources.csv, next to the folders of all sources: whose maps are in a folder.
+/// A row of sources.csv, next to the folders of all sources: the source of each folder.
 struct SourceRow {
   static constexpr const char* file_name = "sources.csv";
 
@@ -28,19 +28,18 @@ struct SourceRow {
   }
 };
 
-/// A folder's name for each name of a list. Letters of any script, digits, spaces and most signs stay; what some system
-/// does not take in a name (/ \ : * ? " < > | and control characters) becomes _, as do dots and spaces at either end,
-/// where they are cut off. A name is at most 100 bytes long, is not a device of Windows, and no two differ in capitals
-/// only: later ones have -2, -3 ... behind them.
+/// A folder name for each of the names. Letters of any script, digits, spaces and most signs stay. Characters that a
+/// system does not allow in names (/ \ : * ? " < > | and control characters) become _; dots and spaces at either end
+/// are cut off. A name has at most 100 bytes and is not a device of Windows. No two differ in case only: later ones get
+/// -2, -3 ... appended.
 [[nodiscard]] std::vector<std::string> folder_names(std::span<const std::string> names);
 
 /// Writes FOLDER/NAME of source/ with the maps of map_files.hpp for each source that has rocks, and FOLDER/sources.csv.
-/// `maps` and `sources` go together. Throws BadInput
-/// as write_maps() does.
+/// `maps` and `sources` correspond. Throws BadInput as write_maps() does.
 void write_source_maps(std::span<const Maps> maps, std::span<const std::string> sources, const MapSelection& selection,
                        const std::string& crs_wkt, const std::filesystem::path& folder);
 
-/// Removes what write_source_maps() wrote there, and folders that are then empty. Other files stay.
+/// Removes the files of write_source_maps() and folders that are then empty. Other files stay.
 void remove_source_maps(const std::filesystem::path& folder);
 
 }  // namespace talus

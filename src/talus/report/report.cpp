@@ -23,10 +23,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_loss_points = 3'000;  // dots of single impacts; more would hide each other
+constexpr std::size_t most_loss_points = 3'000;  // dots of single impacts; more would overlap
 
-// A tenth of a millimetre, a tenth of a millimetre per second, a tenth of a joule: finer than any screen or printer
-// shows, and half the page's size.
+// Tenths of a millimetre, of a millimetre per second and of a joule are finer than any screen or printer, and halve the
+// size of the page.
 double drawn(double value) {
   const double rounded = std::round(value * 1e4) / 1e4;
   return std::isfinite(rounded) ? rounded : value;
@@ -81,7 +81,7 @@ Json hits_of(const RunFolder& run) {
           {"rows", std::move(rows)}};
 }
 
-// Energy lost at each impact on the ground of the paths shown: total energy on arrival less total energy on leaving.
+// Energy lost at each impact on the ground of the paths shown: total energy on arrival minus total energy on leaving.
 Json losses_of(const RunFolder& run) {
   struct Loss {
     std::uint64_t rock, impact;
@@ -121,7 +121,7 @@ Json losses_of(const RunFolder& run) {
           {"by_number", std::move(by_number)}};
 }
 
-// Bytes as four letters for every three (RFC 4648), which atob() of browsers reads.
+// Base64 (RFC 4648), for atob() in browsers.
 std::string base64(std::span<const std::uint8_t> bytes) {
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
@@ -198,7 +198,7 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-// JSON that can stand inside a script element: no name in it can end the element or open a comment.
+// JSON for a script element: no name in it can end the element or open a comment.
 std::string json_for_script(const Json& value) {
   std::string out;
   for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
@@ -211,7 +211,7 @@ std::string json_for_script(const Json& value) {
   return out;
 }
 
-// Fills the template's places in one pass, so that what is put in is never taken for a place.
+// Fills the template's placeholders in one pass, so that inserted text is never taken for a placeholder.
 std::string filled(std::string_view page, const std::map<std::string_view, std::string_view>& values) {
   std::string out;
   for (std::size_t at = 0;;) {
@@ -253,7 +253,7 @@ void write_report(std::span<const std::filesystem::path> run_folders, const std:
     throw BadInput(Problem{.file = "",
                            .where = "report",
                            .what = "given " + std::to_string(run_folders.size()) + " run folders",
-                           .why = "a report is of one run, or of two laid over each other",
+                           .why = "a report shows one run, or two for comparison",
                            .hint = ""});
   }
   std::vector<RunFolder> runs;

@@ -9,7 +9,7 @@ namespace talus {
 
 namespace {
 
-constexpr std::uint64_t most_bins = 50;  // more would be lines, of two runs side by side
+constexpr std::uint64_t most_bins = 50;  // more would be too narrow for two runs side by side
 
 std::optional<Histogram> histogram_of(const HistogramCounts& given) {
   const auto edges = bins_from(given.low, given.width, given.counts.size());
@@ -26,7 +26,7 @@ HistogramCounts counts_of(const Histogram& histogram) {
           {histogram.counts().begin(), histogram.counts().end()}};
 }
 
-/// Of all quantities that both have.
+/// For all quantities that both have.
 void share_bins(Histograms& first, Histograms& second) {
   for (auto& [quantity, one] : first) {
     for (auto& [other_quantity, other] : second) {

@@ -1,12 +1,12 @@
 #pragma once
-// Histograms of two runs in the same bins, for a page that shows them side by side.
+// Histograms of two runs in the same bins, for a page that compares them.
 
 #include "talus/archive/run_summary.hpp"
 
 namespace talus {
 
-/// Counts each quantity of two summaries again, in bins of both; barriers are of one kind by their names. What one of
-/// them lacks, or has in bins that are not Talus's own, stays as it is.
+/// Counts each quantity of two summaries again in common bins; barriers are matched by name. A quantity that one of
+/// them lacks, or whose bins are not Talus's own, stays unchanged.
 void give_common_bins(RunSummary& first, RunSummary& second);
 
 }  // namespace talus

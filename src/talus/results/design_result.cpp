@@ -37,7 +37,7 @@ class Evaluation {
       of_line.whole = figures(whole, line.start, line.start + line.length);
       add_choices(k, result.ranking);
     }
-    // What is equal in all this keeps the order of lines and heights.
+    // Ties keep the order of lines and heights.
     std::ranges::stable_sort(result.ranking, {}, [&](const KitChoice& kit) {
       const double missed = kit.caught ? 1 - kit.caught->value : 1;
       if (kit.suffices) return std::tuple(0, 0.0, kit.cost, missed);
@@ -64,7 +64,7 @@ class Evaluation {
     const auto& [translational, total, velocity, height, radius] = design;
     figures.demand =
         demand_of(plan_.factors, translational.value, total.value, velocity.value, height.value, radius.value);
-    // All have as many values, so that either all have an upper end or none has.
+    // All quantities have the same number of values: either all have an upper end or none has.
     if (height.high) {
       figures.demand_at_upper_end =
           demand_of(plan_.factors, *translational.high, *total.high, *velocity.high, *height.high, *radius.high);
@@ -76,11 +76,11 @@ class Evaluation {
     std::vector<KitChoice> kept;
     for (std::size_t h = 0; h < plan_.heights.size(); ++h) {
       const KitChoice higher = choice(line, h);
-      const bool is_idle = std::ranges::any_of(kept, [&](const KitChoice& lower) {
+      const bool is_superfluous = std::ranges::any_of(kept, [&](const KitChoice& lower) {
         const bool catches_no_more = !higher.caught || higher.caught->rocks <= lower.caught->rocks;
         return catches_no_more && lower.maximum_energy <= higher.maximum_energy;
       });
-      if (!is_idle) kept.push_back(higher);
+      if (!is_superfluous) kept.push_back(higher);
     }
     ranking.insert(ranking.end(), kept.begin(), kept.end());
   }
@@ -103,12 +103,12 @@ class Evaluation {
     const std::uint64_t crossing = tally.demands.rocks(), all = crossing + tally.beside;
     KitChoice kit{.line = line, .height = plan_.heights[height], .beside = tally.beside};
     kit.above = tally.demands.above(height);
-    // Where even all that cross the line are too few, a kit is chosen for those.
+    // If even all the rocks that cross the line are too few, the kit is chosen for those.
     const std::uint64_t counted = is_wanted(crossing, all) ? all : crossing;
     bool is_enough = false;
     for (std::size_t e = 0; e < plan_.energies.size() && !is_enough; ++e) {
       const std::uint64_t caught = tally.demands.caught(height, e);
-      if (e > 0 && caught == crossing - kit.above - kit.through) continue;  // no more than with less energy
+      if (e > 0 && caught == crossing - kit.above - kit.through) continue;  // no more than with a lower energy
       kit.maximum_energy = plan_.energies[e];
       kit.kit_class = kit_class_of(kit.maximum_energy);
       kit.caught = share_of(caught, all, plan_.confidence);

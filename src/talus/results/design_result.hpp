@@ -1,6 +1,6 @@
 #pragma once
-// What follows from the counts of a design: figures along the lines, what the standard's check asks for, and which kit
-// on which line catches the wanted share at the least cost.
+// Results of a barrier design: figures along the lines, the demands of the standard's check, and which kit on which
+// line catches the target share at the lowest cost.
 
 #include <array>
 #include <cstdint>
@@ -12,47 +12,47 @@
 
 namespace talus {
 
-/// So many of so many rocks, and the confidence interval of the probability behind it.
+/// `rocks` out of `of` rocks, and the confidence interval of the underlying probability.
 struct RockShare {
-  std::uint64_t rocks = 0, of = 0;  // at least one
+  std::uint64_t rocks = 0, of = 0;  // of: at least one
   double value = 0, low = 0, high = 0;
 };
 
-/// A kit that is needed.
+/// A kit that the check asks for.
 struct KitDemand {
   double maximum_energy = 0;  // MEL [J]
   int kit_class = 0;
   double height = 0;  // nominal [m]
 };
 
-/// Of a section, or of a whole line.
+/// Figures of a section or of a whole line.
 struct DesignFigures {
   double from = 0, to = 0;         // along the line, on plan [m]
   std::uint64_t rocks = 0;         // that cross it
-  std::optional<RockShare> share;  // of all rocks seen; nothing without any
-  /// By quantity (all but the radius), in the order of the plan's percentiles; empty without a rock.
+  std::optional<RockShare> share;  // of all rocks of the run; nullopt without any
+  /// By quantity (all but the radius), in the order of the plan's percentiles; empty if no rock crosses.
   std::array<std::vector<Estimate>, crossing_quantity_count - 1> percentiles;
-  /// By the percentile of the design; and by the upper ends of its confidence intervals, where there are any.
+  /// From the design percentile; and from the upper ends of its confidence intervals, if they exist.
   std::optional<KitDemand> demand, demand_at_upper_end;
 };
 
-/// What keeps a kit from catching the wanted share of the rocks: the first of these that alone does. Nothing else helps
-/// before it is removed: no kit stops a rock that passes beyond its ends, and no energy one that passes above.
+/// Why a kit does not catch the target share of the rocks: the first of these that alone prevents it. It has to be
+/// removed first: no kit stops a rock that passes beyond its ends, and no energy stops one that passes above.
 enum class KitLimit { none, ends, height, energy };
 
-/// A kit that may be chosen: on a line, of a height, and with the least of the energies with which it catches the
-/// wanted share of the rocks; where the ends of the line leave too few for that, the wanted share of those that cross
-/// the line; where no energy does, with which it catches the most.
+/// A candidate: a line, a height, and the lowest of the energies with which the kit catches the target share of the
+/// rocks. If too many rocks pass beyond the ends of the line, the target is that share of the rocks that cross it. If
+/// no energy is enough, it is the energy that catches the most.
 struct KitChoice {
   std::size_t line = 0;
   double height = 0;          // [m]
   double maximum_energy = 0;  // [J]
   std::optional<int> kit_class;
-  bool suffices = false;            // the share that it catches is at least the wanted one
-  bool is_sure = false;             // the whole confidence interval of that share says the same
-  KitLimit limit = KitLimit::none;  // none where it suffices, or no rock counts
-  std::optional<RockShare> caught;  // of the rocks that count; nothing without any
-  /// Why others are not caught: too high; low enough, but with too much energy; never at the line.
+  bool suffices = false;            // it catches at least the target share
+  bool is_sure = false;             // true of the whole confidence interval of that share
+  KitLimit limit = KitLimit::none;  // none if it suffices, or if no rock counts
+  std::optional<RockShare> caught;  // of the rocks that count; nullopt without any
+  /// Rocks that are not caught: too high; low enough but with too much energy; never at the line.
   std::uint64_t above = 0, through = 0, beside = 0;
   double cost = 0;
 };
@@ -63,10 +63,10 @@ struct DesignResult {
     std::vector<DesignFigures> sections;
   };
   std::vector<Line> lines;  // in the order of the plan
-  /// The best first: those that suffice, by cost; then those that only the ends of their line hold back although they
-  /// catch the wanted share of the rocks that cross it, by the rocks that pass beyond the ends, then by cost; then the
-  /// others, by what they catch. A height that catches no more, and needs no less energy, than a lower one on the same
-  /// line is left out.
+  /// Best first. Kits that suffice, by cost. Then kits that catch the target share of the rocks that cross their line
+  /// but are limited by its ends: by the number of rocks that pass beyond the ends, then by cost. Then the others, by
+  /// the share that they miss. A height is left out if a lower one on the same line catches as much with no more
+  /// energy.
   std::vector<KitChoice> ranking;
 };
 

@@ -44,7 +44,7 @@ void KitDemands::save(ByteWriter& out) const { out.list(counts_); }
 
 void KitDemands::merge_saved(ByteReader& in) {
   const auto saved = in.list<std::uint64_t>();
-  expect_bytes(saved.size() == counts_.size(), "the design of barriers is of other kits");
+  expect_bytes(saved.size() == counts_.size(), "the design of barriers has other kits");
   for (std::size_t k = 0; k < saved.size(); ++k) {
     expect_bytes(saved[k] <= std::uint64_t{1} << 60, damaged);
     counts_[k] += saved[k];
@@ -72,7 +72,7 @@ void DesignTally::save(ByteWriter& out) const {
 }
 
 void DesignTally::merge_saved(ByteReader& in) {
-  constexpr const char* other = "the design of barriers is of other lines";
+  constexpr const char* other = "the design of barriers has other lines";
   rocks += in.get<std::uint64_t>();
   expect_bytes(in.get<std::uint64_t>() == lines.size(), other);
   for (Line& line : lines) {
@@ -93,7 +93,7 @@ void DesignTally::merge_saved(ByteReader& in) {
 
 namespace {
 
-/// Where a rock crosses one barrier or collector first.
+/// A rock's first crossing of a barrier or collector.
 struct FirstCrossing {
   const Motion* motion = nullptr;
   double height = 0, station = 0;
@@ -114,14 +114,14 @@ std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t
   return first;
 }
 
-/// The first of the rising values that is at least as large; as many as there are if none is.
-std::size_t first_enough(const std::vector<double>& rising, double needed) {
+/// Index of the first of the ascending values that is at least `needed`; their number if none is.
+std::size_t first_sufficient(const std::vector<double>& rising, double needed) {
   return static_cast<std::size_t>(std::ranges::lower_bound(rising, needed) - rising.begin());
 }
 
 }  // namespace
 
-/// Crossings of a block of rocks: few numbers a rock, added when the block is committed.
+/// Crossings of a block of rocks: a few numbers per rock, added when the block is committed.
 class DesignObserver::Part : public ObserverPart {
  public:
   explicit Part(const DesignPlan& plan) : beside(plan.lines.size()), plan_(plan) {}
@@ -135,36 +135,36 @@ class DesignObserver::Part : public ObserverPart {
       const bool counts = plan_.protect ? reached.has_value() : crossing.has_value();
       const bool is_in_time = crossing && (!reached || crossing->motion->time <= reached->motion->time);
       if (counts && !is_in_time) ++beside[k];
-      if (crossing) note(k, record.body, *crossing, counts && is_in_time);
+      if (crossing) add(k, record.body, *crossing, counts && is_in_time);
     }
   }
 
-  struct Noted {
+  struct Crossing {
     std::uint32_t line, section;
     std::array<double, crossing_quantity_count> values;
     bool counts;
-    std::uint32_t height, energy;  // of the kit that it asks for
+    std::uint32_t height, energy;  // indices of the required kit
   };
   std::uint64_t rocks = 0;
-  std::vector<Noted> noted;
+  std::vector<Crossing> crossings;
   std::vector<std::uint64_t> beside;  // of each line
 
  private:
-  void note(std::uint32_t line, const Rock& rock, const FirstCrossing& crossing, bool counts) {
+  void add(std::uint32_t line, const Rock& rock, const FirstCrossing& crossing, bool counts) {
     const double velocity = crossing.motion->velocity.norm();
     const double translational = 0.5 * rock.mass * velocity * velocity;
     const double total = translational + 0.5 * rock.inertia * crossing.motion->spin.squaredNorm();
     const double energy = energy_to_check(plan_.factors, translational, total, velocity);
-    constexpr double by_rounding = 1e-6;  // above the ground that a rock rolls on [m]
+    constexpr double by_rounding = 1e-6;  // height of a rock that rolls on the ground [m]
     const double height = crossing.height > by_rounding ? crossing.height : 0;
     const double radius = radius_to_check(plan_.factors, rock.mass, rock.radius);
-    noted.push_back(
+    crossings.push_back(
         {line,
          plan_.lines[line].section_at(crossing.station),
          {translational, total, velocity, height, radius},
          counts,
-         static_cast<std::uint32_t>(first_enough(plan_.heights, needed_height(plan_.factors, height, radius))),
-         static_cast<std::uint32_t>(first_enough(plan_.energies, needed_maximum_energy(plan_.factors, energy)))});
+         static_cast<std::uint32_t>(first_sufficient(plan_.heights, needed_height(plan_.factors, height, radius))),
+         static_cast<std::uint32_t>(first_sufficient(plan_.energies, needed_maximum_energy(plan_.factors, energy)))});
   }
 
   const DesignPlan& plan_;
@@ -179,10 +179,10 @@ void DesignObserver::commit(ObserverPart& part) {
   const auto& seen = static_cast<Part&>(part);
   tally_.rocks += seen.rocks;
   for (std::size_t k = 0; k < tally_.lines.size(); ++k) tally_.lines[k].beside += seen.beside[k];
-  for (const Part::Noted& noted : seen.noted) {
-    DesignTally::Line& line = tally_.lines[noted.line];
-    line.sections[noted.section].add(noted.values);
-    if (noted.counts) line.demands.add(noted.height, noted.energy);
+  for (const Part::Crossing& crossing : seen.crossings) {
+    DesignTally::Line& line = tally_.lines[crossing.line];
+    line.sections[crossing.section].add(crossing.values);
+    if (crossing.counts) line.demands.add(crossing.height, crossing.energy);
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Counts for the design of barriers: of every line the first crossing of each rock, at whatever height.
+// Counts for the design of barriers: the first crossing of every line by each rock, at any height.
 
 #include <array>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace talus {
 
-/// What is known of a rock where it crosses a line.
+/// Quantities of a rock at the place where it crosses a line.
 enum class CrossingQuantity : std::uint32_t {
   energy_translational,
   energy_total,
@@ -22,7 +22,7 @@ enum class CrossingQuantity : std::uint32_t {
 };  // [J] [m/s] [m]
 inline constexpr std::size_t crossing_quantity_count = 5;
 
-/// One value a rock of each quantity.
+/// One value of each quantity per rock.
 struct SectionTally {
   explicit SectionTally(std::uint64_t planned_rocks);
   void add(const std::array<double, crossing_quantity_count>& values);
@@ -35,20 +35,20 @@ struct SectionTally {
   std::vector<QuantileSketch> sketches;  // in the order of the quantities
 };
 
-/// What rocks ask of a kit, one by one: how many need which of the plan's heights and energies at the least. From this
-/// follows, without any error, how many a kit of a height and an energy catches.
+/// The kits that the rocks need: how many rocks need which of the plan's heights and energies as a minimum. The number
+/// of rocks that a kit of a given height and energy catches follows exactly.
 class KitDemands {
  public:
   KitDemands(std::size_t heights, std::size_t energies) : columns_(energies + 1), counts_((heights + 1) * columns_) {}
-  /// Indices of the least height and energy that suffice; as many as there are where none does.
+  /// Indices of the lowest height and energy that suffice; the number of heights or energies if none does.
   void add(std::size_t height, std::size_t energy) { ++counts_[height * columns_ + energy]; }
   [[nodiscard]] std::uint64_t at(std::size_t height, std::size_t energy) const {
     return counts_[height * columns_ + energy];
   }
   [[nodiscard]] std::uint64_t rocks() const;
-  /// That a kit of this height and energy catches.
+  /// Rocks that a kit of this height and energy catches.
   [[nodiscard]] std::uint64_t caught(std::size_t height, std::size_t energy) const;
-  /// That are too high for this height, whatever the energy.
+  /// Rocks that are too high for this height, whatever the energy.
   [[nodiscard]] std::uint64_t above(std::size_t height) const;
 
   void save(ByteWriter& out) const;
@@ -59,25 +59,25 @@ class KitDemands {
   std::vector<std::uint64_t> counts_;
 };
 
-/// In memory that grows with sections, not with rocks: sketches hold values up to 100,000 rocks of the campaign and
-/// counts in bins beyond (statistics/quantile_sketch.hpp), about half a megabyte a section.
+/// Its memory grows with sections, not with rocks: sketches keep values up to 100,000 rocks of the campaign and counts
+/// in bins beyond (statistics/quantile_sketch.hpp), about half a megabyte a section.
 struct DesignTally {
   struct Line {
     std::vector<SectionTally> sections;
     KitDemands demands;        // of the rocks that count (DesignPlan::protect)
-    std::uint64_t beside = 0;  // rocks that count and never cross this line before they reach what is to be protected
+    std::uint64_t beside = 0;  // rocks that count and do not cross this line before they reach the protected one
   };
 
   DesignTally(const DesignPlan& plan, std::uint64_t planned_rocks);
   void save(ByteWriter& out) const;
   void merge_saved(ByteReader& in);
 
-  std::uint64_t rocks = 0;  // all that were seen
+  std::uint64_t rocks = 0;  // all rocks observed
   std::vector<Line> lines;
 };
 
-/// A rock that crosses a line again, or after it rebounded from it, counts with its first crossing. It counts where it
-/// is stopped, too; what it would have done behind a real barrier, nobody knows.
+/// Only the first crossing of a line by a rock counts, not a later one, nor one after a rebound from it. It also counts
+/// if the rock is stopped there. Rocks are not followed behind the kits of the design.
 class DesignObserver : public SummingObserver {
  public:
   DesignObserver(DesignPlan plan, std::uint64_t planned_rocks);

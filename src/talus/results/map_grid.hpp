@@ -1,5 +1,5 @@
 #pragma once
-// A regular grid on plan, and the walk of a rock's path over its cells.
+// A regular grid on plan, and the traversal of its cells by a rock's trajectory.
 
 #include <algorithm>
 #include <array>
@@ -13,29 +13,29 @@
 
 namespace talus {
 
-/// A cell: it holds the points from its lower borders up to, but not on, its upper ones.
+/// A cell: it contains the points from its lower borders up to, but not including, its upper ones.
 struct MapCell {
-  std::int32_t column = 0, row = 0;  // along x and along y, counted from the grid's origin; may be negative
+  std::int32_t column = 0, row = 0;  // along x and y from the grid's origin; may be negative
   friend bool operator==(const MapCell&, const MapCell&) = default;
 };
 
-/// Cells of one size. Borders are at origin + k cell in the user's coordinates; places are asked for in local ones.
+/// Cells of one size. Borders are at origin + k cell in user coordinates; queries are in local coordinates.
 class MapGrid {
  public:
-  /// Cells are counted with 32 bits: what lies further from cell (0, 0) than this is not told apart.
+  /// Cell numbers have 32 bits: places further than this from cell (0, 0) are clamped.
   static constexpr double most_cells_across = 2e9;
-  /// `origin` is a corner of cell (0, 0), the user's [m]; `cell` the lengths of its sides [m], above 0.
+  /// `origin` is a corner of cell (0, 0) in user coordinates [m]; `cell` has the lengths of its sides [m], above 0.
   MapGrid(const Vec2& origin, const Vec2& cell, const LocalFrame& frame)
       : origin_(origin), local_(origin - frame.origin.head<2>()), cell_(cell) {}
   MapGrid(const Vec2& origin, double cell, const LocalFrame& frame) : MapGrid(origin, Vec2(cell, cell), frame) {}
-  /// Its borders are at multiples of the cell's size in the user's coordinates, so that the maps of different runs lie
-  /// over one another; cell (0, 0) holds the point `low`, which is local.
+  /// A grid with borders at multiples of the cell's size in user coordinates, so that the maps of different runs match;
+  /// cell (0, 0) contains the local point `low`.
   [[nodiscard]] static MapGrid at_multiples(double cell, const LocalFrame& frame, const Vec2& low) {
     const Vec2 global = low + frame.origin.head<2>();
     return {Vec2(std::floor(global.x() / cell) * cell, std::floor(global.y() / cell) * cell), cell, frame};
   }
-  /// The cells of a raster, of whose nodes the one with least coordinates is at `node`, local: a node is a cell's
-  /// centre, as GDAL sees the pixels of a raster of elevations.
+  /// The cells of a raster, whose node with the lowest coordinates is at the local point `node`. A node is the centre
+  /// of a cell, as GDAL defines the pixels of an elevation raster.
   [[nodiscard]] static MapGrid around_nodes(const Vec2& node, const Vec2& spacing, const LocalFrame& frame) {
     return {node + frame.origin.head<2>() - 0.5 * spacing, spacing, frame};
   }
@@ -45,12 +45,12 @@ class MapGrid {
   [[nodiscard]] const Vec2& cell() const { return cell_; }
   /// The local coordinate, x for axis 0 and y for axis 1, of the lower border of a column or row.
   [[nodiscard]] double border(std::size_t axis, std::int32_t k) const { return local_[axis] + k * cell_[axis]; }
-  /// The column or row that holds a local coordinate.
+  /// The column or row that contains a local coordinate.
   [[nodiscard]] std::int32_t index(std::size_t axis, double local) const {
     const double k = std::floor((local - local_[axis]) / cell_[axis]);
     return static_cast<std::int32_t>(std::clamp(k, -most_cells_across, most_cells_across));
   }
-  /// The borders of a cell, local.
+  /// The borders of a cell in local coordinates.
   struct Borders {
     double west, east, south, north;
     [[nodiscard]] bool hold(double x, double y) const { return x >= west && x < east && y >= south && y < north; }
@@ -58,7 +58,7 @@ class MapGrid {
   [[nodiscard]] Borders borders(MapCell cell) const {
     return {border(0, cell.column), border(0, cell.column + 1), border(1, cell.row), border(1, cell.row + 1)};
   }
-  /// Whether a cell holds a local place.
+  /// Whether a cell contains a local point.
   [[nodiscard]] bool holds(MapCell cell, const Vec3& local) const { return borders(cell).hold(local.x(), local.y()); }
   [[nodiscard]] MapCell cell_at(const Vec3& local) const { return {index(0, local.x()), index(1, local.y())}; }
 
@@ -70,35 +70,36 @@ class MapGrid {
 
 namespace map_walk {
 
-/// One coordinate of a path, over a time in which it turns nowhere.
+/// One coordinate of a trajectory, over a time in which it is monotone.
 struct Monotone {
   double p, v, a;       // p + v t + a t^2 / 2
-  std::int32_t toward;  // 1 upwards, -1 downwards, 0 standing
+  std::int32_t toward;  // 1 ascending, -1 descending, 0 constant
 
-  /// When it comes to `border`, which lies ahead; a time before or after the monotone part where rounding, or the end
-  /// of the part, has it so.
+  /// When it reaches `border`, which is ahead. The time may be outside the monotone interval, because of rounding or
+  /// because the interval ends first.
   [[nodiscard]] double time_at(double border) const {
     const double way = border - p;
     if (a == 0) return way / v;
     const double squared = v * v + 2 * a * way;
-    if (squared < 0) return std::numeric_limits<double>::infinity();  // it turns before
+    if (squared < 0) return std::numeric_limits<double>::infinity();  // it turns around before
     const double speed = toward * std::sqrt(squared);                 // at the border
-    return toward * v > 0 ? 2 * way / (v + speed) : (speed - v) / a;  // the root that does not cancel
+    return toward * v > 0 ? 2 * way / (v + speed) : (speed - v) / a;  // the root without cancellation
   }
 };
 
 }  // namespace map_walk
 
-/// Ways shorter than this [m] are rounding: who is in a cell for no more has not been there.
+/// Distances shorter than this [m] are rounding: a rock with such a stay was not in the cell.
 inline constexpr double no_way = 1e-9;
 
-/// Calls visit(cell, enter, leave) for each cell over which a piece leads, in the order of the path: from `enter` to
-/// `leave`, in the piece's time [s], its centre is over the cell. The intervals join, from 0 to the piece's duration.
-/// A cell that the path only touches, at a corner or where it begins or ends, is not visited, unless it goes nowhere.
+/// Calls visit(cell, enter, leave) for each cell that a piece crosses, in the order of the trajectory: its centre is
+/// over the cell from `enter` to `leave`, in the piece's time [s]. The intervals join, from 0 to the piece's duration.
+/// A cell that the trajectory only touches, at a corner or where it begins or ends, is not visited, unless the piece
+/// goes nowhere.
 template <class Visit>
 void walk(const MapGrid& grid, const PathPiece& piece, Visit&& visit) {
   const Parabola& path = piece.path;
-  // On plan a coordinate turns once at most: between these times both go one way.
+  // On plan a coordinate turns around at most once: between these times both are monotone.
   std::array<double, 4> part{0, piece.duration, piece.duration, piece.duration};
   std::size_t parts = 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -114,7 +115,8 @@ void walk(const MapGrid& grid, const PathPiece& piece, Visit&& visit) {
   for (std::size_t k = 0; k < parts; ++k) {
     const double end = part[k + 1];
     const Vec3 middle = path.velocity(0.5 * (part[k] + end));
-    const double moment = no_way / std::max(std::abs(middle.x()), std::abs(middle.y()));  // infinite where it stands
+    const double moment =
+        no_way / std::max(std::abs(middle.x()), std::abs(middle.y()));  // infinite if it does not move
     const double last = k + 1 == parts ? end - moment : end;
     std::array<map_walk::Monotone, 2> way;
     std::array<double, 2> next;  // when each coordinate leaves the cell

@@ -8,13 +8,13 @@ namespace talus {
 namespace {
 
 void raise(float& greatest, double value) {
-  // What a sum in fixed point can hold; no rock has more.
+  // The limit of a fixed-point sum; no rock exceeds it.
   greatest = std::max(greatest, static_cast<float>(std::min(value, FixedSum::largest_term)));
 }
 
 double squared_speed(const GlideStep& step) { return step.vx * step.vx + step.vy * step.vy; }
 
-/// A glide's steps, seen from above.
+/// A glide's steps on plan.
 class GlideOnPlan {
  public:
   explicit GlideOnPlan(const PathPiece& glide)
@@ -23,9 +23,10 @@ class GlideOnPlan {
   [[nodiscard]] bool ends_in(const MapGrid::Borders& cell, const GlideStep& step) const {
     return cell.hold(start_.x() + along(0, step.x, step.y), start_.y() + along(1, step.x, step.y));
   }
-  /// Whether it surely goes no further along x and y than its ends are, and is nowhere faster than there. The heading
-  /// of what slides on a plane turns towards the pull, and by less than half a turn: what grows at both ends, grows
-  /// all the way. And with the heading the pull along it grows, so that speed is a convex function of time.
+  /// Whether it certainly stays between its ends in x and y, and is nowhere faster than at an end. On a plane the
+  /// heading of a sliding rock turns towards the pull, by less than half a turn: a coordinate that increases at both
+  /// ends increases all the way. The component of the pull along the heading grows with that turn, so that speed is a
+  /// convex function of time.
   [[nodiscard]] bool stays_between_ends(std::span<const GlideStep> steps) const {
     const GlideStep &first = steps.front(), &last = steps.back();
     const auto keeps_direction = [&](int axis) {
@@ -44,7 +45,7 @@ float& greatest_of(MapVisit& visit, MapQuantity quantity) { return visit.greates
 
 }  // namespace
 
-/// Packs the visits of a block's rocks, which are added to the maps when the block is committed.
+/// Packs the visits of a block's rocks, for the maps when the block is committed.
 class MapObserver::Part : public ObserverPart {
  public:
   Part(const Maps& maps, std::size_t number_of_maps, VisitMemory& memory, const GreatestHeights& heights)
@@ -60,7 +61,7 @@ class MapObserver::Part : public ObserverPart {
         follow(piece, record.body);
       }
     }
-    // What happens in a moment, in a cell where the rock was.
+    // Pieces without length: they belong to a cell that the rock visited.
     for (const PathPiece& piece : log.pieces) {
       if (piece.steps.count > 0 || leads_anywhere(piece)) continue;
       note(visit_at(piece.path.p), piece, record.body);
@@ -82,7 +83,7 @@ class MapObserver::Part : public ObserverPart {
   }
 
   void follow(const PathPiece& piece, const Rock& rock) {
-    // Most pieces on the ground are steps, each a few centimetres long: they need no walk.
+    // Most pieces on the ground are steps of a few centimetres: they need no traversal.
     if (piece.on_ground && piece.path.a.isZero(0) && grid_.holds(cell_, piece.path.p) &&
         grid_.holds(cell_, piece.path.at(piece.duration))) {
       note(cells_.at(cell_), piece, rock);
@@ -119,8 +120,8 @@ class MapObserver::Part : public ObserverPart {
     raise(greatest_of(visit, MapQuantity::bounce_height), height);
   }
 
-  /// Of a place on a border: the visit to a cell beside it where the rock has been, if it has not been in the one that
-  /// holds the place.
+  /// The visit to the cell that contains a place. For a place on a border, if the rock was not in that cell: the visit
+  /// to a neighbouring cell where it was.
   MapVisit& visit_at(const Vec3& place) {
     const MapCell own = grid_.cell_at(place);
     const MapCell first = grid_.cell_at(place - Vec3(no_way, no_way, 0));
@@ -135,14 +136,14 @@ class MapObserver::Part : public ObserverPart {
     return cells_.at(own);
   }
 
-  /// Most steps of a glide, each a few centimetres long, stay in the cell: of them only the fastest counts.
+  /// Most steps of a glide, of a few centimetres each, stay in the cell: only the fastest of them counts.
   void glide(const RockLog& log, const PathPiece& piece, const Rock& rock) {
     const double rotational = 0.5 * rock.inertia * piece.spin.squaredNorm();
     const auto steps = std::span(log.glide_steps).subspan(piece.steps.first, piece.steps.count);
     const GlideOnPlan plan(piece);
     MapGrid::Borders cell = grid_.borders(cell_);
     double before = piece.ends.start_velocity.squaredNorm();
-    double fastest = -1;  // squared [m2/s2], of the steps in this cell that are not in the maps yet
+    double fastest = -1;  // squared [m2/s2], of the steps in this cell that are not yet noted
     const auto note_fastest = [&] {
       if (fastest >= 0) raise_motion(cells_.at(cell_), fastest, rock, rotational);
       fastest = -1;
@@ -180,8 +181,8 @@ class MapObserver::Part : public ObserverPart {
   VisitPacker packer_;
   std::vector<std::uint64_t> rocks_;  // by map
   RockVisits cells_;
-  MapCell cell_;  // the last one walked over
-  // Of the piece that is walked along: the cells, where in its parameter it goes from one to the next, and heights.
+  MapCell cell_;  // the last one visited
+  // Of the current piece: its cells, the borders between them in its parameter, and the bounce heights.
   std::vector<MapCell> stays_;
   std::vector<double> borders_, heights_here_;
 };
@@ -202,7 +203,7 @@ void MapObserver::commit(ObserverPart& part) {
   for (std::size_t k = 0; k < maps_.size(); ++k) maps_[k].add_rocks(seen.rocks()[k]);
   waiting_.push_back(seen.take());
   waiting_bytes_ += waiting_.back().bytes();
-  if (waiting_bytes_ >= enough_bytes_) return add_waiting();
+  if (waiting_bytes_ >= waiting_limit_) return add_waiting();
   memory_taken_ = bytes_of_maps_ + waiting_bytes_;
 }
 
@@ -218,24 +219,24 @@ void MapObserver::add_waiting() {
   }
   waiting_.clear();
   waiting_bytes_ = 0;
-  take_stock();
+  update_memory();
 }
 
-void MapObserver::take_stock() {
+void MapObserver::update_memory() {
   std::size_t bytes = 0;
   for (const Maps& maps : maps_) bytes += maps.bytes();
   bytes_of_maps_ = is_split_ ? 2 * bytes : bytes;
   memory_taken_ = bytes_of_maps_ + waiting_bytes_;
-  enough_bytes_ = std::max(least_waiting, bytes / part_that_waits);
+  waiting_limit_ = std::max(least_waiting, bytes / waiting_part);
   const std::size_t most_waiting = (memory_limit_ - std::min(memory_limit_, bytes_of_maps_)) / most_growth;
-  if (enough_bytes_ <= most_waiting) return;
-  enough_bytes_ = most_waiting;
+  if (waiting_limit_ <= most_waiting) return;
+  waiting_limit_ = most_waiting;
   memory_.release();
 }
 
 void MapObserver::limit_memory(std::size_t bytes) {
   memory_limit_ = bytes;
-  take_stock();
+  update_memory();
 }
 
 void MapObserver::settle() {
@@ -253,9 +254,10 @@ void MapObserver::save(ByteWriter& out) {
 
 void MapObserver::merge_saved(ByteReader& in) {
   total_.reset();
-  expect_bytes(in.flag() == is_split_ && in.get<std::uint64_t>() == maps_.size(), "maps are split by other sources");
+  expect_bytes(in.flag() == is_split_ && in.get<std::uint64_t>() == maps_.size(),
+               "maps are split by different sources");
   for (Maps& maps : maps_) maps.merge_saved(in);
-  take_stock();
+  update_memory();
 }
 
 const Maps& MapObserver::maps() {

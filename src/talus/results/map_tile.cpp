@@ -14,19 +14,19 @@ std::uint64_t MapTally::impacts() const { return tile_->counts_[number_].impacts
 
 double MapTally::maximum(MapQuantity quantity) const {
   const auto place = tile_->contents_.place(quantity);
-  TALUS_PROMISE(place, "only what is gathered is asked for");
+  TALUS_PROMISE(place, "only gathered quantities can be asked for");
   return tile_->greatest_[number_ * tile_->contents_.quantities() + *place];
 }
 
 double MapTally::mean(MapQuantity quantity) const {
   const auto place = tile_->contents_.place(quantity);
-  TALUS_PROMISE(place, "only what is gathered is asked for");
+  TALUS_PROMISE(place, "only gathered quantities can be asked for");
   return tile_->sums_[number_ * tile_->contents_.quantities() + *place].value() / static_cast<double>(passages());
 }
 
 void MapTally::percentiles(MapQuantity quantity, std::span<const double> percents, std::span<double> out) const {
   const auto which = tile_->contents_.place_of_percentiles(quantity);
-  TALUS_PROMISE(which, "only what is gathered is asked for");
+  TALUS_PROMISE(which, "only gathered quantities can be asked for");
   constexpr std::size_t at_once = 16;
   std::array<double, at_once> probabilities;
   const double greatest = maximum(quantity);
@@ -55,7 +55,7 @@ bool operator==(const MapTally& a, const MapTally& b) {
 std::uint32_t MapTile::number_at(std::uint32_t place) {
   std::uint16_t& there = places_[place];
   if (there == 0) {
-    // By a quarter: of what is kept for each cell, doubling would waste too much.
+    // Grows by a quarter: doubling would waste too much of what is kept for each cell.
     const std::size_t cells = counts_.size(), more = cells + std::max<std::size_t>(16, cells / 4);
     const std::size_t room = std::min<std::size_t>(map_tiles::cells, more);
     if (cells == counts_.capacity()) {
@@ -121,7 +121,7 @@ void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
   }
 }
 
-/// Cell by cell, so that what is known of a cell is fetched once: half the time of the order in which they came.
+/// Cell by cell, so that the data of a cell are fetched once: half the time of the order of arrival.
 void MapTile::add_waiting() {
   const std::size_t words = 1 + contents_.quantities();
   std::array<std::uint32_t, map_tiles::cells + 1> ends{};
@@ -153,7 +153,7 @@ void MapTile::add_waiting() {
 }
 
 void MapTile::merge(const MapTile& other) {
-  TALUS_PROMISE(contents_ == other.contents_, "tiles of the same contents are merged");
+  TALUS_PROMISE(contents_ == other.contents_, "only tiles with the same contents can be merged");
   const std::size_t quantities = contents_.quantities();
   for (std::uint32_t place = 0; place < map_tiles::cells; ++place) {
     if (other.places_[place] == 0) continue;

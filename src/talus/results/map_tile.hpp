@@ -1,5 +1,5 @@
 #pragma once
-// A square of cells of a map, of which some were touched by rocks.
+// A square tile of map cells, some of which rocks touched.
 
 #include <array>
 #include <cstdint>
@@ -16,11 +16,11 @@ namespace talus {
 
 class MapTile;
 
-/// All rocks in one cell: a view of what its tile holds. Of a quantity that is not gathered nothing may be asked.
+/// The rocks in one cell: a view of the data of its tile. Quantities that are not gathered must not be asked for.
 class MapTally {
  public:
   [[nodiscard]] std::uint64_t passages() const;  // rocks that were here
-  [[nodiscard]] std::uint64_t deposits() const;  // rocks that came to rest here, or were stopped
+  [[nodiscard]] std::uint64_t deposits() const;  // rocks that came to rest or were stopped here
   [[nodiscard]] std::uint64_t impacts() const;
   [[nodiscard]] double maximum(MapQuantity quantity) const;
   [[nodiscard]] double mean(MapQuantity quantity) const;
@@ -40,16 +40,16 @@ class MapTally {
   std::uint32_t number_;
 };
 
-/// A tile takes 2 KB, a touched cell 30 bytes, 20 for every quantity and, where percentiles are asked for, 30 to 80 for
-/// each of those at a few hundred rocks a cell.
+/// A tile takes 2 KB, a touched cell 30 bytes plus 20 for every quantity, and for percentiles 30 to 80 more for each
+/// quantity at a few hundred rocks a cell.
 class MapTile {
  public:
   MapTile(MapCell first, const MapContents& contents)
       : first_(first), contents_(contents), bins_(contents.with_percentiles()) {}
 
-  /// The cell of least column and row.
+  /// The cell with the lowest column and row.
   [[nodiscard]] MapCell first() const { return first_; }
-  /// Of the cell so many columns and rows from the first; nothing where no rock was.
+  /// The cell at an offset in columns and rows from the first; nullopt if no rock was there.
   [[nodiscard]] std::optional<MapTally> find(std::int32_t column, std::int32_t row) const {
     const std::uint16_t place = places_[static_cast<std::size_t>(row * map_tiles::side + column)];
     if (place == 0) return std::nullopt;
@@ -57,20 +57,20 @@ class MapTile {
   }
   [[nodiscard]] std::size_t touched_cells() const { return counts_.size(); }
 
-  /// Visits that are added by add_waiting(), until when their words must stay.
+  /// Queues visits for add_waiting(); their words must stay valid until then.
   void wait(const VisitRun& run) { waiting_.push_back(run); }
   [[nodiscard]] bool has_waiting() const { return !waiting_.empty(); }
   void add_waiting();
-  /// In a cell that was visited.
+  /// Expects a cell that was visited.
   void add_impacts(std::uint32_t place, std::uint32_t impacts) { counts_[number_at(place)].impacts += impacts; }
-  /// Expects the same tile, settled, with the same contents.
+  /// Expects a tile of the same cells, settled, with the same contents.
   void merge(const MapTile& other);
-  /// Before anything is asked or saved.
+  /// Must be called before values are read or saved.
   void settle() { bins_.settle(); }
 
   void save(ByteWriter& out) const;
   void merge_saved(ByteReader& in, std::uint64_t rocks);
-  /// Bytes that a saved cell takes at the least.
+  /// Minimum size of a saved cell [bytes].
   static constexpr std::size_t least_saved = sizeof(std::uint16_t) + 3 * sizeof(std::uint64_t);
 
   [[nodiscard]] std::size_t bytes() const;
@@ -83,7 +83,7 @@ class MapTile {
     friend bool operator==(const Counts&, const Counts&) = default;
   };
 
-  /// The number of a touched cell, made if there is none.
+  /// The number of a touched cell, added if it is new.
   std::uint32_t number_at(std::uint32_t place);
   template <std::uint32_t quantities>
   void add(std::uint32_t number, std::span<const PackedVisit> visits);
@@ -92,7 +92,7 @@ class MapTile {
   MapCell first_;
   MapContents contents_;
   std::array<std::uint16_t, map_tiles::cells> places_{};  // 1 + number of a touched cell, or 0
-  // By number, and of each cell by the places of the contents' quantities.
+  // By the number of the cell, and within it by the place of the quantity among those gathered.
   std::vector<Counts> counts_;
   std::vector<float> greatest_;
   std::vector<FixedSum> sums_;

@@ -8,7 +8,7 @@ namespace talus {
 
 MapContents::MapContents(const Choice& gathered, const Choice& with_percentiles) {
   for (std::uint32_t k = 0; k < map_quantity_count; ++k) {
-    TALUS_PROMISE(gathered[k] || !with_percentiles[k], "percentiles are of what is gathered");
+    TALUS_PROMISE(gathered[k] || !with_percentiles[k], "percentiles need a gathered quantity");
     if (!gathered[k]) continue;
     list_[quantities_] = static_cast<MapQuantity>(k);
     place_[k] = quantities_++;

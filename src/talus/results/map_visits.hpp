@@ -1,5 +1,5 @@
 #pragma once
-// What one rock did in the cells that it crossed, and the visits of many rocks, packed, on their way to the maps.
+// The visits of one rock to cells, and the packed visits of many rocks on their way to the maps.
 
 #include <array>
 #include <bit>
@@ -14,8 +14,8 @@
 
 namespace talus {
 
-/// What a map shows of the rocks' motion. A rock counts in a cell once, with the greatest value of its stay there; if
-/// it comes again, with the greatest of all its stays. Each quantity has its own greatest.
+/// Quantities of the rocks' motion that maps show. A rock counts once in a cell, with its maximum over all its stays
+/// there. Each quantity has its own maximum.
 enum class MapQuantity : std::uint32_t {
   energy_total,          // translational and rotational [J]
   energy_translational,  // [J]
@@ -24,20 +24,21 @@ enum class MapQuantity : std::uint32_t {
 };
 inline constexpr std::size_t map_quantity_count = 4;
 
-/// Which quantities are gathered, and of which of them percentiles: what nobody asks for takes no time and no memory.
+/// Which quantities are gathered, and for which of them percentiles: others take no time and no memory.
 class MapContents {
  public:
   using Choice = std::array<bool, map_quantity_count>;  // by MapQuantity
-  /// All there is.
+  /// Everything.
   MapContents() : MapContents({true, true, true, true}, {true, true, true, true}) {}
-  /// Percentiles only of what is gathered.
+  /// Expects percentiles of gathered quantities only.
   MapContents(const Choice& gathered, const Choice& with_percentiles);
 
   /// The gathered quantities, in the order of MapQuantity.
   [[nodiscard]] std::uint32_t quantities() const { return quantities_; }
   [[nodiscard]] std::uint32_t with_percentiles() const { return with_percentiles_; }
   [[nodiscard]] MapQuantity quantity(std::uint32_t place) const { return list_[place]; }
-  /// The place of a quantity among them, and among those with percentiles; nothing where it is not one of them.
+  /// The place of a quantity among the gathered ones, and among those with percentiles; nullopt if it is not one of
+  /// them.
   [[nodiscard]] std::optional<std::uint32_t> place(MapQuantity quantity) const { return place_[index(quantity)]; }
   [[nodiscard]] std::optional<std::uint32_t> place_of_percentiles(MapQuantity quantity) const {
     return place_of_percentiles_[index(quantity)];
@@ -51,7 +52,7 @@ class MapContents {
   std::array<std::optional<std::uint32_t>, map_quantity_count> place_, place_of_percentiles_;
 };
 
-/// Cells lie in square tiles, whose side is a power of two.
+/// Cells are in square tiles, whose side is a power of two.
 namespace map_tiles {
 
 inline constexpr std::int32_t shift = 5, side = 1 << shift, within = side - 1;
@@ -81,9 +82,9 @@ struct MapVisit {
   bool is_deposit = false;                           // it ended here
 };
 
-/// The visits of one rock, in the order in which it first came to the cells; finds a cell again, however often the rock
-/// comes back: a hash table by linear probing. A slot holds the place of a visit in the list, counted on from rock to
-/// rock; those of earlier rocks are smaller than the present one's and count as empty, so that nothing is cleared.
+/// The visits of one rock, in the order in which it first reached the cells. A hash table with linear probing finds a
+/// cell again. A slot has the place of a visit in the list, numbered on from rock to rock; places of earlier rocks are
+/// lower than those of the present one and count as empty, so that nothing has to be cleared.
 class RockVisits {
  public:
   void begin_rock() {
@@ -93,7 +94,7 @@ class RockVisits {
   }
   [[nodiscard]] std::span<const MapVisit> list() const { return visits_; }
   [[nodiscard]] bool has(MapCell cell) { return !slots_.empty() && find(cell) > before_; }
-  /// The visit to a cell, made if there is none; good until the next is asked for.
+  /// The visit to a cell, added if it is new; valid until the next call.
   MapVisit& at(MapCell cell) {
     if (!visits_.empty() && visits_[recent_].cell == cell) return visits_[recent_];
     if (2 * visits_.size() >= slots_.size()) grow();
@@ -128,13 +129,13 @@ class RockVisits {
   std::vector<std::uint32_t> slots_;
 };
 
-/// Visits of one rock to cells of one tile, packed: of each its place in the tile, whether it is a deposit and its
-/// impacts in 10, 1 and 21 bits, and then the gathered quantities as floats.
+/// Visits of one rock to cells of one tile, packed: for each its place in the tile, whether it is a deposit, and its
+/// impacts in 10, 1 and 21 bits; then the gathered quantities as floats.
 struct VisitRun {
   std::uint64_t tile;  // its key
   const std::uint32_t* words;
   std::uint32_t count;
-  std::uint32_t map;  // to which of several maps they belong
+  std::uint32_t map;  // number of the set of maps they belong to
 };
 
 struct PackedVisit {
@@ -148,18 +149,17 @@ struct PackedVisit {
   [[nodiscard]] float value(std::uint32_t quantity) const { return std::bit_cast<float>(words[1 + quantity]); }
 };
 
-/// Memory for packed visits in pieces of one size, which are used again: to ask the system for new ones all the time
-/// takes as long as to fill them.
+/// Memory for packed visits in pieces of one size, which are reused: allocating new ones takes as long as filling them.
 class VisitMemory {
  public:
   static constexpr std::size_t piece_words = std::size_t{1} << 15;
   struct Piece {
     std::array<std::uint32_t, piece_words> words;
   };
-  /// These are called by any thread.
+  /// May be called by any thread.
   [[nodiscard]] std::unique_ptr<Piece> take();
   void give_back(std::vector<std::unique_ptr<Piece>> pieces);
-  /// Lets go of what is not in use.
+  /// Frees pieces that are not in use.
   void release();
 
  private:
@@ -169,13 +169,13 @@ class VisitMemory {
 
 /// Visits of many rocks.
 struct VisitBlock {
-  /// Impacts beyond those that a packed visit can count.
+  /// Impacts beyond the number that a packed visit can count.
   struct MoreImpacts {
     std::uint32_t map;
     MapCell cell;
     std::uint32_t impacts;
   };
-  std::vector<VisitRun> runs;  // their words are in the pieces
+  std::vector<VisitRun> runs;  // their words are in `pieces`
   std::vector<MoreImpacts> more_impacts;
   std::vector<std::unique_ptr<VisitMemory::Piece>> pieces;
   [[nodiscard]] std::size_t bytes() const {
@@ -188,7 +188,7 @@ class VisitPacker {
  public:
   VisitPacker(const MapContents& contents, VisitMemory& memory) : contents_(contents), memory_(memory) {}
   void add(std::uint32_t map, std::span<const MapVisit> visits);
-  /// What was added since the last time.
+  /// The visits added since the last call.
   [[nodiscard]] VisitBlock take();
 
  private:

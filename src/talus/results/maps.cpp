@@ -18,7 +18,7 @@ MapCell first_cell(std::uint64_t key) {
   return {column, row};
 }
 
-/// Isolated: a thread that waits for the last tile must not begin a block of rocks meanwhile.
+/// Isolated: a thread that waits for the last tile must not start a block of rocks meanwhile.
 template <class List, class Work>
 void for_each_at_once(List&& list, Work&& work) {
   tbb::this_task_arena::isolate([&] { tbb::parallel_for_each(list.begin(), list.end(), work); });
@@ -92,11 +92,11 @@ void Maps::merge_saved(ByteReader& in) {
   rocks_ += in.get<std::uint64_t>();
   for (const Vec2& lengths : {grid_.origin(), grid_.cell()}) {
     const auto x = in.get<double>(), y = in.get<double>();
-    expect_bytes(x == lengths.x() && y == lengths.y(), "maps lie on another grid");
+    expect_bytes(x == lengths.x() && y == lengths.y(), "maps are on another grid");
   }
   const auto quantities = in.get<std::uint32_t>(), with_percentiles = in.get<std::uint32_t>();
   expect_bytes(quantities == contents_.quantities() && with_percentiles == contents_.with_percentiles(),
-               "maps hold other quantities");
+               "maps have other quantities");
   std::optional<std::pair<std::int32_t, std::int32_t>> before;
   for (std::size_t tiles = in.count(sizeof(MapCell) + sizeof(std::uint64_t)); tiles > 0; --tiles) {
     MapCell first;
@@ -117,7 +117,7 @@ std::size_t Maps::touched_cells() const {
 }
 
 std::size_t Maps::bytes() const {
-  constexpr std::size_t node = sizeof(void*) + sizeof(*tiles_.begin());  // of the list of tiles
+  constexpr std::size_t node = sizeof(void*) + sizeof(*tiles_.begin());  // of the map of tiles
   std::size_t bytes = tiles_.bucket_count() * sizeof(void*) + tiles_.size() * node;
   for (const auto& [key, tile] : tiles_) bytes += tile->bytes();
   return bytes;

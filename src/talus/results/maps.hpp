@@ -1,7 +1,7 @@
 #pragma once
-// What rocks did in each cell of a grid on plan, in memory that follows the cells they touched and not the number of
-// rocks. Everything is a count, a maximum or a sum in fixed point: any split of the rocks, merged in any order, gives
-// the same bits.
+// Counts and quantities of rocks in each cell of a grid on plan. Memory depends on the number of touched cells, not on
+// that of rocks. Everything is a count, a maximum or a fixed-point sum: any split of the rocks, merged in any order,
+// gives the same bits.
 
 #include <cstdint>
 #include <memory>
@@ -16,25 +16,25 @@
 
 namespace talus {
 
-/// Cells lie in tiles of 32 by 32, made when a rock first touches them. With all quantities and percentiles, all
-/// together, a touched cell took 290 bytes at 44 rocks a cell and 370 at 174 (bench/results/2026-11-23.md).
+/// Cells are in tiles of 32 by 32, made when a rock first touches them. With all quantities and percentiles a touched
+/// cell took 290 bytes in total at 44 rocks a cell, and 370 at 174 (bench/results/2026-11-23.md).
 class Maps {
  public:
   explicit Maps(const MapGrid& grid, const MapContents& contents = {}) : grid_(grid), contents_(contents) {}
 
-  /// So many rocks more, and what they visited. Tiles are worked on by as many threads as the caller may use.
+  /// Adds a number of rocks and their visits. Tiles are processed by as many threads as the caller may use.
   void add(std::uint64_t rocks, std::span<const std::span<const MapVisit>> visits);
-  /// The same in pieces, for those who add to several maps at once: what waits at which tiles, then add_waiting() of
-  /// all of these, which may be done at the same time, then what packed visits could not count.
+  /// The same in steps, for adding to several maps at once: queue the visits at the tiles, then add_waiting() for all
+  /// of these, which may run in parallel, then the impacts that packed visits could not count.
   void add_rocks(std::uint64_t rocks) { rocks_ += rocks; }
   void wait(const VisitRun& run, std::vector<MapTile*>& waiting);
   void add(const VisitBlock::MoreImpacts& more);
   /// Expects maps on the same grid with the same contents, settled.
   void merge(const Maps& other);
-  /// Before anything is asked or saved.
+  /// Must be called before values are read or saved.
   void settle();
   void save(ByteWriter& out) const;
-  /// Adds saved maps; throws BadBytes on what are none, lie on another grid or hold other quantities.
+  /// Adds saved maps; throws BadBytes on anything else, and on maps of another grid or other quantities.
   void merge_saved(ByteReader& in);
 
   [[nodiscard]] const MapGrid& grid() const { return grid_; }
@@ -51,7 +51,7 @@ class Maps {
 
   static constexpr std::int32_t tile_side = map_tiles::side;
   using Tile = MapTile;
-  /// Row after row of tiles, from the least row and column.
+  /// Tiles row by row, from the lowest row and column.
   [[nodiscard]] std::vector<const Tile*> tiles() const;
 
  private:
@@ -63,7 +63,7 @@ class Maps {
   std::unordered_map<std::uint64_t, std::unique_ptr<Tile>> tiles_;  // by key
 };
 
-/// Adds what waits at tiles, on as many threads as the caller may use.
+/// Adds the queued visits of tiles, on as many threads as the caller may use.
 void add_waiting(std::span<MapTile* const> tiles);
 
 }  // namespace talus

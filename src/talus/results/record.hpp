@@ -1,5 +1,5 @@
 #pragma once
-// One rock's result, and the interface of everything that observes rocks.
+// One rock's result, and the interface of all observers of rocks.
 
 #include <cstdint>
 #include <memory>
@@ -17,10 +17,10 @@ struct RockRecord {
   SourceId source;
   Rock body;
   RockOutcome outcome;
-  bool was_lifted = false;  // it was to start in the ground: lifted, lowered from a ceiling or caught
+  bool was_lifted = false;  // its release was in the ground, and was lifted, lowered from a ceiling or caught
 };
 
-/// What one observer makes of one block of rocks. Parts of different blocks are made at the same time, each by one
+/// One observer's results of one block of rocks. Parts of different blocks are filled at the same time, each by one
 /// thread.
 class ObserverPart {
  public:
@@ -28,26 +28,26 @@ class ObserverPart {
   virtual void see(const RockRecord& record, const RockLog& log) = 0;
 };
 
-/// Sees every rock of a campaign. Parts are committed one at a time, in the order of the rocks.
+/// Observes every rock of a campaign. Parts are committed one at a time, in the order of the rocks.
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// Whether it wants this rock's path, row by row.
+  /// Whether it needs this rock's trajectory, row by row.
   [[nodiscard]] virtual bool wants_rows(std::uint64_t rock) const = 0;
-  /// Whether it wants the pieces of which paths are made, and the impacts.
+  /// Whether it needs the pieces of trajectories, and the impacts.
   [[nodiscard]] virtual bool wants_pieces() const { return false; }
   [[nodiscard]] virtual std::unique_ptr<ObserverPart> new_part() const = 0;
   virtual void commit(ObserverPart& part) = 0;
 };
 
-/// An observer that holds sums over rocks, of which every split merges to the same bits. What it holds can be kept on
-/// disk, sent elsewhere and added to another of its kind that was made for the same model.
+/// An observer of sums over rocks, which merge to the same bits from any split. Its content can be saved to disk, sent
+/// elsewhere and added to another of its kind for the same model.
 class SummingObserver : public Observer {
  public:
-  /// What it holds of all rocks committed so far. The same content gives the same bytes, however it came about.
+  /// Saves its content over all rocks committed so far. Equal content gives equal bytes, however it was reached.
   virtual void save(ByteWriter& out) = 0;
-  /// Adds what another saved to what is here; into one that has seen no rock it restores the other. Throws BadBytes on
-  /// what save() cannot have written, and may then hold a part of it.
+  /// Adds the saved content of another observer; into one that has seen no rock it restores the other. Throws BadBytes
+  /// on anything that save() cannot have written, after which it may have a part of it.
   virtual void merge_saved(ByteReader& in) = 0;
 };
 

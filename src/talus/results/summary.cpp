@@ -69,12 +69,12 @@ void save_optional(ByteWriter& out, const std::optional<T>& value) {
   if (value) out.put(*value);
 }
 
-/// The lesser of what is there and what was saved.
+/// The minimum of the present and the saved value.
 template <class T>
 void merge_least(ByteReader& in, std::optional<T>& value) {
   if (!in.flag()) return;
   const T saved = in.get<T>();
-  if constexpr (std::is_floating_point_v<T>) expect_bytes(std::isfinite(saved), "a least value is damaged");
+  if constexpr (std::is_floating_point_v<T>) expect_bytes(std::isfinite(saved), "a minimum is damaged");
   value = std::min(value.value_or(saved), saved);
 }
 
@@ -150,8 +150,8 @@ void Summary::save(ByteWriter& out) const {
 }
 
 void Summary::merge_saved(ByteReader& in) {
-  expect_bytes(in.get<std::uint64_t>() == planned, "the summary is of a run of another size");
-  expect_bytes(in.get<double>() == end_x.sketch().origin(), "the summary's positions are counted from another origin");
+  expect_bytes(in.get<std::uint64_t>() == planned, "the summary is of a run of another number of rocks");
+  expect_bytes(in.get<double>() == end_x.sketch().origin(), "the summary's positions have another origin");
   done += in.get<std::uint64_t>();
   merge_counts(in, ends);
   lifted += in.get<std::uint64_t>();
@@ -164,7 +164,7 @@ void Summary::merge_saved(ByteReader& in) {
   expect_bytes(
       done <= planned && end_x.count() == done && std::accumulate(ends.begin(), ends.end(), std::uint64_t{0}) == done,
       "the summary's counts disagree");
-  expect_bytes(in.get<std::uint64_t>() == barriers.size(), "the summary is of other barriers");
+  expect_bytes(in.get<std::uint64_t>() == barriers.size(), "the summary has other barriers");
   for (BarrierTally& barrier : barriers) barrier.merge_saved(in);
 }
 
@@ -198,11 +198,11 @@ class SummaryPart : public ObserverPart {
   }
 
   Summary summary;                                           // without barriers
-  std::unordered_map<std::uint32_t, BarrierTally> barriers;  // of those that a rock came to
+  std::unordered_map<std::uint32_t, BarrierTally> barriers;  // those that a rock hit or passed above
 
  private:
   void see_barriers(const RockRecord& record, const RockLog& log) {
-    came_to_.clear();
+    reached_.clear();
     for (const BarrierHit& hit : log.hits) {
       BarrierTally& tally = tally_of(hit.barrier);
       const double speed = hit.motion.velocity.norm();
@@ -212,30 +212,30 @@ class SummaryPart : public ObserverPart {
       tally.height.add(hit.height);
       tally.velocity.add(speed);
       ++tally.outcomes[static_cast<std::size_t>(hit.outcome)];
-      came_to_.push_back(hit.barrier.index);
+      reached_.push_back(hit.barrier.index);
     }
-    for (const std::uint32_t barrier : each_once()) ++tally_of({barrier}).rocks_hit;
+    for (const std::uint32_t barrier : take_reached()) ++tally_of({barrier}).rocks_hit;
     for (const PassedAbove& passed : log.passed_above) {
       BarrierTally& tally = tally_of(passed.barrier);
       tally.least_clearance = std::min(tally.least_clearance.value_or(passed.clearance), passed.clearance);
-      came_to_.push_back(passed.barrier.index);
+      reached_.push_back(passed.barrier.index);
     }
-    for (const std::uint32_t barrier : each_once()) ++tally_of({barrier}).rocks_passed_above;
+    for (const std::uint32_t barrier : take_reached()) ++tally_of({barrier}).rocks_passed_above;
   }
   BarrierTally& tally_of(BarrierId barrier) {
     return barriers.try_emplace(barrier.index, summary.planned).first->second;
   }
-  /// What the rock came to, which is forgotten.
-  std::span<const std::uint32_t> each_once() {
-    std::ranges::sort(came_to_);
-    once_.clear();
-    std::ranges::unique_copy(came_to_, std::back_inserter(once_));
-    came_to_.clear();
-    return once_;
+  /// Each barrier in reached_ once, in ascending order; clears the list.
+  std::span<const std::uint32_t> take_reached() {
+    std::ranges::sort(reached_);
+    unique_.clear();
+    std::ranges::unique_copy(reached_, std::back_inserter(unique_));
+    reached_.clear();
+    return unique_;
   }
 
   LocalFrame frame_;
-  std::vector<std::uint32_t> came_to_, once_;
+  std::vector<std::uint32_t> reached_, unique_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// The statistics of a campaign, in memory that does not grow with the number of rocks. All sums are order-free, so that
-// any split of the rocks merges to the same bits.
+// The statistics of a campaign, in memory that does not depend on the number of rocks. All sums are independent of
+// order: any split of the rocks merges to the same bits.
 
 #include <array>
 #include <optional>
@@ -18,7 +18,7 @@ namespace talus {
 /// One quantity over all rocks: moments and quantiles.
 class Tally {
  public:
-  /// Values that lie far from zero and near each other, as positions do, take an origin near them.
+  /// Values far from zero and close to each other, such as positions, need an origin near them.
   explicit Tally(std::uint64_t planned, double origin = 0) : sketch_(planned, origin) {}
   void add(double x) {
     add_moments(x);
@@ -30,7 +30,7 @@ class Tally {
   [[nodiscard]] std::uint64_t count() const { return sketch_.count(); }
   [[nodiscard]] Descriptive describe() const { return moments().describe(sketch_.quantile(0.5)); }
   [[nodiscard]] const QuantileSketch& sketch() const { return sketch_; }
-  /// About `bins` bins with round edges over all values; nothing without values.
+  /// About `bins` bins with round edges over all values; nullopt without values.
   [[nodiscard]] std::optional<Histogram> histogram(std::uint64_t bins) const;
 
  private:
@@ -46,9 +46,9 @@ class Tally {
   Moments& moments_of_first();
   [[nodiscard]] Moments moments() const;
 
-  // Moments take 2 kB: a few values are kept as they are until there are more. The sums are exact, so it is the same.
+  // Moments take 2 kB: the first few values are kept instead. Sums are exact, so the result is the same.
   std::vector<double> first_;
-  std::vector<Moments> moments_;  // one, or none; then first_ is empty
+  std::vector<Moments> moments_;  // none, or one; with one first_ is empty
   QuantileSketch sketch_;
 };
 
@@ -68,19 +68,19 @@ struct BarrierTally {
   std::optional<double> least_clearance;  // [m]
 };
 
-/// Everything counted and summed over rocks. Positions are the user's.
+/// All counts and sums over rocks. Positions are in user coordinates.
 struct Summary {
   /// `origin`: a place near the terrain, for the quantiles of positions.
   Summary(std::uint64_t planned_rocks, std::size_t barriers, const Vec3& origin = Vec3::Zero());
   /// Expects a summary of the same barriers, or of none.
   void merge(const Summary& other);
   void save(ByteWriter& out) const;
-  /// Adds a saved summary; throws BadBytes on what is none, or not of as many planned rocks and barriers, or
-  /// of another origin.
+  /// Adds a saved summary; throws BadBytes on anything else, and on another number of planned rocks or barriers, or
+  /// another origin.
   void merge_saved(ByteReader& in);
 
   [[nodiscard]] std::uint64_t ended(EndReason reason) const { return ends[static_cast<std::size_t>(reason)]; }
-  /// Whether more than one in a hundred rocks: what falls to so many is told.
+  /// Whether it is more than one in a hundred rocks: the limit for warnings and notes.
   [[nodiscard]] bool are_many(std::uint64_t rocks) const { return rocks > done / 100; }
 
   std::uint64_t planned = 0, done = 0;
@@ -94,8 +94,8 @@ struct Summary {
   std::vector<BarrierTally> barriers;
 };
 
-/// What a reader of the results should know and is no fault of the project: that many rocks left the model, as they
-/// are meant to where it ends behind what is to be protected.
+/// Notes on the results that are no fault of the project: that many rocks left the model, which is intended if it ends
+/// behind the protected place.
 [[nodiscard]] std::vector<std::string> notes_of(const Summary& summary);
 
 class SummaryObserver : public SummingObserver {
@@ -114,9 +114,9 @@ class SummaryObserver : public SummingObserver {
   Summary summary_;
 };
 
-/// Runout as the tables give it: the way from start to end, on plan and in space [m].
+/// Runout as in the tables: the distance from release to end, on plan and in space [m].
 struct Runout {
-  double plan, drop, total;  // drop: start's z less the end's
+  double plan, drop, total;  // drop: z at the release minus z at the end
 };
 [[nodiscard]] Runout runout(const RockOutcome& outcome);
 

@@ -21,7 +21,7 @@ std::uint32_t sum_of(std::uint32_t word) {
   return (((pairs + (pairs >> 4)) & 0x0F0F0F0F) * 0x01010101) >> 24;
 }
 
-constexpr std::uint32_t place_of(std::uint32_t late) { return late >> 19; }
+constexpr std::uint32_t place_of(std::uint32_t pending) { return pending >> 19; }
 
 }  // namespace
 
@@ -67,7 +67,7 @@ BinCounts::Adder::Adder(BinCounts& counts, std::uint32_t place) : counts_(counts
   }
 }
 
-/// The digits of one quantity at one place, in rows that all begin and end at the same words.
+/// The digits of one quantity at one place, in rows that share their first and last word.
 class BinCounts::Frame {
  public:
   void begin(std::uint32_t first, std::uint32_t end) {
@@ -76,16 +76,16 @@ class BinCounts::Frame {
     digits_ = 0;
   }
   void put(std::uint32_t digit, const Row& row, const std::uint32_t* words) {
-    have(digit);
+    ensure(digit);
     used_[digit] = row;
     std::copy_n(words, row.length, words_[digit].begin() + row.first);
   }
   void add(std::uint32_t digit, std::uint32_t bin) {
     const std::uint32_t word = bin / bins_a_word, shift = bin % bins_a_word * 2;
-    // A count that needs this digit needs those below.
-    for (std::uint32_t below = 0; below < digit; ++below) use(below, word);
+    // A count that needs this digit also needs the lower ones.
+    for (std::uint32_t below = 0; below < digit; ++below) extend_to(below, word);
     for (; digit < most_digits; ++digit) {
-      use(digit, word);
+      extend_to(digit, word);
       std::uint32_t& there = words_[digit][word];
       if ((there >> shift & 3) != 3) {
         there += 1U << shift;
@@ -101,15 +101,15 @@ class BinCounts::Frame {
   }
 
  private:
-  void use(std::uint32_t digit, std::uint32_t word) {
-    have(digit);
+  void extend_to(std::uint32_t digit, std::uint32_t word) {
+    ensure(digit);
     Row& row = used_[digit];
     if (row.length == 0) row.first = word;
     const std::uint32_t end = std::max(row.end(), word + 1);
     row.first = std::min(row.first, word);
     row.length = end - row.first;
   }
-  void have(std::uint32_t digit) {
+  void ensure(std::uint32_t digit) {
     for (; digits_ <= digit; ++digits_) {
       std::fill(words_[digits_].begin() + first_, words_[digits_].begin() + end_, 0);
       used_[digits_] = {};
@@ -121,22 +121,22 @@ class BinCounts::Frame {
   std::array<std::array<std::uint32_t, most_words>, most_digits> words_;
 };
 
-void BinCounts::rebuild(const std::uint32_t* words, std::span<const std::uint32_t> late,
+void BinCounts::rebuild(const std::uint32_t* words, std::span<const std::uint32_t> pending,
                         std::vector<std::uint32_t>& out) {
   thread_local std::array<Frame, most_quantities> frames;
   const Layout old = layout(words);
   const std::uint32_t* next = words + old.head;
-  auto more = late.begin();
+  auto more = pending.begin();
   std::uint32_t rows = 0;
   for (std::uint32_t which = 0; which < most_quantities; ++which) {
     auto end = more;
-    // Of all digits the lowest has the longest row.
+    // The lowest digit has the longest row.
     std::uint32_t first = most_words, last = 0;
     if (old.digits[which] > 0) {
       first = old.rows[which][0].first;
       last = old.rows[which][0].end();
     }
-    for (; end != late.end() && (*end >> 17 & 3) == which; ++end) {
+    for (; end != pending.end() && (*end >> 17 & 3) == which; ++end) {
       const std::uint32_t word = (*end & 0xFFF) / bins_a_word;
       first = std::min(first, word);
       last = std::max(last, word + 1);
@@ -165,7 +165,7 @@ void BinCounts::rebuild(const std::uint32_t* words, std::span<const std::uint32_
 }
 
 std::uint32_t BinCounts::new_place() {
-  TALUS_PROMISE(first_.size() < most_places, "places are counted with 10 bits");
+  TALUS_PROMISE(first_.size() < most_places, "a place is numbered with 10 bits");
   first_.push_back(nowhere);
   return places() - 1;
 }
@@ -173,7 +173,7 @@ std::uint32_t BinCounts::new_place() {
 std::uint32_t BinCounts::Pages::add(std::span<const std::uint32_t> words) {
   const auto size = static_cast<std::uint32_t>(words.size());
   if (size > page_words - used_) {
-    // What takes more than a page has one of its own size.
+    // A place that needs more than a page gets a page of its size.
     const std::uint32_t room = std::max(page_words, size);
     pages_.push_back(std::make_unique_for_overwrite<std::uint32_t[]>(room));
     words_ += room;
@@ -186,19 +186,19 @@ std::uint32_t BinCounts::Pages::add(std::span<const std::uint32_t> words) {
 }
 
 void BinCounts::settle() {
-  if (late_.empty()) return;
-  std::sort(late_.begin(), late_.end());
+  if (pending_.empty()) return;
+  std::sort(pending_.begin(), pending_.end());
   thread_local std::vector<std::uint32_t> rebuilt;
   Pages words;
   used_ = 0;
-  const std::span<const std::uint32_t> late(late_);
+  const std::span<const std::uint32_t> pending(pending_);
   std::size_t next = 0;
   for (std::uint32_t place = 0; place < places(); ++place) {
     const std::size_t first = next;
-    while (next < late.size() && place_of(late[next]) == place) ++next;
+    while (next < pending.size() && place_of(pending[next]) == place) ++next;
     if (next > first) {
       rebuilt.clear();
-      rebuild(words_of(place), late.subspan(first, next - first), rebuilt);
+      rebuild(words_of(place), pending.subspan(first, next - first), rebuilt);
     } else if (first_[place] == nowhere) {
       continue;
     }
@@ -207,7 +207,7 @@ void BinCounts::settle() {
     used_ += all.size();
   }
   words_ = std::move(words);
-  late_ = std::vector<std::uint32_t>();
+  pending_ = std::vector<std::uint32_t>();
 }
 
 template <class Take>
@@ -230,18 +230,18 @@ void BinCounts::for_each_digit(const std::uint32_t* words, Take&& take) {
 
 void BinCounts::merge(std::uint32_t place, const std::uint32_t* words) {
   for_each_digit(words, [&](std::uint32_t which, std::uint32_t digit, std::uint32_t bin, std::uint32_t value) {
-    for (; value > 0; --value) add_late(place, which, digit, bin);
+    for (; value > 0; --value) add_pending(place, which, digit, bin);
   });
 }
 
 void BinCounts::merge(std::uint32_t place, const BinCounts& other, std::uint32_t other_place) {
-  TALUS_PROMISE(other.late_.empty(), "settled counts are merged");
+  TALUS_PROMISE(other.pending_.empty(), "only settled counts can be merged");
   merge(place, other.words_of(other_place));
 }
 
 void BinCounts::quantiles(std::uint32_t place, std::uint32_t which, std::uint64_t count,
                           std::span<const double> probabilities, std::span<double> out) const {
-  TALUS_PROMISE(late_.empty(), "settled counts are asked");
+  TALUS_PROMISE(pending_.empty(), "only settled counts have quantiles");
   const std::uint32_t* const words = words_of(place);
   const Layout at = layout(words);
   std::array<const std::uint32_t*, most_digits> rows{};
@@ -289,7 +289,7 @@ void BinCounts::quantiles(std::uint32_t place, std::uint32_t which, std::uint64_
 }
 
 void BinCounts::save(std::uint32_t place, ByteWriter& out) const {
-  TALUS_PROMISE(late_.empty(), "settled counts are saved");
+  TALUS_PROMISE(pending_.empty(), "only settled counts can be saved");
   const auto words = all_words_of(place);
   out.put(static_cast<std::uint32_t>(words.size()));
   out.numbers(words);
@@ -328,7 +328,7 @@ auto BinCounts::merge_saved(std::uint32_t place, ByteReader& in) -> std::array<s
 }
 
 bool BinCounts::are_same(const BinCounts& a, std::uint32_t place_a, const BinCounts& b, std::uint32_t place_b) {
-  TALUS_PROMISE(a.late_.empty() && b.late_.empty(), "settled counts are compared");
+  TALUS_PROMISE(a.pending_.empty() && b.pending_.empty(), "only settled counts can be compared");
   const auto left = a.all_words_of(place_a), right = b.all_words_of(place_b);
   return std::equal(left.begin(), left.end(), right.begin(), right.end());
 }

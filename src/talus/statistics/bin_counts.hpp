@@ -12,62 +12,62 @@
 
 namespace talus {
 
-/// Of up to four quantities at each place, how many of its values lie in each of the bins of log_bins.hpp. All are
-/// whole numbers: any split and any order of the values merges to the same counts, and settled they are the same bytes.
+/// For up to four quantities at each place: how many of its values are in each of the bins of log_bins.hpp. All are
+/// integers, so that any split and any order of the values merges to the same counts. Settled counts have the same
+/// bytes, too.
 ///
-/// A count is written with digits to the base of four. Of each digit a place keeps those of a row of bins, two bits
-/// each: from the first to the last bin whose count needs that digit, in steps of 16 bins. Where a few hundred values
-/// are spread over a few dozens of bins that is 20 to 90 bytes a quantity; with a thousand times as many values it is
-/// four times as much.
+/// A count is written in base four. For each digit a place keeps a row of bins, two bits a bin: from the first to the
+/// last bin whose count needs that digit, in steps of 16 bins. A few hundred values spread over a few dozen bins take
+/// 20 to 90 bytes a quantity; a thousand times as many values take four times as much.
 class BinCounts {
  public:
   static constexpr std::uint32_t most_quantities = 4, most_places = 1U << 10;
 
   explicit BinCounts(std::uint32_t quantities = most_quantities) : quantities_(quantities) {}
 
-  /// Its number; they are counted from 0.
+  /// Returns its zero-based number.
   std::uint32_t new_place();
   [[nodiscard]] std::uint32_t places() const { return static_cast<std::uint32_t>(first_.size()); }
 
-  /// Adds values at one place; good as long as nothing else is done to the counts.
+  /// Adds values at one place; valid until the counts are changed in any other way.
   class Adder;
   [[nodiscard]] Adder at(std::uint32_t place);
-  /// Adds the counts of another's place, which must be settled, to those of a place here.
+  /// Adds the counts at a place of `other`, which must be settled, to those at a place here.
   void merge(std::uint32_t place, const BinCounts& other, std::uint32_t other_place);
-  /// Gives counts that have outgrown their rows the room they need. Due when as many wait for it as make it worth the
-  /// while; whatever is asked below is asked of settled counts.
+  /// Makes room for counts that have outgrown their rows. It is due when enough of them wait to make it worthwhile.
+  /// Everything below expects settled counts.
   void settle();
   void settle_if_due() {
-    if (late_.size() > few_late + used_ / 16) settle();
+    if (pending_.size() > few_pending + used_ / 16) settle();
   }
 
   /// For each probability in [0, 1] the quantile of one of the quantities at a place, by definition 7 (quantile.hpp),
-  /// its order statistics within 1 %. `count`, at least 1, is how many values there are, those below log_bins::least
-  /// among them, which count as zero: the caller knows it.
+  /// its order statistics within 1 %. `count`, at least 1, is the number of values including those below
+  /// log_bins::least, which count as zero; the caller keeps it.
   void quantiles(std::uint32_t place, std::uint32_t which, std::uint64_t count, std::span<const double> probabilities,
                  std::span<double> out) const;
 
   void save(std::uint32_t place, ByteWriter& out) const;
-  /// Adds saved counts to those of a place; gives how many values of each quantity they hold. Throws BadBytes on what
-  /// are none.
+  /// Adds saved counts to those at a place; returns the number of values of each quantity. Throws BadBytes on anything
+  /// else.
   std::array<std::uint64_t, most_quantities> merge_saved(std::uint32_t place, ByteReader& in);
   static constexpr std::size_t least_saved = 2 * sizeof(std::uint32_t);
 
   [[nodiscard]] std::size_t bytes() const {
-    return (words_.words() + first_.capacity() + late_.capacity()) * sizeof(std::uint32_t);
+    return (words_.words() + first_.capacity() + pending_.capacity()) * sizeof(std::uint32_t);
   }
-  /// Whether two places hold the same; both must be settled.
+  /// Whether two places have the same counts; both must be settled.
   [[nodiscard]] static bool are_same(const BinCounts& a, std::uint32_t place_a, const BinCounts& b,
                                      std::uint32_t place_b);
 
  private:
-  static constexpr std::size_t few_late = 256;
+  static constexpr std::size_t few_pending = 256;
   static constexpr std::uint32_t nowhere = ~0U;
   static constexpr std::uint32_t bins_a_word = 16;
   static constexpr std::uint32_t most_words = (log_bins::count + bins_a_word - 1) / bins_a_word;
-  static constexpr std::uint32_t most_digits = 32;  // of a number of 64 bits
+  static constexpr std::uint32_t most_digits = 32;  // of a 64-bit number
 
-  /// The digits of one rank of one quantity: words from `first` on, counted as if there were one for every 16 bins.
+  /// One digit of one quantity: words from `first` on, numbered as if there were one for every 16 bins.
   struct Row {
     std::uint32_t first = 0, length = 0;
     [[nodiscard]] std::uint32_t end() const { return first + length; }
@@ -80,10 +80,10 @@ class BinCounts {
   };
   class Frame;
 
-  /// Memory in pages of one size, so that what one tile gives up another can use.
+  /// Memory in pages of one size, so that a page that one tile releases can be used by another.
   class Pages {
    public:
-    /// Room for so many words that lie together; gives where they begin.
+    /// Stores the words next to each other; returns where they begin.
     [[nodiscard]] std::uint32_t add(std::span<const std::uint32_t> words);
     [[nodiscard]] const std::uint32_t* at(std::uint32_t place) const {
       return pages_[place / page_words].get() + place % page_words;
@@ -102,7 +102,7 @@ class BinCounts {
 
   [[nodiscard]] static Layout layout(const std::uint32_t* words);
   [[nodiscard]] static std::uint32_t size_of(const std::uint32_t* words);
-  /// What a place has; a word of nothing where no value was added.
+  /// The words of a place; a zero word if no value was added.
   [[nodiscard]] const std::uint32_t* words_of(std::uint32_t place) const {
     static constexpr std::uint32_t none = 0;
     return first_[place] == nowhere ? &none : words_.at(first_[place]);
@@ -111,28 +111,29 @@ class BinCounts {
     const std::uint32_t* const words = words_of(place);
     return {words, size_of(words)};
   }
-  void add_late(std::uint32_t place, std::uint32_t which, std::uint32_t digit, std::uint32_t bin) {
-    late_.push_back(place << 19 | which << 17 | digit << 12 | bin);
+  void add_pending(std::uint32_t place, std::uint32_t which, std::uint32_t digit, std::uint32_t bin) {
+    pending_.push_back(place << 19 | which << 17 | digit << 12 | bin);
   }
   void merge(std::uint32_t place, const std::uint32_t* words);
-  static void rebuild(const std::uint32_t* words, std::span<const std::uint32_t> late, std::vector<std::uint32_t>& out);
+  static void rebuild(const std::uint32_t* words, std::span<const std::uint32_t> pending,
+                      std::vector<std::uint32_t>& out);
   /// Calls take(which, digit, bin, value) for every digit above 0.
   template <class Take>
   static void for_each_digit(const std::uint32_t* words, Take&& take);
 
   std::uint32_t quantities_;
-  // What each place has lies together: a word with the number of digits of each quantity, a byte each; of each digit
-  // the row, its first word and its length in a byte each; then the rows.
+  // The words of a place are next to each other: a word with the number of digits of each quantity, a byte each; for
+  // each digit the first word and the length of its row, a byte each; then the rows.
   Pages words_;
   std::size_t used_ = 0;              // words
   std::vector<std::uint32_t> first_;  // of each place, in words_
-  // Ones that fell outside their rows: place, quantity, digit and bin in 10, 2, 5 and 12 bits.
-  std::vector<std::uint32_t> late_;
+  // Increments outside their rows: place, quantity, digit and bin in 10, 2, 5 and 12 bits.
+  std::vector<std::uint32_t> pending_;
 };
 
 class BinCounts::Adder {
  public:
-  /// `value` is not negative.
+  /// Expects a value of 0 or more.
   void add(std::uint32_t which, float value) {
     if (value < log_bins::least) return;
     const std::uint32_t bin = log_bins::bin_of(value), word = bin / bins_a_word, shift = bin % bins_a_word * 2;
@@ -148,7 +149,7 @@ class BinCounts::Adder {
       }
       there &= ~(3U << shift);
     }
-    counts_.add_late(place_, which, digit, bin);
+    counts_.add_pending(place_, which, digit, bin);
   }
 
  private:

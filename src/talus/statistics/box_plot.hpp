@@ -11,7 +11,7 @@
 namespace talus {
 
 /// J. W. Tukey, "Exploratory data analysis" (1977): the box from quartile to quartile (by definition 7, quantile.hpp),
-/// whiskers to the furthest values that lie within 1.5 times the box's height of it, and what lies beyond as outliers.
+/// whiskers to the furthest values within 1.5 box heights of it, and the values beyond as outliers.
 struct BoxPlot {
   double lower_whisker = 0;
   double lower_quartile = 0;
@@ -19,13 +19,14 @@ struct BoxPlot {
   double upper_quartile = 0;
   double upper_whisker = 0;
   std::uint64_t outlier_count = 0;
-  std::vector<double> outliers;  // ascending; empty where the values were counted in bins, though there may be some
+  std::vector<double> outliers;  // ascending; empty if the values were counted in bins, even if there are outliers
   [[nodiscard]] friend bool operator==(const BoxPlot&, const BoxPlot&) = default;
 };
 
-/// Nothing if there are no values.
+/// nullopt if there are no values.
 [[nodiscard]] std::optional<BoxPlot> box_plot(std::span<const double> sample);
-/// As near as the sketch is: within 0.05 % of each number's distance from its origin once it counts in bins.
+/// As exact as the sketch: once it counts in bins, each number is within 0.05 % of its distance from the sketch's
+/// origin.
 [[nodiscard]] std::optional<BoxPlot> box_plot(const QuantileSketch& sketch);
 
 }  // namespace talus

@@ -13,7 +13,7 @@ namespace talus {
 
 namespace {
 
-// 237 bits: central moments are small differences of large sums. Used once for a table, never for a rock.
+// 237 bits: central moments are small differences of large sums. Used once for a table, never for each rock.
 using Long = boost::multiprecision::cpp_bin_float_oct;
 
 Long as_long(const ExactSum& sum) {
@@ -22,7 +22,7 @@ Long as_long(const ExactSum& sum) {
   return value;
 }
 
-// A product of doubles as two: what rounding gives, and what it loses, which the fma finds (Dekker 1971).
+// A product of doubles as two: the rounded product and its rounding error, which the fma finds (Dekker 1971).
 struct Product {
   double rounded, lost;
   Product(double x, double y) : rounded(x * y), lost(std::fma(x, y, -rounded)) {}
@@ -36,8 +36,8 @@ void add(ExactSum& sum, Product product) {
 }  // namespace
 
 void Moments::add(double x) {
-  TALUS_PROMISE(std::abs(x) < 1e75, "the fourth power of a value is summed");
-  x += 0.0;  // there is one zero: extremes must not depend on which came first
+  TALUS_PROMISE(std::abs(x) < 1e75, "the fourth power of a value must be finite");
+  x += 0.0;  // turns -0 into 0: extremes must not depend on which came first
   // Without rounding: x^2 = a + b, x^3 = a x + b x, x^4 = a^2 + 2 a b + b^2.
   const Product square(x, x);
   const double a = square.rounded, b = square.lost;

@@ -6,7 +6,7 @@ namespace talus {
 
 void ExactSum::carry() {
   for (std::size_t i = 0; i + 1 < limb_count; ++i) {
-    const std::int64_t over = limbs_[i] >> limb_bits;  // rounds down, so that what stays is not negative
+    const std::int64_t over = limbs_[i] >> limb_bits;  // rounds down, so that the remainder is not negative
     limbs_[i + 1] += over;
     limbs_[i] &= static_cast<std::int64_t>(limb_mask);
   }
@@ -52,10 +52,11 @@ double ExactSum::value() const {
   while (top > 0 && limbs[top - 1] == 0) --top;
   if (top == 0) return 0;
   --top;
-  // Bits counted from the lowest of limb 0; the highest set bit of the number.
+  // Bits are numbered from the lowest of limb 0; this is the highest set bit.
   const int highest = static_cast<int>(top) * static_cast<int>(limb_bits) +
                       static_cast<int>(std::bit_width(static_cast<std::uint64_t>(limbs[top]))) - 1;
-  if (highest > 2097) return is_negative ? -HUGE_VAL : HUGE_VAL;  // beyond the largest double whatever the rest is
+  if (highest > 2097)
+    return is_negative ? -HUGE_VAL : HUGE_VAL;  // beyond the largest double whatever the lower bits are
 
   const auto bit = [&](int i) {
     return (static_cast<std::uint64_t>(limbs[static_cast<std::size_t>(i) / limb_bits]) >>

@@ -1,8 +1,8 @@
 #pragma once
-// A sum in fixed point, 16 bytes small, that does not depend on the order of its terms.
+// A fixed-point sum of 16 bytes that does not depend on the order of its terms.
 //
-// ExactSum keeps every bit of every term and takes 544 bytes; where there is a sum for each cell of a map, the range of
-// what is added is known and 2^-24 of its unit is far below what anyone can measure.
+// ExactSum keeps every bit of every term and takes 544 bytes. This one is for a sum in each cell of a map: the range of
+// the terms is known there, and 2^-24 of their unit is far below what can be measured.
 
 #include <cmath>
 #include <cstdint>
@@ -12,13 +12,14 @@
 
 namespace talus {
 
-/// Of numbers from 0 to 2^70 (1.2e21), each cut off to a multiple of 2^-24 (6e-8); 2^32 terms of any size at the least.
+/// Of numbers from 0 to 2^70 (1.2e21), each truncated to a multiple of 2^-24 (6e-8); holds at least 2^32 terms of any
+/// size.
 class FixedSum {
  public:
   static constexpr double largest_term = 0x1p70;
 
   void add(double term) {
-    TALUS_PROMISE(term >= 0 && term <= largest_term, "a fixed-point sum has a range");
+    TALUS_PROMISE(term >= 0 && term <= largest_term, "the term must be in the range of a fixed-point sum");
     const double units = term * 0x1p24;
     if (units < 0x1p63) {  // almost always
       add(0, static_cast<std::uint64_t>(static_cast<std::int64_t>(units)));
@@ -28,8 +29,8 @@ class FixedSum {
     add(static_cast<std::uint64_t>(high),
         static_cast<std::uint64_t>(units - high * 0x1p64));  // the difference is exact
   }
-  /// Terms below `small_term` in units of 2^-24: of so many of them the sum is a number of 64 bits, so that it can be made
-  /// first and added at once.
+  /// Terms below `small_term` in units of 2^-24. The sum of `most_small_terms` of them fits into 64 bits: it can be
+  /// made first and added at once.
   static constexpr float small_term = 0x1p31F;
   static constexpr std::uint32_t most_small_terms = 256;
   [[nodiscard]] static std::uint64_t units_of(float small) {

@@ -29,7 +29,8 @@ Step next_wider(const Step& step) {
   return step.digit == 5 ? Step{1, step.exponent + 1} : Step{step.digit == 1 ? 2 : 5, step.exponent};
 }
 
-/// How many of the narrow steps make a wide one; nothing where they make none, and the greatest integer beyond it.
+/// How many narrow steps make a wide one; nullopt if no whole number of them does, and the largest integer if they are
+/// too many.
 std::optional<std::int64_t> times(const Step& wide, const Step& narrow) {
   constexpr int most_exponent = 17;
   const int exponent = wide.exponent - narrow.exponent;
@@ -51,22 +52,21 @@ double BinEdges::edge(std::uint64_t i) const {
 }
 
 BinEdges nice_bins(double least, double most, std::uint64_t most_bins) {
-  TALUS_PROMISE(std::isfinite(least) && std::isfinite(most) && least <= most, "a range has two ends in order");
-  TALUS_PROMISE(std::abs(least) < 1e100 && std::abs(most) < 1e100, "beyond, steps are not numbers for a reader");
-  TALUS_PROMISE(most_bins >= 2 && most_bins <= 1000, "a step that fits exists for two bins and more");
+  TALUS_PROMISE(std::isfinite(least) && std::isfinite(most) && least <= most, "a range needs two finite ends in order");
+  TALUS_PROMISE(std::abs(least) < 1e100 && std::abs(most) < 1e100, "a step must be a readable number");
+  TALUS_PROMISE(most_bins >= 2 && most_bins <= 1000, "a step that fits exists for 2 bins or more");
   const double magnitude = std::max(std::abs(least), std::abs(most));
-  // A step of at least 1e-12 of the magnitude keeps the edges distinct and the number of steps to them an integer that
-  // a double holds.
+  // A step of at least 1e-12 of the magnitude keeps the edges distinct, and their numbers of steps exact in a double.
   double span = std::max(most - least, magnitude * 1e-12 * static_cast<double>(most_bins));
   if (span < 1e-200) span = 1;
-  // A tenth of the smallest step that could do, then upwards: 1, 2, 5, 10 ... the first that fits is the narrowest.
+  // From a tenth of the smallest possible step upwards: 1, 2, 5, 10 ... The first that fits is the narrowest.
   int exponent = static_cast<int>(std::floor(std::log10(span / static_cast<double>(most_bins)))) - 1;
   for (;; ++exponent) {
     for (const int digit : {1, 2, 5}) {
       const double step = decimal(1, digit, exponent);
       if (step * static_cast<double>(most_bins) < span * (1 - 1e-9)) continue;
       BinEdges edges{static_cast<std::int64_t>(std::floor(least / step)), digit, exponent, 1};
-      // The quotients are rounded: the edges themselves decide.
+      // The quotients are rounded: compare with the edges themselves.
       if (edges.edge(0) > least) --edges.first;
       if (edges.edge(1) <= least) ++edges.first;
       while (edges.edge(edges.bins) < most && edges.bins <= most_bins) ++edges.bins;
@@ -76,7 +76,7 @@ BinEdges nice_bins(double least, double most, std::uint64_t most_bins) {
 }
 
 BinEdges common_bins(const BinEdges& a, const BinEdges& b, std::uint64_t most_bins) {
-  TALUS_PROMISE(most_bins >= 2, "two values on either side of zero need two bins of any width");
+  TALUS_PROMISE(most_bins >= 2, "values on both sides of zero need two bins, however wide");
   const auto last = [](const BinEdges& edges) { return edges.first + static_cast<std::int64_t>(edges.bins); };
   for (Step step = is_less(step_of(a), step_of(b)) ? step_of(b) : step_of(a);; step = next_wider(step)) {
     const auto of_a = times(step, step_of(a)), of_b = times(step, step_of(b));
@@ -89,7 +89,7 @@ BinEdges common_bins(const BinEdges& a, const BinEdges& b, std::uint64_t most_bi
 }
 
 std::optional<BinEdges> bins_from(double low, double width, std::uint64_t bins) {
-  constexpr double rounding = 1e-3;  // of a width that is the difference of edges a thousand billion times as large
+  constexpr double rounding = 1e-3;  // a width is the difference of edges up to 1e12 times as large
   if (!(width > 0) || !std::isfinite(width) || !std::isfinite(low) || bins == 0) return std::nullopt;
   const int exponent = static_cast<int>(std::floor(std::log10(width * (1 + rounding))));
   for (const int digit : {1, 2, 5}) {
@@ -103,7 +103,7 @@ std::optional<BinEdges> bins_from(double low, double width, std::uint64_t bins) 
 
 Histogram Histogram::regrouped(const BinEdges& wider) const {
   const auto each = times(step_of(wider), step_of(edges_));
-  TALUS_PROMISE(each.has_value(), "a wider bin holds whole ones");
+  TALUS_PROMISE(each.has_value(), "a wider bin must be made of whole bins");
   Histogram out(wider);
   for (std::uint64_t k = 0; k < edges_.bins; ++k) {
     const std::int64_t at = floor_divided(edges_.first + static_cast<std::int64_t>(k), *each) - wider.first;
@@ -115,7 +115,7 @@ Histogram Histogram::regrouped(const BinEdges& wider) const {
 }
 
 void Histogram::add(double x, std::uint64_t count) {
-  TALUS_PROMISE(std::isfinite(x), "only finite numbers have a bin");
+  TALUS_PROMISE(std::isfinite(x), "only finite numbers can be counted");
   const double low = edges_.edge(0), high = edges_.edge(edges_.bins);
   if (x < low) {
     underflow_ += count;
@@ -124,7 +124,7 @@ void Histogram::add(double x, std::uint64_t count) {
   } else {
     const double place = (x - low) / (high - low) * static_cast<double>(edges_.bins);
     std::uint64_t bin = std::min(static_cast<std::uint64_t>(place), edges_.bins - 1);
-    // The quotient is rounded: the edges themselves decide.
+    // The quotient is rounded: compare with the edges themselves.
     if (x < edges_.edge(bin)) --bin;
     if (bin + 1 < edges_.bins && x >= edges_.edge(bin + 1)) ++bin;
     counts_[bin] += count;

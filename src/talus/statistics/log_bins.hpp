@@ -1,5 +1,5 @@
 #pragma once
-// Bins of nearly equal relative width: which one holds a value, and what value stands for it.
+// Bins of nearly equal relative width: the bin of a value, and the value that represents a bin.
 
 #include <algorithm>
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace talus::log_bins {
 
-inline constexpr float least = 0x1p-10f;  // what is smaller counts as zero, and is in no bin
-inline constexpr float most = 0x1p80f;    // 1.2e24; what is greater falls into the last bin
+inline constexpr float least = 0x1p-10f;  // smaller values count as zero and are in no bin
+inline constexpr float most = 0x1p80f;    // 1.2e24; larger values are in the last bin
 
-/// How an octave is cut: borders lie at multiples of 1/256 of its beginning, as far apart as leaves what stands for a
-/// bin within 0.99 % of all its values.
+/// The bins of an octave: borders are at multiples of 1/256 of its beginning, as far apart as possible while the value
+/// that represents a bin is within 0.99 % of all its values.
 struct Octave {
   static constexpr std::uint32_t steps = 256;
   static constexpr std::uint32_t most_bins = 40;
@@ -45,15 +45,15 @@ inline constexpr std::uint32_t step_bits = 8, dropped_bits = 23 - step_bits;  //
 inline constexpr std::uint32_t first_octave = std::bit_cast<std::uint32_t>(least) >> 23;
 inline constexpr std::uint32_t count = ((std::bit_cast<std::uint32_t>(most) >> 23) - first_octave) * octave.bins + 1;
 
-/// The bin of a value from `least` on.
+/// The bin of a value of at least `least`.
 [[nodiscard]] inline std::uint32_t bin_of(float value) {
-  TALUS_PROMISE(value >= least, "what is smaller is in no bin");
+  TALUS_PROMISE(value >= least, "smaller values are in no bin");
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(std::min(value, most)) >> dropped_bits;
   return ((bits >> step_bits) - first_octave) * octave.bins + octave.bin_of[bits & (Octave::steps - 1)];
 }
 
-/// What is at most 0.99 % of it from each value of a bin: the harmonic mean of its borders, from which both are equally
-/// far in parts of themselves.
+/// The value that represents a bin, within 0.99 % of each of its values: the harmonic mean of its borders, which has
+/// the same relative distance from both.
 [[nodiscard]] inline double middle_of(std::uint32_t bin) {
   const std::uint32_t of_octave = bin % octave.bins, exponent = bin / octave.bins + first_octave;
   const double begin = static_cast<double>(std::bit_cast<float>(exponent << 23));

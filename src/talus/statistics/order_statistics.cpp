@@ -10,7 +10,7 @@ namespace talus {
 
 namespace {
 
-/// P(B <= k) and P(B > k), B binomial (n, p); each as it is, not as what the other leaves of 1.
+/// P(B <= k) and P(B > k), B binomial (n, p). Each is computed directly, because 1 minus the other would lose digits.
 double at_most(std::uint64_t k, std::uint64_t n, double p) {
   if (k >= n) return 1;
   if (p <= 0 || p >= 1) return p <= 0 ? 1 : 0;
@@ -22,7 +22,7 @@ double more_than(std::uint64_t k, std::uint64_t n, double p) {
   return boost::math::ibeta(static_cast<double>(k) + 1, static_cast<double>(n - k), p);
 }
 
-/// The first k in [0, n) at which a condition that stays true once it is true becomes so; n if it does not.
+/// The first k in [0, n) at which a monotone condition is true; n if there is none.
 template <class Condition>
 std::uint64_t first(std::uint64_t n, Condition&& is_true) {
   std::uint64_t low = 0, high = n;
@@ -40,7 +40,7 @@ std::uint64_t first(std::uint64_t n, Condition&& is_true) {
 }  // namespace
 
 RankBounds quantile_rank_bounds(double p, std::uint64_t count, double confidence) {
-  TALUS_PROMISE(p >= 0 && p <= 1 && confidence > 0 && confidence < 1, "both are probabilities");
+  TALUS_PROMISE(p >= 0 && p <= 1 && confidence > 0 && confidence < 1, "p and the confidence must be probabilities");
   const double tail = 0.5 * (1 - confidence);
   RankBounds bounds;
   const std::uint64_t too_high = first(count, [&](std::uint64_t k) { return at_most(k, count, p) > tail; });
@@ -51,7 +51,8 @@ RankBounds quantile_rank_bounds(double p, std::uint64_t count, double confidence
 }
 
 ShareBounds share_bounds(std::uint64_t hits, std::uint64_t trials, double confidence) {
-  TALUS_PROMISE(hits <= trials && trials > 0 && confidence > 0 && confidence < 1, "a share is of something");
+  TALUS_PROMISE(hits <= trials && trials > 0 && confidence > 0 && confidence < 1,
+                "a share needs trials and a confidence in (0, 1)");
   const double tail = 0.5 * (1 - confidence);
   const auto k = static_cast<double>(hits), others = static_cast<double>(trials - hits);
   return {hits == 0 ? 0 : boost::math::ibeta_inv(k, others + 1, tail),
@@ -65,8 +66,8 @@ RankedValues::RankedValues(const QuantileSketch& sketch)
 }
 
 double RankedValues::at(std::uint64_t rank) const {
-  TALUS_PROMISE(rank < count_, "there are only so many values");
-  if (rank == 0) return minimum_;  // which a bin does not tell
+  TALUS_PROMISE(rank < count_, "the rank must be below the number of values");
+  if (rank == 0) return minimum_;  // exact, unlike a bin
   if (rank + 1 == count_) return maximum_;
   return std::ranges::upper_bound(up_to_, rank, {}, &QuantileSketch::Counted::count)->value;
 }

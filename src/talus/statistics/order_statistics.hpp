@@ -1,11 +1,11 @@
 #pragma once
-// How well a sample knows a quantile, and a share: confidence intervals that assume nothing of the distribution.
+// Confidence intervals of a quantile and of a share, without assumptions about the distribution.
 //
 // Of n independent values the number B below the quantile p of a continuous distribution is binomial (n, p). So the
-// order statistic of rank r (from 0) lies above that quantile with probability P(B <= r), and below it with P(B > r):
+// order statistic of zero-based rank r is above that quantile with probability P(B <= r), and below it with P(B > r):
 // H. A. David and H. N. Nagaraja, Order Statistics, 3rd ed. (2003), section 7.1; G. J. Hahn and W. Q. Meeker,
-// Statistical Intervals (1991), section 5.2. Each end errs with at most half of what the confidence leaves, so that the
-// upper end alone holds with (1 + confidence)/2.
+// Statistical Intervals (1991), section 5.2. Each end is wrong with a probability of at most (1 - confidence)/2, so
+// that the upper end alone has a confidence of (1 + confidence)/2.
 
 #include <cstdint>
 #include <optional>
@@ -15,9 +15,9 @@
 
 namespace talus {
 
-/// Ranks, from 0, of the order statistics between which the quantile lies. Nothing where the sample is too small for an
-/// end: one above the quantile p needs p^n <= (1 - confidence)/2, with 95 % thus 72 values for p = 0.95 and 368 for
-/// 0.99.
+/// Zero-based ranks of the order statistics between which the quantile is. An end is empty if the sample is too small
+/// for it: an upper end for the quantile p needs p^n <= (1 - confidence)/2. With 95 % that takes 72 values for p = 0.95
+/// and 368 for 0.99.
 struct RankBounds {
   std::optional<std::uint64_t> low, high;
 };
@@ -29,36 +29,37 @@ struct ShareBounds {
   double low, high;
 };
 
-/// Of the probability behind `hits` among `trials`, at least one: C. J. Clopper and E. S. Pearson, "The use of
-/// confidence or fiducial limits illustrated in the case of the binomial", Biometrika 26 (1934) 404-413.
+/// Confidence interval of the probability behind `hits` in `trials`, at least one: C. J. Clopper and E. S. Pearson,
+/// "The use of confidence or fiducial limits illustrated in the case of the binomial", Biometrika 26 (1934) 404-413.
 [[nodiscard]] ShareBounds share_bounds(std::uint64_t hits, std::uint64_t trials, double confidence);
 
-/// An estimate and its confidence interval; an end that the sample is too small for is empty.
+/// An estimate and its confidence interval; an end is empty if the sample is too small for it.
 struct Estimate {
   double value = 0;
   std::optional<double> low, high;
   friend bool operator==(const Estimate&, const Estimate&) = default;
 };
 
-/// The values of a sketch in ascending order, put into order once for many questions.
+/// The values of a sketch in ascending order, sorted once for many queries.
 class RankedValues {
  public:
   /// Expects at least one value. The sketch must outlive it.
   explicit RankedValues(const QuantileSketch& sketch);
 
-  /// Of rank `rank`, from 0.
+  /// The value of a zero-based rank.
   [[nodiscard]] double at(std::uint64_t rank) const;
   /// As QuantileSketch::quantile().
   [[nodiscard]] double quantile(double p) const;
-  /// The quantile and its interval. Definition 7 looks for it among the values alone: where these are so few that even
-  /// the greatest lies below it with this confidence (two values for p = 0.99), it interpolates to less than that. Then
-  /// the estimate is the end of the interval, which is the greatest value; likewise at the other end.
+  /// The quantile and its interval. Definition 7 interpolates between the values. With few values it can therefore fall
+  /// outside the interval: with two values for p = 0.99 even the maximum is below the quantile at this confidence, and
+  /// the interpolated value is lower still. Then the estimate is that end of the interval, here the maximum; likewise
+  /// at the lower end.
   [[nodiscard]] Estimate estimate(double p, double confidence) const;
 
  private:
   std::uint64_t count_;
   double minimum_, maximum_;
-  std::vector<QuantileSketch::Counted> up_to_;  // each value with how many are at most as large
+  std::vector<QuantileSketch::Counted> up_to_;  // each value with the number of values up to it
 };
 
 }  // namespace talus

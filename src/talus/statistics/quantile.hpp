@@ -9,16 +9,16 @@
 
 namespace talus {
 
-/// Where the quantile p of `count` values lies among them in ascending order: a part `fraction` of the way from the
-/// value number `rank`, counted from 0, to the next. R. J. Hyndman and Y. Fan, "Sample quantiles in statistical
-/// packages", The American Statistician 50 (1996) 361-365, definition 7: spreadsheets' PERCENTILE, R's default.
+/// Where the quantile p of `count` values is among them in ascending order: a part `fraction` of the way from the value
+/// with the zero-based number `rank` to the next. R. J. Hyndman and Y. Fan, "Sample quantiles in statistical packages",
+/// The American Statistician 50 (1996) 361-365, definition 7: spreadsheets' PERCENTILE, R's default.
 struct QuantilePlace {
   std::uint64_t rank;
   double fraction;
 };
 
 [[nodiscard]] inline QuantilePlace quantile_place(double p, std::uint64_t count) {
-  TALUS_PROMISE(p >= 0 && p <= 1 && count > 0, "a quantile belongs to a probability and to a sample");
+  TALUS_PROMISE(p >= 0 && p <= 1 && count > 0, "a quantile needs a probability and a sample");
   const double place = p * static_cast<double>(count - 1);
   const std::uint64_t rank = std::min(static_cast<std::uint64_t>(place), count - 1);
   return {rank, rank + 1 < count ? place - static_cast<double>(rank) : 0.0};

@@ -16,7 +16,7 @@ constexpr int dropped_bits = 42;  // of the 52 of the fraction
 constexpr double least_magnitude = 0x1p-40;
 constexpr double most_magnitude = 0x1p80;
 
-// Of saved sketches: more than any campaign has, and small enough that sums of a few of them cannot wrap around.
+// Limit of saved sketches: more than any campaign has, and small enough that sums of a few of them cannot overflow.
 constexpr std::uint64_t most_values = std::uint64_t{1} << 60;
 constexpr const char* damaged = "the counts behind quantiles are damaged";
 
@@ -31,7 +31,7 @@ double middle_of(std::uint32_t bin) {
 }  // namespace
 
 void QuantileSketch::Bins::add(std::uint32_t bin, std::uint64_t count) {
-  constexpr std::uint32_t room = 1024;  // a factor of two at a time, so that growing is rare
+  constexpr std::uint32_t room = 1024;  // a factor of two, so that growing is rare
   if (counts.empty()) {
     first = bin - bin % room;
     counts.resize(room);
@@ -76,8 +76,8 @@ QuantileSketch QuantileSketch::binned() const {
 }
 
 void QuantileSketch::add(double x) {
-  TALUS_PROMISE(std::isfinite(x), "only finite numbers have quantiles");
-  x += 0.0;  // there is one zero: extremes and order must not depend on which came first
+  TALUS_PROMISE(std::isfinite(x), "only finite numbers can be ranked");
+  x += 0.0;  // turns -0 into 0: extremes and order must not depend on which came first
   minimum_ = count_ == 0 ? x : std::min(minimum_, x);
   maximum_ = count_ == 0 ? x : std::max(maximum_, x);
   ++count_;
@@ -86,8 +86,8 @@ void QuantileSketch::add(double x) {
 }
 
 void QuantileSketch::merge(const QuantileSketch& other) {
-  TALUS_PROMISE(planned_ == other.planned_, "only sketches of one plan agree on when to count in bins");
-  TALUS_PROMISE(origin_ == other.origin_, "only sketches of one origin have the same bins");
+  TALUS_PROMISE(planned_ == other.planned_, "sketches must be planned for the same number of values");
+  TALUS_PROMISE(origin_ == other.origin_, "sketches must have the same origin");
   if (other.count_ == 0) return;
   minimum_ = count_ == 0 ? other.minimum_ : std::min(minimum_, other.minimum_);
   maximum_ = count_ == 0 ? other.maximum_ : std::max(maximum_, other.maximum_);
@@ -156,7 +156,7 @@ void QuantileSketch::save(ByteWriter& out) const {
 
 void QuantileSketch::merge_saved(ByteReader& in) {
   QuantileSketch saved(in.get<std::uint64_t>(), origin_);
-  expect_bytes(saved.planned_ == planned_, "quantiles are of a run of another size");
+  expect_bytes(saved.planned_ == planned_, "quantiles are of a run of another number of rocks");
   saved.count_ = in.get<std::uint64_t>();
   expect_bytes(saved.count_ <= most_values, damaged);
   if (saved.count_ == 0) return;
@@ -171,7 +171,7 @@ void QuantileSketch::merge_saved(ByteReader& in) {
     in.numbers(std::span(saved.values_));
     expect_bytes(saved.values_.front() == saved.minimum_ && saved.values_.back() == saved.maximum_, damaged);
     for (std::size_t k = 1; k < saved.values_.size(); ++k) {
-      expect_bytes(saved.values_[k - 1] <= saved.values_[k], damaged);  // neither is not a number, then
+      expect_bytes(saved.values_[k - 1] <= saved.values_[k], damaged);  // false if either is NaN
     }
   } else {
     saved.is_binned_ = true;
