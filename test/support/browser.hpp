@@ -1,5 +1,5 @@
 #pragma once
-// A page as a browser makes it: what its scripts drew.
+// A page as a browser renders it, after its scripts have run.
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,8 +12,8 @@ namespace talus::testing_tools {
 
 inline bool has_browser() { return std::system("command -v chromium >/dev/null 2>&1") == 0; }
 
-/// What `script` gives, a text, in the page that a file holds: it is run as the body of a function after the page's own
-/// scripts. What it gives may not have line breaks.
+/// The text that `script` returns in the page of a file. It is run as the body of a function after the page's own
+/// scripts; its text must not have line breaks.
 inline std::string said_in_page(const std::filesystem::path& html, const std::string& script) {
   const std::filesystem::path asked = html.string() + ".asked.html";
   {

@@ -1,5 +1,5 @@
 #pragma once
-// Random numbers for making test cases: the same on every platform, unlike the standard library's distributions.
+// Random numbers for test cases: the same on every platform, unlike the standard library's distributions.
 
 #include <cmath>
 #include <cstdint>
@@ -17,7 +17,7 @@ class Dice {
   /// Uniform in [0, 1).
   double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * unit(); }
-  /// Over several orders of magnitude: the logarithm is uniform.
+  /// Log-uniform, over several orders of magnitude.
   double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
   bool chance(double probability) { return unit() < probability; }

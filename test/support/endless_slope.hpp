@@ -1,5 +1,5 @@
 #pragma once
-// Rocks that take minutes: whatever is asked to stop has to leave them on their way.
+// Rocks that take minutes: a stop must take effect during their simulation.
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 namespace talus::testing_tools {
 
-/// A project with so many rocks that rest at once, then some that slide for days of their time and take minutes to
-/// compute, then again some that rest at once.
+/// A project with rocks that come to rest at once, then some that slide for days of simulated time and take minutes to
+/// compute, then again some that come to rest at once.
 inline std::string endless_slope(int short_rocks, int long_rocks, int short_rocks_after = 0) {
   std::string text = R"(name = "Endless"
 [analysis]

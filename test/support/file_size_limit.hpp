@@ -1,5 +1,5 @@
 #pragma once
-// A disk that is full: while it lives, no file of this process grows beyond so many bytes.
+// Simulates a full disk: during its lifetime no file of this process can grow beyond a number of bytes.
 
 #include <sys/resource.h>
 

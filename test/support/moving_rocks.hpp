@@ -1,5 +1,5 @@
 #pragma once
-// A rock in the middle of its way, to be taken from one state to the next by a test.
+// A rock on its way, which a test takes from one state to the next.
 
 #include "support/scenes.hpp"
 #include "talus/trajectory/moving_rock.hpp"

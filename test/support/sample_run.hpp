@@ -12,7 +12,7 @@
 
 namespace talus::sample_run {
 
-/// A folder of its own that goes away with the object.
+/// A temporary folder that is removed with the object.
 class Folder {
  public:
   explicit Folder(const std::string& name)

@@ -1,5 +1,5 @@
 #pragma once
-// A small run on terrain, written by hand: what its folder says to those who make other files of it.
+// The folder of a small run on terrain, written by hand, for tests of files derived from it.
 
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What must hold of everything that is saved and merged again, whatever it is.
+// Checks what is true of everything that can be saved and merged.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ std::string saved(T&& value) {
   return out.take();
 }
 
-/// Merges saved bytes into something, all of them; whether they were taken for what they should be.
+/// Merges saved bytes into an object; returns whether all of them were accepted.
 template <class T>
 bool takes(T& into, std::string_view bytes) {
   try {
@@ -33,8 +33,8 @@ bool takes(T& into, std::string_view bytes) {
   }
 }
 
-/// `whole` holds what all `parts` together do; `empty()` makes one that holds nothing. Parts that are saved and merged
-/// in any order are the whole, to the last byte.
+/// `whole` is the sum of all `parts`; `empty()` makes an empty object. Parts that are saved and merged in any order
+/// give the whole, to the last byte.
 template <class T>
 void expect_merged_parts_are_the_whole(Dice& dice, T& whole, std::vector<T>& parts, const std::function<T()>& empty) {
   const std::string expected = saved(whole);
@@ -55,8 +55,8 @@ void expect_merged_parts_are_the_whole(Dice& dice, T& whole, std::vector<T>& par
   EXPECT_NE(saved(empty()), expected) << "the comparison can fail";
 }
 
-/// Bytes that end too early, anywhere or (where there are very many) at places spread over all, are refused. Bytes of
-/// which some bits were turned are refused or taken, and `use` finds its way about what was taken.
+/// Truncated bytes are refused, wherever they end (for very many bytes, at places spread over them). Bytes with flipped
+/// bits are refused or accepted, and `use` works on what was accepted.
 template <class T>
 void expect_damage_is_survived(Dice& dice, const std::string& bytes, const std::function<T()>& empty,
                                const std::function<void(T&)>& use) {

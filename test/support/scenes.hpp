@@ -68,14 +68,14 @@ template <class Surface>
          std::isfinite(motion.time);
 }
 
-/// To the last digit, so that a case can be taken out of a test's output and repeated.
+/// To the last digit, so that a case can be repeated from a test's output.
 [[nodiscard]] inline std::string text(const Vec3& v) {
   char line[120];
   std::snprintf(line, sizeof line, "{%.17g, %.17g, %.17g}", v.x(), v.y(), v.z());
   return line;
 }
 
-/// The row that is wrong, and some before it.
+/// The wrong row, and some before it.
 [[nodiscard]] inline std::string rows_up_to(const Followed& path, std::size_t last) {
   std::string lines = "\n";
   for (std::size_t k = last < 6 ? 0 : last - 6; k <= std::min(last, path.log.rows.size() - 1); ++k) {
@@ -86,7 +86,7 @@ template <class Surface>
   return lines;
 }
 
-/// The pieces of a path, the steps of its glides in their place.
+/// The pieces of a path, with glides expanded into their steps.
 inline std::vector<PathPiece> every_piece(const RockLog& log) {
   std::vector<PathPiece> pieces;
   log.for_each_piece([&](const PathPiece& piece) { pieces.push_back(piece); });

@@ -1,5 +1,5 @@
 #pragma once
-// Ranks that are threads of one process: the same conversation without MPI.
+// Ranks that are threads of one process, which exchange the same messages without MPI.
 
 #include <deque>
 #include <functional>
@@ -16,7 +16,7 @@ class ThreadRanks {
  public:
   explicit ThreadRanks(int size) : boxes_(static_cast<std::size_t>(size)) {}
 
-  /// One of them, for one thread.
+  /// One rank, to be used by one thread.
   class One : public Ranks {
    public:
     One(ThreadRanks& all, int rank) : all_(all), rank_(rank) {}
@@ -48,7 +48,7 @@ class ThreadRanks {
   std::vector<std::deque<Ranks::Message>> boxes_;
 };
 
-/// Does `first` as rank 0, in this thread, and `other` as each of the others, in threads of their own.
+/// Runs `first` as rank 0 in this thread, and `other` as each of the other ranks in threads of their own.
 inline void with_ranks(int size, const std::function<void(Ranks&)>& first, const std::function<void(Ranks&)>& other) {
   ThreadRanks all(size);
   std::vector<std::jthread> threads;
