@@ -35,7 +35,7 @@ std::string said(const Workplace& place, const std::string& arguments, const std
 
 TEST(RefusedByTheProgram, AnEmptyFileName) {
   const Workplace place;
-  EXPECT_EQ(said(place, "check ''"), "2 \"\": this is the name of no file (expected that of a project file)\n");
+  EXPECT_EQ(said(place, "check ''"), "2 \"\": the file name is empty (expected the name of a project file)\n");
 }
 
 TEST(RefusedByTheProgram, NegativeNumbers) {
@@ -215,7 +215,7 @@ TEST(RefusedByTheProgram, AKeyOfVeryManyParts) {
   for (int k = 0; k < 300'000; ++k) parts += "a.";
   const std::string file = place.write("slope.toml", parts + "a = 1\n");
   EXPECT_EQ(said(place, "check " + file),
-            "2 slope.toml:1: a key has more than 16 parts (the longest of a project have three, as "
+            "2 slope.toml:1: a key has more than 16 parts (the longest keys of a project have three, such as "
             "[material.normal_restitution] mean)\n");
 }
 

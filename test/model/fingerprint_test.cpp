@@ -1,4 +1,4 @@
-// What tells campaigns apart: every number that the paths of rocks follow from, wherever it was read from.
+// The fingerprint of a campaign changes with every number that affects trajectories, in the project or its files.
 
 #include "talus/model/fingerprint.hpp"
 
@@ -17,11 +17,11 @@ namespace {
 
 using test::Workplace;
 
-struct Prints {
+struct Fingerprints {
   std::string inputs, sample;
 };
 
-Prints prints_of(const std::filesystem::path& file, const std::vector<std::string>& settings = {}) {
+Fingerprints fingerprints_of(const std::filesystem::path& file, const std::vector<std::string>& settings = {}) {
   Problems warnings;
   const Project project = read_project(file, {settings, {}, {}}).project;
   const Model model = build_model(project, warnings);
@@ -46,14 +46,14 @@ std::string slope(const char* height) {
 }
 
 TEST(Fingerprint, IsTheSameForTheSameProject) {
-  const Prints once = prints_of(test::tutorial("3d")), again = prints_of(test::tutorial("3d"));
+  const Fingerprints once = fingerprints_of(test::tutorial("3d")), again = fingerprints_of(test::tutorial("3d"));
   EXPECT_EQ(once.inputs, again.inputs);
   EXPECT_EQ(once.sample, again.sample);
   EXPECT_EQ(once.inputs.size(), 32U);
   EXPECT_EQ(once.inputs.find_first_not_of("0123456789abcdef"), std::string::npos);
 }
 
-TEST(Fingerprint, FollowsEverySetting) {
+TEST(Fingerprint, ChangesWithEverySetting) {
   std::set<std::string> seen;
   const std::vector<std::string> changes{"",
                                          "sampling.seed=2",
@@ -65,32 +65,32 @@ TEST(Fingerprint, FollowsEverySetting) {
                                          "collector.0.height_m=3.6"};
   for (const std::string& change : changes) {
     const auto settings = change.empty() ? std::vector<std::string>() : std::vector{change};
-    seen.insert(prints_of(test::tutorial("3d"), settings).inputs);
+    seen.insert(fingerprints_of(test::tutorial("3d"), settings).inputs);
   }
   EXPECT_EQ(seen.size(), changes.size());
 }
 
-// The project's text stays as it is; the file that it names does not.
-TEST(Fingerprint, FollowsWhatTheFilesHold) {
+// The text of the project is the same, but the file that it names changes.
+TEST(Fingerprint, ChangesWithTheContentsOfFiles) {
   const Workplace work;
   const std::string project = work.write("slope.toml", mesh_project);
   work.write("slope.obj", slope("5"));
-  const Prints before = prints_of(project);
+  const Fingerprints before = fingerprints_of(project);
   work.write("slope.obj", slope("5.000001"));
-  const Prints after = prints_of(project);
+  const Fingerprints after = fingerprints_of(project);
   EXPECT_NE(before.inputs, after.inputs);
   EXPECT_NE(before.sample, after.sample);
   work.write("slope.obj", "# the same slope\n" + slope("5"));
-  EXPECT_EQ(prints_of(project).inputs, before.inputs);
+  EXPECT_EQ(fingerprints_of(project).inputs, before.inputs);
 }
 
-TEST(Fingerprint, DoesNotDependOnWhereTheProjectLies) {
+TEST(Fingerprint, DoesNotDependOnTheFolderOfTheProject) {
   const Workplace one, other;
   for (const Workplace* work : {&one, &other}) {
     work->write("slope.toml", mesh_project);
     work->write("slope.obj", slope("5"));
   }
-  EXPECT_EQ(prints_of(one / "slope.toml").inputs, prints_of(other / "slope.toml").inputs);
+  EXPECT_EQ(fingerprints_of(one / "slope.toml").inputs, fingerprints_of(other / "slope.toml").inputs);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Seeders from polygons, rasters and lines of a GIS, end to end.
+// Seeders from polygons, rasters and lines of a GIS: the cells and rocks of the model.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,21 +39,21 @@ class GisSeeders : public GisProject {
   static const ReleaseCells& cells_of(const Model& model, std::size_t seeder = 0) {
     return std::get<ReleaseCells>(model.seeders.at(seeder).where);
   }
-  /// Column and row of the file's cells, from the south-west, of each entry.
+  /// Columns and rows of the cells in the file, from the south-west.
   static std::set<std::pair<int, int>> places(const Model& model) {
     const ReleaseCells& cells = cells_of(model);
     std::set<std::pair<int, int>> out;
     for (std::size_t k = 0; k < cells.cells.size(); ++k) {
-      const Vec3 middle = model.frame.global_from_local({cells.centre_of(k).x(), cells.centre_of(k).y(), 0});
-      out.emplace(static_cast<int>(std::floor((middle.x() - west) / cell)),
-                  static_cast<int>(std::floor((middle.y() - south) / cell)));
+      const Vec3 centre = model.frame.global_from_local({cells.centre_of(k).x(), cells.centre_of(k).y(), 0});
+      out.emplace(static_cast<int>(std::floor((centre.x() - west) / cell)),
+                  static_cast<int>(std::floor((centre.y() - south) / cell)));
     }
     return out;
   }
 };
 
-// The cells whose middle is within: middles are at 2.5, 7.5, 12.5 ... m.
-TEST_F(GisSeeders, APolygonIsTheCellsWhoseMiddleIsWithin) {
+// Centres of cells are at 2.5, 7.5, 12.5 ... m.
+TEST_F(GisSeeders, APolygonSelectsTheCellsWithTheirCentreInside) {
   layer("cliffs.gpkg", "name", {{box(100, 50, 119, 62.4), ""}});
   const Model built = model(head + "type = \"polygon\"\npolygons = \"cliffs.gpkg\"\nrocks_per_cell = 3\n");
   EXPECT_EQ(warnings(), "");
@@ -68,7 +68,7 @@ TEST_F(GisSeeders, APolygonIsTheCellsWhoseMiddleIsWithin) {
   EXPECT_THAT(built.sources, ElementsAre("Cliffs"));
 }
 
-// Each rock starts in the cell of its number, on the surface, and the counts of cells are equal.
+// Rocks start in their cells at a height above the surface, with equal numbers per cell.
 TEST_F(GisSeeders, RocksStartInTheirCellsOnTheSurface) {
   layer("cliffs.gpkg", "name", {{box(100, 50, 150, 100), ""}});
   const Model built = model(head + "type = \"polygon\"\npolygons = \"cliffs.gpkg\"\nrocks = 250\nheight_above_m = 2\n");
@@ -88,16 +88,16 @@ TEST_F(GisSeeders, RocksStartInTheirCellsOnTheSurface) {
   for (const auto& [place, count] : counts) EXPECT_TRUE(count == 2 || count == 3);
 }
 
-// All over a triangle, 50,000 rocks are as even along x as its cells are: a Kolmogorov test. It finds it where one rock
-// in five starts two cells to the east.
-TEST_F(GisSeeders, EveryCellHasTheSameChance) {
+// In a triangle, 50,000 rocks are distributed along x like its cells: a Kolmogorov test. It detects that one rock in
+// five is moved two cells to the east.
+TEST_F(GisSeeders, EveryCellHasTheSameProbability) {
   layer("cliffs.gpkg", "name",
         {{fmt::format("POLYGON (({0} {1}, {2} {1}, {0} {3}, {0} {1}))", west + 50, south + 20, west + 250, south + 180),
           ""}});
   const Model built = model(head + "type = \"polygon\"\npolygons = \"cliffs.gpkg\"\nrocks = 50000\n");
   const ReleaseCells& cells = cells_of(built);
   EXPECT_GT(cells.cells.size(), 600U);
-  std::map<double, double> cells_in_column;  // by the western border
+  std::map<double, double> cells_in_column;  // by the western edge
   for (const std::uint32_t number : cells.cells) ++cells_in_column[cells.corner.x() + 5 * (number % cells.columns)];
   const auto share_to_the_west = [&](double x) {
     double sum = 0;
@@ -114,7 +114,7 @@ TEST_F(GisSeeders, EveryCellHasTheSameChance) {
 }
 
 TEST_F(GisSeeders, PolygonsMayBeInAnotherCoordinateSystem) {
-  // The rectangle's corners taken to degrees, each exactly; the border bends between them by less than a millimetre.
+  // The corners of a rectangle in degrees; its edges bend between them by less than a millimetre.
   OGRSpatialReference metres, degrees;
   metres.importFromEPSG(2193);
   degrees.importFromEPSG(4326);
@@ -138,7 +138,7 @@ TEST_F(GisSeeders, PolygonsMayBeInAnotherCoordinateSystem) {
   EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(GisSeeders, APolygonMayStandInTheProject) {
+TEST_F(GisSeeders, APolygonMayBeInTheProject) {
   const std::string inline_polygon =
       fmt::format("type = \"polygon\"\npolygon = [[{0}, {1}], [{2}, {1}], [{2}, {3}], [{0}, {3}]]\n", west + 100,
                   south + 50, west + 119, south + 62.4);
@@ -167,19 +167,19 @@ TEST_F(GisSeeders, EachPolygonMayBeASource) {
     seen[built.sources[record.source.index]].emplace(static_cast<int>((place.x() - west) / cell),
                                                      static_cast<int>((place.y() - south) / cell));
   }
-  EXPECT_EQ(seen["north"].size(), 9U);  // two columns of four, and the one far off
+  EXPECT_EQ(seen["north"].size(), 9U);  // two columns of four, and the separate one
   EXPECT_TRUE(seen["north"].contains({40, 20}));
   EXPECT_FALSE(seen["north"].contains({22, 10}));
   EXPECT_EQ(seen["south"].size(), 16U);
   EXPECT_EQ(seen["other"].size(), 4U);
-  // The name of the seeder is that of all of them.
+  // There is one seeder, with one name.
   EXPECT_EQ(built.seeders.size(), 1U);
   EXPECT_EQ(built.seeders[0].name, "Cliffs");
 }
 
-// The slope at the node x is atan(x / 100): cells of at least 45 and at most 60 degrees. The border is not used, where
-// a neighbour is missing.
-TEST_F(GisSeeders, ARasterIsTheCellsOfASlope) {
+// The slope at the node x is atan(x / 100): cells of 45 to 60 degrees. Cells on the edge are not used, since a
+// neighbour is missing.
+TEST_F(GisSeeders, ARasterSeederSelectsTheCellsOfASlope) {
   const Model built = model(head + "type = \"raster\"\nmin_slope_deg = 45\nmax_slope_deg = 60\nrocks_per_cell = 2\n");
   std::set<std::pair<int, int>> expected;
   for (int column = 1; column < columns - 1; ++column) {
@@ -192,7 +192,7 @@ TEST_F(GisSeeders, ARasterIsTheCellsOfASlope) {
   EXPECT_EQ(warnings(), "");
 }
 
-// Cell by cell what `gdaldem slope` gives, on a rough raster with holes.
+// On a rough raster with holes, cell by cell as with `gdaldem slope`.
 TEST_F(GisSeeders, SlopesAreThoseOfGdaldem) {
   RasterSpec rough = mountain();
   Dice dice(7);
@@ -210,7 +210,7 @@ TEST_F(GisSeeders, SlopesAreThoseOfGdaldem) {
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       const float slope = values[static_cast<std::size_t>(row * columns + column)];
-      ASSERT_GT(std::abs(slope - 50), 1e-4);  // no cell is in doubt
+      ASSERT_GT(std::abs(slope - 50), 1e-4);  // no cell is ambiguous
       if (slope >= 50) expected.emplace(column, rows - 1 - row);
     }
   }
@@ -229,8 +229,7 @@ TEST_F(GisSeeders, SlopeAndPolygonCombine) {
   EXPECT_EQ(places(built).size(), 20U);
 }
 
-// A mask with cells of 20 m in longitudes and latitudes would not be aligned; one in another projection is neither.
-TEST_F(GisSeeders, AMaskSaysWhichCells) {
+TEST_F(GisSeeders, AMaskSelectsCells) {
   RasterSpec mask = mountain();
   mask.type = GDT_Byte;
   mask.no_data = 9;
@@ -250,7 +249,7 @@ TEST_F(GisSeeders, AMaskSaysWhichCells) {
   EXPECT_EQ(places(model(masked + "mask_value = 0\n")).size(), 58U * 34 - 200);
   EXPECT_EQ(places(model(masked + "min_slope_deg = 50\n")).size(), 60U);  // from column 24 on
 
-  // The same mask on a grid of another coordinate system, UTM of the southern zone 60, of 2.5 m: nearest neighbours.
+  // The same mask on a grid of 2.5 m in another coordinate system, UTM zone 60S, by nearest neighbours.
   GDALDatasetUniquePtr plain(GDALDataset::Open(path("release.tif").c_str()));
   char* options[] = {const_cast<char*>("-t_srs"), const_cast<char*>("EPSG:32760"), const_cast<char*>("-tr"),
                      const_cast<char*>("2.5"),    const_cast<char*>("2.5"),        nullptr};
@@ -284,15 +283,14 @@ diameter_m = 0.5
   EXPECT_EQ(*x.begin(), 1006);
   EXPECT_EQ(*x.rbegin(), 1094);
   EXPECT_EQ(refusal(plane + "type = \"raster\"\nmin_slope_deg = 46\ncell_m = 4\n"),
-            "slope.toml:6: seeder \"seeder 1\": no cell is as steep as 46 deg (the steepest of 299 has 45 deg, at "
-            "(1006, 506))");
-  EXPECT_EQ(
-      refusal(plane + "type = \"raster\"\nmin_slope_deg = 46\n"),
-      "slope.toml:6: seeder 1: cell_m is missing (the terrain is not a raster, so it has no cells of its own). Give "
-      "the side of the cells from which rocks start, in metres");
+            "slope.toml:6: seeder \"seeder 1\": no cell is as steep as 46 deg (the steepest of 299 cells has 45 deg, "
+            "at (1006, 506))");
+  EXPECT_EQ(refusal(plane + "type = \"raster\"\nmin_slope_deg = 46\n"),
+            "slope.toml:6: seeder 1: cell_m is missing (the terrain is not a raster, so it has no cells of its own). "
+            "Give the size of the cells from which rocks start, in metres");
 }
 
-TEST_F(GisSeeders, LinesLieOnTheTerrainOrHaveTheirHeights) {
+TEST_F(GisSeeders, LinesAreOnTheTerrainOrHaveHeights) {
   const auto line = [](double x0, double y0, double x1, double y1, const char* kind = "", const char* z = "") {
     return fmt::format("LINESTRING {5} ({0} {1}{4}, {2} {3}{4})", west + x0, south + y0, west + x1, south + y1, z,
                        kind);
@@ -303,17 +301,17 @@ TEST_F(GisSeeders, LinesLieOnTheTerrainOrHaveTheirHeights) {
   EXPECT_EQ(draped.seeder_report, "seeder \"Cliffs\": 2 lines, 40 m long");
   EXPECT_THAT(draped.sources, ElementsAre("a", "b"));
   Simulator simulator(draped);
-  int of_a = 0;
+  int on_line_a = 0;
   for (std::uint64_t rock = 0; rock < 2000; ++rock) {
     const RockRecord record = simulator.simulate(rock, true);
     const Vec3 start = simulator.log().rows.front().motion.position;
     const Vec3 place = draped.frame.global_from_local(start);
     const bool on_a = std::abs(place.y() - south - 50) < 1e-6;
     EXPECT_EQ(record.source, SourceId{on_a ? 0U : 1U});
-    of_a += on_a ? 1 : 0;
+    on_line_a += on_a ? 1 : 0;
     EXPECT_NEAR(start.z(), *std::get<RasterSurface>(draped.surface).elevation(start.x(), start.y()), 1e-9);
   }
-  EXPECT_NEAR(of_a, 500, 5 * std::sqrt(2000 * 0.25 * 0.75));  // by length; five standard errors
+  EXPECT_NEAR(on_line_a, 500, 5 * std::sqrt(2000 * 0.25 * 0.75));  // by length; five standard errors
   layer("cliff.gpkg", "name", {{line(100, 50, 130, 50, "Z", " 300"), "a"}});
   const Model with_heights = model(lines);
   Simulator high(with_heights);
@@ -321,8 +319,8 @@ TEST_F(GisSeeders, LinesLieOnTheTerrainOrHaveTheirHeights) {
   EXPECT_EQ(high.log().rows.front().motion.position.z(), 300);
   layer("cliff.gpkg", "name", {{line(100, 50, 130, 50, "Z", " 300"), "a"}, {line(100, 60, 130, 60), "a"}});
   EXPECT_EQ(refusal(lines),
-            "slope.toml:5: seeder \"Cliffs\": feature 2 of lines \"cliff.gpkg\" has no heights (others have). Give "
-            "height_above_m, and all start at that height above the terrain");
+            "slope.toml:5: seeder \"Cliffs\": feature 2 of lines \"cliff.gpkg\" has no heights (others do). Give "
+            "height_above_m to start all rocks at that height above the terrain");
   EXPECT_EQ(model(lines + "height_above_m = 1\n").seeders.size(), 1U);
 }
 
@@ -340,7 +338,7 @@ TEST_F(GisSeeders, LinesOffTheTerrainAndOverHolesAreRefused) {
             "lies within x = 1757002.5 to 1757297.5, y = 5917002.5 to 5917197.5)");
 }
 
-TEST_F(GisSeeders, WhatIsWrongWithAFileIsSaidWhereItIsNamed) {
+TEST_F(GisSeeders, ErrorsInAFileAreReportedAtTheLineThatNamesIt) {
   layer("cliffs.gpkg", "name", {{box(100, 50, 150, 60), ""}});
   const std::string wrong = "has no layer \"leyer\" (it has \"layer\"). Did you mean \"layer\"?";
   EXPECT_EQ(refusal(head + "type = \"polygon\"\npolygons = \"cliffs.gpkg\"\nlayer = \"leyer\"\n"),
@@ -353,38 +351,37 @@ TEST_F(GisSeeders, WhatIsWrongWithAFileIsSaidWhereItIsNamed) {
             "--set seeder.0.polygons=\"cliffs.gpkg\": seeder \"Cliffs\": polygons cliffs.gpkg: " + wrong);
 }
 
-TEST_F(GisSeeders, WhereNoRockCouldStartIsRefusedWithWhatWasFound) {
+TEST_F(GisSeeders, SeedersWithoutCellsAreRefusedWithTheReason) {
   const std::string polygon = head + "type = \"polygon\"\npolygons = \"cliffs.gpkg\"\n";
   layer("cliffs.gpkg", "name", {{box(5000, 50, 5010, 60), ""}});
   EXPECT_EQ(refusal(polygon),
             "slope.toml:5: seeder \"Cliffs\": polygons \"cliffs.gpkg\" does not reach the terrain (it lies within x = "
             "1762000 to 1762010, y = 5917050 to 5917060; the terrain within x = 1757002.5 to 1757297.5, y = 5917002.5 "
-            "to 5917197.5). Compare what ogrinfo says of its coordinate system");
+            "to 5917197.5). Check its extent and coordinate system with ogrinfo");
   layer("cliffs.gpkg", "name", {{box(100, 50, 101, 60), ""}});
   EXPECT_EQ(refusal(polygon),
-            "slope.toml:5: seeder \"Cliffs\": polygons \"cliffs.gpkg\" holds no cell (the middle of none of the cells "
-            "of 5 x 5 m is within)");
+            "slope.toml:5: seeder \"Cliffs\": polygons \"cliffs.gpkg\" contains no cell (none of the cells of 5 x 5 m "
+            "has its centre inside)");
   layer("cliffs.gpkg", "name", {{box(100, 50, 150, 60), ""}});
   EXPECT_EQ(refusal(polygon + "min_slope_deg = 70\n"),
-            "slope.toml:5: seeder \"Cliffs\": no cell is as steep as 70 deg (the steepest of 20 has 55.86 deg, at "
-            "(1757147.5, 5917052.5))");
+            "slope.toml:5: seeder \"Cliffs\": no cell is as steep as 70 deg (the steepest of 20 cells has 55.86 deg, "
+            "at (1757147.5, 5917052.5))");
   EXPECT_EQ(refusal(polygon + "max_slope_deg = 30\n"),
-            "slope.toml:5: seeder \"Cliffs\": no cell is as gentle as 30 deg (the gentlest of 20 has 45.71 deg, at "
-            "(1757102.5, 5917052.5))");
+            "slope.toml:5: seeder \"Cliffs\": no cell is as gentle as 30 deg (the gentlest of 20 cells has 45.71 deg, "
+            "at (1757102.5, 5917052.5))");
   EXPECT_EQ(refusal(polygon + "min_slope_deg = 50\nmax_slope_deg = 50.1\n"),
-            "slope.toml:5: seeder \"Cliffs\": no cell is 50 to 50.1 deg steep (the 20 there are have 45.71 to 55.86 "
-            "deg)");
+            "slope.toml:5: seeder \"Cliffs\": no cell is 50 to 50.1 deg steep (the 20 cells have 45.71 to 55.86 deg)");
   RasterSpec holed = mountain();
   for (int row = 0; row < rows; ++row) {
     for (int column = 15; column < 35; ++column) holed.cells[static_cast<std::size_t>(row * columns + column)] = -9999;
   }
   make("dem.tif", holed);
   EXPECT_EQ(refusal(polygon),
-            "slope.toml:5: seeder \"Cliffs\": there is no data under it (none of 20 cells of 5 x 5 m in polygons "
+            "slope.toml:5: seeder \"Cliffs\": the terrain has no data there (none of 20 cells of 5 x 5 m in polygons "
             "\"cliffs.gpkg\" has data with its eight neighbours)");
 }
 
-TEST_F(GisSeeders, MasksThatWantNothingAreRefused) {
+TEST_F(GisSeeders, MasksThatSelectNothingAreRefused) {
   RasterSpec mask = mountain();
   mask.type = GDT_Byte;
   mask.cells.assign(columns * rows, 0);
@@ -398,31 +395,30 @@ TEST_F(GisSeeders, MasksThatWantNothingAreRefused) {
             "in 2204)");
   mask.geotransform = {west + 10000, cell, 0, south + 200, 0, -cell};
   make("release.tif", mask);
-  EXPECT_EQ(refusal(masked),
-            "slope.toml:5: seeder \"Cliffs\": mask \"release.tif\" does not reach the terrain (the terrain lies within "
-            "x = 1757002.5 to 1757297.5, y = 5917002.5 to 5917197.5). Compare what gdalinfo says of the mask, and its "
-            "coordinate system");
   EXPECT_EQ(
-      refusal(head + "type = \"raster\"\nmask = \"none.tif\"\n"),
-      "slope.toml:9: seeder \"Cliffs\": mask is \"none.tif\" (there is no file none.tif). Its path is relative to "
-      "the project file");
+      refusal(masked),
+      "slope.toml:5: seeder \"Cliffs\": mask \"release.tif\" does not reach the terrain (the terrain lies within x = "
+      "1757002.5 to 1757297.5, y = 5917002.5 to 5917197.5). Check its extent and coordinate system with gdalinfo");
+  EXPECT_EQ(refusal(head + "type = \"raster\"\nmask = \"none.tif\"\n"),
+            "slope.toml:9: seeder \"Cliffs\": mask is \"none.tif\" (there is no file none.tif). The path is relative "
+            "to the project file");
 }
 
-TEST_F(GisSeeders, WhatIsPartlyOffTheTerrainIsToldAndLeftOut) {
+TEST_F(GisSeeders, PartsOffTheTerrainAreReportedAndLeftOut) {
   RasterSpec holed = mountain();
   holed.cells[static_cast<std::size_t>((rows - 1 - 12) * columns + 24)] = -9999;
   make("dem.tif", holed);
   layer("cliffs.gpkg", "name", {{box(100, 50, 150, 100), ""}, {box(280, 50, 400, 60), ""}, {box(900, 0, 910, 9), ""}});
   const Model built = model(head + "type = \"polygon\"\npolygons = \"cliffs.gpkg\"\n");
   EXPECT_EQ(warnings(),
-            "slope.toml:5: warning: seeder \"Cliffs\": 2 of 3 polygons reach beyond the terrain or lie elsewhere "
+            "slope.toml:5: warning: seeder \"Cliffs\": 2 of 3 polygons extend beyond the terrain or lie outside it "
             "(rocks start on the terrain only)\n"
             "slope.toml:5: warning: seeder \"Cliffs\": 11 of 108 cells are left out (they or one of their eight "
             "neighbours have no data, or lie on the edge of the terrain)");
   EXPECT_EQ(places(built).size(), 97U);
 }
 
-TEST_F(GisSeeders, TheNumberOfRocksMayBeSetFromOutside) {
+TEST_F(GisSeeders, TheNumberOfRocksMayBeOverridden) {
   const std::string slope = "type = \"raster\"\nmin_slope_deg = 50\nrocks_per_cell = 3\n";
   Overrides overrides;
   overrides.rocks = 77;
@@ -431,8 +427,8 @@ TEST_F(GisSeeders, TheNumberOfRocksMayBeSetFromOutside) {
                         "[[seeder]]\nname = \"Block\"\nposition = [1757050, 5917050]\nheight_above_m = 1\n"
                         "mass_kg = 100\n",
                     overrides),
-            "--rocks 77: cannot be shared among the 2 seeders (number 1 has rocks_per_cell, and its cells are not "
-            "counted yet). Give it rocks instead, or set each on its own: --set seeder.0.rocks=...");
+            "--rocks 77: cannot be shared among the 2 seeders (seeder 1 has rocks_per_cell, and its cells are not "
+            "counted yet). Give it rocks instead, or set the rocks of each seeder: --set seeder.0.rocks=...");
   EXPECT_THAT(refusal(head + "type = \"raster\"\nmin_slope_deg = 50\nrocks_per_cell = 1000000000000\n"),
               HasSubstr("slope.toml:5: seeder \"Cliffs\": 1000000000000 rocks from each of "));
 }

@@ -36,7 +36,7 @@ attribute = "kind"
 class GroundPolygons : public GisProject {
  protected:
   GroundPolygons() { make("dem.tif", mountain()); }
-  /// By the middle of a cell of the terrain, between four nodes, in metres from the corner of the raster.
+  /// The material at the centre of a cell, between four nodes, in metres from the corner of the raster.
   static std::uint32_t material_at(const Model& model, double x, double y) {
     const auto& surface = std::get<RasterSurface>(model.surface);
     const Vec2 local = Vec2(west + x, south + y) - Vec2(model.frame.origin.head(2));
@@ -46,8 +46,8 @@ class GroundPolygons : public GisProject {
   }
 };
 
-TEST_F(GroundPolygons, TheMiddleOfACellSaysItsMaterial) {
-  // The cells of the surface have their middles at 5, 10, 15 ... m.
+TEST_F(GroundPolygons, ACellHasTheMaterialAtItsCentre) {
+  // The centres of the cells are at 5, 10, 15 ... m.
   layer("ground.gpkg", "kind", {{box(0, 0, 100.1, 200), "Rock"}, {box(100.1, 0, 300, 200), "Scree"}});
   const Model built = model(head);
   EXPECT_EQ(warnings(), "");
@@ -56,7 +56,7 @@ TEST_F(GroundPolygons, TheMiddleOfACellSaysItsMaterial) {
   }
 }
 
-TEST_F(GroundPolygons, ValuesMayBeGivenOtherNames) {
+TEST_F(GroundPolygons, ValuesMayBeMappedToMaterials) {
   layer("ground.gpkg", "kind", {{box(0, 0, 100, 200), "Fels"}, {box(100, 0, 300, 200), "Schutt, grob"}});
   const Model built = model(head + "values = { Fels = \"Rock\", \"Schutt, grob\" = \"Scree\", Fles = \"Rock\" }\n");
   EXPECT_EQ(material_at(built, 50, 50), 0U);
@@ -65,7 +65,7 @@ TEST_F(GroundPolygons, ValuesMayBeGivenOtherNames) {
             "slope.toml: warning: [ground]: values has \"Fles\", which no polygon has (in kind of layer \"layer\")");
 }
 
-TEST_F(GroundPolygons, OverlapsAndGapsAreToldWithTheirAreasAndTheLaterPolygonHolds) {
+TEST_F(GroundPolygons, OverlapsAndGapsAreReportedAndTheLaterPolygonApplies) {
   layer("ground.gpkg", "kind",
         {{box(0, 0, 150, 200), "Rock"}, {box(0, 0, 20, 20), "Rock"}, {box(101, 0, 250, 100), "Scree"}});
   const Model built = model(head);
@@ -73,17 +73,16 @@ TEST_F(GroundPolygons, OverlapsAndGapsAreToldWithTheirAreasAndTheLaterPolygonHol
   EXPECT_EQ(material_at(built, 105, 50), 1U);
   EXPECT_EQ(material_at(built, 105, 150), 0U);
   EXPECT_EQ(material_at(built, 280, 50), 2U);
-  // 59 by 39 cells of 25 m2. Both hold x = 105 to 145 and y = 5 to 95, 9 by 19 cells. Neither holds x = 150 to 295
-  // from y = 100 on, 30 by 20 cells, and x = 250 to 295 below, 10 by 19 cells.
-  EXPECT_EQ(
-      warnings(),
-      "slope.toml: warning: [ground]: polygons of different materials overlap on 171 cells of the terrain (4275 "
-      "m2, 7.4 % of it; at (1757105, 5917005) features 1 and 3). The later one in the file holds\n"
-      "slope.toml: warning: [ground]: 790 cells of the terrain are in no polygon (19750 m2, 34 % of it). They are "
-      "given the default material, \"Meadow\"");
+  // 59 by 39 cells of 25 m2. Both contain x = 105 to 145 and y = 5 to 95, 9 by 19 cells. Neither contains x = 150 to
+  // 295 above y = 100, 30 by 20 cells, and x = 250 to 295 below, 10 by 19 cells.
+  EXPECT_EQ(warnings(),
+            "slope.toml: warning: [ground]: polygons of different materials overlap on 171 cells of the terrain (4275 "
+            "m2, 7.4 % of it; at (1757105, 5917005) features 1 and 3). The later one in the file applies\n"
+            "slope.toml: warning: [ground]: 790 cells of the terrain are in no polygon (19750 m2, 34 % of it). They "
+            "are given the default material, \"Meadow\"");
 }
 
-TEST_F(GroundPolygons, PolygonsWithHolesAndOfSeveralPartsInDegrees) {
+TEST_F(GroundPolygons, PolygonsMayHaveHolesAndPartsAndBeInDegrees) {
   OGRSpatialReference metres, degrees;
   metres.importFromEPSG(2193);
   degrees.importFromEPSG(4326);
@@ -110,12 +109,11 @@ TEST_F(GroundPolygons, PolygonsWithHolesAndOfSeveralPartsInDegrees) {
       EXPECT_EQ(material_at(built, x, y), (outer && !hole) || other ? 0U : 2U) << x << ' ' << y;
     }
   }
-  EXPECT_THAT(warnings(), HasSubstr("\"Scree\" is used nowhere (no polygon is of this material, and the default is "
-                                    "another)"));
+  EXPECT_THAT(warnings(), HasSubstr("\"Scree\" is not used (no polygon has this material, and it is not the default)"));
 }
 
-// The same ground on the triangles of a mesh, each by its middle, as found one by one.
-TEST_F(GroundPolygons, TheMiddleOfATriangleSaysItsMaterial) {
+// On a mesh, each triangle has the material at its centre, as found one by one.
+TEST_F(GroundPolygons, ATriangleHasTheMaterialAtItsCentre) {
   Dice dice(3);
   std::string vertices, triangles;
   constexpr int n = 12;
@@ -126,7 +124,7 @@ TEST_F(GroundPolygons, TheMiddleOfATriangleSaysItsMaterial) {
       vertices += fmt::format("[{:.6f}, {:.6f}, {:.3f}],", place.back().x(), place.back().y(), dice.between(0, 20));
     }
   }
-  std::vector<Vec2> middles;
+  std::vector<Vec2> centres;
   double area = 0;
   std::size_t rocky = 0;
   double rocky_area = 0;
@@ -136,11 +134,11 @@ TEST_F(GroundPolygons, TheMiddleOfATriangleSaysItsMaterial) {
       for (const auto& t : {std::array{a, a + 1, a + n + 2}, std::array{a, a + n + 2, a + n + 1}}) {
         triangles += fmt::format("[{}, {}, {}],", t[0], t[1], t[2]);
         const auto at = [&](int k) { return place[static_cast<std::size_t>(k)]; };
-        const Vec2 middle = (at(t[0]) + at(t[1]) + at(t[2])) / 3, e = at(t[1]) - at(t[0]), f = at(t[2]) - at(t[0]);
-        middles.push_back(middle);
+        const Vec2 centre = (at(t[0]) + at(t[1]) + at(t[2])) / 3, e = at(t[1]) - at(t[0]), f = at(t[2]) - at(t[0]);
+        centres.push_back(centre);
         const double size = 0.5 * std::abs(e.x() * f.y() - e.y() * f.x());
         area += size;
-        const Vec2 from = middle - Vec2(west, south);
+        const Vec2 from = centre - Vec2(west, south);
         if (from.x() + from.y() < 101.2345) {
           ++rocky;
           rocky_area += size;
@@ -155,16 +153,16 @@ TEST_F(GroundPolygons, TheMiddleOfATriangleSaysItsMaterial) {
   std::string text = head;
   text.replace(text.find("raster = \"dem.tif\""), 18, "vertices = [" + vertices + "]\ntriangles = [" + triangles + "]");
   const Model built = model(text);
-  for (std::size_t k = 0; k < middles.size(); ++k) {
-    const Vec2 from = middles[k] - Vec2(west, south);
+  for (std::size_t k = 0; k < centres.size(); ++k) {
+    const Vec2 from = centres[k] - Vec2(west, south);
     EXPECT_EQ(built.ground.material_of(static_cast<std::uint32_t>(k)).index, from.x() + from.y() < 101.2345 ? 0U : 2U);
   }
   EXPECT_THAT(warnings(),
               HasSubstr(fmt::format("{} triangles of the terrain are in no polygon ({:.6g} m2, {:.2g} % of it)",
-                                    middles.size() - rocky, area - rocky_area, 100 * (1 - rocky_area / area))));
+                                    centres.size() - rocky, area - rocky_area, 100 * (1 - rocky_area / area))));
 }
 
-TEST_F(GroundPolygons, HolesOfTheTerrainAreNeitherGapNorOverlap) {
+TEST_F(GroundPolygons, HolesOfTheTerrainAreNeitherGapsNorOverlaps) {
   RasterSpec holed = mountain();
   for (int row = 0; row < rows; ++row) {
     for (int column = 30; column < columns; ++column)
@@ -182,35 +180,31 @@ TEST_F(GroundPolygons, ValuesWithoutAMaterialAreRefused) {
          {box(50, 0, 90, 50), "Rocks"},
          {box(0, 50, 50, 90), "Bog"},
          {box(9, 90, 50, 99), ""}});
-  EXPECT_EQ(
-      refusal(head),
-      "slope.toml:15: [ground]: 1 of 4 polygons have no kind (feature 4 of polygons \"ground.gpkg\"). Give each a "
-      "value, or take it out of the file\n"
-      "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not materials (\"Bog\" in 1, "
-      "\"Rocks\" in 2 of 4 polygons). Say which material it is: values = { \"Bog\" = \"Rock\" }");
+  EXPECT_EQ(refusal(head),
+            "slope.toml:15: [ground]: 1 of 4 polygons have no kind (feature 4 of polygons \"ground.gpkg\"). Give each "
+            "a value, or remove it from the file\n"
+            "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not materials (\"Bog\" in "
+            "1, \"Rocks\" in 2 of 4 polygons). Assign a material: values = { \"Bog\" = \"Rock\" }");
   layer("ground.gpkg", "kind", {{box(0, 0, 50, 50), "Rocks"}});
-  EXPECT_EQ(
-      refusal(head),
-      "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not materials (\"Rocks\" in 1 of "
-      "1 polygons). Did you mean \"Rock\" by \"Rocks\"?");
-  EXPECT_EQ(
-      refusal(head + "values = { Moor = \"Meadow\" }\n"),
-      "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not in values (\"Rocks\" in 1 "
-      "of 1 polygons). Add \"Rocks\" = \"...\" to values");
+  EXPECT_EQ(refusal(head),
+            "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not materials (\"Rocks\" in "
+            "1 of 1 polygons). Did you mean \"Rock\" instead of \"Rocks\"?");
+  EXPECT_EQ(refusal(head + "values = { Moor = \"Meadow\" }\n"),
+            "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not in values (\"Rocks\" in "
+            "1 of 1 polygons). Add \"Rocks\" = \"...\" to values");
 }
 
-TEST_F(GroundPolygons, FilesThatDoNotFitAreRefused) {
+TEST_F(GroundPolygons, UnsuitableFilesAreRefused) {
   layer("ground.gpkg", "kind", {{box(9000, 0, 9050, 50), "Rock"}});
-  EXPECT_EQ(
-      refusal(head),
-      "slope.toml:15: [ground]: polygons \"ground.gpkg\" do not reach the terrain (they lie within x = 1766000 to "
-      "1766050, y = 5917000 to 5917050; the terrain within x = 1757002.5 to 1757297.5, y = 5917002.5 to "
-      "5917197.5). Compare what ogrinfo says of their coordinate system");
+  EXPECT_EQ(refusal(head),
+            "slope.toml:15: [ground]: polygons \"ground.gpkg\" do not reach the terrain (they lie within x = 1766000 "
+            "to 1766050, y = 5917000 to 5917050; the terrain within x = 1757002.5 to 1757297.5, y = 5917002.5 to "
+            "5917197.5). Check their extent and coordinate system with ogrinfo");
   layer("ground.gpkg", "kind", {{box(0, 0, 50, 50), "Rock"}, {box(9000, 0, 9050, 50), "Rock"}});
   static_cast<void>(model(head));
   EXPECT_THAT(warnings(),
               HasSubstr("slope.toml:15: warning: [ground]: 1 of 2 polygons do not reach the terrain (polygons "
-                        "\"ground.gpkg\" has more than is needed, or some of it is misplaced)"));
+                        "\"ground.gpkg\" covers more than is needed, or some polygons are misplaced)"));
   layer("ground.gpkg", "sort", {{box(0, 0, 50, 50), "Rock"}});
   EXPECT_EQ(
       refusal(head),
@@ -221,22 +215,21 @@ TEST_F(GroundPolygons, FilesThatDoNotFitAreRefused) {
   layer("ground.gpkg", "kind", {{"LINESTRING (0 0, 1 1)", "Rock"}});
   EXPECT_EQ(refusal(head), "slope.toml:15: [ground]: polygons ground.gpkg: feature 1 is a line (expected polygons)");
   std::filesystem::remove(path("ground.gpkg"));
-  EXPECT_EQ(refusal(head), without_folder(fmt::format(
-                               "slope.toml:15: [ground]: polygons is \"ground.gpkg\" (there is no file {}). Its "
-                               "path is relative to the project file",
-                               path("ground.gpkg").string())));
+  EXPECT_EQ(refusal(head), without_folder(fmt::format("slope.toml:15: [ground]: polygons is \"ground.gpkg\" (there is "
+                                                      "no file {}). The path is relative to the project file",
+                                                      path("ground.gpkg").string())));
   std::string without = head;
   without.erase(without.find("attribute"));
   layer("ground.gpkg", "kind", {{box(0, 0, 50, 50), "Rock"}});
   EXPECT_EQ(refusal(without),
-            "slope.toml:15: [ground]: attribute is missing (nothing says which polygon is of which material). Write "
-            "attribute = \"...\"; ogrinfo -so lists what there is");
+            "slope.toml:15: [ground]: attribute is missing (the materials of the polygons are not given). Write "
+            "attribute = \"...\"; ogrinfo -so lists the attributes");
   EXPECT_EQ(refusal(head + "values = { Fels = \"Rok\" }\n"),
-            "slope.toml:17: [ground]: values.Fels is \"Rok\" (there is no material of this name; there are \"Rock\", "
+            "slope.toml:17: [ground]: values.Fels is \"Rok\" (no material has this name; the project has \"Rock\", "
             "\"Scree\", \"Meadow\"). Did you mean \"Rock\"?");
 }
 
-// As many polygons and triangles as a map sheet has.
+// As many polygons and triangles as on a map sheet.
 TEST_F(GroundPolygons, TenThousandPolygonsAndHalfAMillionTriangles) {
   constexpr int n = 500, sheets = 100;
   BuiltTerrain terrain;

@@ -1,4 +1,4 @@
-// From a project to a model: what only the terrain shows, told with file, line, reason and hint.
+// Models from projects: the exact text of errors that only the terrain reveals, and the properties of the model.
 
 #include "talus/model/model.hpp"
 
@@ -9,13 +9,17 @@
 #include <string>
 #include <vector>
 
+#include "support/projects.hpp"
 #include "talus/campaign/simulate.hpp"
-#include "talus/project/read.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/results/summary.hpp"
 
 namespace talus::project {
 namespace {
+
+using testing_tools::model_of;
+using testing_tools::problems_of_model;
+using testing_tools::replaced;
 
 const std::string flat_2d = R"(
 [terrain]
@@ -40,138 +44,115 @@ position = [5, 5, 5]
 mass_kg = 100
 )";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
-Model model_of(const std::string& text) {
-  Problems warnings;
-  return build_model(read_project_text(text, "slope.toml").project, warnings);
-}
-
-std::string message_of(const std::string& text) {
-  try {
-    (void)model_of(text);
-  } catch (const BadInput& bad) {
-    return bad.problems().text();
-  }
-  return "no message";
-}
-
 TEST(BuildModel, RefusesASeederOffTheSection) {
-  EXPECT_EQ(message_of(replaced(flat_2d, "[1, 5]", "[25, 5]")),
-            "slope.toml:6: seeder \"seeder 1\": x = 25 is off the terrain (the section goes from x = 0 to 20)");
+  EXPECT_EQ(problems_of_model(replaced(flat_2d, "[1, 5]", "[25, 5]")),
+            "slope.toml:6: seeder \"seeder 1\": x = 25 is off the terrain (the section extends from x = 0 to 20)");
 }
 
 TEST(BuildModel, RefusesASeederOffTheMesh) {
-  EXPECT_EQ(
-      message_of(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]")),
-      "slope.toml:7: seeder \"seeder 1\": (5, 15) is off the terrain (on plan the terrain lies within x = 0 to 10, "
-      "y = 0 to 10)");
+  EXPECT_EQ(problems_of_model(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]")),
+            "slope.toml:7: seeder \"seeder 1\": (5, 15) is off the terrain (on plan the terrain lies within x = 0 to "
+            "10, y = 0 to 10)");
 }
 
-TEST(BuildModel, HintsThatTurningTheTerrainTurnsNothingElse) {
+TEST(BuildModel, HintsThatRotationAppliesOnlyToTheTerrain) {
   EXPECT_EQ(
-      message_of(replaced(replaced(square_3d, "[terrain]", "[terrain]\nrotate_deg = 90"), "[5, 5, 5]", "[5, 9, 5]")),
-      "slope.toml:8: seeder \"seeder 1\": (5, 9) is off the terrain (on plan the terrain lies within x = -10 to 0, "
-      "y = 0 to 10). terrain.rotate_deg turns the terrain only, not the seeders");
+      problems_of_model(
+          replaced(replaced(square_3d, "[terrain]", "[terrain]\nrotate_deg = 90"), "[5, 5, 5]", "[5, 9, 5]")),
+      "slope.toml:8: seeder \"seeder 1\": (5, 9) is off the terrain (on plan the terrain lies within x = -10 to 0, y = "
+      "0 to 10). terrain.rotate_deg rotates only the terrain, not the seeders");
 }
 
 TEST(BuildModel, RefusesABarrierOffTheTerrain) {
-  EXPECT_EQ(message_of(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[20, 0], [20, 10]]\nheight_m = 2\n"),
+  EXPECT_EQ(problems_of_model(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[20, 0], [20, 10]]\nheight_m = 2\n"),
             "slope.toml:11: barrier \"Fence\": its line does not touch the terrain (a barrier stands on the ground)");
 }
 
-TEST(BuildModel, RefusesABarrierThatIsNoLine) {
-  EXPECT_EQ(message_of(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[5, 5], [5, 5.000001]]\nheight_m = 2\n"),
-            "slope.toml:11: barrier \"Fence\": its line is 1e-06 m long (expected at least 1e-05 m)");
+TEST(BuildModel, RefusesABarrierWithoutLength) {
+  EXPECT_EQ(
+      problems_of_model(square_3d + "[[barrier]]\nname = \"Fence\"\nline = [[5, 5], [5, 5.000001]]\nheight_m = 2\n"),
+      "slope.toml:11: barrier \"Fence\": its line is 1e-06 m long (expected at least 1e-05 m)");
 }
 
 const std::string varied_2d = replaced(
     flat_2d, "section = ", "section_std_dev_m = [[0.5, 0], [0, 0], [1, 0]]\nsection = ");  // certain from 1.5 to 17
 
 TEST(BuildModel, RefusesASeederThatMayBeOffAVariedSection) {
-  EXPECT_EQ(message_of(replaced(varied_2d, "[1, 5]", "[1.5, 5]")), "no message");
-  EXPECT_EQ(
-      message_of(varied_2d),
-      "slope.toml:7: seeder \"seeder 1\": x = 1 may be off the terrain (where section_std_dev_m moves its ends by "
-      "3 standard deviations, the section goes from x = 1.5 to 17). Move it inwards, or give the end vertices "
-      "less in x");
+  EXPECT_EQ(problems_of_model(replaced(varied_2d, "[1, 5]", "[1.5, 5]")), "");
+  EXPECT_EQ(problems_of_model(varied_2d),
+            "slope.toml:7: seeder \"seeder 1\": x = 1 may be off the terrain (if section_std_dev_m moves its ends by 3 "
+            "standard deviations, the section extends from x = 1.5 to 17). Move it inwards, or reduce the standard "
+            "deviations in x of the end vertices");
   const std::string line =
       replaced(varied_2d, "type = \"point\"\nposition = [1, 5]", "type = \"line\"\npoints = [[2, 5], [18, 5]]");
-  EXPECT_NE(message_of(line).find("x = 18 may be off the terrain"), std::string::npos) << message_of(line);
+  EXPECT_NE(problems_of_model(line).find("x = 18 may be off the terrain"), std::string::npos)
+      << problems_of_model(line);
 }
 
 TEST(BuildModel, RefusesABarrierThatMayBeOffAVariedSection) {
   const std::string good = replaced(varied_2d, "[1, 5]", "[2, 5]");
-  EXPECT_EQ(message_of(good + "[[barrier]]\nline = 17\nheight_m = 2\n"), "no message");
-  EXPECT_EQ(message_of(good + "[[barrier]]\nline = 17.5\nheight_m = 2\n"),
-            "slope.toml:11: barrier \"barrier 1\": x = 17.5 may be off the terrain (where section_std_dev_m moves its "
-            "ends by 3 standard deviations, the section goes from x = 1.5 to 17). Move it inwards, or give the end "
-            "vertices less in x");
+  EXPECT_EQ(problems_of_model(good + "[[barrier]]\nline = 17\nheight_m = 2\n"), "");
+  EXPECT_EQ(problems_of_model(good + "[[barrier]]\nline = 17.5\nheight_m = 2\n"),
+            "slope.toml:11: barrier \"barrier 1\": x = 17.5 may be off the terrain (if section_std_dev_m moves its "
+            "ends by 3 standard deviations, the section extends from x = 1.5 to 17). Move it inwards, or reduce the "
+            "standard deviations in x of the end vertices");
 }
 
-TEST(BuildModel, LetsASectionVaryWhereItGoesBackByItself) {
+TEST(BuildModel, AcceptsAVaryingSectionWithAnOverhang) {
   const std::string overhang =
       replaced(replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 0], [10, 0], [9.5, -2], [20, -10]]"),
                "section = ", "section_std_dev_m = [[0, 0], [0.1, 0], [0.1, 0], [0, 0]]\nsection = ");
-  EXPECT_EQ(message_of(overhang), "no message");
+  EXPECT_EQ(problems_of_model(overhang), "");
 }
 
-TEST(BuildModel, TellsHowMuchOfABarrierIsOffTheTerrain) {
+TEST(BuildModel, WarnsOfTheLengthOfABarrierOffTheTerrain) {
   Problems warnings;
   const std::string text = square_3d + "[[collector]]\nname = \"Edge\"\nline = [[-5, 5], [10, 5]]\nheight_m = 2\n";
-  const Model model = build_model(read_project_text(text, "slope.toml").project, warnings);
+  const Model model = model_of(text, warnings);
   EXPECT_EQ(warnings.text(),
-            "slope.toml:11: warning: collector \"Edge\": 5 of 15 m of its line are off the terrain (at the line's ends "
-            "it does not stand there, and over a gap between it goes straight on). Compare its line with the terrain's "
-            "edge and holes");
-  // Where it stands is counted from the line's first point.
+            "slope.toml:11: warning: collector \"Edge\": 5 of 15 m of its line are off the terrain (its ends are cut "
+            "there, and it crosses a gap in a straight line). Compare its line with the terrain's edge and holes");
+  // Stations are measured from the first point of the line.
   const std::vector<Panel>& panels = model.barriers[0].panels();
   EXPECT_NEAR(panels.front().station, 5, 1e-9);
   EXPECT_NEAR(panels.back().station + panels.back().plan_length, 15, 1e-9);
 }
 
-TEST(BuildModel, CountsAlongALineAcrossAGapOfTheTerrain) {
+TEST(BuildModel, MeasuresStationsAcrossAGapOfTheTerrain) {
   Problems warnings;
   const std::string two_squares =
       replaced(replaced(square_3d, "[0,10,0]]", "[0,10,0],[20,0,0],[30,0,0],[30,10,0],[20,10,0]]"), "[0,2,3]]",
                "[0,2,3],[4,5,6],[4,6,7]]");
   const std::string text = two_squares + "[[barrier]]\nline = [[1, 5], [15, 9], [29, 5]]\nheight_m = 2\n";
-  const Model model = build_model(read_project_text(text, "slope.toml").project, warnings);
-  const double half = std::hypot(14, 4);  // of which 5 of 14 are in the gap
+  const Model model = model_of(text, warnings);
+  const double half = std::hypot(14, 4);  // 5 of 14 are in the gap
   EXPECT_NE(warnings.text().find("barrier \"barrier 1\": 10.4002 of 29.1204 m of its line are off the terrain"),
             std::string::npos)
       << warnings.text();
   const std::vector<Panel>& panels = model.barriers[0].panels();
   EXPECT_EQ(panels.front().station, 0);
   EXPECT_NEAR(panels.back().station + panels.back().plan_length, 2 * half, 1e-9);
-  double way = 0;
+  double station = 0;
   for (const Panel& panel : panels) {
-    EXPECT_NEAR(panel.station, way, 1e-9);
-    way += panel.plan_length;
+    EXPECT_NEAR(panel.station, station, 1e-9);
+    station += panel.plan_length;
   }
 }
 
-TEST(BuildModel, SaysNothingOfABarrierThatIsOnTheTerrainAltogether) {
-  Problems warnings;
-  const std::string text = square_3d + "[[barrier]]\nline = [[0, 0], [10, 10], [10, 0]]\nheight_m = 2\n";
-  static_cast<void>(build_model(read_project_text(text, "slope.toml").project, warnings));
-  EXPECT_EQ(warnings.text(), "");
+TEST(BuildModel, DoesNotWarnOfABarrierOnTheTerrain) {
+  EXPECT_EQ(problems_of_model(square_3d + "[[barrier]]\nline = [[0, 0], [10, 10], [10, 0]]\nheight_m = 2\n"), "");
 }
 
-TEST(BuildModel, LeavesAMaterialListOfTheWrongLengthToTheReader) {
-  EXPECT_EQ(message_of(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]") + "[ground]\ntriangles = [0, 0, 0]\n"),
+TEST(BuildModel, RefusesAListOfMaterialsOfTheWrongLength) {
+  EXPECT_EQ(problems_of_model(replaced(square_3d, "[5, 5, 5]", "[5, 15, 5]") + "[ground]\ntriangles = [0, 0, 0]\n"),
             "slope.toml:12: [ground]: triangles has 3 entries (expected 2, one for each triangle of the terrain)")
       << "inline meshes are checked by the reader";
 }
 
 TEST(BuildModel, RefusesAMeshWithoutArea) {
-  EXPECT_NE(
-      message_of(replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]", "[[0,0,0],[10,0,0],[20,0,0],[30,0,0]]")),
-      "no message");
+  EXPECT_NE(problems_of_model(
+                replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]", "[[0,0,0],[10,0,0],[20,0,0],[30,0,0]]")),
+            "");
 }
 
 TEST(BuildModel, LiftsAReleasePointBelowTheSurfaceAndCountsIt) {
@@ -191,7 +172,7 @@ TEST(BuildModel, LiftsASphereUntilItFits) {
   EXPECT_NEAR(record.outcome.start.position.z(), record.body.radius, 1e-9);
 }
 
-TEST(BuildModel, LowersASphereFromACeilingAndLeavesOneWithoutRoomAtRest) {
+TEST(BuildModel, LowersASphereFromACeilingAndStopsOneWithoutRoom) {
   const std::string text = replaced(
       replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 20], [10, 20], [4, 14.6], [2, 15], [2, 10], [30, 8]]") +
           "[analysis]\nmodel = \"rigid_sphere\"\n",
@@ -210,7 +191,7 @@ TEST(BuildModel, LowersASphereFromACeilingAndLeavesOneWithoutRoomAtRest) {
   EXPECT_EQ(caught.outcome.max_kinetic_energy, 0);
 }
 
-TEST(BuildModel, PutsRocksOnTheSurfaceAndAboveIt) {
+TEST(BuildModel, ReleasesRocksOnTheSurfaceAndAboveIt) {
   const Model model = model_of(replaced(flat_2d, "[1, 5]", "[5, \"surface\"]"));
   EXPECT_NEAR(Simulator(model).simulate(0, false).outcome.start.position.z(), -5, 1e-12);
   const Model above = model_of(replaced(square_3d, "position = [5, 5, 5]", "position = [5, 5]\nheight_above_m = 2"));
@@ -267,12 +248,12 @@ mass_kg = 100
   EXPECT_EQ(a, b);
 }
 
-TEST(BuildModel, CountsTheSegmentsOfAnOverhangFromTheTop) {
+TEST(BuildModel, NumbersTheSegmentsOfAnOverhangAsGiven) {
   const Model overhang = model_of(replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 0], [10, -10], [0, -10]]"));
-  EXPECT_TRUE(overhang.parts.of_source.empty()) << "as they are given";
+  EXPECT_TRUE(overhang.parts.of_source.empty()) << "in the given order";
 }
 
-TEST(BuildModel, MovesNothingWhenTheModelIsMovedFarAway) {
+TEST(BuildModel, GivesTheSameTrajectoriesFarFromTheOrigin) {
   const std::string far =
       replaced(replaced(square_3d, "[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]",
                         "[[2600000,1200000,0],[2600010,1200000,0],[2600010,1200010,0],[2600000,1200010,0]]"),
@@ -294,7 +275,7 @@ TEST(BuildModel, VariesTheSectionFromRockToRock) {
             Simulator(model_of(flat_2d)).simulate(0, false).outcome.end.position.z());
 }
 
-/// Where some rocks end, and the greatest energy of each.
+/// The end points and maximum energies of some rocks.
 std::vector<double> ends_of(const std::string& text) {
   const Model model = model_of(text);
   Simulator simulator(model);
@@ -307,14 +288,14 @@ std::vector<double> ends_of(const std::string& text) {
   return ends;
 }
 
-TEST(BuildModel, SettingsOfOneRockModelChangeNothingForTheOtherAndSomethingForTheirOwn) {
+TEST(BuildModel, SettingsOfOneRockModelAffectOnlyThatModel) {
   const std::map<std::string_view, std::string> others{
       {"rotation", "false"},          {"sliding", "\"closed_form\""},   {"grazing_angle_deg", "40"},
       {"friction_angle", "\"zero\""}, {"friction_angle_deg", "5"},      {"tangential_crsp_damping", "true"},
       {"roughness_spacing_m", "0.5"}, {"roughness_amplitude_m", "0.3"}, {"dynamic_friction", "0.05"},
       {"rolling_friction", "0.4"},
   };
-  // Rough ground that a rock slides over, with a bend that it grazes.
+  // Rough ground on which a rock slides, with a bend that it grazes.
   const std::string ground =
       replaced(replaced(replaced(flat_2d, "[10, -10], [20, -10]", "[10, -10], [12, -11.5], [20, -13], [60, -15]"),
                         "name = \"Rock\"", "name = \"Rock\"\nnormal_restitution = 0.4\nroughness_deg = 3"),
@@ -326,7 +307,7 @@ TEST(BuildModel, SettingsOfOneRockModelChangeNothingForTheOtherAndSomethingForTh
       ++tried;
       ASSERT_TRUE(others.contains(setting.key)) << setting.key;
       const std::string line = std::string(setting.key) + " = " + others.at(setting.key) + "\n";
-      // A bump has a height and a length.
+      // Bumps need both a height and a distance.
       const std::string bumps = "roughness_spacing_m = 1\nroughness_amplitude_m = 0.1\n";
       const bool is_bump = setting.key.starts_with("roughness_");
       for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {

@@ -1,4 +1,4 @@
-// Projects whose terrain or ground comes from rasters, end to end.
+// Projects whose terrain or ground is a raster: their models and problems.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace testing_tools;
 
-// A plane that falls to the east by 1 in 2, 200 m wide and 100 m deep, of 5 m cells, in Austria.
+// A plane that falls to the east by 1 in 2, 200 m by 100 m, with 5 m cells, in Austria.
 constexpr int columns = 40, rows = 20;
 constexpr double west = 400000, north = 300100, cell = 5;
 
@@ -86,7 +86,7 @@ std::uint32_t material_at(const Model& model, std::uint32_t column, std::uint32_
   return model.ground.material_of(row * (columns - 1) + column).index;
 }
 
-TEST_F(RasterProject, RocksRunOnItAsOnTheSamePlaneOfTriangles) {
+TEST_F(RasterProject, TrajectoriesAreAsOnTheSamePlaneOfTriangles) {
   make("dem.tif", slope());
   const Model raster = model(terrain_raster + rest + all_rock);
   EXPECT_EQ(warnings(), "");
@@ -94,11 +94,11 @@ TEST_F(RasterProject, RocksRunOnItAsOnTheSamePlaneOfTriangles) {
   EXPECT_THAT(raster.crs_wkt, ::testing::StartsWith("PROJCRS["));
   EXPECT_EQ(raster.frame.origin, Vec3(400384, 300032, 0));
   const double low = west + 2.5, high = west + 197.5;
-  const Model mesh =
-      model(fmt::format("[terrain]\nvertices = [[{0},300002.5,{2}],[{1},300002.5,{3}],[{1},300097.5,{3}],"
-                        "[{0},300097.5,{2}]]\ntriangles = [[0,1,2],[0,2,3]]\n",
-                        low, high, height(low), height(high)) +
-            rest + all_rock);
+  const Model mesh = model(fmt::format("[terrain]\nvertices = "
+                                       "[[{0},300002.5,{2}],[{1},300002.5,{3}],[{1},300097.5,{3}],[{0},300097.5,{2}]]"
+                                       "\ntriangles = [[0,1,2],[0,2,3]]\n",
+                                       low, high, height(low), height(high)) +
+                           rest + all_rock);
   Simulator on_raster(raster), on_mesh(mesh);
   for (std::uint64_t rock = 0; rock < 10; ++rock) {
     const Vec3 a = raster.frame.global_from_local(on_raster.simulate(rock, false).outcome.end.position);
@@ -113,7 +113,7 @@ TEST_F(RasterProject, CellsHaveTheMaterialOfTheirClass) {
   make("ground.tif", halves());
   const Model both = model(terrain_raster + rest + from_classes);
   EXPECT_EQ(warnings(), "");
-  // The middles of cells lie at 5 m, 10 m, ... from the west; the border of the classes is at 100 m.
+  // The centres of cells are at 5 m, 10 m, ... from the west; the border of the classes is at 100 m.
   EXPECT_EQ(material_at(both, 0, 0), 0U);
   EXPECT_EQ(material_at(both, 18, 7), 0U);
   EXPECT_EQ(material_at(both, 20, 7), 1U);
@@ -121,7 +121,7 @@ TEST_F(RasterProject, CellsHaveTheMaterialOfTheirClass) {
   EXPECT_EQ(both.ground.bytes(), 39U * 19U);
 }
 
-TEST_F(RasterProject, AMaterialThatIsEverywhereTakesNoMemory) {
+TEST_F(RasterProject, ASingleMaterialTakesNoMemory) {
   make("dem.tif", slope());
   make("ground.tif", halves());
   EXPECT_EQ(model(terrain_raster + rest + all_rock).ground.bytes(), 0U);
@@ -131,11 +131,12 @@ TEST_F(RasterProject, AMaterialThatIsEverywhereTakesNoMemory) {
   EXPECT_EQ(material_at(scree, 3, 3), 1U);
 }
 
-TEST_F(RasterProject, TrianglesHaveTheClassOfTheirMiddle) {
+TEST_F(RasterProject, TrianglesHaveTheClassAtTheirCentre) {
   make("ground.tif", halves());
   const Model mesh = model(
-      "[terrain]\nvertices = [[400000,300000,1500],[400100,300000,1450],[400000,300100,1500],[400200,300000,1400],"
-      "[400200,300100,1400],[400100,300100,1450]]\ntriangles = [[0,1,2],[1,3,4],[1,5,2],[1,4,5]]\n" +
+      "[terrain]\nvertices = "
+      "[[400000,300000,1500],[400100,300000,1450],[400000,300100,1500],[400200,300000,1400],[400200,300100,1400],["
+      "400100,300100,1450]]\ntriangles = [[0,1,2],[1,3,4],[1,5,2],[1,4,5]]\n" +
       rest + from_classes);
   EXPECT_EQ(warnings(), "");
   std::vector<std::uint32_t> found;
@@ -143,10 +144,10 @@ TEST_F(RasterProject, TrianglesHaveTheClassOfTheirMiddle) {
   EXPECT_THAT(found, ::testing::ElementsAre(0, 1, 0, 1));
 }
 
-TEST_F(RasterProject, CellsWithoutClassAreCountedAndGetTheDefault) {
+TEST_F(RasterProject, CellsWithoutClassAreReportedAndGetTheDefault) {
   make("dem.tif", slope());
   RasterSpec classes = halves();
-  classes.columns = 9;  // the terrain's last 20 m lie beside it: 4 columns of cells have their middle there
+  classes.columns = 9;  // the last 20 m of the terrain are outside: the centres of 4 columns of cells
   classes.cells.resize(45);
   classes.no_data = 0;
   for (int k = 0; k < 45; ++k) classes.cells[static_cast<std::size_t>(k)] = k == 0 ? 0 : 2;
@@ -154,16 +155,14 @@ TEST_F(RasterProject, CellsWithoutClassAreCountedAndGetTheDefault) {
   const Model out = model(terrain_raster + rest + from_classes);
   EXPECT_EQ(material_at(out, 0, 18), 0U);
   EXPECT_EQ(material_at(out, 0, 0), 1U);
-  EXPECT_EQ(
-      warnings(),
-      "slope.toml:17: warning: [ground]: 85 of 741 cells of the terrain have no class (raster \"ground.tif\" has no "
-      "data there, or ends before). They are given the default material, \"Rock\"\n"
-      "slope.toml:17: warning: [ground]: classes has 1, which no part of the terrain has (in raster \"ground.tif\" at "
-      "the "
-      "middles of the terrain's cells)");
+  EXPECT_EQ(warnings(),
+            "slope.toml:17: warning: [ground]: 85 of 741 cells of the terrain have no class (raster \"ground.tif\" has "
+            "no data there, or does not reach that far). They are given the default material, \"Rock\"\n"
+            "slope.toml:17: warning: [ground]: classes has 1, which no part of the terrain has (in raster "
+            "\"ground.tif\" at the centres of the terrain's cells)");
 }
 
-TEST_F(RasterProject, ClassesThatAreNowhereAreWarnedOf) {
+TEST_F(RasterProject, UnusedClassesAreReported) {
   make("dem.tif", slope());
   make("ground.tif", halves());
   const std::string more =
@@ -172,7 +171,7 @@ TEST_F(RasterProject, ClassesThatAreNowhereAreWarnedOf) {
   static_cast<void>(model(terrain_raster + rest + more));
   EXPECT_EQ(warnings(),
             "slope.toml:17: warning: [ground]: classes has -3, 7, which no part of the terrain has (in raster "
-            "\"ground.tif\" at the middles of the terrain's cells)");
+            "\"ground.tif\" at the centres of the terrain's cells)");
 }
 
 TEST_F(RasterProject, HolesOfTheTerrainNeedNoClass) {
@@ -187,25 +186,23 @@ TEST_F(RasterProject, HolesOfTheTerrainNeedNoClass) {
   for (std::size_t k = 0; k < 50; k += 10) classes.cells[k] = classes.cells[k + 1] = 0;
   make("ground.tif", classes);
   std::string text = terrain_raster + rest + from_classes;
-  EXPECT_EQ(
-      refusal(text),
-      "slope.toml:8: seeder \"Crest\": (400010, 300050) is off the terrain (the terrain has a hole there, without "
-      "data or triangles)");
+  EXPECT_EQ(refusal(text),
+            "slope.toml:8: seeder \"Crest\": (400010, 300050) is off the terrain (the terrain has a hole there, "
+            "without data or triangles)");
   text.replace(text.find("400010"), 6, "400060");
   static_cast<void>(model(text));
   EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(RasterProject, ClassesThatAreNoMaterialsAreRefusedWithTheirCount) {
+TEST_F(RasterProject, ClassesWithoutAMaterialAreRefusedWithTheirCounts) {
   make("dem.tif", slope());
   RasterSpec classes = halves();
   classes.cells[0] = 7;
   classes.cells[9] = 9;
   make("ground.tif", classes);
-  EXPECT_EQ(
-      refusal(terrain_raster + rest + from_classes),
-      "slope.toml:17: [ground]: raster \"ground.tif\" has classes that are not in classes (7 in 9, 9 in 12 of the "
-      "terrain's cells). Add 7 = \"...\" to classes");
+  EXPECT_EQ(refusal(terrain_raster + rest + from_classes),
+            "slope.toml:17: [ground]: raster \"ground.tif\" has classes that are not in classes (7 in 9, 9 in 12 of "
+            "the terrain's cells). Add 7 = \"...\" to classes");
 }
 
 TEST_F(RasterProject, AGroundWithoutAnyClassIsRefused) {
@@ -214,24 +211,22 @@ TEST_F(RasterProject, AGroundWithoutAnyClassIsRefused) {
   classes.no_data = 0;
   std::fill(classes.cells.begin(), classes.cells.end(), 0);
   make("ground.tif", classes);
-  EXPECT_EQ(
-      refusal(terrain_raster + rest + from_classes),
-      "slope.toml:17: [ground]: raster \"ground.tif\" has no class anywhere on the terrain (none of 741 cells has data "
-      "in it). Look at it with gdalinfo -stats: what it declares as no data is not a class");
+  EXPECT_EQ(refusal(terrain_raster + rest + from_classes),
+            "slope.toml:17: [ground]: raster \"ground.tif\" has no class anywhere on the terrain (none of 741 cells "
+            "has data in it). Check it with gdalinfo -stats: its no-data value is not a class");
 }
 
-TEST_F(RasterProject, AGroundBesideTheTerrainIsRefused) {
+TEST_F(RasterProject, AGroundOutsideTheTerrainIsRefused) {
   make("dem.tif", slope());
   RasterSpec classes = halves();
   classes.geotransform = {500000, 20, 0, north, 0, -20};
   make("ground.tif", classes);
   EXPECT_EQ(refusal(terrain_raster + rest + from_classes),
             "slope.toml:17: [ground]: raster \"ground.tif\" does not reach the terrain (the terrain lies within x = "
-            "400002.5 to 400197.5, y = 300002.5 to 300097.5). Compare what gdalinfo says of the raster, and its "
-            "coordinate system");
+            "400002.5 to 400197.5, y = 300002.5 to 300097.5). Check its extent and coordinate system with gdalinfo");
 }
 
-TEST_F(RasterProject, AGroundOfTooManyMaterialsIsRefused) {
+TEST_F(RasterProject, AGroundWithTooManyMaterialsIsRefused) {
   make("dem.tif", slope());
   make("ground.tif", halves());
   std::string many;
@@ -240,7 +235,7 @@ TEST_F(RasterProject, AGroundOfTooManyMaterialsIsRefused) {
             "slope.toml: [ground]: raster is given with 257 materials (a ground from a file has at most 255)");
 }
 
-TEST_F(RasterProject, WhatIsWrongWithAFileAndWithTheSeedersIsToldTogetherByLine) {
+TEST_F(RasterProject, ErrorsInFilesAndSeedersAreReportedTogetherByLine) {
   make("dem.tif", slope());
   make("ground.tif", halves());
   RasterSpec classes = halves();
@@ -256,15 +251,15 @@ TEST_F(RasterProject, WhatIsWrongWithAFileAndWithTheSeedersIsToldTogetherByLine)
             "bits). Round them: gdal_translate -ot Int32 ground.tif ground_classes.tif");
 }
 
-TEST_F(RasterProject, FilesThatAreNotThereAreRefusedInTheirLines) {
+TEST_F(RasterProject, MissingFilesAreReportedAtTheirLines) {
   EXPECT_EQ(refusal(terrain_raster + rest + from_classes),
-            "slope.toml:2: [terrain]: raster is \"dem.tif\" (there is no file dem.tif). Its path is relative to the "
+            "slope.toml:2: [terrain]: raster is \"dem.tif\" (there is no file dem.tif). The path is relative to the "
             "project file\n"
-            "slope.toml:17: [ground]: raster is \"ground.tif\" (there is no file ground.tif). Its path is relative to "
+            "slope.toml:17: [ground]: raster is \"ground.tif\" (there is no file ground.tif). The path is relative to "
             "the project file");
 }
 
-TEST_F(RasterProject, TakesACoordinateSystemWhereTheFileNamesNone) {
+TEST_F(RasterProject, UsesTheGivenCoordinateSystemIfTheFileHasNone) {
   RasterSpec spec = slope();
   spec.crs = "";
   make("dem.tif", spec);
@@ -284,10 +279,9 @@ TEST_F(RasterProject, ATerrainInDegreesIsRefused) {
   spec.crs = "EPSG:4326";
   spec.geotransform = {11.2, 0.0001, 0, 47.3, 0, -0.0001};
   make("dem.tif", spec);
-  EXPECT_EQ(
-      refusal(terrain_raster + rest + all_rock),
-      "slope.toml:2: [terrain]: raster dem.tif: is in degrees (EPSG:4326 is a geographic coordinate system; Talus "
-      "needs metres on plan). Project it: gdalwarp -t_srs EPSG:32632 -r bilinear dem.tif dem_metres.tif");
+  EXPECT_EQ(refusal(terrain_raster + rest + all_rock),
+            "slope.toml:2: [terrain]: raster dem.tif: is in degrees (EPSG:4326 is a geographic coordinate system; "
+            "Talus needs metres on plan). Project it: gdalwarp -t_srs EPSG:32632 -r bilinear dem.tif dem_metres.tif");
 }
 
 }  // namespace

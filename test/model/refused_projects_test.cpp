@@ -1,19 +1,19 @@
-// Projects that were made to take all of the stack or the time, or whose terrain cannot be what it seems.
+// Hostile projects that would exhaust the stack or the time, and terrains that are not what they seem.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
-#include "talus/model/model.hpp"
-#include "talus/project/read.hpp"
+#include "support/input_folder.hpp"
+#include "support/projects.hpp"
 
 namespace talus::project {
 namespace {
+
+using testing_tools::refusal_of_reading;
 
 std::string repeated(const std::string& part, int times) {
   std::string text;
@@ -21,144 +21,116 @@ std::string repeated(const std::string& part, int times) {
   return text;
 }
 
-std::string message_about(const std::string& text, const Overrides& overrides = {}) {
-  try {
-    (void)read_project_text(text, "slope.toml", overrides);
-    return "";
-  } catch (const BadInput& bad) {
-    return bad.problems().text();
-  }
-}
-
 std::string with_section(const std::string& section) {
   return "[terrain]\nsection = " + section +
          "\n[[material]]\nname = \"Rock\"\n[[seeder]]\nposition = [1, \"surface\"]\nmass_kg = 10\n";
 }
 
-TEST(RefusedProject, AKeyOfEndlessParts) {
-  const std::string why = " (the longest of a project have three, as [material.normal_restitution] mean)";
+TEST(RefusedProject, AKeyWithTooManyParts) {
+  const std::string why = " (the longest keys of a project have three, such as [material.normal_restitution] mean)";
   const std::string parts = repeated("a.", 200'000) + "a";
-  EXPECT_EQ(message_about("name = \"x\"\n" + parts + " = 1\n"), "slope.toml:2: a key has more than 16 parts" + why);
-  EXPECT_EQ(message_about("\n\n[" + parts + "]\n"), "slope.toml:3: a key has more than 16 parts" + why);
-  EXPECT_EQ(message_about("x = { " + repeated("\"a.b\" . ", 20) + "c = 1 }"),
+  EXPECT_EQ(refusal_of_reading("name = \"x\"\n" + parts + " = 1\n"),
+            "slope.toml:2: a key has more than 16 parts" + why);
+  EXPECT_EQ(refusal_of_reading("\n\n[" + parts + "]\n"), "slope.toml:3: a key has more than 16 parts" + why);
+  EXPECT_EQ(refusal_of_reading("x = { " + repeated("\"a.b\" . ", 20) + "c = 1 }"),
             "slope.toml:1: a key has more than 16 parts" + why);
-  EXPECT_EQ(message_about("a = \"\"\"\n\n\\\"\"\"\"\n" + parts + " = 1\n"),
+  EXPECT_EQ(refusal_of_reading("a = \"\"\"\n\n\\\"\"\"\"\n" + parts + " = 1\n"),
             "slope.toml:4: a key has more than 16 parts" + why);
-  EXPECT_EQ(message_about("a = 'b\n" + parts), "slope.toml:2: a key has more than 16 parts" + why);
+  EXPECT_EQ(refusal_of_reading("a = 'b\n" + parts), "slope.toml:2: a key has more than 16 parts" + why);
 }
 
-TEST(RefusedProject, PointsInTextCommentsAndNumbersAreNoParts) {
+TEST(RefusedProject, DotsInStringsCommentsAndNumbersAreNotParts) {
   const std::string points = repeated("a.", 50);
-  EXPECT_EQ(message_about("name = \"" + points + "\"  # " + points + "\n" +
-                          with_section("[[0.5, 0.5], [1.5, 0.5], [2.5, 0.5], [3.5, 0.5], [4.5, 0.5], [5.5, 0.5], "
-                                       "[6.5, 0.5], [7.5, 0.5], [8.5, 0.5], [9.5, 0.5], [10.5, 0.5]]")),
-            "");
+  EXPECT_EQ(
+      refusal_of_reading("name = \"" + points + "\"  # " + points + "\n" +
+                         with_section("[[0.5, 0.5], [1.5, 0.5], [2.5, 0.5], [3.5, 0.5], [4.5, 0.5], [5.5, 0.5], [6.5, "
+                                      "0.5], [7.5, 0.5], [8.5, 0.5], [9.5, 0.5], [10.5, 0.5]]")),
+      "");
 }
 
-TEST(RefusedProject, ValuesDeepInOneAnother) {
-  EXPECT_EQ(message_about("a = " + repeated("[", 100'000) + repeated("]", 100'000)),
+TEST(RefusedProject, DeeplyNestedValues) {
+  EXPECT_EQ(refusal_of_reading("a = " + repeated("[", 100'000) + repeated("]", 100'000)),
             "slope.toml:1: this is not TOML (Error while parsing value: exceeded maximum nested value depth of 256 "
             "(TOML_MAX_NESTED_VALUES))");
 }
 
-TEST(RefusedProject, ATableWithoutALetter) {
-  EXPECT_EQ(message_about("[=]\n"),
+TEST(RefusedProject, ATableWithoutAName) {
+  EXPECT_EQ(refusal_of_reading("[=]\n"),
             "slope.toml:1: this is not TOML (Error while parsing key: expected bare key starting character or string "
             "delimiter, saw '=')");
 }
 
-TEST(RefusedProject, LettersThatAreAlmostBlanks) {
+TEST(RefusedProject, CharactersNearTheRangeOfBlanks) {
   for (const std::string letter : {"\u0362", "\u0100", "\u3100", "\uFE00"}) {
-    EXPECT_EQ(message_about("a = [1, " + letter + "2]"),
+    EXPECT_EQ(refusal_of_reading("a = [1, " + letter + "2]"),
               "slope.toml:1: this is not TOML (Error while parsing value: could not determine value type)")
         << letter;
   }
 }
 
-TEST(RefusedProject, ASettingOfEndlessParts) {
+TEST(RefusedProject, AnOverrideWithTooManyParts) {
   const std::string good = with_section("[[0, 0], [10, -10]]");
   const std::string key = repeated("a.", 16) + "a";
-  EXPECT_EQ(message_about(good, {.settings = {key + "=1"}}),
+  EXPECT_EQ(refusal_of_reading(good, {.settings = {key + "=1"}}),
             "--set " + key +
-                "=1: the key has 17 parts (the longest of a project have four, as material.Rock.normal_restitution."
-                "mean)");
-  EXPECT_EQ(message_about(good, {.settings = {"name={" + key + " = 1}"}}),
+                "=1: the key has 17 parts (the longest keys of a project have four, such as "
+                "material.Rock.normal_restitution.mean)");
+  EXPECT_EQ(refusal_of_reading(good, {.settings = {"name={" + key + " = 1}"}}),
             "--set name={" + key + " = 1}: the value is not TOML (a key in it has more than 16 parts)");
 }
 
 TEST(RefusedProject, ASectionThatCrossesItself) {
-  EXPECT_EQ(
-      message_about(with_section("[[0, 0], [10, -10], [10, 0], [0, -10]]")),
-      "slope.toml:2: [terrain]: section crosses or touches itself (at or near x = 5, z = -5). Give its vertices in "
-      "order along the slope");
-  EXPECT_EQ(message_about(with_section("[[0, 0], [10, 0], [10, -10], [8, -12], [20, -20]]")), "") << "an overhang";
+  EXPECT_EQ(refusal_of_reading(with_section("[[0, 0], [10, -10], [10, 0], [0, -10]]")),
+            "slope.toml:2: [terrain]: section crosses or touches itself (at or near x = 5, z = -5). Give its vertices "
+            "in order along the slope");
+  EXPECT_EQ(refusal_of_reading(with_section("[[0, 0], [10, 0], [10, -10], [8, -12], [20, -20]]")), "") << "an overhang";
 }
 
-TEST(RefusedProject, ASectionBeyondAnyMap) {
-  EXPECT_EQ(message_about(with_section("[[0, 0], [1e300, 0], [20, -1e10]]")),
+TEST(RefusedProject, ASectionTooFarAway) {
+  EXPECT_EQ(refusal_of_reading(with_section("[[0, 0], [1e300, 0], [20, -1e10]]")),
             "slope.toml:2: [terrain]: section[1] is [1e+300, 0] (coordinates lie within 1e+09 m)\n"
             "slope.toml:2: [terrain]: section[2] is [20, -10000000000] (coordinates lie within 1e+09 m)");
 }
 
-TEST(RefusedProject, EntriesThatShareTheirNamesAreToldSoon) {
+TEST(RefusedProject, ManyDuplicateNamesAreReportedQuickly) {
   std::string text = with_section("[[0, 0], [10, -10]]");
   for (int k = 0; k < 30'000; ++k)
     text += "[[barrier]]\nname = \"b" + std::to_string(k / 2) + "\"\nline = 5\nheight_m = 1\n";
-  const std::string said = message_about(text);
-  EXPECT_TRUE(
-      said.starts_with("slope.toml:13: two barriers or collectors are called \"b0\" (the other begins in line 8). "
-                       "Give each its own name\n"))
-      << said.substr(0, 200);
+  const std::string message = refusal_of_reading(text);
+  EXPECT_TRUE(message.starts_with(
+      "slope.toml:13: two barriers or collectors are named \"b0\" (the first begins in line 8). Give "
+      "each its own name\n"))
+      << message.substr(0, 200);
 }
 
-TEST(RefusedProject, MoreEntriesThanAnyProjectHas) {
+TEST(RefusedProject, TooManyEntries) {
   std::string text = with_section("[[0, 0], [10, -10]]");
   for (int k = 0; k < 100'001; ++k) text += "[[barrier]]\n";
-  EXPECT_EQ(message_about(text), "slope.toml:8: [[barrier]] has 100001 entries (expected at most 100000)");
+  EXPECT_EQ(refusal_of_reading(text), "slope.toml:8: [[barrier]] has 100001 entries (expected at most 100000)");
 }
 
-TEST(RefusedProject, OfVeryManyUnknownKeysTheFirstAreTold) {
+TEST(RefusedProject, OnlyTheFirstOfManyUnknownKeysAreReported) {
   std::string text;
   for (int k = 1000; k < 1250; ++k) text += "qqq" + std::to_string(k) + " = 1\n";
-  const std::string said = message_about(text + with_section("[[0, 0], [10, -10]]"));
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 100);
-  EXPECT_TRUE(said.starts_with("slope.toml:1: unknown key \"qqq1000\" (known are ")) << said.substr(0, 200);
-  EXPECT_NE(said.find("\nslope.toml:1: 150 more keys are unknown\nslope.toml:2: unknown key \"qqq1001\""),
+  const std::string message = refusal_of_reading(text + with_section("[[0, 0], [10, -10]]"));
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 100);
+  EXPECT_TRUE(message.starts_with("slope.toml:1: unknown key \"qqq1000\" (expected one of ")) << message.substr(0, 200);
+  EXPECT_NE(message.find("\nslope.toml:1: 150 more keys are unknown\nslope.toml:2: unknown key \"qqq1001\""),
             std::string::npos)
-      << said.substr(0, 400);
+      << message.substr(0, 400);
 }
 
-class RefusedMesh : public ::testing::Test {
+class RefusedMesh : public testing_tools::InputFolder {
  protected:
-  RefusedMesh() {
-    const auto* const info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path{::testing::TempDir()} /
-              ("talus_refused_" + std::string{info->name()} + "_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  ~RefusedMesh() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-
   [[nodiscard]] std::string refusal(const std::string& terrain) const {
     write("slope.toml", "[terrain]\n" + terrain +
                             "\n[[material]]\nname = \"Rock\"\n[[seeder]]\nposition = [13.1001, 47.2001, \"surface\"]\n"
                             "mass_kg = 10\n");
-    try {
-      Reading reading = read_project(folder_ / "slope.toml");
-      (void)build_model(reading.project, reading.warnings);
-    } catch (const BadInput& bad) {
-      std::string text = bad.what();
-      const std::string prefix = folder_.string() + "/";
-      for (auto at = text.find(prefix); at != std::string::npos; at = text.find(prefix)) text.erase(at, prefix.size());
-      return text;
-    }
-    return "was read";
+    return refusal_of([&] {
+      Reading reading = read_project(path("slope.toml"));
+      static_cast<void>(build_model(reading.project, reading.warnings));
+    });
   }
-
-  std::filesystem::path folder_;
 };
 
 TEST_F(RefusedMesh, InDegrees) {
@@ -175,9 +147,9 @@ TEST_F(RefusedMesh, ThatIsAFolderOrAPipe) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe.obj").c_str(), 0600), 0);
   EXPECT_EQ(
       refusal("mesh = \"dir.obj\""),
-      "slope.toml:2: [terrain]: mesh is \"dir.obj\" (dir.obj is a folder). Its path is relative to the project file");
+      "slope.toml:2: [terrain]: mesh is \"dir.obj\" (dir.obj is a folder). The path is relative to the project file");
   EXPECT_EQ(refusal("mesh = \"pipe.obj\""),
-            "slope.toml:2: [terrain]: mesh is \"pipe.obj\" (pipe.obj is not an ordinary file). Its path is relative to "
+            "slope.toml:2: [terrain]: mesh is \"pipe.obj\" (pipe.obj is not an ordinary file). The path is relative to "
             "the project file");
 }
 

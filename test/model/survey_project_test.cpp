@@ -1,16 +1,15 @@
-// Projects whose terrain is a survey or closed polylines: the rules of their keys, and end to end.
+// Projects whose terrain is a survey or closed polylines: the rules of their keys, and whole runs.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "support/input_folder.hpp"
+#include "support/projects.hpp"
 #include "talus/campaign/simulate.hpp"
-#include "talus/model/model.hpp"
-#include "talus/project/read.hpp"
 
 #ifdef TALUS_HAS_GDAL
 #include "support/rasters.hpp"
@@ -34,8 +33,6 @@ mass_kg = 1000
 horizontal_velocity_m_s = 3
 )";
 
-// ---- rules ----
-
 struct BadTerrain {
   const char* name;
   std::string terrain, message;
@@ -45,12 +42,7 @@ void PrintTo(const BadTerrain& bad, std::ostream* out) { *out << bad.name; }
 class BadSurveyTest : public ::testing::TestWithParam<BadTerrain> {};
 
 TEST_P(BadSurveyTest, IsRefusedWithThisText) {
-  try {
-    static_cast<void>(read_project_text("[terrain]\n" + GetParam().terrain + rest, "slope.toml"));
-    FAIL() << "was read";
-  } catch (const BadInput& bad) {
-    EXPECT_STREQ(bad.what(), GetParam().message.c_str());
-  }
+  EXPECT_EQ(testing_tools::refusal_of_reading("[terrain]\n" + GetParam().terrain + rest), GetParam().message);
 }
 
 const std::vector<BadTerrain> bad_terrains{
@@ -59,7 +51,7 @@ const std::vector<BadTerrain> bad_terrains{
     {"SurveyAndPolylines", "lines = \"l.gpkg\"\npolylines = [[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0]]]",
      "slope.toml:3: [terrain]: lines and polylines are given together (they exclude each other)"},
     {"ClassesOfText", "points = \"p.csv\"\npoint_classes = [2]",
-     "slope.toml:3: [terrain]: point_classes is given for p.csv (only points of LAS have classes). Leave it out"},
+     "slope.toml:3: [terrain]: point_classes is given for p.csv (only LAS points have classes). Leave it out"},
     {"ClassOutOfRange", "points = \"p.las\"\npoint_classes = [2, 300]",
      "slope.toml:3: [terrain]: point_classes[1] is 300 (expected 0 to 255)"},
     {"LayerWithoutPoints", "lines = \"l.gpkg\"\npoints_layer = \"spots\"",
@@ -71,30 +63,29 @@ const std::vector<BadTerrain> bad_terrains{
     {"BoundaryOfARaster", "raster = \"dem.tif\"\nboundary = \"area.gpkg\"\nmax_edge_m = 5",
      "slope.toml:3: [terrain]: boundary is given without points or lines (it would have no effect)\n"
      "slope.toml:4: [terrain]: max_edge_m is given without points or lines (it would have no effect)"},
-    {"LayerOfNoBoundary", "points = \"p.csv\"\nboundary_layer = \"area\"",
+    {"LayerWithoutBoundary", "points = \"p.csv\"\nboundary_layer = \"area\"",
      "slope.toml:3: [terrain]: boundary_layer is given without a boundary (it would have no effect)"},
     {"SpikesOfLines", "lines = \"l.gpkg\"\nremove_spikes_m = 5",
      "slope.toml:3: [terrain]: remove_spikes_m is given without points (it would have no effect)"},
-    {"NoSpikes", "points = \"p.csv\"\nremove_spikes_m = 0",
+    {"ZeroSpikes", "points = \"p.csv\"\nremove_spikes_m = 0",
      "slope.toml:3: [terrain]: remove_spikes_m is 0 (expected more than 0, up to 1e9)"},
-    {"NoLength", "points = \"p.csv\"\nmax_edge_m = -5",
+    {"NegativeLength", "points = \"p.csv\"\nmax_edge_m = -5",
      "slope.toml:3: [terrain]: max_edge_m is -5 (expected more than 0, up to 1e9)"},
     {"MergedSurvey", "points = \"p.csv\"\nmerge_tolerance_m = 0.5",
      "slope.toml:3: [terrain]: merge_tolerance_m is given without polylines or polygons (it would have no effect)"},
     {"LayerOfPolylines", "points = \"p.csv\"\npolygons_layer = \"faces\"",
      "slope.toml:3: [terrain]: polygons_layer is given without polygons (it would have no effect)"},
-    {"TurnedSurvey", "points = \"p.csv\"\nrotate_deg = 30",
-     "slope.toml:3: [terrain]: rotate_deg is given with points (a survey stands where its coordinates say). Leave it "
-     "out"},
+    {"RotatedSurvey", "points = \"p.csv\"\nrotate_deg = 30",
+     "slope.toml:3: [terrain]: rotate_deg is given with points (a survey has a fixed position). Leave it out"},
     {"CrsOfASection", "section = [[0, 0], [10, -10]]\nwidth_m = 5\ncrs = \"EPSG:31287\"",
-     "slope.toml:4: [terrain]: crs is given for a section (a section lies nowhere on a map). Leave it out"},
+     "slope.toml:4: [terrain]: crs is given for a section (a section has no position on a map). Leave it out"},
     {"NoPolylines", "polylines = []", "slope.toml:2: [terrain]: polylines is empty (a terrain has at least one)"},
     {"OpenPolyline",
      "polylines = [[[0, 0, 0], [9, 0, 0], [9, 9, 0], [0, 0, 0]], [[0, 0, 0], [9, 0, 0], [9, 9, 0], [0, 9, 0]]]",
      "slope.toml:2: [terrain]: polylines[1] is not closed (its ends are 9 m apart). Repeat its first vertex at its "
      "end"},
     {"ShortPolyline", "polylines = [[[0, 0, 0], [9, 0, 0], [0, 0, 0]]]",
-     "slope.toml:2: [terrain]: polylines[0] has 3 vertices (a closed one has four or more, of which the last is the "
+     "slope.toml:2: [terrain]: polylines[0] has 3 vertices (a closed polyline has four or more, the last equal to the "
      "first)"},
     {"PolylineOnPlan", "polylines = [[[0, 0], [9, 0], [9, 9], [0, 0]]]",
      "slope.toml:2: [terrain]: polylines[0][0] is [0, 0] (expected three numbers [..., ..., ...])\n"
@@ -102,54 +93,26 @@ const std::vector<BadTerrain> bad_terrains{
      "slope.toml:2: [terrain]: polylines[0][2] is [9, 9] (expected three numbers [..., ..., ...])\n"
      "slope.toml:2: [terrain]: polylines[0][3] is [0, 0] (expected three numbers [..., ..., ...])"},
     {"GroundByTriangles", "points = \"p.csv\"\n[ground]\ntriangles = [0]",
-     "slope.toml:4: [ground]: triangles is given for a survey (its triangles are made by Talus). Use raster and "
-     "classes, or "
-     "polygons"},
+     "slope.toml:4: [ground]: triangles is given for a survey (Talus generates its triangles). Use raster and classes, "
+     "or polygons"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, BadSurveyTest, ::testing::ValuesIn(bad_terrains),
                          [](const auto& one) { return std::string(one.param.name); });
 
-// ---- end to end ----
-
-class SurveyProject : public ::testing::Test {
+class SurveyProject : public testing_tools::InputFolder {
  protected:
-  SurveyProject() {
-    const auto* const info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path{::testing::TempDir()} /
-              ("talus_survey_" + std::string{info->name()} + "_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  ~SurveyProject() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
   [[nodiscard]] Model model(const std::string& text) {
     write("slope.toml", text);
     warnings_ = Problems{};
-    return build_model(read_project(folder_ / "slope.toml").project, warnings_);
+    return build_model(read_project(path("slope.toml")).project, warnings_);
   }
   [[nodiscard]] std::string refusal(const std::string& text) {
-    try {
-      static_cast<void>(model(text));
-    } catch (const BadInput& bad) {
-      std::string said = bad.what();
-      const std::string prefix = folder_.string() + "/";
-      for (auto at = said.find(prefix); at != std::string::npos; at = said.find(prefix)) said.erase(at, prefix.size());
-      return said;
-    }
-    return "was read";
+    return refusal_of([&] { static_cast<void>(model(text)); });
   }
-
-  std::filesystem::path folder_;
-  Problems warnings_;
 };
 
-// A plane that falls to the east by 1 in 2, as points of a grid.
+/// A plane that falls to the east by 1 in 2, as points of a grid.
 std::string plane_of_points() {
   std::string text = "x,y,z\n";
   for (int i = 0; i <= 40; ++i) {
@@ -158,7 +121,7 @@ std::string plane_of_points() {
   return text;
 }
 
-TEST_F(SurveyProject, RocksRunOnItAsOnTheSamePlaneOfTriangles) {
+TEST_F(SurveyProject, TrajectoriesAreAsOnTheSamePlaneOfTriangles) {
   write("p.csv", plane_of_points());
   const Model survey = model("[terrain]\npoints = \"p.csv\"\ncrs = \"local\"\n" + rest);
   EXPECT_EQ(warnings_.text(), "");
@@ -178,7 +141,7 @@ TEST_F(SurveyProject, RocksRunOnItAsOnTheSamePlaneOfTriangles) {
   }
 }
 
-// The manual, section 2: three closed polylines, made polygons, merged to one surface.
+// The manual, section 2: three closed polylines, as polygons merged into one surface.
 const std::string bowl_of_polylines = R"([terrain]
 polylines = [
   [[-10, 10, 16.32993], [10, 10, 16.32993], [0, 4.226497, 0], [-10, 10, 16.32993]],
@@ -220,7 +183,7 @@ TEST_F(SurveyProject, TheManualsBowlFromItsPolylines) {
   };
   EXPECT_EQ(normals(first), normals(second));
 
-  // The table of the case follows from the path, and the path is the same to the bit.
+  // The path, from which the table of the case follows, is bit-identical.
   Simulator one(published), other(merged);
   static_cast<void>(one.simulate(0, true));
   static_cast<void>(other.simulate(0, true));
@@ -242,8 +205,8 @@ TEST_F(SurveyProject, VerticesWithinTheToleranceAreMerged) {
               HasSubstr("5 vertices, 2 components (0 closed), 7 boundary edges"));
 }
 
-// A plane of three polygons, a corner of two of them on the third's side: rocks slide past it to the rim. Where it was
-// not joined, they leave their facet over a crack and meet the plane again beyond it.
+// A plane of three polygons, with a corner of two of them on a side of the third: rocks slide past it to the rim. If
+// the corner is not joined, they leave their facet at the crack and land on the plane beyond it.
 TEST_F(SurveyProject, RocksSlidePastACornerOnASide) {
   const std::string slope = R"([terrain]
 polylines = [[[0, 0, 100], [10, 0, 90], [10, 10, 90], [0, 10, 100], [0, 0, 100]],
@@ -276,29 +239,27 @@ TEST_F(SurveyProject, RefusesPolylinesThatCrossThemselves) {
       refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 4, 0], [0, 0, 0]]]\n" + rest),
       "slope.toml: terrain: polylines[0] crosses itself at (2.857, 2.857, 0.000) (it cannot be triangulated). Are "
       "its vertices in order?");
-  // Halves that undo each other leave no plane to look for the crossing in.
+  // Two halves with opposite areas define no plane in which to find the crossing.
   EXPECT_EQ(refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 10, 0], [0, 0, 0]]]\n" + rest),
             "slope.toml: terrain: polylines[0] has no area (its corners lie on one line, its border doubles back, or "
             "its sides cross)");
 }
 
-TEST_F(SurveyProject, RefusesFilesThatAreNotThere) {
-  EXPECT_EQ(
-      refusal("[terrain]\npoints = \"p.csv\"\nlines = \"l.gpkg\"\nboundary = \"b.gpkg\"\n" + rest),
-      "slope.toml:2: [terrain]: points is \"p.csv\" (there is no file p.csv). Its path is relative to the project "
-      "file\n"
-      "slope.toml:3: [terrain]: lines is \"l.gpkg\" (there is no file l.gpkg). Its path is relative to the project "
-      "file\n"
-      "slope.toml:4: [terrain]: boundary is \"b.gpkg\" (there is no file b.gpkg). Its path is relative to the project "
-      "file");
+TEST_F(SurveyProject, RefusesMissingFiles) {
+  EXPECT_EQ(refusal("[terrain]\npoints = \"p.csv\"\nlines = \"l.gpkg\"\nboundary = \"b.gpkg\"\n" + rest),
+            "slope.toml:2: [terrain]: points is \"p.csv\" (there is no file p.csv). The path is relative to the "
+            "project file\n"
+            "slope.toml:3: [terrain]: lines is \"l.gpkg\" (there is no file l.gpkg). The path is relative to the "
+            "project file\n"
+            "slope.toml:4: [terrain]: boundary is \"b.gpkg\" (there is no file b.gpkg). The path is relative to the "
+            "project file");
 }
 
-TEST_F(SurveyProject, RefusesACoordinateSystemThatNobodyKnows) {
+TEST_F(SurveyProject, RefusesAnUnknownCoordinateSystem) {
   write("p.csv", plane_of_points());
-  EXPECT_EQ(
-      refusal("[terrain]\npoints = \"p.csv\"\ncrs = \"EPSG:99999999\"\n" + rest),
-      "slope.toml: [terrain]: crs is \"EPSG:99999999\" (no coordinate system of this name is known). Expected for "
-      "example \"EPSG:31287\", or \"local\"");
+  EXPECT_EQ(refusal("[terrain]\npoints = \"p.csv\"\ncrs = \"EPSG:99999999\"\n" + rest),
+            "slope.toml: [terrain]: crs is \"EPSG:99999999\" (this coordinate system is not known). Use for example "
+            "\"EPSG:31287\", or \"local\"");
 }
 
 #ifdef TALUS_HAS_GDAL

@@ -1,19 +1,19 @@
-// [design]: what is refused, with the exact text, and what the plan is that follows from it.
+// [design]: the exact text of errors, and the resulting plan.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "talus/core/problems.hpp"
+#include "support/projects.hpp"
 #include "talus/model/design_plan.hpp"
-#include "talus/model/model.hpp"
-#include "talus/project/read.hpp"
 
 namespace talus::project {
 namespace {
 
 using testing::ElementsAre;
+using testing_tools::model_of;
+using testing_tools::problems_of_reading;
 
 constexpr const char* ground_3d = R"([terrain]
 section = [[0, 0], [30, -20], [60, -25]]
@@ -37,83 +37,77 @@ line = [[40, 0], [40, 80]]
 height_m = 3
 )";
 
-/// Problems and warnings of a project on 3D ground.
-std::string said_of(const std::string& design, const std::string& lines = lines_3d) {
-  try {
-    return read_project_text(ground_3d + lines + design, "slope.toml").warnings.text();
-  } catch (const BadInput& bad) {
-    return bad.problems().text();
-  }
+/// Errors and warnings about a design on 3D ground.
+std::string problems_of(const std::string& design, const std::string& lines = lines_3d) {
+  return problems_of_reading(ground_3d + lines + design);
 }
 
-TEST(CheckDesign, TakesAllLinesUnlessTold) {
-  EXPECT_EQ(said_of("[design]\n"), "");
-  EXPECT_EQ(said_of("[design]\nlines = [\"Road\", \"barrier 1\"]\n"), "");
+TEST(CheckDesign, TakesAllLinesByDefault) {
+  EXPECT_EQ(problems_of("[design]\n"), "");
+  EXPECT_EQ(problems_of("[design]\nlines = [\"Road\", \"barrier 1\"]\n"), "");
 }
 
 TEST(CheckDesign, RefusesToDesignWithoutALine) {
-  EXPECT_EQ(said_of("[design]\n", ""),
+  EXPECT_EQ(problems_of("[design]\n", ""),
             "slope.toml:9: [design]: there is no line to design for (the project has no barrier and no collector). Add "
             "a [[collector]] with a line and a height_m");
 }
 
-TEST(CheckDesign, RefusesLinesThatAreNotThere) {
-  EXPECT_EQ(said_of("[design]\nlines = [\"Uper\", \"Road\", \"Road\"]\nprotect = \"barrier 2\"\n"),
-            "slope.toml:21: [design]: lines[0] is \"Uper\" (there is no barrier or collector of this name; there are "
+TEST(CheckDesign, RefusesUnknownLines) {
+  EXPECT_EQ(problems_of("[design]\nlines = [\"Uper\", \"Road\", \"Road\"]\nprotect = \"barrier 2\"\n"),
+            "slope.toml:21: [design]: lines[0] is \"Uper\" (no barrier or collector has this name; the project has "
             "\"barrier 1\", \"Upper\", \"Road\"). Did you mean \"Upper\"?\n"
-            "slope.toml:21: [design]: lines[2] is \"Road\" (this line was named before). Leave it out\n"
-            "slope.toml:22: [design]: protect is \"barrier 2\" (there is no barrier or collector of this name; there "
-            "are \"barrier 1\", \"Upper\", \"Road\"). Did you mean \"barrier 1\"?\n"
+            "slope.toml:21: [design]: lines[2] is \"Road\" (it is listed twice). Leave it out\n"
+            "slope.toml:22: [design]: protect is \"barrier 2\" (no barrier or collector has this name; the project has "
+            "\"barrier 1\", \"Upper\", \"Road\"). Did you mean \"barrier 1\"?\n"
             "slope.toml:22: warning: [design]: protect is given, and there are barriers (rocks that a [[barrier]] "
-            "stops never reach what is to be protected, so that they do not count). Make candidates [[collector]]s");
-  EXPECT_EQ(said_of("[design]\nlines = []\n"),
+            "stops never reach the protected line and are not counted). Make the candidates [[collector]]s");
+  EXPECT_EQ(problems_of("[design]\nlines = []\n"),
             "slope.toml:21: [design]: lines is empty (without a line there is nothing to design for). Leave it out to "
             "take all barriers and collectors");
 }
 
-TEST(CheckDesign, RefusesNumbersThatMakeNoSense) {
-  EXPECT_EQ(
-      said_of("[design]\nsection_m = 0\ncatch_share = 95\nconfidence = 95\nheights_m = [2, -3]\n"
-              "risk_factor = 0.9\npercentiles = [101]\n"),
-      "slope.toml:21: [design]: section_m is 0 (a line is cut into pieces of it; expected more than 0, up to 1e9)\n"
-      "slope.toml:22: [design]: catch_share is 95 (there are no more than all rocks; expected more than 0, up to "
-      "1). Did you mean 0.95?\n"
-      "slope.toml:23: [design]: confidence is 95 (it is a probability; expected more than 0, less than 1). Did "
-      "you mean 0.95?\n"
-      "slope.toml:24: [design]: heights_m[1] is -3 (it could not be hit; expected more than 0, up to 10000)\n"
-      "slope.toml:25: [design]: risk_factor is 0.9 (a factor of safety takes nothing away; expected 1 to 1e6)\n"
-      "slope.toml:26: [design]: percentiles[0] is 101 (expected 0 to 100)");
-  EXPECT_EQ(said_of("[design]\nheights_m = []\nenergies_kJ = []\n"),
+TEST(CheckDesign, RefusesNumbersOutOfRange) {
+  EXPECT_EQ(problems_of("[design]\nsection_m = 0\ncatch_share = 95\nconfidence = 95\nheights_m = [2, -3]\n"
+                        "risk_factor = 0.9\npercentiles = [101]\n"),
+            "slope.toml:21: [design]: section_m is 0 (lines are divided into sections of this length; expected more "
+            "than 0, up to 1e9)\n"
+            "slope.toml:22: [design]: catch_share is 95 (a share cannot exceed 1; expected more than 0, up to 1). Did "
+            "you mean 0.95?\n"
+            "slope.toml:23: [design]: confidence is 95 (it is a probability; expected more than 0, less than 1). Did "
+            "you mean 0.95?\n"
+            "slope.toml:24: [design]: heights_m[1] is -3 (nothing could hit it; expected more than 0, up to 10000)\n"
+            "slope.toml:25: [design]: risk_factor is 0.9 (a safety factor cannot be less than 1; expected 1 to 1e6)\n"
+            "slope.toml:26: [design]: percentiles[0] is 101 (expected 0 to 100)");
+  EXPECT_EQ(problems_of("[design]\nheights_m = []\nenergies_kJ = []\n"),
             "slope.toml:21: [design]: heights_m is empty (there would be no kit to choose from). Leave it out\n"
             "slope.toml:22: [design]: energies_kJ is empty (there would be no kit to choose from). Leave it out");
-  EXPECT_EQ(said_of("[design]\npercentiles = [95, 50, 95]\n"),
-            "slope.toml:21: [design]: percentiles[2] is 95 (it was given before). Leave it out");
+  EXPECT_EQ(problems_of("[design]\npercentiles = [95, 50, 95]\n"),
+            "slope.toml:21: [design]: percentiles[2] is 95 (it is listed twice). Leave it out");
 }
 
-TEST(CheckDesign, RefusesMoreSectionsThanItKeeps) {
-  EXPECT_EQ(said_of("[design]\nsection_m = 0.05\n"),
+TEST(CheckDesign, RefusesTooManySections) {
+  EXPECT_EQ(problems_of("[design]\nsection_m = 0.05\n"),
             "slope.toml:21: [design]: section_m is 0.05 (line \"barrier 1\", 80 m long, would have more than 1000 "
             "sections). Write 1 or more");
-  EXPECT_EQ(said_of("[design]\nlines = [\"Road\"]\nsection_m = 0.05\n"), "") << "25 m has 500";
+  EXPECT_EQ(problems_of("[design]\nlines = [\"Road\"]\nsection_m = 0.05\n"), "") << "25 m has 500";
 }
 
 TEST(CheckDesign, RefusesADesignBlockThatSpins) {
-  EXPECT_EQ(
-      said_of("[design]\nblock_mass_kg = 2000\nenergy = \"total\"\n"),
-      "slope.toml:21: [design]: block_mass_kg is given with energy = \"total\" (the design block has a mass and a "
-      "velocity, but no spin). Let energy be \"translational\"");
+  EXPECT_EQ(problems_of("[design]\nblock_mass_kg = 2000\nenergy = \"total\"\n"),
+            "slope.toml:21: [design]: block_mass_kg is given with energy = \"total\" (the design block has a mass and "
+            "a velocity, but no spin). Set energy = \"translational\"");
 }
 
-TEST(CheckDesign, RefusesKitsWithoutAServiceLevelWhereItIsAskedFor) {
-  EXPECT_EQ(
-      said_of("[design]\nenergy_level = \"SEL\"\nenergies_kJ = [100, 200]\n"),
-      "slope.toml:22: [design]: energies_kJ has nothing from 250 kJ on (energy_level is \"SEL\", and kits of class "
-      "0 are not tested at it)");
-  EXPECT_EQ(said_of("[design]\nenergy_level = \"SEL\"\nenergies_kJ = [100, 250]\n"), "");
+TEST(CheckDesign, RefusesKitsWithoutTheRequiredServiceLevel) {
+  EXPECT_EQ(problems_of("[design]\nenergy_level = \"SEL\"\nenergies_kJ = [100, 200]\n"),
+            "slope.toml:22: [design]: energies_kJ has no value of 250 kJ or more (energy_level is \"SEL\", and kits of "
+            "class 0 are not tested at that level)");
+  EXPECT_EQ(problems_of("[design]\nenergy_level = \"SEL\"\nenergies_kJ = [100, 250]\n"), "");
 }
 
-TEST(CheckDesign, WarnsOfWhatHasNoEffect) {
-  EXPECT_EQ(said_of("[design]\nstandard = \"none\"\nrisk_factor = 1.1\nenergy_level = \"SEL\"\n"),
+TEST(CheckDesign, WarnsOfSettingsWithoutEffect) {
+  EXPECT_EQ(problems_of("[design]\nstandard = \"none\"\nrisk_factor = 1.1\nenergy_level = \"SEL\"\n"),
             "slope.toml:22: warning: [design]: risk_factor has no effect (standard is \"none\")\n"
             "slope.toml:23: warning: [design]: energy_level has no effect (standard is \"none\")");
   const std::string in_2d = R"([terrain]
@@ -129,14 +123,13 @@ height_m = 5
 [design]
 section_m = 5
 )";
-  EXPECT_EQ(read_project_text(in_2d, "slope.toml").warnings.text(),
-            "slope.toml:12: warning: [design]: section_m has no effect (in 2D a line is a place of the section)");
+  EXPECT_EQ(problems_of_reading(in_2d),
+            "slope.toml:12: warning: [design]: section_m has no effect (in 2D a line is a point of the section)");
 }
 
 DesignPlan plan_of(const std::string& text) {
   const Project project = read_project_text(text, "slope.toml").project;
-  Problems warnings;
-  return design_plan(*project.design, build_model(project, warnings));
+  return design_plan(*project.design, model_of(text));
 }
 
 TEST(DesignPlan, HasLinesBySectionsAndKitsInOrder) {
@@ -158,7 +151,7 @@ energies_kJ = [8500, 100]
   EXPECT_EQ(plan.standard, "UNI 11211-4");
 }
 
-TEST(DesignPlan, ALineBeginsWhereItFirstStands) {
+TEST(DesignPlan, ALineBeginsWhereItFirstStandsOnTheTerrain) {
   const DesignPlan plan =
       plan_of(std::string(ground_3d) +
               "[[collector]]\nname = \"Edge\"\nline = [[50, -35], [50, 20]]\nheight_m = 5\n[design]\n");

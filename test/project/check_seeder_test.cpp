@@ -1,95 +1,89 @@
-// Which keys belong to which type of seeder: every refusal and warning, word for word.
+// The keys of each type of seeder: the exact text of errors and warnings.
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "talus/project/read.hpp"
+#include "support/projects.hpp"
 
 namespace talus::project {
 namespace {
 
+using testing_tools::problems_of_reading;
+
 struct Case {
   const char* name;
-  const char* keys;  // of the seeder, from line 10 on
-  const char* said;  // without "slope.toml:"
-  bool is_flat = false;
+  const char* keys;      // of the seeder, from line 10 on
+  const char* problems;  // without "slope.toml:"
+  bool is_2d = false;
 };
 
-std::string said_of(const Case& c) {
+std::string problems_of(const Case& c) {
   const std::string text =
       std::string("[terrain]\n") +
-      (c.is_flat ? "section = [[0, 0], [10, -10]]\n" : "vertices = [[0, 0, 0], [9, 0, 0], [0, 9, 5]]\n") +
-      (c.is_flat ? "\n" : "triangles = [[0, 1, 2]]\n") +
+      (c.is_2d ? "section = [[0, 0], [10, -10]]\n" : "vertices = [[0, 0, 0], [9, 0, 0], [0, 9, 5]]\n") +
+      (c.is_2d ? "\n" : "triangles = [[0, 1, 2]]\n") +
       "[[material]]\nname = \"Rock\"\n\n[[seeder]]\nname = \"Cliff\"\nmass_kg = 10\n" + c.keys;
-  try {
-    return read_project_text(text, "slope.toml").warnings.text();
-  } catch (const BadInput& bad) {
-    return bad.what();
-  }
+  return problems_of_reading(text);
 }
 
 class SeederKeys : public ::testing::TestWithParam<Case> {};
 
-TEST_P(SeederKeys, AreToldApart) {
+TEST_P(SeederKeys, HaveTheseProblems) {
   std::string expected, line;
-  for (const char* c = GetParam().said; *c; ++c) {
+  for (const char* c = GetParam().problems; *c; ++c) {
     if (line.empty()) expected += "slope.toml:";
     line = *c == '\n' ? "" : "x";
     expected += *c;
   }
-  EXPECT_EQ(said_of(GetParam()), expected);
+  EXPECT_EQ(problems_of(GetParam()), expected);
 }
 
 constexpr const char* triangle = "polygon = [[0, 0], [5, 0], [0, 5]]\n";
 
 const std::vector<Case> cases{
     {"LinesForAPoint", "lines = \"a.gpkg\"\n",
-     "10: seeder \"Cliff\": lines are given for a point (they make a line). Write type = \"line\""},
+     "10: seeder \"Cliff\": lines are given for a point (they belong to a line). Write type = \"line\""},
     {"PolygonForAPoint", triangle,
-     "10: seeder \"Cliff\": a polygon is given for a point (it has an area). Write type = \"polygon\""},
+     "10: seeder \"Cliff\": a polygon is given for a point (a polygon is an area). Write type = \"polygon\""},
     {"LineWithoutPoints", "type = \"line\"\n",
      "7: seeder \"Cliff\": points is missing (a line seeder needs two or more points). Or name a file: lines = "
      "\"cliff.gpkg\""},
     {"PolygonMissing", "type = \"polygon\"\ncell_m = 1\n",
-     "7: seeder \"Cliff\": polygons is missing (a polygon seeder needs it, or polygon). Write polygons = "
+     "7: seeder \"Cliff\": polygons is missing (a polygon seeder needs polygons or polygon). Write polygons = "
      "\"cliffs.gpkg\", or polygon = [[x, y], ...]"},
     {"PointsForAPolygon", "type = \"polygon\"\ncell_m = 1\npoints = [[0, 0, 1], [1, 1, 1]]\n",
-     "7: seeder \"Cliff\": polygons is missing (a polygon seeder needs it, or polygon). Write polygons = "
+     "7: seeder \"Cliff\": polygons is missing (a polygon seeder needs polygons or polygon). Write polygons = "
      "\"cliffs.gpkg\", or polygon = [[x, y], ...]\n"
-     "12: seeder \"Cliff\": points is given for a polygon (it says where rocks of another type of seeder start). Leave "
-     "it out"},
+     "12: seeder \"Cliff\": points is given for a polygon (it belongs to another type of seeder). Leave it out"},
     {"PolygonForARaster", "type = \"raster\"\ncell_m = 1\npolygons = \"a.gpkg\"\n",
-     "12: seeder \"Cliff\": a polygon is given for a raster (slopes and masks hold for polygons too). Write type = "
-     "\"polygon\""},
-    {"RasterOfNothing", "type = \"raster\"\ncell_m = 1\n",
-     "7: seeder \"Cliff\": nothing says which cells (a raster seeder needs a slope or a mask). Write min_slope_deg = "
-     "45, or mask = \"release.tif\""},
+     "12: seeder \"Cliff\": a polygon is given for a raster (slope limits and masks also apply to polygons). Write "
+     "type = \"polygon\""},
+    {"RasterWithoutSelection", "type = \"raster\"\ncell_m = 1\n",
+     "7: seeder \"Cliff\": the cells are not specified (a raster seeder needs a slope or a mask). Write min_slope_deg "
+     "= 45, or mask = \"release.tif\""},
     {"RasterWithAPosition", "type = \"raster\"\ncell_m = 1\nmin_slope_deg = 30\nposition = [1, 1, 1]\n",
-     "13: seeder \"Cliff\": position is given for a raster (it says where rocks of another type of seeder start). "
-     "Leave "
-     "it out"},
+     "13: seeder \"Cliff\": position is given for a raster (it belongs to another type of seeder). Leave it out"},
     {"CellsIn2D", "type = \"raster\"\nmin_slope_deg = 30\ncell_m = 1\n",
      "10: seeder \"Cliff\": type is \"raster\" in 2D (a section has no area). Use a point or a line, or give "
      "terrain.width_m for 3D",
      true},
     {"LinesIn2D", "type = \"line\"\nlines = \"a.gpkg\"\n",
-     "11: seeder \"Cliff\": lines is given in 2D (a section lies nowhere on a map). Use points", true},
+     "11: seeder \"Cliff\": lines is given in 2D (a section has no position on a map). Use points", true},
     {"LinesAndPoints", "type = \"line\"\nlines = \"a.gpkg\"\npoints = [[0, 0, 1], [1, 1, 1]]\n",
      "11: seeder \"Cliff\": points and lines are given together (they exclude each other)"},
     {"TwoPolygons", "type = \"polygon\"\ncell_m = 1\npolygons = \"a.gpkg\"\npolygon = [[0, 0], [5, 0], [0, 5]]\n",
      "13: seeder \"Cliff\": polygons and polygon are given together (they exclude each other)"},
-    {"RocksTwice", "type = \"raster\"\ncell_m = 1\nmin_slope_deg = 9\nrocks = 5\nrocks_per_cell = 2\n",
+    {"RocksAndRocksPerCell", "type = \"raster\"\ncell_m = 1\nmin_slope_deg = 9\nrocks = 5\nrocks_per_cell = 2\n",
      "14: seeder \"Cliff\": rocks and rocks_per_cell are given together (they exclude each other)"},
     {"CellMissing", "type = \"raster\"\nmin_slope_deg = 30\n",
      "7: seeder \"Cliff\": cell_m is missing (the terrain is not a raster, so it has no cells of its own). Give the "
-     "side "
-     "of the cells from which rocks start, in metres"},
+     "size of the cells from which rocks start, in metres"},
     {"MaskValueWithoutMask", "type = \"raster\"\ncell_m = 1\nmin_slope_deg = 30\nmask_value = 1\n",
      "13: seeder \"Cliff\": mask_value is given without a mask (it would have no effect)"},
-    {"SlopesTheWrongWayRound", "type = \"raster\"\ncell_m = 1\nmin_slope_deg = 50\nmax_slope_deg = 40\n",
-     "13: seeder \"Cliff\": max_slope_deg is 40 (min_slope_deg is 50, and no cell could be both)"},
+    {"SlopesInTheWrongOrder", "type = \"raster\"\ncell_m = 1\nmin_slope_deg = 50\nmax_slope_deg = 40\n",
+     "13: seeder \"Cliff\": max_slope_deg is 40 (min_slope_deg is 50, so no cell can meet both)"},
     {"SlopeOf90", "type = \"raster\"\ncell_m = 1\nmin_slope_deg = 90\n",
      "12: seeder \"Cliff\": min_slope_deg is 90 (expected 0 to less than 90)"},
     {"PolygonOfTwo", "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0]]\n",
@@ -97,50 +91,48 @@ const std::vector<Case> cases{
      "y]])"},
     {"PolygonOfTriples", "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0, 1], [5, 0, 1], [5, 5, 1]]\n",
      "12: seeder \"Cliff\": polygon[0] is [0, 0, 1] (expected a point on plan, [x, y])"},
-    {"PolygonThatRepeats", "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [5, 0], [0, 5]]\n",
-     "12: seeder \"Cliff\": polygon[2] is [5, 0] (it repeats the point before it). Leave it out"},
+    {"PolygonWithARepeatedPoint", "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [5, 0], [0, 5]]\n",
+     "12: seeder \"Cliff\": polygon[2] is [5, 0] (it repeats the previous point). Leave it out"},
     {"PolygonThatCrossesItself", "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [4, 4], [4, 0], [0, 4]]\n",
      "12: seeder \"Cliff\": polygon crosses or touches itself (at or near (2, 2)). Give its corners in order, once "
      "around"},
-    {"IdleKeysOfAPoint",
-     "position = [1, 1, 1]\nlayer = \"a\"\nmin_slope_deg = 40\nrocks_per_cell = 2\nplace = "
-     "\"centre\"\n",
+    {"KeysWithoutEffectForAPoint",
+     "position = [1, 1, 1]\nlayer = \"a\"\nmin_slope_deg = 40\nrocks_per_cell = 2\nplace = \"centre\"\n",
      "11: warning: seeder \"Cliff\": layer has no effect (a point seeder has no file of lines or polygons)\n"
      "12: warning: seeder \"Cliff\": min_slope_deg has no effect (a point seeder has no cells)\n"
      "13: warning: seeder \"Cliff\": rocks_per_cell has no effect (a point seeder has no cells)\n"
      "14: warning: seeder \"Cliff\": place has no effect (a point seeder has no cells)"},
-    {"IdleKeysOfAPolygon",
+    {"KeysWithoutEffectForAPolygon",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nlayer = \"a\"\nsource_attribute = \"b\"\n",
      "13: warning: seeder \"Cliff\": layer has no effect (it belongs to a file of lines or polygons)\n"
      "14: warning: seeder \"Cliff\": source_attribute has no effect (it belongs to a file of lines or polygons)"},
     {"AnAreaLaunchedOneWay",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nhorizontal_velocity_m_s = 2\n",
      "13: warning: seeder \"Cliff\": horizontal_velocity_m_s is given without a direction (all rocks of the area start "
-     "eastwards, [1, 0, 0], whatever way the slope faces). Write direction = \"downslope\", or one direction, [x, y, "
+     "eastwards, [1, 0, 0], whichever way the slope faces). Write direction = \"downslope\", or one direction, [x, y, "
      "z]"},
     {"AnAreaWithADirection",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nspeed_m_s = 2\ndirection = [0, 1, 0]\n", ""},
     {"AnAreaLaunchedDownItsSlopes",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nspeed_m_s = 2\ndirection = \"downslope\"\n",
      ""},
-    {"ADefaultSaysNothing", "position = [1, 1, 1]\nplace = \"random\"\n", ""},
+    {"ADefaultIsAccepted", "position = [1, 1, 1]\nplace = \"random\"\n", ""},
     {"AClosedPolygonIsFine", "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5], [0, 0]]\n", ""},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, SeederKeys, ::testing::ValuesIn(cases),
                          [](const auto& chosen) { return std::string(chosen.param.name); });
 
-TEST(SeederPolygon, AClosedOneIsKeptOpen) {
-  const Project project =
-      read_project_text(
-          "[terrain]\nraster = \"dem.tif\"\n[[material]]\nname = \"Rock\"\n[[seeder]]\nmass_kg = 1\ntype "
-          "= \"polygon\"\npolygon = [[0, 0], [5, 0], [0, 5], [0, 0]]\ncell_m = 3\n",
-          "slope.toml")
-          .project;
+TEST(SeederPolygon, IsStoredWithoutTheRepeatedCorner) {
+  const Project project = read_project_text(
+                              "[terrain]\nraster = \"dem.tif\"\n[[material]]\nname = \"Rock\"\n[[seeder]]\nmass_kg = "
+                              "1\ntype = \"polygon\"\npolygon = [[0, 0], [5, 0], [0, 5], [0, 0]]\ncell_m = 3\n",
+                              "slope.toml")
+                              .project;
   EXPECT_EQ(project.seeders.at(0).polygon, (std::vector<std::array<double, 2>>{{0, 0}, {5, 0}, {0, 5}}));
 }
 
-TEST(SeederPoints, ThatAreWrongAreToldTenTimes) {
+TEST(SeederPoints, AreReportedAtMostTenTimes) {
   std::string points = "[0, 0, 1]";
   for (int k = 0; k < 1000; ++k) points += ", [1, 1, \"high\"]";
   const std::string keys = "type = \"line\"\npoints = [" + points + "]\n";
@@ -149,7 +141,7 @@ TEST(SeederPoints, ThatAreWrongAreToldTenTimes) {
     expected += (k > 1 ? "\n" : "") + std::string("slope.toml:11: seeder \"Cliff\": points[") + std::to_string(k) +
                 "][2] is \"high\" (expected a number or \"surface\")";
   }
-  EXPECT_EQ(said_of({"", keys.c_str(), ""}), expected);
+  EXPECT_EQ(problems_of({"", keys.c_str(), ""}), expected);
 }
 
 }  // namespace

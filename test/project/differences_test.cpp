@@ -39,7 +39,7 @@ Json echo_of(std::string project, const std::string& was = "", const std::string
   return echo(read_project_text(project, "x.toml").project);
 }
 
-TEST(Differences, OfAProjectFromItselfAreNone) { EXPECT_TRUE(differences(echo_of(text), echo_of(text)).empty()); }
+TEST(Differences, OfAProjectFromItselfAreEmpty) { EXPECT_TRUE(differences(echo_of(text), echo_of(text)).empty()); }
 
 TEST(Differences, AreNamedLikeSettings) {
   const auto found = differences(echo_of(text), echo_of(text, "normal_restitution = 0.3", "normal_restitution = 0.35"));
@@ -47,13 +47,13 @@ TEST(Differences, AreNamedLikeSettings) {
   EXPECT_EQ(found[0].key, "material.Scree.normal_restitution.mean");
   EXPECT_EQ(found[0].here, 0.3);
   EXPECT_EQ(found[0].there, 0.35);
-  // As a setting on the command line it is the same change.
+  // Applied on the command line, it makes the same change.
   const Reading set = read_project_text(text, "x.toml", {.settings = {found[0].key + "=0.35"}});
   EXPECT_TRUE(
       differences(echo(set.project), echo_of(text, "normal_restitution = 0.3", "normal_restitution = 0.35")).empty());
 }
 
-TEST(Differences, OfANewMaterialAreItsOwn) {
+TEST(Differences, OfANewMaterialAreItsSettings) {
   const std::string more =
       "[[material]]\nname = \"Grass\"\nnormal_restitution = 0.2\ntangential_restitution = 0.7\n"
       "friction_angle_deg = 30\n[[material]]\nname = \"Rock\"";
@@ -66,15 +66,15 @@ TEST(Differences, OfANewMaterialAreItsOwn) {
   }
 }
 
-TEST(Differences, OfALineAreTheLine) {
+TEST(Differences, OfAListAreTheWholeList) {
   const auto found = differences(echo_of(text), echo_of(text, "[20, -5]", "[25, -5]"));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].key, "terrain.section");
   EXPECT_EQ(found[0].there.dump(), "[[0.0,0.0],[10.0,-5.0],[25.0,-5.0]]");
 }
 
-// Names that two have say nothing: then numbers stand for the entries.
-TEST(Differences, OfEntriesWithOneNameGoByNumber) {
+// If two entries share a name, entries are identified by number.
+TEST(Differences, OfEntriesWithTheSameNameAreByNumber) {
   const Json here = {{"seeder", {{{"name", "A"}, {"rocks", 1}}, {{"name", "A"}, {"rocks", 2}}}}};
   const Json there = {{"seeder", {{{"name", "A"}, {"rocks", 1}}, {{"name", "A"}, {"rocks", 3}}}}};
   const auto found = differences(here, there);

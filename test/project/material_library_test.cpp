@@ -8,32 +8,21 @@
 #include <set>
 #include <sstream>
 
+#include "support/projects.hpp"
 #include "talus/project/echo.hpp"
-#include "talus/project/read.hpp"
 
 namespace talus::project {
 namespace {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using testing_tools::refusal_of_reading;
 
-Project read(const std::string& materials) {
-  return read_project_text("[terrain]\nsection = [[0, 0], [10, -10]]\n" + materials +
-                               "[[seeder]]\nposition = [1, 5]\nmass_kg = 100\n",
-                           "slope.toml")
-      .project;
+std::string project_with(const std::string& materials) {
+  return "[terrain]\nsection = [[0, 0], [10, -10]]\n" + materials + "[[seeder]]\nposition = [1, 5]\nmass_kg = 100\n";
 }
 
-std::string refusal(const std::string& materials) {
-  try {
-    static_cast<void>(read(materials));
-  } catch (const BadInput& bad) {
-    return bad.what();
-  }
-  return "was read";
-}
-
-TEST(MaterialLibrary, EachHasAKeyAMeaningValuesAndASource) {
+TEST(MaterialLibrary, EachEntryHasAKeyAMeaningValuesAndASource) {
   std::set<std::string> keys;
   for (const LibraryMaterial& entry : material_library()) {
     EXPECT_TRUE(keys.insert(entry.key).second) << entry.key;
@@ -42,20 +31,22 @@ TEST(MaterialLibrary, EachHasAKeyAMeaningValuesAndASource) {
     EXPECT_FALSE(entry.checked.empty()) << entry.key;
     EXPECT_THAT(entry.given, Contains("normal_restitution")) << entry.key;
     EXPECT_THAT(entry.given, Contains("tangential_restitution")) << entry.key;
-    // A rebound along the ground loses less than one off it, on every ground of the literature.
+    // On every ground of the literature, a rebound loses less velocity along the ground than normal to it.
     EXPECT_LT(entry.material.normal_restitution.mean, entry.material.tangential_restitution.mean) << entry.key;
   }
   EXPECT_GE(keys.size(), 10U);
 }
 
-TEST(MaterialLibrary, AProjectNamesOneAndOverridesIt) {
-  const Project project = read(R"(
+TEST(MaterialLibrary, AProjectUsesAnEntryAndOverridesIt) {
+  const Project project = read_project_text(project_with(R"(
 [[material]]
 friction_angle_deg = 34
 name = "Scree"
 normal_restitution = 0.31
 like = "bedrock_and_boulders"
-)");
+)"),
+                                            "slope.toml")
+                              .project;
   const Material& scree = project.materials.at(0);
   EXPECT_EQ(scree.name, "Scree");
   EXPECT_EQ(scree.like, "bedrock_and_boulders");
@@ -66,18 +57,18 @@ like = "bedrock_and_boulders"
   EXPECT_EQ(scree.tangential_restitution.kind, DistributionKind::uniform);
   EXPECT_EQ(scree.tangential_restitution.rel_max, 0.02);
   EXPECT_EQ(scree.rolling_friction.mean, Material{}.rolling_friction.mean);
-  // What results tell of the project says all of it.
+  // The echo in the results has all values.
   const auto echoed = echo(project).at("material").at(0);
   EXPECT_EQ(echoed.at("like"), "bedrock_and_boulders");
   EXPECT_EQ(echoed.at("tangential_restitution").at("rel_min"), 0.02);
 }
 
-TEST(MaterialLibrary, WhatItDoesNotHaveIsRefused) {
-  EXPECT_EQ(refusal("[[material]]\nname = \"Scree\"\nlike = \"talus_covr\"\n"),
+TEST(MaterialLibrary, UnknownKeysAreRefused) {
+  EXPECT_EQ(refusal_of_reading(project_with("[[material]]\nname = \"Scree\"\nlike = \"talus_covr\"\n")),
             "slope.toml:5: material \"Scree\": like is \"talus_covr\" (the library has smooth_hard_surface, "
             "bedrock_and_boulders, talus_and_firm_soil, soft_soil, clean_hard_bedrock, asphalt, bedrock_outcrops, "
             "talus_cover, talus_with_vegetation and soft_soil_with_vegetation). Did you mean \"talus_cover\"?");
-  EXPECT_EQ(refusal("[[material]]\nname = \"Scree\"\nlike = 3\n"),
+  EXPECT_EQ(refusal_of_reading(project_with("[[material]]\nname = \"Scree\"\nlike = 3\n")),
             "slope.toml:5: material \"Scree\": like is 3 (expected a text in quotes)");
 }
 
@@ -94,7 +85,7 @@ TEST(MaterialsPage, IsNotStale) {
   std::ostringstream text;
   text << in.rdbuf();
   EXPECT_TRUE(text.str() == materials_page())
-      << "docs/materials.md does not say what materials.toml says; run this test with TALUS_RENEW_REFERENCE=1";
+      << "docs/materials.md is out of date; run this test with TALUS_RENEW_REFERENCE=1";
   for (const LibraryMaterial& entry : material_library()) EXPECT_THAT(text.str(), HasSubstr("| `" + entry.key + "` |"));
 }
 

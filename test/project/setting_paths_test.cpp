@@ -22,7 +22,7 @@ name = "B"
 "strange key" = [1, [2, 3]]
 )";
 
-TEST(SettingPaths, SayWhereAValueStands) {
+TEST(SettingPaths, LocateAValue) {
   const Document document(text, "slope.toml");
   const SettingPaths paths(document.root());
   const toml::table& root = document.root();
@@ -34,10 +34,10 @@ TEST(SettingPaths, SayWhereAValueStands) {
   EXPECT_EQ(paths.of(*root["material"][1]["strange key"][1][0].node()), "material.1.\"strange key\".1.0");
   EXPECT_EQ(paths.of(root), "");
   const Document other(text, "slope.toml");
-  EXPECT_EQ(paths.of(*other.root().get("name")), "");  // of another file
+  EXPECT_EQ(paths.of(*other.root().get("name")), "");  // of another document
 }
 
-TEST(SettingPaths, FindWhatBeginsOnALine) {
+TEST(SettingPaths, LocateTheFirstValueOnALine) {
   const Document document(text, "slope.toml");
   const SettingPaths paths(document.root());
   EXPECT_EQ(paths.on_line(1), "name");
@@ -50,7 +50,7 @@ TEST(SettingPaths, FindWhatBeginsOnALine) {
   EXPECT_EQ(paths.of_text("slope.obj"), "");
 }
 
-TEST(SettingPaths, FollowWhatIsSetLater) {
+TEST(SettingPaths, IncludeValuesSetLater) {
   Document document(text, "slope.toml");
   Problems problems;
   EXPECT_EQ(document.at(*document.root()["material"][0].node()).path, "material.0");
@@ -61,7 +61,7 @@ TEST(SettingPaths, FollowWhatIsSetLater) {
   EXPECT_EQ(document.at(*document.root()["output"]["vtk"].node()).path, "output.vtk");
 }
 
-TEST(SettingPaths, AreNoPartOfWhatPeopleAreTold) {
+TEST(SettingPaths, AreNotInTheTextOfAProblem) {
   const Document document(text, "slope.toml");
   Problem problem = document.at(*document.root().get("name"));
   problem.what = "is not a name";
@@ -86,7 +86,7 @@ TEST(ProblemPaths, AreFoundByLineFileAndTable) {
   EXPECT_EQ(path_of({.file = "x", .what = "", .path = "known.before"}), "known.before");
 }
 
-TEST(ProblemPaths, AreNotLookedForInWhatIsNoToml) {
+TEST(ProblemPaths, StayEmptyIfTheTextIsNotToml) {
   Problems problems;
   problems.add(Problem{.file = "slope.toml", .line = 1, .what = "this is not TOML"});
   EXPECT_EQ(with_paths(problems, "[[", "slope.toml").list().front().path, "");

@@ -749,7 +749,7 @@ TEST(Settings, ConditionsAreAboutSettingsAndTheirWords) {
     for (const Setting& setting : table.settings) {
       for (const Need& need : setting.applies_when) {
         ASSERT_FALSE(need.any_of.empty()) << row_name(table, setting);
-        for (const auto& [key, asks, values] : need.any_of) {
+        for (const auto& [key, kind, values] : need.any_of) {
           ++seen;
           const std::size_t dot = key.find('.');
           const std::string_view other = dot == std::string_view::npos ? table.key : key.substr(0, dot);
@@ -758,7 +758,7 @@ TEST(Settings, ConditionsAreAboutSettingsAndTheirWords) {
           const Setting* subject = home->find(dot == std::string_view::npos ? key : key.substr(dot + 1));
           ASSERT_NE(subject, nullptr) << row_name(table, setting) << ": " << key;
           EXPECT_TRUE(dot == std::string_view::npos || !home->repeated) << key;
-          const bool asks_for_words = asks == Condition::Asks::one_of || asks == Condition::Asks::none_of;
+          const bool asks_for_words = kind == Condition::Kind::one_of || kind == Condition::Kind::none_of;
           EXPECT_EQ(asks_for_words, !values.empty()) << row_name(table, setting) << ": " << key;
           const Json node = schema_of(*home, *subject);
           if (!node.contains("enum")) continue;

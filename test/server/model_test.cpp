@@ -40,7 +40,7 @@ TEST_F(ModelOf, NamesTheMissingKey) {
 TEST_F(ModelOf, NamesTheSettingOfProblemsWithTheTerrain) {
   EXPECT_EQ(problems_of(with(section_text, "position = [1, 25]", "position = [100, 25]")),
             (std::vector<std::string>{"seeder.0: slope.toml:10: seeder \"Edge\": x = 100 is off the terrain (the "
-                                      "section goes from x = 0 to 30)"}));
+                                      "section extends from x = 0 to 30)"}));
   EXPECT_EQ(paths_of(with(mesh_text, "line = [[1028, 2], [1028, 38]]", "line = [[28, 2], [28, 38]]")),
             std::vector<std::string>{"collector.0"});
   EXPECT_EQ(paths_of(with(mesh_text, "polygon = [[1002, 2], [1008, 2], [1008, 30], [1002, 30]]",

@@ -26,8 +26,8 @@ Problem about_ground(const Project& project, std::string what, std::string why, 
           .hint = std::move(hint)};
 }
 
-/// Calls take(number, middle) for every cell with data or triangle, as the surface's source numbers it, the middle in
-/// the user's coordinates.
+/// Calls take(number, centre) for every cell with data, or every triangle. `number` is its source number in the
+/// surface; `centre` is in the user's coordinates.
 template <class Take>
 void for_each_part(const BuiltTerrain& terrain, Take&& take) {
   if (const auto* raster = std::get_if<RasterSurface>(&terrain.surface)) {
@@ -44,7 +44,7 @@ void for_each_part(const BuiltTerrain& terrain, Take&& take) {
   }
 }
 
-/// Gives each part of the terrain the material of its class.
+/// Assigns to each part of the terrain the material of its class.
 class Classifier {
  public:
   Classifier(const Project& project, const BuiltTerrain& terrain, Problems& warnings)
@@ -54,12 +54,12 @@ class Classifier {
         of_part_(terrain.facet_centres.empty() ? terrain.parts : terrain.facet_centres.size(), default_) {
     for (const auto& [number, material] : project.ground.classes) {
       material_of_class_[number] = static_cast<std::uint8_t>(*project.number_of_material(material));
-      unmet_.insert(number);
+      unused_.insert(number);
     }
-    for_each_part(terrain, [&](std::size_t number, const Vec2& middle) {
+    for_each_part(terrain, [&](std::size_t number, const Vec2& centre) {
       numbers_.push_back(number);
-      middles_.push_back(middle);
-      if (middles_.size() == points_at_once) classify();
+      centres_.push_back(centre);
+      if (centres_.size() == points_at_once) classify();
     });
     classify();
   }
@@ -73,11 +73,11 @@ class Classifier {
       problems.add(about_ground(project_, fmt::format("raster \"{}\" does not reach the terrain", file),
                                 fmt::format("the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
                                             low.x(), high.x(), low.y(), high.y()),
-                                "Compare what gdalinfo says of the raster, and its coordinate system"));
-    } else if (without_ == asked_) {
+                                "Check its extent and coordinate system with gdalinfo"));
+    } else if (without_ == parts_) {
       problems.add(about_ground(project_, fmt::format("raster \"{}\" has no class anywhere on the terrain", file),
-                                fmt::format("none of {} {} has data in it", asked_, parts),
-                                "Look at it with gdalinfo -stats: what it declares as no data is not a class"));
+                                fmt::format("none of {} {} has data in it", parts_, parts),
+                                "Check it with gdalinfo -stats: its no-data value is not a class"));
     } else if (!unknown_.empty()) {
       constexpr std::size_t most_listed = 10;
       std::string list;
@@ -92,50 +92,50 @@ class Classifier {
                                 fmt::format("Add {} = \"...\" to classes", unknown_.begin()->first)));
     } else if (without_ > 0) {
       Problem warning =
-          about_ground(project_, fmt::format("{} of {} {} of the terrain have no class", without_, asked_, parts),
-                       fmt::format("raster \"{}\" has no data there, or ends before", file),
+          about_ground(project_, fmt::format("{} of {} {} of the terrain have no class", without_, parts_, parts),
+                       fmt::format("raster \"{}\" has no data there, or does not reach that far", file),
                        fmt::format("They are given the default material, \"{}\"", project_.ground.default_material));
       warning.severity = Severity::warning;
       warnings.add(std::move(warning));
     }
-    if (!problems.has_errors()) warn_of_unmet(parts, warnings);
+    if (!problems.has_errors()) warn_of_unused_classes(parts, warnings);
     return std::move(of_part_);
   }
 
  private:
-  /// A class of the project that is nowhere: perhaps another number was meant.
-  void warn_of_unmet(const char* parts, Problems& warnings) const {
-    if (unmet_.empty()) return;
+  /// Warns of classes of the project that no part has; perhaps their numbers are mistyped.
+  void warn_of_unused_classes(const char* parts, Problems& warnings) const {
+    if (unused_.empty()) return;
     constexpr std::size_t most_listed = 10;
     std::string list;
     std::size_t listed = 0;
-    for (const std::int32_t number : unmet_) {
+    for (const std::int32_t number : unused_) {
       if (listed == most_listed) break;
       list += fmt::format("{}{}", listed++ == 0 ? "" : ", ", number);
     }
-    if (unmet_.size() > listed) list += fmt::format(" and {} more", unmet_.size() - listed);
+    if (unused_.size() > listed) list += fmt::format(" and {} more", unused_.size() - listed);
     Problem warning = about_ground(
         project_, fmt::format("classes has {}, which no part of the terrain has", list),
-        fmt::format("in raster \"{}\" at the middles of the terrain's {}", project_.ground.raster.string(), parts));
+        fmt::format("in raster \"{}\" at the centres of the terrain's {}", project_.ground.raster.string(), parts));
     warning.severity = Severity::warning;
     warnings.add(std::move(warning));
   }
 
   void classify() {
-    const auto classes = raster_.at(middles_);
+    const auto classes = raster_.at(centres_);
     for (std::size_t i = 0; i < classes.size(); ++i) {
       if (!classes[i]) {
         ++without_;
       } else if (const auto known = material_of_class_.find(*classes[i]); known != material_of_class_.end()) {
         of_part_[numbers_[i]] = known->second;
-        unmet_.erase(known->first);
+        unused_.erase(known->first);
       } else {
         ++unknown_[*classes[i]];
       }
     }
-    asked_ += classes.size();
+    parts_ += classes.size();
     numbers_.clear();
-    middles_.clear();
+    centres_.clear();
   }
 
   const Project& project_;
@@ -143,14 +143,14 @@ class Classifier {
   std::uint8_t default_;
   std::vector<std::uint8_t> of_part_;
   std::map<std::int32_t, std::uint8_t> material_of_class_;
-  std::map<std::int32_t, std::uint64_t> unknown_;  // classes without a material, and how many parts they have
-  std::set<std::int32_t> unmet_;                   // classes with a material that no part has
-  std::uint64_t asked_ = 0, without_ = 0;
+  std::map<std::int32_t, std::uint64_t> unknown_;  // classes without a material, with their numbers of parts
+  std::set<std::int32_t> unused_;                  // classes of the project that no part has
+  std::uint64_t parts_ = 0, without_ = 0;
   std::vector<std::size_t> numbers_;
-  std::vector<Vec2> middles_;
+  std::vector<Vec2> centres_;
 };
 
-/// A byte a cell or triangle, from a raster of classes or from polygons.
+/// The material number of each cell or triangle, from a raster of classes or from polygons.
 std::vector<std::uint8_t> from_gis(const Project& project, const BuiltTerrain& terrain, Problems& problems,
                                    Problems& warnings) {
   if (project.ground.raster.empty()) return materials_of_polygons(project, terrain, warnings);
@@ -158,7 +158,7 @@ std::vector<std::uint8_t> from_gis(const Project& project, const BuiltTerrain& t
   return classifier.materials(terrain, problems, warnings);
 }
 
-/// The materials that the project lists by segments or triangles, in the order of the surface's source.
+/// The materials listed by segments or triangles, in the order of the surface's source numbers.
 std::vector<MaterialId> listed(const Project& project, const BuiltTerrain& terrain, Problems& problems) {
   const Ground& ground = project.ground;
   std::vector<MaterialId> of_part;
@@ -184,7 +184,7 @@ std::vector<MaterialId> listed(const Project& project, const BuiltTerrain& terra
 
 talus::Ground build_ground(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
                            Problems& problems, Problems& warnings) {
-  constexpr std::size_t most_materials = std::numeric_limits<std::uint8_t>::max();  // one number stands for none
+  constexpr std::size_t most_materials = std::numeric_limits<std::uint8_t>::max();  // the last number means none
   const Ground& ground = project.ground;
   const bool is_gis = !ground.raster.empty() || !ground.polygons.empty();
   const bool is_listed = !ground.segments.empty() || !ground.triangles.empty();

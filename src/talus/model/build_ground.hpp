@@ -1,5 +1,5 @@
 #pragma once
-// Which part of the terrain is made of which material.
+// The materials of the ground, from a project.
 
 #include <vector>
 
@@ -10,8 +10,8 @@
 
 namespace talus::project {
 
-/// `materials` are those of the project, in its order. What only the terrain or a file of the ground shows to be wrong
-/// is added to `problems`, and the ground is then not to be used; doubts are added to `warnings`.
+/// `materials` are those of the project, in its order. Errors that only the terrain or a file of the ground reveals are
+/// added to `problems`, and the ground must then not be used; doubts are added to `warnings`.
 [[nodiscard]] talus::Ground build_ground(const Project& project, std::vector<talus::Material> materials,
                                          const BuiltTerrain& terrain, Problems& problems, Problems& warnings);
 

@@ -18,9 +18,9 @@ namespace talus::project {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;
-constexpr std::uint64_t most_reported = 5;  // of the vertices of one seeder
+constexpr std::uint64_t most_reported = 5;  // places of one seeder
 
-/// Adds one seeder.
+/// Adds one seeder to a model.
 class SeederBuilder {
  public:
   SeederBuilder(const Project& project, Model& model, Problems& problems, Problems& warnings)
@@ -128,7 +128,7 @@ class SeederBuilder {
     if (!seeder.above_surface && first_without != layer.features.end()) {
       if (std::any_of(layer.features.begin(), layer.features.end(), has_z)) {
         return report(s, fmt::format("feature {} of lines \"{}\" has no heights", first_without->id, s.lines.string()),
-                      "others have", "Give height_above_m, and all start at that height above the terrain");
+                      "others do", "Give height_above_m to start all rocks at that height above the terrain");
       }
       seeder.above_surface = 0;
     }
@@ -140,7 +140,7 @@ class SeederBuilder {
       for (const VectorShape& part : feature.parts) {
         std::vector<Vec3> line;
         for (const Vec3& p : part.lists.front()) {
-          // Along the ground, metres are those on plan.
+          // Lengths along lines on the ground are measured on plan.
           line.push_back(model_.frame.local_from_global(seeder.above_surface ? Vec3(p.x(), p.y(), 0) : p));
         }
         good = check_line(s, line, seeder.above_surface.has_value(), fmt::format("feature {}, ", feature.id)) && good;
@@ -154,16 +154,16 @@ class SeederBuilder {
   }
 
   bool place_in_cells(const Seeder& s, talus::Seeder& seeder) {
-    const CellQuestion question{project_, model_, [this](const std::string& name) { return source_of(name); }};
+    const CellContext context{project_, model_, [this](const std::string& name) { return source_of(name); }};
     std::string found;
-    auto cells = choose_cells(s, question, problems_, warnings_, found);
+    auto cells = choose_cells(s, context, problems_, warnings_, found);
     if (!cells) return false;
     if (s.rocks_per_cell) {
       const double rocks = static_cast<double>(*s.rocks_per_cell) * static_cast<double>(cells->cells.size());
       const double most = setting("seeder", "rocks").range.most;
       if (static_cast<double>(model_.rocks()) + rocks > most) {
         return report(s, fmt::format("{} rocks from each of {} cells", *s.rocks_per_cell, cells->cells.size()),
-                      fmt::format("expected at most {:g} rocks in all", most), "Give fewer, or rocks");
+                      fmt::format("expected at most {:g} rocks in all", most), "Give fewer, or use rocks");
       }
       seeder.rocks = static_cast<std::uint64_t>(*s.rocks_per_cell) * cells->cells.size();
     }
@@ -188,7 +188,7 @@ class SeederBuilder {
       std::vector<Vec3> ground;
       if (const auto* mesh = std::get_if<TriangleMesh>(&model_.surface)) ground = mesh->draped(from, to);
       if (const auto* raster = std::get_if<RasterSurface>(&model_.surface)) ground = raster->draped(from, to);
-      // Wherever the ground bends there is a point, so that between two of them is ground or none.
+      // There is a point wherever the ground bends, so between two points there is either ground throughout or none.
       for (std::size_t i = 0; i + 1 < ground.size(); ++i) {
         const Vec3 between = 0.5 * (ground[i] + ground[i + 1]);
         if (is_on_terrain(between.head(2))) continue;
@@ -199,7 +199,7 @@ class SeederBuilder {
   }
 
   bool check_on_terrain(const Seeder& s, const Vec3& at, const std::string& which = "") {
-    if (is_on_terrain(at.head(2))) return check_on_moved_slope(s, at.x());
+    if (is_on_terrain(at.head(2))) return check_on_varied_section(s, at.x());
     if (++off_terrain_ > most_reported) return false;
     const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, model_.surface);
     const Vec3 low = model_.frame.global_from_local(box.low), high = model_.frame.global_from_local(box.high);
@@ -210,35 +210,35 @@ class SeederBuilder {
     return report(s,
                   is_flat ? fmt::format("x = {:.10g} is off the terrain", p.x())
                           : fmt::format("{}({:.10g}, {:.10g}) is off the terrain", which, p.x(), p.y()),
-                  is_flat ? fmt::format("the section goes from x = {:.10g} to {:.10g}", low.x(), high.x())
+                  is_flat ? fmt::format("the section extends from x = {:.10g} to {:.10g}", low.x(), high.x())
                   : is_within
                       ? std::string("the terrain has a hole there, without data or triangles")
                       : fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
                                     low.x(), high.x(), low.y(), high.y()),
-                  project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg turns the terrain only, not the seeders"
-                  : !is_flat && is_on_terrain(local({p.y(), p.x(), p.z()}).head(2)) ? exchanged_hint
+                  project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg rotates only the terrain, not the seeders"
+                  : !is_flat && is_on_terrain(local({p.y(), p.x(), p.z()}).head(2)) ? swapped_hint
                                                                                     : "");
   }
 
-  /// Of a section whose vertices vary there is ground for every rock.
-  bool check_on_moved_slope(const Seeder& s, double x) {
+  /// Checks that a section with varying vertices has ground at x for every rock.
+  bool check_on_varied_section(const Seeder& s, double x) {
     if (!model_.varying) return true;
     const CertainStretch certain = certain_stretch(project_.terrain);
     const double origin = model_.frame.origin.x();
     if (x >= certain.from - origin && x <= certain.to - origin) return true;
     if (++off_terrain_ > most_reported) return false;
     return report(s, fmt::format("x = {:.10g} may be off the terrain", x + origin), why_uncertain(certain),
-                  "Move it inwards, or give the end vertices less in x");
+                  "Move it inwards, or reduce the standard deviations in x of the end vertices");
   }
 
   const Project& project_;
   Model& model_;
   Problems& problems_;
   Problems& warnings_;
-  std::uint64_t off_terrain_ = 0;  // places
+  std::uint64_t off_terrain_ = 0;  // number of places
 };
 
-/// As the reader calls it: by its name, or by its number where it has none.
+/// The row as the reader names it: by name, or by number if it has none.
 std::string row_of(const Project& project, std::size_t i) {
   std::string by_name = fmt::format("seeder \"{}\"", project.seeders[i].name);
   const bool is_named = std::any_of(project.named_files.begin(), project.named_files.end(),
@@ -251,10 +251,11 @@ std::string row_of(const Project& project, std::size_t i) {
 void add_seeders(const Project& project, Model& model, Problems& problems, Problems& warnings) {
   for (std::size_t i = 0; i < project.seeders.size(); ++i) {
     const Seeder& seeder = project.seeders[i];
-    naming_files(project, row_of(project, i), problems, warnings, [&](Problems& own_problems, Problems& own_warnings) {
-      SeederBuilder(project, model, own_problems, own_warnings).add(seeder);
-      return true;
-    });
+    locating_problems(project, row_of(project, i), problems, warnings,
+                      [&](Problems& own_problems, Problems& own_warnings) {
+                        SeederBuilder(project, model, own_problems, own_warnings).add(seeder);
+                        return true;
+                      });
   }
 }
 

@@ -7,8 +7,8 @@
 
 namespace talus::project {
 
-/// Adds the seeders and their sources to a model whose surface, frame and coordinate system are in place. What only the
-/// terrain or a file shows to be wrong is added to `problems`, doubts to `warnings`.
+/// Adds the seeders and their sources to a model that has its surface, frame and coordinate system. Errors that only
+/// the terrain or a file reveals are added to `problems`, doubts to `warnings`.
 void add_seeders(const Project& project, Model& model, Problems& problems, Problems& warnings);
 
 }  // namespace talus::project

@@ -7,7 +7,7 @@
 namespace talus::project {
 namespace {
 
-std::filesystem::path beside(const Project& project, const std::filesystem::path& file) {
+std::filesystem::path in_project_folder(const Project& project, const std::filesystem::path& file) {
   return file.empty() ? file : project.file.parent_path() / file;
 }
 
@@ -21,20 +21,20 @@ ProjectCrs crs_of_project(const Project& project) {
   throw BadInput(Problem{.file = project.file.string(),
                          .where = "[terrain]",
                          .what = fmt::format("crs is \"{}\"", words),
-                         .why = "no coordinate system of this name is known",
-                         .hint = "Expected for example \"EPSG:31287\", or \"local\""});
+                         .why = "this coordinate system is not known",
+                         .hint = "Use for example \"EPSG:31287\", or \"local\""});
 }
 
 SurveyedMesh survey_mesh(const Project& project, Problems& warnings) {
   const Terrain& terrain = project.terrain;
   SurveySources sources;
-  sources.points = beside(project, terrain.points);
+  sources.points = in_project_folder(project, terrain.points);
   sources.point_classes = terrain.point_classes;
   sources.points_layer = terrain.points_layer;
-  sources.lines = beside(project, terrain.lines);
+  sources.lines = in_project_folder(project, terrain.lines);
   sources.lines_layer = terrain.lines_layer;
   sources.elevation_attribute = terrain.elevation_attribute;
-  sources.boundary = beside(project, terrain.boundary);
+  sources.boundary = in_project_folder(project, terrain.boundary);
   sources.boundary_layer = terrain.boundary_layer;
   sources.project_crs = crs_of_project(project);
   SurveyFiles files = read_survey(sources, warnings);
@@ -63,12 +63,12 @@ SurveyedMesh polygon_mesh(const Project& project, Problems& warnings) {
     for (std::size_t i = 0; i < terrain.polylines.size(); ++i) {
       std::vector<Vec3> ring;
       for (const auto& [x, y, z] : terrain.polylines[i]) ring.emplace_back(x, y, z);
-      ring.pop_back();  // the first again
+      ring.pop_back();  // equal to the first
       polygons.push_back({fmt::format("polylines[{}]", i), {std::move(ring)}});
     }
   } else {
     out.source = terrain.polygons.string();
-    PolygonFile file = read_polygon_file(beside(project, terrain.polygons), terrain.polygons_layer,
+    PolygonFile file = read_polygon_file(in_project_folder(project, terrain.polygons), terrain.polygons_layer,
                                          crs_of_project(project), terrain.merge_tolerance_m, warnings);
     out.crs_wkt = std::move(file.crs_wkt);
     polygons = std::move(file.polygons);

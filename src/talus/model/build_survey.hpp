@@ -1,5 +1,5 @@
 #pragma once
-// Triangles from survey data and from closed polylines, as a project names them.
+// Triangles from the survey data and closed polylines of a project.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ namespace talus::project {
 struct SurveyedMesh {
   RawMesh mesh;
   std::string source;   // the file or files, for messages
-  std::string crs_wkt;  // empty: not known
+  std::string crs_wkt;  // empty: unknown
   std::string report;   // what was read and how it was triangulated
 };
 
@@ -24,11 +24,11 @@ struct SurveyedMesh {
 /// From `polylines` or `polygons`; not yet merged.
 [[nodiscard]] SurveyedMesh polygon_mesh(const Project& project, Problems& warnings);
 
-/// What `crs` says. Throws BadInput where nobody knows the coordinate system.
+/// The meaning of `crs`. Throws BadInput if the coordinate system is unknown.
 [[nodiscard]] ProjectCrs crs_of_project(const Project& project);
 
-/// The coordinate system that `crs` names, as WKT; empty where it names none. Throws BadInput where nobody knows it, or
-/// where it is not in metres.
+/// The coordinate system that `crs` names, as WKT; empty if it names none. Throws BadInput if it is unknown or not in
+/// metres.
 [[nodiscard]] std::string crs_wkt_of(const Project& project, Problems& warnings);
 
 }  // namespace talus::project

@@ -20,7 +20,7 @@ namespace {
 std::vector<Vec2> section_vertices(const Terrain& terrain) {
   std::vector<Vec2> vertices;
   for (const auto& [x, z] : terrain.section) vertices.emplace_back(x, z);
-  // The ground lies on the right of a section walked from left to right.
+  // A section from left to right has the ground on its right.
   if (terrain.section_runs_leftwards()) std::reverse(vertices.begin(), vertices.end());
   return vertices;
 }
@@ -52,8 +52,8 @@ BuiltTerrain section_terrain(const Project& project) {
   return built;
 }
 
-/// A mesh names no coordinate system, but numbers that are degrees on plan and metres in height make walls: no ground
-/// is ten times as high as it is wide.
+/// A mesh has no coordinate system, but with degrees on plan and metres in height it becomes a wall: no terrain is ten
+/// times as high as it is wide.
 void refuse_degrees(const RawMesh& mesh, const Project& project) {
   constexpr double steepest = 10;
   constexpr double widest = 10;  // degrees
@@ -152,7 +152,7 @@ BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
                              file.crs_name.empty() ? "no coordinate system" : file.crs_name, file.without_data);
   built.parts = cells;
   built.crs_wkt = std::move(file.crs_wkt);
-  // On plan only: elevations keep the file's numbers to the last bit.
+  // On plan only, so that elevations keep the exact numbers of the file.
   built.frame =
       LocalFrame::near({grid.x0 + 0.5 * grid.dx * (grid.columns - 1), grid.y0 + 0.5 * grid.dy * (grid.rows - 1), 0});
   grid.x0 -= built.frame.origin.x();

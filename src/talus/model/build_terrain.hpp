@@ -16,16 +16,15 @@ struct BuiltTerrain {
   std::optional<VaryingSection> varying;
   LocalFrame frame;
   std::size_t parts = 0;                     // segments of a section, triangles of a mesh, cells of a raster
-  std::string crs_wkt;                       // of the user's coordinates; empty: not known
-  std::string report;                        // what cleaning a mesh found and did; what a raster is
-  std::vector<std::uint32_t> part_of_facet;  // for each facet as the surface's source numbers it
-  std::vector<Vec2>
-      facet_centres;  // the same facets on plan, the user's; where a ground from GIS or an area needs them
-  std::vector<double> facet_areas;  // and their areas on plan [m2]; where a ground from polygons needs them
+  std::string crs_wkt;                       // of the user's coordinates; empty: unknown
+  std::string report;                        // the results of cleaning a mesh, or the description of a raster
+  std::vector<std::uint32_t> part_of_facet;  // by the facet's source number
+  std::vector<Vec2> facet_centres;           // on plan, the user's; for grounds from GIS and areas
+  std::vector<double> facet_areas;           // on plan [m2]; for grounds from polygons
 };
 
-/// A hint where a place is off the terrain, and on it with its coordinates the other way round.
-inline constexpr const char* exchanged_hint = "With x and y exchanged it would lie on the terrain";
+/// The hint for a place that is off the terrain, but on it with x and y swapped.
+inline constexpr const char* swapped_hint = "With x and y swapped it would lie on the terrain";
 
 [[nodiscard]] BuiltTerrain build_terrain(const Project& project, Problems& warnings);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The cells on plan from which rocks can start, and how high the terrain is at and around them.
+// The cells on plan from which rocks can start, with the elevations of the terrain at and around them.
 
 #include <array>
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace talus::project {
 
-/// On a raster terrain, its own cells: each about the node that is its middle. Elsewhere squares whose borders are at
-/// multiples of their side. A cell counts where the terrain has data at its middle and at those of its eight
-/// neighbours, so that the slope is known and every place in it is on the terrain, but for holes smaller than a cell.
+/// On a raster terrain, its cells, each centred on a node. Elsewhere, squares with edges at multiples of their size.
+/// Only cells are used for which the terrain has data at the centres of the cell and its eight neighbours: their slope
+/// is known, and every place in them is on the terrain, except for holes smaller than a cell.
 class CellHeights {
  public:
-  /// `cell` is the side of the squares [m], used where the terrain is not a raster. Expects count() below 2^32.
+  /// `cell` is the size of the squares [m], used if the terrain is not a raster. Expects count() below 2^32.
   CellHeights(const Model& model, double cell);
-  /// How many cells there would be.
+  /// The number of cells that there would be.
   [[nodiscard]] static double count(const Model& model, double cell);
 
-  /// The middles of the cells, in the user's coordinates; numbered row by row from the south-west.
+  /// The centres of the cells, in the user's coordinates, numbered row by row from the south-west.
   [[nodiscard]] const PlanGrid& grid() const { return grid_; }
-  /// The elevations around a cell, as horn_gradient_squared() takes them; nothing where one is missing. Ask row by row:
-  /// what was found out of a mesh is kept for three rows.
+  /// The elevations around a cell, in the order of horn_gradient_squared(); nullopt if one is missing. Call it row by
+  /// row: elevations of a mesh are cached for three rows.
   [[nodiscard]] std::optional<std::array<double, 9>> around(std::uint32_t column, std::uint32_t row);
 
  private:
@@ -34,7 +34,7 @@ class CellHeights {
   PlanGrid grid_;
   struct Row {
     std::optional<std::uint32_t> number;
-    std::vector<double> z;  // infinite: not asked for yet; not a number: no ground
+    std::vector<double> z;  // infinity: not yet computed; NaN: no ground
   };
   std::array<Row, 3> rows_;
 };

@@ -9,7 +9,7 @@ namespace talus::project {
 
 namespace {
 
-constexpr std::uint64_t sample = 2000;  // takes some milliseconds
+constexpr std::uint64_t sample = 2000;  // rocks; takes a few milliseconds
 
 }  // namespace
 
@@ -19,8 +19,8 @@ void warn_of_high_releases(const Model& model, Problems& warnings) {
   warnings.add({.severity = Severity::warning,
                 .where = fmt::format("seeder \"{}\"", model.seeders[survey.highest_seeder.index].name),
                 .what = fmt::format("a rock starts {:.4g} m above the ground", survey.highest_m),
-                .why = "z is an elevation in the terrain's own system",
-                .hint = "On the ground, z is \"surface\"; above it, give height_above_m"});
+                .why = "z is an elevation in the coordinate system of the terrain",
+                .hint = "Use z = \"surface\" on the ground, height_above_m above it"});
 }
 
 void warn_of_buried_releases(const Model& model, Problems& warnings) {
@@ -29,10 +29,10 @@ void warn_of_buried_releases(const Model& model, Problems& warnings) {
   const bool is_all = survey.rocks == model.rocks();
   warnings.add({.severity = Severity::warning,
                 .where = "seeders",
-                .what = fmt::format("{} of {}{} rocks are to start in the ground", survey.in_ground,
+                .what = fmt::format("{} of {}{} rocks start in the ground", survey.in_ground,
                                     is_all ? "" : "a sample of ", survey.rocks),
-                .why = "a run lifts them onto it, or lowers them from a ceiling",
-                .hint = "Compare their z with the terrain, or let z be \"surface\""});
+                .why = "a run lifts them onto the surface, or lowers them from a ceiling",
+                .hint = "Compare their z with the terrain, or use z = \"surface\""});
 }
 
 }  // namespace talus::project

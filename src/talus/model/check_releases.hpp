@@ -1,15 +1,15 @@
 #pragma once
-// What is doubtful about where rocks start, and shows on the terrain only.
+// Warnings about release positions that only the terrain reveals.
 
 #include "talus/campaign/model.hpp"
 #include "talus/core/problems.hpp"
 
 namespace talus::project {
 
-/// Adds a warning where a rock starts higher than that. Looks at a sample of rocks.
+/// Adds a warning if a rock of a sample starts more than highest_release_m above the ground.
 void warn_of_high_releases(const Model& model, Problems& warnings);
 
-/// Adds how many of a sample of rocks were to start in the ground. (After a run, its summary counts all of them.)
+/// Adds a warning with the number of rocks of a sample that start in the ground. (The summary of a run counts all.)
 void warn_of_buried_releases(const Model& model, Problems& warnings);
 
 }  // namespace talus::project

@@ -19,10 +19,10 @@ namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 constexpr std::size_t masked_at_once = 1 << 20;
-constexpr std::size_t most_listed = 8;  // values of a mask
+constexpr std::size_t most_listed = 8;  // values of a mask in one message
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-12;  // a slope of exactly the wanted one is wanted
+constexpr double rounding = 1e-12;  // so that limits of slope are inclusive
 
 double in_degrees(double gradient_squared) { return slope_of_gradient_squared(gradient_squared) * degrees_per_radian; }
 double gradient_squared(double slope_deg) { return std::pow(std::tan(slope_deg / degrees_per_radian), 2); }
@@ -34,30 +34,30 @@ struct Candidate {
 
 class Chooser {
  public:
-  Chooser(const Seeder& seeder, const CellQuestion& question, Problems& problems, Problems& warnings)
+  Chooser(const Seeder& seeder, const CellContext& context, Problems& problems, Problems& warnings)
       : seeder_(seeder),
-        question_(question),
+        context_(context),
         problems_(problems),
         warnings_(warnings),
-        heights_(question.model, seeder.cell_m.value_or(1)),
+        heights_(context.model, seeder.cell_m.value_or(1)),
         grid_(heights_.grid()),
         least_gradient_(seeder.min_slope_deg ? gradient_squared(*seeder.min_slope_deg) * (1 - rounding) : 0),
         most_gradient_(seeder.max_slope_deg ? gradient_squared(*seeder.max_slope_deg) * (1 + rounding) : infinity) {
-    if (!seeder.mask.empty()) mask_.emplace(folder() / seeder.mask, question.model.crs_wkt, warnings);
+    if (!seeder.mask.empty()) mask_.emplace(folder() / seeder.mask, context.model.crs_wkt, warnings);
   }
 
   std::optional<ReleaseCells> choose(std::string& report) {
     if (!seeder_.polygons.empty() || !seeder_.polygon.empty()) {
-      if (!take_cells_within_polygons()) return std::nullopt;
+      if (!add_cells_within_polygons()) return std::nullopt;
     } else {
-      take_all_cells();
+      add_all_cells();
     }
-    mask_kept();
-    if (!judge()) return std::nullopt;
-    ReleaseCells cells = made();
+    apply_mask();
+    if (!report_result()) return std::nullopt;
+    ReleaseCells cells = sorted_cells();
     report =
         fmt::format("seeder \"{}\": {} cells of {:g} x {:g} m", seeder_.name, cells.cells.size(), grid_.dx, grid_.dy);
-    // What the mask let go has not been counted out of the slopes.
+    // The slopes include cells that the mask removed.
     if (!mask_) {
       report +=
           fmt::format(", {:.1f} to {:.1f} deg steep", in_degrees(gentlest_of_kept_), in_degrees(steepest_of_kept_));
@@ -67,12 +67,12 @@ class Chooser {
   }
 
  private:
-  [[nodiscard]] std::filesystem::path folder() const { return question_.project.file.parent_path(); }
-  [[nodiscard]] Vec2 middle(std::uint32_t cell) const {
+  [[nodiscard]] std::filesystem::path folder() const { return context_.project.file.parent_path(); }
+  [[nodiscard]] Vec2 centre(std::uint32_t cell) const {
     return {grid_.x(cell % grid_.columns), grid_.y(cell / grid_.columns)};
   }
   [[nodiscard]] Problem about(std::string what, std::string why, std::string hint = "") const {
-    return {.file = question_.project.file.string(),
+    return {.file = context_.project.file.string(),
             .line = seeder_.line,
             .where = fmt::format("seeder \"{}\"", seeder_.name),
             .what = std::move(what),
@@ -89,22 +89,22 @@ class Chooser {
     warnings_.add(std::move(problem));
   }
   [[nodiscard]] std::string extent_of_terrain() const {
-    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, question_.model.surface);
-    const Vec3 low = question_.model.frame.global_from_local(box.low),
-               high = question_.model.frame.global_from_local(box.high);
+    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, context_.model.surface);
+    const Vec3 low = context_.model.frame.global_from_local(box.low),
+               high = context_.model.frame.global_from_local(box.high);
     return fmt::format("x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}", low.x(), high.x(), low.y(), high.y());
   }
-  /// Named only where some rock has it.
+  /// The source of the seeder; created when first used.
   SourceId own_source() {
-    if (!own_source_known_) own_source_known_ = question_.source_of(seeder_.source);
-    return *own_source_known_;
+    if (!own_source_) own_source_ = context_.source_of(seeder_.source);
+    return *own_source_;
   }
-  [[nodiscard]] std::string called() const {
+  [[nodiscard]] std::string name_of_polygons() const {
     return seeder_.polygons.empty() ? "polygon" : fmt::format("polygons \"{}\"", seeder_.polygons.string());
   }
 
-  /// The cells within each part of each feature, later ones over earlier ones.
-  bool take_cells_within_polygons() {
+  /// Adds the cells within each part of each feature; later features replace earlier ones.
+  bool add_cells_within_polygons() {
     std::vector<Candidate> found;
     Vec2 low = Vec2::Constant(infinity), high = -low;
     const Vec2 half(0.5 * grid_.dx, 0.5 * grid_.dy), south_west = grid_.first - half;
@@ -134,12 +134,12 @@ class Chooser {
                             .kinds = {ShapeKind::polygon},
                             .polygons_are_in_space = false,
                             .heights_are_used = false,
-                            .terrain_crs_wkt = question_.model.crs_wkt};
+                            .terrain_crs_wkt = context_.model.crs_wkt};
       if (!seeder_.source_attribute.empty()) request.attributes = {seeder_.source_attribute};
       const VectorLayer layer = read_vector_file(folder() / seeder_.polygons, request, warnings_);
       for (const VectorFeature& feature : layer.features) {
         const bool is_named = !feature.values.empty() && feature.values[0] && !feature.values[0]->empty();
-        const SourceId source = is_named ? question_.source_of(*feature.values[0]) : own_source();
+        const SourceId source = is_named ? context_.source_of(*feature.values[0]) : own_source();
         for (const VectorShape& part : feature.parts) take(part.lists, source);
       }
     } else {
@@ -148,41 +148,41 @@ class Chooser {
       take(ring, own_source());
     }
     if (elsewhere == polygons) {
-      return refuse(fmt::format("{} does not reach the terrain", called()),
+      return refuse(fmt::format("{} does not reach the terrain", name_of_polygons()),
                     fmt::format("it lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}; the terrain within {}",
                                 low.x(), high.x(), low.y(), high.y(), extent_of_terrain()),
-                    seeder_.polygons.empty() ? "" : "Compare what ogrinfo says of its coordinate system");
+                    seeder_.polygons.empty() ? "" : "Check its extent and coordinate system with ogrinfo");
     }
     if (found.empty()) {
-      return refuse(fmt::format("{} holds no cell", called()),
-                    fmt::format("the middle of none of the cells of {:g} x {:g} m is within", grid_.dx, grid_.dy));
+      return refuse(fmt::format("{} contains no cell", name_of_polygons()),
+                    fmt::format("none of the cells of {:g} x {:g} m has its centre inside", grid_.dx, grid_.dy));
     }
     if (elsewhere + beyond > 0) {
-      warn(fmt::format("{} of {} polygons reach beyond the terrain or lie elsewhere", elsewhere + beyond, polygons),
+      warn(fmt::format("{} of {} polygons extend beyond the terrain or lie outside it", elsewhere + beyond, polygons),
            "rocks start on the terrain only");
     }
-    // Of the same cell the last comes last; then it is the one that is kept.
+    // The sort is stable, so the last candidate for a cell comes last and is kept.
     const auto is_before = [](const Candidate& a, const Candidate& b) { return a.cell < b.cell; };
     if (!std::is_sorted(found.begin(), found.end(), is_before)) {
       std::stable_sort(found.begin(), found.end(), is_before);
     }
     for (std::size_t i = 0; i < found.size(); ++i) {
-      if (i + 1 == found.size() || found[i + 1].cell != found[i].cell) look_at(found[i]);
+      if (i + 1 == found.size() || found[i + 1].cell != found[i].cell) consider(found[i]);
     }
     return true;
   }
 
-  void take_all_cells() {
+  void add_all_cells() {
     for (std::uint32_t row = 0; row < grid_.rows; ++row) {
       for (std::uint32_t column = 0; column < grid_.columns; ++column) {
-        look_at({row * grid_.columns + column, own_source()});
+        consider({row * grid_.columns + column, own_source()});
       }
     }
   }
 
-  /// Keeps a cell that the terrain and its slope let be one.
-  void look_at(const Candidate& candidate) {
-    ++asked_;
+  /// Keeps a cell if the terrain has data there and its slope is within the limits.
+  void consider(const Candidate& candidate) {
+    ++candidates_;
     const auto z = heights_.around(candidate.cell % grid_.columns, candidate.cell / grid_.columns);
     if (!z) return;
     ++with_data_;
@@ -194,14 +194,14 @@ class Chooser {
     steepest_of_kept_ = std::max(steepest_of_kept_, gradient);
     gentlest_of_kept_ = std::min(gentlest_of_kept_, gradient);
     kept_.push_back(candidate);
-    if (mask_ && kept_.size() - masked_ == masked_at_once) mask_kept();
+    if (mask_ && kept_.size() - masked_ == masked_at_once) apply_mask();
   }
 
-  /// Lets go of those kept since the last time that the mask does not want.
-  void mask_kept() {
+  /// Removes those cells kept since the last call that the mask does not select.
+  void apply_mask() {
     if (!mask_) return;
     std::vector<Vec2> places;
-    for (std::size_t i = masked_; i < kept_.size(); ++i) places.push_back(middle(kept_[i].cell));
+    for (std::size_t i = masked_; i < kept_.size(); ++i) places.push_back(centre(kept_[i].cell));
     const auto values = mask_->at(places);
     std::size_t end = masked_;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -214,24 +214,24 @@ class Chooser {
       } else {
         ++other_values_;
       }
-      const bool wanted = seeder_.mask_value ? *values[i] == *seeder_.mask_value : *values[i] != 0;
-      if (wanted) kept_[end++] = kept_[masked_ + i];
+      const bool is_selected = seeder_.mask_value ? *values[i] == *seeder_.mask_value : *values[i] != 0;
+      if (is_selected) kept_[end++] = kept_[masked_ + i];
     }
     kept_.resize(end);
     masked_ = end;
   }
 
-  bool judge() {
+  bool report_result() {
     const bool by_polygon = !seeder_.polygons.empty() || !seeder_.polygon.empty();
     if (with_data_ == 0) {
-      return refuse("there is no data under it",
-                    fmt::format("none of {} cells of {:g} x {:g} m{} has data with its eight neighbours", asked_,
-                                grid_.dx, grid_.dy, by_polygon ? " in " + called() : ""));
+      return refuse("the terrain has no data there",
+                    fmt::format("none of {} cells of {:g} x {:g} m{} has data with its eight neighbours", candidates_,
+                                grid_.dx, grid_.dy, by_polygon ? " in " + name_of_polygons() : ""));
     }
     if (steep_enough_ == 0) return refuse_slope();
     if (mask_ && kept_.empty()) return refuse_mask();
-    if (by_polygon && with_data_ < asked_) {
-      warn(fmt::format("{} of {} cells are left out", asked_ - with_data_, asked_),
+    if (by_polygon && with_data_ < candidates_) {
+      warn(fmt::format("{} of {} cells are left out", candidates_ - with_data_, candidates_),
            "they or one of their eight neighbours have no data, or lie on the edge of the terrain");
     }
     return true;
@@ -239,22 +239,22 @@ class Chooser {
 
   bool refuse_slope() {
     const auto place = [&](std::uint32_t cell) {
-      const Vec2 at = middle(cell);
+      const Vec2 at = centre(cell);
       return fmt::format("({:.10g}, {:.10g})", at.x(), at.y());
     };
     const bool too_gentle = steepest_.gradient < least_gradient_;
     if (too_gentle) {
       return refuse(fmt::format("no cell is as steep as {:g} deg", *seeder_.min_slope_deg),
-                    fmt::format("the steepest of {} has {:.4g} deg, at {}", with_data_, in_degrees(steepest_.gradient),
-                                place(steepest_.cell)));
+                    fmt::format("the steepest of {} cells has {:.4g} deg, at {}", with_data_,
+                                in_degrees(steepest_.gradient), place(steepest_.cell)));
     }
     if (gentlest_.gradient > most_gradient_) {
       return refuse(fmt::format("no cell is as gentle as {:g} deg", *seeder_.max_slope_deg),
-                    fmt::format("the gentlest of {} has {:.4g} deg, at {}", with_data_, in_degrees(gentlest_.gradient),
-                                place(gentlest_.cell)));
+                    fmt::format("the gentlest of {} cells has {:.4g} deg, at {}", with_data_,
+                                in_degrees(gentlest_.gradient), place(gentlest_.cell)));
     }
     return refuse(fmt::format("no cell is {:g} to {:g} deg steep", *seeder_.min_slope_deg, *seeder_.max_slope_deg),
-                  fmt::format("the {} there are have {:.4g} to {:.4g} deg", with_data_, in_degrees(gentlest_.gradient),
+                  fmt::format("the {} cells have {:.4g} to {:.4g} deg", with_data_, in_degrees(gentlest_.gradient),
                               in_degrees(steepest_.gradient)));
   }
 
@@ -263,7 +263,7 @@ class Chooser {
     if (mask_->points_within() == 0) {
       return refuse(fmt::format("mask \"{}\" does not reach the terrain", file),
                     "the terrain lies within " + extent_of_terrain(),
-                    "Compare what gdalinfo says of the mask, and its coordinate system");
+                    "Check its extent and coordinate system with gdalinfo");
     }
     std::string found;
     for (const auto& [value, count] : values_) {
@@ -276,14 +276,14 @@ class Chooser {
                   fmt::format("of {} cells it has {}", steep_enough_, found));
   }
 
-  ReleaseCells made() {
+  ReleaseCells sorted_cells() {
     const auto is_before = [](const Candidate& a, const Candidate& b) {
       return a.source != b.source ? a.source < b.source : a.cell < b.cell;
     };
     if (!std::is_sorted(kept_.begin(), kept_.end(), is_before)) std::sort(kept_.begin(), kept_.end(), is_before);
     ReleaseCells cells;
     const Vec2 corner = grid_.first - Vec2(0.5 * grid_.dx, 0.5 * grid_.dy);
-    cells.corner = corner - Vec2(question_.model.frame.origin.head(2));
+    cells.corner = corner - Vec2(context_.model.frame.origin.head(2));
     cells.dx = grid_.dx;
     cells.dy = grid_.dy;
     cells.columns = grid_.columns;
@@ -299,36 +299,36 @@ class Chooser {
   }
 
   const Seeder& seeder_;
-  const CellQuestion& question_;
+  const CellContext& context_;
   Problems& problems_;
   Problems& warnings_;
   CellHeights heights_;
   const PlanGrid& grid_;
-  std::optional<SourceId> own_source_known_;
+  std::optional<SourceId> own_source_;
   std::optional<ClassRaster> mask_;
   std::vector<Candidate> kept_;
-  std::size_t masked_ = 0;  // of kept_, those that the mask has seen
-  std::uint64_t asked_ = 0, with_data_ = 0, steep_enough_ = 0, unmasked_ = 0, other_values_ = 0;
-  // Slopes by the squares of their tangents.
+  std::size_t masked_ = 0;  // number of kept_ to which the mask was applied
+  std::uint64_t candidates_ = 0, with_data_ = 0, steep_enough_ = 0, unmasked_ = 0, other_values_ = 0;
+  // Slopes as squared tangents.
   struct Extreme {
     double gradient;
     std::uint32_t cell = 0;
   };
-  Extreme steepest_{-1}, gentlest_{infinity};  // of all with data
+  Extreme steepest_{-1}, gentlest_{infinity};  // of all cells with data
   double steepest_of_kept_ = 0, gentlest_of_kept_ = infinity;
-  double least_gradient_, most_gradient_;         // wanted
-  std::map<std::int32_t, std::uint64_t> values_;  // of the mask, and in how many cells
+  double least_gradient_, most_gradient_;         // limits
+  std::map<std::int32_t, std::uint64_t> values_;  // of the mask, with their numbers of cells
 };
 
 }  // namespace
 
-std::optional<ReleaseCells> choose_cells(const Seeder& seeder, const CellQuestion& question, Problems& problems,
+std::optional<ReleaseCells> choose_cells(const Seeder& seeder, const CellContext& context, Problems& problems,
                                          Problems& warnings, std::string& report) {
-  constexpr double most_cells = 4294967295.0;  // numbers of 32 bits
-  const double count = CellHeights::count(question.model, seeder.cell_m.value_or(1));
+  constexpr double most_cells = 4294967295.0;  // 32-bit indices
+  const double count = CellHeights::count(context.model, seeder.cell_m.value_or(1));
   if (count > most_cells) {
     problems.add(
-        {.file = question.project.file.string(),
+        {.file = context.project.file.string(),
          .line = seeder.line,
          .where = fmt::format("seeder \"{}\"", seeder.name),
          .what = fmt::format("cell_m is {:g}", seeder.cell_m.value_or(1)),
@@ -337,7 +337,7 @@ std::optional<ReleaseCells> choose_cells(const Seeder& seeder, const CellQuestio
     return std::nullopt;
   }
   try {
-    return Chooser(seeder, question, problems, warnings).choose(report);
+    return Chooser(seeder, context, problems, warnings).choose(report);
   } catch (const BadInput& bad) {
     problems.append(bad.problems());
     return std::nullopt;

@@ -11,18 +11,18 @@
 
 namespace talus::project {
 
-/// What choosing needs beside the seeder.
-struct CellQuestion {
+/// The context of a choice of cells.
+struct CellContext {
   const Project& project;
   const Model& model;  // its surface, frame and coordinate system
   std::function<SourceId(const std::string& name)> source_of;
 };
 
-/// Cells that are within the polygons (all, where the seeder has none), not too steep and not too gentle, and wanted by
-/// the mask: each at its middle. A cell within several polygons has the source of the last. Nothing where there is none
-/// or a file is refused, with the reason in `problems`; doubts go to `warnings`. `report` becomes what was found, in
-/// one line for the user.
-[[nodiscard]] std::optional<ReleaseCells> choose_cells(const Seeder& seeder, const CellQuestion& question,
+/// The cells whose centres are within the polygons (if any) and selected by the mask (if any), with a slope within the
+/// limits. A cell within several polygons has the source of the last one. nullopt if there is none or a file is
+/// refused, with the reason in `problems`; doubts are added to `warnings`. `report` is set to a one-line summary for
+/// the user.
+[[nodiscard]] std::optional<ReleaseCells> choose_cells(const Seeder& seeder, const CellContext& context,
                                                        Problems& problems, Problems& warnings, std::string& report);
 
 }  // namespace talus::project

@@ -10,7 +10,7 @@ namespace talus::project {
 
 namespace {
 
-std::vector<double> rising(std::vector<double> values, double unit) {
+std::vector<double> sorted_unique(std::vector<double> values, double unit) {
   for (double& value : values) value *= unit;
   std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -24,7 +24,7 @@ DesignLine line_along(const talus::Barrier& barrier, std::uint32_t number, doubl
   line.start = barrier.panels().front().station;
   line.length = last.station + last.plan_length - line.start;
   line.section_length = section_m;
-  // The last one has half a section to one and a half: a sliver would have no rocks to speak of.
+  // The last section is half to one and a half times as long: a short one would have too few rocks.
   const double sections = std::round(line.length / section_m);
   line.sections = static_cast<std::uint32_t>(std::clamp(sections, 1.0, double{DesignPlan::most_sections}));
   return line;
@@ -71,8 +71,8 @@ DesignPlan design_plan(const Design& design, const Model& model) {
     plan.standard = word(design.standard);
   }
   plan.factors = check_factors(design);
-  plan.heights = rising(design.heights_m, 1);
-  plan.energies = rising(design.energies_kJ, 1000);
+  plan.heights = sorted_unique(design.heights_m, 1);
+  plan.energies = sorted_unique(design.energies_kJ, 1000);
   if (plan.factors.level == KitLevel::service) {
     std::erase_if(plan.energies, [](double energy) { return energy < least_energy_with_service; });
   }

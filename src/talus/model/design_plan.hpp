@@ -1,5 +1,5 @@
 #pragma once
-// From [design] to the plan of a design: lines by their numbers, lengths and sections, factors of the standard.
+// Makes the plan of a design from [design]: lines by number, with lengths and sections, and factors of the standard.
 
 #include "talus/campaign/model.hpp"
 #include "talus/project/project.hpp"
@@ -7,10 +7,10 @@
 
 namespace talus::project {
 
-/// Expects a project that was checked, and its model.
+/// Expects the [design] of a checked project, and its model.
 [[nodiscard]] DesignPlan design_plan(const Design& design, const Model& model);
 
-/// The factors that the standard's check has with these settings.
+/// The factors of the standard's check with these settings.
 [[nodiscard]] CheckFactors check_factors(const Design& design);
 
 }  // namespace talus::project

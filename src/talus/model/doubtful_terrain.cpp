@@ -11,7 +11,7 @@ namespace talus::project {
 
 namespace {
 
-// Quarry faces and cliffs are as steep, but no terrain is so on half of its area on plan.
+// Quarry faces and cliffs are this steep, but no terrain is on half of its area on plan.
 constexpr double steepest_deg = 75;
 
 double degrees(double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; }
@@ -29,7 +29,7 @@ void warn(const Project& project, const std::filesystem::path& file, std::string
 }  // namespace
 
 void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Problems& warnings) {
-  // Of a large raster some rows say enough.
+  // A sample of rows and columns is enough for a large raster.
   const std::uint32_t stride = std::max<std::uint32_t>(1, grid.rows / 500);
   std::vector<double> slopes;  // tangents
   for (std::uint32_t row = 0; row + 1 < grid.rows; row += stride) {
@@ -40,7 +40,7 @@ void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Proble
       if (std::isfinite(east) && std::isfinite(north)) slopes.push_back(std::hypot(east, north));
     }
   }
-  constexpr std::size_t few = 100;  // cells, of which half may well be a cliff
+  constexpr std::size_t few = 100;  // so few cells that half may be a cliff
   if (slopes.size() < few) return;
   const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
   std::ranges::nth_element(slopes, middle);
@@ -53,20 +53,20 @@ void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Proble
 }
 
 void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& warnings) {
-  // The sum of the facets' areas as vectors is that of any surface over the same rim: how the mesh lies as a whole,
-  // whatever its hills are. (Of a mesh of any winding it says nothing, and is small.)
-  Vec3 lie = Vec3::Zero();
+  // The sum of the facets' area vectors is the same for all surfaces with this rim: it gives the orientation of the
+  // mesh as a whole, whatever its hills. (With inconsistent winding it is small and has no meaning.)
+  Vec3 area = Vec3::Zero();
   for (const auto& [a, b, c] : mesh.triangles) {
-    if (std::max({a, b, c}) >= mesh.vertices.size()) return;  // refused elsewhere
-    lie += (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
+    if (std::max({a, b, c}) >= mesh.vertices.size()) return;  // refused later
+    area += (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
   }
-  constexpr double steepest_lie_deg = 60;
-  const double tilt = degrees(lie.head<2>().norm() / std::abs(lie.z()));
-  if (!lie.allFinite() || lie.norm() == 0 || !(tilt > steepest_lie_deg)) return;
-  const char* axis = std::abs(lie.y()) > std::abs(lie.x()) ? "y" : "x";
+  constexpr double steepest_tilt_deg = 60;
+  const double tilt = degrees(area.head<2>().norm() / std::abs(area.z()));
+  if (!area.allFinite() || area.norm() == 0 || !(tilt > steepest_tilt_deg)) return;
+  const char* axis = std::abs(area.y()) > std::abs(area.x()) ? "y" : "x";
   warn(project, project.terrain.mesh, "seems to lie on its side",
        fmt::format("as a whole it is {:.0f} degrees steep and faces along {}", tilt, axis),
-       fmt::format("z points up: if {0} does in this file, exchange {0} and z", axis), warnings);
+       fmt::format("z points up: if {0} does in this file, swap {0} and z", axis), warnings);
 }
 
 }  // namespace talus::project

@@ -21,9 +21,9 @@ constexpr std::array of_seeder{"mass_kg",
                                "vertical_velocity_m_s",
                                "rotational_velocity_deg_s"};
 
-/// What no draw of a setting leaves: its range, where that is one of the values themselves.
+/// The limits of the draws of a setting: its range, if that applies to the drawn values.
 Bounds bounds_of(std::string_view table, std::string_view key) {
-  // That of roughness is a range of standard deviations: the tilt goes both ways.
+  // The range of roughness applies to standard deviations; the tilt has both signs.
   if (key == "roughness_deg") return {};
   return bounds(table, key);
 }
@@ -31,7 +31,7 @@ Bounds bounds_of(std::string_view table, std::string_view key) {
 }  // namespace
 
 std::optional<Drawn> drawn(std::string_view key, const Distribution& given) {
-  // A plain number of degrees is the standard deviation of the tilt; a distribution is that of the tilt itself.
+  // A plain number is the standard deviation of the tilt; a distribution is that of the tilt itself.
   if (key == "roughness_deg" && given.kind == DistributionKind::none && given.mean != 0)
     return Drawn{{0, DistributionKind::normal, given.mean, {}, {}}, {-90, 90}};
   const auto is_in = [key](const auto& keys) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
@@ -42,7 +42,7 @@ std::optional<Drawn> drawn(std::string_view key, const Distribution& given) {
 
 Sampler sampler_of(std::string_view key, const Distribution& given, double scale) {
   const auto what = drawn(key, given);
-  TALUS_PROMISE(what.has_value(), "only settings that are distributions are asked for");
+  TALUS_PROMISE(what.has_value(), "the setting is a distribution");
   return Sampler(what->distribution, what->bounds, scale);
 }
 

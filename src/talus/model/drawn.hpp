@@ -1,5 +1,5 @@
 #pragma once
-// What the random properties of materials and rocks are drawn from.
+// The distributions of the random properties of materials and rocks.
 
 #include <optional>
 #include <string_view>
@@ -10,13 +10,13 @@ namespace talus::project {
 
 struct Drawn {
   Distribution distribution;  // in the unit of the setting
-  Bounds bounds;              // that no draw leaves, whatever the distribution says
+  Bounds bounds;              // limits of all draws, whatever the distribution
 };
 
-/// Of a setting of [[material]] or [[seeder]] that is a distribution, by its key; nothing where there is no such one.
+/// The distribution of a setting of [[material]] or [[seeder]], by its key; nullopt if it is not a random property.
 [[nodiscard]] std::optional<Drawn> drawn(std::string_view key, const Distribution& given);
 
-/// The sampler of a setting that is known to be one; `scale` leads from its unit to SI.
+/// The sampler of a random property; `scale` converts its unit to SI. Expects the key of a random property.
 [[nodiscard]] Sampler sampler_of(std::string_view key, const Distribution& given, double scale = 1);
 
 }  // namespace talus::project

@@ -33,17 +33,17 @@ void put(ByteWriter& out, const RasterSurface& raster) {
   out.put(grid.columns);
   out.put(grid.rows);
   for (const double x : {grid.x0, grid.y0, grid.dx, grid.dy}) out.put(x);
-  // Piece by piece: the writer keeps what it is given until it hands it on.
+  // In pieces: the writer buffers its input.
   constexpr std::size_t piece = 1U << 18;
   const std::span<const float> z(grid.z);
   for (std::size_t k = 0; k < z.size(); k += piece) out.numbers(z.subspan(k, std::min(piece, z.size() - k)));
 }
 
 void put(ByteWriter& out, const talus::Ground& ground, std::size_t sources) {
-  const bool is_everywhere_the_same = ground.bytes() == 0;
-  out.flag(is_everywhere_the_same);
+  const bool is_uniform = ground.bytes() == 0;
+  out.flag(is_uniform);
   std::array<std::uint32_t, 1024> piece;
-  const std::size_t count = is_everywhere_the_same ? 1 : sources;
+  const std::size_t count = is_uniform ? 1 : sources;
   for (std::size_t k = 0; k < count; k += piece.size()) {
     const std::size_t length = std::min(piece.size(), count - k);
     for (std::size_t i = 0; i < length; ++i) piece[i] = ground.material_of(static_cast<std::uint32_t>(k + i)).index;
@@ -53,7 +53,7 @@ void put(ByteWriter& out, const talus::Ground& ground, std::size_t sources) {
 
 void put(ByteWriter& out, const ReleaseLines& lines) {
   out.put(lines.length());
-  constexpr int places = 256;  // with the length, enough to notice that a vertex moved
+  constexpr int places = 256;  // together with the length, enough to detect a moved vertex
   for (int k = 0; lines.length() > 0 && k <= places; ++k) {
     const ReleaseLines::Place place = lines.at(k / static_cast<double>(places));
     put(out, place.point);
@@ -95,7 +95,7 @@ void put(ByteWriter& out, const talus::Barrier& barrier) {
   }
 }
 
-/// As many numbers as surfaces give their facets' sources: for each a material.
+/// The number of source numbers of the surface's facets; each has a material.
 std::size_t sources_of(const Model& model) {
   return std::visit(
       [](const auto& surface) -> std::size_t {

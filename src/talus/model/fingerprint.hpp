@@ -1,5 +1,5 @@
 #pragma once
-// What tells one campaign from another: whether rocks that were thrown elsewhere, or earlier, belong together.
+// Fingerprints of a campaign, which show whether rocks simulated elsewhere or earlier belong to it.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace talus::project {
 
-/// Of the whole project as it is echoed and of the numbers that were read from its files: terrain, ground, seeders,
-/// barriers. The same on every machine; files that were changed since give another one.
+/// The fingerprint of the echoed project and of the numbers read from its files: terrain, ground, seeders, barriers. It
+/// is the same on every machine, and changes with the contents of the files.
 [[nodiscard]] std::string fingerprint_of(const nlohmann::ordered_json& project, const Model& model);
 
-/// Of the paths of up to sixteen rocks, spread over all: it differs where another program, compiler, processor or
-/// library of mathematics gives other bits.
+/// The fingerprint of the paths of up to sixteen rocks, evenly spread over all. It differs if another program,
+/// compiler, processor or mathematics library gives other bits.
 [[nodiscard]] std::string sample_of(const Model& model);
 
 }  // namespace talus::project

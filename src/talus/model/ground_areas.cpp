@@ -21,14 +21,14 @@ Problem without_effect(const Project& project, const Area& area, const BuiltTerr
       (polygon.low().array() > high.head(2).array()).any() || (polygon.high().array() < low.head(2).array()).any();
   if (is_beyond) {
     problem.why = fmt::format(
-        "its polygon lies beyond the terrain, which is within x = {:.10g} to {:.10g}, y = {:.10g} "
+        "its polygon lies outside the terrain, which extends over x = {:.10g} to {:.10g}, y = {:.10g} "
         "to {:.10g}",
         low.x(), high.x(), low.y(), high.y());
     return problem;
   }
   const std::string_view several = parts.name(), one = several.substr(0, several.size() - 1);
-  problem.why = fmt::format("its polygon holds the middle of no {} of the terrain", one);
-  problem.hint = fmt::format("A {} is of the material at its middle: draw the polygon round that", one);
+  problem.why = fmt::format("its polygon contains the centre of no {} of the terrain", one);
+  problem.hint = fmt::format("A {} has the material at its centre: draw the polygon around that", one);
   return problem;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Parts of the ground that are painted with a material of their own: the [[area]] of a project.
+// Areas of the ground with their own material: the [[area]] of a project.
 
 #include <cstdint>
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace talus::project {
 
-/// Gives each cell or facet whose middle an area holds the material of that area, of several that of the last.
-/// `of_part` are the numbers of the materials, as the terrain's surface numbers the sources of its cells or facets. An
-/// area that holds no middle is warned of. Expects fewer than 256 materials.
+/// Assigns to each cell or facet whose centre is in an area the material of that area, the last one if there are
+/// several. `of_part` holds the material numbers, by the source numbers of cells or facets in the terrain's surface.
+/// Warns of areas that contain no centre. Expects fewer than 256 materials.
 void paint_areas(const Project& project, const BuiltTerrain& terrain, std::vector<std::uint8_t>& of_part,
                  Problems& warnings);
 

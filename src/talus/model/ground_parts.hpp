@@ -1,5 +1,5 @@
 #pragma once
-// The parts of a terrain that have a material each, as polygons on plan choose among them.
+// The parts of a terrain, each with its own material, and their selection by polygons on plan.
 
 #include <cstdint>
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace talus::project {
 
-/// The middles of the terrain's cells or facets, in the user's coordinates, and their areas on plan. Keeps `terrain`,
-/// which must outlive it and have its facets' centres.
+/// The centres of the terrain's cells or facets, in the user's coordinates, and their areas on plan. Keeps a reference
+/// to `terrain`, which must have facet centres.
 class GroundParts {
  public:
   explicit GroundParts(const BuiltTerrain& terrain) : terrain_(terrain) {
@@ -27,21 +27,21 @@ class GroundParts {
 
   [[nodiscard]] std::size_t count() const { return raster_ ? raster_->cell_count() : terrain_.facet_centres.size(); }
   [[nodiscard]] const char* name() const { return raster_ ? "cells" : "triangles"; }
-  /// On plan [m2]; of facets only where the terrain was built with them.
+  /// The area on plan [m2]; for facets, only if the terrain has facet areas.
   [[nodiscard]] double area(std::size_t part) const {
     return raster_ ? grid_.dx * grid_.dy : terrain_.facet_areas[part];
   }
-  /// Holes of a raster are not ground.
+  /// False for holes of a raster.
   [[nodiscard]] bool is_ground(std::size_t part) const {
     return !raster_ || raster_->has_data(part % grid_.columns, part / grid_.columns);
   }
-  [[nodiscard]] Vec2 middle(std::size_t part) const {
+  [[nodiscard]] Vec2 centre(std::size_t part) const {
     if (!raster_) return terrain_.facet_centres[part];
     return {grid_.x(static_cast<std::uint32_t>(part % grid_.columns)),
             grid_.y(static_cast<std::uint32_t>(part / grid_.columns))};
   }
 
-  /// Calls visit(part) for each whose middle is within a polygon.
+  /// Calls visit(part) for each part whose centre is within the polygon.
   template <class Visit>
   void visit_within(const PlanPolygon& polygon, Visit&& visit) const {
     if (raster_) {

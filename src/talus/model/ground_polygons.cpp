@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint8_t nothing = 255;    // no polygon yet
 constexpr std::size_t most_listed = 10;  // values or names in one problem
 
-/// Values, features or materials in a problem: the first of them, and how many more.
+/// A list for a problem: the first items, and the number of the others.
 std::string listed(const std::vector<std::string>& items) {
   std::string out;
   for (std::size_t i = 0; i < items.size() && i < most_listed; ++i) out += (i == 0 ? "" : ", ") + items[i];
@@ -65,14 +65,14 @@ class Assignment {
     warnings_.add(std::move(problem));
   }
   [[nodiscard]] std::string file() const { return fmt::format("polygons \"{}\"", project_.ground.polygons.string()); }
-  /// The material of each feature. Throws where one has none.
+  /// Finds the material of each feature. Throws BadInput if one has none.
   void find_materials() {
     const Ground& ground = project_.ground;
     std::map<std::string, std::uint64_t> unknown;
-    std::vector<std::string> without, unmet;
+    std::vector<std::string> without, unused;
     std::vector<bool> used(project_.materials.size());
-    std::map<std::string, bool> met;
-    for (const auto& [value, material] : ground.values) met[value] = false;
+    std::map<std::string, bool> used_values;
+    for (const auto& [value, material] : ground.values) used_values[value] = false;
     for (const VectorFeature& feature : layer_.features) {
       const std::optional<std::string>& value = feature.values[0];
       of_feature_.push_back(nothing);
@@ -84,7 +84,7 @@ class Assignment {
       if (ground.values.empty()) {
         number = project_.number_of_material(*value);
       } else if (const auto known = ground.values.find(*value); known != ground.values.end()) {
-        met[*value] = true;
+        used_values[*value] = true;
         number = project_.number_of_material(known->second);
       }
       if (number) {
@@ -98,15 +98,15 @@ class Assignment {
     if (!without.empty()) {
       problems.add(about(
           fmt::format("{} of {} polygons have no {}", without.size(), layer_.features.size(), ground.attribute),
-          fmt::format("feature {} of {}", listed(without), file()), "Give each a value, or take it out of the file"));
+          fmt::format("feature {} of {}", listed(without), file()), "Give each a value, or remove it from the file"));
     }
     if (!unknown.empty()) problems.add(about_unknown(unknown));
     if (problems.has_errors()) throw BadInput(std::move(problems));
-    for (const auto& [value, is_met] : met) {
-      if (!is_met) unmet.push_back('"' + value + '"');
+    for (const auto& [value, is_used] : used_values) {
+      if (!is_used) unused.push_back('"' + value + '"');
     }
-    if (!unmet.empty()) {
-      warn(fmt::format("values has {}, which no polygon has", listed(unmet)),
+    if (!unused.empty()) {
+      warn(fmt::format("values has {}, which no polygon has", listed(unused)),
            fmt::format("in {} of layer \"{}\"", ground.attribute, layer_.name));
     }
     used_ = std::move(used);
@@ -126,9 +126,9 @@ class Assignment {
     return about(fmt::format("{} has values of {} {}", file(), ground.attribute,
                              ground.values.empty() ? "that are not materials" : "that are not in values"),
                  fmt::format("{} of {} polygons", listed(values), layer_.features.size()),
-                 near                    ? fmt::format("Did you mean \"{}\" by \"{}\"?", *near, first)
-                 : ground.values.empty() ? fmt::format("Say which material it is: values = {{ \"{}\" = \"{}\" }}",
-                                                       first, project_.materials.front().name)
+                 near                    ? fmt::format("Did you mean \"{}\" instead of \"{}\"?", *near, first)
+                 : ground.values.empty() ? fmt::format("Assign a material: values = {{ \"{}\" = \"{}\" }}", first,
+                                                       project_.materials.front().name)
                                          : fmt::format("Add \"{}\" = \"...\" to values", first));
   }
 
@@ -159,11 +159,11 @@ class Assignment {
                                        "within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
                                        low.x(), high.x(), low.y(), high.y(), south_west.x(), north_east.x(),
                                        south_west.y(), north_east.y()),
-                           "Compare what ogrinfo says of their coordinate system"));
+                           "Check their extent and coordinate system with ogrinfo"));
     }
     if (elsewhere > 0) {
       warn(fmt::format("{} of {} polygons do not reach the terrain", elsewhere, layer_.features.size()),
-           fmt::format("{} has more than is needed, or some of it is misplaced", file()));
+           fmt::format("{} covers more than is needed, or some polygons are misplaced", file()));
     }
   }
 
@@ -188,8 +188,8 @@ class Assignment {
       unused.push_back('"' + project_.materials[i].name + '"');
     }
     if (unused.empty()) return;
-    warn(fmt::format("{} {} used nowhere", listed(unused), unused.size() == 1 ? "is" : "are"),
-         "no polygon is of this material, and the default is another");
+    warn(fmt::format("{} {} not used", listed(unused), unused.size() == 1 ? "is" : "are"),
+         "no polygon has this material, and it is not the default");
   }
 
   struct Sum {
@@ -213,28 +213,29 @@ class Assignment {
   void report_overlaps() {
     if (overlaps_.empty()) return;
     const Sum total = sum([&](std::size_t part) { return overlaps_[part]; });
-    // Which feature was there before the one that showed it: the last of those before that holds the place.
+    // The feature that was replaced there: the last earlier one with another material that contains the place.
     const auto& [part, later] = first_overlap_;
-    const Vec2 at = parts_.middle(part);
+    const Vec2 at = parts_.centre(part);
     std::size_t earlier = later;
-    const auto holds = [&](std::size_t f) {
+    const auto contains = [&](std::size_t f) {
       const auto& shapes = layer_.features[f].parts;
       return std::any_of(shapes.begin(), shapes.end(),
                          [&](const VectorShape& shape) { return PlanPolygon(shape.lists).contains(at); });
     };
-    while (earlier > 0 && (--earlier, of_feature_[earlier] == of_feature_[later] || !holds(earlier))) {
+    while (earlier > 0 && (--earlier, of_feature_[earlier] == of_feature_[later] || !contains(earlier))) {
     }
     warn(fmt::format("polygons of different materials overlap on {} {} of the terrain", total.parts, parts_.name()),
          fmt::format("{:.6g} m2, {:.2g} % of it; at ({:.10g}, {:.10g}) features {} and {}", total.area,
                      100 * total.area / total.of, at.x(), at.y(), layer_.features[earlier].id,
                      layer_.features[later].id),
-         "The later one in the file holds");
+         "The later one in the file applies");
   }
 
   void report_gaps() {
     const Sum total = sum([&](std::size_t part) { return of_part_[part] == nothing; });
-    const auto otherwise = static_cast<std::uint8_t>(*project_.number_of_material(project_.ground.default_material));
-    std::replace(of_part_.begin(), of_part_.end(), nothing, otherwise);
+    const auto default_material =
+        static_cast<std::uint8_t>(*project_.number_of_material(project_.ground.default_material));
+    std::replace(of_part_.begin(), of_part_.end(), nothing, default_material);
     if (total.parts == 0) return;
     warn(fmt::format("{} {} of the terrain are in no polygon", total.parts, parts_.name()),
          fmt::format("{:.6g} m2, {:.2g} % of it", total.area, 100 * total.area / total.of),
@@ -247,9 +248,9 @@ class Assignment {
   GroundParts parts_;
   VectorLayer layer_;
   std::vector<std::uint8_t> of_feature_, of_part_;
-  std::vector<bool> used_;                             // materials that some polygon has
-  std::vector<bool> overlaps_;                         // parts; empty where there is none
-  std::pair<std::size_t, std::size_t> first_overlap_;  // part and the later feature
+  std::vector<bool> used_;                             // materials of at least one polygon
+  std::vector<bool> overlaps_;                         // by part; empty if there is none
+  std::pair<std::size_t, std::size_t> first_overlap_;  // the part, and the later feature there
 };
 
 }  // namespace

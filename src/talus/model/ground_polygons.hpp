@@ -1,5 +1,5 @@
 #pragma once
-// Which part of the terrain is made of which material, from polygons on plan with an attribute.
+// The materials of the ground, from polygons on plan with an attribute.
 
 #include <cstdint>
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace talus::project {
 
-/// The number of the material of each cell or facet of the terrain, as its surface numbers their sources: that of the
-/// last polygon in the file that holds its middle, the default where there is none. Overlaps and gaps are reported in
-/// `warnings`, with their areas on plan. Throws BadInput for what is wrong with the file, and for values without a
-/// material; expects fewer than 256 materials.
+/// The material number of each cell or facet, by its source number in the terrain's surface: that of the last polygon
+/// in the file that contains its centre, or the default if there is none. Overlaps and gaps are reported in `warnings`,
+/// with their areas on plan. Throws BadInput if the file is wrong or a value has no material. Expects fewer than 256
+/// materials.
 [[nodiscard]] std::vector<std::uint8_t> materials_of_polygons(const Project& project, const BuiltTerrain& terrain,
                                                               Problems& warnings);
 

@@ -77,14 +77,14 @@ TerrainParts parts_as_given(const Project& project, BuiltTerrain& terrain) {
   return parts;
 }
 
-/// Where a line on plan lies on the ground.
+/// A line on plan, projected onto the ground.
 struct Foot {
   std::vector<Vec3> points;
-  std::vector<double> stations;     // of each point, along the line as it was given, on plan [m]
-  double given = 0, on_ground = 0;  // how long the line is, and how much of it there is ground under, on plan [m]
+  std::vector<double> stations;     // of each point along the given line, on plan [m]
+  double given = 0, on_ground = 0;  // lengths of the line and of its part over ground, on plan [m]
 };
 
-/// Panels over a foot, which know their place along the line as it was given, whatever of it is off the terrain.
+/// Panels over a foot, with stations along the given line (including parts off the terrain).
 std::vector<Panel> panels_along(const Foot& foot, double height, double inclination) {
   std::vector<Panel> panels = panels_over(foot.points, height, inclination);
   for (std::size_t k = 0; k < panels.size() && k + 1 < foot.stations.size(); ++k) {
@@ -105,13 +105,13 @@ class Builder {
 
   Model build() {
     BuiltTerrain terrain =
-        naming_files(project_, "[terrain]", problems_, warnings_,
-                     [&](Problems&, Problems& warnings) { return build_terrain(project_, warnings); });
+        locating_problems(project_, "[terrain]", problems_, warnings_,
+                          [&](Problems&, Problems& warnings) { return build_terrain(project_, warnings); });
     std::vector<talus::Material> materials;
     for (const Material& material : project_.materials)
       materials.push_back(material_of(material, project_.analysis.model));
     model_.ground =
-        naming_files(project_, "[ground]", problems_, warnings_, [&](Problems& problems, Problems& warnings) {
+        locating_problems(project_, "[ground]", problems_, warnings_, [&](Problems& problems, Problems& warnings) {
           return build_ground(project_, std::move(materials), terrain, problems, warnings);
         });
     model_.parts = parts_as_given(project_, terrain);
@@ -150,24 +150,24 @@ class Builder {
     barrier.stand(panels_along(foot, b.height_m, b.inclination_deg * radians));
     constexpr double shortest = 1e-5;  // [m]
     if (foot.given > 0 && foot.given < shortest) {
-      report(b.source_line, called(b), fmt::format("its line is {:.3g} m long", foot.given),
+      report(b.source_line, name_in_messages(b), fmt::format("its line is {:.3g} m long", foot.given),
              fmt::format("expected at least {:g} m", shortest), "");
     } else if (barrier.panels().empty()) {
-      report(b.source_line, called(b), "its line does not touch the terrain", "a barrier stands on the ground",
-             is_on_ground_exchanged(b) ? exchanged_hint : "");
+      report(b.source_line, name_in_messages(b), "its line does not touch the terrain",
+             "a barrier stands on the ground", is_on_ground_swapped(b) ? swapped_hint : "");
     } else {
       warn_of_gaps(b, foot);
-      check_on_moved_slope(b);
+      check_on_varied_section(b);
     }
     model_.barriers.push_back(std::move(barrier));
   }
 
-  static std::string called(const Barrier& b) {
+  static std::string name_in_messages(const Barrier& b) {
     return fmt::format("{} \"{}\"", b.is_collector ? "collector" : "barrier", b.name);
   }
 
-  /// Whether a corner of the line lies on the terrain once its x and y are exchanged.
-  [[nodiscard]] bool is_on_ground_exchanged(const Barrier& b) const {
+  /// Whether a corner of the line lies on the terrain with x and y swapped.
+  [[nodiscard]] bool is_on_ground_swapped(const Barrier& b) const {
     if (std::holds_alternative<Profile>(model_.surface)) return false;
     const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
     return std::ranges::any_of(b.line, [&](const auto& p) { return is_ground(Vec2(p[1], p[0]) - origin); });
@@ -177,27 +177,27 @@ class Builder {
     constexpr double by_rounding = 1e-3;  // [m]
     const double off = foot.given - foot.on_ground;
     if (off <= by_rounding) return;
-    warnings_.add({Severity::warning, project_.file.string(), b.source_line, called(b),
+    warnings_.add({Severity::warning, project_.file.string(), b.source_line, name_in_messages(b),
                    fmt::format("{:.6g} of {:.6g} m of its line are off the terrain", off, foot.given),
-                   "at the line's ends it does not stand there, and over a gap between it goes straight on",
+                   "its ends are cut there, and it crosses a gap in a straight line",
                    "Compare its line with the terrain's edge and holes"});
   }
 
-  /// Of a section whose vertices vary there is ground at it for every rock.
-  void check_on_moved_slope(const Barrier& b) {
+  /// Checks that a section with varying vertices has ground at the barrier for every rock.
+  void check_on_varied_section(const Barrier& b) {
     if (!model_.varying) return;
     const CertainStretch certain = certain_stretch(project_.terrain);
     const double x = b.line.front()[0];
     if (x >= certain.from && x <= certain.to) return;
-    report(b.source_line, called(b), fmt::format("x = {:.10g} may be off the terrain", x), why_uncertain(certain),
-           "Move it inwards, or give the end vertices less in x");
+    report(b.source_line, name_in_messages(b), fmt::format("x = {:.10g} may be off the terrain", x),
+           why_uncertain(certain), "Move it inwards, or reduce the standard deviations in x of the end vertices");
   }
 
   [[nodiscard]] bool is_ground(const Vec2& at) const {
     return visit([&](const auto& surface) { return surface.elevation(at.x(), at.y()).has_value(); });
   }
 
-  // The barrier's line laid on the ground. In 2D it runs along y, across the section.
+  /// The barrier's line projected onto the ground. In 2D it runs along y, across the section.
   Foot foot_of(const Barrier& b) const {
     Foot foot;
     if (const auto* profile = std::get_if<Profile>(&model_.surface)) {
@@ -216,7 +216,7 @@ class Builder {
       const std::vector<Vec3> draped = drape(from, to);
       for (std::size_t i = 0; i < draped.size(); ++i) {
         const Vec3& p = draped[i];
-        // Wherever the ground bends there is a point, so that between two of them is ground or none.
+        // There is a point wherever the ground bends, so between two points there is either ground throughout or none.
         if (i > 0) {
           const Vec2 piece = (p - draped[i - 1]).head<2>();
           if (is_ground(draped[i - 1].head<2>() + 0.5 * piece)) foot.on_ground += piece.norm();

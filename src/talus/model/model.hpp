@@ -1,5 +1,5 @@
 #pragma once
-// From a project to a model: terrain read, cleaned and moved to its local frame, everything placed on it.
+// Builds a model from a project: reads and cleans the terrain, moves it to its local frame and places everything on it.
 
 #include "talus/campaign/model.hpp"
 #include "talus/core/problems.hpp"
@@ -7,8 +7,8 @@
 
 namespace talus::project {
 
-/// Builds the model of a checked project. Throws BadInput with all problems that only the terrain shows (a seeder off
-/// it, a barrier that does not stand on it, wrong numbers of materials); doubts are added to `warnings`.
+/// Builds the model of a checked project. Throws BadInput with all problems that only the terrain reveals (a seeder or
+/// a barrier off the terrain, a wrong number of materials); doubts are added to `warnings`.
 [[nodiscard]] Model build_model(const Project& project, Problems& warnings);
 
 }  // namespace talus::project

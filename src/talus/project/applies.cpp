@@ -10,7 +10,7 @@
 namespace talus::project {
 namespace {
 
-/// The setting that a condition is about.
+/// The setting that a condition refers to.
 struct Subject {
   const Table& table;
   std::string_view key;
@@ -43,20 +43,20 @@ std::string value_in_words(const Subject& subject, std::string_view value) {
 
 std::string in_words(const Table& table, const Condition& condition) {
   const Subject subject = subject_of(table, condition.key);
-  // Of the row where it has this key, of [analysis] by its own name: there is one.
+  // Keys of the same row and of [analysis] are unambiguous without their table.
   const std::string_view key = subject.table.key == "analysis" ? subject.key : condition.key;
   std::string values;
   for (const std::string_view value : condition.values) {
     values += fmt::format("{}{}", values.empty() ? "" : " or ", value_in_words(subject, value));
   }
-  switch (condition.asks) {
-    case Condition::Asks::given:
+  switch (condition.kind) {
+    case Condition::Kind::given:
       return std::string(key);
-    case Condition::Asks::absent:
+    case Condition::Kind::absent:
       return fmt::format("no {}", key);
-    case Condition::Asks::one_of:
+    case Condition::Kind::one_of:
       return fmt::format("{} = {}", key, values);
-    case Condition::Asks::none_of:
+    case Condition::Kind::none_of:
       return fmt::format("{} other than {}", key, values);
   }
   return "";
@@ -89,35 +89,35 @@ NotMet message(const Table& table, const Setting& setting, const Need& need, std
           .hint = std::string(need.hint)};
 }
 
-std::string Applying::text(const Table& table, const toml::table* row, std::string_view key) const {
+std::string ConditionCheck::text(const Table& table, const toml::table* row, std::string_view key) const {
   if (const toml::node* node = row ? row->get(key) : nullptr) return text_of(*node);
   const auto standard = default_of(table, *table.find(key));
   return standard ? text_of(*standard) : "";
 }
 
-bool Applying::holds(const Table& table, const toml::table& row, const Condition& condition) const {
+bool ConditionCheck::is_true(const Table& table, const toml::table& row, const Condition& condition) const {
   const Subject subject = subject_of(table, condition.key);
   const bool is_of_row = &subject.table == &table;
   const toml::table* other = is_of_row ? &row : root_[subject.table.key].as_table();
-  // Without a terrain nobody knows what it would be.
+  // Without a terrain its kind is unknown, and nothing is reported about it.
   if (!is_of_row && subject.table.key == "terrain" && !is_2d(root_)) return true;
   const bool is_given = other && other->contains(subject.key);
-  if (condition.asks == Condition::Asks::given) return is_given;
-  if (condition.asks == Condition::Asks::absent) return !is_given;
+  if (condition.kind == Condition::Kind::given) return is_given;
+  if (condition.kind == Condition::Kind::absent) return !is_given;
   if (is_given && refused_.contains(other->get(subject.key))) return true;
   const bool is_one =
       std::ranges::find(condition.values, text(subject.table, other, subject.key)) != condition.values.end();
-  return is_one == (condition.asks == Condition::Asks::one_of);
+  return is_one == (condition.kind == Condition::Kind::one_of);
 }
 
-bool Applying::is_met(const Table& table, const toml::table& row, const Need& need) const {
-  return std::ranges::any_of(need.any_of, [&](const Condition& condition) { return holds(table, row, condition); });
+bool ConditionCheck::is_met(const Table& table, const toml::table& row, const Need& need) const {
+  return std::ranges::any_of(need.any_of, [&](const Condition& condition) { return is_true(table, row, condition); });
 }
 
-std::optional<NotMet> Applying::against(const Table& table, const toml::table& row, const Setting& setting) const {
+std::optional<NotMet> ConditionCheck::unmet(const Table& table, const toml::table& row, const Setting& setting) const {
   const toml::node* node = row.get(setting.key);
   if (!node || refused_.contains(node)) return std::nullopt;
-  if (std::ranges::find(setting.asks_nothing, text_of(*node)) != setting.asks_nothing.end()) return std::nullopt;
+  if (std::ranges::find(setting.always_accepted, text_of(*node)) != setting.always_accepted.end()) return std::nullopt;
   const auto failed =
       std::ranges::find_if(setting.applies_when, [&](const Need& need) { return !is_met(table, row, need); });
   if (failed == setting.applies_when.end() || failed->otherwise == Otherwise::kept) return std::nullopt;

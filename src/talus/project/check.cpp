@@ -17,7 +17,17 @@
 namespace talus::project {
 namespace {
 
-/// What the rules look at, and how they report.
+/// Whether a property of the row is a distribution.
+bool is_random(const Table& declared, const Row& row) {
+  return std::any_of(declared.settings.begin(), declared.settings.end(), [&](const Setting& setting) {
+    const Slot slot = setting.slot(row);
+    if (const auto* const plain = std::get_if<Distribution*>(&slot)) return (*plain)->kind != DistributionKind::none;
+    const auto* const given = std::get_if<std::optional<Distribution>*>(&slot);
+    return given && **given && (**given)->kind != DistributionKind::none;
+  });
+}
+
+/// The rules, with the data they check and the list they report to.
 class Rules {
  public:
   Rules(const Project& project, const Document& document, const std::unordered_set<const toml::node*>& refused,
@@ -25,37 +35,36 @@ class Rules {
       : project_(project), document_(document), refused_(refused), problems_(problems) {}
 
   void run() {
-    about_name();
+    check_name();
     for (const Table& declared : tables()) {
-      if (declared.key != "seeder") about_needs(declared);
+      if (declared.key != "seeder") check_needs(declared);
     }
     if (const toml::table* terrain = table("terrain")) {
-      TerrainRules{project_, *terrain, is_2d(document_.root()) == true,
-                   [&](std::string_view key) { return good(terrain, key); },
+      TerrainRules{project_, *terrain, [&](std::string_view key) { return accepted(terrain, key); },
                    [&](const Spot& at, std::string what, std::string why, std::string hint, Severity severity) {
                      report(at, "[terrain]", std::move(what), std::move(why), std::move(hint), severity);
                    }}
           .check();
     }
-    about_materials();
+    check_materials();
     if (materials_are_known()) {
       GroundRules{project_,
                   table("ground"),
                   table("terrain"),
                   rows("area"),
                   is_2d(document_.root()),
-                  [&](const toml::table* of, std::string_view key) { return good(of, key); },
+                  [&](const toml::table* of, std::string_view key) { return accepted(of, key); },
                   [&](const Spot& at, std::string where, std::string what, std::string why, std::string hint) {
                     report(at, std::move(where), std::move(what), std::move(why), std::move(hint));
                   }}
           .check();
     }
-    about_areas();
-    about_seeders();
-    about_chance();
-    about_barriers();
-    about_design();
-    about_output();
+    check_areas();
+    check_seeders();
+    check_chance();
+    check_barriers();
+    check_design();
+    check_output();
   }
 
  private:
@@ -73,13 +82,13 @@ class Rules {
 
   [[nodiscard]] const toml::table* table(std::string_view key) const { return document_.root()[key].as_table(); }
 
-  /// The value of a key, where the file has it and it was not refused.
-  [[nodiscard]] Node good(const toml::table* row, std::string_view key) const {
+  /// The value of a key; null if the file does not give it or it was refused.
+  [[nodiscard]] Node accepted(const toml::table* row, std::string_view key) const {
     const Node node = row ? row->get(key) : nullptr;
     return node && !refused_.contains(node) ? node : nullptr;
   }
 
-  /// The rows of [[key]] as they stand in the file; null for an entry that is not a table.
+  /// The rows of [[key]] in the file; null for an entry that is not a table.
   [[nodiscard]] std::vector<const toml::table*> rows(std::string_view key) const {
     std::vector<const toml::table*> list;
     if (const toml::array* array = document_.root()[key].as_array()) {
@@ -88,75 +97,75 @@ class Rules {
     return list;
   }
 
-  void about_name() {
-    const Node node = good(&document_.root(), "name");
+  void check_name() {
+    const Node node = accepted(&document_.root(), "name");
     const std::string& name = project_.name;
     if (node && (name.find('/') != std::string::npos || name == "." || name == "..")) {
-      report(node, "", fmt::format("name is {}", quoted(*node)), "the folder of the results is called by it",
+      report(node, "", fmt::format("name is {}", quoted(*node)), "the folder of the results has the same name",
              "Use a name without slashes");
     }
   }
 
-  /// What was said of a row's key elsewhere is not said again.
-  void about_needs(const Table& declared, const toml::table& row, const std::string& where, std::string_view reported) {
+  /// `reported` is a key about which another rule has reported already.
+  void check_needs(const Table& declared, const toml::table& row, const std::string& where, std::string_view reported) {
     for (const Setting& setting : declared.settings) {
       if (setting.key == reported) continue;
-      if (const auto not_met = applying_.against(declared, row, setting)) {
+      if (const auto not_met = conditions_.unmet(declared, row, setting)) {
         report(row.get(setting.key), where, not_met->what, not_met->why, not_met->hint, not_met->severity);
       }
     }
   }
 
-  void about_needs(const Table& declared) {
+  void check_needs(const Table& declared) {
     if (declared.key.empty()) return;
     if (!declared.repeated) {
-      if (const toml::table* row = table(declared.key)) about_needs(declared, *row, declared.heading(), "");
+      if (const toml::table* row = table(declared.key)) check_needs(declared, *row, declared.heading(), "");
       return;
     }
     const auto list = rows(declared.key);
     for (std::size_t i = 0; i < list.size(); ++i) {
-      if (list[i]) about_needs(declared, *list[i], name_of_row(declared, *list[i], i), "");
+      if (list[i]) check_needs(declared, *list[i], name_of_row(declared, *list[i], i), "");
     }
   }
 
-  void about_materials() {
+  void check_materials() {
     std::vector<std::string_view> names;
     for (const Material& material : project_.materials) names.push_back(material.name);
     const auto list = rows("material");
-    about_unique("materials", list, names);
+    check_unique("materials", list, names);
     for (std::size_t i = 0; i < list.size() && i < project_.materials.size(); ++i) {
       if (!list[i]) continue;
-      const std::string where = name_of_row(declaration("material"), *list[i], i);
-      about_forest(project_.materials[i], *list[i], where);
-      about_library_friction(*list[i], where);
+      const std::string where = name_of_row(project::table("material"), *list[i], i);
+      check_forest(project_.materials[i], *list[i], where);
+      check_library_friction(*list[i], where);
     }
   }
 
-  /// Restitutions were published for rocks as points, which have no friction of their own in an impact.
-  void about_library_friction(const toml::table& row, const std::string& where) {
-    const Node like = good(&row, "like");
+  /// Restitutions are published for lumped masses, whose impacts have no separate friction.
+  void check_library_friction(const toml::table& row, const std::string& where) {
+    const Node like = accepted(&row, "like");
     if (!like || project_.analysis.model != RockModel::rigid_sphere) return;
     if (row.contains("dynamic_friction") || row.contains("rolling_friction")) return;
-    const Material plain;
-    report(like, where, "the friction of a sphere is not given",
-           fmt::format("the library has restitutions, published for lumped masses; dynamic_friction = {:g} and "
-                       "rolling_friction = {:g} hold, and spheres go further and faster than points",
-                       plain.dynamic_friction.mean, plain.rolling_friction.mean),
-           "Give both, and compare with what is known of the site", Severity::warning);
+    const Material defaults;
+    report(like, where, "the friction of the rigid sphere is not given",
+           fmt::format("the library only has restitutions, published for lumped masses; dynamic_friction = {:g} and "
+                       "rolling_friction = {:g} apply, and spheres go further and faster than points",
+                       defaults.dynamic_friction.mean, defaults.rolling_friction.mean),
+           "Give both, and compare the results with what is known of the site", Severity::warning);
   }
 
-  void about_forest(const Material& material, const toml::table& row, const std::string& where) {
+  void check_forest(const Material& material, const toml::table& row, const std::string& where) {
     const bool has_forest = material.forest != Forest::none || material.forest_drag_kg_s;
     if (has_forest && !row.contains("forest_height_m")) {
       const Node forest = row.get(material.forest_drag_kg_s ? "forest_drag_kg_s" : "forest");
       report({forest, &row, "forest_height_m"}, where, "forest_height_m is missing",
-             "a forest brakes rocks up to its effective height only",
-             "Write how high above the ground its trunks and branches hold rocks up");
+             "a forest slows rocks only up to its effective height",
+             "Give the height above the ground up to which trunks and branches slow rocks");
     }
   }
 
-  /// Entries that are called by name must not share it. An empty name is one that is missing or was refused.
-  void about_unique(std::string_view kinds, const std::vector<const toml::table*>& list,
+  /// Names must be unique. An empty name is missing or was refused.
+  void check_unique(std::string_view kinds, const std::vector<const toml::table*>& list,
                     const std::vector<std::string_view>& names) {
     std::unordered_map<std::string_view, std::size_t> first;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -164,25 +173,25 @@ class Rules {
       const toml::table* earlier = list[first.at(names[i])];
       const Node node = list[i]->contains("name") ? list[i]->get("name") : list[i];
       const int line = earlier ? document_.at(*earlier).line : 0;
-      report(node, "", fmt::format("two {} are called \"{}\"", kinds, names[i]),
-             line > 0 ? fmt::format("the other begins in line {}", line) : "", "Give each its own name");
+      report(node, "", fmt::format("two {} are named \"{}\"", kinds, names[i]),
+             line > 0 ? fmt::format("the first begins in line {}", line) : "", "Give each its own name");
     }
   }
 
   [[nodiscard]] bool materials_are_known() const {
     const auto list = rows("material");
     return !list.empty() &&
-           std::all_of(list.begin(), list.end(), [&](const toml::table* row) { return good(row, "name"); });
+           std::all_of(list.begin(), list.end(), [&](const toml::table* row) { return accepted(row, "name"); });
   }
 
-  void about_areas() {
+  void check_areas() {
     std::vector<std::string_view> names;
     for (const Area& area : project_.areas) names.push_back(area.name);
-    about_unique("areas", rows("area"), names);
+    check_unique("areas", rows("area"), names);
   }
 
-  void about_seeders() {
-    const Table& declared = declaration("seeder");
+  void check_seeders() {
+    const Table& declared = project::table("seeder");
     const auto list = rows("seeder");
     std::vector<std::string_view> names;
     double rocks = 0;
@@ -190,9 +199,9 @@ class Rules {
       const Seeder& seeder = project_.seeders[i];
       names.push_back(seeder.name);
       rocks += static_cast<double>(seeder.rocks);
-      if (list[i]) about_seeder(seeder, *list[i], name_of_row(declared, *list[i], i));
+      if (list[i]) check_seeder(seeder, *list[i], name_of_row(declared, *list[i], i));
     }
-    about_unique("seeders", list, names);
+    check_unique("seeders", list, names);
     const double most = setting("seeder", "rocks").range.most;
     if (rocks > most) {
       report(list.back(), "", fmt::format("all seeders together have {} rocks", number_text(rocks)),
@@ -200,87 +209,78 @@ class Rules {
     }
   }
 
-  static bool is_random(const Table& declared, const Row& row) {
-    return std::any_of(declared.settings.begin(), declared.settings.end(), [&](const Setting& setting) {
-      const Slot slot = setting.slot(row);
-      if (const auto* const plain = std::get_if<Distribution*>(&slot)) return (*plain)->kind != DistributionKind::none;
-      const auto* const given = std::get_if<std::optional<Distribution>*>(&slot);
-      return given && **given && (**given)->kind != DistributionKind::none;
-    });
-  }
-
-  /// Whether an entry has a value that was refused: what it would have been is not known.
+  /// Whether a value of the entry was refused, so that its meaning is unknown.
   [[nodiscard]] bool has_refused(const toml::table* row) const {
     return !row ||
            std::any_of(row->begin(), row->end(), [&](const auto& part) { return refused_.contains(&part.second); });
   }
 
-  /// Rocks that nothing makes differ are one rock.
-  void about_chance() {
+  /// Warns of many rocks of a seeder that would all follow the same path.
+  void check_chance() {
     const auto materials = rows("material");
     if (std::any_of(materials.begin(), materials.end(), [&](const toml::table* row) { return has_refused(row); }))
       return;
-    Project copy = project_;  // the declaration leads to members that can be written to
+    Project copy = project_;  // slots are not const
     if (!copy.terrain.section_std_dev_m.empty()) return;
     for (Material& material : copy.materials) {
       const bool is_rough = material.roughness_deg.mean > 0 || material.roughness_amplitude_m > 0;
-      if (is_rough || is_random(declaration("material"), &material)) return;
+      if (is_rough || is_random(project::table("material"), &material)) return;
     }
-    constexpr std::int64_t many = 100;  // from which statistics could be expected
+    constexpr std::int64_t many = 100;  // enough that the user expects statistics
     const auto list = rows("seeder");
     for (std::size_t i = 0; i < copy.seeders.size(); ++i) {
       Seeder& seeder = copy.seeders[i];
-      const bool is_one_rock = seeder.type == SeederType::point && !is_random(declaration("seeder"), &seeder);
+      const bool is_one_rock = seeder.type == SeederType::point && !is_random(project::table("seeder"), &seeder);
       if (!is_one_rock || seeder.rocks < many || has_refused(list[i])) continue;
-      report(list[i]->get("rocks"), name_of_row(declaration("seeder"), *list[i], i),
-             fmt::format("its {} rocks are all the same", seeder.rocks),
-             "nothing is random of them or of the ground, so that they follow one path",
+      report(list[i]->get("rocks"), name_of_row(project::table("seeder"), *list[i], i),
+             fmt::format("its {} rocks are identical", seeder.rocks),
+             "nothing about them or the ground is random, so they all follow one path",
              "Give restitution or friction a distribution, or the ground a roughness", Severity::warning);
     }
   }
 
-  void about_seeder(const Seeder& seeder, const toml::table& row, const std::string& where) {
+  void check_seeder(const Seeder& seeder, const toml::table& row, const std::string& where) {
     const SeederRules rules{
         project_,
         seeder,
         row,
-        !row.contains("type") || good(&row, "type"),
+        !row.contains("type") || accepted(&row, "type"),
         is_2d(document_.root()) == true,
         table("terrain") && table("terrain")->contains("raster"),
-        [&](std::string_view key) { return good(&row, key); },
+        [&](std::string_view key) { return accepted(&row, key); },
         [&](const Spot& at, std::string what, std::string why, std::string hint, Severity severity) {
           report(at, where, std::move(what), std::move(why), std::move(hint), severity);
         }};
-    const std::string_view reported = rules.about_place();
-    if (reported != "type") about_needs(declaration("seeder"), row, where, reported);
+    const std::string_view reported = rules.check_place();
+    if (reported != "type") check_needs(project::table("seeder"), row, where, reported);
     rules.check();
   }
 
-  void about_barriers() {
+  void check_barriers() {
     std::vector<const toml::table*> all;
     std::vector<std::string_view> names;
     for (const std::string_view key : {"barrier", "collector"}) {
-      const Table& declared = declaration(key);
+      const Table& declared = project::table(key);
       const auto list = rows(key);
       all.insert(all.end(), list.begin(), list.end());
       for (std::size_t i = 0; i < list.size(); ++i) {
-        if (list[i]) about_restitution(*list[i], name_of_row(declared, *list[i], i), key);
+        if (list[i]) check_restitution(*list[i], name_of_row(declared, *list[i], i), key);
       }
     }
     for (const Barrier& barrier : project_.barriers) names.push_back(barrier.name);
-    about_unique("barriers or collectors", all, names);
+    check_unique("barriers or collectors", all, names);
   }
 
-  void about_restitution(const toml::table& row, const std::string& where, std::string_view kind) {
+  void check_restitution(const toml::table& row, const std::string& where, std::string_view kind) {
     if (kind != "barrier" || row.contains("normal_restitution") == row.contains("tangential_restitution")) return;
     const bool has_normal = row.contains("normal_restitution");
     const std::string_view given = has_normal ? "normal_restitution" : "tangential_restitution";
     const std::string_view missing = has_normal ? "tangential_restitution" : "normal_restitution";
     report({row.get(given), &row, missing}, where, fmt::format("{} is missing", missing),
-           "a barrier has both restitutions, or neither and holds what it stops");
+           "a barrier has both restitutions, or neither if it holds the rocks it stops");
   }
 
-  void about_design() {
+  void check_design() {
     const toml::table* row = table("design");
     if (!row || !project_.design) return;
     DesignRules{project_,
@@ -289,45 +289,41 @@ class Rules {
                 rows("barrier"),
                 rows("collector"),
                 is_2d(document_.root()),
-                [&](const toml::table* of, std::string_view key) { return good(of, key); },
+                [&](const toml::table* of, std::string_view key) { return accepted(of, key); },
                 [&](Node at, std::string what, std::string why, std::string hint, Severity severity) {
                   report(at, "[design]", std::move(what), std::move(why), std::move(hint), severity);
                 }}
         .check();
   }
 
-  void about_output() {
+  void check_output() {
     const toml::table* row = table("output");
     const Output& output = project_.output;
-    if (good(row, "percentiles") && good(row, "maps") && output.maps.any() && !output.percentiles.empty() &&
+    if (accepted(row, "percentiles") && accepted(row, "maps") && output.maps.any() && !output.percentiles.empty() &&
         contents_of({output.maps, {}}).quantities() == 0) {
-      report(row->get("percentiles"), "[output]", "percentiles has no effect", "maps names counts only",
-             "Name a quantity there, such as \"energy_total\"", Severity::warning);
+      report(row->get("percentiles"), "[output]", "percentiles has no effect", "maps lists only counts",
+             "Add a quantity, such as \"energy_total\"", Severity::warning);
     }
-    if (const Node list = good(row, "percentiles")) {
+    if (const Node list = accepted(row, "percentiles")) {
       for (const std::size_t i : repeated(output.percentiles)) {
         report(list->as_array()->get(i), "[output]",
-               fmt::format("percentiles[{}] is {}", i, number_text(output.percentiles[i])), "it was given before",
+               fmt::format("percentiles[{}] is {}", i, number_text(output.percentiles[i])), "it is listed twice",
                "Leave it out");
       }
     }
     const toml::table* terrain = table("terrain");
-    if (const Node cell = good(row, "raster_cell_m");
+    if (const Node cell = accepted(row, "raster_cell_m");
         cell && !output.raster_cell_m && terrain && !terrain->contains("raster")) {
       report(cell, "[output]", "raster_cell_m is \"terrain\"", "the terrain is not a raster, so it has no cells",
-             "Give the side of a cell in metres");
+             "Give the cell size in metres");
     }
-  }
-
-  static const Table& declaration(std::string_view key) {
-    return *std::find_if(tables().begin(), tables().end(), [&](const Table& table) { return table.key == key; });
   }
 
   const Project& project_;
   const Document& document_;
   const std::unordered_set<const toml::node*>& refused_;
   Problems& problems_;
-  const Applying applying_{document_.root(), refused_};
+  const ConditionCheck conditions_{document_.root(), refused_};
 };
 
 }  // namespace

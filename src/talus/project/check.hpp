@@ -1,6 +1,6 @@
 #pragma once
-// The rules across keys of a project file: what no single value can get wrong. Rules that need the terrain itself (is a
-// seeder above it?) are with whoever builds it.
+// The rules across several keys of a project file. Rules that need the terrain itself (is a seeder above it?) are in
+// the room `model`.
 
 #include <unordered_set>
 
@@ -10,7 +10,7 @@
 
 namespace talus::project {
 
-/// `refused` are the values that are not in the project because they were reported already.
+/// `refused` are the values that were reported and are therefore not in the project.
 void check(const Project& project, const Document& document, const std::unordered_set<const toml::node*>& refused,
            Problems& problems);
 

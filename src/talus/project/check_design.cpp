@@ -18,11 +18,11 @@ void DesignRules::check() const {
            "Add a [[collector]] with a line and a height_m", Severity::error);
     return;
   }
-  about_lines();
-  about_sections();
-  about_lists();
-  about_standard();
-  about_what_is_stopped_before();
+  check_lines();
+  check_sections();
+  check_lists();
+  check_standard();
+  check_barriers_before_protected_line();
 }
 
 std::optional<std::vector<std::string>> DesignRules::names() const {
@@ -30,7 +30,7 @@ std::optional<std::vector<std::string>> DesignRules::names() const {
   for (const auto& [kind, rows] : {std::pair("barrier", &barriers), std::pair("collector", &collectors)}) {
     for (std::size_t i = 0; i < rows->size(); ++i) {
       const toml::table* each = (*rows)[i];
-      const toml::node* name = good(each, "name");
+      const toml::node* name = accepted(each, "name");
       if (each == nullptr || (each->contains("name") && name == nullptr)) return std::nullopt;
       list.push_back(name != nullptr ? *name->value<std::string>() : fmt::format("{} {}", kind, i + 1));
     }
@@ -38,10 +38,10 @@ std::optional<std::vector<std::string>> DesignRules::names() const {
   return list;
 }
 
-void DesignRules::about_lines() const {
+void DesignRules::check_lines() const {
   const auto known = names();
   if (!known) return;
-  if (const auto* lines = good(&row, "lines")) {
+  if (const auto* lines = accepted(&row, "lines")) {
     if (design.lines.empty()) {
       report(lines, "lines is empty", "without a line there is nothing to design for",
              "Leave it out to take all barriers and collectors", Severity::error);
@@ -49,37 +49,36 @@ void DesignRules::about_lines() const {
     for (std::size_t i = 0; i < design.lines.size(); ++i) {
       const toml::node& node = *lines->as_array()->get(i);
       const std::string key = fmt::format("lines[{}]", i);
-      about_name(node, key, design.lines[i], *known);
+      check_name(node, key, design.lines[i], *known);
       if (std::find(design.lines.begin(), design.lines.begin() + static_cast<std::ptrdiff_t>(i), design.lines[i]) !=
           design.lines.begin() + static_cast<std::ptrdiff_t>(i)) {
-        report(&node, fmt::format("{} is {}", key, quoted(node)), "this line was named before", "Leave it out",
+        report(&node, fmt::format("{} is {}", key, quoted(node)), "it is listed twice", "Leave it out",
                Severity::error);
       }
     }
   }
-  if (const auto* protect = good(&row, "protect")) about_name(*protect, "protect", design.protect, *known);
+  if (const auto* protect = accepted(&row, "protect")) check_name(*protect, "protect", design.protect, *known);
 }
 
-void DesignRules::about_name(const toml::node& node, const std::string& key, const std::string& name,
+void DesignRules::check_name(const toml::node& node, const std::string& key, const std::string& name,
                              const std::vector<std::string>& known) const {
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
   std::string list;
   for (const std::string& each : known) list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", each);
   const std::vector<std::string_view> candidates(known.begin(), known.end());
   const auto near = nearest(name, candidates);
-  report(
-      &node, fmt::format("{} is {}", key, quoted(node)),
-      fmt::format("there is no barrier or collector of this name; there {} {}", known.size() == 1 ? "is" : "are", list),
-      near ? fmt::format("Did you mean \"{}\"?", *near) : "", Severity::error);
+  report(&node, fmt::format("{} is {}", key, quoted(node)),
+         fmt::format("no barrier or collector has this name; the project has {}", list),
+         near ? fmt::format("Did you mean \"{}\"?", *near) : "", Severity::error);
 }
 
-void DesignRules::about_sections() const {
-  const auto* node = good(&row, "section_m");
+void DesignRules::check_sections() const {
+  const auto* node = accepted(&row, "section_m");
   if (is_2d == true) return;
   for (const Barrier& barrier : project.barriers) {
-    const bool is_wanted =
+    const bool is_candidate =
         design.lines.empty() || std::find(design.lines.begin(), design.lines.end(), barrier.name) != design.lines.end();
-    if (!is_wanted) continue;
+    if (!is_candidate) continue;
     double length = 0;
     for (std::size_t k = 1; k < barrier.line.size(); ++k) {
       length += std::hypot(barrier.line[k][0] - barrier.line[k - 1][0], barrier.line[k][1] - barrier.line[k - 1][1]);
@@ -94,39 +93,39 @@ void DesignRules::about_sections() const {
   }
 }
 
-void DesignRules::about_lists() const {
+void DesignRules::check_lists() const {
   for (const auto& [key, list] :
        {std::pair("heights_m", &design.heights_m), std::pair("energies_kJ", &design.energies_kJ)}) {
-    const auto* node = good(&row, key);
+    const auto* node = accepted(&row, key);
     if (node && list->empty()) {
       report(node, fmt::format("{} is empty", key), "there would be no kit to choose from", "Leave it out",
              Severity::error);
     }
   }
-  if (const auto* node = good(&row, "percentiles")) {
+  if (const auto* node = accepted(&row, "percentiles")) {
     for (const std::size_t i : repeated(design.percentiles)) {
       report(node->as_array()->get(i), fmt::format("percentiles[{}] is {}", i, number_text(design.percentiles[i])),
-             "it was given before", "Leave it out", Severity::error);
+             "it is listed twice", "Leave it out", Severity::error);
     }
   }
 }
 
-void DesignRules::about_standard() const {
-  const auto is_too_weak = [](double energy_kJ) { return energy_kJ * 1000 < least_energy_with_service; };
-  if (const auto* energies = good(&row, "energies_kJ");
+void DesignRules::check_standard() const {
+  const auto lacks_service_level = [](double energy_kJ) { return energy_kJ * 1000 < least_energy_with_service; };
+  if (const auto* energies = accepted(&row, "energies_kJ");
       energies && design.standard != DesignStandard::none && design.energy_level == DesignLevel::sel &&
-      !design.energies_kJ.empty() && std::ranges::all_of(design.energies_kJ, is_too_weak)) {
-    report(energies, fmt::format("energies_kJ has nothing from {:.0f} kJ on", least_energy_with_service / 1000),
-           "energy_level is \"SEL\", and kits of class 0 are not tested at it", "", Severity::error);
+      !design.energies_kJ.empty() && std::ranges::all_of(design.energies_kJ, lacks_service_level)) {
+    report(energies, fmt::format("energies_kJ has no value of {:.0f} kJ or more", least_energy_with_service / 1000),
+           "energy_level is \"SEL\", and kits of class 0 are not tested at that level", "", Severity::error);
   }
 }
 
-void DesignRules::about_what_is_stopped_before() const {
-  const auto* protect = good(&row, "protect");
+void DesignRules::check_barriers_before_protected_line() const {
+  const auto* protect = accepted(&row, "protect");
   if (!protect || barriers.empty()) return;
   report(protect, "protect is given, and there are barriers",
-         "rocks that a [[barrier]] stops never reach what is to be protected, so that they do not count",
-         "Make candidates [[collector]]s", Severity::warning);
+         "rocks that a [[barrier]] stops never reach the protected line and are not counted",
+         "Make the candidates [[collector]]s", Severity::warning);
 }
 
 }  // namespace talus::project

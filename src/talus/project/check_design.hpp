@@ -15,26 +15,26 @@ namespace talus::project {
 struct DesignRules {
   const Project& project;
   const Design& design;
-  const toml::table& row;                                // [design] as it stands in the file
-  std::vector<const toml::table*> barriers, collectors;  // as they stand there; null: no table
-  std::optional<bool> is_2d;                             // nothing: nobody knows
-  /// The value of a key of a table, where the file has it and it was not refused; else null.
-  std::function<const toml::node*(const toml::table* of, std::string_view key)> good;
+  const toml::table& row;                                // [design] in the file
+  std::vector<const toml::table*> barriers, collectors;  // their rows; null: not a table
+  std::optional<bool> is_2d;                             // nullopt: unknown
+  /// The value of a key of a table; null if the file does not give it or it was refused.
+  std::function<const toml::node*(const toml::table* of, std::string_view key)> accepted;
   std::function<void(const toml::node* at, std::string what, std::string why, std::string hint, Severity severity)>
       report;
 
   void check() const;
 
  private:
-  /// As results will call them, barriers first; nothing where a name was refused.
+  /// The names of all lines in the results, barriers first; nullopt if a name was refused.
   [[nodiscard]] std::optional<std::vector<std::string>> names() const;
-  void about_lines() const;
-  void about_name(const toml::node& node, const std::string& key, const std::string& name,
+  void check_lines() const;
+  void check_name(const toml::node& node, const std::string& key, const std::string& name,
                   const std::vector<std::string>& known) const;
-  void about_sections() const;
-  void about_lists() const;
-  void about_standard() const;
-  void about_what_is_stopped_before() const;
+  void check_sections() const;
+  void check_lists() const;
+  void check_standard() const;
+  void check_barriers_before_protected_line() const;
 };
 
 }  // namespace talus::project

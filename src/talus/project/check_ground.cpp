@@ -17,17 +17,17 @@ void GroundRules::refuse(const Spot& at, std::string what, std::string why, std:
 }
 
 void GroundRules::check() const {
-  about_default();
-  if (const Node segments = good(row, "segments")) about_segments(segments);
-  if (const Node triangles = good(row, "triangles")) about_triangles(triangles);
-  about_raster();
-  about_polygons();
-  about_areas();
+  check_default();
+  if (const Node segments = accepted(row, "segments")) check_segments(segments);
+  if (const Node triangles = accepted(row, "triangles")) check_triangles(triangles);
+  check_raster();
+  check_polygons();
+  check_areas();
 }
 
-void GroundRules::about_default() const {
-  if (const Node node = good(row, "default")) {
-    about_material("[ground]", node, "default", project.ground.default_material);
+void GroundRules::check_default() const {
+  if (const Node node = accepted(row, "default")) {
+    check_material("[ground]", node, "default", project.ground.default_material);
   }
   const auto has = [&](std::string_view key) { return row->contains(key); };
   const bool is_reported = row && (has("default") || std::ranges::any_of(table("ground").keys_of_ways(), has));
@@ -37,9 +37,9 @@ void GroundRules::about_default() const {
                      is_on("section") ? ", or segments with one name for each segment" : ""));
 }
 
-void GroundRules::about_segments(Node segments) const {
+void GroundRules::check_segments(Node segments) const {
   const auto& given = project.ground.segments;
-  if (good(terrain, "section") && project.terrain.section.size() >= 2) {
+  if (accepted(terrain, "section") && project.terrain.section.size() >= 2) {
     const std::size_t vertices = project.terrain.section.size();
     if (given.size() != vertices - 1) {
       refuse(segments, fmt::format("segments has {}", counted(given.size(), "entry", "entries")),
@@ -47,13 +47,13 @@ void GroundRules::about_segments(Node segments) const {
     }
   }
   for (std::size_t i = 0; i < given.size(); ++i) {
-    about_material("[ground]", entry(segments, i), fmt::format("segments[{}]", i), given[i]);
+    check_material("[ground]", entry(segments, i), fmt::format("segments[{}]", i), given[i]);
   }
 }
 
-void GroundRules::about_triangles(Node triangles) const {
+void GroundRules::check_triangles(Node triangles) const {
   const auto& given = project.ground.triangles;
-  if (good(terrain, "triangles") && given.size() != project.terrain.triangles.size()) {
+  if (accepted(terrain, "triangles") && given.size() != project.terrain.triangles.size()) {
     refuse(triangles, fmt::format("triangles has {}", counted(given.size(), "entry", "entries")),
            fmt::format("expected {}, one for each triangle of the terrain", project.terrain.triangles.size()));
   }
@@ -61,67 +61,67 @@ void GroundRules::about_triangles(Node triangles) const {
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (given[i] < count) continue;
     refuse(entry(triangles, i), fmt::format("triangles[{}] is {}", i, given[i]),
-           fmt::format("there {} {}, counted from 0; expected {}", count == 1 ? "is" : "are",
+           fmt::format("there {} {}, numbered from 0; expected {}", count == 1 ? "is" : "are",
                        counted(static_cast<std::size_t>(count), "material", "materials"),
                        count == 1 ? "0" : fmt::format("0 to {}", count - 1)));
   }
 }
 
-void GroundRules::about_raster() const {
-  const Node raster = good(row, "raster"), classes = good(row, "classes");
+void GroundRules::check_raster() const {
+  const Node raster = accepted(row, "raster"), classes = accepted(row, "classes");
   if (raster) {
-    about_file("raster", raster, project.ground.raster);
+    check_file("raster", raster, project.ground.raster);
     if (!row->contains("classes")) {
-      refuse({raster, row, "classes"}, "classes is missing", "nothing says which class of the raster is which material",
+      refuse({raster, row, "classes"}, "classes is missing", "the materials of its classes are not given",
              fmt::format("Write classes = {{ 1 = \"{}\" }}, with one entry for each class",
                          project.materials.front().name));
     }
   }
   if (!classes) return;
-  about_materials_in("classes", classes);
+  check_materials_in("classes", classes);
 }
 
-void GroundRules::about_polygons() const {
-  const Node polygons = good(row, "polygons");
+void GroundRules::check_polygons() const {
+  const Node polygons = accepted(row, "polygons");
   if (!polygons) return;
-  about_file("polygons", polygons, project.ground.polygons);
+  check_file("polygons", polygons, project.ground.polygons);
   if (!row->contains("attribute")) {
-    refuse({polygons, row, "attribute"}, "attribute is missing", "nothing says which polygon is of which material",
-           "Write attribute = \"...\"; ogrinfo -so lists what there is");
+    refuse({polygons, row, "attribute"}, "attribute is missing", "the materials of the polygons are not given",
+           "Write attribute = \"...\"; ogrinfo -so lists the attributes");
   }
-  if (const Node values = good(row, "values")) about_materials_in("values", values);
+  if (const Node values = accepted(row, "values")) check_materials_in("values", values);
 }
 
-void GroundRules::about_areas() const {
+void GroundRules::check_areas() const {
   for (std::size_t i = 0; i < areas.size() && i < project.areas.size(); ++i) {
     if (!areas[i]) continue;
     const std::string where = name_of_row(table("area"), *areas[i], i);
-    if (const Node material = good(areas[i], "material")) {
-      about_material(where, material, "material", project.areas[i].material);
+    if (const Node material = accepted(areas[i], "material")) {
+      check_material(where, material, "material", project.areas[i].material);
     }
-    if (is_flat == true) {
+    if (is_2d == true) {
       report({areas[i]}, where, "an area is given in 2D", "a section has segments",
              "Use ground.segments, with one name for each segment");
     }
   }
 }
 
-void GroundRules::about_file(std::string_view key, Node node, const std::filesystem::path& file) const {
-  if (is_on("section")) return;  // then it has no effect at all
+void GroundRules::check_file(std::string_view key, Node node, const std::filesystem::path& file) const {
+  if (is_on("section")) return;  // reported as having no effect
   if (const std::string why = why_unreadable(project, file); !why.empty()) {
-    refuse(node, fmt::format("{} is {}", key, quoted(*node)), why, "Its path is relative to the project file");
+    refuse(node, fmt::format("{} is {}", key, quoted(*node)), why, "The path is relative to the project file");
   }
 }
 
-void GroundRules::about_materials_in(std::string_view key, Node names) const {
+void GroundRules::check_materials_in(std::string_view key, Node names) const {
   for (const auto& [name, node] : *names->as_table()) {
     if (const auto material = node.value<std::string>()) {
-      about_material("[ground]", &node, fmt::format("{}.{}", key, std::string_view(name.str())), *material);
+      check_material("[ground]", &node, fmt::format("{}.{}", key, std::string_view(name.str())), *material);
     }
   }
 }
 
-void GroundRules::about_material(const std::string& where, Node node, const std::string& key,
+void GroundRules::check_material(const std::string& where, Node node, const std::string& key,
                                  const std::string& name) const {
   std::vector<std::string_view> names;
   for (const Material& material : project.materials) names.push_back(material.name);
@@ -130,7 +130,7 @@ void GroundRules::about_material(const std::string& where, Node node, const std:
   for (const std::string_view material : names) known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", material);
   const auto near = nearest(name, names);
   report(node, where, fmt::format("{} is {}", key, quoted(*node)),
-         fmt::format("there is no material of this name; there {} {}", names.size() == 1 ? "is" : "are", known),
+         fmt::format("no material has this name; the project has {}", known),
          near ? fmt::format("Did you mean \"{}\"?", *near) : "");
 }
 

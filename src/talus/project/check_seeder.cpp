@@ -20,18 +20,18 @@ std::string_view SeederRules::refuse(std::string_view key, std::string what, std
 bool SeederRules::misses(std::string_view key) const { return !has(key) && !is_mistyped(table("seeder"), row, key); }
 
 void SeederRules::check() const {
-  if (type_is_good && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) about_cells();
-  about_files();
+  if (type_is_known && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) check_cells();
+  check_files();
   if (misses("mass_kg") && misses("volume_m3") && misses("diameter_m")) {
     refuse("mass_kg", "the size of the rocks is missing", "expected one of mass_kg, volume_m3 and diameter_m");
   }
 }
 
-std::string_view SeederRules::about_place() const {
-  if (!type_is_good) return "type";
+std::string_view SeederRules::check_place() const {
+  if (!type_is_known) return "type";
   const bool has_position = has("position"), has_points = has("points"), has_lines = has("lines");
   const std::string_view polygon = has("polygons") ? "polygons" : has("polygon") ? "polygon" : "";
-  if (is_flat && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) {
+  if (is_2d && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) {
     return refuse("type", fmt::format("type is \"{}\" in 2D", word(seeder.type)), "a section has no area",
                   "Use a point or a line, or give terrain.width_m for 3D");
   }
@@ -40,10 +40,11 @@ std::string_view SeederRules::about_place() const {
       if (has_position) return "";
       if (has_points || has_lines) {
         const std::string_view key = has_points ? "points" : "lines";
-        return refuse(key, fmt::format("{} are given for a point", key), "they make a line", "Write type = \"line\"");
+        return refuse(key, fmt::format("{} are given for a point", key), "they belong to a line",
+                      "Write type = \"line\"");
       }
       if (!polygon.empty()) {
-        return refuse(polygon, "a polygon is given for a point", "it has an area", "Write type = \"polygon\"");
+        return refuse(polygon, "a polygon is given for a point", "a polygon is an area", "Write type = \"polygon\"");
       }
       if (!misses("position")) return "";
       return refuse("position", "position is missing", "a point seeder needs it");
@@ -59,52 +60,52 @@ std::string_view SeederRules::about_place() const {
     case SeederType::polygon:
       if (!polygon.empty()) return "";
       if (!misses("polygons") || !misses("polygon")) return "";
-      return refuse("polygons", "polygons is missing", "a polygon seeder needs it, or polygon",
+      return refuse("polygons", "polygons is missing", "a polygon seeder needs polygons or polygon",
                     "Write polygons = \"cliffs.gpkg\", or polygon = [[x, y], ...]");
     case SeederType::raster:
       break;
   }
   if (!polygon.empty()) {
-    return refuse(polygon, "a polygon is given for a raster", "slopes and masks hold for polygons too",
+    return refuse(polygon, "a polygon is given for a raster", "slope limits and masks also apply to polygons",
                   "Write type = \"polygon\"");
   }
   if (!misses("mask") || !misses("min_slope_deg") || !misses("max_slope_deg")) return "";
-  return refuse("", "nothing says which cells", "a raster seeder needs a slope or a mask",
+  return refuse("", "the cells are not specified", "a raster seeder needs a slope or a mask",
                 "Write min_slope_deg = 45, or mask = \"release.tif\"");
 }
 
-void SeederRules::about_cells() const {
-  if (good("min_slope_deg") && good("max_slope_deg") && *seeder.min_slope_deg > *seeder.max_slope_deg) {
+void SeederRules::check_cells() const {
+  if (accepted("min_slope_deg") && accepted("max_slope_deg") && *seeder.min_slope_deg > *seeder.max_slope_deg) {
     refuse("max_slope_deg", fmt::format("max_slope_deg is {:g}", *seeder.max_slope_deg),
-           fmt::format("min_slope_deg is {:g}, and no cell could be both", *seeder.min_slope_deg));
+           fmt::format("min_slope_deg is {:g}, so no cell can meet both", *seeder.min_slope_deg));
   }
-  if (!has_grid && !is_flat && misses("cell_m")) {
+  if (!has_grid && !is_2d && misses("cell_m")) {
     refuse("cell_m", "cell_m is missing", "the terrain is not a raster, so it has no cells of its own",
-           "Give the side of the cells from which rocks start, in metres");
+           "Give the size of the cells from which rocks start, in metres");
   }
-  about_heading();
+  check_direction();
 }
 
-// Slopes of an area face many ways.
-void SeederRules::about_heading() const {
+// The slopes of an area face in many directions.
+void SeederRules::check_direction() const {
   for (const std::string_view key : {"horizontal_velocity_m_s", "speed_m_s"}) {
-    if (!good(key) || has("direction")) continue;
-    report(good(key), fmt::format("{} is given without a direction", key),
-           "all rocks of the area start eastwards, [1, 0, 0], whatever way the slope faces",
+    if (!accepted(key) || has("direction")) continue;
+    report(accepted(key), fmt::format("{} is given without a direction", key),
+           "all rocks of the area start eastwards, [1, 0, 0], whichever way the slope faces",
            "Write direction = \"downslope\", or one direction, [x, y, z]", Severity::warning);
   }
 }
 
-void SeederRules::about_files() const {
-  const auto look = [&](std::string_view key, const std::filesystem::path& file) {
-    if (!good(key)) return;
+void SeederRules::check_files() const {
+  const auto check_file = [&](std::string_view key, const std::filesystem::path& file) {
+    if (!accepted(key)) return;
     const std::string why = why_unreadable(project, file);
     if (why.empty()) return;
-    refuse(key, fmt::format("{} is \"{}\"", key, file.string()), why, "Its path is relative to the project file");
+    refuse(key, fmt::format("{} is \"{}\"", key, file.string()), why, "The path is relative to the project file");
   };
-  look("lines", seeder.lines);
-  look("polygons", seeder.polygons);
-  look("mask", seeder.mask);
+  check_file("lines", seeder.lines);
+  check_file("polygons", seeder.polygons);
+  check_file("mask", seeder.mask);
 }
 
 }  // namespace talus::project

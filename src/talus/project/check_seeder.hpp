@@ -1,5 +1,5 @@
 #pragma once
-// Rules for one [[seeder]], across its keys: each type of seeder has keys of its own.
+// Rules for one [[seeder]], across its keys: each type of seeder has its own keys.
 
 #include <functional>
 #include <string>
@@ -13,28 +13,28 @@ namespace talus::project {
 struct SeederRules {
   const Project& project;
   const Seeder& seeder;
-  const toml::table& row;  // as it stands in the file
-  bool type_is_good;       // absent or read
-  bool is_flat;            // the analysis is 2D
-  bool has_grid;           // the terrain is a raster
-  /// The value of a key, where the file has it and it was not refused; else null.
-  std::function<const toml::node*(std::string_view key)> good;
+  const toml::table& row;  // in the file
+  bool type_is_known;      // `type` was read, or is not given
+  bool is_2d;
+  bool has_grid;  // the terrain is a raster
+  /// The value of a key; null if the file does not give it or it was refused.
+  std::function<const toml::node*(std::string_view key)> accepted;
   std::function<void(const Spot& at, std::string what, std::string why, std::string hint, Severity severity)> report;
 
-  /// Reports a key that says a place in a way of another type, or that is missing, and gives it back; "type" where the
-  /// type itself is wrong, and nothing is known of the other keys.
-  [[nodiscard]] std::string_view about_place() const;
+  /// Reports a position given in the way of another type, or a missing one. Returns the key that was reported, "" if
+  /// none, or "type" if the type itself is wrong, so that the other keys cannot be judged.
+  [[nodiscard]] std::string_view check_place() const;
   void check() const;
 
  private:
   [[nodiscard]] bool has(std::string_view key) const { return row.contains(key); }
-  /// Nor is there an unknown key that was probably meant to be it, which is reported anyway.
+  /// Whether the key is missing, and no unknown key (which is reported anyway) was probably meant to be it.
   [[nodiscard]] bool misses(std::string_view key) const;
-  /// Gives back the key that it reported, there or missing; "" for the whole row.
+  /// Returns the key that it reported, present or missing; "" stands for the whole row.
   std::string_view refuse(std::string_view key, std::string what, std::string why, std::string hint = "") const;
-  void about_cells() const;
-  void about_heading() const;
-  void about_files() const;
+  void check_cells() const;
+  void check_direction() const;
+  void check_files() const;
 };
 
 }  // namespace talus::project

@@ -25,11 +25,11 @@ bool is_las(const std::filesystem::path& file) { return ending_of(file) == ".las
 }  // namespace
 
 void SurveyRules::check() const {
-  about_files();
-  about_polylines();
+  check_files();
+  check_polylines();
 }
 
-void SurveyRules::about_files() const {
+void SurveyRules::check_files() const {
   const Terrain& terrain = project.terrain;
   const std::array<std::pair<std::string_view, const std::filesystem::path*>, 4> files{
       {{"points", &terrain.points},
@@ -37,22 +37,22 @@ void SurveyRules::about_files() const {
        {"boundary", &terrain.boundary},
        {"polygons", &terrain.polygons}}};
   for (const auto& [key, file] : files) {
-    const auto* node = good(key);
+    const auto* node = accepted(key);
     if (!node) continue;
     const std::string why = why_unreadable(project, *file);
     if (why.empty()) continue;
-    report(node, fmt::format("{} is {}", key, quoted(*node)), why, "Its path is relative to the project file",
+    report(node, fmt::format("{} is {}", key, quoted(*node)), why, "The path is relative to the project file",
            Severity::error);
   }
-  if (!good("points")) return;
-  if (const auto* classes = good("point_classes"); classes && !is_las(terrain.points)) {
+  if (!accepted("points")) return;
+  if (const auto* classes = accepted("point_classes"); classes && !is_las(terrain.points)) {
     report(classes, fmt::format("point_classes is given for {}", terrain.points.filename().string()),
-           "only points of LAS have classes", "Leave it out", Severity::error);
+           "only LAS points have classes", "Leave it out", Severity::error);
   }
 }
 
-void SurveyRules::about_polylines() const {
-  const auto* list = good("polylines");
+void SurveyRules::check_polylines() const {
+  const auto* list = accepted("polylines");
   if (!list) return;
   const auto& polylines = project.terrain.polylines;
   if (polylines.empty()) report(list, "polylines is empty", "a terrain has at least one", "", Severity::error);
@@ -63,7 +63,7 @@ void SurveyRules::about_polylines() const {
     const std::string name = fmt::format("polylines[{}]", i);
     if (line.size() < 4) {
       report(node, fmt::format("{} has {} vertices", name, line.size()),
-             "a closed one has four or more, of which the last is the first", "", Severity::error);
+             "a closed polyline has four or more, the last equal to the first", "", Severity::error);
       ++reported;
       continue;
     }

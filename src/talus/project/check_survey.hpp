@@ -12,16 +12,16 @@ namespace talus::project {
 
 struct SurveyRules {
   const Project& project;
-  const toml::table& row;  // [terrain] as it stands in the file
-  /// The value of a key, where the file has it and it was not refused; else null.
-  std::function<const toml::node*(std::string_view key)> good;
+  const toml::table& row;  // [terrain] in the file
+  /// The value of a key; null if the file does not give it or it was refused.
+  std::function<const toml::node*(std::string_view key)> accepted;
   std::function<void(const Spot& at, std::string what, std::string why, std::string hint, Severity severity)> report;
 
   void check() const;
 
  private:
-  void about_files() const;
-  void about_polylines() const;
+  void check_files() const;
+  void check_polylines() const;
 };
 
 }  // namespace talus::project

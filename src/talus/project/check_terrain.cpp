@@ -19,7 +19,7 @@ namespace talus::project {
 
 namespace {
 
-/// Then the key is reported, and that there is no terrain only follows.
+/// Whether an unknown key was probably meant to define the terrain: then only that key is reported.
 bool is_mistyped(const toml::table& row) {
   const Table& terrain = table("terrain");
   return std::ranges::any_of(terrain.keys_of_ways(),
@@ -47,21 +47,21 @@ void TerrainRules::check() const {
     const std::string_view missing = has_triangles ? "vertices" : "triangles";
     refuse({&row, &row, missing}, fmt::format("{} is missing", missing), "an inline mesh needs vertices and triangles");
   }
-  if (const Node section = good("section")) about_section(section);
-  if (const Node deviations = good("section_std_dev_m"); deviations && good("section")) {
-    about_deviations(deviations);
+  if (const Node section = accepted("section")) check_section(section);
+  if (const Node deviations = accepted("section_std_dev_m"); deviations && accepted("section")) {
+    check_deviations(deviations);
   }
-  if (const Node mesh = good("mesh")) about_mesh_file(mesh);
-  if (const Node raster = good("raster")) {
+  if (const Node mesh = accepted("mesh")) check_mesh_file(mesh);
+  if (const Node raster = accepted("raster")) {
     if (const std::string why = why_unreadable(project, project.terrain.raster); !why.empty()) {
-      refuse(raster, fmt::format("raster is {}", quoted(*raster)), why, "Its path is relative to the project file");
+      refuse(raster, fmt::format("raster is {}", quoted(*raster)), why, "The path is relative to the project file");
     }
   }
-  if (good("vertices") && good("triangles")) about_inline_mesh();
-  SurveyRules{project, row, good, report}.check();
+  if (accepted("vertices") && accepted("triangles")) check_inline_mesh();
+  SurveyRules{project, row, accepted, report}.check();
 }
 
-void TerrainRules::about_section(Node section) const {
+void TerrainRules::check_section(Node section) const {
   const auto& vertices = project.terrain.section;
   if (vertices.size() < 2) {
     refuse(section, fmt::format("section has {}", counted(vertices.size(), "vertex", "vertices")),
@@ -74,7 +74,7 @@ void TerrainRules::about_section(Node section) const {
       refuse(node, fmt::format("section[{}] is {}", i, quoted(*node)),
              fmt::format("coordinates lie within {:g} m", largest_coordinate_m));
     } else if (i > 0 && vertices[i] == vertices[i - 1]) {
-      refuse(node, fmt::format("section[{}] is {}", i, quoted(*node)), "it repeats the vertex before it",
+      refuse(node, fmt::format("section[{}] is {}", i, quoted(*node)), "it repeats the previous vertex",
              "Leave it out");
     } else {
       continue;
@@ -91,7 +91,7 @@ void TerrainRules::about_section(Node section) const {
   }
 }
 
-void TerrainRules::about_deviations(Node deviations) const {
+void TerrainRules::check_deviations(Node deviations) const {
   const auto& vertices = project.terrain.section;
   const auto& std_devs = project.terrain.section_std_dev_m;
   if (std_devs.size() != vertices.size()) {
@@ -103,29 +103,28 @@ void TerrainRules::about_deviations(Node deviations) const {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i + 1 < vertices.size() && wrong < most_reported; ++i) {
     const std::size_t left = is_leftward ? i + 1 : i, right = is_leftward ? i : i + 1;
-    if (vertices[left][0] >= vertices[right][0]) continue;  // the section itself goes back there
+    if (vertices[left][0] >= vertices[right][0]) continue;  // the section itself is an overhang there
     const double left_end = vertices[left][0] + most_deviations_of_vertex * std_devs[left][0];
     const double right_end = vertices[right][0] - most_deviations_of_vertex * std_devs[right][0];
     if (left_end < right_end || (std_devs[left][0] == 0 && std_devs[right][0] == 0)) continue;
-    refuse(
-        entry(deviations, i + 1),
-        fmt::format("section_std_dev_m lets section[{}] and section[{}] change places", i, i + 1),
-        fmt::format("vertices move by up to {:g} standard deviations: to x = {:.10g} from the left and to x = {:.10g} "
-                    "from the right, and a slope that goes back is none",
-                    most_deviations_of_vertex, left_end, right_end),
-        "Give them less in x, or leave one of the vertices out");
+    refuse(entry(deviations, i + 1),
+           fmt::format("section_std_dev_m lets section[{}] and section[{}] swap places", i, i + 1),
+           fmt::format("vertices move by up to {:g} standard deviations: the left one to x = {:.10g}, the right one to "
+                       "x = {:.10g}",
+                       most_deviations_of_vertex, left_end, right_end),
+           "Reduce their standard deviations in x, or leave out one of the vertices");
     ++wrong;
   }
 }
 
-void TerrainRules::about_mesh_file(Node mesh) const {
+void TerrainRules::check_mesh_file(Node mesh) const {
   std::string ending = project.terrain.mesh.extension().string();
   for (char& letter : ending) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
   if (ending != ".obj" && ending != ".stl" && ending != ".ply") {
     refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)), "expected a file that ends in .obj, .stl or .ply");
     return;
   }
-  // A project that is only a text has no folder in which its mesh could lie.
+  // A project without a file has no folder that could hold its mesh.
   std::error_code error;
   const std::filesystem::path path = project.file.parent_path() / project.terrain.mesh;
   std::string why = why_unreadable(project, project.terrain.mesh);
@@ -134,10 +133,10 @@ void TerrainRules::about_mesh_file(Node mesh) const {
     why = fmt::format("{} is {}", path.string(), is_folder ? "a folder" : "not an ordinary file");
   }
   if (why.empty()) return;
-  refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)), why, "Its path is relative to the project file");
+  refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)), why, "The path is relative to the project file");
 }
 
-void TerrainRules::about_inline_mesh() const {
+void TerrainRules::check_inline_mesh() const {
   const Node node = row.get("triangles");
   const auto count = static_cast<std::int64_t>(project.terrain.vertices.size());
   if (project.terrain.triangles.empty()) refuse(node, "triangles is empty", "a terrain has at least one");
@@ -148,7 +147,7 @@ void TerrainRules::about_inline_mesh() const {
       refuse(triangle, fmt::format("triangles[{}] is {}", i, quoted(*triangle)),
              count == 0 ? "there are no vertices"
                         : fmt::format("there are {} vertices; expected 0 to {}", count, count - 1),
-             std::max({a, b, c}) == count ? "Vertices are counted from 0" : "");
+             std::max({a, b, c}) == count ? "Vertices are numbered from 0" : "");
     } else if (a == b || b == c || c == a) {
       refuse(triangle, fmt::format("triangles[{}] is {}", i, quoted(*triangle)),
              "a triangle has three different vertices");

@@ -1,5 +1,5 @@
 #pragma once
-// Rules for [terrain], across its keys: the slope is said in one of several ways, each with keys of its own.
+// Rules for [terrain], across its keys: each way to define the slope has its own keys.
 
 #include <functional>
 #include <string>
@@ -12,10 +12,9 @@ namespace talus::project {
 
 struct TerrainRules {
   const Project& project;
-  const toml::table& row;  // as it stands in the file
-  bool is_flat;            // the analysis is 2D
-  /// The value of a key, where the file has it and it was not refused; else null.
-  std::function<const toml::node*(std::string_view key)> good;
+  const toml::table& row;  // in the file
+  /// The value of a key; null if the file does not give it or it was refused.
+  std::function<const toml::node*(std::string_view key)> accepted;
   std::function<void(const Spot& at, std::string what, std::string why, std::string hint, Severity severity)> report;
 
   void check() const;
@@ -23,10 +22,10 @@ struct TerrainRules {
  private:
   using Node = const toml::node*;
   void refuse(const Spot& at, std::string what, std::string why, std::string hint = "") const;
-  void about_section(Node section) const;
-  void about_deviations(Node deviations) const;
-  void about_mesh_file(Node mesh) const;
-  void about_inline_mesh() const;
+  void check_section(Node section) const;
+  void check_deviations(Node deviations) const;
+  void check_mesh_file(Node mesh) const;
+  void check_inline_mesh() const;
 };
 
 }  // namespace talus::project

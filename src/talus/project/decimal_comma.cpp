@@ -12,7 +12,7 @@ bool is_all_digits(std::string_view text) { return !text.empty() && std::ranges:
 
 }  // namespace
 
-std::string with_point(std::string_view text) {
+std::string with_decimal_point(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) return "";
   const std::string_view sign = text.substr(0, text.starts_with('-') || text.starts_with('+') ? 1 : 0);
@@ -24,14 +24,14 @@ std::string with_point(std::string_view text) {
   return number;
 }
 
-std::string first_with_point(std::string_view line) {
+std::string first_with_decimal_point(std::string_view line) {
   for (std::size_t at = line.find('='); at != std::string_view::npos; at = line.find('=', at + 1)) {
     const std::size_t begin = line.find_first_not_of(" \t", at + 1);
     if (begin == std::string_view::npos) return "";
     std::string_view value = line.substr(begin);
     value = value.substr(0, value.find_first_not_of("+-0123456789,"));
     if (value.ends_with(',')) value.remove_suffix(1);  // before the next part of a table
-    if (std::string number = with_point(value); !number.empty()) return number;
+    if (std::string number = with_decimal_point(value); !number.empty()) return number;
   }
   return "";
 }

@@ -11,8 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Settings = std::vector<std::pair<std::string, Json>>;
 
-/// What stands for each entry of a list of tables: its name, if each has one of its own; otherwise nothing.
-std::vector<std::string> own_names_of(const Json& list) {
+/// The names of the entries of a list of tables; empty unless all entries have different names.
+std::vector<std::string> unique_names_of(const Json& list) {
   std::vector<std::string> names;
   std::set<std::string> seen;
   for (const Json& entry : list) {
@@ -30,7 +30,7 @@ void flatten(const Json& json, const std::string& key, Settings& settings) {
   if (json.is_object()) {
     for (const auto& [name, value] : json.items()) flatten(value, below(name), settings);
   } else if (json.is_array() && !json.empty() && std::all_of(json.begin(), json.end(), is_table)) {
-    const std::vector<std::string> names = own_names_of(json);
+    const std::vector<std::string> names = unique_names_of(json);
     for (std::size_t k = 0; k < json.size(); ++k) {
       Json entry = json[k];
       if (!names.empty()) entry.erase("name");

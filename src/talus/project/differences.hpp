@@ -1,5 +1,5 @@
 #pragma once
-// In which settings two projects differ.
+// The settings in which two projects differ.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,9 +12,9 @@ struct Difference {
   nlohmann::ordered_json here, there;  // null: not set
 };
 
-/// Of two echoed projects (echo.hpp), in the order of the first; what only the second has comes last. Entries of lists
-/// go together by their names where they have some of their own, otherwise by their numbers, counted from 0; a list of
-/// values is one value.
+/// The differences of two echoed projects (echo.hpp), in the order of the first; settings of the second alone come
+/// last. List entries are matched by name if all names are different, else by their zero-based number. A list of values
+/// is one value.
 [[nodiscard]] std::vector<Difference> differences(const nlohmann::ordered_json& here,
                                                   const nlohmann::ordered_json& there);
 

@@ -31,13 +31,13 @@ std::string_view line_of(std::string_view text, std::size_t number) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Where a line that is not TOML has a decimal comma.
+/// A hint if a line that is not TOML has a decimal comma.
 std::string comma_hint(std::string_view line) {
-  const std::string number = first_with_point(line);
-  return number.empty() ? "" : fmt::format("Write {}: a number has no comma", number);
+  const std::string number = first_with_decimal_point(line);
+  return number.empty() ? "" : fmt::format("Write {}: numbers have a decimal point", number);
 }
 
-/// Where it has a backslash in double quotes, as a path of Windows does.
+/// A hint if it has a backslash in double quotes, as Windows paths do.
 std::string backslash_hint(std::string_view line) {
   const std::size_t backslash = line.find('\\');
   if (backslash == std::string_view::npos || line.substr(0, backslash).find('"') == std::string_view::npos) return "";
@@ -49,9 +49,9 @@ std::string hint_at(std::string_view line) {
   return hint.empty() ? comma_hint(line) : hint;
 }
 
-/// A project file is UTF-8. Names the encoding that another one seems to have.
+/// Throws BadInput if the text is not UTF-8, with the probable encoding.
 void check_encoding(std::string_view text, const std::string& file) {
-  constexpr const char* how = "Save it as UTF-8; editors offer that where they save under another name";
+  constexpr const char* how = "Save it as UTF-8; most editors offer this under Save as";
   const auto begins_with = [&](unsigned char a, unsigned char b) {
     return text.size() >= 2 && static_cast<unsigned char>(text[0]) == a && static_cast<unsigned char>(text[1]) == b;
   };
@@ -69,11 +69,12 @@ void check_encoding(std::string_view text, const std::string& file) {
   throw BadInput(std::move(problem));
 }
 
-/// The longest keys of a project have four parts. toml++ limits how deep values lie in one another (256), but not how
-/// many parts a key has, and calls itself for each when it lets go of them.
+/// The longest keys of a project have four parts. toml++ limits the nesting of values (256), but not the number of
+/// parts of a key, and its destructors recurse into each part.
 constexpr std::size_t most_parts_of_a_key = 16;
 
-/// Where a text in quotes that begins at `at` ends: after its last quote, or where its line ends without one.
+/// The end of the quoted string that begins at `at`: after its closing quote, or at the end of the line if that is
+/// missing.
 std::size_t end_of_text(std::string_view toml, std::size_t at) {
   const char quote = toml[at];
   const bool is_long = toml.substr(at, 3) == std::string(3, quote);
@@ -90,8 +91,8 @@ std::size_t end_of_text(std::string_view toml, std::size_t at) {
   return toml.size();
 }
 
-/// The line of the first key with too many parts, `a.b.c` and so on.
-std::optional<int> line_of_endless_key(std::string_view toml) {
+/// The line of the first key with too many parts (`a.b.c...`).
+std::optional<int> line_of_overlong_key(std::string_view toml) {
   std::size_t points = 0;
   int line = 1;
   for (std::size_t i = 0; i < toml.size();) {
@@ -115,7 +116,7 @@ std::optional<int> line_of_endless_key(std::string_view toml) {
   return std::nullopt;
 }
 
-/// The parts of `material."Type 1.5".roughness_deg`, or nothing where a quote is left open or a part is empty.
+/// The parts of a path such as `material."Type 1.5".roughness_deg`; nullopt if a quote is left open or a part is empty.
 std::optional<std::vector<std::string>> parts_of(std::string_view path) {
   std::vector<std::string> parts(1);
   bool quoted_part = false;
@@ -142,7 +143,7 @@ std::optional<std::size_t> whole_number(std::string_view text) {
   return number;
 }
 
-/// The number of the entry of a list that a part of a path calls by number or by name.
+/// The number of the list entry that a part of a path refers to, by number or by name.
 std::optional<std::size_t> entry(const toml::array& list, const std::string& part) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const toml::table* table = list[i].as_table();
@@ -152,8 +153,8 @@ std::optional<std::size_t> entry(const toml::array& list, const std::string& par
   return number && *number < list.size() ? number : std::nullopt;
 }
 
-/// TOML as people write it: numbers with the digits that tell them apart and no more (toml++ writes 17). Ends early
-/// where enough is written.
+/// TOML as people write it: numbers with the fewest digits that identify them (toml++ writes 17). Stops early once more
+/// than `enough` characters are written.
 std::string in_one_line(const toml::node& node, std::size_t enough) {
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   std::string text;
@@ -172,13 +173,13 @@ std::string in_one_line(const toml::node& node, std::size_t enough) {
     return "{ " + text + " }";
   }
   std::ostringstream stream;
-  // A text is quoted with its line breaks escaped.
+  // Strings are quoted, with their line breaks escaped.
   constexpr auto flags = toml::format_flags::none;
   node.visit([&](const auto& value) { stream << toml::toml_formatter(value, flags); });
   return std::move(stream).str();
 }
 
-/// A table `it` in which there is nothing, and which knows where it comes from.
+/// An empty table `it` with this source.
 toml::table empty_table(const std::string& source) { return toml::parse("it = {}", std::string_view(source)); }
 
 std::string entries_of(const toml::array& list) {
@@ -194,8 +195,8 @@ std::string entries_of(const toml::array& list) {
   return names.empty() ? numbers : fmt::format("{}, or {}", numbers, names);
 }
 
-/// Is this text a list, a table, a text in quotes or a number, well written or not? What is wrong with such a one is to
-/// be reported, and it is not what somebody would call a file or a place.
+/// Whether the text is meant as a list, a table, a quoted string or a number, correct or not. Its errors are then
+/// reported; any other text is taken as a string without its quotes.
 bool is_meant_as_toml(std::string_view text) {
   if (text.empty() || std::string_view("[{\"'").find(text[0]) != std::string_view::npos) return true;
   if (std::ranges::any_of(text, [](unsigned char letter) { return letter < ' ' || letter == 127; })) return true;
@@ -203,7 +204,7 @@ bool is_meant_as_toml(std::string_view text) {
   const std::string whole(text);
   char* end = nullptr;
   std::strtod(whole.c_str(), &end);
-  return *end == '\0' || !with_point(whole).empty();
+  return *end == '\0' || !with_decimal_point(whole).empty();
 }
 
 std::string in_quotes(std::string_view text) {
@@ -221,8 +222,8 @@ std::string_view without_spaces_around(std::string_view text) {
   return text;
 }
 
-/// The value of an override, as `value` in a table. What is not TOML is taken for a text without its quotes, such as
-/// ../dem.tif; whether one is wanted there, the reader of values says. Throws what toml++ finds wrong.
+/// The value of an override, as `value` in a table. A value that is not TOML, such as ../dem.tif, is taken as a string
+/// without its quotes; whether a string is expected is checked when values are read. Throws toml::parse_error.
 toml::table table_of(std::string_view value_text, const std::string& source) {
   const auto parse = [&](std::string_view value) {
     return toml::parse(fmt::format("value = {}", value), std::string_view(source));
@@ -239,8 +240,7 @@ toml::table table_of(std::string_view value_text, const std::string& source) {
 }  // namespace
 
 std::string text_of_file(const std::filesystem::path& file) {
-  if (file.empty())
-    throw BadInput(about_file("\"\"", "this is the name of no file", "expected that of a project file"));
+  if (file.empty()) throw BadInput(about_file("\"\"", "the file name is empty", "expected the name of a project file"));
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) {
@@ -269,9 +269,10 @@ std::string text_of_file(const std::filesystem::path& file) {
 
 Document::Document(std::string_view text, std::string file) : file_(std::move(file)) {
   check_encoding(text, file_);
-  if (const auto line = line_of_endless_key(text)) {
-    Problem problem = about_file(file_, fmt::format("a key has more than {} parts", most_parts_of_a_key),
-                                 "the longest of a project have three, as [material.normal_restitution] mean");
+  if (const auto line = line_of_overlong_key(text)) {
+    Problem problem =
+        about_file(file_, fmt::format("a key has more than {} parts", most_parts_of_a_key),
+                   "the longest keys of a project have three, such as [material.normal_restitution] mean");
     problem.line = *line;
     throw BadInput(std::move(problem));
   }
@@ -300,13 +301,13 @@ void Document::set(const std::string& override_text, Problems& problems) {
   }
   if (path->size() > most_parts_of_a_key) {
     refuse(fmt::format("the key has {} parts", path->size()),
-           "the longest of a project have four, as material.Rock.normal_restitution.mean");
+           "the longest keys of a project have four, such as material.Rock.normal_restitution.mean");
     return;
   }
   const std::string value_text = override_text.substr(equals + 1);
   toml::table parsed;
-  // (Without an equals sign there is no key in it, but perhaps a path with many points.)
-  if (value_text.find('=') != std::string::npos && line_of_endless_key(value_text)) {
+  // (Without an equals sign it has no key, but may be a path with many dots.)
+  if (value_text.find('=') != std::string::npos && line_of_overlong_key(value_text)) {
     refuse("the value is not TOML", fmt::format("a key in it has more than {} parts", most_parts_of_a_key));
     return;
   }
@@ -341,7 +342,7 @@ void Document::set(const std::string& override_text, Problems& problems) {
       } else if (!table->contains(part)) {
         table->insert(part, std::move(*empty_table(source).get("it")));
       } else if (table->get(part)->is_number()) {
-        // A plain number is short for a distribution; it becomes one, so that its parts can be set.
+        // A plain number is short for a distribution, and is expanded to one so that its parts can be set.
         toml::table distribution = empty_table(source);
         distribution.get("it")->as_table()->insert("mean", std::move(*table->get(part)));
         table->insert_or_assign(part, std::move(*distribution.get("it")));
@@ -359,7 +360,7 @@ Problem Document::at(const toml::node& node, Severity severity) const {
   Problem problem = nowhere();
   problem.severity = severity;
   if (source.path) problem.file = *source.path;
-  // An override has no lines: it is its own place.
+  // An override has no lines; its text is the location.
   const bool from_override = source.path && source.path->starts_with(override_mark);
   problem.line = from_override ? 0 : static_cast<int>(source.begin.line);
   if (!paths_) paths_.emplace(root_);
@@ -389,7 +390,7 @@ std::string quoted(const toml::node& node) {
   std::string text = in_one_line(node, longest);
   if (text.size() > longest) {
     std::size_t cut = longest;
-    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0u) == 0x80u) --cut;  // not inside a letter
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0u) == 0x80u) --cut;  // not inside a character
     text = text.substr(0, cut) + "...";
   }
   return text;

@@ -1,5 +1,5 @@
 #pragma once
-// The project file as TOML, with `--set` overrides worked in; every value knows the file and line it came from.
+// The project file as TOML, with `--set` overrides applied. Every value keeps the file and line it came from.
 
 #include <filesystem>
 #include <optional>
@@ -12,59 +12,58 @@
 
 namespace talus::project {
 
-/// A project file is at most this large; terrains that need more belong in a mesh file.
+/// Maximum size of a project file; larger terrains belong in a mesh file.
 inline constexpr std::uintmax_t most_bytes = 64u << 20u;
 
-/// Reads a whole file, or says why it cannot be read.
+/// Reads a whole file. Throws BadInput with the reason if it cannot be read.
 [[nodiscard]] std::string text_of_file(const std::filesystem::path& file);
 
-/// What a problem is about: a value; or a key that a table lacks, reported in the place of a value (the table itself,
-/// or a key beside it).
+/// The location of a problem: a value; or a key that is missing in a table, reported at another value (the table itself
+/// or another key).
 struct Spot {
-  const toml::node* node;  // null: of no place
+  const toml::node* node;  // null: no location
   const toml::table* lacking = nullptr;
   std::string_view key{};
 
-  Spot(const toml::node* value) : node(value) {}  // NOLINT: most problems are with a value
+  Spot(const toml::node* value) : node(value) {}  // NOLINT: most problems are about a value
   Spot(const toml::node* place, const toml::table* table, std::string_view missing_key)
       : node(place), lacking(table), key(missing_key) {}
 };
 
 class Document {
  public:
-  /// Throws BadInput where the text is not TOML.
+  /// Throws BadInput if the text is not TOML.
   Document(std::string_view text, std::string file);
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
 
-  /// Works `table.key=value` in, the value being TOML (what is none and not meant to be is taken for a string). Entries
-  /// of lists are called by their number, counted from 0, or by their name: `seeder.0.rocks=10`, `material.Type
-  /// One.roughness_deg=3`.
+  /// Applies `table.key=value`, where the value is TOML or else a string without its quotes. List entries are addressed
+  /// by zero-based number or by name: `seeder.0.rocks=10`, `material.Type One.roughness_deg=3`.
   void set(const std::string& override_text, Problems& problems);
 
   [[nodiscard]] const toml::table& root() const { return root_; }
   [[nodiscard]] const std::string& file() const { return file_; }
 
-  /// A problem about a value, in its place.
+  /// A problem at the location of a value.
   [[nodiscard]] Problem at(const toml::node& node, Severity severity = Severity::error) const;
   [[nodiscard]] Problem at(const Spot& spot, Severity severity = Severity::error) const;
-  /// A problem about what is not there; `key`: the table that is meant, if it is one.
+  /// A problem without a location in the text; `key` is the missing table, if any.
   [[nodiscard]] Problem nowhere(std::string_view key = {}) const;
 
  private:
   toml::table root_;
   std::string file_;
-  mutable std::optional<SettingPaths> paths_;  // made for the first problem
+  mutable std::optional<SettingPaths> paths_;  // created for the first problem
 };
 
-/// An entry of a list; the list itself where it has none of this number.
+/// The entry of a list; the list itself if it has no such entry.
 [[nodiscard]] const toml::node* entry(const toml::node* list, std::size_t index);
 
-/// The number that a node is; nothing where it is none. (toml++ itself gives nothing for a whole number beyond 2^53
-/// that no double equals; here it is the nearest double.)
+/// The number in a node; nullopt if it is not a number. (For an integer beyond 2^53 that no double equals, toml++ has
+/// no value; here it is the nearest double.)
 [[nodiscard]] std::optional<double> number_in(const toml::node& node);
 
-/// A value as a problem quotes it: in one line, cut where it is long.
+/// A value as quoted in a problem: in one line, truncated if it is long.
 [[nodiscard]] std::string quoted(const toml::node& node);
 
 }  // namespace talus::project

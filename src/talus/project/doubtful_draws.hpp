@@ -1,5 +1,5 @@
 #pragma once
-// Distributions whose draws are not what their mean and standard deviation say.
+// Distributions whose draws do not have the given mean and standard deviation.
 
 #include <optional>
 #include <string>
@@ -12,8 +12,8 @@ struct DoubtOfDraws {
   std::string what, why, hint;
 };
 
-/// Where the limits leave little of a distribution, or move its mean; with the numbers that were given and those that
-/// hold. `name` is the setting's. Expects a distribution that `why_unusable` accepts.
+/// A warning if the limits cut off most of a distribution or shift its mean, with the given and the resulting numbers.
+/// `name` is the setting's. Expects a distribution that `why_unusable` accepts.
 [[nodiscard]] std::optional<DoubtOfDraws> doubt_of_draws(const std::string& name, const Distribution& given,
                                                          Bounds bounds);
 

@@ -19,7 +19,7 @@ Written table_of(const Table& table, Row row, bool two_dimensional) {
   return out;
 }
 
-/// A seeder's point in the form of the file.
+/// A point of a seeder, in the form of the file.
 Json position(const Seeder& seeder, const std::array<double, 3>& point, bool two_dimensional) {
   Json out = two_dimensional ? Json{point[0]} : Json{point[0], point[1]};
   if (seeder.height_above_m) return out;
@@ -45,7 +45,7 @@ struct Writer {
   Written operator()(const std::array<double, 3>* value) const { return *value; }
   Written operator()(Distribution* value) const { return table_of(distribution_table(), value, two_dimensional); }
   Written operator()(std::optional<Distribution>* value) const { return *value ? (*this)(&**value) : std::nullopt; }
-  Written operator()(const std::vector<double>* value) const { return *value; }  // an empty one says something
+  Written operator()(const std::vector<double>* value) const { return *value; }  // an empty list has a meaning
   Written operator()(const std::map<std::string, std::string>* value) const {
     return value->empty() ? Written() : Written(Json(*value));
   }
@@ -96,12 +96,12 @@ struct Writer {
   }
   Written operator()(MapCellSlot slot) const {
     if (!*slot.size) return Json("terrain");
-    if (**slot.size == 0) return std::nullopt;  // it follows from the terrain
+    if (**slot.size == 0) return std::nullopt;  // the terrain decides
     return Json(**slot.size);
   }
 };
 
-/// Of keys that exclude each other, the one with a default gives way to the one that was set.
+/// Of keys that exclude each other, removes those with a default in favour of the one that was given.
 void drop_excluded(const Table& table, Json& row) {
   for (const Setting& setting : table.settings) {
     if (!row.contains(setting.key) || !default_of(table, setting)) continue;
@@ -127,7 +127,7 @@ Written default_of(const Table& table, const Setting& setting) {
 }
 
 Json echo(const Project& project) {
-  Project copy = project;  // the declaration leads to members that can be written to
+  Project copy = project;  // slots are not const
   Json out = Json::object();
   for (const Table& table : tables()) {
     Json list = Json::array();

@@ -12,7 +12,7 @@
 namespace talus::project {
 namespace {
 
-// What an entry has beside the keys of a [[material]].
+// The keys of an entry in addition to those of a [[material]].
 constexpr std::string_view own_keys[] = {"key", "meaning", "source"};
 
 std::string text_of(const toml::table& from, std::string_view key) { return from[key].value_or(std::string()); }
@@ -43,14 +43,14 @@ std::vector<LibraryMaterial> read_library() {
     values.insert("name", entry.key);
     reader.read(material_table(), values, &entry.material, entry.key);
   }
-  // The file is part of the program.
+  // The file is embedded in the program.
   if (problems.has_errors()) throw std::logic_error(problems.text());
   return library;
 }
 
 std::string property(const LibraryMaterial& entry, std::string_view key) {
   const Setting& declared = setting("material", key);
-  Material copy = entry.material;  // the declaration leads to members that can be written to
+  Material copy = entry.material;  // slots are not const
   const auto slot = declared.slot(&copy);
   const auto* distribution = std::get_if<Distribution*>(&slot);
   return distribution ? in_words(**distribution) : "";
@@ -76,10 +76,10 @@ std::string in_words(const Distribution& property) {
 std::string materials_page() {
   std::string page = R"(# The library of materials
 
-<!-- Made from src/talus/project/materials.toml by material_library.cpp; not written by hand. To renew it:
+<!-- Generated from src/talus/project/materials.toml by material_library.cpp; do not edit. To renew it:
      TALUS_RENEW_REFERENCE=1 and run the test MaterialsPage.IsNotStale. -->
 
-Usual grounds, each with the values of a publication. A project names one and overrides what it knows better:
+Typical grounds, each with the values of a publication. A project refers to one and overrides what is known better:
 
 ```toml
 [[material]]
@@ -88,11 +88,11 @@ like = "talus_cover"
 friction_angle_deg = 34
 ```
 
-`talus materials` prints this table. Where a source gives a range, every value in it is as likely as any other. What a
-source does not give - friction, roughness, a spread - has the default of [the project file](project-file.md).
+`talus materials` prints this table. Where a source gives a range, all values in it are equally likely. What a source
+does not give (friction, roughness, a spread) has the default of [the project file](project-file.md).
 
-Such values are where to begin, not where to end: restitution depends on the speed, the angle and the size of the rock
-as much as on the ground, and the tables do not agree with each other. Calibrate them with what is known of the site.
+These values are only a starting point: restitution depends on the speed, the angle and the size of the rock as much as
+on the ground, and the tables do not agree with each other. Calibrate them with what is known of the site.
 
 )";
   std::vector<std::string> given;

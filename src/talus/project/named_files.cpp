@@ -24,18 +24,18 @@ const NamedFile* only_one(const Project& project, std::string_view where, const 
   return found;
 }
 
-/// The line where this row names a file that the text of a problem names, too.
+/// The line at which this row names a file that is mentioned in the problem; 0 if none is.
 int line_of_mentioned(const Project& project, std::string_view where, const Problem& problem) {
   for (const NamedFile& each : project.named_files) {
-    if (each.where != where || each.said_in != project.file.string()) continue;
+    if (each.where != where || each.named_in != project.file.string()) continue;
     const std::string name = fmt::format("\"{}\"", each.file.string());
     if (problem.what.find(name) != std::string::npos || problem.why.find(name) != std::string::npos) return each.line;
   }
   return 0;
 }
 
-/// Where a link leads that is named as if it were in the project's folder; nothing where it stays there.
-std::optional<std::filesystem::path> elsewhere(const Project& project, const std::filesystem::path& file) {
+/// The target of a path that appears to lie in the project's folder but is a link to outside it; nullopt otherwise.
+std::optional<std::filesystem::path> target_outside(const Project& project, const std::filesystem::path& file) {
   const std::filesystem::path plain = file.lexically_normal();
   if (plain.is_absolute() || *plain.begin() == "..") return std::nullopt;
   std::error_code error;
@@ -53,15 +53,14 @@ std::string why_unreadable(const Project& project, const std::filesystem::path& 
   const std::filesystem::path path = project.file.parent_path() / file;
   if (!std::filesystem::exists(project.file, error) || path.string().starts_with("/vsi")) return "";
   if (std::filesystem::exists(path, error)) {
-    const auto real = elsewhere(project, file);
-    return real ? fmt::format("it is a link that leads out of the project's folder; name {} itself", real->string())
-                : "";
+    const auto real = target_outside(project, file);
+    return real ? fmt::format("it is a link to outside the project's folder; name {} itself", real->string()) : "";
   }
-  if (error) return fmt::format("{} cannot be looked at: {}", path.string(), error.message());
+  if (error) return fmt::format("{} cannot be accessed: {}", path.string(), error.message());
   return fmt::format("there is no file {}", path.string());
 }
 
-std::string seen_from_project(std::string text, const Project& project) {
+std::string with_relative_paths(std::string text, const Project& project) {
   const std::string folder = (project.file.parent_path() / "").string();
   if (folder.empty()) return text;
   const auto begins_a_path = [&](std::size_t at) {
@@ -78,23 +77,23 @@ std::string seen_from_project(std::string text, const Project& project) {
   return text;
 }
 
-Problems said_of_project(const Problems& problems, const Project& project, std::string_view where) {
-  Problems said;
+Problems located_in_project(const Problems& problems, const Project& project, std::string_view where) {
+  Problems located;
   for (Problem problem : problems.list()) {
     if (const NamedFile* named = only_one(project, where, problem.file)) {
       const std::string line = problem.line > 0 ? fmt::format(":{}", problem.line) : "";
       const std::string within = problem.where.empty() ? "" : problem.where + ": ";
       problem.what = fmt::format("{} {}{}: {}{}", named->key, problem.file, line, within, problem.what);
-      problem.file = named->said_in;
+      problem.file = named->named_in;
       problem.line = named->line;
       problem.where = named->where;
       problem.path = named->path;
     } else if (problem.file == project.file.string() && problem.line == 0 && problem.where == where) {
       problem.line = line_of_mentioned(project, where, problem);
     }
-    said.add(std::move(problem));
+    located.add(std::move(problem));
   }
-  return said;
+  return located;
 }
 
 }  // namespace talus::project

@@ -1,4 +1,4 @@
-// The part of the reader of values that knows positions, lines on plan and directions, in 2D and in 3D.
+// The part of ValueReader for positions, lines on plan and directions, in 2D and 3D.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ std::optional<ValueReader::Position> ValueReader::position(const Value& value) {
   const std::string form =
       has_height ? (two_dimensional_ ? "[x]" : "[x, y]") : (two_dimensional_ ? "[x, z]" : "[x, y, z]");
   const toml::array* list = value.node.as_array();
-  const std::string expected = fmt::format("{}, the analysis being {}", form, two_dimensional_ ? "2D" : "3D");
+  const std::string expected = fmt::format("{} in a {} analysis", form, two_dimensional_ ? "2D" : "3D");
   if (!list || list->size() < plan || list->size() > plan + 1) {
     const bool has_y = two_dimensional_ && list && list->size() == 3;
     refuse_kind(value, expected, has_y ? "Leave out y, or give terrain.width_m for 3D" : "");
@@ -40,7 +40,7 @@ std::optional<ValueReader::Position> ValueReader::position(const Value& value) {
     }
   }
   if (good && has_height && list->size() > plan && !read.on_surface) {
-    good = refuse(value, fmt::format("{} has z, and height_above_m is given", value.name), "each says how high it is",
+    good = refuse(value, fmt::format("{} has z, and height_above_m is given", value.name), "both give the height",
                   "Leave one of them out");
   }
   return good ? std::optional(read) : std::nullopt;
@@ -73,7 +73,7 @@ bool ValueReader::into(const Value& value, PointsSlot slot) {
                     "z is either \"surface\" for all points of a line or a number for all");
     }
     if (i > 0 && positions[i].point == positions[i - 1].point) {
-      return refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it repeats the point before it",
+      return refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it repeats the previous point",
                     "Leave it out");
     }
   }
@@ -92,8 +92,8 @@ bool ValueReader::into(const Value& value, DirectionSlot slot) {
   const toml::array* list = value.node.as_array();
   const bool is_pair = two_dimensional_ && list && list->size() == 2;
   if (!list || (list->size() != 3 && !is_pair)) {
-    return refuse_kind(value, two_dimensional_ ? "[x, z], the analysis being 2D, or \"downslope\""
-                                               : "[x, y, z], the analysis being 3D, or \"downslope\"");
+    return refuse_kind(value, two_dimensional_ ? "[x, z] in a 2D analysis, or \"downslope\""
+                                               : "[x, y, z] in a 3D analysis, or \"downslope\"");
   }
   std::array<double, 3> read{};
   bool good = true;
@@ -102,9 +102,9 @@ bool ValueReader::into(const Value& value, DirectionSlot slot) {
     good = into(part, &read[is_pair && i == 1 ? 2 : i]) && good;
   }
   if (!good) return false;
-  constexpr double shortest = 1e-9;  // of much less the square is none
-  if (std::hypot(read[0], read[1], read[2]) < shortest) return refuse_kind(value, "a direction with a length");
-  if (two_dimensional_ && read[1] != 0) return refuse_kind(value, "y to be 0, the analysis being 2D");
+  constexpr double shortest = 1e-9;  // the square of a much shorter one underflows
+  if (std::hypot(read[0], read[1], read[2]) < shortest) return refuse_kind(value, "a direction whose length is not 0");
+  if (two_dimensional_ && read[1] != 0) return refuse_kind(value, "y to be 0 in a 2D analysis");
   if (read[2] != 0 && !value.row.contains("speed_m_s")) {
     return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)),
                   "it is the direction of the horizontal velocity; expected z to be 0",
@@ -138,7 +138,7 @@ std::optional<std::vector<std::array<double, 2>>> ValueReader::plan_points(const
     }
     if (!good) return std::nullopt;
     if (i > 0 && read[i] == read[i - 1]) {
-      refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it repeats the point before it",
+      refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it repeats the previous point",
              "Leave it out");
       return std::nullopt;
     }
@@ -154,10 +154,10 @@ bool ValueReader::into(const Value& value, PlanPolygonSlot slot) {
   if (read->size() > 3 && read->front() == read->back()) read->pop_back();
   std::vector<Vec2> ring;
   for (const auto& [x, y] : *read) ring.emplace_back(x, y);
-  constexpr std::size_t most_vertices = 10000;  // more are for a file
+  constexpr std::size_t most_vertices = 10000;  // larger polygons belong in a file
   if (ring.size() > most_vertices) {
     return refuse(value, fmt::format("{} has {} points", value.name, ring.size()),
-                  fmt::format("expected at most {}", most_vertices), "Put it into a file and name it with polygons");
+                  fmt::format("expected at most {}", most_vertices), "Put it in a file and name the file in polygons");
   }
   if (const auto crossing = self_crossing(ring)) {
     return refuse(value, fmt::format("{} crosses or touches itself", value.name),
@@ -172,7 +172,7 @@ bool ValueReader::into(const Value& value, PlanLineSlot slot) {
   if (!dimension_is_known_) return false;
   const toml::array* list = value.node.as_array();
   if (two_dimensional_ && !(list && !list->empty() && (*list)[0].is_array())) {
-    if (list && list->size() != 1) return refuse_kind(value, "x, the analysis being 2D");
+    if (list && list->size() != 1) return refuse_kind(value, "x in a 2D analysis");
     const toml::node& node = list ? (*list)[0] : value.node;
     double x = 0;
     if (!plan_coordinate(Value{value.setting, node, value.row, value.where, value.name}, &x)) return false;
@@ -184,7 +184,7 @@ bool ValueReader::into(const Value& value, PlanLineSlot slot) {
   if (!read) return false;
   for (const auto& point : *read) {
     if (!two_dimensional_ || point[0] == read->front()[0]) continue;
-    return refuse_kind(value, "x, the analysis being 2D; these points have different x");
+    return refuse_kind(value, "x in a 2D analysis; these points differ in x");
   }
   slot.barrier->line = two_dimensional_ ? std::vector<std::array<double, 2>>{{read->front()[0], 0}} : std::move(*read);
   return true;

@@ -8,7 +8,7 @@ namespace talus::project {
 
 namespace {
 
-/// The table, or the entry of one of its lists that is named first, as in "polylines[2] crosses itself".
+/// The path of the table, or of the list entry at the beginning of `what`, as in "polylines[2] crosses itself".
 std::string entry_of(const toml::table& root, std::string_view key, std::string_view what) {
   const toml::table* table = root.get(key)->as_table();
   std::string path = SettingPaths::below("", key);
@@ -31,7 +31,7 @@ std::string path_of(const Problem& problem, const SettingPaths& paths, const tom
     if (is_table && !root.contains(table)) return SettingPaths::below("", table);
     return root.contains(table) ? entry_of(root, table, problem.what) : std::string();
   }
-  // As the setting has it, or with the project's folder before it.
+  // As given in the setting, or preceded by the project's folder.
   if (std::string path = paths.of_text(problem.file); !path.empty()) return path;
   const std::string folder = file.parent_path().string() + '/';
   return problem.file.starts_with(folder) ? paths.of_text(problem.file.substr(folder.size())) : std::string();
@@ -52,7 +52,7 @@ Problems with_paths(const Problems& problems, std::string_view text, const std::
       located.add(std::move(problem));
     }
     return located;
-  } catch (const BadInput&) {  // no TOML: there are no settings
+  } catch (const BadInput&) {  // not TOML: there are no settings
     return problems;
   }
 }

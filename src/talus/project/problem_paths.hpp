@@ -1,5 +1,5 @@
 #pragma once
-// The settings that problems are about, where whoever found them did not know the project file.
+// Assigns settings to problems that were found without knowledge of the project file.
 
 #include <filesystem>
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace talus::project {
 
-/// Gives problems of a project a path, where they have none: by their line, by the file that they are about, which a
-/// setting names, or by the table that they name.
+/// Sets the path of problems that have none: by their line, by their file if a setting names it, or by the table that
+/// they name.
 [[nodiscard]] Problems with_paths(const Problems& problems, std::string_view text, const std::filesystem::path& file);
 
 }  // namespace talus::project

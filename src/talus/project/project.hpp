@@ -1,7 +1,6 @@
 #pragma once
-// A project as its file says it: plain values in the file's units, checked, not yet turned into a model. Which keys
-// there are, their units, ranges, defaults and meaning is declared in settings/ and nowhere else; the initial values
-// below are the defaults.
+// A project as given in its file: plain values in the units of the file, checked, not yet turned into a model. The keys
+// and their units, ranges and meanings are declared only in settings/; the initial values below are the defaults.
 
 #include <array>
 #include <cstdint>
@@ -22,7 +21,7 @@
 
 namespace talus::project {
 
-/// A property that is the same number every time.
+/// A property with a fixed value.
 [[nodiscard]] inline Distribution constant(double value) {
   Distribution distribution;
   distribution.mean = value;
@@ -62,7 +61,7 @@ struct Sampling {
 /// to the project file.
 struct Terrain {
   std::vector<std::array<double, 2>> section;            // x, z
-  std::vector<std::array<double, 2>> section_std_dev_m;  // of x and z, one per vertex, or empty; 2D only
+  std::vector<std::array<double, 2>> section_std_dev_m;  // of x and z, one pair per vertex, or empty; 2D only
   std::optional<double> width_m;                         // of the extrusion along y; without it the analysis is 2D
   std::filesystem::path mesh;                            // as written in the file; relative to the project file
   std::vector<std::array<double, 3>> vertices;
@@ -82,11 +81,11 @@ struct Terrain {
   std::filesystem::path polygons;
   std::string polygons_layer;
   double merge_tolerance_m = 0.001;
-  std::string crs;  // in words; "local": of no map; empty: that of the files
+  std::string crs;  // by name; "local": without a map; empty: that of the files
   double rotate_deg = 0;
   std::array<double, 3> rotate_about{0, 0, 0};
 
-  /// Whether the section is given from right to left; it is walked from left to right.
+  /// Whether the section is given from right to left. (The model has it from left to right.)
   [[nodiscard]] bool section_runs_leftwards() const {
     return !section.empty() && section.front()[0] > section.back()[0];
   }
@@ -97,16 +96,16 @@ enum class Forest { none, open, medium, dense };
 /// [[material]]
 struct Material {
   std::string name;
-  std::string like;  // of the library: where the values came from that the file does not give
+  std::string like;  // library material with the values that the file does not give
   Distribution normal_restitution = constant(0.35);
   Distribution tangential_restitution = constant(0.85);
   Distribution friction_angle_deg = constant(30);
-  Distribution roughness_deg = constant(0);  // the mean is the standard deviation of the angle; see docs
+  Distribution roughness_deg = constant(0);  // a plain number is the standard deviation of the tilt
   double roughness_spacing_m = 0;            // rigid sphere
   double roughness_amplitude_m = 0;          // rigid sphere
   Distribution dynamic_friction = constant(0.5);
   Distribution rolling_friction = constant(0.1);
-  Forest forest = Forest::none;  // or its drag; with either, its height
+  Forest forest = Forest::none;  // or forest_drag_kg_s; either needs forest_height_m
   std::optional<double> forest_drag_kg_s;
   std::optional<double> forest_height_m;
   double ground_drag_per_s = 0;
@@ -114,23 +113,23 @@ struct Material {
 
 /// [ground]
 struct Ground {
-  std::string default_material;                 // key `default`; the only material's name where the file is silent
-  std::vector<std::string> segments;            // section: one per segment
-  std::vector<std::int64_t> triangles;          // mesh: index into the materials, one per triangle
+  std::string default_material;                 // key `default`; the only material if it is not given
+  std::vector<std::string> segments;            // section: names, one per segment
+  std::vector<std::int64_t> triangles;          // mesh: zero-based material numbers, one per triangle
   std::filesystem::path raster;                 // of classes; as written in the file, relative to the project file
-  std::map<std::int32_t, std::string> classes;  // of that raster: which class is which material
+  std::map<std::int32_t, std::string> classes;  // of that raster, with their materials
   std::filesystem::path polygons;               // on plan; as written in the file, relative to the project file
-  std::string layer;                            // of that file; where it has several
-  std::string attribute;                        // of the polygons, which says the material
-  std::map<std::string, std::string> values;    // of that attribute: which is which material; empty: its name
+  std::string layer;                            // of that file
+  std::string attribute;                        // of the polygons, which gives the material
+  std::map<std::string, std::string> values;  // of that attribute, with their materials; empty: they are material names
 };
 
-/// [[area]]: a part of the ground of another material than [ground] says; 3D only.
+/// [[area]]: a part of the ground with another material than [ground] gives it; 3D only.
 struct Area {
   std::string name;  // default: "area N"
   std::string material;
   std::vector<std::array<double, 2>> polygon;  // on plan
-  int line = 0;                                // in the project file, for later problems
+  int line = 0;                                // in the project file, for later messages
 };
 
 enum class SeederType { point, line, polygon, raster };
@@ -144,15 +143,15 @@ struct Seeder {
       points;                 // one for a point, two or more for a line; 2D: y = 0. From `position` or `points`
   bool z_is_surface = false;  // the points' z was given as "surface"
   std::optional<double> height_above_m;        // above the surface, instead of z
-  std::filesystem::path lines;                 // a line seeder's, instead of points; relative to the project file
-  std::filesystem::path polygons;              // a polygon seeder's; relative to the project file
-  std::vector<std::array<double, 2>> polygon;  // or one on plan
-  std::string layer;                           // of the file of lines or polygons; where it has several
-  std::string source_attribute;                // of theirs: whose values are the sources of the rocks
+  std::filesystem::path lines;                 // of a line seeder, instead of points; relative to the project file
+  std::filesystem::path polygons;              // of a polygon seeder; relative to the project file
+  std::vector<std::array<double, 2>> polygon;  // of a polygon seeder, on plan, instead of polygons
+  std::string layer;                           // of the file of lines or polygons
+  std::string source_attribute;                // of the lines or polygons: its values are the sources of the rocks
   std::optional<double> min_slope_deg, max_slope_deg;  // of the cells of a polygon or raster seeder
-  std::filesystem::path mask;              // a raster whose cells say where rocks start; relative to the project file
-  std::optional<std::int64_t> mask_value;  // the value that does; without it, all but 0
-  std::optional<double> cell_m;            // side of a cell where the terrain is not a raster
+  std::filesystem::path mask;                          // a raster that selects cells; relative to the project file
+  std::optional<std::int64_t> mask_value;              // the selected value; without it, all but 0
+  std::optional<double> cell_m;                        // size of a cell if the terrain is not a raster
   PlaceInCell place = PlaceInCell::random;
   std::int64_t rocks = 1;
   std::optional<std::int64_t> rocks_per_cell;  // instead of rocks
@@ -164,36 +163,34 @@ struct Seeder {
   Distribution vertical_velocity_m_s = constant(0);           // positive up
   std::optional<Distribution> speed_m_s;                      // along the full `direction`, instead of the two above
   Distribution rotational_velocity_deg_s = constant(0);       // positive: rolling forwards, about up x direction
-  std::optional<std::array<double, 3>> direction{{1, 0, 0}};  // nothing: down the slope, wherever a rock starts
-  int line = 0;                                               // in the project file, for later problems
+  std::optional<std::array<double, 3>> direction{{1, 0, 0}};  // nullopt: downslope
+  int line = 0;                                               // in the project file, for later messages
 };
 
 /// [[barrier]] and [[collector]]
 struct Barrier {
   std::string name;
   bool is_collector = false;
-  std::vector<std::array<double, 2>> line;  // plan; 2D: one point (x, 0) from the plain number x
+  std::vector<std::array<double, 2>> line;  // on plan; 2D: one point (x, 0)
   double height_m = 0;
-  double inclination_deg =
-      0;  // from the vertical; positive leans to the right of the line as it is drawn (2D: towards +x)
+  double inclination_deg = 0;  // from the vertical; positive to the right of the line's direction (2D: towards +x)
   double capacity_kJ = std::numeric_limits<double>::infinity();
-  std::optional<double> normal_restitution;  // both or neither; neither: the barrier holds what it stops
+  std::optional<double> normal_restitution;  // both or neither; neither: it holds the rocks it stops
   std::optional<double> tangential_restitution;
   int source_line = 0;
 };
 
 /// [output]
 struct Output {
-  // Keys `endpoints` and `paths`: nothing here is "all", 0 is "none", else a number of rocks.
+  // Keys `endpoints` and `paths`: nullopt is "all", 0 is "none", else a number of rocks.
   std::optional<std::int64_t> endpoint_limit;
   std::optional<std::int64_t> path_limit = 2000;
-  MapSubjects maps = all_map_subjects;  // `true` is all of them, `false` none
+  MapSubjects maps = all_map_subjects;  // `true` is all, `false` none
   bool maps_by_source = false;
-  // Nothing here is "terrain", the cells of the terrain's raster; 0, until reading is done, that the file does not say
-  // it.
+  // nullopt is "terrain", the cells of the terrain's raster; 0 means not given, until reading is complete.
   std::optional<double> raster_cell_m = 0;
   std::vector<double> percentiles{50, 95, 99};
-  std::optional<std::int64_t> geopackage_limit = 10000;  // key `geopackage`, in words as `paths`; 3D only
+  std::optional<std::int64_t> geopackage_limit = 10000;  // key `geopackage`, as `paths`; 3D only
   bool vtk = false;
   bool report = true;
 };
@@ -228,13 +225,13 @@ struct Design {
   double cost_energy_exponent = 0.5;
 };
 
-/// Where a project names a file to read.
+/// An input file that a project names.
 struct NamedFile {
   std::filesystem::path file;  // as written, relative to the project file
-  std::string said_in;         // the project file, or the option that says it
+  std::string named_in;        // the project file, or the option
   int line = 0;                // 0 in an option
-  std::string where, key;      // the row as problems call it, for example "[terrain]", and its key
-  std::string path;            // of the setting, for programs: `terrain.raster`
+  std::string where, key;      // the row as named in problems, for example "[terrain]", and its key
+  std::string path;            // of the setting: `terrain.raster`
 };
 
 struct Project {
@@ -248,14 +245,14 @@ struct Project {
   std::vector<Area> areas;
   std::vector<Seeder> seeders;
   std::vector<Barrier> barriers;  // collectors too
-  std::optional<Design> design;   // nothing: no barriers are designed
+  std::optional<Design> design;   // nullopt: no barrier is designed
   Output output;
   std::vector<NamedFile> named_files;
 
   [[nodiscard]] bool has_survey() const { return !terrain.points.empty() || !terrain.lines.empty(); }
   [[nodiscard]] bool is_2d() const { return !terrain.section.empty() && !terrain.width_m; }
   [[nodiscard]] std::uint64_t rocks() const;
-  /// The number of the material of this name, if there is one.
+  /// The index of the material of this name, if any.
   [[nodiscard]] std::optional<std::uint32_t> number_of_material(std::string_view material) const {
     for (std::uint32_t number = 0; number < materials.size(); ++number) {
       if (materials[number].name == material) return number;

@@ -16,7 +16,7 @@
 namespace talus::project {
 namespace {
 
-constexpr std::size_t most_entries = 100'000;  // of one kind; what is wrong with each is reported
+constexpr std::size_t most_entries = 100'000;  // of one table; each may have problems to report
 
 void note_line(Row row, int line) {
   if (auto* area = std::get_if<Area*>(&row)) (*area)->line = line;
@@ -80,10 +80,10 @@ void name_unnamed(Named& item, std::string_view kind, std::size_t index) {
   if (item.name.empty()) item.name = fmt::format("{} {}", kind, index + 1);
 }
 
-/// The defaults that follow from other values.
+/// Sets the defaults that depend on other values.
 void complete(Project& project) {
   if (project.name.empty()) project.name = as_utf8(project.file.stem().string());
-  // Where segments or triangles name every material, the default names nothing; the first material is as good as any.
+  // If segments or triangles assign every material, the default is not used and any material will do.
   if (project.ground.default_material.empty() && !project.materials.empty()) {
     project.ground.default_material = project.materials.front().name;
   }
@@ -110,22 +110,22 @@ Problem about_option(std::string option, std::string what, std::string why) {
   return {.file = std::move(option), .where = {}, .what = std::move(what), .why = std::move(why), .hint = {}};
 }
 
-/// How many rocks a seeder with rocks_per_cell has is known only with the terrain, and so is its share of a total.
+/// The number of rocks of a seeder with rocks_per_cell, and so its share of a total, is known only with the terrain.
 void refuse_rocks_per_cell(const Project& project, std::int64_t total, Problems& problems) {
   for (std::size_t i = 0; i < project.seeders.size(); ++i) {
     if (!project.seeders[i].rocks_per_cell) continue;
     Problem problem = about_option(
         fmt::format("--rocks {}", total), fmt::format("cannot be shared among the {} seeders", project.seeders.size()),
-        fmt::format("number {} has rocks_per_cell, and its cells are not counted yet", i + 1));
-    problem.hint = "Give it rocks instead, or set each on its own: --set seeder.0.rocks=...";
+        fmt::format("seeder {} has rocks_per_cell, and its cells are not counted yet", i + 1));
+    problem.hint = "Give it rocks instead, or set the rocks of each seeder: --set seeder.0.rocks=...";
     problems.add(std::move(problem));
     return;
   }
 }
 
-/// Shares `total` rocks among the seeders in proportion to what they have, by largest remainders.
+/// Shares `total` rocks among the seeders in proportion to their rocks, by the largest-remainder method.
 void share_rocks(std::vector<Seeder>& seeders, std::int64_t total) {
-  // 64 bits of mantissa, and what the division rounds away the remainders give back.
+  // 64 bits of mantissa; rounding errors of the division are corrected by the remainders.
   using Exact = long double;
   Exact all = 0;
   for (const Seeder& seeder : seeders) all += static_cast<Exact>(seeder.rocks);
@@ -162,7 +162,7 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
     problems.add(about_option(fmt::format("--rocks {}", *overrides.rocks), "this is not a number of rocks",
                               fmt::format("expected {}", rocks.text())));
   }
-  // As a file's, which is a signed number of 64 bits: what a run echoes can be run again.
+  // As in a file, where it is a signed 64-bit integer, so that the echo of a run can be read again.
   constexpr auto most_seed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (overrides.seed && *overrides.seed > most_seed) {
     problems.add(about_option(fmt::format("--seed {}", *overrides.seed), "this is not a seed",

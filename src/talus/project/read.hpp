@@ -1,5 +1,5 @@
 #pragma once
-// Reads a project file: the values, then the rules across them, and all problems in one pass.
+// Reads a project file and checks its values and the rules across them; all problems are reported in one pass.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,13 +13,12 @@
 
 namespace talus::project {
 
-/// What the command line says differently from the file.
+/// Settings from the command line that override the file.
 struct Overrides {
-  /// `table.key=value`, the value in TOML (a bare word is a string). Entries of lists are called by number, counted
-  /// from 0, or by name: `seeder.0.rocks=10`, `material.Type One.normal_restitution.mean=0.4`.
+  /// `table.key=value`, the value in TOML or a string without quotes. List entries are addressed by zero-based number
+  /// or by name: `seeder.0.rocks=10`, `material.Type One.normal_restitution.mean=0.4`.
   std::vector<std::string> settings;
-  /// Rocks in all. Several seeders share them in proportion to what the file gives each; one whose share rounds to
-  /// nothing gets none.
+  /// Total number of rocks. Several seeders share it in proportion to their numbers in the file; a share may be 0.
   std::optional<std::int64_t> rocks;
   std::optional<std::uint64_t> seed;
 };
@@ -32,7 +31,7 @@ struct Reading {
 /// Throws BadInput with every problem found, warnings among them, in the order of the file.
 [[nodiscard]] Reading read_project(const std::filesystem::path& file, const Overrides& overrides = {});
 
-/// The same from a text that stands in, or came from, a file of this name.
+/// Overload for the text of a file of this name.
 [[nodiscard]] Reading read_project_text(std::string_view text, const std::filesystem::path& file,
                                         const Overrides& overrides = {});
 

@@ -17,7 +17,7 @@ std::string words_text(std::span<const std::string_view> list) {
   return out;
 }
 
-/// The type of a member for people.
+/// The type of a member, for readers.
 struct Named {
   std::string operator()(const bool*) const { return "true or false"; }
   std::string operator()(const double*) const { return "number"; }
@@ -72,7 +72,7 @@ std::string range_text(const Range& range) {
 std::string value_text(const nlohmann::ordered_json& value) {
   if (value == "inf") return "`inf`";
   if (value.is_number_float()) return fmt::format("`{}`", number_text(value.get<double>()));
-  // A certain property is written as the plain number that it is.
+  // A fixed property is written as a plain number.
   if (value.is_object() && value.value("distribution", "") == "none") return value_text(value["mean"]);
   if (value.is_array()) {
     std::string out;
@@ -91,13 +91,13 @@ std::string default_text(const Table& table, const Setting& setting) {
   return value_text(default_of(table, setting).value());
 }
 
-/// When it has an effect: "with `points` or `lines`; not beside `width_m`".
+/// When a setting applies: "with `points` or `lines`; not with `width_m`".
 std::string applies_text(const Table& table, const Setting& setting) {
   std::string out;
   for (const Need& need : setting.applies_when) {
     std::string any;
     for (const Condition& condition : need.any_of) {
-      const bool is_without = condition.asks == Condition::Asks::absent;
+      const bool is_without = condition.kind == Condition::Kind::absent;
       any += fmt::format("{}{} `{}`", any.empty() ? "" : " or ", is_without ? "without" : "with",
                          is_without ? std::string(condition.key) : in_words(table, condition));
     }
@@ -105,7 +105,7 @@ std::string applies_text(const Table& table, const Setting& setting) {
   }
   const auto excluded = table.excluded_by(setting.key);
   for (std::size_t k = 0; k < excluded.size(); ++k) {
-    out += fmt::format("{}`{}`", k > 0 ? ", " : out.empty() ? "not beside " : "; not beside ", excluded[k]);
+    out += fmt::format("{}`{}`", k > 0 ? ", " : out.empty() ? "not with " : "; not with ", excluded[k]);
   }
   return out;
 }
@@ -127,7 +127,7 @@ std::string rows_of(const Table& table) {
 std::string reference_page() {
   std::string page = R"(# The project file
 
-<!-- Made from the declaration of the settings (src/talus/project/settings) by reference.cpp; not written by hand.
+<!-- Generated from the declaration of the settings (src/talus/project/settings) by reference.cpp; do not edit.
      To renew it: TALUS_RENEW_REFERENCE=1 and run the test ReferencePage.IsNotStale. -->
 
 A project is one TOML file. Units are in the names of the keys. A key that is not listed here is an error, and so is a
@@ -137,21 +137,21 @@ plan, z up.
 A section without `width_m` is analysed in 2D: positions then are [x, z]. Everything else is 3D, and positions are
 [x, y, z].
 
-On the command line, `--set table.key=value` overrides a key; the value is TOML, and what is none, as `../dem.tif` or
-`EPSG:31287`, is a text. Entries of lists are called by their number, counted from 0, or by their name:
+On the command line, `--set table.key=value` overrides a key. The value is TOML; anything else, such as `../dem.tif` or
+`EPSG:31287`, is taken as a text. List entries are addressed by number, starting from 0, or by name:
 `--set analysis.gravity_m_s2=9.81 --set seeder.0.rocks=10 --set "material.Type One.normal_restitution.mean=0.4"`.
-A name with a dot in it stands in double quotes. `--rocks N` is the number of rocks in all: several seeders share them
-in proportion to what the file gives each. `--seed S` is short for `--set sampling.seed=S`.
+Put a name that contains a dot in double quotes. `--rocks N` sets the total number of rocks, which several seeders share
+in proportion to their numbers in the file. `--seed S` is short for `--set sampling.seed=S`.
 
-*The manual*, named as a source, is Rocscience's verification manual of RocFall3, *Lumped Mass and Rigid Body (Legacy
-Sphere)*.
+Where the source is *the manual*, it is Rocscience's verification manual of RocFall3, *Lumped Mass and Rigid Body
+(Legacy Sphere)*.
 
 ## Random properties
 
 )";
   page += std::string(distribution_table().meaning);
   page += R"(
-Truncation is a renormalisation: draws are not piled up at the limits. Whatever the limits, a draw never leaves the
+Truncation renormalises the distribution: draws do not pile up at the limits. Whatever the limits, no draw leaves the
 range of its property.
 
 )";
@@ -161,7 +161,7 @@ range of its property.
                         table.meaning);
     page += rows_of(table);
   }
-  page += "\n## An example\n\n`talus new` writes this one.\n\n```toml\n" + starter() + "```\n";
+  page += "\n## An example\n\n`talus new` writes this project.\n\n```toml\n" + starter() + "```\n";
   return page;
 }
 

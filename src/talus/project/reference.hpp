@@ -1,5 +1,5 @@
 #pragma once
-// The page docs/project-file.md, made from the declaration of the settings.
+// The page docs/project-file.md, generated from the declaration of the settings.
 
 #include <string>
 

@@ -10,7 +10,7 @@
 namespace talus::project {
 namespace {
 
-constexpr std::size_t most_unknown = 100;  // keys of one table that are reported; more would only hide the others
+constexpr std::size_t most_unknown = 100;  // keys of one table that are reported individually
 
 std::vector<std::string_view> keys_of(const Table& table) {
   std::vector<std::string_view> keys;
@@ -71,7 +71,7 @@ void RowKeys::refuse_unknown(const std::string& lead) const {
             std::find_if(tables().begin(), tables().end(), [&](const Table& t) { return t.key == *near; });
         problem.hint = fmt::format("Did you mean {}?", meant == tables().end() ? std::string(*near) : meant->heading());
       } else {
-        problem.why = fmt::format("known are {}", plain_list(names, " and "));
+        problem.why = fmt::format("expected one of {}", plain_list(names, " or "));
       }
     } else if (const auto near = nearest(name, known)) {
       problem.hint = fmt::format("Did you mean \"{}\"?", *near);
@@ -80,7 +80,7 @@ void RowKeys::refuse_unknown(const std::string& lead) const {
       if (home != tables().end() && !home->key.empty()) {
         problem.hint = fmt::format("It belongs to {}", home->heading());
       } else {
-        problem.why = fmt::format("known are {}", plain_list(known, " and "));
+        problem.why = fmt::format("expected one of {}", plain_list(known, " or "));
       }
     }
     problems.add(std::move(problem));

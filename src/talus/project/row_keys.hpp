@@ -1,5 +1,5 @@
 #pragma once
-// The keys of one row of the project file: those that are not declared, and those that exclude each other.
+// Checks the keys of one row of the project file: unknown keys, and keys that exclude each other.
 
 #include <span>
 #include <string>
@@ -11,11 +11,10 @@
 
 namespace talus::project {
 
-/// Does this row have an unknown key that was probably meant to be `key`? Then that key is mistyped rather than
-/// missing.
+/// Whether the row has an unknown key that was probably meant to be `key`, which is then mistyped rather than missing.
 [[nodiscard]] bool is_mistyped(const Table& table, const toml::table& row, std::string_view key);
 
-/// "a, b and c".
+/// "a, b and c", with `last` = " and ".
 [[nodiscard]] std::string plain_list(std::span<const std::string_view> words, std::string_view last);
 
 struct RowKeys {
@@ -25,7 +24,7 @@ struct RowKeys {
   const std::string& where;  // names the row in messages
   Problems& problems;
 
-  /// `lead` is what leads to the keys of a value that is a table: "normal_restitution ".
+  /// `lead` precedes the keys of a value that is a table: "normal_restitution ".
   void refuse_unknown(const std::string& lead) const;
   void refuse_exclusive() const;
 };

@@ -106,7 +106,7 @@ struct Typed {
   Json operator()(MapCellSlot) const { return {{"anyOf", Json::array({Json{{"const", "terrain"}}, number()})}}; }
 };
 
-/// A row to ask a setting for its member: only the type matters.
+/// The JSON type of a setting. (The blank row only provides the type of its member.)
 Json type_of(const Table& table, const Setting& setting) {
   Project blank;
   Distribution blank_distribution;
@@ -114,17 +114,18 @@ Json type_of(const Table& table, const Setting& setting) {
   return std::visit(Typed{setting.range}, setting.slot(row));
 }
 
-/// All of a list are needed, of each any: `[[{"key": "points", "given": true}, {"key": "lines", "given": true}]]`.
+/// A list of needs, each a list of alternatives: `[[{"key": "points", "given": true}, {"key": "lines", "given":
+/// true}]]`.
 Json conditions(const Setting& setting) {
   Json needs = Json::array();
   for (const Need& need : setting.applies_when) {
     Json any_of = Json::array();
-    for (const auto& [key, asks, values] : need.any_of) {
+    for (const auto& [key, kind, values] : need.any_of) {
       Json condition{{"key", std::string(key)}};
-      if (asks == Condition::Asks::one_of || asks == Condition::Asks::none_of) {
-        condition[asks == Condition::Asks::one_of ? "is" : "not"] = values;
+      if (kind == Condition::Kind::one_of || kind == Condition::Kind::none_of) {
+        condition[kind == Condition::Kind::one_of ? "is" : "not"] = values;
       } else {
-        condition["given"] = asks == Condition::Asks::given;
+        condition["given"] = kind == Condition::Kind::given;
       }
       any_of.push_back(std::move(condition));
     }
@@ -153,7 +154,7 @@ Json table_schema(const Table& table) {
     if (setting.range.infinite_allowed) property["x-infinite"] = true;
     if (const auto excluded = table.excluded_by(setting.key); !excluded.empty()) property["x-excludes"] = excluded;
     if (!setting.applies_when.empty()) property["x-applies-when"] = conditions(setting);
-    if (!setting.asks_nothing.empty()) property["x-asks-nothing"] = setting.asks_nothing;
+    if (!setting.always_accepted.empty()) property["x-asks-nothing"] = setting.always_accepted;
     if (!setting.title.empty()) property["x-title"] = std::string(setting.title);
     if (!setting.group.empty()) property["x-group"] = std::string(setting.group);
     if (!setting.topic.document.empty()) property["x-topic"] = topic_json(setting.topic);

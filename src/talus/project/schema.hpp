@@ -1,5 +1,5 @@
 #pragma once
-// The project file as a JSON Schema (draft 7, which editors of TOML understand): keys, types, ranges, words, defaults.
+// The project file as a JSON Schema (draft 7, which TOML editors support): keys, types, ranges, words, defaults.
 
 #include <nlohmann/json.hpp>
 

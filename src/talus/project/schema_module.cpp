@@ -12,7 +12,7 @@ bool is_table(const Json& node) {
   return node.is_object() && (node.contains("properties") || (node.contains("items") && is_table(node["items"])));
 }
 
-/// A line a setting: what differs between two versions is read like that.
+/// One line per setting, so that differences between versions are readable.
 void write(const Json& node, const std::string& indent, std::string& out) {
   const std::string inner = indent + "  ";
   out += "{\n";
@@ -44,8 +44,8 @@ void write(const Json& node, const std::string& indent, std::string& out) {
 
 std::string schema_module() {
   std::string out =
-      R"(// Made from the declaration of the settings (src/talus/project/settings) by schema_module.cpp; not written by hand.
-// To renew it: TALUS_RENEW_REFERENCE=1 and run the test SchemaModule.IsNotStale.
+      R"(// Generated from the declaration of the settings (src/talus/project/settings) by schema_module.cpp;
+// do not edit. To renew it: TALUS_RENEW_REFERENCE=1 and run the test SchemaModule.IsNotStale.
 
 export const schema = )";
   write(schema(), "", out);

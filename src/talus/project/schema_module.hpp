@@ -5,8 +5,8 @@
 
 namespace talus::project {
 
-/// web/src/generated/schema.ts: the schema of schema.hpp as a TypeScript constant, a line a setting, whose type has
-/// every key and every word. A test holds the file to it.
+/// web/src/generated/schema.ts: the schema of schema.hpp as a TypeScript constant, whose type has every key and every
+/// word. A test checks that the file is up to date.
 [[nodiscard]] std::string schema_module();
 
 }  // namespace talus::project

@@ -64,7 +64,7 @@ std::string SettingPaths::of(const toml::node& node) const {
 std::string SettingPaths::on_line(std::uint32_t line) const {
   for (std::uint32_t k = 0; k < entries_.size(); ++k) {
     const toml::node& node = *entries_[k].node;
-    // A list of tables has no line of its own.
+    // A list of tables has no line.
     if (node.source().begin.line == line && !node.is_array_of_tables()) return path(k);
   }
   return {};

@@ -1,5 +1,5 @@
 #pragma once
-// Where each value of a project file stands, in words for programs: a form marks the field that is reported.
+// The path of each value of a project file, by which a form marks the field that a problem is about.
 
 #include <cstdint>
 #include <string>
@@ -10,35 +10,37 @@
 
 namespace talus::project {
 
-/// Paths such as `material.0.normal_restitution.mean`: keys, and numbers of entries counted from 0, as `--set` takes
-/// them. A key with other letters than a to z, A to Z, digits, '_' and '-' is in quotes.
+/// Paths such as `material.0.normal_restitution.mean`: keys and zero-based numbers of entries, as `--set` takes them.
+/// A key with characters other than a to z, A to Z, digits, '_' and '-' is quoted.
 class SettingPaths {
  public:
-  /// The table must outlive this, and not change.
+  /// The table must outlive this object and not change.
   explicit SettingPaths(const toml::table& root);
 
-  /// Of a value below the table; empty for the table itself.
+  /// The path of a value below the table; empty for the table itself.
   [[nodiscard]] std::string of(const toml::node& node) const;
-  /// Of the first value that begins on a line of the file; a table before what is in it. Empty where none does.
+  /// The path of the first value that begins on a line of the file, a table before its contents. Empty if there is
+  /// none.
   [[nodiscard]] std::string on_line(std::uint32_t line) const;
-  /// Of the text that reads like this. Empty where none does.
+  /// The path of the first string with this text. Empty if there is none.
   [[nodiscard]] std::string of_text(std::string_view text) const;
 
+  /// `path.key`, the key quoted if necessary.
   [[nodiscard]] static std::string below(std::string path, std::string_view key);
 
  private:
   static constexpr std::uint32_t none = 0xffffffffU;
   struct Entry {
     const toml::node* node;
-    std::uint32_t parent;  // an entry; none: the table itself
+    std::uint32_t parent;  // index of an entry; none: the table itself
     std::uint32_t number;  // in a list
   };
   void add(const toml::node& node, std::uint32_t parent, std::uint32_t number);
   [[nodiscard]] std::string path(std::uint32_t entry) const;
 
   const toml::table& root_;
-  std::vector<Entry> entries_;             // a table or list before what is in it
-  std::vector<std::uint32_t> by_address_;  // the same, sorted
+  std::vector<Entry> entries_;             // a table or list before its contents
+  std::vector<std::uint32_t> by_address_;  // indices into entries_, sorted by the nodes' addresses
 };
 
 }  // namespace talus::project

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// 1e12 and 1e-9 for a power of ten whose zeros nobody counts; others as they are.
+/// Large and small powers of ten as 1e12 and 1e-9, other numbers in full.
 std::string limit_text(double limit) {
   const double size = std::abs(limit);
   if (size == 0 || !std::isfinite(size) || (size > 1e-3 && size < 1e6)) return fmt::format("{}", limit);
@@ -45,8 +45,8 @@ std::string Range::text() const {
 
 std::optional<RockModel> only_model(const Setting& setting) {
   for (const Need& need : setting.applies_when) {
-    const auto& [key, asks, values] = need.any_of.front();
-    if (need.any_of.size() != 1 || asks != Condition::Asks::one_of || values.size() != 1) continue;
+    const auto& [key, kind, values] = need.any_of.front();
+    if (need.any_of.size() != 1 || kind != Condition::Kind::one_of || values.size() != 1) continue;
     if (key != "analysis.model") continue;
     return value_of<RockModel>(values.front());
   }
@@ -101,13 +101,13 @@ const Table& distribution_table() {
 const Table& table(std::string_view key) {
   const auto found = std::ranges::find(tables(), key, &Table::key);
   if (found != tables().end()) return *found;
-  TALUS_PROMISE(false, "only declared tables are asked for");
+  TALUS_PROMISE(false, "the table is declared");
   throw std::logic_error(fmt::format("no table {} is declared", key));
 }
 
 const Setting& setting(std::string_view of, std::string_view key) {
   if (const Setting* found = table(of).find(key)) return *found;
-  TALUS_PROMISE(false, "only declared settings are asked for");
+  TALUS_PROMISE(false, "the setting is declared");
   throw std::logic_error(fmt::format("no setting {}.{} is declared", of, key));
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // The one declaration of every setting of the project file: its table and key, the member of project.hpp that it fills,
-// unit, range, when it applies, what excludes it, group, help, meaning and source. The reader, the checks, the JSON
-// Schema, the reference page, the forms of the workbench and the echo in summary.json are all made from it; each table
-// has its file in settings/. Defaults are not repeated here: they are the initial values of the structs.
+// unit, range, conditions, exclusions, form group, help topic, meaning and source. The reader, the checks, the JSON
+// Schema, the reference page, the forms of the workbench and the echo in summary.json are all generated from it. Each
+// table has its own file in settings/. Defaults are not repeated here: they are the initial values of the structs.
 
 #include <functional>
 #include <limits>
@@ -20,34 +20,34 @@
 
 namespace talus::project {
 
-/// Which numbers a setting may be (for a random property: which means).
+/// The permitted values of a setting (for a random property, of its mean).
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool least_excluded = false;
   bool most_excluded = false;
-  bool infinite_allowed = false;  // `inf` is a value
+  bool infinite_allowed = false;  // `inf` is permitted
   std::string_view too_low{};     // why a smaller number makes no sense
-  std::string_view too_high{};    // why a larger one makes none
+  std::string_view too_high{};    // why a larger number makes no sense
 
   [[nodiscard]] bool contains(double value) const;
   [[nodiscard]] bool is_everything() const;
-  /// For people: "0 to 1", "more than 0", "0 or more".
+  /// For messages: "0 to 1", "more than 0", "0 or more".
   [[nodiscard]] std::string text() const;
 };
 
-/// Why a number inside the range is probably not what was meant, and what would then be right.
+/// Why a number inside the range is probably a mistake, and how to correct it.
 struct Doubt {
   std::string why;
   std::string hint;
 };
 
-// Members whose form in the file is not that of their type.
+// Members whose form in the file differs from their type.
 struct PositionSlot {
-  Seeder* seeder;  // [x, z] or [x, y, z], z may be "surface" or left out: the one point of a point seeder
+  Seeder* seeder;  // [x, z] or [x, y, z], z may be "surface" or omitted: the point of a point seeder
 };
 struct PointsSlot {
-  Seeder* seeder;  // two or more of them: a line seeder
+  Seeder* seeder;  // two or more positions: the points of a line seeder
 };
 struct PlanLineSlot {
   Barrier* barrier;  // x in 2D, [[x, y], ...] in 3D
@@ -56,16 +56,16 @@ struct PlanPolygonSlot {
   std::vector<std::array<double, 2>>* polygon;  // [[x, y], ...], three or more
 };
 struct LibrarySlot {
-  Material* material;  // the key of a material of the library, whose values it takes
+  Material* material;  // the key of a library material, whose values it takes
 };
 struct DirectionSlot {
-  std::optional<std::array<double, 3>>* direction;  // [x, z] or [x, y, z], or "downslope" (nothing here)
+  std::optional<std::array<double, 3>>* direction;  // [x, z] or [x, y, z], or "downslope" (nullopt)
 };
 struct RockLimitSlot {
-  std::optional<std::int64_t>* limit;  // "all" (nothing here), "none" (0) or a number of rocks
+  std::optional<std::int64_t>* limit;  // "all" (nullopt), "none" (0) or a number of rocks
 };
 struct MapCellSlot {
-  std::optional<double>* size;  // "terrain" (nothing here) or a number of metres
+  std::optional<double>* size;  // "terrain" (nullopt) or a number of metres
 };
 
 /// The member that a setting fills, in one row of its table.
@@ -84,34 +84,35 @@ using Slot =
 using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Area*, Seeder*, Barrier*,
                          Design*, Output*, Distribution*>;
 
-/// What another setting must say: of the same row (its key), or of a table that there is one of ("terrain.raster").
+/// A condition on another setting: of the same row (its key), or of a table with one row ("terrain.raster").
 struct Condition {
-  enum class Asks { given, absent, one_of, none_of };
+  enum class Kind { given, absent, one_of, none_of };
   std::string_view key;
-  Asks asks = Asks::given;
-  std::vector<std::string_view> values{};  // of one_of and none_of: as in the file, texts without quotes
+  Kind kind = Kind::given;
+  std::vector<std::string_view> values{};  // for one_of and none_of: as in the file, strings without quotes
 };
 
-/// What becomes of a setting that does not apply.
+/// What happens to a setting that does not apply.
 enum class Otherwise {
-  kept,     // it describes the ground for either model, say
-  warned,   // a warning says that it has no effect
-  refused,  // an error: the project says something else than it does
+  kept,     // no message: a material may describe the ground for both models
+  warned,   // warning: it has no effect
+  refused,  // error: the project would do something else than it says
 };
 
-/// One reason for which a setting has an effect: any of its conditions holds.
+/// One requirement for a setting to have an effect: at least one of its conditions is true.
 struct Need {
   std::vector<Condition> any_of;
   Otherwise otherwise = Otherwise::warned;
-  // The message where none holds; empty: made of the conditions. "{}" stands for what the first of them is now.
-  std::string_view what{};  // after the key: "is given without a section"
+  // The message if none is true; empty: generated from the conditions. "{}" is replaced by the present value of the
+  // first condition's key.
+  std::string_view what{};  // follows the key: "is given without a section"
   std::string_view why{};
   std::string_view hint{};
 };
 
-/// Where the documents say more.
+/// A section of the documents.
 struct Topic {
-  std::string_view document;  // a file of docs/; empty: nowhere
+  std::string_view document;  // a file of docs/; empty: none
   std::string_view heading;
 };
 
@@ -121,33 +122,32 @@ struct Setting {
   std::string_view unit{};  // empty: none
   Range range{};
   bool required = false;
-  std::string_view without_it{};  // what holds where the key is absent and the struct's initial value does not say it
-  std::size_t most_entries = 0;   // of a list; 0: as many as anybody likes
-  std::vector<Need>
-      applies_when{};  // all of them must be met for it to have an effect; the first that is not is reported
-  std::vector<std::string_view> asks_nothing{};  // values, as in the file, that need nothing: `false`
-  std::string_view title{};                      // of its field in forms, where the key does not read well
-  std::string_view group{};                      // of the form, one of the table's
-  Topic topic{};                                 // without one the table's
-  std::string_view meaning{};                    // one sentence; after its model's name and a colon where it has one
+  std::string_view without_it{};     // the default, if the struct's initial value does not give it
+  std::size_t most_entries = 0;      // of a list; 0: no limit
+  std::vector<Need> applies_when{};  // it has an effect if all of them are met; the first unmet one is reported
+  std::vector<std::string_view> always_accepted{};  // values, as in the file, that are always accepted: `false`
+  std::string_view title{};                      // of its field in forms; empty: made from the key
+  std::string_view group{};                      // of fields in forms: one of the table's
+  Topic topic{};                                 // empty: the table's
+  std::string_view meaning{};  // follows "Lumped mass: " or "Rigid sphere: " if it is for one model only
   std::string_view source{};
-  std::function<std::optional<double>(double)> slip{};  // what a number out of range was probably meant to be
+  std::function<std::optional<double>(double)> slip{};  // the probable intention of a number out of range
   std::function<std::optional<Doubt>(double)> doubt{};  // for a number inside the range
 };
 
-/// The only rock model that it has any effect on, where there is one.
+/// The rock model that the setting is limited to, if any.
 [[nodiscard]] std::optional<RockModel> only_model(const Setting& setting);
 
-/// Its meaning, with the model that it is for in front: "Rigid sphere: height of the bumps of a rough ground."
+/// Its meaning, preceded by the model it is limited to: "Rigid sphere: height of the bumps of rough ground."
 [[nodiscard]] std::string meaning_of(const Setting& setting);
 
-/// Ways to say one thing, each by the keys of a list. Keys of different ways exclude each other.
+/// Alternative ways to specify the same thing, each a list of keys. Keys of different ways exclude each other.
 using Choice = std::vector<std::vector<std::string_view>>;
 
-/// Fields that stand together in a form.
+/// Fields that are grouped in a form.
 struct Group {
   std::string_view title;
-  bool folded = false;  // until it is opened, or something in it is given
+  bool folded = false;  // initially, unless one of its settings is given
 };
 
 struct Table {
@@ -157,34 +157,34 @@ struct Table {
   std::string_view meaning;
   std::vector<Setting> settings;
   std::vector<Choice> choices{};
-  std::vector<Group> groups{};  // in the order of the form; none: it has no groups
+  std::vector<Group> groups{};  // in the order of the form; may be empty
   Topic topic{};
-  std::function<Row(Project&)> add;                // the row to read into; a new one for each [[key]]
-  std::function<std::vector<Row>(Project&)> rows;  // all rows that there are
+  std::function<Row(Project&)> add;                // returns the row to read into; a new one for each [[key]]
+  std::function<std::vector<Row>(Project&)> rows;  // all rows
 
   [[nodiscard]] const Setting* find(std::string_view setting) const;
-  /// Keys that may not stand beside this one: those of other ways of its choices.
+  /// Keys that may not be given together with this one: those of other ways of its choices.
   [[nodiscard]] std::vector<std::string_view> excluded_by(std::string_view setting) const;
-  /// The keys of all ways of its first choice: of a terrain those that make it.
+  /// The keys of all ways of its first choice: for [terrain], those that define the surface.
   [[nodiscard]] std::vector<std::string_view> keys_of_ways() const;
   /// As in the file: "[analysis]", "[[seeder]]".
   [[nodiscard]] std::string heading() const;
 };
 
-/// Every table of the project file, in the order of the contract.
+/// Every table of the project file, in the order of the reference.
 [[nodiscard]] const std::vector<Table>& tables();
 
 /// The keys of a random property, `{ mean = 0.5, distribution = "normal", ... }`: a table like the others, used by all
-/// settings that are a Distribution.
+/// settings of type Distribution.
 [[nodiscard]] const Table& distribution_table();
 
-/// A table that is known to exist.
+/// The table of this key. Expects it to exist.
 [[nodiscard]] const Table& table(std::string_view key);
 
-/// A setting that is known to exist.
+/// The setting `table.key`. Expects it to exist.
 [[nodiscard]] const Setting& setting(std::string_view table, std::string_view key);
 
-/// Limits of what may be drawn for a random property: the range of its setting.
+/// The limits of draws of a random property: the range of its setting.
 [[nodiscard]] Bounds bounds(std::string_view table, std::string_view key);
 [[nodiscard]] Bounds bounds(const Range& range);
 

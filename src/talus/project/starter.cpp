@@ -5,7 +5,7 @@ namespace talus::project {
 std::string starter() {
   // Geometry, materials and rocks: the manual, section 1, scenario 2.
   return R"(# A project of Talus. Every key, its unit, range and default: docs/project-file.md, or `talus schema`.
-# Keys that are not here have their defaults; a mistyped key is an error.
+# Keys that are not given have their defaults; a mistyped key is an error.
 name = "Tutorial 1"
 
 [analysis]
@@ -20,7 +20,7 @@ seed = 1                # the same seed gives the same rocks, on any computer an
 section = [[0, 0], [3.1, -12.2], [6.7, -12.2], [9.8, -24.4], [13.4, -25], [26, -22.5]]
 # width_m = 50          # extrudes it along y to a 3D terrain; positions then are [x, y, z]
 
-# A property is a number, or a distribution: mean, kind, standard deviation, and how far from the mean draws may be.
+# A property is a number or a distribution: mean, kind, standard deviation, and maximum distances from the mean.
 [[material]]
 name = "Type One"
 normal_restitution     = { mean = 0.5, distribution = "normal", std_dev = 0.03, rel_min = 0.09, rel_max = 0.09 }
@@ -59,7 +59,7 @@ horizontal_velocity_m_s = { mean = 1.5, distribution = "normal", std_dev = 0.15,
 # capacity_kJ = 500
 
 # [output]
-# paths = "all"         # the whole paths of more than 2,000 rocks
+# paths = "all"         # the paths of all rocks, not only 2,000
 )";
 }
 

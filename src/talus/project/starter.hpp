@@ -1,5 +1,5 @@
 #pragma once
-// The project that `talus new` writes: the slope of RocFall2's first tutorial, commented, ready to run.
+// The project that `talus new` writes: the slope of RocFall2's first tutorial, with comments, ready to run.
 
 #include <string>
 

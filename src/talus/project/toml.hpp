@@ -1,10 +1,10 @@
 #pragma once
-// The reader of TOML.
+// toml++, with two of its assumptions removed.
 
-// Two promises of toml++ 3.3 that some files break, and that it need not have made. Of a table's name that it begins
-// with a letter, which `[=]` does not: two lines later it says so kindly. And of a letter outside of quotes that it is
-// a blank or far from one (U+0362 is neither): it is not a blank. Nobody includes toml++ but through here: of functions
-// that two files define differently the linker takes any.
+// Some files violate two assumptions of toml++ 3.3, which are not needed: that the name of a table begins with a letter
+// (`[=]` does not, and a proper error follows two lines later), and that any character outside quotes is either in the
+// range of blanks or far from it (U+0362 is neither, and is not a blank). Always include toml++ through this header:
+// if two files defined its functions differently, the linker would pick either.
 // clang-format off
 #include <cstdint>
 #define TOML_ASSERT(expression) static_assert(true)

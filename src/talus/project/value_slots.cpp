@@ -1,4 +1,4 @@
-// Values that are a number or a word in its place.
+// The part of ValueReader for values that are a number or a word.
 
 #include "talus/project/values.hpp"
 

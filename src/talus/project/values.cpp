@@ -26,7 +26,7 @@ std::string quoted_list(std::span<const std::string_view> words, std::string_vie
   return out;
 }
 
-/// Is this text what a number in quotes would be?
+/// Whether the value is a number in quotes.
 bool reads_as_number(const toml::node& node) {
   const auto* text = node.as_string();
   if (!text || text->get().empty()) return false;
@@ -38,7 +38,7 @@ bool reads_as_number(const toml::node& node) {
 std::string number_hint(const toml::node& node) {
   if (reads_as_number(node)) return "Leave out the quotes";
   const auto* text = node.as_string();
-  const std::string number = text ? with_point(text->get()) : "";
+  const std::string number = text ? with_decimal_point(text->get()) : "";
   return number.empty() ? "" : fmt::format("Write {}, without quotes", number);
 }
 
@@ -178,7 +178,7 @@ bool ValueReader::into(const Value& value, double* member) {
                   slip_hint(value.setting, number));
   }
   doubt(value, number);
-  *member = number + 0.0;  // -0 is 0, also in a name that is made of it
+  *member = number + 0.0;  // turns -0 into 0, also in names made from it
   return true;
 }
 
@@ -194,7 +194,7 @@ bool ValueReader::into(const Value& value, std::int64_t* member) {
   if (const auto* real = value.node.as_floating_point()) {
     const bool is_whole = std::isfinite(real->get()) && real->get() == std::floor(real->get());
     std::string hint = is_whole && std::abs(real->get()) < 1e15
-                           ? fmt::format("Write {:.0f}, without a point or an exponent", real->get())
+                           ? fmt::format("Write {:.0f}, without a decimal point or an exponent", real->get())
                            : "";
     return refuse_kind(value, kind_of_number("a whole number", range), std::move(hint));
   }
@@ -217,7 +217,7 @@ bool ValueReader::into(const Value& value, std::optional<std::int64_t>* member) 
 
 bool ValueReader::into(const Value& value, std::uint64_t* member) {
   std::int64_t number = 0;
-  if (!into(value, &number)) return false;  // the range of the setting keeps out negative numbers
+  if (!into(value, &number)) return false;  // the range of the setting excludes negative numbers
   *member = static_cast<std::uint64_t>(number);
   return true;
 }
@@ -227,7 +227,7 @@ bool ValueReader::into(const Value& value, std::string* member) {
   if (!text) return refuse_kind(value, "a text in quotes");
   if (text->get().empty()) return refuse_kind(value, "a text that is not empty");
   if (std::any_of(text->get().begin(), text->get().end(), is_control)) {
-    return refuse_kind(value, "a text without line breaks and other characters that cannot be seen",
+    return refuse_kind(value, "a text without line breaks or other invisible characters",
                        "In double quotes \\t and \\n are such characters: write paths with /, or in single quotes");
   }
   *member = text->get();
@@ -265,7 +265,7 @@ bool ValueReader::into(const Value& value, std::vector<Item>* member) {
   if (!list) return refuse_kind(value, "a list [...]");
   if (const std::size_t most = value.setting.most_entries; most > 0 && list->size() > most) {
     return refuse(value, fmt::format("{} has {} entries", value.name, list->size()),
-                  fmt::format("expected {} at most", most));
+                  fmt::format("expected at most {}", most));
   }
   std::vector<Item> items(list->size());
   std::size_t wrong = 0;
@@ -307,9 +307,9 @@ bool ValueReader::into(const Value& value, Distribution* member) {
   const std::size_t before = problems_.list().size();
   if (parts) {
     read_rows(distribution_table(), *parts, &read, value.where, value.name + ' ');
-    const bool kind_unsaid = !parts->contains("distribution");
+    const bool has_kind = parts->contains("distribution");
     for (const std::string_view key : {"std_dev", "rel_min", "rel_max"}) {
-      if (!kind_unsaid || !parts->contains(key)) continue;
+      if (has_kind || !parts->contains(key)) continue;
       refuse(value, fmt::format("{} has {} but no distribution", value.name, key), "it would have no effect",
              "Add distribution = \"normal\", or another kind");
       break;
@@ -317,7 +317,7 @@ bool ValueReader::into(const Value& value, Distribution* member) {
   }
   const toml::node& mean_node = parts && parts->contains("mean") ? *parts->get("mean") : value.node;
   const Value mean{value.setting, mean_node, value.row, value.where, parts ? value.name + " mean" : value.name};
-  // The mean as a number of any size was checked as a part above; here it is held against the property's range.
+  // The mean was read as a part above; here it is checked against the range of the property.
   if (refused_.contains(&mean_node)) return false;
   if (mean_node.is_number() && !into(mean, &read.mean)) return false;
   if (problems_.list().size() != before &&
@@ -363,7 +363,7 @@ bool ValueReader::into(const Value& value, std::map<std::int32_t, std::string>* 
     } else if (!into(entry, &text)) {
       good = false;
     } else if (!read.emplace(number, std::move(text)).second) {
-      good = refuse(entry, fmt::format("{} names class {} again", entry.name, number), "a class is one material");
+      good = refuse(entry, fmt::format("{} repeats class {}", entry.name, number), "a class has one material");
     }
   }
   if (good) *member = std::move(read);
@@ -411,7 +411,7 @@ bool ValueReader::into(const Value& value, MapSubjects* member) {
       const Value entry{value.setting, value.node.as_array()->at(i), value.row, value.where,
                         fmt::format("{}[{}]", value.name, i)};
       good =
-          refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it was given before", "Leave it out");
+          refuse(entry, fmt::format("{} is {}", entry.name, quoted(entry.node)), "it is listed twice", "Leave it out");
     }
     subjects.set(place);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Reads the values of one table into the members that its settings are bound to, and says what is wrong with them.
+// Reads the values of one table into the members of its settings, and reports what is wrong with them.
 
 #include <array>
 #include <optional>
@@ -16,23 +16,23 @@
 
 namespace talus::project {
 
-/// Is this a section without a width? Positions are then [x, z]. Known before anything is read, from the keys alone;
-/// nothing where there is no terrain to say it.
+/// Whether the terrain is a section without a width, so that positions are [x, z]. Follows from the keys alone, before
+/// any value is read; nullopt if no key defines a terrain.
 [[nodiscard]] std::optional<bool> is_2d(const toml::table& root);
 
-/// How a problem calls a row: `[analysis]`, `material "Type One"`, `seeder 2` (counted from 1).
+/// The name of a row in problems: `[analysis]`, `material "Type One"`, `seeder 2` (one-based).
 [[nodiscard]] std::string name_of_row(const Table& table, const toml::table& row, std::size_t index);
 
 /// "1 vertex", "2 vertices".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view several);
 
-/// A number as people write it: whole numbers without a point or an exponent.
+/// A number as people write it: whole numbers without a decimal point or an exponent.
 [[nodiscard]] std::string number_text(double value);
 
-/// How often entries of one list are reported; more would only hide the others.
+/// How many wrong entries of one list are reported.
 inline constexpr std::size_t most_reported = 10;
 
-/// The places of entries that are in the list before.
+/// The indices of entries that occur earlier in the list.
 [[nodiscard]] std::vector<std::size_t> repeated(const std::vector<double>& list);
 
 class ValueReader {
@@ -43,17 +43,17 @@ class ValueReader {
   void read(const Table& table, const toml::table& from, Row row, const std::string& where);
 
   [[nodiscard]] const std::vector<NamedFile>& named_files() const { return named_files_; }
-  /// The values that were reported and did not get into the project: rules across keys leave them alone.
+  /// The values that were reported and are not in the project; rules across keys skip them.
   [[nodiscard]] const std::unordered_set<const toml::node*>& refused() const { return refused_; }
 
  private:
-  /// The value being read, and how problems call it.
+  /// The value being read, and its name in problems.
   struct Value {
     const Setting& setting;
     const toml::node& node;
-    const toml::table& row;  // the keys beside it
+    const toml::table& row;  // the other keys of its table
     std::string where;
-    std::string name;  // the key, for parts with what leads to it: `normal_restitution std_dev`, `section[2]`
+    std::string name;  // the key; of a part, with its path: `normal_restitution std_dev`, `section[2]`
   };
 
   void read_rows(const Table& table, const toml::table& from, Row row, const std::string& where,
@@ -94,21 +94,21 @@ class ValueReader {
     bool on_surface = false;
   };
   std::optional<Position> position(const Value& value);
-  /// Points [x, y]; reports the first that is none, or that repeats the one before it.
+  /// Points [x, y]; reports the first that is not a point, or that repeats the previous one.
   std::optional<std::vector<std::array<double, 2>>> plan_points(const Value& value);
   bool plan_coordinate(const Value& value, double* member);
   void doubt(const Value& value, double number);
   void warn(const Value& value, std::string what, std::string why, std::string hint);
 
-  /// Adds a problem about the value and gives false, so that a reader can return it.
+  /// Adds a problem about the value; returns false, for readers to return.
   bool refuse(const Value& value, std::string what, std::string why, std::string hint = {});
-  /// `refuse` for the commonest problem: the value is not of the kind expected.
+  /// `refuse` for the most common problem: the value is not of the expected kind.
   bool refuse_kind(const Value& value, const std::string& expected, std::string hint = {});
 
   const Document& document_;
   Problems& problems_;
-  // Without a terrain nobody knows how many coordinates a position has; positions then count as refused, and only the
-  // missing terrain is reported.
+  // Without a terrain, the number of coordinates of a position is unknown: positions then count as refused, and only
+  // the missing terrain is reported.
   bool dimension_is_known_;
   bool two_dimensional_;
   std::unordered_set<const toml::node*> refused_;

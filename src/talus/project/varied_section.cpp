@@ -8,8 +8,8 @@
 namespace talus::project {
 
 CertainStretch certain_stretch(const Terrain& terrain) {
-  // Wherever the vertices go, one lies to the left of the least right end of where each may be, and one to the right of
-  // the greatest left end; the slope connects them.
+  // Each vertex may lie within [x - moved, x + moved]. Wherever they are, one is left of the smallest right end of
+  // these ranges and one is right of the largest left end; the slope connects them.
   CertainStretch stretch{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (std::size_t k = 0; k < terrain.section.size(); ++k) {
     const double x = terrain.section[k][0];
@@ -23,8 +23,8 @@ CertainStretch certain_stretch(const Terrain& terrain) {
 
 std::string why_uncertain(const CertainStretch& stretch) {
   return fmt::format(
-      "where section_std_dev_m moves its ends by {:g} standard deviations, the section goes from x = "
-      "{:.10g} to {:.10g}",
+      "if section_std_dev_m moves its ends by {:g} standard deviations, the section extends from x = {:.10g} to "
+      "{:.10g}",
       most_deviations_of_vertex, stretch.from, stretch.to);
 }
 

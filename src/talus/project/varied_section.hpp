@@ -1,5 +1,5 @@
 #pragma once
-// A section whose vertices are moved at random, from rock to rock: how far, and what of it is certain.
+// A section whose vertices are moved at random for each rock: how far, and which part of it always exists.
 
 #include <string>
 
@@ -7,15 +7,15 @@
 
 namespace talus::project {
 
-/// How many standard deviations a vertex of a varied section is moved at most, in x and in z.
+/// Maximum shift of a vertex of a varied section, in x and in z, in standard deviations.
 inline constexpr double most_deviations_of_vertex = 3;
 
-/// What of a section there is ground over for every rock, however its vertices are moved; x in the user's coordinates.
+/// The range of x that the section covers for every rock, however its vertices are moved; in the user's coordinates.
 struct CertainStretch {
   double from, to;
 };
 [[nodiscard]] CertainStretch certain_stretch(const Terrain& terrain);
-/// Why a place beyond it is none to stand on, for a problem.
+/// Why a place outside it is refused, for a problem.
 [[nodiscard]] std::string why_uncertain(const CertainStretch& stretch);
 
 }  // namespace talus::project

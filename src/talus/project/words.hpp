@@ -1,6 +1,5 @@
 #pragma once
-// The words of enumerations in the project file. A list has the order of the enumerators, and a word stands nowhere
-// else.
+// The words of enumerations in the project file, in the order of the enumerators. They are listed only here.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +18,7 @@ namespace talus::project {
 template <std::size_t count>
 using Words = std::array<std::string_view, count>;
 
-/// By enumeration. There is no other: an enumeration without words is not a setting.
+/// The words of each enumeration; an enumeration without words cannot be a setting.
 template <class Enumeration>
 inline constexpr auto words_of = nullptr;
 
@@ -51,19 +50,19 @@ inline constexpr Words<2> words_of<DesignEnergy>{"translational", "total"};
 template <>
 inline constexpr auto words_of<MapSubject> = map_subject_names;
 
-/// All of an enumeration.
+/// All words of an enumeration.
 template <class Enumeration>
 requires std::is_enum_v<Enumeration>
 [[nodiscard]] constexpr std::span<const std::string_view> words() { return words_of<Enumeration>; }
 
-/// Of one value.
+/// The word of one value.
 template <class Enumeration>
 requires std::is_enum_v<Enumeration>
 [[nodiscard]] constexpr std::string_view word(Enumeration value) {
   return words_of<Enumeration>[static_cast<std::size_t>(value)];
 }
 
-/// The value that a word stands for; nothing where it is none of them.
+/// The value that a word stands for; nullopt if there is none.
 template <class Enumeration>
 requires std::is_enum_v<Enumeration>
 [[nodiscard]] constexpr std::optional<Enumeration> value_of(std::string_view text) {

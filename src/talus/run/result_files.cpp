@@ -136,7 +136,7 @@ void check_that_inputs_are_kept(const std::filesystem::path& folder, const Proje
   check(project.file, {.file = project.file.string(), .what = fmt::format("is in {}", folder.string())});
   for (const NamedFile& named : project.named_files) {
     check(project.file.parent_path() / named.file,
-          {.file = named.said_in,
+          {.file = named.named_in,
            .line = named.line,
            .where = named.where,
            .what = fmt::format("{} {} is in {}", named.key, named.file.string(), folder.string()),

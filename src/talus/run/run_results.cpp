@@ -117,7 +117,7 @@ RunDescription describe(const Project& project, const Model& model, const Proble
   description.barriers = model.barriers.size();
   description.model = model_json(model);
   for (const Problem& problem : warnings.list())
-    description.warnings.push_back(seen_from_project(problem.text(), project));
+    description.warnings.push_back(with_relative_paths(problem.text(), project));
   description.crs_wkt = model.crs_wkt;
   description.sources = model.sources;
   const bool is_section = std::holds_alternative<Profile>(model.surface);

@@ -18,7 +18,7 @@ const inTheTutorial: Invalid[] = [
   { form: /^Crest/, field: 'Rocks', value: '-3', message: /rocks/ },
   { form: /^Line at 15 m/, field: 'Height m', value: '-1', message: /height/ },
   { form: /^Sampling/, field: 'Seed', value: '-1', message: /seed/ },
-  { form: /^Output/, field: /^Cell of the maps/, value: '-2', message: /raster_cell/ },
+  { form: /^Output/, field: /^Map cell size/, value: '-2', message: /raster_cell/ },
 ];
 const onTheVolcano: Invalid[] = [
   { form: /^Half way/, field: 'Inclination °', value: '95', message: /inclination_deg/ },
@@ -69,7 +69,7 @@ test('a design, ground, barrier and area of a real terrain', async ({ workbench:
   await capacity.fill('-100');
   await capacity.press('Tab');
   await expect(capacity).toHaveAttribute('aria-invalid', 'true');
-  await expect(page.locator('.side').getByText(/it could stop nothing/).filter({ visible: true }).first()).toBeVisible();
+  await expect(page.locator('.side').getByText(/it would stop nothing/).filter({ visible: true }).first()).toBeVisible();
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(capacity).toHaveAttribute('aria-invalid', 'false');
   await page.getByRole('button', { name: 'Undo' }).click();

@@ -10,26 +10,26 @@ Table area_table() {
       .key = "area",
       .repeated = true,
       .meaning =
-          "3D: a part of the ground that is of another material than `[ground]` says, drawn on plan; any number "
-          "of entries. Where several hold a place, the later one is its ground.",
+          "3D: a part of the ground, drawn on plan, with another material than `[ground]` gives it; any number of "
+          "entries. Where areas overlap, the last one applies.",
       .settings =
           {
               {.key = "name",
                .slot = member(&Area::name),
-               .without_it = "`area N`, N counted from 1",
-               .meaning = "Its name in messages; no other area has it.",
+               .without_it = "`area N`, numbered from 1",
+               .meaning = "Name in messages; must be unique.",
                .source = "Talus"},
               {.key = "material",
                .slot = member(&Area::material),
                .required = true,
-               .meaning = "Name of the material of its ground.",
+               .meaning = "Name of its material.",
                .source = "Talus"},
               {.key = "polygon",
                .slot = plan_polygon_slot<Area>(),
                .unit = "m",
                .required = true,
-               .meaning = "Its corners [x, y] on plan, three or more, in the coordinates of the terrain. A cell or "
-                          "triangle of the terrain belongs to it where its middle does.",
+               .meaning = "Three or more corners [x, y] on plan, in terrain coordinates. A cell or triangle of the "
+                          "terrain belongs to the area if its centre does.",
                .source = "Talus"},
           },
       .topic = topics::areas,

@@ -7,13 +7,13 @@ namespace talus::project::declared {
 Table head_table() {
   return {
       .key = "",
-      .meaning = "Stands before the first table.",
+      .meaning = "Keys before the first table.",
       .settings =
           {
               {.key = "name",
                .slot = member(&Project::name),
                .without_it = "the name of the file, without `.toml`",
-               .meaning = "What the project is called in the report, and the name of the folder with its results.",
+               .meaning = "Name of the project in the report, and of the folder with its results.",
                .source = "Talus"},
           },
       .add = [](Project& project) -> Row { return &project; },

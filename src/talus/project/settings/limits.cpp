@@ -20,14 +20,14 @@ std::optional<double> density_slip(double value) {
 
 std::optional<Doubt> radians_doubt(double value) {
   if (value <= 0 || value > std::numbers::pi / 2) return std::nullopt;
-  return Doubt{"this is an angle in degrees, and such a ground would be almost frictionless",
+  return Doubt{"angles are in degrees, and this ground would be almost frictionless",
                fmt::format("If it is in radians, write {:.4g}", value * 180 / std::numbers::pi)};
 }
 
 std::optional<Doubt> tonnes_doubt(double value) {
   constexpr double pebble = 5;  // kg
   if (value > pebble) return std::nullopt;
-  return Doubt{"this is a mass in kilograms, of a stone that can be held in a hand",
+  return Doubt{"masses are in kilograms, and this stone would fit in a hand",
                fmt::format("If it is in tonnes, write {}", value * 1000)};
 }
 

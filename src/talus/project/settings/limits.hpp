@@ -1,5 +1,5 @@
 #pragma once
-// Ranges that several tables share, and what a number out of them, or an unlikely one, was probably meant to be.
+// Ranges shared by several tables, corrections of likely slips outside them, and doubts about unlikely numbers inside.
 
 #include <array>
 #include <functional>
@@ -7,16 +7,16 @@
 #include <string>
 #include <string_view>
 
-#include "talus/project/settings.hpp"
 #include "talus/meshing/cleaning.hpp"
+#include "talus/project/settings.hpp"
 
 namespace talus::project::declared {
 
-/// The most rocks of one seeder, and of all: far beyond any campaign, far below where 64-bit sums overflow.
+/// Maximum number of rocks of one seeder, and of all: far beyond any campaign, far below the overflow of 64-bit sums.
 constexpr double most_rocks = 1e12;
 
-// Numbers beyond what any engineer meets, and so far inside what a double holds that no product of them overflows: the
-// energies, times and ways that follow from them stay numbers.
+// Limits beyond any real case, yet small enough that no product of them overflows a double: energies, times and
+// distances computed from them stay finite.
 constexpr double least_mass_kg = 1e-9, most_mass_kg = 1e12;
 constexpr double least_volume_m3 = 1e-12, most_volume_m3 = 1e9;
 constexpr double least_diameter_m = 1e-4, most_diameter_m = 1e5;
@@ -24,20 +24,20 @@ constexpr double most_speed_m_s = 1e4;
 constexpr double most_rotation_deg_s = 1e6;
 constexpr double least_gravity_m_s2 = 1e-6, most_gravity_m_s2 = 1e3;
 constexpr double most_time_s = 1e6;
-constexpr double most_height_m = 1e4;  // of what stands on the ground
+constexpr double most_height_m = 1e4;  // of barriers, kits and forests
 constexpr double most_energy_kJ = 1e20;
 constexpr double most_drag_kg_s = 1e12;
-constexpr double most_factor = 1e6;  // of what has no unit, and of drags of the ground
+constexpr double most_factor = 1e6;  // of dimensionless factors and ground drag
 constexpr double most_exponent = 100;
-constexpr std::size_t most_percentiles = 20;  // each is a map a quantity, or a column
+constexpr std::size_t most_percentiles = 20;  // each is a map per quantity, or a column
 
-constexpr std::string_view within_places = "places are given in metres";
-constexpr std::string_view too_fast = "no rock falls so fast";
-constexpr std::string_view too_heavy = "no rock is so heavy";
+constexpr std::string_view within_places = "coordinates are in metres";
+constexpr std::string_view too_fast = "no rock falls that fast";
+constexpr std::string_view too_heavy = "no rock is that heavy";
 
 constexpr Range at_least(double least, std::string_view why = {}) { return {.least = least, .too_low = why}; }
 constexpr Range between(double least, double most) { return {.least = least, .most = most}; }
-/// From nothing, or from more than nothing, up to what no engineer meets.
+/// From 0, or from above 0, up to a limit beyond any real case.
 constexpr Range up_to(double most, std::string_view too_low = {}, std::string_view too_high = {}) {
   return {.least = 0, .most = most, .too_low = too_low, .too_high = too_high};
 }
@@ -47,36 +47,34 @@ constexpr Range above_0_up_to(double most, std::string_view too_low = {}, std::s
 constexpr Range within(double size, std::string_view why = {}) {
   return {.least = -size, .most = size, .too_low = why, .too_high = why};
 }
-/// Coordinates, as those of terrains. (Those of lines and polygons on plan are looked at where they are read,
-/// places.cpp: where such a list is missing, a range of numbers says nothing.)
+/// Coordinates, with the limits of terrains. (Those of lines and polygons on plan are checked in places.cpp: in the
+/// message about a missing list, a range of numbers would make no sense.)
 constexpr Range place = within(largest_coordinate_m, within_places);
 
-constexpr Range restitution{.least = 0,
-                            .most = 1,
-                            .too_low = "a restitution cannot turn a velocity round twice",
-                            .too_high = "a rebound cannot gain energy"};
+constexpr Range restitution{
+    .least = 0, .most = 1, .too_low = "a restitution cannot be negative", .too_high = "a rebound cannot gain energy"};
 
-/// A factor of safety: from 1 up to what no engineer meets.
-constexpr Range factor_of_safety{.least = 1, .most = most_factor, .too_low = "a factor of safety takes nothing away"};
+/// A safety factor: 1 or more, up to a limit beyond any real case.
+constexpr Range factor_of_safety{.least = 1, .most = most_factor, .too_low = "a safety factor cannot be less than 1"};
 
-/// A restitution given in percent, or with its point one place off.
+/// A restitution in percent, or with its decimal point one place off.
 std::optional<double> restitution_slip(double value);
-/// A magnitude given with a sign.
+/// A magnitude with a minus sign.
 std::optional<double> sign_slip(double value);
 /// A density in t/m3 or g/cm3.
 std::optional<double> density_slip(double value);
-/// A share or a confidence given in percent.
+/// A share or a confidence level in percent.
 std::optional<double> percent_slip(double value);
 
 std::optional<Doubt> radians_doubt(double value);
 std::optional<Doubt> tonnes_doubt(double value);
 std::optional<Doubt> mass_doubt(double value);
 
-constexpr double largest_block_m = 20;  // of 8000 m3 by volume, 11,000 t by mass at 2700 kg/m3
+constexpr double largest_block_m = 20;  // a diameter; 8000 m3 by volume, 11,000 t by mass at 2700 kg/m3
 constexpr const char* beyond_blocks =
-    "this is more than a rockfall has; rock masses of this size move as rock avalanches";
+    "this is larger than any rockfall block; rock masses of this size move as rock avalanches";
 
-/// What is larger than any that was documented, or built.
+/// For numbers larger than any that was documented, or built.
 std::function<std::optional<Doubt>(double)> beyond(double usual, std::string why, std::string hint);
 
 }  // namespace talus::project::declared

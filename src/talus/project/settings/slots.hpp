@@ -1,5 +1,5 @@
 #pragma once
-// Ways from a row of a table to the member that a setting fills.
+// Functions from a row of a table to the member that a setting fills.
 
 #include <functional>
 #include <optional>
@@ -20,7 +20,7 @@ std::function<Slot(Row)> plan_polygon_slot() {
   return [](Row row) -> Slot { return PlanPolygonSlot{&std::get<Struct*>(row)->polygon}; };
 }
 
-/// The rows of a table that there is exactly one of: what to read into, and all of them.
+/// For a table with exactly one row: the functions `add` and `rows` of its declaration.
 template <class Struct>
 auto one_row(Struct Project::*table) {
   return std::pair{[table](Project& project) -> Row { return &(project.*table); },

@@ -1,5 +1,5 @@
 #pragma once
-// The tables of the project file, each declared in a file of its own name.
+// The tables of the project file, each declared in the file of its name.
 
 #include "talus/project/settings.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Places in the documents that help leads to.
+// Sections of the documents that the help of settings links to.
 
 #include "talus/project/settings.hpp"
 
