@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 Files repository_cases() { return cases_in(std::string(TALUS_SOURCE_DIR) + "/verification"); }
 
-constexpr std::string_view sound_case = R"(
+constexpr std::string_view good_case = R"(
 title = "A case"
 manual = "section 1"
 about = "Of something."
@@ -46,9 +46,9 @@ Files files_with(std::string case_text) {
   return {{"a/a.toml", ""}, {"a/case.toml", std::move(case_text)}, {"a/t.csv", "id,x_m,y_m\n0,1.5,2\n1,2.5,3\n"}};
 }
 
-/// The sound case with one part replaced.
+/// The good case with one part replaced.
 std::string replaced(std::string_view part, std::string_view with) {
-  std::string text(sound_case);
+  std::string text(good_case);
   text.replace(text.find(part), part.size(), with);
   return text;
 }
@@ -62,8 +62,8 @@ std::string message(const std::string& case_text) {
   return "accepted";
 }
 
-TEST(Case, IsReadWhole) {
-  const Case c = read_case(files_with(std::string(sound_case)), "a");
+TEST(Case, IsReadCompletely) {
+  const Case c = read_case(files_with(std::string(good_case)), "a");
   EXPECT_EQ(c.title, "A case");
   ASSERT_EQ(c.tables.size(), 1u);
   const auto& table = std::get<PathTable>(c.tables[0].kind);
@@ -77,7 +77,7 @@ TEST(Case, IsReadWhole) {
   EXPECT_FALSE(table.exceptions[0].concerns("0", "y_m"));
 }
 
-TEST(Case, RefusesWhatItDoesNotKnow) {
+TEST(Case, RefusesUnknownKeysAndWords) {
   EXPECT_THAT(message(replaced("tolerance = {", "tolerances = {")),
               HasSubstr("a/case.toml:16: table: there is no key tolerances"));
   EXPECT_THAT(message(replaced("tolerance = {", "tolerances = {")), HasSubstr("Did you mean tolerance?"));
@@ -94,19 +94,19 @@ TEST(Case, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(message(replaced("units = 1", "units = -1")), HasSubstr("units is -1 (expected a number, not negative)"));
 }
 
-TEST(Case, WholeNumbersThatNoDoubleEqualsAreRounded) {
+TEST(Case, WholeNumbersBeyondDoublePrecisionAreRounded) {
   const std::string huge = replaced("units = 1", "units = 9007199254740993");
   const Case c = read_case(files_with(huge), "a");
   EXPECT_EQ(std::get<PathTable>(c.tables[0].kind).tolerance.units, 9007199254740992.0);
 }
 
-TEST(Case, AsksForAReasonAndATitle) {
+TEST(Case, RequiresAReasonAndATitle) {
   EXPECT_THAT(message(replaced("why = \"A misprint.\"", "")), HasSubstr("exception: why is missing"));
   EXPECT_THAT(message(replaced("why = \"Because.\"", "")), HasSubstr("table: why is missing"));
   EXPECT_THAT(message(replaced("title = \"A case\"", "")), HasSubstr("title is missing"));
 }
 
-TEST(Case, SpreadsNeedManyRocks) {
+TEST(Case, StatisticsNeedManyRocks) {
   Files files = files_with(R"(
 title = "A case"
 manual = "section 1"
@@ -128,13 +128,12 @@ tested = ["mean"]
     static_cast<void>(read_case(files, "a"));
     FAIL() << "accepted";
   } catch (const BadInput& bad) {
-    EXPECT_THAT(bad.what(),
-                HasSubstr("run \"few\" has 5000 rocks (the spread of samples needs many more rocks than the "
-                          "samples have). Give the run rocks = 20000 or more"));
+    EXPECT_THAT(bad.what(), HasSubstr("run \"few\" has 5000 rocks (the spread of samples needs many more rocks than "
+                                      "the samples have). Give the run rocks = 20000 or more"));
   }
 }
 
-TEST(ChosenCases, AreCalledByNameOrBeginning) {
+TEST(ChosenCases, AreSelectedByNameOrBeginning) {
   const Files files{{"1-one/case.toml", ""}, {"1-other/case.toml", ""}, {"2-two/case.toml", ""}, {"2-two/t.csv", ""}};
   EXPECT_THAT(chosen_cases(files, {}), ElementsAre("1-one", "1-other", "2-two"));
   EXPECT_THAT(chosen_cases(files, {"2"}), ElementsAre("2-two"));
@@ -157,9 +156,9 @@ TEST(CasesIn, RefusesAFolderWithoutCases) {
     static_cast<void>(cases_in(folder));
     FAIL() << "accepted";
   } catch (const BadInput& bad) {
-    EXPECT_THAT(bad.what(),
-                HasSubstr("there is no case in it (expected a folder that holds one folder a case, each with a "
-                          "case.toml)"));
+    EXPECT_THAT(
+        bad.what(),
+        HasSubstr("there is no case in it (expected a folder with one folder per case, each with a case.toml)"));
   }
   EXPECT_THROW(static_cast<void>(cases_in(folder + "/nowhere")), BadInput);
 }
@@ -182,10 +181,10 @@ TEST(RepositoryCases, UseEveryFileOfTheirFolders) {
       if (const auto* statistics = std::get_if<StatisticsTable>(&table.kind)) used.insert(statistics->published.file());
     }
   }
-  for (const auto& [path, text] : files) EXPECT_TRUE(used.contains(path)) << path << " is used nowhere";
+  for (const auto& [path, text] : files) EXPECT_TRUE(used.contains(path)) << path << " is not used";
 }
 
-TEST(RepositoryCases, CompareEveryNumberOfEveryPathOrSayWhyNot) {
+TEST(RepositoryCases, CompareEveryColumnOfEveryPath) {
   const Files files = repository_cases();
   for (const std::string& name : case_names(files)) {
     for (const Table& table : read_case(files, name).tables) {
@@ -196,7 +195,7 @@ TEST(RepositoryCases, CompareEveryNumberOfEveryPathOrSayWhyNot) {
         const bool is_compared = std::ranges::find(path->columns, column,
                                                    &std::pair<std::string, PathQuantity>::first) != path->columns.end();
         const bool is_word = column == "state" || column == "type";
-        // B-2 and B-3 print the time since the row before, which their times say, too.
+        // B-2 and B-3 also print the time since the previous row, which follows from their times.
         const bool is_given_twice = column == "dt_s" && table.title.starts_with("Table B-");
         EXPECT_TRUE(is_compared || is_word || is_given_twice) << table.title << ", column " << column;
       }
@@ -204,7 +203,7 @@ TEST(RepositoryCases, CompareEveryNumberOfEveryPathOrSayWhyNot) {
   }
 }
 
-TEST(RepositoryCases, TurnTheSeederWithTheTerrain) {
+TEST(RepositoryCases, RotateTheSeederWithTheTerrain) {
   const Files files = repository_cases();
   const Case c = read_case(files, "5-rotation");
   ASSERT_EQ(c.runs.size(), 12u);

@@ -14,7 +14,7 @@ Model model_of(std::string_view text) {
   return project::build_model(reading.project, reading.warnings);
 }
 
-// A rock dropped by 4.9 m onto a level plane that gives nothing back.
+// A rock that drops 4.9 m onto a level plane with no restitution.
 constexpr std::string_view drop = R"(
 [analysis]
 gravity_m_s2 = 9.8
@@ -29,7 +29,7 @@ position = [100010, 4.9]
 mass_kg = 2
 )";
 
-TEST(PathOf, HasTheRowsOfAReplayInTheUsersCoordinates) {
+TEST(PathOf, HasTheRowsOfAReplayInUserCoordinates) {
   const std::vector<Event> path = path_of(model_of(drop), 0);
   ASSERT_GE(path.size(), 3u);
   EXPECT_DOUBLE_EQ(*value(PathQuantity::x, path[0], &path[1]), 100010);
@@ -42,7 +42,7 @@ TEST(PathOf, HasTheRowsOfAReplayInTheUsersCoordinates) {
 }
 
 TEST(PathOf, ShowsWhereARockTurnsBack) {
-  // It slides up a slope of 45 degrees without friction from the level and comes back.
+  // It slides up a frictionless slope of 45 degrees and returns.
   const Model model = model_of(R"(
 [analysis]
 rotation = false
@@ -60,17 +60,17 @@ mass_kg = 2
 horizontal_velocity_m_s = 5
 )");
   const std::vector<Event> path = path_of(model, 0);
-  const auto stands =
+  const auto turning =
       std::ranges::find_if(path, [](const Event& event) { return event.motion.velocity.norm() < 1e-9; });
-  ASSERT_NE(stands, path.end());
-  EXPECT_GT(stands->motion.position.x(), 5.2);
+  ASSERT_NE(turning, path.end());
+  EXPECT_GT(turning->motion.position.x(), 5.2);
   EXPECT_LT(path.back().motion.position.x(), 5);
 }
 
-TEST(Observe, CollectsOneValueARockInTheirOrder) {
-  Model model = model_of(std::string(drop) +
-                         "rocks = 600\nhorizontal_velocity_m_s = { mean = 2, distribution = \"uniform\", "
-                         "rel_min = 1, rel_max = 1 }\n");
+TEST(Observe, CollectsOneValuePerRockInOrder) {
+  Model model = model_of(
+      std::string(drop) +
+      "rocks = 600\nhorizontal_velocity_m_s = { mean = 2, distribution = \"uniform\", rel_min = 1, rel_max = 1 }\n");
   const Observed observed = observe(model, Energies::watch);
   EXPECT_EQ(observed.rocks, 600u);
   ASSERT_EQ(observed.sample(SampleQuantity::end_x_m).size(), 600u);
@@ -80,7 +80,7 @@ TEST(Observe, CollectsOneValueARockInTheirOrder) {
     EXPECT_NEAR(observed.sample(SampleQuantity::runout_xy_m)[rock],
                 observed.sample(SampleQuantity::end_x_m)[rock] - 100010, 1e-10);
   }
-  EXPECT_LT(observed.greatest_energy_rise, 1e-12);
+  EXPECT_LT(observed.max_energy_rise, 1e-12);
   std::uint64_t ended = 0;
   for (const std::uint64_t count : observed.ends) ended += count;
   EXPECT_EQ(ended, 600u);

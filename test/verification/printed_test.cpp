@@ -9,7 +9,7 @@
 namespace talus::verification {
 namespace {
 
-TEST(Printed, UnitIsThatOfTheLastDigit) {
+TEST(Printed, TheUnitIsThatOfTheLastDigit) {
   EXPECT_DOUBLE_EQ(printed("-0.0260")->unit, 1e-4);
   EXPECT_DOUBLE_EQ(printed("-0.0260")->value, -0.026);
   EXPECT_DOUBLE_EQ(printed("283638")->unit, 1);
@@ -17,7 +17,7 @@ TEST(Printed, UnitIsThatOfTheLastDigit) {
   EXPECT_DOUBLE_EQ(printed("1.5e+3")->unit, 100);
 }
 
-TEST(Printed, WhatIsNoNumberIsNone) {
+TEST(Printed, OtherTextIsNotANumber) {
   EXPECT_FALSE(printed(""));
   EXPECT_FALSE(printed("-"));
   EXPECT_FALSE(printed("Impact"));
@@ -25,7 +25,7 @@ TEST(Printed, WhatIsNoNumberIsNone) {
   EXPECT_FALSE(printed("nan"));
 }
 
-TEST(PublishedTable, NumbersThatWereCutShortHaveTheUnitOfTheirColumn) {
+TEST(PublishedTable, NumbersWithoutTrailingZerosHaveTheUnitOfTheirColumn) {
   const PublishedTable table("id,x_m,vz_m_s,ke\n0,0.5,0,1125\n1,2.71376,-14.4731,105860\n2,15.4901,0.013235,0\n",
                              "t.csv");
   EXPECT_DOUBLE_EQ(table.number(0, 0)->unit, 1e-4);  // 0.5000
@@ -60,7 +60,7 @@ TEST(PublishedTable, RefusesATableWithoutRows) {
   EXPECT_THROW(PublishedTable("id,x\n", "t.csv"), BadInput);
 }
 
-TEST(Tolerance, TheWidestLimitCounts) {
+TEST(Tolerance, TheWidestLimitApplies) {
   const Printed number = *printed("20.50");
   EXPECT_DOUBLE_EQ((Tolerance{.units = 1}.allowed(number, 0)), 0.01);
   EXPECT_DOUBLE_EQ((Tolerance{.units = 1, .relative = 0.01}.allowed(number, 0)), 0.205);
@@ -69,10 +69,10 @@ TEST(Tolerance, TheWidestLimitCounts) {
   EXPECT_DOUBLE_EQ((Tolerance{}.allowed(number, 300)), 0);
 }
 
-TEST(Tolerance, SaysItselfInWords) {
+TEST(Tolerance, IsDescribedInWords) {
   EXPECT_EQ((Tolerance{.units = 1, .relative = 0.0001}.text()), "1 unit of the last printed digit or 0.01 %");
   EXPECT_EQ((Tolerance{.absolute = 0.002}.text()), "0.002");
-  EXPECT_EQ((Tolerance{.of_scale = 0.01}.text()), "1 % of the greatest number of its kind");
+  EXPECT_EQ((Tolerance{.of_scale = 0.01}.text()), "1 % of the largest number of its kind");
   EXPECT_EQ(Tolerance{}.text(), "equal");
 }
 

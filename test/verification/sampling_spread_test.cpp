@@ -36,7 +36,7 @@ TEST(SamplingSpread, MeanOfNormalNumbersSpreadsByTheStandardError) {
   EXPECT_NEAR(*spread.typical(Statistic::mean), 0, 0.02);
 }
 
-TEST(SamplingSpread, HoldsTheWantedShareOfOtherSamples) {
+TEST(SamplingSpread, ContainsTheExpectedShareOfOtherSamples) {
   const std::vector<double> many = normal_numbers(200'000);
   const std::span<const double> all(many);
   const SamplingSpread spread(all.first(100'000), 40);
@@ -44,17 +44,17 @@ TEST(SamplingSpread, HoldsTheWantedShareOfOtherSamples) {
        {Statistic::mean, Statistic::standard_deviation, Statistic::median, Statistic::skewness, Statistic::kurtosis}) {
     const Interval interval = *spread.interval(statistic);
     int inside = 0;
-    constexpr int samples = 2000;  // of numbers that the spread has not seen
+    constexpr int samples = 2000;  // of numbers that were not used for the spread
     for (std::size_t k = 0; k < samples; ++k) {
       const Descriptive rows = describe(all.subspan(100'000 + 40 * k, 40));
       inside += interval.contains(*value(rows, statistic)) ? 1 : 0;
     }
-    // 99 % of 2000, give or take four standard errors of each of the two.
+    // 99 % of 2000, within four standard errors of both.
     EXPECT_NEAR(inside, 0.99 * samples, 30) << name(statistic);
   }
 }
 
-TEST(SamplingSpread, IsTheSameEveryTime) {
+TEST(SamplingSpread, IsReproducible) {
   const std::vector<double> many = normal_numbers(1000);
   const Interval one = *SamplingSpread(many, 20).interval(Statistic::kurtosis);
   const Interval other = *SamplingSpread(many, 20).interval(Statistic::kurtosis);
@@ -62,13 +62,13 @@ TEST(SamplingSpread, IsTheSameEveryTime) {
   EXPECT_EQ(one.high, other.high);
 }
 
-TEST(SamplingSpread, HasNoKurtosisOfSamplesThatAreTooSmall) {
+TEST(SamplingSpread, HasNoKurtosisForSmallSamples) {
   const SamplingSpread spread(normal_numbers(1000), 3);
   EXPECT_TRUE(spread.interval(Statistic::skewness));
   EXPECT_FALSE(spread.interval(Statistic::kurtosis));
 }
 
-TEST(BinomialInterval, HoldsTheCentralPart) {
+TEST(BinomialInterval, ContainsTheCentralPart) {
   // 57 of 100 at 0.61; a two-sided interval of 99 % is about 2.58 standard deviations of 4.9 to either side.
   const Interval interval = binomial_interval(100, 0.61);
   EXPECT_TRUE(interval.contains(57));
@@ -86,7 +86,7 @@ TEST(Statistic, NamesGoBothWays) {
   EXPECT_EQ(statistic_of("average"), std::nullopt);
 }
 
-// The test of table 1-3 must be able to fail.
+// Shows that the test of table 1-3 can fail.
 
 class TutorialSpread : public testing::Test {
  protected:

@@ -50,7 +50,7 @@ TEST(Verify, TheBowlsAgreeWithTheirTables) {
   }
 }
 
-TEST(Verify, SeesASingleWrongDigit) {
+TEST(Verify, DetectsASingleWrongDigit) {
   Files files = cases_of_the_repository();
   replace(files["2-bowl-lumped-mass/table-2-4.csv"], "2.8631", "2.8634");
   const CaseResult result = verified(files, "2-bowl-lumped-mass");
@@ -63,7 +63,7 @@ TEST(Verify, SeesASingleWrongDigit) {
   EXPECT_NEAR(*line->difference, -0.0003, 1e-4);
 }
 
-TEST(Verify, SeesAWrongGravity) {
+TEST(Verify, DetectsAWrongGravity) {
   Files files = cases_of_the_repository();
   replace(files["2-bowl-lumped-mass/bowl.toml"], "gravity_m_s2 = 9.80665", "gravity_m_s2 = 9.81");
   const CaseResult result = verified(files, "2-bowl-lumped-mass");
@@ -81,7 +81,7 @@ TEST(Verify, APathThatIsTooShortDiffers) {
   EXPECT_FALSE(line->ours);
 }
 
-TEST(Verify, LeavesOutOnlyWithAReason) {
+TEST(Verify, LeavesOutNumbersOnlyWithAReason) {
   const CaseResult result = verified(cases_of_the_repository(), "3-sliding");
   EXPECT_TRUE(result.passes()) << summary(std::array{result});
   for (const TableResult& table : result.tables) {
@@ -96,7 +96,7 @@ TEST(Verify, LeavesOutOnlyWithAReason) {
   EXPECT_EQ(misprint->published, "784532");
 }
 
-TEST(Verify, SeesASeederThatWasNotTurned) {
+TEST(Verify, DetectsASeederThatWasNotRotated) {
   Files files = cases_of_the_repository();
   replace(files["5-rotation/case.toml"], "\"seeder.0.direction=[0.86602540378443871, 0.49999999999999994, 0]\"",
           "\"seeder.0.direction=[1, 0, 0]\"");
@@ -107,7 +107,7 @@ TEST(Verify, SeesASeederThatWasNotTurned) {
   EXPECT_EQ(find_line(result, "Runout, all directions", "60 degrees", "mean")->verdict, Verdict::agrees);
 }
 
-TEST(Verify, SeesAnEndThatMayNotBe) {
+TEST(Verify, DetectsAnEndReasonThatIsNotAllowed) {
   Files files = cases_of_the_repository();
   replace(files["6-rigid-body/case.toml"], "ends = [\"at rest\", \"left the model\"]", "ends = [\"at rest\"]");
   const CaseResult result = verified(files, "6-rigid-body");
@@ -116,7 +116,7 @@ TEST(Verify, SeesAnEndThatMayNotBe) {
   EXPECT_EQ(line->verdict, Verdict::differs);
 }
 
-TEST(Show, TextHasEachNumberBesideThePublishedOne) {
+TEST(Show, TextHasEachNumberNextToThePublishedOne) {
   const CaseResult result = verified(cases_of_the_repository(), "2-bowl-lumped-mass");
   const std::string shown = text(result);
   EXPECT_THAT(shown, HasSubstr("Table 2-4, RocFall3 [g = 9.80665], section 2.4"));
@@ -147,10 +147,10 @@ TEST(Show, JsonHasEveryNumber) {
   EXPECT_EQ(table["numbers"][14]["verdict"], "agrees");
 }
 
-// The numbers on the page follow from a run of everything; what it says of the cases must be what they say.
+// The numbers on the page require a run of all cases; this checks that its texts are those of the cases.
 TEST(VerificationPage, IsNotStale) {
   std::ifstream stream(std::string(TALUS_SOURCE_DIR) + "/docs/verification.md");
-  ASSERT_TRUE(stream) << "make it: talus verify --page docs/verification.md";
+  ASSERT_TRUE(stream) << "create it: talus verify --page docs/verification.md";
   std::ostringstream whole;
   whole << stream.rdbuf();
   const std::string page_text = whole.str();
@@ -192,7 +192,7 @@ TEST(VerifyProgram, ExitsWithTwoOnAnUnknownCase) {
   EXPECT_THAT(outcome.text, HasSubstr("there is no case \"8-nothing\""));
 }
 
-TEST(VerifyProgram, ExitsWithOneWhereANumberIsOut) {
+TEST(VerifyProgram, ExitsWithOneIfANumberDiffers) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "talus_verify_test";
   std::filesystem::create_directories(folder / "2-bowl");
   Files files = cases_of_the_repository();

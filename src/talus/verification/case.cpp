@@ -67,7 +67,7 @@ class CaseReader {
       throw BadInput(Problem{.file = path_of(file),
                              .where = {},
                              .what = "there is no such file",
-                             .why = "the case's folder needs it",
+                             .why = "the folder of the case needs it",
                              .hint = {}});
     }
     return found->second;
@@ -82,7 +82,7 @@ class CaseReader {
     run.rocks = fields.whole_number("rocks", 1);
     if (!run.project.empty() && !files_.contains(path_of(run.project))) {
       fields.report(*from.get("project"), fmt::format("there is no file {}", run.project),
-                    "it stands beside case.toml");
+                    "it must be next to case.toml");
     }
     fields.finish();
     return run;
@@ -92,7 +92,7 @@ class CaseReader {
     if (std::ranges::find(runs_, run) != runs_.end()) return;
     const std::vector<std::string_view> known(runs_.begin(), runs_.end());
     fields.report(node, fmt::format("there is no run \"{}\"", run),
-                  fmt::format("the runs are {}", fmt::join(known, ", ")), meant(run, known));
+                  fmt::format("the runs are {}", fmt::join(known, ", ")), suggestion(run, known));
   }
 
   void check_rocks(Fields& fields, const std::vector<std::string>& runs) {
@@ -112,7 +112,7 @@ class CaseReader {
     if (std::ranges::find(kinds, kind) == kinds.end()) {
       if (const toml::node* node = from.get("kind")) {
         fields.report(*node, fmt::format("kind is \"{}\"", kind),
-                      fmt::format("expected one of {}", fmt::join(kinds, ", ")), meant(kind, kinds));
+                      fmt::format("expected one of {}", fmt::join(kinds, ", ")), suggestion(kind, kinds));
       }
       return std::nullopt;
     }
@@ -176,7 +176,7 @@ class CaseReader {
     if (published.column(column)) return;
     const std::vector<std::string_view> known(published.columns().begin(), published.columns().end());
     fields.report(node, fmt::format("{} has no column {}", published.file(), column),
-                  fmt::format("its columns are {}", fmt::join(known, ", ")), meant(column, known));
+                  fmt::format("its columns are {}", fmt::join(known, ", ")), suggestion(column, known));
   }
 
   PathTable read_path(Fields& fields, PublishedTable published) {
@@ -256,7 +256,7 @@ class CaseReader {
       }
     }
     if (!table.published.row(name(Statistic::count))) {
-      report("the row count is missing", "it says how large the samples have to be");
+      report("the row count is missing", "it gives the size of the samples");
     }
     return table;
   }
@@ -286,7 +286,7 @@ class CaseReader {
         value.published = std::move(*number);
       } else if (!text.empty()) {
         fields.report(*from.get("published"), fmt::format("published is \"{}\"", text),
-                      "expected a number as it is printed, in quotes");
+                      "expected a number as printed, in quotes");
       }
       fields.finish();
       table.values.push_back(std::move(value));
@@ -302,14 +302,14 @@ class CaseReader {
     const toml::table* columns = node ? node->as_table() : nullptr;
     if (node && !columns) {
       fields.report(*node, fmt::format("published is {}", project::quoted(*node)),
-                    "expected a table of whose and how many");
+                    "expected a table of programs and their counts");
     }
     for (const auto& [key, value] : columns ? *columns : toml::table{}) {
       if (auto number = printed(value.value_or(std::string()))) {
         table.published.emplace_back(std::string(key.str()), std::move(*number));
       } else {
         fields.report(value, fmt::format("{} is {}", key.str(), project::quoted(value)),
-                      "expected a number as it is printed, in quotes");
+                      "expected a number as printed, in quotes");
       }
     }
     return table;
@@ -344,7 +344,7 @@ class CaseReader {
   Document document_;
   Problems problems_;
   std::vector<std::string> runs_;
-  std::vector<std::int64_t> rocks_;  // of each run; 0 where the project says it
+  std::vector<std::int64_t> rocks_;  // of each run; 0 if the project gives it
 };
 
 }  // namespace

@@ -36,7 +36,7 @@ std::vector<std::string> chosen_cases(const Files& files, const std::vector<std:
       problems.add({.where = "verify",
                     .what = fmt::format("there is no case \"{}\"", word),
                     .why = fmt::format("the cases are {}", fmt::join(names, ", ")),
-                    .hint = meant(word, known)});
+                    .hint = suggestion(word, known)});
     }
   }
   if (problems.has_errors()) throw BadInput(std::move(problems));
@@ -53,8 +53,8 @@ Files cases_in(const std::filesystem::path& folder) {
     throw BadInput(Problem{.file = folder.string(),
                            .where = {},
                            .what = std::move(what),
-                           .why = "expected a folder that holds one folder a case, each with a case.toml",
-                           .hint = "Leave --cases out to run the cases that are built in"});
+                           .why = "expected a folder with one folder per case, each with a case.toml",
+                           .hint = "Leave out --cases to run the built-in cases"});
   };
   if (!std::filesystem::is_directory(folder, error)) refuse("this is not a folder");
   Files files;

@@ -1,5 +1,5 @@
 #pragma once
-// Reads the keys of a case.toml's tables and collects what is wrong with them.
+// Reads the keys of the tables of a case.toml and collects problems.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,13 +17,13 @@
 
 namespace talus::verification {
 
-/// The hint that names the nearest of the known words, if one is near.
-[[nodiscard]] inline std::string meant(std::string_view word, std::span<const std::string_view> known) {
+/// A hint with the nearest of the known words, if one is near.
+[[nodiscard]] inline std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
   const auto near = nearest(word, known);
   return near ? fmt::format("Did you mean {}?", *near) : "";
 }
 
-/// The keys of one table of a case.toml: what is read is known, and `finish` reports the rest.
+/// Reads the keys of one table of a case.toml; `finish` reports keys that were not read.
 class Fields {
  public:
   Fields(const project::Document& document, const toml::table& from, std::string where, Problems& problems)
@@ -42,9 +42,9 @@ class Fields {
     const toml::node* node = need(key);
     return node ? text_of(*node, key) : std::string();
   }
-  std::string text_or(std::string_view key, std::string otherwise) {
+  std::string text_or(std::string_view key, std::string fallback) {
     const toml::node* node = find(key);
-    return node ? text_of(*node, key) : otherwise;
+    return node ? text_of(*node, key) : fallback;
   }
   std::vector<std::string> texts(std::string_view key, bool required) {
     std::vector<std::string> list;
@@ -68,12 +68,12 @@ class Fields {
     const auto value = node->value_exact<std::int64_t>();
     if (!value || *value < least) {
       report(*node, fmt::format("{} is {}", key, project::quoted(*node)),
-             fmt::format("expected a whole number from {}", least));
+             fmt::format("expected a whole number of {} or more", least));
       return std::nullopt;
     }
     return value;
   }
-  /// One of the names that `read` knows.
+  /// The value of a word, as given by `read`; reports a word that it does not know.
   template <class Enumeration>
   std::optional<Enumeration> one_of(const std::string& word, std::string_view key,
                                     std::optional<Enumeration> (*read)(std::string_view),
@@ -81,7 +81,7 @@ class Fields {
     const auto value = read(word);
     if (!value) {
       report(node, fmt::format("{} is \"{}\"", key, word), fmt::format("expected one of {}", fmt::join(known, ", ")),
-             meant(word, known));
+             suggestion(word, known));
     }
     return value;
   }
@@ -99,7 +99,7 @@ class Fields {
       if (table) {
         each(*table);
       } else {
-        report(item, fmt::format("{} holds {}", key, project::quoted(item)), "expected a table");
+        report(item, fmt::format("{} contains {}", key, project::quoted(item)), "expected a table");
       }
     }
   }
@@ -115,7 +115,7 @@ class Fields {
     for (const auto& [key, node] : from_) {
       if (std::ranges::find(known_, key.str()) != known_.end()) continue;
       report(node, fmt::format("there is no key {}", key.str()),
-             fmt::format("expected one of {}", fmt::join(known_, ", ")), meant(key.str(), known_));
+             fmt::format("expected one of {}", fmt::join(known_, ", ")), suggestion(key.str(), known_));
     }
   }
   [[nodiscard]] const toml::table& from() const { return from_; }

@@ -76,7 +76,7 @@ struct ObservedPart : ObserverPart {
       add(SampleQuantity::barrier_height_m, hit.height);
     }
     if (energies == Energies::watch) {
-      observed.greatest_energy_rise = std::max(observed.greatest_energy_rise, energy_rise(model, record.body, log));
+      observed.max_energy_rise = std::max(observed.max_energy_rise, energy_rise(model, record.body, log));
     }
   }
   const Model& model;
@@ -98,7 +98,7 @@ class Collector : public Observer {
       all.samples[k].insert(all.samples[k].end(), more.samples[k].begin(), more.samples[k].end());
     }
     for (std::size_t k = 0; k < all.ends.size(); ++k) all.ends[k] += more.ends[k];
-    all.greatest_energy_rise = std::max(all.greatest_energy_rise, more.greatest_energy_rise);
+    all.max_energy_rise = std::max(all.max_energy_rise, more.max_energy_rise);
   }
   Observed all;
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a verification looks at: a rock's path as a replay shows it, and one value a rock or a hit.
+// The data that a verification compares: the path of a rock as in a replay, and one value per rock or hit.
 
 #include <array>
 #include <cstdint>
@@ -43,10 +43,10 @@ enum class Kind { time, position, velocity, spin, energy };
 [[nodiscard]] Kind kind_of(PathQuantity quantity);
 
 enum class SampleQuantity {
-  runout_xy_m,                  // one a rock: way from start to end on plan
-  end_x_m,                      // one a rock
-  barrier_ke_translational_kJ,  // one a hit
-  barrier_height_m              // one a hit: along the barrier
+  runout_xy_m,                  // one per rock: distance on plan from start to end
+  end_x_m,                      // one per rock
+  barrier_ke_translational_kJ,  // one per hit
+  barrier_height_m              // one per hit: height along the barrier
 };
 inline constexpr int sample_quantity_count = 4;
 [[nodiscard]] std::string_view name(SampleQuantity quantity);
@@ -59,20 +59,20 @@ struct Event {
   double kinetic = 0, potential = 0;  // [J]
 };
 
-/// `next` is the row after it, where there is one.
+/// `next` is the following row; null if there is none.
 [[nodiscard]] std::optional<double> value(PathQuantity quantity, const Event& event, const Event* next);
 
-/// The path of one rock as `talus replay` shows it: all rows, and where it turns back between them.
+/// The path of one rock as in `talus replay`: all rows, and the points between them where it turns back.
 [[nodiscard]] std::vector<Event> path_of(const Model& model, std::uint64_t rock);
 
-/// What a campaign leaves to be compared.
+/// The results of a campaign that are compared.
 struct Observed {
   std::uint64_t rocks = 0;
-  std::array<std::vector<double>, sample_quantity_count> samples;  // in the order of rocks
+  std::array<std::vector<double>, sample_quantity_count> samples;  // in the order of the rocks
   std::array<std::uint64_t, end_reason_count> ends{};
-  /// The most that the total energy rose between two rows of a path, as a part of the greatest energy (kinetic, and
-  /// potential above the lowest row) of that path. Only where energies were asked for.
-  double greatest_energy_rise = 0;
+  /// Maximum rise of the total energy between two rows of a path, relative to the maximum energy (kinetic, and
+  /// potential above the lowest row) of that path. Only with Energies::watch.
+  double max_energy_rise = 0;
 
   [[nodiscard]] const std::vector<double>& sample(SampleQuantity quantity) const {
     return samples[static_cast<std::size_t>(quantity)];

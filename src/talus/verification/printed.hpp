@@ -1,5 +1,5 @@
 #pragma once
-// Published numbers as they were printed: the text says how many digits there are, and so how well it can be met.
+// Published numbers as printed: the number of digits limits how closely they can be matched.
 
 #include <optional>
 #include <string>
@@ -15,29 +15,29 @@ struct Printed {
   double unit = 1;  // one unit of the last printed digit
 };
 
-/// A number from its text: `-0.0260` has the unit 0.0001, `3.97E-05` 1e-7, `57` 1. Nothing where it is not a number.
+/// Reads a number: `-0.0260` has the unit 0.0001, `3.97E-05` 1e-7, `57` 1. nullopt if it is not a number.
 [[nodiscard]] std::optional<Printed> printed(std::string_view text);
 
-/// A published table: comma-separated, names of the columns first, the name of each row in the first column.
+/// A published table: comma-separated, with the names of the columns in the first line and those of the rows in the
+/// first column.
 ///
-/// Programs print 15.4900 as 15.49 and 0.00000 as 0. A number that was cut short like this keeps the unit that its
-/// column has: the coarsest unit among the column's numbers with the most significant digits, which cannot have been
-/// cut.
+/// Programs print 15.4900 as 15.49 and 0.00000 as 0. A number without its trailing zeros has the unit of its column:
+/// the coarsest unit among the numbers of the column with the most significant digits, which have lost no zeros.
 class PublishedTable {
  public:
-  /// Throws BadInput where the text is no such table; `file` is how messages call it.
+  /// Throws BadInput if the text is not such a table; `file` is its name in messages.
   PublishedTable(std::string_view text, std::string file);
 
   [[nodiscard]] const std::string& file() const { return file_; }
-  [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }  // without that of the names
+  [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }  // without the column of row names
   [[nodiscard]] const std::vector<std::string>& rows() const { return rows_; }
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
   [[nodiscard]] std::optional<std::size_t> row(std::string_view name) const;
-  /// Nothing where the table has no number there: an empty place, a dash, a word.
+  /// nullopt if the table has no number there, but an empty cell, a dash or a word.
   [[nodiscard]] const std::optional<Printed>& number(std::size_t row, std::size_t column) const {
     return numbers_[row * columns_.size() + column];
   }
-  /// As printed, number or not.
+  /// The text as printed, number or not.
   [[nodiscard]] const std::string& text(std::size_t row, std::size_t column) const {
     return texts_[row * columns_.size() + column];
   }

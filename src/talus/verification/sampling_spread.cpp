@@ -27,8 +27,8 @@ constexpr std::array<std::string_view, statistic_count> names{"mean",
                                                               "count",
                                                               "confidence_level_95"};
 
-/// A number of 0 ... count-1 from 32 random bits, by their product's upper half; the bias of count/2^32 is far below
-/// what the samples could show.
+/// A number in 0 ... count-1 from 32 random bits, by the upper half of their product. The bias of count/2^32 is far too
+/// small to be seen in the samples.
 std::size_t scaled(std::uint32_t bits, std::size_t count) {
   return static_cast<std::size_t>((static_cast<std::uint64_t>(bits) * count) >> 32u);
 }
@@ -83,7 +83,7 @@ std::optional<double> value(const Descriptive& rows, Statistic statistic) {
 
 SamplingSpread::SamplingSpread(std::span<const double> many, std::uint64_t size, const SpreadOptions& options)
     : options_(options) {
-  TALUS_PROMISE(!many.empty() && many.size() < (std::uint64_t{1} << 32u), "samples are drawn from values");
+  TALUS_PROMISE(!many.empty() && many.size() < (std::uint64_t{1} << 32u), "there are values to draw from");
   std::vector<Descriptive> rows(options.samples);
   tbb::parallel_for(std::uint64_t{0}, options.samples, [&](std::uint64_t k) {
     std::vector<double> sample(size);
@@ -102,26 +102,26 @@ SamplingSpread::SamplingSpread(std::span<const double> many, std::uint64_t size,
   }
 }
 
-const std::vector<double>* SamplingSpread::enough(Statistic statistic) const {
+const std::vector<double>* SamplingSpread::values_if_enough(Statistic statistic) const {
   const std::vector<double>& values = values_[static_cast<std::size_t>(statistic)];
   return values.empty() || values.size() < options_.samples / 2 ? nullptr : &values;
 }
 
 std::optional<Interval> SamplingSpread::interval(Statistic statistic) const {
-  const std::vector<double>* values = enough(statistic);
+  const std::vector<double>* values = values_if_enough(statistic);
   if (values == nullptr) return std::nullopt;
   const double tail = (1 - options_.central) / 2;
   return Interval{quantile(*values, tail), quantile(*values, 1 - tail)};
 }
 
 std::optional<double> SamplingSpread::typical(Statistic statistic) const {
-  const std::vector<double>* values = enough(statistic);
+  const std::vector<double>* values = values_if_enough(statistic);
   return values == nullptr ? std::nullopt : std::optional(quantile(*values, 0.5));
 }
 
 Interval binomial_interval(std::uint64_t trials, double probability, double central) {
   using namespace boost::math::policies;
-  // Whole counts on either side, so that at least the central part is inside.
+  // Whole counts, rounded outwards so that at least the central part is inside.
   using Outwards = policy<discrete_quantile<integer_round_outwards>>;
   const boost::math::binomial_distribution<double, Outwards> hits(static_cast<double>(trials), probability);
   const double tail = (1 - central) / 2;

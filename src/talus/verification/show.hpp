@@ -1,5 +1,5 @@
 #pragma once
-// The comparison for people and for machines: text on a terminal, JSON, and the page docs/verification.md.
+// The comparison as text for a terminal, as JSON, and as the page docs/verification.md.
 
 #include <nlohmann/json.hpp>
 #include <span>
@@ -10,16 +10,16 @@
 
 namespace talus::verification {
 
-/// Every number of a case, grouped by table, and a line that sums it up.
+/// Every number of a case, grouped by table, and a summary line.
 [[nodiscard]] std::string text(const CaseResult& result);
 
-/// The numbers that differ, if any, and one line a case and one for all.
+/// The numbers that differ, if any, one line per case and one for all.
 [[nodiscard]] std::string summary(std::span<const CaseResult> results);
 
 [[nodiscard]] nlohmann::ordered_json json(std::span<const CaseResult> results);
 
-/// What the page says of a table before it has a result: where it stands, what it is compared with, tolerances and
-/// their reasons, and what is left out.
+/// The text of the page about a table, without results: its place in the manual, the comparison, the tolerances with
+/// their reasons, and exceptions.
 [[nodiscard]] std::string description(const Table& table);
 
 /// The whole page. Cases and results in the same order.

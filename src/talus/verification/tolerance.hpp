@@ -1,5 +1,5 @@
 #pragma once
-// How far a computed number may be from a printed one.
+// The permitted difference between a computed and a printed number.
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,12 @@
 
 namespace talus::verification {
 
-/// Each part that is not zero is a limit, and the widest of them counts: "1 unit of the last printed digit or 0.01 %".
+/// Each part that is not zero is a limit, and the widest one applies: "1 unit of the last printed digit or 0.01 %".
 struct Tolerance {
   double units = 0;     // of the last printed digit
   double relative = 0;  // of the printed number
-  double absolute = 0;  // in the number's own unit
-  double of_scale = 0;  // of the greatest number of the same kind in the table, velocities with velocities and so on
+  double absolute = 0;  // in the unit of the number
+  double of_scale = 0;  // of the largest number of the same kind (all velocities, for example) in the table
 
   [[nodiscard]] double allowed(const Printed& published, double scale) const {
     return std::max({units * published.unit, relative * std::abs(published.value), absolute, of_scale * scale});

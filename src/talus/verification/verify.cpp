@@ -12,7 +12,7 @@
 namespace talus::verification {
 namespace {
 
-/// What the runs of a case have given so far: each is computed when it is first asked for.
+/// The results of the runs of a case, each computed on first use.
 class Runs {
  public:
   Runs(const Case& published, const Files& files) : published_(published), files_(files) {}
@@ -24,9 +24,9 @@ class Runs {
   }
   const Observed& observed(const std::string& run, Energies energies = Energies::skip) {
     Ran& ran = of(run);
-    if (!ran.observed || (energies == Energies::watch && !ran.watched)) {
+    if (!ran.observed || (energies == Energies::watch && !ran.has_energies)) {
       ran.observed = observe(ran.model, energies);
-      ran.watched = energies == Energies::watch;
+      ran.has_energies = energies == Energies::watch;
     }
     return *ran.observed;
   }
@@ -36,7 +36,7 @@ class Runs {
     Model model;
     std::optional<std::vector<Event>> path;
     std::optional<Observed> observed;
-    bool watched = false;
+    bool has_energies = false;
   };
   Ran& of(const std::string& run_name) {
     const auto found = ran_.find(run_name);
@@ -58,15 +58,15 @@ std::string between(const Interval& interval) { return fmt::format("{:.6g} ... {
 
 Verdict verdict(bool agrees) { return agrees ? Verdict::agrees : Verdict::differs; }
 
-/// The greatest published number of each kind.
+/// The largest published number of each kind.
 std::array<double, 5> scales(const PathTable& table) {
   std::array<double, 5> scale{};
   for (const auto& [column, quantity] : table.columns) {
     const std::size_t c = *table.published.column(column);
     for (std::size_t r = 0; r < table.published.rows().size(); ++r) {
       const auto& number = table.published.number(r, c);
-      double& greatest = scale[static_cast<std::size_t>(kind_of(quantity))];
-      if (number) greatest = std::max(greatest, std::abs(number->value));
+      double& largest = scale[static_cast<std::size_t>(kind_of(quantity))];
+      if (number) largest = std::max(largest, std::abs(number->value));
     }
   }
   return scale;
@@ -94,7 +94,7 @@ std::vector<Line> compare(const PathTable& table, const std::string& run, Runs& 
       Line line{row, column, number->text, {}, {}, {}, Verdict::differs, {}};
       if (event(r) != nullptr) line.ours = value(quantity, *event(r), event(r + 1));
       if (line.ours) {
-        // Which way a rock spins in section has another sign in each program: magnitudes are compared.
+        // The sign of the spin in section differs between programs, so magnitudes are compared.
         line.difference = *line.ours - (quantity == PathQuantity::spin ? std::abs(number->value) : number->value);
       }
       const Exception* exception = exception_of(table, row, column);
@@ -105,7 +105,7 @@ std::vector<Line> compare(const PathTable& table, const std::string& run, Runs& 
         const Tolerance& tolerance = exception != nullptr ? *exception->tolerance : table.tolerance;
         const double allowed = tolerance.allowed(*number, scale[static_cast<std::size_t>(kind_of(quantity))]);
         line.allowed = fmt::format("{:.3g}", allowed);
-        // What rounding takes from a difference of numbers read from text does not count against it.
+        // Allows for the rounding of the difference.
         line.verdict = verdict(line.difference && std::abs(*line.difference) <= allowed * (1 + 1e-9));
       }
       lines.push_back(std::move(line));
@@ -114,8 +114,8 @@ std::vector<Line> compare(const PathTable& table, const std::string& run, Runs& 
   return lines;
 }
 
-/// Statistics of very many rocks that can stand beside those of few; the others depend on how many there are.
-bool is_of_any_size(Statistic statistic) {
+/// Whether statistics of very many rocks are comparable with those of few. The others depend on the sample size.
+bool is_independent_of_size(Statistic statistic) {
   switch (statistic) {
     case Statistic::mean:
     case Statistic::median:
@@ -153,7 +153,7 @@ std::vector<Line> compare(const StatisticsTable& table, const std::string& run, 
       if (count && count->value >= 1 && !many.empty()) {
         const auto size = static_cast<std::uint64_t>(count->value);
         const SamplingSpread& spread = spreads.try_emplace(size, many, size).first->second;
-        line.ours = is_of_any_size(statistic) ? value(ours, statistic) : spread.typical(statistic);
+        line.ours = is_independent_of_size(statistic) ? value(ours, statistic) : spread.typical(statistic);
         if (line.ours) line.difference = *line.ours - number->value;
         if (const auto interval = spread.interval(statistic)) {
           line.allowed = between(*interval);
@@ -249,8 +249,8 @@ std::vector<Line> compare(const SoundnessTable& table, const std::string& run, R
     const bool is_fine = std::ranges::find(table.ends, reason) != table.ends.end();
     add(fmt::format("ended: {}", name(reason)), "rocks", count, is_fine ? "any" : "0", verdict(is_fine || count == 0));
   }
-  add("greatest rise of the total energy", "of the path's", observed.greatest_energy_rise,
-      fmt::format("{:g}", table.energy_rise), verdict(observed.greatest_energy_rise <= table.energy_rise));
+  add("largest rise of the total energy", "of the path's energy", observed.max_energy_rise,
+      fmt::format("{:g}", table.energy_rise), verdict(observed.max_energy_rise <= table.energy_rise));
   for (const SampleQuantity quantity : table.shown) {
     const Descriptive rows = describe(observed.sample(quantity));
     for (int s = 0; s < statistic_count; ++s) {

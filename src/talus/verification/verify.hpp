@@ -1,5 +1,5 @@
 #pragma once
-// Runs a case and lays what Talus gets beside what was published.
+// Runs a case and compares the results of Talus with the published ones.
 
 #include <optional>
 #include <string>
@@ -12,23 +12,23 @@ namespace talus::verification {
 enum class Verdict {
   agrees,
   differs,
-  left_out,  // the case says why
-  shown      // not tested: nothing was published, or the statistic follows from others
+  left_out,  // with a reason in the case
+  shown      // not tested: nothing is published, or the statistic follows from others
 };
 [[nodiscard]] const char* name(Verdict verdict);
 
-/// One number beside the published one.
+/// One number next to the published one.
 struct Line {
   std::string row, quantity;
-  std::string published;  // as printed; empty where nothing was
+  std::string published;  // as printed; empty if nothing is published
   std::optional<double> ours;
-  std::optional<double> difference;  // ours less the published one
-  std::string allowed;               // how far it may be away, or between what the published number must lie
+  std::optional<double> difference;  // ours minus the published one
+  std::string allowed;               // the allowed difference, or the interval for the published number
   Verdict verdict = Verdict::shown;
-  std::string why;  // it was left out or has a tolerance of its own
+  std::string why;  // why it is left out or has its own tolerance
 };
 
-/// One table with one run.
+/// The comparison of one table with one run.
 struct TableResult {
   std::string title, manual, run, why;
   std::vector<Line> lines;
@@ -43,7 +43,7 @@ struct CaseResult {
   [[nodiscard]] bool passes() const { return count(Verdict::differs) == 0; }
 };
 
-/// Throws BadInput where a project of the case cannot be run.
+/// Throws BadInput if a project of the case cannot be run.
 [[nodiscard]] CaseResult verify(const Case& published, const Files& files);
 
 }  // namespace talus::verification
