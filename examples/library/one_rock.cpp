@@ -1,4 +1,4 @@
-// Follows one rock down a slope in section and prints its path: the least program that uses Talus as a library.
+// Simulates one rock on a slope in section and prints its path: a minimal program that uses Talus as a library.
 
 #include <cstdio>
 #include <iostream>
