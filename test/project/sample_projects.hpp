@@ -1,0 +1,298 @@
+#pragma once
+// Projects that together give every key a value other than its default, and helpers to compare them.
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "talus/project/document.hpp"
+#include "talus/project/read.hpp"
+#include "talus/project/settings.hpp"
+
+namespace talus::project {
+
+inline constexpr const char* in_2d = R"(
+name = "Other"
+[analysis]
+model = "rigid_sphere"
+rotation = true
+gravity_m_s2 = 9.81
+sliding = "closed_form"
+max_timestep_s = 0.02
+normal_velocity_cutoff_m_s = 0.2
+grazing_angle_deg = 2
+stopped_velocity_m_s = 0.3
+max_steps = 20000
+max_time_s = 700.5
+energy_datum_m = -25
+friction_angle = "tangential_restitution"
+scale_rn_by_velocity = true
+rn_velocity_scale_m_s = 9
+scale_rn_by_mass = true
+rn_mass_scale_kg = 2000
+tangential_crsp_damping = true
+[sampling]
+seed = 77
+method = "latin_hypercube"
+materials = "per_rock"
+[terrain]
+section = [[0, 0.1], [10, -10], [20, -12]]
+section_std_dev_m = [[0, 0.5], [0.25, 0.5], [0, 0]]
+[[material]]
+name = "Rock"
+normal_restitution = { mean = 0.4, distribution = "normal", std_dev = 0.03, rel_min = 0.1, rel_max = 0.2 }
+tangential_restitution = { mean = 0.8, distribution = "uniform", rel_min = 0.1, rel_max = 0.1 }
+friction_angle_deg = { mean = 31, distribution = "lognormal", std_dev = 2 }
+roughness_deg = { mean = 2, distribution = "none" }
+roughness_spacing_m = 0.5
+roughness_amplitude_m = 0.05
+dynamic_friction = { mean = 0.6, distribution = "gamma", std_dev = 0.1 }
+rolling_friction = { mean = 0.2, distribution = "triangular", rel_min = 0.1, rel_max = 0.1 }
+[[material]]
+name = "Talus"
+[ground]
+default = "Talus"
+segments = ["Rock", "Talus"]
+[[seeder]]
+name = "Crest"
+type = "point"
+position = [1]
+height_above_m = 2.5
+rocks = 12
+mass_kg = { mean = 500, distribution = "exponential" }
+density_kg_m3 = { mean = 2600, distribution = "beta", std_dev = 20, rel_min = 100, rel_max = 100 }
+horizontal_velocity_m_s = { mean = 1.5, distribution = "normal", std_dev = 0.2 }
+vertical_velocity_m_s = { mean = -1, distribution = "none" }
+rotational_velocity_deg_s = { mean = 30, distribution = "none" }
+direction = [-1, 0]
+[[barrier]]
+name = "Fence"
+line = 15
+height_m = 3.5
+inclination_deg = 10
+capacity_kJ = 500
+normal_restitution = 0.1
+tangential_restitution = 0.2
+[[collector]]
+name = "Track"
+line = 17
+height_m = 5
+inclination_deg = -5
+[design]
+lines = ["Fence"]
+protect = "Track"
+section_m = 25
+percentiles = [10, 97.5]
+confidence = 0.9
+standard = "none"
+design_percentile = 99
+trajectory_factor = 1.02
+topography_factor = 1.05
+volume_factor = 1.02
+density_factor = 1.01
+risk_factor = 1.2
+energy_level = "SEL"
+energy_factor = 1.5
+energy = "total"
+upper_clearance_m = 1
+catch_share = 0.99
+heights_m = [3, 6]
+energies_kJ = [500, 8500.5]
+cost_height_exponent = 2
+cost_energy_exponent = 0
+[output]
+endpoints = 30
+paths = 3
+report = false
+)";
+
+inline constexpr const char* inline_mesh = R"(
+[analysis]
+rotation = false
+[terrain]
+vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0.1]]
+triangles = [[0, 1, 2]]
+rotate_deg = 30
+rotate_about = [0, 25, 0]
+[[material]]
+name = "Rock"
+forest_drag_kg_s = 400
+forest_height_m = 12
+[[material]]
+name = "Talus"
+forest = "dense"
+forest_height_m = 20
+ground_drag_per_s = 0.5
+[ground]
+triangles = [1]
+[[seeder]]
+type = "line"
+points = [[1, 1, "surface"], [1, 2, "surface"]]
+volume_m3 = { mean = 0.5, distribution = "none" }
+speed_m_s = { mean = 2, distribution = "none" }
+direction = [0, 1, -1]
+[[seeder]]
+position = [1, 1, 5]
+diameter_m = { mean = 0.5, distribution = "none" }
+[[barrier]]
+line = [[15, 0], [15, 50]]
+height_m = 3.5
+[design]
+block_mass_kg = 1200
+[output]
+paths = "none"
+maps = false
+maps_by_source = true
+raster_cell_m = 2.5
+percentiles = [25, 99.9]
+geopackage = "all"
+vtk = true
+)";
+
+inline constexpr const char* mesh_file = R"(
+[terrain]
+mesh = "bowl.obj"
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, 1, 5]
+mass_kg = 1
+)";
+
+inline constexpr const char* extruded = R"(
+[terrain]
+section = [[0, 0], [10, -10]]
+width_m = 50
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, 1, 5]
+mass_kg = 10
+)";
+
+inline constexpr const char* raster_file = R"(
+[terrain]
+raster = "dem.tif"
+[[material]]
+name = "Rock"
+[[material]]
+name = "Scree"
+[ground]
+default = "Scree"
+raster = "ground.tif"
+classes = { 1 = "Rock", -2 = "Scree" }
+[[seeder]]
+position = [1, 1, 5]
+mass_kg = 10
+[output]
+maps = ["reach_share", "energy_total", "velocity"]
+raster_cell_m = "terrain"
+)";
+
+inline constexpr const char* survey = R"(
+[terrain]
+points = "ground.las"
+point_classes = [2, 8]
+points_layer = "spots"
+lines = "lines.gpkg"
+lines_layer = "contours"
+elevation_attribute = "elev"
+boundary = "area.gpkg"
+boundary_layer = "slope"
+max_edge_m = 25
+remove_spikes_m = 4
+crs = "EPSG:31287"
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, 1, 5]
+mass_kg = 10
+)";
+
+inline constexpr const char* inline_polylines = R"(
+[terrain]
+polylines = [[[0, 0, 0], [10, 0, -5], [0, 10, 0.5], [0, 0, 0]]]
+merge_tolerance_m = 0.5
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, 1, 5]
+mass_kg = 10
+)";
+
+inline constexpr const char* polygon_file = R"(
+[terrain]
+polygons = "faces.dxf"
+polygons_layer = "entities"
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, 1, 5]
+mass_kg = 10
+)";
+
+inline constexpr const char* from_gis = R"(
+[terrain]
+mesh = "bowl.obj"
+[[material]]
+name = "Rock"
+like = "bedrock_outcrops"
+[[material]]
+name = "Scree"
+[ground]
+polygons = "ground.gpkg"
+layer = "2024"
+attribute = "kind"
+values = { Fels = "Rock", "Schutt, grob" = "Scree" }
+[[area]]
+name = "fan"
+material = "Scree"
+polygon = [[0, 0], [5, 0], [5, 5.5]]
+[[seeder]]
+type = "line"
+source = "north face"
+lines = "cliff.gpkg"
+layer = "edges"
+source_attribute = "name"
+mass_kg = 10
+[[seeder]]
+type = "polygon"
+polygons = "cliffs.gpkg"
+min_slope_deg = 45
+cell_m = 5
+rocks_per_cell = 3
+place = "centre"
+mass_kg = 10
+[[seeder]]
+type = "polygon"
+polygon = [[0, 0], [10, 0], [10, 10.5]]
+cell_m = 5
+mass_kg = 10
+[[seeder]]
+type = "raster"
+max_slope_deg = 60.5
+mask = "release.tif"
+mask_value = -2
+cell_m = 2.5
+mass_kg = 10
+)";
+
+inline const std::vector<const char*> samples{survey,    inline_polylines, polygon_file, in_2d,   inline_mesh,
+                                              mesh_file, raster_file,      from_gis,     extruded};
+
+inline nlohmann::ordered_json as_json(const char* toml_text) {
+  const toml::table parsed = toml::parse(std::string_view(toml_text));
+  std::ostringstream text;
+  text << toml::json_formatter(parsed);
+  return nlohmann::ordered_json::parse(text.str());
+}
+
+inline Project read_sample(const std::string& text) { return read_project_text(text, "slope.toml").project; }
+
+/// `table.key` of a setting.
+inline std::string row_name(const Table& table, const Setting& setting) {
+  return std::string(table.key) + '.' + std::string(setting.key);
+}
+
+}  // namespace talus::project
