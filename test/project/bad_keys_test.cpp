@@ -15,7 +15,7 @@ TEST_P(BadKeys, AreRefusedWithThisText) {
   EXPECT_EQ(refusal_of_reading(changed(GetParam().replacements)), GetParam().message);
 }
 
-const std::vector<BadProject> cases{
+const std::vector<BadProject> bad_keys{
     {"SyntaxError",
      {{"rocks = 10", "rocks 10"}},
      "slope.toml:24: this is not TOML (Error while parsing key-value pair: expected '=', saw '1')"},
@@ -97,7 +97,7 @@ wind = 3)"}},
      "slope.toml:1: collector[0] is 3 (expected a table [[collector]])"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, BadKeys, testing::ValuesIn(cases), name_of_case<BadProject>);
+INSTANTIATE_TEST_SUITE_P(All, BadKeys, testing::ValuesIn(bad_keys), name_of_case<BadProject>);
 
 TEST(BadProject, TheUnchangedOneIsGood) {
   EXPECT_EQ(refusal_of_reading(good_project), "");

@@ -15,7 +15,7 @@ TEST_P(BadOutput, AreRefusedWithThisText) {
   EXPECT_EQ(refusal_of_reading(changed(GetParam().replacements)), GetParam().message);
 }
 
-const std::vector<BadProject> cases{
+const std::vector<BadProject> bad_output{
     {"PathsUnknownWord",
      {{"[terrain]",
        R"([output]
@@ -114,7 +114,7 @@ raster_cell_m = "terrain"
      "cell size in metres"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, BadOutput, testing::ValuesIn(cases), name_of_case<BadProject>);
+INSTANTIATE_TEST_SUITE_P(All, BadOutput, testing::ValuesIn(bad_output), name_of_case<BadProject>);
 
 }  // namespace
 }  // namespace talus::project

@@ -15,7 +15,7 @@ TEST_P(BadPlaces, AreRefusedWithThisText) {
   EXPECT_EQ(refusal_of_reading(changed(GetParam().replacements)), GetParam().message);
 }
 
-const std::vector<BadProject> cases{
+const std::vector<BadProject> bad_places{
     {"PositionTooHigh",
      {{"position = [1, 5]", "position = [1, 5e99]"}},
      "slope.toml:23: seeder \"Crest\": position[1] is 5e+99 (coordinates are in metres; expected -1e9 to 1e9)"},
@@ -197,7 +197,7 @@ height_m = 5)"}},
      "name"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, BadPlaces, testing::ValuesIn(cases), name_of_case<BadProject>);
+INSTANTIATE_TEST_SUITE_P(All, BadPlaces, testing::ValuesIn(bad_places), name_of_case<BadProject>);
 
 }  // namespace
 }  // namespace talus::project

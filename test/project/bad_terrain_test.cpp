@@ -15,7 +15,7 @@ TEST_P(BadTerrain, AreRefusedWithThisText) {
   EXPECT_EQ(refusal_of_reading(changed(GetParam().replacements)), GetParam().message);
 }
 
-const std::vector<BadProject> cases{
+const std::vector<BadProject> bad_terrain{
     {"TerrainMissing",
      {{R"([terrain]
 section = [[0, 0], [10, -10], [20, -10]]
@@ -242,7 +242,7 @@ attribute = "material")"}},
      "for each segment"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, BadTerrain, testing::ValuesIn(cases), name_of_case<BadProject>);
+INSTANTIATE_TEST_SUITE_P(All, BadTerrain, testing::ValuesIn(bad_terrain), name_of_case<BadProject>);
 
 }  // namespace
 }  // namespace talus::project

@@ -15,7 +15,7 @@ TEST_P(BadValues, AreRefusedWithThisText) {
   EXPECT_EQ(refusal_of_reading(changed(GetParam().replacements)), GetParam().message);
 }
 
-const std::vector<BadProject> cases{
+const std::vector<BadProject> bad_values{
     {"NumberInQuotes",
      {{"mass_kg = 1000", R"(mass_kg = "1000")"}},
      "slope.toml:25: seeder \"Crest\": mass_kg is \"1000\" (expected a number or { mean = ..., distribution = ..., ... "
@@ -207,7 +207,7 @@ diameter_m = 1)"}},
      "10000)"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, BadValues, testing::ValuesIn(cases), name_of_case<BadProject>);
+INSTANTIATE_TEST_SUITE_P(All, BadValues, testing::ValuesIn(bad_values), name_of_case<BadProject>);
 
 TEST(BadProject, NoWarningDependsOnARefusedValue) {
   const std::string bad_mass = R"(mass_kg = { mean = 1000, distribution = "normal", std_dev = -1 })";

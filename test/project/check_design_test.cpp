@@ -38,23 +38,23 @@ height_m = 3
 )";
 
 /// Errors and warnings about a design on 3D ground.
-std::string problems_of(const std::string& design, const std::string& lines = lines_3d) {
+std::string problems_of_design(const std::string& design, const std::string& lines = lines_3d) {
   return problems_of_reading(ground_3d + lines + design);
 }
 
 TEST(CheckDesign, TakesAllLinesByDefault) {
-  EXPECT_EQ(problems_of("[design]\n"), "");
-  EXPECT_EQ(problems_of("[design]\nlines = [\"Road\", \"barrier 1\"]\n"), "");
+  EXPECT_EQ(problems_of_design("[design]\n"), "");
+  EXPECT_EQ(problems_of_design("[design]\nlines = [\"Road\", \"barrier 1\"]\n"), "");
 }
 
 TEST(CheckDesign, RefusesToDesignWithoutALine) {
-  EXPECT_EQ(problems_of("[design]\n", ""),
+  EXPECT_EQ(problems_of_design("[design]\n", ""),
             "slope.toml:9: [design]: there is no line to design for (the project has no barrier and no collector). Add "
             "a [[collector]] with a line and a height_m");
 }
 
 TEST(CheckDesign, RefusesUnknownLines) {
-  EXPECT_EQ(problems_of("[design]\nlines = [\"Uper\", \"Road\", \"Road\"]\nprotect = \"barrier 2\"\n"),
+  EXPECT_EQ(problems_of_design("[design]\nlines = [\"Uper\", \"Road\", \"Road\"]\nprotect = \"barrier 2\"\n"),
             "slope.toml:21: [design]: lines[0] is \"Uper\" (no barrier or collector has this name; the project has "
             "\"barrier 1\", \"Upper\", \"Road\"). Did you mean \"Upper\"?\n"
             "slope.toml:21: [design]: lines[2] is \"Road\" (it is listed twice). Leave it out\n"
@@ -62,14 +62,14 @@ TEST(CheckDesign, RefusesUnknownLines) {
             "\"barrier 1\", \"Upper\", \"Road\"). Did you mean \"barrier 1\"?\n"
             "slope.toml:22: warning: [design]: protect is given, and there are barriers (rocks that a [[barrier]] "
             "stops never reach the protected line and are not counted). Make the candidates [[collector]]s");
-  EXPECT_EQ(problems_of("[design]\nlines = []\n"),
+  EXPECT_EQ(problems_of_design("[design]\nlines = []\n"),
             "slope.toml:21: [design]: lines is empty (without a line there is nothing to design for). Leave it out to "
             "take all barriers and collectors");
 }
 
 TEST(CheckDesign, RefusesNumbersOutOfRange) {
-  EXPECT_EQ(problems_of("[design]\nsection_m = 0\ncatch_share = 95\nconfidence = 95\nheights_m = [2, -3]\n"
-                        "risk_factor = 0.9\npercentiles = [101]\n"),
+  EXPECT_EQ(problems_of_design("[design]\nsection_m = 0\ncatch_share = 95\nconfidence = 95\nheights_m = [2, -3]\n"
+                               "risk_factor = 0.9\npercentiles = [101]\n"),
             "slope.toml:21: [design]: section_m is 0 (lines are divided into sections of this length; expected more "
             "than 0, up to 1e9)\n"
             "slope.toml:22: [design]: catch_share is 95 (a share cannot exceed 1; expected more than 0, up to 1). Did "
@@ -79,35 +79,35 @@ TEST(CheckDesign, RefusesNumbersOutOfRange) {
             "slope.toml:24: [design]: heights_m[1] is -3 (nothing could hit it; expected more than 0, up to 10000)\n"
             "slope.toml:25: [design]: risk_factor is 0.9 (a safety factor cannot be less than 1; expected 1 to 1e6)\n"
             "slope.toml:26: [design]: percentiles[0] is 101 (expected 0 to 100)");
-  EXPECT_EQ(problems_of("[design]\nheights_m = []\nenergies_kJ = []\n"),
+  EXPECT_EQ(problems_of_design("[design]\nheights_m = []\nenergies_kJ = []\n"),
             "slope.toml:21: [design]: heights_m is empty (there would be no kit to choose from). Leave it out\n"
             "slope.toml:22: [design]: energies_kJ is empty (there would be no kit to choose from). Leave it out");
-  EXPECT_EQ(problems_of("[design]\npercentiles = [95, 50, 95]\n"),
+  EXPECT_EQ(problems_of_design("[design]\npercentiles = [95, 50, 95]\n"),
             "slope.toml:21: [design]: percentiles[2] is 95 (it is listed twice). Leave it out");
 }
 
 TEST(CheckDesign, RefusesTooManySections) {
-  EXPECT_EQ(problems_of("[design]\nsection_m = 0.05\n"),
+  EXPECT_EQ(problems_of_design("[design]\nsection_m = 0.05\n"),
             "slope.toml:21: [design]: section_m is 0.05 (line \"barrier 1\", 80 m long, would have more than 1000 "
             "sections). Write 1 or more");
-  EXPECT_EQ(problems_of("[design]\nlines = [\"Road\"]\nsection_m = 0.05\n"), "") << "25 m has 500";
+  EXPECT_EQ(problems_of_design("[design]\nlines = [\"Road\"]\nsection_m = 0.05\n"), "") << "25 m has 500";
 }
 
 TEST(CheckDesign, RefusesADesignBlockThatSpins) {
-  EXPECT_EQ(problems_of("[design]\nblock_mass_kg = 2000\nenergy = \"total\"\n"),
+  EXPECT_EQ(problems_of_design("[design]\nblock_mass_kg = 2000\nenergy = \"total\"\n"),
             "slope.toml:21: [design]: block_mass_kg is given with energy = \"total\" (the design block has a mass and "
             "a velocity, but no spin). Set energy = \"translational\"");
 }
 
 TEST(CheckDesign, RefusesKitsWithoutTheRequiredServiceLevel) {
-  EXPECT_EQ(problems_of("[design]\nenergy_level = \"SEL\"\nenergies_kJ = [100, 200]\n"),
+  EXPECT_EQ(problems_of_design("[design]\nenergy_level = \"SEL\"\nenergies_kJ = [100, 200]\n"),
             "slope.toml:22: [design]: energies_kJ has no value of 250 kJ or more (energy_level is \"SEL\", and kits of "
             "class 0 are not tested at that level)");
-  EXPECT_EQ(problems_of("[design]\nenergy_level = \"SEL\"\nenergies_kJ = [100, 250]\n"), "");
+  EXPECT_EQ(problems_of_design("[design]\nenergy_level = \"SEL\"\nenergies_kJ = [100, 250]\n"), "");
 }
 
 TEST(CheckDesign, WarnsOfSettingsWithoutEffect) {
-  EXPECT_EQ(problems_of("[design]\nstandard = \"none\"\nrisk_factor = 1.1\nenergy_level = \"SEL\"\n"),
+  EXPECT_EQ(problems_of_design("[design]\nstandard = \"none\"\nrisk_factor = 1.1\nenergy_level = \"SEL\"\n"),
             "slope.toml:22: warning: [design]: risk_factor has no effect (standard is \"none\")\n"
             "slope.toml:23: warning: [design]: energy_level has no effect (standard is \"none\")");
   const std::string in_2d = R"([terrain]

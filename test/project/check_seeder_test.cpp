@@ -12,14 +12,14 @@ namespace {
 
 using testing_tools::problems_of_reading;
 
-struct Case {
+struct SeederCase {
   const char* name;
   const char* keys;      // of the seeder, from line 10 on
   const char* problems;  // without "slope.toml:"
   bool is_2d = false;
 };
 
-std::string problems_of(const Case& c) {
+std::string problems_of_seeder(const SeederCase& c) {
   const std::string text =
       std::string("[terrain]\n") +
       (c.is_2d ? "section = [[0, 0], [10, -10]]\n" : "vertices = [[0, 0, 0], [9, 0, 0], [0, 9, 5]]\n") +
@@ -28,7 +28,7 @@ std::string problems_of(const Case& c) {
   return problems_of_reading(text);
 }
 
-class SeederKeys : public ::testing::TestWithParam<Case> {};
+class SeederKeys : public ::testing::TestWithParam<SeederCase> {};
 
 TEST_P(SeederKeys, HaveTheseProblems) {
   std::string expected, line;
@@ -37,12 +37,12 @@ TEST_P(SeederKeys, HaveTheseProblems) {
     line = *c == '\n' ? "" : "x";
     expected += *c;
   }
-  EXPECT_EQ(problems_of(GetParam()), expected);
+  EXPECT_EQ(problems_of_seeder(GetParam()), expected);
 }
 
 constexpr const char* triangle = "polygon = [[0, 0], [5, 0], [0, 5]]\n";
 
-const std::vector<Case> cases{
+const std::vector<SeederCase> seeder_cases{
     {"LinesForAPoint", "lines = \"a.gpkg\"\n",
      "10: seeder \"Cliff\": lines are given for a point (they belong to a line). Write type = \"line\""},
     {"PolygonForAPoint", triangle,
@@ -120,7 +120,7 @@ const std::vector<Case> cases{
     {"AClosedPolygonIsFine", "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5], [0, 0]]\n", ""},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, SeederKeys, ::testing::ValuesIn(cases),
+INSTANTIATE_TEST_SUITE_P(All, SeederKeys, ::testing::ValuesIn(seeder_cases),
                          [](const auto& chosen) { return std::string(chosen.param.name); });
 
 TEST(SeederPolygon, IsStoredWithoutTheRepeatedCorner) {
@@ -141,7 +141,7 @@ TEST(SeederPoints, AreReportedAtMostTenTimes) {
     expected += (k > 1 ? "\n" : "") + std::string("slope.toml:11: seeder \"Cliff\": points[") + std::to_string(k) +
                 "][2] is \"high\" (expected a number or \"surface\")";
   }
-  EXPECT_EQ(problems_of({"", keys.c_str(), ""}), expected);
+  EXPECT_EQ(problems_of_seeder({"", keys.c_str(), ""}), expected);
 }
 
 }  // namespace

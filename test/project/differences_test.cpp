@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string text = R"(
+const std::string two_materials = R"(
 name = "Two materials"
 [terrain]
 section = [[0, 0], [10, -5], [20, -5]]
@@ -39,25 +39,29 @@ Json echo_of(std::string project, const std::string& was = "", const std::string
   return echo(read_project_text(project, "x.toml").project);
 }
 
-TEST(Differences, OfAProjectFromItselfAreEmpty) { EXPECT_TRUE(differences(echo_of(text), echo_of(text)).empty()); }
+TEST(Differences, OfAProjectFromItselfAreEmpty) {
+  EXPECT_TRUE(differences(echo_of(two_materials), echo_of(two_materials)).empty());
+}
 
 TEST(Differences, AreNamedLikeSettings) {
-  const auto found = differences(echo_of(text), echo_of(text, "normal_restitution = 0.3", "normal_restitution = 0.35"));
+  const auto found = differences(echo_of(two_materials),
+                                 echo_of(two_materials, "normal_restitution = 0.3", "normal_restitution = 0.35"));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].key, "material.Scree.normal_restitution.mean");
   EXPECT_EQ(found[0].here, 0.3);
   EXPECT_EQ(found[0].there, 0.35);
   // Applied on the command line, it makes the same change.
-  const Reading set = read_project_text(text, "x.toml", {.settings = {found[0].key + "=0.35"}});
+  const Reading set = read_project_text(two_materials, "x.toml", {.settings = {found[0].key + "=0.35"}});
   EXPECT_TRUE(
-      differences(echo(set.project), echo_of(text, "normal_restitution = 0.3", "normal_restitution = 0.35")).empty());
+      differences(echo(set.project), echo_of(two_materials, "normal_restitution = 0.3", "normal_restitution = 0.35"))
+          .empty());
 }
 
 TEST(Differences, OfANewMaterialAreItsSettings) {
   const std::string more =
       "[[material]]\nname = \"Grass\"\nnormal_restitution = 0.2\ntangential_restitution = 0.7\n"
       "friction_angle_deg = 30\n[[material]]\nname = \"Rock\"";
-  const auto found = differences(echo_of(text), echo_of(text, "[[material]]\nname = \"Rock\"", more));
+  const auto found = differences(echo_of(two_materials), echo_of(two_materials, "[[material]]\nname = \"Rock\"", more));
   ASSERT_FALSE(found.empty());
   for (const Difference& difference : found) {
     EXPECT_TRUE(difference.key.starts_with("material.Grass.")) << difference.key;
@@ -67,7 +71,7 @@ TEST(Differences, OfANewMaterialAreItsSettings) {
 }
 
 TEST(Differences, OfAListAreTheWholeList) {
-  const auto found = differences(echo_of(text), echo_of(text, "[20, -5]", "[25, -5]"));
+  const auto found = differences(echo_of(two_materials), echo_of(two_materials, "[20, -5]", "[25, -5]"));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].key, "terrain.section");
   EXPECT_EQ(found[0].there.dump(), "[[0.0,0.0],[10.0,-5.0],[25.0,-5.0]]");

@@ -17,7 +17,7 @@ TEST_P(DoubtfulProjects, AreReadWithThisWarning) {
   EXPECT_EQ(reading.warnings.text(), GetParam().message);
 }
 
-const std::vector<BadProject> cases{
+const std::vector<BadProject> doubtful_projects{
     {"IdenticalRocks",
      {{"rocks = 10", "rocks = 500"}},
      "slope.toml:24: warning: seeder \"Crest\": its 500 rocks are identical (nothing about them or the ground is "
@@ -166,7 +166,7 @@ rotate_about = [0, 25, 0])"}}),
      "slope.toml:9: warning: [terrain]: rotate_about has no effect (it needs rotate_deg)"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, DoubtfulProjects, testing::ValuesIn(cases), name_of_case<BadProject>);
+INSTANTIATE_TEST_SUITE_P(All, DoubtfulProjects, testing::ValuesIn(doubtful_projects), name_of_case<BadProject>);
 
 TEST(DoubtfulProject, ASeederWithoutANameIsIdentifiedByItsNumber) {
   const std::string text = changed({{"name = \"Crest\"\n", ""}, {"rocks = 10", "rocks = 500"}});

@@ -8,7 +8,7 @@
 namespace talus::project {
 namespace {
 
-const std::string text = R"(name = "Slope"
+const std::string sample_text = R"(name = "Slope"
 
 [terrain]
 mesh = "data/slope.obj"
@@ -23,7 +23,7 @@ name = "B"
 )";
 
 TEST(SettingPaths, LocateAValue) {
-  const Document document(text, "slope.toml");
+  const Document document(sample_text, "slope.toml");
   const SettingPaths paths(document.root());
   const toml::table& root = document.root();
   EXPECT_EQ(paths.of(*root.get("name")), "name");
@@ -33,12 +33,12 @@ TEST(SettingPaths, LocateAValue) {
   EXPECT_EQ(paths.of(*root["material"][0]["normal_restitution"]["mean"].node()), "material.0.normal_restitution.mean");
   EXPECT_EQ(paths.of(*root["material"][1]["strange key"][1][0].node()), "material.1.\"strange key\".1.0");
   EXPECT_EQ(paths.of(root), "");
-  const Document other(text, "slope.toml");
+  const Document other(sample_text, "slope.toml");
   EXPECT_EQ(paths.of(*other.root().get("name")), "");  // of another document
 }
 
 TEST(SettingPaths, LocateTheFirstValueOnALine) {
-  const Document document(text, "slope.toml");
+  const Document document(sample_text, "slope.toml");
   const SettingPaths paths(document.root());
   EXPECT_EQ(paths.on_line(1), "name");
   EXPECT_EQ(paths.on_line(2), "");
@@ -51,7 +51,7 @@ TEST(SettingPaths, LocateTheFirstValueOnALine) {
 }
 
 TEST(SettingPaths, IncludeValuesSetLater) {
-  Document document(text, "slope.toml");
+  Document document(sample_text, "slope.toml");
   Problems problems;
   EXPECT_EQ(document.at(*document.root()["material"][0].node()).path, "material.0");
   document.set("material.0.normal_restitution.std_dev=0.1", problems);
@@ -62,7 +62,7 @@ TEST(SettingPaths, IncludeValuesSetLater) {
 }
 
 TEST(SettingPaths, AreNotInTheTextOfAProblem) {
-  const Document document(text, "slope.toml");
+  const Document document(sample_text, "slope.toml");
   Problem problem = document.at(*document.root().get("name"));
   problem.what = "is not a name";
   EXPECT_EQ(problem.text(), "slope.toml:1: is not a name");
@@ -72,7 +72,7 @@ TEST(ProblemPaths, AreFoundByLineFileAndTable) {
   const auto path_of = [](Problem problem) {
     Problems problems;
     problems.add(std::move(problem));
-    return with_paths(problems, text, "folder/slope.toml").list().front().path;
+    return with_paths(problems, sample_text, "folder/slope.toml").list().front().path;
   };
   EXPECT_EQ(path_of({.file = "folder/slope.toml", .line = 10, .what = "is off the terrain"}), "material.1");
   EXPECT_EQ(path_of({.file = "folder/slope.toml", .line = 500, .what = "is off the terrain"}), "");
