@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
     for (const Flight& flight : flights) met += tin.first_contact(flight.path, radius, 600) ? 1 : 0;
   });
   const double heights = bench::seconds([&] {
-    for (const Flight& flight : flights) highest = tin.greatest_height(flight.path, flight.duration, highest);
+    for (const Flight& flight : flights) highest = tin.max_height(flight.path, flight.duration, highest);
   });
   const double count = static_cast<double>(flights.size());
   fmt::print(

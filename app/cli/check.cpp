@@ -9,7 +9,7 @@
 namespace talus::cli {
 
 int check(const ProjectOptions& options) {
-  take_threads_that_there_are();
+  take_available_threads();
   Loaded loaded = load(options);
   project::warn_of_buried_releases(loaded.model, loaded.warnings);
   print_warnings(loaded.warnings);

@@ -28,7 +28,7 @@ void print_row(const TableContext& context, const RockRecord& record, const char
 }  // namespace
 
 int replay(const ReplayOptions& options) {
-  take_threads_that_there_are();
+  take_available_threads();
   const Loaded loaded = load(options.project);
   if (options.rock >= loaded.model.rocks()) {
     throw BadInput(Problem{.file = options.project.file.string(),

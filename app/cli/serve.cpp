@@ -112,7 +112,7 @@ int serve(const ServeOptions& options) {
   std::signal(SIGCHLD, SIG_IGN);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, stop_serving);
   catch_hangup(stop_serving);
-  take_threads_that_there_are();
+  take_available_threads();
   server::serve(how);
   return done;
 }

@@ -33,7 +33,7 @@ int verify(const VerifyOptions& options) {
   std::vector<Case> cases;
   for (const std::string& name : chosen_cases(files, options.cases)) cases.push_back(read_case(files, name));
 
-  take_threads_that_there_are();
+  take_available_threads();
   std::vector<CaseResult> results;
   bool passes = true;
   for (const Case& one : cases) {

@@ -75,7 +75,7 @@ std::shared_ptr<const void> ModelReading::wait_for(const std::string& key, Work 
   std::shared_ptr<Job> job;
   while (!(job = state_->find(key)) && !state_->has_room()) {
     if (Clock::now() > until) throw too_long();
-    if (const StopScope* scope = StopScope::current(); scope != nullptr && scope->is_asked()) throw Stopped{};
+    if (const StopScope* scope = StopScope::current(); scope != nullptr && scope->is_requested()) throw Stopped{};
     state_->changed.wait_for(lock, poll_interval);
   }
   if (job) {
@@ -113,7 +113,7 @@ std::shared_ptr<const void> ModelReading::wait_for(const std::string& key, Work 
   while (!job->has_ended) {
     state_->changed.wait_for(lock, poll_interval);
     if (job->has_ended) break;
-    if (const StopScope* scope = StopScope::current(); scope != nullptr && scope->is_asked()) {
+    if (const StopScope* scope = StopScope::current(); scope != nullptr && scope->is_requested()) {
       leave();
       throw Stopped{};
     }

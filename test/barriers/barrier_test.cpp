@@ -22,7 +22,7 @@ const Rock rock = sphere_of_diameter(1.0, 2700);
 Barrier fence(const Vec3& from, const Vec3& to, double height, double inclination, double capacity) {
   Barrier barrier;
   barrier.name = "fence";
-  barrier.stand(panels_over(std::vector<Vec3>{from, to}, height, inclination));
+  barrier.set_panels(panels_over(std::vector<Vec3>{from, to}, height, inclination));
   barrier.capacity = capacity;
   return barrier;
 }
@@ -88,7 +88,7 @@ TEST(Crossing, IsNotHiddenByBounds) {
     std::vector<Vec3> foot;
     for (std::size_t i = 0; i < 2 + dice.below(4); ++i) foot.push_back(dice.in_cube(20));
     std::vector<Barrier> barriers(1);
-    barriers[0].stand(panels_over(foot, dice.between(0.5, 5), dice.chance(0.5) ? 0.0 : dice.between(-0.5, 0.5)));
+    barriers[0].set_panels(panels_over(foot, dice.between(0.5, 5), dice.chance(0.5) ? 0.0 : dice.between(-0.5, 0.5)));
     const Parabola path{dice.in_cube(20), dice.in_cube(15), Vec3::Zero()};
     const double t_max = dice.between(0.1, 3);
     std::optional<double> expected;
@@ -208,7 +208,7 @@ TEST(Crossing, TheNearestOfSeveralAndTiesByOrder) {
 TEST(Crossing, PanelsMeetWithoutAGap) {
   const auto panels = panels_over(std::vector<Vec3>{{10, -5, 0}, {10, 0.1, 0}, {12, 5, 0}}, 4, 0);
   Barrier barrier;
-  barrier.stand(panels);
+  barrier.set_panels(panels);
   const std::vector<Barrier> barriers{barrier};
   for (const double y : {0.1, 0.1 + 1e-12, 0.1 - 1e-12, 0.1 + 1e-10}) {
     EXPECT_TRUE(first_crossing(barriers, {{0, y, 2}, {5, 0, 0}, {0, 0, 0}}, 0, 0, 10, {})) << y;

@@ -21,7 +21,7 @@ const Rock rock = sphere_of_diameter(1.0, 2700);
 Barrier standing(const std::vector<Vec3>& foot, double height, double inclination) {
   Barrier barrier;
   barrier.capacity = infinite;
-  barrier.stand(panels_over(foot, height, inclination));
+  barrier.set_panels(panels_over(foot, height, inclination));
   return barrier;
 }
 

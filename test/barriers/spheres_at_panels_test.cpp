@@ -24,7 +24,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 Barrier standing(const std::vector<Vec3>& foot, double height, double inclination) {
   Barrier barrier;
   barrier.capacity = infinite;
-  barrier.stand(panels_over(foot, height, inclination));
+  barrier.set_panels(panels_over(foot, height, inclination));
   return barrier;
 }
 
@@ -146,7 +146,7 @@ TEST(SphereAtACollector, CountsWhenABarrierStopsItThere) {
       for (const bool rebounds : {false, true}) {
         std::vector<Barrier> barriers{across(9, 0), across(9, 0)};
         const Vec3 before = -distance / std::cos(slope.angle) * slope.down();
-        barriers[0].stand(
+        barriers[0].set_panels(
             panels_over(std::vector<Vec3>{Vec3(before + Vec3(0, -50, 0)), Vec3(before + Vec3(0, 50, 0))}, 9, 0));
         barriers[0].is_collector = true;
         barriers[1].capacity = capacity;

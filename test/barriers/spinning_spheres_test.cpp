@@ -37,7 +37,7 @@ struct Approach {
     Barrier fence;
     fence.capacity = std::numeric_limits<double>::infinity();
     fence.restitution = Restitution{rn, rt};
-    fence.stand(panels_over(std::vector<Vec3>{{at, -50, rise * at}, {at, 50, rise * at}}, 5, 0));
+    fence.set_panels(panels_over(std::vector<Vec3>{{at, -50, rise * at}, {at, 50, rise * at}}, 5, 0));
     Laws laws;
     laws.model = RockModel::rigid_sphere;
     Release release;

@@ -26,7 +26,7 @@ TEST(BlockCounter, HandsOutEveryRockOnceInOrder) {
       if (const auto block = counter.take(rank)) {
         EXPECT_EQ(block->first, next);
         EXPECT_GT(block->count(), 0U);
-        EXPECT_LE(block->count(), rocks_a_block);
+        EXPECT_LE(block->count(), max_rocks_per_block);
         next = block->last;
         under_way.push_back(rank);
       } else if (!under_way.empty()) {
@@ -89,7 +89,7 @@ TEST(BlockCounter, GivesSmallBlocksTowardsTheEnd) {
     counter.is_in_order(rank);
   }
   EXPECT_EQ(sizes.front(), 16U);  // nothing is known of the rocks
-  EXPECT_EQ(sizes[1], rocks_a_block);
+  EXPECT_EQ(sizes[1], max_rocks_per_block);
   EXPECT_LE(sizes.back(), 16U);
   for (std::size_t k = 2; k < sizes.size(); ++k) EXPECT_LE(sizes[k], sizes[k - 1]);
   EXPECT_EQ(std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0}), 10000U);

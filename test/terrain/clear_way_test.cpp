@@ -40,7 +40,7 @@ Tried roll_about(const Surface& surface, Dice& dice, double radius) {
     for (int k = 0; k < 20; ++k) {
       const Vec3 direction = tangential(dice.direction(), n).normalized();
       const Parabola leg{centre, way * direction, Vec3::Zero()};
-      const auto contact = surface.first_contact_on_leg(leg, radius, 1, LeftPlanes(n));
+      const auto contact = surface.first_contact_on_leg(leg, radius, 1, SupportPlanes(n));
       EXPECT_FALSE(contact) << "trial " << trial << ", way " << way << ", contact at " << contact->t << ", feature "
                             << static_cast<int>(contact->feature);
     }

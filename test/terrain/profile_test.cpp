@@ -83,10 +83,10 @@ TEST(Profile, HeightsAndExitsAreThoseOfTheExtrusion) {
       Parabola path{{x, 0, *profile.elevation(x) + 1}, {dice.between(-15, 15), 0, dice.between(0, 15)}, gravity};
       const auto contact = profile.first_contact(path, 0, 1e3);
       const double end = contact ? contact->t : profile.exit(path).t;
-      const double height = profile.greatest_height(path, end, 0);
+      const double height = profile.max_height(path, end, 0);
       Parabola beside = path;
       beside.p.y() = 11.3;
-      ASSERT_NEAR(height, mesh.greatest_height(beside, end, 0), 1e-9);
+      ASSERT_NEAR(height, mesh.max_height(beside, end, 0), 1e-9);
       if (!contact) {
         ASSERT_NEAR(end, mesh.exit(beside).t, 1e-9);
         EXPECT_FALSE(profile.exit(path).beneath);
@@ -107,8 +107,8 @@ TEST(Profile, GreatestHeightAgreesWithSampling) {
       const Vec3 q = path.at(end * k / 10'000);
       if (const auto z = profile.elevation(q.x())) expected = std::max(expected, q.z() - *z);
     }
-    ASSERT_NEAR(profile.greatest_height(path, end, 0), expected, 0.01);
-    ASSERT_GE(profile.greatest_height(path, end, 0), expected - 1e-9);
+    ASSERT_NEAR(profile.max_height(path, end, 0), expected, 0.01);
+    ASSERT_GE(profile.max_height(path, end, 0), expected - 1e-9);
   }
 }
 

@@ -122,7 +122,7 @@ TEST(RasterSurface, ASphereMeetsWhatItMeetsOnTheMesh) {
         const Parabola next{path.at(contact->t), v, path.a};
         expect_same(ground.raster.first_contact(next, radius, 100), ground.mesh.first_contact(next, radius, 100));
         const Parabola leg{path.at(contact->t), tangential(v, contact->normal), Vec3::Zero()};
-        const LeftPlanes on(contact->normal);
+        const SupportPlanes on(contact->normal);
         expect_same(ground.raster.first_contact_on_leg(leg, radius, 0.1, on),
                     ground.mesh.first_contact_on_leg(leg, radius, 0.1, on));
       }
@@ -156,15 +156,15 @@ TEST(RasterSurface, ASphereBouncesDownSmoothGroundAsOnTheMesh) {
         expect_same(contact, mesh.first_contact(path, radius, 100));
         if (HasFatalFailure()) return;
         if (!contact) break;
-        ASSERT_EQ(greatest, raster.greatest_height(path, contact->t, known));
+        ASSERT_EQ(greatest, raster.max_height(path, contact->t, known));
         ++met[static_cast<std::size_t>(contact->feature)];
         const Vec3& n = contact->normal;
         const Vec3 place = path.at(contact->t), arriving = path.velocity(contact->t);
         if (arriving.dot(n) > -0.05) break;  // of bounces without end the times are rounding
         const Vec3 along = 0.9 * tangential(arriving, n);
         const Parabola leg{place, along, 0.5 * tangential(path.a, n)};
-        expect_same(raster.first_contact_on_leg(leg, radius, 0.05, LeftPlanes(n)),
-                    mesh.first_contact_on_leg(leg, radius, 0.05, LeftPlanes(n)));
+        expect_same(raster.first_contact_on_leg(leg, radius, 0.05, SupportPlanes(n)),
+                    mesh.first_contact_on_leg(leg, radius, 0.05, SupportPlanes(n)));
         if (HasFatalFailure()) return;
         path = {place, along - 0.5 * arriving.dot(n) * n, path.a};
       }
@@ -196,15 +196,15 @@ TEST(RasterSurface, HeightsOutlinesAndExitsAreTheMeshs) {
       const auto here = ground.raster.elevation(path.p.x(), path.p.y());
       ASSERT_NEAR(here.value(), ground.mesh.elevation(path.p.x(), path.p.y()).value(), 1e-9);
       const double t_end = dice.between(0.1, 2);
-      ASSERT_NEAR(ground.raster.greatest_height(path, t_end, 0), ground.mesh.greatest_height(path, t_end, 0), 1e-9);
+      ASSERT_NEAR(ground.raster.max_height(path, t_end, 0), ground.mesh.max_height(path, t_end, 0), 1e-9);
       const double known = dice.chance(0.5) ? 0 : dice.between(0, 5), radius = dice.magnitude(0.05, 1.5);
       const Parabola of_sphere = random_flight(dice, ground.box, radius);
       if (const auto sphere = ground.raster.flight(of_sphere, radius, 100, {}, known); sphere.contact) {
-        ASSERT_EQ(sphere.greatest_height, ground.raster.greatest_height(of_sphere, sphere.contact->t, known));
+        ASSERT_EQ(sphere.max_height, ground.raster.max_height(of_sphere, sphere.contact->t, known));
       }
       const auto [contact, greatest] = ground.raster.flight(path, 0, 100, {}, known);
       if (contact) {
-        ASSERT_EQ(greatest, ground.raster.greatest_height(path, contact->t, known));
+        ASSERT_EQ(greatest, ground.raster.max_height(path, contact->t, known));
         continue;
       }
       const Exit a = ground.raster.exit(path), b = ground.mesh.exit(path);

@@ -306,10 +306,10 @@ TEST(TriangleMesh, GreatestHeightAgreesWithSampling) {
       path.v.z() = std::abs(path.v.z());
       const auto contact = mesh.first_contact(path, 0, 1e6);
       const double end = contact ? contact->t : mesh.exit(path).t;
-      const double expected = greatest_by_sampling(mesh, path, end), found = mesh.greatest_height(path, end, 0);
+      const double expected = greatest_by_sampling(mesh, path, end), found = mesh.max_height(path, end, 0);
       ASSERT_GE(found, expected - 1e-9);
       ASSERT_NEAR(found, expected, 0.01);
-      EXPECT_EQ(mesh.greatest_height(path, end, 1e4), 1e4);  // what is known already is kept
+      EXPECT_EQ(mesh.max_height(path, end, 1e4), 1e4);  // what is known already is kept
     }
   }
 }

@@ -376,9 +376,9 @@ TEST(Forest, EveryPathIsSound) {
     std::vector<Barrier> barriers(2);
     barriers[0].capacity = 40e3;
     barriers[0].restitution = Restitution{0.4, 0.8};
-    barriers[0].stand(panels_over(mesh.draped({40, 0}, {40, 60}), 1.5, 0));
+    barriers[0].set_panels(panels_over(mesh.draped({40, 0}, {40, 60}), 1.5, 0));
     barriers[1].is_collector = true;
-    barriers[1].stand(panels_over(mesh.draped({30, 0}, {30, 60}), 4, 0));
+    barriers[1].set_panels(panels_over(mesh.draped({30, 0}, {30, 60}), 4, 0));
     for (std::uint64_t number = 0; number < 150; ++number) {
       Laws laws;
       laws.model = dice.chance(0.5) ? RockModel::lumped_mass : RockModel::rigid_sphere;

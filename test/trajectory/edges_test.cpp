@@ -251,7 +251,7 @@ TEST(NothingFallsThrough, InASectionOfOnePlane) {
 
 /// A floor at height 0 in four facets about the vertex (0, 0), of which the one to the right ends along x = 0: beyond
 /// it is nothing, or what falls away.
-TEST(LeftPlanes, AreMetWhereTheyGoOn) {
+TEST(SupportPlanes, AreMetWhereTheyGoOn) {
   const Shape shape = net(
       2, 2, [](std::uint32_t i, std::uint32_t j) { return Vec3(5.0 * i - 5, 5.0 * j - 5, 0); },
       [](std::uint32_t, std::uint32_t) { return true; });
@@ -262,7 +262,7 @@ TEST(LeftPlanes, AreMetWhereTheyGoOn) {
     const auto contact_of = [&](const auto& surface, const Vec3& place, const Vec3& velocity, double rise) {
       const Vec3 start = place + Vec3(0, 0, radius);
       const auto was_on = surface.ground_below(place - 0.01 * Vec3(velocity.x(), velocity.y(), 0));
-      LeftPlanes left;
+      SupportPlanes left;
       left.add({0, 0, 1}, was_on->facet);
       return surface.first_contact({start, velocity + Vec3(0, 0, rise), gravity}, radius, 10, left);
     };

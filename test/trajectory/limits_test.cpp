@@ -33,11 +33,11 @@ TEST(Limits, EndRocksThatReboundBetweenBarriersForEver) {
             .mesh();
     const double skew = dice.chance(0.4) ? 0 : dice.between(-12, 12);
     std::vector<Barrier> barriers(dice.chance(0.5) ? 1 : 2);
-    barriers[0].stand(panels_over(mesh.draped({20 - skew, 0}, {20 + skew, 40}), dice.between(0.2, 3),
-                                  dice.chance(0.5) ? 0 : dice.between(-0.6, 0.6)));
+    barriers[0].set_panels(panels_over(mesh.draped({20 - skew, 0}, {20 + skew, 40}), dice.between(0.2, 3),
+                                       dice.chance(0.5) ? 0 : dice.between(-0.6, 0.6)));
     if (barriers.size() > 1)
-      barriers[1].stand(panels_over(mesh.draped({14, 40}, {14, 0}), dice.between(0.2, 3),
-                                    dice.chance(0.5) ? 0 : dice.between(-0.6, 0.6)));
+      barriers[1].set_panels(panels_over(mesh.draped({14, 40}, {14, 0}), dice.between(0.2, 3),
+                                         dice.chance(0.5) ? 0 : dice.between(-0.6, 0.6)));
     for (Barrier& barrier : barriers)
       barrier.restitution = Restitution{dice.chance(0.3)   ? 0
                                         : dice.chance(0.3) ? 1

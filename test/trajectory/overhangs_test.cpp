@@ -53,7 +53,7 @@ void expect_heights_as_sampled(const Surface& surface, Dice& dice, double y) {
     const auto contact = surface.first_contact(path, 0, 100);
     const double t_end = contact ? contact->t : surface.exit(path).t;
     const double sampled = greatest_by_sampling(surface, path, t_end);
-    const double found = surface.greatest_height(path, t_end, 0);
+    const double found = surface.max_height(path, t_end, 0);
     ASSERT_GE(found, sampled - 1e-6) << text(path.p) << text(path.v);
     // Between two samples the rock and steep ground go up to 0.2 ms apart, at less than 100 m/s.
     ASSERT_LE(found, sampled + 0.02) << text(path.p) << text(path.v);
@@ -88,14 +88,14 @@ void expect_floor_hidden_over_a_shared_edge(const Surface& surface, double y) {
       const Parabola from{over_the_edge, {vx, 0, 5}, gravity};
       const double t_end = 1e-3;
       const double sampled = greatest_by_sampling(surface, from, t_end);
-      EXPECT_NEAR(surface.greatest_height(from, t_end, 0), sampled, 1e-4) << height << ' ' << vx;
+      EXPECT_NEAR(surface.max_height(from, t_end, 0), sampled, 1e-4) << height << ' ' << vx;
       // The same way back ends there.
       const Parabola back{from.at(t_end), -from.velocity(t_end), gravity};
-      EXPECT_NEAR(surface.greatest_height(back, t_end, 0), sampled, 1e-4) << height << ' ' << vx;
+      EXPECT_NEAR(surface.max_height(back, t_end, 0), sampled, 1e-4) << height << ' ' << vx;
     }
     for (const double t_end : {0.0, 1e-12, 1e-9}) {
       const Parabola path{over_the_edge, {3, 0, 2}, gravity};
-      EXPECT_NEAR(surface.greatest_height(path, t_end, 0), height, 1e-7) << height << ' ' << t_end;
+      EXPECT_NEAR(surface.max_height(path, t_end, 0), height, 1e-7) << height << ' ' << t_end;
     }
   }
 }
@@ -110,7 +110,7 @@ TEST(Overhang, AFloorThatBendsUnderTheRoofsBendIsHiddenThere) {
 TEST(Overhang, TheFootOfAVerticalFaceIsUnderTheRockAtOnce) {
   const Profile cliff(std::vector<Vec2>{{0, 10}, {5, 10}, {5, 0}, {40, 0}});
   const Parabola path{{1, 0, 11}, {10, 0, 0}, gravity};
-  EXPECT_NEAR(cliff.greatest_height(path, 1, 0), 11 - 0.5 * standard_gravity * 0.4 * 0.4, 1e-12);
+  EXPECT_NEAR(cliff.max_height(path, 1, 0), 11 - 0.5 * standard_gravity * 0.4 * 0.4, 1e-12);
 }
 
 // ---- the way out ----

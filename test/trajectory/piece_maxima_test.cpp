@@ -53,7 +53,7 @@ TEST(PieceMaxima, TheEnergyOfARollingSphereIsThatAtTheEndOfItsLegs) {
   for (const PathPiece& piece : path.log.pieces) {
     if (!piece.on_ground) continue;
     const double fallen = release.motion.position.z() - piece.path.z(piece.duration);
-    const double energy = greatest_motion(piece, release.rock, 0, piece.duration).energy_total;
+    const double energy = max_motion(piece, release.rock, 0, piece.duration).energy_total;
     const double expected = release.rock.mass * standard_gravity * fallen;
     ASSERT_NEAR(energy, expected, 1e-9 * expected + 1e-9);  // rounding, of a sum over some hundred legs
     ++legs;
@@ -78,8 +78,7 @@ TEST(PieceMaxima, ASlideHasTheSpeedWithWhichItBegins) {
   std::size_t glides = 0;
   for (const PathPiece& piece : every_piece(path.log)) {
     if (!piece.on_ground) continue;
-    greatest =
-        std::max(greatest, greatest_motion(piece, sphere_of_mass(1000, 2700), 0, piece.duration).squared_velocity);
+    greatest = std::max(greatest, max_motion(piece, sphere_of_mass(1000, 2700), 0, piece.duration).squared_velocity);
     ++glides;
   }
   ASSERT_GT(glides, 3U);
@@ -91,13 +90,13 @@ template <class Surface>
 void expect_agreement(const Surface& surface, const Followed& path, const Rock& rock, bool is_sphere, Dice& dice) {
   double energy = 0, height = 0, energy_in_parts = 0, height_in_parts = 0;
   for (const PathPiece& piece : every_piece(path.log)) {
-    energy = std::max(energy, greatest_motion(piece, rock, 0, piece.duration).energy_total);
-    height = greatest_height(surface, piece, is_sphere, 0, piece.duration, height);
+    energy = std::max(energy, max_motion(piece, rock, 0, piece.duration).energy_total);
+    height = max_height(surface, piece, is_sphere, 0, piece.duration, height);
     double from = 0;
     for (int part = 0; part < 4; ++part) {
       const double to = part == 3 ? piece.duration : dice.between(from, piece.duration);
-      energy_in_parts = std::max(energy_in_parts, greatest_motion(piece, rock, from, to).energy_total);
-      height_in_parts = greatest_height(surface, piece, is_sphere, from, to, height_in_parts);
+      energy_in_parts = std::max(energy_in_parts, max_motion(piece, rock, from, to).energy_total);
+      height_in_parts = max_height(surface, piece, is_sphere, from, to, height_in_parts);
       from = to;
     }
   }
@@ -178,9 +177,9 @@ TEST(PieceMaxima, HeightsOfPartsAreThoseOfEachAlone) {
     for (std::size_t k = dice.below(20); k > 0; --k) borders.push_back(piece.duration * dice.unit());
     std::sort(borders.begin(), borders.end());
     std::vector<double> heights(borders.size() - 1, -1);
-    greatest_heights(surface, piece, false, borders, heights);
+    max_heights(surface, piece, false, borders, heights);
     for (std::size_t k = 0; k < heights.size(); ++k) {
-      const double alone = greatest_height_of_flight(surface, piece.path, borders[k], borders[k + 1], 0);
+      const double alone = max_height_of_flight(surface, piece.path, borders[k], borders[k + 1], 0);
       ASSERT_NEAR(heights[k], alone, 1e-9) << trial << ": part " << k;
     }
   }
@@ -203,8 +202,8 @@ TEST(PieceMaxima, OfALegOverOneFacetAreThoseOfTheSurface) {
       const double known = dice.chance(0.5) ? 0 : dice.between(0, 2);
       const double from = dice.between(0, 0.5), to = dice.between(0.5, 1);
       over_one += height_over(outline, leg.at(from)) && height_over(outline, leg.at(to)) ? 1 : 0;
-      const double found = greatest_height_of_leg(surface, outline, leg, 1, from, to, known);
-      const double expected = surface.greatest_height({leg.at(from), leg.v, Vec3::Zero()}, to - from, known);
+      const double found = max_height_of_leg(surface, outline, leg, 1, from, to, known);
+      const double expected = surface.max_height({leg.at(from), leg.v, Vec3::Zero()}, to - from, known);
       ASSERT_NEAR(found, expected, 1e-9) << trial;
     }
   };
@@ -225,7 +224,7 @@ TEST(PieceMaxima, OfALegAboveARoofAreMeasuredFromTheRoof) {
   const Parabola leg{{4.5, 5, 4}, {1, 0, 0}, Vec3::Zero()};
   const auto floor = mesh.ground_below({1, 1, 1});
   ASSERT_TRUE(floor);
-  EXPECT_NEAR(greatest_height_of_leg(mesh, mesh.outline(floor->facet), leg, 1, 0, 1, 0), 2.5, 1e-9);
+  EXPECT_NEAR(max_height_of_leg(mesh, mesh.outline(floor->facet), leg, 1, 0, 1, 0), 2.5, 1e-9);
 }
 
 }  // namespace

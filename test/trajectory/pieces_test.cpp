@@ -39,7 +39,7 @@ Barrier fence(const TriangleMesh& surface) {
   barrier.name = "Fence";
   barrier.capacity = 50e3;
   barrier.restitution = Restitution{0.4, 0.8};
-  barrier.stand(panels_over(surface.draped({40, 0}, {40, 60}), 1.5, 0));
+  barrier.set_panels(panels_over(surface.draped({40, 0}, {40, 60}), 1.5, 0));
   return barrier;
 }
 

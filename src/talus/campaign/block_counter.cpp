@@ -32,7 +32,8 @@ std::optional<RockRange> BlockCounter::take(std::size_t rank) {
   if (asking.waiting >= blocks_that_wait * asking.most) return std::nullopt;
   // Of what is left, a half is divided among all blocks that may be under way.
   const std::uint64_t share = left_.count() / (2 * most_under_way_);
-  const std::uint64_t count = std::min({left_.count(), std::clamp(share, least_rocks, rocks_a_block), size_.next()});
+  const std::uint64_t count =
+      std::min({left_.count(), std::clamp(share, least_rocks, max_rocks_per_block), size_.next()});
   const RockRange block{left_.first, left_.first + count};
   left_.first = block.last;
   ++asking.has;

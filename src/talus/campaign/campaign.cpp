@@ -105,7 +105,7 @@ CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> obse
   BlockSize size(outcome.threads);
   std::mutex size_mutex;
   flow.next = [&]() -> std::optional<RockRange> {
-    if (is_asked(options.stop) || next == range.last) return std::nullopt;
+    if (is_requested(options.stop) || next == range.last) return std::nullopt;
     const std::lock_guard lock(size_mutex);
     const std::uint64_t first = next;
     next = std::min(range.last, next + std::min(size.next(), range.last - next));

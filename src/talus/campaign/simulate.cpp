@@ -90,7 +90,7 @@ class Party {
   std::uint64_t follow(const SimulationOrder& order) {
     next_ = seen_ = order.rocks.first;
     while (seen_ < order.rocks.last && !was_stopped_) {
-      if (order.stop != nullptr && order.stop->is_asked()) break;
+      if (order.stop != nullptr && order.stop->is_requested()) break;
       if (!lanes_.is_full() && may_go_on_ > 0) {
         go_on(order, ready_[--may_go_on_]);
       } else if (!lanes_.is_full() && next_ < order.rocks.last && next_ - seen_ < walkers_.size()) {

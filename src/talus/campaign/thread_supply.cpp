@@ -51,6 +51,6 @@ void take_threads(int wanted) {
   limit_threads(supply.threads);
 }
 
-void take_threads_that_there_are() { limit_threads(try_threads(0).threads); }
+void take_available_threads() { limit_threads(try_threads(0).threads); }
 
 }  // namespace talus

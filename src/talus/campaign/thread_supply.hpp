@@ -21,6 +21,6 @@ void limit_threads(int most);
 void take_threads(int wanted);
 
 /// Makes do with what there is, up to a thread a core.
-void take_threads_that_there_are();
+void take_available_threads();
 
 }  // namespace talus

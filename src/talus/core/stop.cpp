@@ -36,15 +36,15 @@ StopScope::~StopScope() { innermost = before_; }
 
 const StopScope* StopScope::current() { return innermost; }
 
-bool StopScope::is_asked() const {
+bool StopScope::is_requested() const {
   for (const StopScope* scope = this; scope != nullptr; scope = scope->around_) {
-    if (talus::is_asked(scope->stop_) || (scope->limit_ != nullptr && scope->limit_->is_over())) return true;
+    if (talus::is_requested(scope->stop_) || (scope->limit_ != nullptr && scope->limit_->is_over())) return true;
   }
   return false;
 }
 
 void stop_point() {
-  if (innermost != nullptr && innermost->is_asked()) throw Stopped{};
+  if (innermost != nullptr && innermost->is_requested()) throw Stopped{};
 }
 
 }  // namespace talus

@@ -12,7 +12,7 @@ namespace talus {
 struct Stopped {};
 
 /// Null: nobody can ask.
-[[nodiscard]] inline bool is_asked(const std::atomic<bool>* stop) {
+[[nodiscard]] inline bool is_requested(const std::atomic<bool>* stop) {
   return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
 
@@ -43,7 +43,7 @@ class StopScope {
 
   /// The innermost of this thread; null: none.
   [[nodiscard]] static const StopScope* current();
-  [[nodiscard]] bool is_asked() const;
+  [[nodiscard]] bool is_requested() const;
 
  private:
   const std::atomic<bool>* stop_ = nullptr;

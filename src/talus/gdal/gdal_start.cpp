@@ -37,7 +37,7 @@ CPLHTTPResult* no_network(const char*, CSLConstList, GDALProgressFunc, void*, CP
 }
 
 /// A view in a GeoPackage may run forever: queries end when their thread is asked to stop.
-int must_end(void*) { return StopScope::current() != nullptr && StopScope::current()->is_asked() ? 1 : 0; }
+int must_end(void*) { return StopScope::current() != nullptr && StopScope::current()->is_requested() ? 1 : 0; }
 
 int make_stoppable(sqlite3* database, const char**, const sqlite3_api_routines*) {
   constexpr int interval = 10'000;  // steps of SQLite's virtual machine: less than a millisecond

@@ -171,7 +171,7 @@ class Scratch {
     std::filesystem::remove(part, ignored);
     messages.clear();
     const auto continues = [](double, const char*, void*) -> int {
-      return StopScope::current() == nullptr || !StopScope::current()->is_asked() ? TRUE : FALSE;
+      return StopScope::current() == nullptr || !StopScope::current()->is_requested() ? TRUE : FALSE;
     };
     const bool is_made =
         GDALDatasetUniquePtr(

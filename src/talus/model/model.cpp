@@ -147,7 +147,7 @@ class Builder {
       barrier.restitution = Restitution{*b.normal_restitution, *b.tangential_restitution};
     }
     const Foot foot = foot_of(b);
-    barrier.stand(panels_along(foot, b.height_m, b.inclination_deg * radians));
+    barrier.set_panels(panels_along(foot, b.height_m, b.inclination_deg * radians));
     constexpr double shortest = 1e-5;  // [m]
     if (foot.given > 0 && foot.given < shortest) {
       report(b.source_line, name_in_messages(b), fmt::format("its line is {:.3g} m long", foot.given),

@@ -113,7 +113,7 @@ class MapObserver::Part : public ObserverPart {
     note(visit, piece, rock, 0, piece.duration, height);
   }
   void note(MapVisit& visit, const PathPiece& piece, const Rock& rock, double enter, double leave, double height) {
-    const GreatestMotion motion = greatest_motion(piece, rock, enter, leave);
+    const MaxMotion motion = max_motion(piece, rock, enter, leave);
     raise(greatest_of(visit, MapQuantity::velocity), std::sqrt(motion.squared_velocity));
     raise(greatest_of(visit, MapQuantity::energy_translational), motion.energy_translational);
     raise(greatest_of(visit, MapQuantity::energy_total), motion.energy_total);

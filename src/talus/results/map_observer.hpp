@@ -23,7 +23,7 @@ template <class Surface>
 [[nodiscard]] GreatestHeights greatest_height_over(const Surface& surface, RockModel model) {
   return [&surface, is_sphere = model == RockModel::rigid_sphere](
              const PathPiece& piece, std::span<const double> borders, std::span<double> heights) {
-    greatest_heights(surface, piece, is_sphere, borders, heights);
+    max_heights(surface, piece, is_sphere, borders, heights);
   };
 }
 

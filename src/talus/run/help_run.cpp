@@ -72,7 +72,7 @@ class Helper {
       } else {
         std::this_thread::sleep_for(naps_.next(ranks_));
       }
-      if (!has_said_stop_ && is_asked(stop_)) {
+      if (!has_said_stop_ && is_requested(stop_)) {
         ranks_.send(rank_0, message_of(MessageKind::stop));
         has_said_stop_ = true;
       }

@@ -176,7 +176,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     remove_finished_summary(folder);
     tables.finish();
     RunResult result{outcome, sums.summary(), {}, begun.range, begun.rocks().count()};
-    const bool was_asked = is_asked(options.campaign.stop);
+    const bool was_asked = is_requested(options.campaign.stop);
     const TimeLimit limit{std::chrono::duration<double>(options.closing_seconds)};
     try {
       const StopScope closing(was_asked ? nullptr : options.campaign.stop, was_asked ? &limit : nullptr);

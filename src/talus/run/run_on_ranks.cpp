@@ -75,7 +75,7 @@ class Coordinator {
       }
       write_in_order();
       if (all_sums_.lacking_memory()) throw std::bad_alloc();
-      if (!is_stopping_ && (is_asked_to_stop_ || is_asked(options_.campaign.stop))) stop();
+      if (!is_stopping_ && (is_asked_to_stop_ || is_requested(options_.campaign.stop))) stop();
       if (is_stopping_) {
         if (!worker_.has_ended() || helpers_at_work_ > 0) continue;
         gather();

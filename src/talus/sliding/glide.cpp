@@ -119,7 +119,7 @@ auto GlideLanes::run_until_one_ends(const StopScope* stop) -> LaneSet {
   do {
     staying = step_all();
     note_step(staying & traced_);
-  } while (staying == occupied_ && (++steps % often != 0 || stop == nullptr || !stop->is_asked()));
+  } while (staying == occupied_ && (++steps % often != 0 || stop == nullptr || !stop->is_requested()));
   return occupied_ & ~staying;
 }
 

@@ -32,7 +32,7 @@ struct Contact {
 /// In flight it is what the rock has come to the end of. As long as it has not risen from the plane, it cannot meet the
 /// facet that it was on. Another facet of the plane it meets if it is over it when it has sunk in a trace, which is
 /// `touching_plane`: there the plane goes on.
-struct LeftPlanes {
+struct SupportPlanes {
   std::array<Vec3, 2> normal;
   std::array<FacetId, 2> facet;  // that it was on
   int count = 0;
@@ -41,9 +41,9 @@ struct LeftPlanes {
   bool has_pivot = false;
   Vec3 pivot = Vec3::Zero(), axis = Vec3::Zero();
 
-  LeftPlanes() = default;
-  explicit LeftPlanes(const Vec3& n) : normal{n, n}, count(1) {}
-  LeftPlanes(const Vec3& first, const Vec3& second) : normal{first, second}, count(2) {}
+  SupportPlanes() = default;
+  explicit SupportPlanes(const Vec3& n) : normal{n, n}, count(1) {}
+  SupportPlanes(const Vec3& first, const Vec3& second) : normal{first, second}, count(2) {}
   void turn_about(const Vec3& point, const Vec3& edge) {
     has_pivot = true;
     pivot = point;

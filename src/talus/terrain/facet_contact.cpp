@@ -2,7 +2,7 @@
 
 namespace talus {
 
-void meet_point(const Parabola& path, const Triangle& corner, FacetName name, const LeftPlanes& left,
+void meet_point(const Parabola& path, const Triangle& corner, FacetName name, const SupportPlanes& left,
                 ContactCandidate& best) {
   const Vec3 first = corner[1] - corner[0], last = corner[2] - corner[0];
   // The normal is not made a unit vector before that is needed: times do not depend on its length.

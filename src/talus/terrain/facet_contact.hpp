@@ -49,7 +49,7 @@ struct FacetName {
 };
 
 /// Lets a point meet the triangle; `best` becomes the contact if that is earlier.
-void meet_point(const Parabola& path, const Triangle& corner, FacetName name, const LeftPlanes& left,
+void meet_point(const Parabola& path, const Triangle& corner, FacetName name, const SupportPlanes& left,
                 ContactCandidate& best);
 
 /// Whether a sphere rolls (along a leg) or flies. A leg's own plane is no contact ahead.
@@ -60,7 +60,7 @@ enum class SpherePath { flight, leg };
 /// with t < 0, to save the work, then for a contact at t.
 template <class Sharp>
 void meet_sphere(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
-                 FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best);
+                 FacetName name, const SupportPlanes& left, Sharp&& sharp, ContactCandidate& best);
 
 /// The point of a triangle that is nearest to `p`.
 [[nodiscard]] Vec3 closest_point(const Triangle& corner, const Vec3& p);
@@ -97,7 +97,7 @@ struct SphereOverFacet {
 
 /// Lets a sphere meet the triangle's face, and neither its sides nor its corners.
 inline void meet_face(const Parabola& path, double radius, const Triangle& corner, const SphereOverFacet& over,
-                      FacetName name, const LeftPlanes& left, ContactCandidate& best) {
+                      FacetName name, const SupportPlanes& left, ContactCandidate& best) {
   // A sphere that is in the facet already (its centre still above it) is not let any deeper.
   const auto t = falling_root(over.h0, over.vn, over.an, radius);
   if (!t || !best.beaten_by(*t, Feature::facet, name.source)) return;
@@ -129,7 +129,7 @@ inline void meet_face(const Parabola& path, double radius, const Triangle& corne
 /// Lets a sphere meet the triangle's sides and corners.
 template <class Sharp>
 void meet_sides(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
-                FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best) {
+                FacetName name, const SupportPlanes& left, Sharp&& sharp, ContactCandidate& best) {
   const auto offer = [&](double t, const Vec3& away, Feature feature, std::size_t what) {
     const Vec3 out = away.normalized();
     // A rock that rolls on a plane touches that plane's own edges from above, which is not a new contact.
@@ -156,7 +156,7 @@ void meet_sides(const Parabola& path, SpherePath kind, double radius, const Time
 
 template <class Sharp>
 void meet_sphere(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
-                 FacetName name, const LeftPlanes& left, Sharp&& sharp, ContactCandidate& best) {
+                 FacetName name, const SupportPlanes& left, Sharp&& sharp, ContactCandidate& best) {
   const SphereOverFacet over(path, radius, corner);
   // What it rolls on carries it: at its face, and so at its sides and corners, there is nothing ahead.
   if (kind == SpherePath::leg && std::abs(over.h0) <= tolerance::touching_plane && left.contain(over.n, same_plane)) {

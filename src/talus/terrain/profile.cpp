@@ -100,7 +100,7 @@ void Profile::visit_near(const Parabola& path, double pad, double& t_max, Visit&
   });
 }
 
-void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t k, const LeftPlanes& left,
+void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t k, const SupportPlanes& left,
                    Candidate& best) const {
   const Segment& segment = segments_[k];
   const Vec3& n = segment.normal;
@@ -140,7 +140,7 @@ void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t
 }
 
 std::optional<Contact> Profile::first_contact(const Parabola& path, double radius, double t_max,
-                                              const LeftPlanes& left) const {
+                                              const SupportPlanes& left) const {
   Candidate best{t_max};
   visit_near(path, radius + widest_slack, best.t,
              [&](std::uint32_t k) { meet(path, Path::flight, radius, k, left, best); });
@@ -148,7 +148,7 @@ std::optional<Contact> Profile::first_contact(const Parabola& path, double radiu
 }
 
 std::optional<Contact> Profile::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
-                                                     const LeftPlanes& on) const {
+                                                     const SupportPlanes& on) const {
   Candidate best{t_max};
   visit_near(leg, radius + widest_slack, best.t, [&](std::uint32_t k) { meet(leg, Path::leg, radius, k, on, best); });
   return best.contact();
@@ -182,7 +182,7 @@ std::optional<OverPlane> Profile::over_segment(const Segment& segment, const Par
                    path.v.z() - slope * path.v.x()};
 }
 
-double Profile::greatest_height(const Parabola& path, double t_end, double known) const {
+double Profile::max_height(const Parabola& path, double t_end, double known) const {
   const auto look = [&](std::uint32_t k) {
     const auto over = over_segment(segments_[k], path, t_end);
     if (!over) return;

@@ -30,11 +30,11 @@ class Profile {
   // What TerrainSurface says (surface.hpp); here a sphere is a disc in the plane y = 0, whose contacts are the
   // sphere's.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
-                                                     const LeftPlanes& left = {}) const;
+                                                     const SupportPlanes& left = {}) const;
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
-                                                            const LeftPlanes& on) const;
+                                                            const SupportPlanes& on) const;
   [[nodiscard]] Exit exit(const Parabola& path) const;
-  [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
+  [[nodiscard]] double max_height(const Parabola& path, double t_end, double known) const;
   [[nodiscard]] std::optional<double> elevation(double x, double y = 0,
                                                 double below = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] bool has_ground_below(const Vec3& place, FacetId near) const;
@@ -69,7 +69,7 @@ class Profile {
   template <class Visit>
   void visit_near(const Parabola& path, double pad, double& t_max, Visit&& visit) const;
   enum class Path { flight, leg };
-  void meet(const Parabola& path, Path kind, double radius, std::uint32_t k, const LeftPlanes& left,
+  void meet(const Parabola& path, Path kind, double radius, std::uint32_t k, const SupportPlanes& left,
             Candidate& best) const;
 
   std::vector<Segment> segments_;

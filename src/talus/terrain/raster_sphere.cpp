@@ -23,7 +23,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 class RasterSurface::SphereSearch {
  public:
   SphereSearch(const RasterSurface& surface, const Parabola& path, SpherePath kind, double radius, double t_max,
-               const LeftPlanes& left)
+               const SupportPlanes& left)
       : surface_(surface),
         grid_(surface.grid_),
         path_(path),
@@ -37,7 +37,7 @@ class RasterSurface::SphereSearch {
   /// Of the parts so far.
   [[nodiscard]] const ContactCandidate& best() const { return best_; }
   /// The centre is nowhere further above the ground [m].
-  [[nodiscard]] double greatest_height() const { return greatest_height_; }
+  [[nodiscard]] double max_height() const { return greatest_height_; }
 
   /// Where the first part begins.
   void start_at(double t) {
@@ -439,7 +439,7 @@ class RasterSurface::SphereSearch {
   const Parabola& path_;
   const SpherePath kind_;
   const double radius_;
-  const LeftPlanes& left_;
+  const SupportPlanes& left_;
   const double u_scale_, v_scale_;  // cells a metre
   ContactCandidate best_;
   double greatest_height_ = 0;
@@ -481,7 +481,7 @@ bool RasterSurface::is_sharp_vertex(const Vec3& vertex) const {
   return sharp;
 }
 
-auto RasterSurface::flight_of_sphere(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
+auto RasterSurface::flight_of_sphere(const Parabola& path, double radius, double t_max, const SupportPlanes& left,
                                      double known) const -> Flight {
   // The centre may be beside the terrain.
   const auto across = static_cast<std::int64_t>(std::ceil((radius + box_pad) / grid_.dx));
@@ -505,12 +505,12 @@ auto RasterSurface::flight_of_sphere(const Parabola& path, double radius, double
     search.look_until(at.leave());
   }
   const auto contact = search.best().contact();
-  if (contact && search.greatest_height() > known) known = greatest_height(path, contact->t, known);
+  if (contact && search.max_height() > known) known = max_height(path, contact->t, known);
   return {contact, known};
 }
 
 std::optional<Contact> RasterSurface::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
-                                                           const LeftPlanes& on) const {
+                                                           const SupportPlanes& on) const {
   SphereSearch search(*this, leg, SpherePath::leg, radius, t_max, on);
   search.start_at(0);
   search.look_until(t_max);

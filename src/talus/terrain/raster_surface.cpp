@@ -139,14 +139,14 @@ Outline RasterSurface::outline(FacetId facet) const {
 // ---- contacts ----
 
 std::optional<Contact> RasterSurface::first_contact(const Parabola& path, double radius, double t_max,
-                                                    const LeftPlanes& left) const {
+                                                    const SupportPlanes& left) const {
   return flight(path, radius, t_max, left, infinite).contact;
 }
 
 // Over a facet the height of a flight is a concave function of time: a point that is above it where it comes over it
 // and where it goes is above it in between. So heights over the crossed borders and diagonals tell which facets are to
 // be asked, and hardly any is.
-auto RasterSurface::flight_of_point(const Parabola& path, double t_max, const LeftPlanes& left, double known) const
+auto RasterSurface::flight_of_point(const Parabola& path, double t_max, const SupportPlanes& left, double known) const
     -> Flight {
   ContactCandidate best{t_max};
   GridWalk at = walk(path, t_max);
@@ -196,7 +196,7 @@ auto RasterSurface::heights_over_lines(const Parabola& path, const GridWalk& at)
 }
 
 /// Asks the facets of a cell that a flight may touch while it is over it.
-void RasterSurface::meet_in_cell(const Parabola& path, const GridWalk& at, const LeftPlanes& left,
+void RasterSurface::meet_in_cell(const Parabola& path, const GridWalk& at, const SupportPlanes& left,
                                  ContactCandidate& best) const {
   const Cell here = cell_at(at.node());
   if (!here.has_data()) return;
@@ -318,7 +318,7 @@ std::optional<double> RasterSurface::ground_over(const Vec3& place) const {
   return z && *z > place.z() + contact_slack ? z : std::nullopt;
 }
 
-double RasterSurface::greatest_height(const Parabola& path, double t_end, double known) const {
+double RasterSurface::max_height(const Parabola& path, double t_end, double known) const {
   const Top top = top_of(path);
   GridWalk at = walk(path, t_end);
   double z0 = at.is_over() ? 0 : path.z(at.enter());
@@ -331,8 +331,8 @@ double RasterSurface::greatest_height(const Parabola& path, double t_end, double
   return known;
 }
 
-void RasterSurface::greatest_heights(const Parabola& path, std::span<const double> borders,
-                                     std::span<double> heights) const {
+void RasterSurface::max_heights(const Parabola& path, std::span<const double> borders,
+                                std::span<double> heights) const {
   std::fill(heights.begin(), heights.end(), 0);
   std::size_t k = 0;
   for (GridWalk at = walk(path, borders.back()); !at.is_over(); at.advance()) {

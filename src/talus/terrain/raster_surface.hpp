@@ -42,23 +42,23 @@ class RasterSurface {
 
   // What TerrainSurface says (surface.hpp), and what a walk over the grid finds on its way.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
-                                                     const LeftPlanes& left = {}) const;
+                                                     const SupportPlanes& left = {}) const;
   /// The first contact, and where there is one, how high above the ground the centre is until then at the most, if that
   /// is more than `known` [m].
   struct Flight {
     std::optional<Contact> contact;
-    double greatest_height;
+    double max_height;
   };
-  [[nodiscard]] Flight flight(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
+  [[nodiscard]] Flight flight(const Parabola& path, double radius, double t_max, const SupportPlanes& left,
                               double known) const {
     return radius > 0 ? flight_of_sphere(path, radius, t_max, left, known) : flight_of_point(path, t_max, left, known);
   }
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
-                                                            const LeftPlanes& on) const;
+                                                            const SupportPlanes& on) const;
   [[nodiscard]] Exit exit(const Parabola& path) const;
-  [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
+  [[nodiscard]] double max_height(const Parabola& path, double t_end, double known) const;
   /// The same of each part of a flight between two of `borders`, which ascend: 0 where there is no ground below.
-  void greatest_heights(const Parabola& path, std::span<const double> borders, std::span<double> heights) const;
+  void max_heights(const Parabola& path, std::span<const double> borders, std::span<double> heights) const;
   [[nodiscard]] std::optional<double> elevation(double x, double y,
                                                 double below = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] bool has_ground_below(const Vec3& place, FacetId) const {
@@ -154,8 +154,9 @@ class RasterSurface {
   class SphereSearch;
   [[nodiscard]] bool is_sharp_edge(FacetId facet, std::size_t side) const;
   [[nodiscard]] bool is_sharp_vertex(const Vec3& vertex) const;
-  [[nodiscard]] Flight flight_of_point(const Parabola& path, double t_max, const LeftPlanes& left, double known) const;
-  [[nodiscard]] Flight flight_of_sphere(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
+  [[nodiscard]] Flight flight_of_point(const Parabola& path, double t_max, const SupportPlanes& left,
+                                       double known) const;
+  [[nodiscard]] Flight flight_of_sphere(const Parabola& path, double radius, double t_max, const SupportPlanes& left,
                                         double known) const;
   template <class Visit>
   void visit_cells(const Cells& cells, Visit&& visit) const;
@@ -165,7 +166,7 @@ class RasterSurface {
     double leaving, over_diagonal;
   };
   [[nodiscard]] HeightsOverLines heights_over_lines(const Parabola& path, const GridWalk& at) const;
-  void meet_in_cell(const Parabola& path, const GridWalk& at, const LeftPlanes& left, ContactCandidate& best) const;
+  void meet_in_cell(const Parabola& path, const GridWalk& at, const SupportPlanes& left, ContactCandidate& best) const;
   [[nodiscard]] double greatest_height_in_cell(const Parabola& path, const GridWalk& at, double from, double to,
                                                double known) const;
   [[nodiscard]] std::optional<double> height_in_cell(double x, double y, std::int64_t column, std::int64_t row) const;

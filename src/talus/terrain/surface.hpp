@@ -13,7 +13,7 @@ namespace talus {
 
 template <class Ground>
 concept TerrainSurface = requires(const Ground& ground, const Parabola& path, double number, FacetId facet,
-                                  const LeftPlanes& planes, const Vec3& place,
+                                  const SupportPlanes& planes, const Vec3& place,
                                   void (*touch)(const Vec3& normal, const Vec3& middle, double distance, FacetId)) {
   /// first_contact(path, radius, t_max, left): the first time in [0, t_max] at which a sphere, flying, touches the
   /// ground while approaching it. `left` are planes that the rock has just slid off.
@@ -24,9 +24,9 @@ concept TerrainSurface = requires(const Ground& ground, const Parabola& path, do
   /// exit(path): where a flight that meets nothing leaves the model.
   { ground.exit(path) } -> std::same_as<Exit>;
 
-  /// greatest_height(path, t_end, known): the greatest height [m] of a flight over the ground below it in [0, t_end],
+  /// max_height(path, t_end, known): the greatest height [m] of a flight over the ground below it in [0, t_end],
   /// if that is above `known`; else `known`.
-  { ground.greatest_height(path, number, number) } -> std::same_as<double>;
+  { ground.max_height(path, number, number) } -> std::same_as<double>;
   /// elevation(x, y, below): the highest point of the ground at a place on plan that is not above `below`.
   { ground.elevation(number, number, number) } -> std::same_as<std::optional<double>>;
   /// The highest point of the ground below a place, or at it.

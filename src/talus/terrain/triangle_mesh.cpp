@@ -137,7 +137,7 @@ Outline TriangleMesh::outline(FacetId id) const {
 
 template <class EachFacet>
 std::optional<Contact> TriangleMesh::search_flight(const Parabola& path, double radius, double t_max,
-                                                   const LeftPlanes& left, EachFacet&& each_facet) const {
+                                                   const SupportPlanes& left, EachFacet&& each_facet) const {
   ContactCandidate best{t_max};
   const auto fetch_facets = [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t k = first; k < last; ++k) fetch_soon(facets_[k].corner);
@@ -174,7 +174,7 @@ std::optional<Contact> TriangleMesh::search_flight(const Parabola& path, double 
 }
 
 std::optional<Contact> TriangleMesh::first_contact(const Parabola& path, double radius, double t_max,
-                                                   const LeftPlanes& left) const {
+                                                   const SupportPlanes& left) const {
   return search_flight(path, radius, t_max, left, [] {});
 }
 
@@ -185,7 +185,7 @@ std::uint32_t TriangleMesh::facets_tested(const Parabola& path, double radius, d
 }
 
 std::optional<Contact> TriangleMesh::first_contact_on_leg(const Parabola& leg, double radius, double t_max,
-                                                          const LeftPlanes& on) const {
+                                                          const SupportPlanes& on) const {
   ContactCandidate best{t_max};
   const Box swept = swept_box(leg, t_max, radius + box_pad);
   bvh_.visit_box(swept.low, swept.high, [&](std::uint32_t first, std::uint32_t last) {
@@ -263,7 +263,7 @@ double TriangleMesh::greatest_in_sight(const Parabola& path, double flight, cons
   return height.greatest();
 }
 
-double TriangleMesh::greatest_height(const Parabola& path, double t_end, double known) const {
+double TriangleMesh::max_height(const Parabola& path, double t_end, double known) const {
   const double half_g = 0.5 * path.a.z();
   bvh_.visit_under(
       path, t_end, [&] { return known; },

@@ -36,13 +36,13 @@ class TriangleMesh {
 
   // What TerrainSurface says (surface.hpp).
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
-                                                     const LeftPlanes& left = {}) const;
+                                                     const SupportPlanes& left = {}) const;
   /// How many facets this search looks at, for benchmarks.
   [[nodiscard]] std::uint32_t facets_tested(const Parabola& path, double radius, double t_max) const;
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
-                                                            const LeftPlanes& on) const;
+                                                            const SupportPlanes& on) const;
   [[nodiscard]] Exit exit(const Parabola& path) const;
-  [[nodiscard]] double greatest_height(const Parabola& path, double t_end, double known) const;
+  [[nodiscard]] double max_height(const Parabola& path, double t_end, double known) const;
   [[nodiscard]] std::optional<double> elevation(double x, double y,
                                                 double below = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] bool has_ground_below(const Vec3& place, FacetId near) const;
@@ -75,7 +75,7 @@ class TriangleMesh {
   }
 
   template <class EachFacet>
-  std::optional<Contact> search_flight(const Parabola& path, double radius, double t_max, const LeftPlanes& left,
+  std::optional<Contact> search_flight(const Parabola& path, double radius, double t_max, const SupportPlanes& left,
                                        EachFacet&& each_facet) const;
   void find_sharp_features(std::span<const Corners> triangles);
   /// Calls visit(flight over its plane, facet) for each facet that faces up and lies, on plan, under the path in [0,

@@ -13,16 +13,16 @@ struct FlightEnd {
   std::optional<Exit> exit;
   // How high above the ground the rock has been when it ends, in this flight or before [m]; known only where the search
   // for the contact came by it.
-  std::optional<double> greatest_height = {};
+  std::optional<double> max_height = {};
 };
 
 /// With a contact, or as long as asked.
 template <class Surface>
 [[nodiscard]] FlightEnd first_contact(const MovingRock<Surface>& rock, const Parabola& path, double t_max,
-                                      const LeftPlanes& left) {
+                                      const SupportPlanes& left) {
   if constexpr (requires { rock.surface.flight(path, rock.reach, t_max, left, 0.0); }) {
-    const auto [contact, greatest_height] = rock.surface.flight(path, rock.reach, t_max, left, rock.outcome.max_bounce);
-    if (contact) return {contact->t, contact, {}, greatest_height};
+    const auto [contact, max_height] = rock.surface.flight(path, rock.reach, t_max, left, rock.outcome.max_bounce);
+    if (contact) return {contact->t, contact, {}, max_height};
     return {t_max, {}, {}};
   } else {
     const auto contact = rock.surface.first_contact(path, rock.reach, t_max, left);
@@ -32,7 +32,7 @@ template <class Surface>
 
 template <class Surface>
 [[nodiscard]] FlightEnd end_of_flight(const MovingRock<Surface>& rock, const Parabola& path, double t_max,
-                                      const LeftPlanes& left) {
+                                      const SupportPlanes& left) {
   const FlightEnd end = first_contact(rock, path, t_max, left);
   if (end.contact) {
     // A sphere may touch the rim once more when its centre has left already.
@@ -69,15 +69,15 @@ template <class Surface>
     }
     retime();
     rock.log.flight(path, crossing->t, before, drag);
-    max_bounce = greatest_height_of_flight(rock.surface, path, 0, crossing->t, max_bounce);
+    max_bounce = max_height_of_flight(rock.surface, path, 0, crossing->t, max_bounce);
     if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
     rock.note_row(PathState::projectile);
     return Flying{};
   }
 
   retime();
-  max_bounce = flight_end.greatest_height ? *flight_end.greatest_height
-                                          : greatest_height_of_flight(rock.surface, path, 0, flight_end.t, max_bounce);
+  max_bounce = flight_end.max_height ? *flight_end.max_height
+                                     : max_height_of_flight(rock.surface, path, 0, flight_end.t, max_bounce);
   rock.log.flight(path, flight_end.t, motion, drag);
   rock.advance(path, drag, flight_end.t);
   if (flight_end.contact) return strike(rock, *flight_end.contact, state.hops());

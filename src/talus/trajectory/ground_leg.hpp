@@ -31,7 +31,7 @@ concept GroundState = requires(MovingRock<Surface>& rock, State& state, Leg& leg
   { rolling_plane(rock, state) } -> std::same_as<RollingPlane>;
   { ground_beneath(state, footing) } -> std::same_as<GroundBeneath>;
   /// What carries the rock is not ahead of it.
-  { carrying(rock, state) } -> std::same_as<LeftPlanes>;
+  { carrying(rock, state) } -> std::same_as<SupportPlanes>;
   /// The next leg goes along something else, too.
   { be_guided(state, Guide{}) } -> std::same_as<void>;
   /// What the rock touches for this leg only.
@@ -149,14 +149,14 @@ template <class Surface>
 /// Other ground ahead of a sphere, on a leg until `t`.
 template <class Surface, class State>
 [[nodiscard]] std::optional<Contact> ground_ahead(const MovingRock<Surface>& rock, const State&, const Parabola& leg,
-                                                  double t, const LeftPlanes& on) {
+                                                  double t, const SupportPlanes& on) {
   return rock.surface.first_contact_on_leg(leg, rock.reach, t, on);
 }
 
 /// What cuts a leg short: the facet's outline, other ground ahead of a sphere, the model's rim; in this order at ties.
 template <class Surface, class State>
 [[nodiscard]] LegEnd end_of_leg(MovingRock<Surface>& rock, State& state, const Leg& leg, double t,
-                                const LeftPlanes& on) {
+                                const SupportPlanes& on) {
   LegEnd end{t, outline_ahead(rock, state, leg.path, t), {}, {}};
   if (rock.reach > 0) {
     end.ahead = ground_ahead(rock, state, leg.path, t, on);
@@ -217,7 +217,7 @@ requires GroundState<State, Surface>
 
   Leg leg = next_leg(rock, state, footing);
   double t = std::min(leg.duration, rock.laws.max_time - motion.time);
-  const LeftPlanes on = carrying(rock, state);
+  const SupportPlanes on = carrying(rock, state);
   pass_beside(rock, state, leg, t);
   const LegEnd end = end_of_leg(rock, state, leg, t, on);
   const GroundBeneath beneath = ground_beneath(state, footing);

@@ -23,7 +23,7 @@ template <class Surface>
 inline void be_guided(const InValley&, const Guide&) {}
 
 template <class Surface>
-[[nodiscard]] LeftPlanes carrying(const MovingRock<Surface>&, const InValley& state) {
+[[nodiscard]] SupportPlanes carrying(const MovingRock<Surface>&, const InValley& state) {
   return {state.on.normal, state.other.normal};
 }
 
@@ -89,8 +89,8 @@ void stand_on(MovingRock<Surface>& rock, const InValley& state) {
 
 /// What the rock flies off.
 template <class Surface>
-[[nodiscard]] LeftPlanes left_behind(const MovingRock<Surface>& rock, const InValley& state) {
-  LeftPlanes left;
+[[nodiscard]] SupportPlanes left_behind(const MovingRock<Surface>& rock, const InValley& state) {
+  SupportPlanes left;
   if (state.is_on_facet) left.add(state.on.normal, state.on.facet);
   if (rock.is_facet(state.other)) left.add(state.other.normal, state.other.facet);
   return left;

@@ -187,7 +187,7 @@ class MovingRock {
   void note_leg(FacetId facet, const Parabola& leg, double t, const Motion& before, const Motion& arrived) {
     log.leg(leg, t, before, arrived, facet);
     if (reach == 0) return;
-    outcome.max_bounce = greatest_height_of_leg(surface, outline_of(facet), leg, t, 0, t, outcome.max_bounce);
+    outcome.max_bounce = max_height_of_leg(surface, outline_of(facet), leg, t, 0, t, outcome.max_bounce);
   }
 
  private:
@@ -203,7 +203,7 @@ class MovingRock {
 
 /// The ground falls away, or ends. The path shows the place: the rock arrives there and leaves in flight.
 template <class Surface>
-[[nodiscard]] RockState take_off(MovingRock<Surface>& rock, const LeftPlanes& left = {}) {
+[[nodiscard]] RockState take_off(MovingRock<Surface>& rock, const SupportPlanes& left = {}) {
   rock.arrive(PathState::impact);
   rock.note_row(PathState::projectile);
   return Flying{left};

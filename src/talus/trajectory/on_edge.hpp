@@ -35,8 +35,8 @@ template <class Surface>
 inline void be_guided(OnEdge& state, const Guide& guide) { state.beside = guide; }
 
 template <class Surface>
-[[nodiscard]] LeftPlanes carrying(MovingRock<Surface>& rock, const OnEdge& state) {
-  LeftPlanes on;
+[[nodiscard]] SupportPlanes carrying(MovingRock<Surface>& rock, const OnEdge& state) {
+  SupportPlanes on;
   if (const Vec3* const beside = normal_of(state.beside)) on = {state.on.normal, *beside};
   on.turn_about(rock.motion.position - rock.reach * state.on.normal, edge_under(rock, state.on));
   return on;

@@ -29,9 +29,9 @@ template <class Surface>
 inline void be_guided(OnFacet& state, const Guide& guide) { state.beside = guide; }
 
 template <class Surface>
-[[nodiscard]] LeftPlanes carrying(const MovingRock<Surface>&, const OnFacet& state) {
+[[nodiscard]] SupportPlanes carrying(const MovingRock<Surface>&, const OnFacet& state) {
   const Vec3* const beside = normal_of(state.beside);
-  return beside ? LeftPlanes{state.on.normal, *beside} : LeftPlanes(state.on.normal);
+  return beside ? SupportPlanes{state.on.normal, *beside} : SupportPlanes(state.on.normal);
 }
 
 template <class Surface>
@@ -90,7 +90,7 @@ template <class Surface>
 
 template <class Surface>
 [[nodiscard]] std::optional<Contact> ground_ahead(MovingRock<Surface>& rock, const OnFacet& state, const Parabola& leg,
-                                                  double t, const LeftPlanes& on) {
+                                                  double t, const SupportPlanes& on) {
   const double way = leg.v.norm() * t + 0.5 * leg.a.norm() * t * t;
   if (on.count == 1 && is_in_the_clear(rock, state.on, leg.p, way)) return std::nullopt;
   return rock.surface.first_contact_on_leg(leg, rock.reach, t, on);
@@ -104,8 +104,8 @@ void stand_on(MovingRock<Surface>& rock, const OnFacet& state) {
 }
 
 /// What the rock flies off. (The normal of an edge is none of a plane.)
-[[nodiscard]] inline LeftPlanes left_behind(const OnFacet& state) {
-  LeftPlanes left;
+[[nodiscard]] inline SupportPlanes left_behind(const OnFacet& state) {
+  SupportPlanes left;
   left.add(state.on.normal, state.on.facet);
   return left;
 }

@@ -18,7 +18,7 @@
 
 namespace talus {
 
-struct GreatestMotion {
+struct MaxMotion {
   double squared_velocity;      // [m2/s2]
   double energy_translational;  // [J]
   double energy_total;          // translational and rotational [J]
@@ -26,7 +26,7 @@ struct GreatestMotion {
 
 /// Of the piece's parameter from `from` to `to`. Velocity and spin are linear in it, so that all of these are convex
 /// and greatest at an end. Not of a glide: of its steps.
-[[nodiscard]] inline GreatestMotion greatest_motion(const PathPiece& piece, const Rock& rock, double from, double to) {
+[[nodiscard]] inline MaxMotion max_motion(const PathPiece& piece, const Rock& rock, double from, double to) {
   const double start = piece.velocity(from).squaredNorm(), end = piece.velocity(to).squaredNorm();
   const double greatest = std::max(start, end), half_mass = 0.5 * rock.mass, half_inertia = 0.5 * rock.inertia;
   if (!piece.on_ground) {
@@ -40,10 +40,10 @@ struct GreatestMotion {
 /// The greatest bounce height [m] of a flight from `from` to `to` of its parameter, if that is above `known`; else
 /// `known`.
 template <class Surface>
-[[nodiscard]] double greatest_height_of_flight(const Surface& surface, const Parabola& path, double from, double to,
-                                               double known) {
-  if (from == 0) return surface.greatest_height(path, to, known);
-  return surface.greatest_height({path.at(from), path.velocity(from), path.a}, to - from, known);
+[[nodiscard]] double max_height_of_flight(const Surface& surface, const Parabola& path, double from, double to,
+                                          double known) {
+  if (from == 0) return surface.max_height(path, to, known);
+  return surface.max_height({path.at(from), path.velocity(from), path.a}, to - from, known);
 }
 
 /// How high a place is vertically over a facet [m]; nothing where it is not over it on plan, or the facet does not face
@@ -62,8 +62,8 @@ template <class Surface>
 /// where no ground can lie above other ground, what is over one at both ends of a straight way is over nothing else on
 /// the way, and highest at an end.
 template <class Surface>
-[[nodiscard]] double greatest_height_of_leg(const Surface& surface, const Outline& facet, const Parabola& leg,
-                                            double duration, double from, double to, double known) {
+[[nodiscard]] double max_height_of_leg(const Surface& surface, const Outline& facet, const Parabola& leg,
+                                       double duration, double from, double to, double known) {
   const Vec3 chord = leg.at(duration) - leg.p;
   const double squared_length = chord.squaredNorm();
   const auto share = [&](double s) {
@@ -75,28 +75,28 @@ template <class Surface>
     const auto height = height_over(facet, start), then = height_over(facet, leg.p + last * chord);
     if (height && then) return std::max({known, *height, *then});
   }
-  return surface.greatest_height({start, chord, Vec3::Zero()}, last - first, known);
+  return surface.max_height({start, chord, Vec3::Zero()}, last - first, known);
 }
 
 /// The same of any piece but a glide, of a sphere or of a lumped mass.
 template <class Surface>
-[[nodiscard]] double greatest_height(const Surface& surface, const PathPiece& piece, bool is_sphere, double from,
-                                     double to, double known) {
-  if (!piece.on_ground) return greatest_height_of_flight(surface, piece.path, from, to, known);
+[[nodiscard]] double max_height(const Surface& surface, const PathPiece& piece, bool is_sphere, double from, double to,
+                                double known) {
+  if (!piece.on_ground) return max_height_of_flight(surface, piece.path, from, to, known);
   if (!is_sphere) return known;
-  return greatest_height_of_leg(surface, surface.outline(piece.facet), piece.path, piece.duration, from, to, known);
+  return max_height_of_leg(surface, surface.outline(piece.facet), piece.path, piece.duration, from, to, known);
 }
 
 /// The same of each part of a piece between two of `borders` of its parameter, which ascend; 0 at the least.
 template <class Surface>
-void greatest_heights(const Surface& surface, const PathPiece& piece, bool is_sphere, std::span<const double> borders,
-                      std::span<double> heights) {
+void max_heights(const Surface& surface, const PathPiece& piece, bool is_sphere, std::span<const double> borders,
+                 std::span<double> heights) {
   // Where the surface is walked along, it is walked along once.
-  if constexpr (requires { surface.greatest_heights(piece.path, borders, heights); }) {
-    if (!piece.on_ground) return surface.greatest_heights(piece.path, borders, heights);
+  if constexpr (requires { surface.max_heights(piece.path, borders, heights); }) {
+    if (!piece.on_ground) return surface.max_heights(piece.path, borders, heights);
   }
   for (std::size_t k = 0; k < heights.size(); ++k)
-    heights[k] = greatest_height(surface, piece, is_sphere, borders[k], borders[k + 1], 0);
+    heights[k] = max_height(surface, piece, is_sphere, borders[k], borders[k + 1], 0);
 }
 
 }  // namespace talus

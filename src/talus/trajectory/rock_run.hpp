@@ -8,7 +8,7 @@
 #include "talus/terrain/profile.hpp"
 #include "talus/terrain/raster_surface.hpp"
 #include "talus/terrain/triangle_mesh.hpp"
-#include "talus/trajectory/flying_among_trees.hpp"
+#include "talus/trajectory/flying_with_forests.hpp"
 #include "talus/trajectory/gliding.hpp"
 #include "talus/trajectory/in_valley.hpp"
 #include "talus/trajectory/on_edge.hpp"
@@ -127,7 +127,7 @@ auto RockRun<Surface>::go_on(const StopScope* stop) -> Pause {
   }
   constexpr unsigned often = 64;  // legs and flights between two looks: well below a millisecond
   for (unsigned passages = 1; !std::holds_alternative<Ended>(state_); ++passages) {
-    if (passages % often == 0 && stop != nullptr && stop->is_asked()) return Pause::stopped;
+    if (passages % often == 0 && stop != nullptr && stop->is_requested()) return Pause::stopped;
     if (begin_glide()) return Pause::glides;
     go_on_from_state();
   }

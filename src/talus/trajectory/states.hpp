@@ -15,7 +15,7 @@ namespace talus {
 
 /// In the air, from where the rock is (flying.hpp).
 struct Flying {
-  LeftPlanes left;  // what it has just slid or rolled off
+  SupportPlanes left;  // what it has just slid or rolled off
   /// Whether it slid until it flew: landing flat enough, it slides on without an impact.
   [[nodiscard]] bool hops() const { return left.count > 0; }
 };
