@@ -1,6 +1,6 @@
 #pragma once
-// A floor to measure against: a loop that does nothing but throw points on a raster (cell walk, two quadratics a cell,
-// the CRSP impact; no distributions, no sliding, no recording).
+// A baseline: a loop that only simulates points on a raster (cell walk, two quadratics per cell, the CRSP impact; no
+// distributions, no sliding, no recording).
 
 #include "common.hpp"
 #include "talus/impact/crsp.hpp"
@@ -9,10 +9,10 @@ namespace talus::bench {
 
 struct BareCount {
   std::uint64_t impacts = 0, cells = 0;
-  double sum = 0;  // of the end points, so that nothing is left out
+  double sum = 0;  // of the end points, so that the compiler removes nothing
 };
 
-// One rock, as plainly as it can be written.
+// One rock, as simply as possible.
 inline void bare_rock(const RasterGrid& grid, Vec3 p, Vec3 v, const Rock& rock, BareCount& count) {
   constexpr double g = standard_gravity;
   const auto z = [&](int i, int j) {
@@ -22,7 +22,7 @@ inline void bare_rock(const RasterGrid& grid, Vec3 p, Vec3 v, const Rock& rock, 
   Vec3 w = Vec3::Zero();
   int i = static_cast<int>(p.x()), j = static_cast<int>(p.y());
   for (int impact = 0; impact < 1000; ++impact) {
-    // Walk the cells of this flight.
+    // The cells of this flight.
     double t0 = 0;
     bool hit = false;
     while (!hit) {

@@ -1,5 +1,5 @@
 #pragma once
-// What every benchmark prints: on what input, with which result (a hash of it), how fast.
+// What every benchmark prints: its input, a hash of its result, its speed.
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 
 namespace talus::bench {
 
-/// The bits of all end points, in the order of the rocks, and counts to divide by.
+/// A hash of the bits of all end points, in the order of the rocks, and counts.
 class EndHash : public Observer {
  public:
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
@@ -47,7 +47,7 @@ class EndHash : public Observer {
   std::uint64_t hash_ = 0xcbf29ce484222325;
 };
 
-/// Seconds that `work` takes.
+/// The duration of `work` [s].
 template <class Work>
 [[nodiscard]] double seconds(Work&& work) {
   const auto begin = std::chrono::steady_clock::now();

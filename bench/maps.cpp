@@ -1,6 +1,5 @@
-// What maps cost where rocks run far: the slope of waves (rough_slope.hpp) on ground so slippery that they run down all
-// of it, without maps and with the maps of a project that asks for nothing else, files included. Usage:
-// bench_maps [rocks] [threads]
+// The cost of maps when rocks run far: the slope of waves (rough_slope.hpp), on ground so slippery that rocks run down
+// all of it, without maps and with the default maps of a project, files included. Usage: bench_maps [rocks] [threads]
 
 #include <tbb/global_control.h>
 
@@ -71,9 +70,10 @@ int main(int argc, char** argv) {
   });
   const Maps& made = maps.maps();
   const auto cells = static_cast<double>(made.touched_cells()), visits = static_cast<double>(visits_of(made));
-  fmt::print("with maps: {:.2f} s, {:.0f} ns more a visit; {:.0f} cells touched, {:.1f} visits and {:.0f} bytes each\n",
-             mapped, (mapped - bare) * threads * 1e9 / visits, cells, visits / cells,
-             static_cast<double>(made.bytes()) / cells);
+  fmt::print(
+      "with maps: {:.2f} s, {:.0f} ns more per visit; {:.0f} cells touched, {:.1f} visits and {:.0f} bytes each\n",
+      mapped, (mapped - bare) * threads * 1e9 / visits, cells, visits / cells,
+      static_cast<double>(made.bytes()) / cells);
   fmt::print("  hash {:016x}\n", hash_of(maps));
 
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "talus-bench-maps";
@@ -83,5 +83,5 @@ int main(int argc, char** argv) {
   const double writing = bench::seconds([&] { files = write_maps(made, selection, "", folder).size(); });
   std::filesystem::remove_all(folder);
   fmt::print("writing {} maps: {:.2f} s\n", files, writing);
-  fmt::print("  in all {:.2f} times the time without maps (wanted: at most 2)\n", (mapped + writing) / bare);
+  fmt::print("  in total {:.2f} times the time without maps (target: at most 2)\n", (mapped + writing) / bare);
 }

@@ -1,10 +1,10 @@
-// The rough slope (rough_slope.hpp) as a raster, beside a bare loop (bare_loop.hpp) in the same run: what sampling and
-// sliding cost, maps with their percentiles, a second core, a raster sixteen times as large, the same ground as a mesh,
-// a sphere; and a slope of waves, where rocks run far. Usage: bench_raster [rocks] [sphere]: with that word only the
-// lumped mass and the sphere.
+// The rough slope (rough_slope.hpp) as a raster, compared to a bare loop (bare_loop.hpp) in the same run: the cost of
+// sampling and sliding, of maps with percentiles, a second core, a raster sixteen times as large, the same ground as a
+// mesh, a sphere; and a slope of waves, where rocks run far. Usage: bench_raster [rocks] [sphere]; with `sphere`, only
+// the lumped mass and the sphere.
 //
-// The bare loop has no sliding: a rock whose bounces die away on the spot falls through the ground, and nine in ten of
-// the cells that it counts on the rough slope are crossed below that.
+// The bare loop has no sliding: a rock whose bounces die away falls through the ground, and nine in ten of the cells
+// that it counts on the rough slope are crossed below the ground.
 
 #include <cstdlib>
 #include <cstring>
@@ -34,7 +34,7 @@ RasterGrid rough_grid(std::uint32_t nodes) {
   return grid_of(nodes, [&](double x, double y) { return slope.height(x, y); });
 }
 
-/// The raster's own triangles.
+/// The raster's triangles as a mesh.
 TriangleMesh mesh_of(const RasterSurface& raster) {
   const RasterGrid& grid = raster.grid();
   std::vector<Vec3> vertices;
@@ -59,7 +59,7 @@ TriangleMesh mesh_of(const RasterSurface& raster) {
   return TriangleMesh(vertices, triangles, neighbours);
 }
 
-/// Counts the cells of 1 m over which rocks pass, those of a glide once.
+/// Counts the cells of 1 m over which rocks pass; consecutive pieces in one cell count once.
 class CellCount : public Observer {
  public:
   std::uint64_t cells = 0;
@@ -98,7 +98,8 @@ Speed talus_run(const Model& model, const char* what, int threads, MapObserver* 
   });
   const auto rocks = static_cast<double>(ends.rocks), impacts = static_cast<double>(ends.events);
   fmt::print(
-      "{}: {} rocks, {} threads, {:.2f} s, {:.0f} rocks/s, {:.1f} impacts a rock, {:.0f} ns an impact, hash {:016x}\n",
+      "{}: {} rocks, {} threads, {:.2f} s, {:.0f} rocks/s, {:.1f} impacts per rock, {:.0f} ns per impact, hash "
+      "{:016x}\n",
       what, ends.rocks, threads, seconds, rocks / seconds, impacts / rocks, seconds * threads * 1e9 / impacts,
       ends.hash());
   return {rocks / seconds, seconds / impacts};
@@ -117,14 +118,15 @@ double bare_run(const RasterGrid& grid, const RasterSurface& surface, std::uint6
   const double seconds = bench::bare_loop(grid, surface, rocks, count);
   const auto number = static_cast<double>(rocks);
   fmt::print(
-      "bare loop: {} rocks, {:.2f} s, {:.0f} rocks/s, {:.1f} impacts and {:.0f} cells a rock, {:.1f} ns a cell (sum "
+      "bare loop: {} rocks, {:.2f} s, {:.0f} rocks/s, {:.1f} impacts and {:.0f} cells per rock, {:.1f} ns per cell "
+      "(sum "
       "{:.17g})\n",
       rocks, seconds, number / seconds, static_cast<double>(count.impacts) / number,
       static_cast<double>(count.cells) / number, seconds * 1e9 / static_cast<double>(count.cells), count.sum);
   return number / seconds;
 }
 
-double cells_a_rock(const Model& model) {
+double cells_per_rock(const Model& model) {
   CellCount count;
   Observer* const observers[] = {&count};
   const CampaignOutcome outcome = run_campaign(model, observers, {1, nullptr, {}, RockRange{0, 2000}});
@@ -139,7 +141,7 @@ Model slope_model(RasterSurface surface, std::uint64_t rocks) {
 void sphere_run(const RasterGrid& grid, std::uint64_t rocks, const Speed& lumped_mass) {
   const Model model = bench::model_on(RasterSurface(grid), rocks, RockModel::rigid_sphere, bench::side);
   const Speed sphere = talus_run(model, "rigid sphere", 1);
-  fmt::print("  {:.1f} times the lumped mass's time an impact (wanted: at most 4)\n",
+  fmt::print("  {:.1f} times the lumped mass's time per impact (target: at most 4)\n",
              sphere.seconds_per_impact / lumped_mass.seconds_per_impact);
 }
 
@@ -151,7 +153,7 @@ int main(int argc, char** argv) {
   const RasterGrid grid = rough_grid(bench::side);
   Model model = slope_model(RasterSurface(grid), rocks);
   const auto& surface = std::get<RasterSurface>(model.surface);
-  fmt::print("rough slope: {} x {} nodes, {:.1f} bytes a cell\n", grid.columns, grid.rows,
+  fmt::print("rough slope: {} x {} nodes, {:.1f} bytes per cell\n", grid.columns, grid.rows,
              static_cast<double>(surface.bytes()) / static_cast<double>(surface.cell_count()));
 
   if (spheres_only) {
@@ -160,22 +162,22 @@ int main(int argc, char** argv) {
   }
   const double bare_rate = bare_run(grid, surface, rocks);
   const Speed one = talus_run(model, "lumped mass", 1);
-  fmt::print("  {:.2f} of the bare loop (wanted: 1)\n", one.rocks_per_second / bare_rate);
+  fmt::print("  {:.2f} of the bare loop (target: 1)\n", one.rocks_per_second / bare_rate);
   const Speed mapped = mapped_run(model, surface, "with all maps and percentiles");
-  fmt::print("  {:.2f} of the bare loop (wanted: 0.4)\n", mapped.rocks_per_second / bare_rate);
+  fmt::print("  {:.2f} of the bare loop (target: 0.4)\n", mapped.rocks_per_second / bare_rate);
   const Speed two = talus_run(model, "lumped mass", 2);
-  fmt::print("  {:.2f} of one thread (wanted: 1.9)\n", two.rocks_per_second / one.rocks_per_second);
+  fmt::print("  {:.2f} of one thread (target: 1.9)\n", two.rocks_per_second / one.rocks_per_second);
 
-  const double cells = cells_a_rock(model);
+  const double cells = cells_per_rock(model);
   const Model large = slope_model(RasterSurface(rough_grid(4 * bench::side - 3)), rocks);
   const Speed far = talus_run(large, "4097 x 4097 nodes", 1);
-  const double far_cells = cells_a_rock(large);
-  fmt::print("  {:.2f} times the cost a cell (wanted: at most 1.5; {:.0f} and {:.0f} cells a rock)\n",
+  const double far_cells = cells_per_rock(large);
+  fmt::print("  {:.2f} times the cost per cell (target: at most 1.5; {:.0f} and {:.0f} cells per rock)\n",
              one.rocks_per_second * cells / (far.rocks_per_second * far_cells), far_cells, cells);
 
   const Model mesh = bench::model_on(mesh_of(surface), rocks / 2, RockModel::lumped_mass, bench::side);
   const Speed meshed = talus_run(mesh, "the same as a mesh", 1);
-  fmt::print("  {:.1f} times the raster's time (wanted: at most 3)\n", one.rocks_per_second / meshed.rocks_per_second);
+  fmt::print("  {:.1f} times the raster's time (target: at most 3)\n", one.rocks_per_second / meshed.rocks_per_second);
   sphere_run(grid, rocks / 20, one);
 
   const RasterGrid wavy = grid_of(bench::side, bench::waves);
@@ -183,8 +185,8 @@ int main(int argc, char** argv) {
   const auto& waves = std::get<RasterSurface>(running.surface);
   const double bare_running = bare_run(wavy, waves, rocks / 4);
   const Speed run = talus_run(running, "on waves", 1);
-  fmt::print("  {:.2f} of the bare loop; {:.0f} cells a rock\n", run.rocks_per_second / bare_running,
-             cells_a_rock(running));
+  fmt::print("  {:.2f} of the bare loop; {:.0f} cells per rock\n", run.rocks_per_second / bare_running,
+             cells_per_rock(running));
   const Speed running_mapped = mapped_run(running, waves, "on waves, with all maps and percentiles");
   fmt::print("  {:.2f} of the bare loop\n", running_mapped.rocks_per_second / bare_running);
 }

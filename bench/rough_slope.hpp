@@ -1,7 +1,8 @@
 #pragma once
 // The slope of the benchmarks on rough terrain, as a formula: z = s(x) + b(x, y) on 1025 x 1025 points 1 m apart, s =
 // 0.84 (820 - x) for x < 820, else 0; b = six octaves of value noise, amplitude 3 m * 0.5^k, wavelength 80 m / 2.03^k.
-// Rocks of 1 t start along x = 5 to 10 m, 6 m above ground; Rn = 0.35, Rt = 0.85, standard deviation 0.03 each.
+// Rocks of 1 t are released along x = 5 to 10 m, 6 m above the ground; Rn = 0.35, Rt = 0.85, standard deviation 0.03
+// each.
 
 #include <cmath>
 #include <cstdint>
@@ -17,8 +18,8 @@ constexpr int side = 1025;
 
 inline double smooth(double t) { return t * t * (3 - 2 * t); }
 
-/// Of waves instead, sines of x times sines of y with the same amplitudes and wavelengths, the slope is steep in many
-/// places, and rocks run down it for 300 m.
+/// A slope of waves instead of noise: sines of x times sines of y with the same amplitudes and wavelengths. It is steep
+/// in many places, and rocks run down it for 300 m.
 inline double waves(double x, double y) {
   double sum = 0, amplitude = 3, wave_number = 2 * std::numbers::pi / 80;
   for (int k = 0; k < 6; ++k) {
@@ -56,7 +57,7 @@ class RoughSlope {
   }
 
  private:
-  static constexpr double shift = 1000;  // of the noise, so that no cell of it lies below zero
+  static constexpr double shift = 1000;  // of the noise, so that its cells have no negative numbers
   struct Octave {
     double amplitude, wavelength;
     std::int64_t first, width;  // of the lattice
@@ -74,7 +75,7 @@ class RoughSlope {
   std::vector<Octave> octaves_;
 };
 
-/// `width`: of the terrain along y [m]. Rocks start 100 m from its sides.
+/// `width`: of the terrain along y [m]. Rocks are released at least 100 m from its sides.
 template <class Surface>
 [[nodiscard]] Model model_on(Surface surface, std::uint64_t rocks, RockModel rock_model, double width) {
   Model model;

@@ -1,7 +1,7 @@
-// A random TIN of two million triangles, lumped mass: rocks a second a core, and where the time goes.
+// A random TIN of two million triangles, lumped mass: rocks per second on one core, and where the time goes.
 //
-// The rough slope (rough_slope.hpp), its points shaken on plan by up to 0.2 m (more would fold it). Friction of 46
-// degrees gives about 25 impacts a rock. Usage: bench_tin [rocks] [sphere]
+// The rough slope (rough_slope.hpp), with points shifted on plan by up to 0.2 m (more would fold it). Friction of 46
+// degrees gives about 25 impacts per rock. Usage: bench_tin [rocks] [sphere]
 
 #include <cstdlib>
 #include <cstring>
@@ -45,7 +45,7 @@ TriangleMesh surface_of(const CleanMesh& mesh) {
   return TriangleMesh(mesh.vertices, mesh.triangles, neighbours);
 }
 
-// Every flight of some rocks, as the terrain was asked about it.
+// Every flight of some rocks, as a query on the terrain.
 struct Flight {
   Parabola path;
   double duration;
@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
   const double cleaning = bench::seconds([&] { mesh = clean(raw); });
   std::optional<TriangleMesh> surface;
   const double building = bench::seconds([&] { surface.emplace(surface_of(mesh)); });
-  fmt::print("random TIN: {} triangles; cleaned in {:.2f} s, tree built in {:.2f} s; {:.1f} bytes a triangle\n",
+  fmt::print("random TIN: {} triangles; cleaned in {:.2f} s, tree built in {:.2f} s; {:.1f} bytes per triangle\n",
              surface->facet_count(), cleaning, building,
              static_cast<double>(surface->bytes()) / static_cast<double>(surface->facet_count()));
 
@@ -87,13 +87,13 @@ int main(int argc, char** argv) {
   const CampaignOutcome outcome = run_campaign(model, observers, {1, nullptr, {}});
   const double impacts = static_cast<double>(ends.events);
   fmt::print(
-      "{}: {} rocks, 1 thread, {:.2f} s, {:.0f} rocks/s, {:.1f} impacts a rock, {:.0f} ns an impact, hash {:016x}\n",
+      "{}: {} rocks, 1 thread, {:.2f} s, {:.0f} rocks/s, {:.1f} impacts per rock, {:.0f} ns per impact, hash {:016x}\n",
       sphere ? "rigid sphere" : "lumped mass", outcome.done, outcome.seconds,
       static_cast<double>(outcome.done) / outcome.seconds, impacts / static_cast<double>(outcome.done),
       outcome.seconds * 1e9 / impacts, ends.hash());
   bench::print_reasons(ends);
 
-  // Where the time goes: the same flights again, the terrain's answers alone.
+  // Where the time goes: the queries of the same flights alone.
   const auto& tin = std::get<TriangleMesh>(model.surface);
   const double radius = sphere ? sphere_of_mass(1000, 2700).radius : 0;
   const auto flights = flights_of(model, std::min<std::uint64_t>(rocks, 5000));
@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
   });
   const double count = static_cast<double>(flights.size());
   fmt::print(
-      "{:.0f} flights: {:.1f} facets tested a flight; first contact {:.0f} ns, bounce height {:.0f} ns a flight "
+      "{:.0f} flights: {:.1f} facets tested per flight; first contact {:.0f} ns, bounce height {:.0f} ns per flight "
       "({:.0f} met the ground, highest {:.2f} m)\n",
       count, tested / count, contacts * 1e9 / count, heights * 1e9 / count, met, highest);
 }

@@ -1,4 +1,4 @@
-// Tutorial 1 with variation: rocks a second, on one thread and on all, statistics only, in section and extruded.
+// Tutorial 1 with variation: rocks per second, on one thread and on all, statistics only, in section and extruded.
 // Usage: bench_tutorial [rocks]
 
 #include <tbb/info.h>
@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
       Observer* const observers[] = {&ends, &summary};
       const CampaignOutcome outcome = run_campaign(model, observers, {threads, nullptr, {}});
       fmt::print(
-          "{}: {} rocks, {} threads, {:.2f} s, {:.0f} rocks/s, {:.0f} rocks/s a thread, {:.1f} events a rock, hash "
+          "{}: {} rocks, {} threads, {:.2f} s, {:.0f} rocks/s, {:.0f} rocks/s per thread, {:.1f} events per rock, hash "
           "{:016x}\n",
           file, outcome.done, threads, outcome.seconds, static_cast<double>(outcome.done) / outcome.seconds,
           static_cast<double>(outcome.done) / outcome.seconds / threads,

@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-/// A survey of middling quality, restitutions from literature, something at stake.
+/// A survey of average quality, restitutions from literature, moderate consequences.
 CheckFactors usual() {
   CheckFactors factors;
   factors.trajectory = 1.10;
@@ -19,7 +19,7 @@ CheckFactors usual() {
   return factors;
 }
 
-TEST(BarrierCheck, IsTheCalculationByHand) {
+TEST(BarrierCheck, AgreesWithAHandCalculation) {
   // 2 t at 20 m/s: 400 kJ. gamma_F = 1.1 x 1.02 = 1.122, v_d = 22.44 m/s, m_d = 2100 kg,
   // E_d = 0.5 x 2100 x 22.44^2 x 1.1 = 581 604.408 J, times 1.2 for MEL.
   const double energy = energy_to_check(usual(), 400e3, 450e3, 20);
@@ -31,7 +31,7 @@ TEST(BarrierCheck, IsTheCalculationByHand) {
   EXPECT_NEAR(needed_height(usual(), 3, 0.80), 4.166, 1e-12);
 }
 
-TEST(BarrierCheck, TakesTheDesignBlockWhereThereIsOne) {
+TEST(BarrierCheck, UsesTheDesignBlockIfGiven) {
   CheckFactors factors = usual();
   factors.block_mass = 3000;
   EXPECT_EQ(energy_to_check(factors, 400e3, 450e3, 20), 600e3);
@@ -42,7 +42,7 @@ TEST(BarrierCheck, TakesTheDesignBlockWhereThereIsOne) {
   EXPECT_EQ(energy_to_check(factors, 400e3, 450e3, 20), 450e3);
 }
 
-TEST(BarrierCheck, OfTheServiceLevelNeedsThreeTimesTheMaximum) {
+TEST(BarrierCheck, OfTheServiceLevelNeedsThreeTimesTheEnergyAsMEL) {
   CheckFactors factors = usual();
   factors.energy = 1;
   const double once = needed_maximum_energy(factors, 100e3);
@@ -58,18 +58,18 @@ TEST(BarrierCheck, OfTheServiceLevelNeedsThreeTimesTheMaximum) {
   EXPECT_EQ(needed_class(usual(), 50e3), 0);
 }
 
-TEST(BarrierCheck, WithoutFactorsChangesNothing) {
+TEST(BarrierCheck, WithoutFactorsIsNeutral) {
   EXPECT_EQ(needed_maximum_energy({}, 123456.7), 123456.7);
   EXPECT_EQ(needed_height({}, 2.5, 3), 2.5);
 }
 
-TEST(KitClass, IsThatOfTheAssessmentDocument) {
+TEST(KitClass, AgreesWithTheAssessmentDocument) {
   const double least[] = {100e3, 250e3, 500e3, 1000e3, 1500e3, 2000e3, 3000e3, 4500e3};
   EXPECT_EQ(needed_class({}, 0), 0);
   EXPECT_EQ(kit_class_of(99e3), std::nullopt);
   for (int k = 0; k < 8; ++k) {
     EXPECT_EQ(kit_class_of(least[k]), k);
-    EXPECT_EQ(kit_class_of(least[k] + 1), k == 7 ? 8 : k) << "a kit is of the highest class that it fulfils";
+    EXPECT_EQ(kit_class_of(least[k] + 1), k == 7 ? 8 : k) << "a kit has the highest class that it fulfils";
     EXPECT_EQ(needed_class({}, least[k]), k);
     EXPECT_EQ(needed_class({}, least[k] + 1), k + 1);
   }

@@ -68,8 +68,8 @@ TEST(Crossing, OfAFlight) {
 }
 
 TEST(Crossing, HeightIsMeasuredUpTheFace) {
-  // Leaning by 30 degrees away from the rock, to the right of its line; met 2 m above the foot's level, hence 2 / cos
-  // 30 up the face.
+  // Leaning by 30 degrees away from the rock, to the right of its line; met 2 m above the level of the foot, hence 2 /
+  // cos 30 up the face.
   const double lean = std::numbers::pi / 6;
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 4, lean, infinite)};
   const Parabola path{{0, 0, 2}, {5, 0, 0}, {0, 0, 0}};
@@ -79,9 +79,9 @@ TEST(Crossing, HeightIsMeasuredUpTheFace) {
   EXPECT_NEAR(crossing->t, (10 + 2 * std::tan(lean)) / 5, 1e-12);
 }
 
-// The panel's equation alone, without bounds: a point meets a panel where it is in its plane and on its face, and
-// passes above it where it is upright above its top.
-TEST(Crossing, IsNotHiddenByBounds) {
+// Compared to the panel's equation alone: a point meets a panel where it is in its plane and on its face, and passes
+// above it where it is vertically above its top.
+TEST(Crossing, IsNotMissedBecauseOfBounds) {
   Dice dice(301);
   int crossed = 0;
   for (int k = 0; k < 6000; ++k) {
@@ -117,8 +117,8 @@ TEST(Crossing, IsNotHiddenByBounds) {
   EXPECT_GT(crossed, 300);
 }
 
-// Barriers and collectors all over the place, of which an index says which are near.
-TEST(BarrierList, AnswersTheSameWithAnIndex) {
+// Barriers and collectors everywhere; the index finds those that are near.
+TEST(BarrierList, FindsTheSameWithAnIndex) {
   Dice dice(303);
   std::vector<Barrier> barriers;
   for (int k = 0; k < 400; ++k) {
@@ -146,7 +146,7 @@ TEST(BarrierList, AnswersTheSameWithAnIndex) {
   EXPECT_GT(crossed, 300);
 }
 
-TEST(FreeWay, ReachesToTheNearestPanelOfAll) {
+TEST(FreeWay, ReachesToTheNearestPanel) {
   const std::vector<Barrier> barriers{fence({12, -5, 0}, {12, 5, 0}, 4, 0, infinite),
                                       fence({0, 30, 0}, {5, 30, 0}, 4, 0, infinite)};
   EXPECT_NEAR(free_way(barriers, {2, 0, 7}, 0), 10, 1e-5);
@@ -155,7 +155,7 @@ TEST(FreeWay, ReachesToTheNearestPanelOfAll) {
   EXPECT_EQ(free_way({}, {2, 0, 7}, 0), infinite);
 }
 
-TEST(Crossing, OfASphereBeginsARadiusBefore) {
+TEST(Crossing, OfASphereIsARadiusBeforeThePanel) {
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 4, 0, infinite)};
   const auto crossing = first_crossing(barriers, {{0, 0, 2}, {5, 0, 0}, {0, 0, 0}}, 0.5, 0, 10, {});
   ASSERT_TRUE(crossing);
@@ -163,7 +163,7 @@ TEST(Crossing, OfASphereBeginsARadiusBefore) {
   EXPECT_NEAR(crossing->height, 2, 1e-12);
 }
 
-TEST(Crossing, AboveKeepsItsClearance) {
+TEST(Crossing, AboveHasItsClearance) {
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 4, 0, infinite)};
   const auto point = first_crossing(barriers, {{0, 0, 7}, {5, 0, 0}, {0, 0, 0}}, 0, 0, 10, {});
   ASSERT_TRUE(point);
@@ -172,10 +172,10 @@ TEST(Crossing, AboveKeepsItsClearance) {
   const auto sphere = first_crossing(barriers, {{0, 0, 7}, {5, 0, 0}, {0, 0, 0}}, 0.5, 0, 10, {});
   ASSERT_TRUE(sphere);
   EXPECT_TRUE(sphere->above);
-  EXPECT_NEAR(sphere->clearance, 2.5, 1e-12);  // of its underside
+  EXPECT_NEAR(sphere->clearance, 2.5, 1e-12);  // of the underside
 }
 
-TEST(Crossing, BesideAndBeneathIsNone) {
+TEST(Crossing, NextToOrBelowAPanelIsNone) {
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 4, 0, infinite)};
   EXPECT_FALSE(first_crossing(barriers, {{0, 5.1, 2}, {5, 0, 0}, {0, 0, 0}}, 0, 0, 10, {}));
   EXPECT_FALSE(first_crossing(barriers, {{0, 0, 2}, {5, 0, 0}, {0, 0, 0}}, 0, 0, 1.9, {}));
@@ -183,7 +183,7 @@ TEST(Crossing, BesideAndBeneathIsNone) {
   EXPECT_FALSE(first_crossing(barriers, {{0, 0, 2}, {0, 0, 0}, {0, 0, -10}}, 0, 0, 10, {}));
 }
 
-TEST(Crossing, FromBehindTheNormalFacesTheRock) {
+TEST(Crossing, FromBehindHasANormalAgainstTheRock) {
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 4, 0, infinite)};
   const auto crossing = first_crossing(barriers, {{20, 0, 2}, {-5, 0, 0}, {0, 0, 0}}, 0, 0, 10, {});
   ASSERT_TRUE(crossing);
@@ -191,7 +191,7 @@ TEST(Crossing, FromBehindTheNormalFacesTheRock) {
   EXPECT_LT((crossing->normal - Vec3(1, 0, 0)).norm(), 1e-15);
 }
 
-TEST(Crossing, TheNearestOfSeveralAndTiesByOrder) {
+TEST(Crossing, IsTheFirstOfSeveralWithTiesByOrder) {
   const std::vector<Barrier> barriers{fence({12, -5, 0}, {12, 5, 0}, 4, 0, infinite),
                                       fence({10, -5, 0}, {10, 5, 0}, 4, 0, infinite),
                                       fence({10, -5, 0}, {10, 5, 0}, 4, 0, infinite)};
@@ -199,13 +199,13 @@ TEST(Crossing, TheNearestOfSeveralAndTiesByOrder) {
   ASSERT_TRUE(crossing);
   EXPECT_EQ(crossing->barrier, BarrierId{1});
   RecentCrossings met;
-  met.note_passage(*crossing, 2.0, 2.0);
+  met.record_passage(*crossing, 2.0, 2.0);
   const auto next = first_crossing(barriers, {{0, 0, 2}, {5, 0, 0}, {0, 0, 0}}, 0, 0, 10, met);
   ASSERT_TRUE(next);
   EXPECT_EQ(next->barrier, BarrierId{2});
 }
 
-TEST(Crossing, PanelsMeetWithoutAGap) {
+TEST(Crossing, HasNoGapBetweenPanels) {
   const auto panels = panels_over(std::vector<Vec3>{{10, -5, 0}, {10, 0.1, 0}, {12, 5, 0}}, 4, 0);
   Barrier barrier;
   barrier.set_panels(panels);
@@ -215,9 +215,9 @@ TEST(Crossing, PanelsMeetWithoutAGap) {
   }
 }
 
-// ---- what it does to a rock ----
+// ---- response ----
 
-TEST(BarrierResponse, HoldsUpToItsCapacity) {
+TEST(BarrierResponse, StopsRocksUpToItsCapacity) {
   Motion motion;
   motion.velocity = {10, 0, 0};
   motion.spin = {0, 3, 0};
@@ -228,7 +228,7 @@ TEST(BarrierResponse, HoldsUpToItsCapacity) {
             BarrierOutcome::stopped);
 }
 
-TEST(BarrierResponse, BreaksThroughWithTheExcess) {
+TEST(BarrierResponse, LetsRocksBreakThroughWithTheExcess) {
   Motion motion;
   motion.velocity = {10, 2, -4};
   motion.spin = {0, 3, 1};
@@ -246,7 +246,7 @@ TEST(BarrierResponse, BreaksThroughWithTheExcess) {
   }
 }
 
-TEST(BarrierResponse, ReboundsWhereItHasRestitution) {
+TEST(BarrierResponse, IsAReboundWithRestitution) {
   Barrier barrier = fence(Vec3::Zero(), {0, 1, 0}, 4, 0, infinite);
   barrier.restitution = Restitution{0.2, 0.5};
   Motion motion;
@@ -259,7 +259,7 @@ TEST(BarrierResponse, ReboundsWhereItHasRestitution) {
   EXPECT_EQ(leaving->spin, motion.spin);
 }
 
-TEST(BarrierResponse, ACollectorDoesNotTouch) {
+TEST(BarrierResponse, OfACollectorIsNone) {
   Motion motion;
   motion.velocity = {10, 2, -4};
   const auto [outcome, leaving] = respond(collector(0), motion, {-1, 0, 0}, rock);
@@ -291,7 +291,7 @@ TEST(BarrierOnAPath, StopsAFlight) {
   EXPECT_DOUBLE_EQ(hit.motion.time, 1);
   EXPECT_NEAR(hit.height, z, 1e-12);
   EXPECT_EQ(hit.outcome, BarrierOutcome::stopped);
-  // The rock comes down on it: the angle to the normal is positive towards the foot.
+  // The rock arrives from above: the angle to the normal is positive towards the foot.
   EXPECT_NEAR(hit.angle, std::atan2(standard_gravity, 10), 1e-12);
   const auto& rows = path.log.rows;
   ASSERT_EQ(rows.size(), 3U);
@@ -337,7 +337,7 @@ TEST(BarrierOnAPath, BreaksThroughTwoInOneFlight) {
     EXPECT_EQ(path.log.hits[k].barrier, BarrierId{static_cast<std::uint32_t>(k)});
     EXPECT_EQ(path.log.hits[k].outcome, BarrierOutcome::broke_through);
   }
-  // Each takes exactly its capacity.
+  // Each absorbs exactly its capacity.
   const auto& rows = path.log.rows;
   int taken = 0;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
@@ -351,7 +351,7 @@ TEST(BarrierOnAPath, BreaksThroughTwoInOneFlight) {
   EXPECT_EQ(taken, 2);
 }
 
-TEST(BarrierOnAPath, ReboundsAndDoesNotPass) {
+TEST(BarrierOnAPath, MakesRocksRebound) {
   std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 20, 0, infinite)};
   barriers[0].restitution = Restitution{0.3, 0.9};
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
@@ -364,7 +364,7 @@ TEST(BarrierOnAPath, ReboundsAndDoesNotPass) {
   }
 }
 
-TEST(BarrierOnAPath, PassesAboveWithItsClearance) {
+TEST(BarrierOnAPath, IsPassedAboveWithAClearance) {
   const std::vector<Barrier> barriers{fence({10, -5, 0}, {10, 5, 0}, 1, 0, infinite)};
   const Followed path = follow(level_ground(), ground_of({}), plain_laws(), launched({0, 0, 7}, {10, 0, 0}), barriers);
   EXPECT_TRUE(path.log.hits.empty());
@@ -373,7 +373,7 @@ TEST(BarrierOnAPath, PassesAboveWithItsClearance) {
   EXPECT_GT(path.outcome.end.position.x(), 10);
 }
 
-TEST(BarrierOnAPath, AllCollectorsOnOneSlideAreCounted) {
+TEST(BarrierOnAPath, AllCollectorsOnASlideRecordTheRock) {
   std::vector<Barrier> barriers;
   for (const double x : {2.0, 4.0, 4.001, 6.0}) barriers.push_back(collector(x));
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
@@ -388,7 +388,7 @@ TEST(BarrierOnAPath, AllCollectorsOnOneSlideAreCounted) {
         EXPECT_EQ(path.log.hits[k].barrier, BarrierId{static_cast<std::uint32_t>(k)});
         EXPECT_EQ(path.log.hits[k].outcome, BarrierOutcome::passed);
       }
-      // They change nothing.
+      // Collectors do not change the path.
       const Followed alone = follow(level_ground(), ground_of({}), laws, release);
       EXPECT_EQ(path.outcome.end.position, alone.outcome.end.position);
       EXPECT_EQ(path.outcome.end.time, alone.outcome.end.time);

@@ -1,4 +1,4 @@
-// Barriers that are hard to keep: those that throw back what gravity presses against them, and those with bends.
+// Difficult barriers: rebounds of rocks that gravity presses against the barrier, and barriers with bends.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ Barrier standing(const std::vector<Vec3>& foot, double height, double inclinatio
   return barrier;
 }
 
-/// Falls by 3 in 5, more than the friction of `slippery` holds.
+/// A slope of 3 in 5, steeper than the friction of `slippery` can hold.
 Profile steep_ground() { return Profile(std::vector<Vec2>{{-100, 60}, {100, -60}}); }
 Profile level_ground() { return Profile(std::vector<Vec2>{{-100, 0}, {100, 0}}); }
 
@@ -42,7 +42,7 @@ Laws laws_of(RockModel model, SlidingMethod sliding) {
   return laws;
 }
 
-TEST(ReboundingBarrier, LetsNothingThroughThatGravityPressesAgainstIt) {
+TEST(ReboundingBarrier, StopsRocksThatGravityPressesAgainstIt) {
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
     for (const SlidingMethod sliding : {SlidingMethod::stepped, SlidingMethod::closed_form}) {
       for (const double rn : {0.0, 0.1, 0.3, 0.9}) {
@@ -65,8 +65,8 @@ TEST(ReboundingBarrier, LetsNothingThroughThatGravityPressesAgainstIt) {
   }
 }
 
-TEST(ReboundingBarrier, LetsGoWhatGravityDrawsAway) {
-  // The rock comes up the slope and slides down again.
+TEST(ReboundingBarrier, ReleasesRocksThatGravityPullsAway) {
+  // The rock arrives from below and slides down again.
   std::vector<Barrier> barriers{standing({{-10, -5, 6}, {-10, 5, 6}}, 30, 0)};
   barriers[0].restitution = Restitution{0, 0.6};
   const Followed path =
@@ -78,7 +78,7 @@ TEST(ReboundingBarrier, LetsGoWhatGravityDrawsAway) {
   EXPECT_GT(path.outcome.end.position.x(), 99);
 }
 
-TEST(Collectors, OfAnyNumberOnOneLineCountEachOnce) {
+TEST(Collectors, OnOneLineRecordEachRockOnce) {
   std::vector<Barrier> barriers(20, standing({{5, -5, 0}, {5, 5, 0}}, 100, 0));
   for (Barrier& each : barriers) each.is_collector = true;
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
@@ -102,7 +102,7 @@ std::vector<BarrierHit> hits_of(const Followed& path, std::uint32_t barrier) {
   return hits;
 }
 
-/// One that holds, one that breaks, two that throw back.
+/// One that stops rocks, one that they break through, two with rebounds.
 std::vector<Barrier> barriers_of_all_kinds(double inclination) {
   std::vector<Barrier> barriers(4, standing({{10, -5, -6}, {10, 5, -6}}, 30, inclination));
   barriers[1].capacity = 10;
@@ -111,12 +111,12 @@ std::vector<Barrier> barriers_of_all_kinds(double inclination) {
   return barriers;
 }
 
-TEST(Collectors, OnTheLineOfABarrierRecordWhatArrives) {
+TEST(Collectors, OnTheLineOfABarrierRecordArrivals) {
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
     for (const SlidingMethod sliding : {SlidingMethod::stepped, SlidingMethod::closed_form}) {
       for (const double inclination : {-0.2, 0.0, 0.2}) {
         for (const Barrier& barrier : barriers_of_all_kinds(inclination)) {
-          // The collectors in the file before the barrier and behind it, one drawn with other points.
+          // Collectors before and after the barrier in the list, one drawn with other points.
           Barrier collector = standing({{10, -5, -6}, {10, 5, -6}}, 30, inclination);
           Barrier longer = standing({{10, -7.1, -6}, {10, 1.0 / 3, -6}, {10, 9.7, -6}}, 30, inclination);
           collector.is_collector = longer.is_collector = true;
@@ -145,7 +145,7 @@ TEST(Collectors, OnTheLineOfABarrierRecordWhatArrives) {
   }
 }
 
-TEST(Collectors, OnTheLineOfTwoBarriersRecordARockOnce) {
+TEST(Collectors, OnTheLineOfTwoBarriersRecordEachRockOnce) {
   std::vector<Barrier> barriers(3, standing({{10, -5, -6}, {10, 5, -6}}, 30, 0));
   barriers[0].capacity = 10;
   barriers[2].is_collector = true;
@@ -161,7 +161,7 @@ TEST(Collectors, OnTheLineOfTwoBarriersRecordARockOnce) {
 }
 
 // A rock meets the barrier above the collector's top.
-TEST(Collectors, OnTheLineOfAHigherBarrierCountWhatPassesAboveThem) {
+TEST(Collectors, OnTheLineOfAHigherBarrierRecordRocksAboveThem) {
   std::vector<Barrier> barriers{standing({{5, -5, 0}, {5, 5, 0}}, 10, 0), standing({{5, -5, 0}, {5, 5, 0}}, 1, 0)};
   barriers[1].is_collector = true;
   const Followed path =
@@ -173,25 +173,25 @@ TEST(Collectors, OnTheLineOfAHigherBarrierCountWhatPassesAboveThem) {
 }
 
 struct Bend {
-  double inclination, turn;  // of x at the ends of the line, 40 m from its middle: more than 0, it is hollow
+  double inclination, turn;  // turn: offset of the line's ends along x, 40 m from its middle [m]; positive: concave
   bool is_sphere;
 };
 
 class AtABend : public ::testing::TestWithParam<Bend> {};
 
-TEST_P(AtABend, NothingGetsThroughAndNothingIsCountedTwice) {
+TEST_P(AtABend, NoRockGetsThroughAndNoneIsRecordedTwice) {
   const Bend& bend = GetParam();
   const RockModel model = bend.is_sphere ? RockModel::rigid_sphere : RockModel::lumped_mass;
   for (const bool is_collector : {false, true}) {
     for (double y = -2; y <= 2; y += 0.03) {
-      // The rock flies along y = 0; the line is moved aside.
+      // The rock flies along y = 0; the line is shifted along y.
       std::vector<Barrier> barriers{
           standing({{10 - bend.turn, y - 40, 0}, {10, y, 0}, {10 - bend.turn, y + 40, 0}}, 8, bend.inclination)};
       barriers[0].is_collector = is_collector;
       const Followed path = follow(level_ground(), ground_of(slippery()), laws_of(model, SlidingMethod::stepped),
                                    {{{0, 0, 4}, {25, 0, 0}}, rock}, barriers);
       ASSERT_EQ(path.log.hits.size(), 1U) << y << (is_collector ? ", collector" : "");
-      // Where it leans, the bend is further along the line at the height of the rock than at its foot.
+      // If the barrier leans, its bend is further along the line at the height of the rock than at the foot.
       const double shift = std::abs(std::tan(bend.inclination)) * 4, reach = 2 * rock.radius;
       EXPECT_NEAR(path.log.hits[0].station, std::hypot(bend.turn, 40) * (1 - y / 40), 2 * (shift + reach)) << y;
     }
@@ -205,7 +205,7 @@ INSTANTIATE_TEST_SUITE_P(Barriers, AtABend,
                                            Bend{-0.35, -30, false}, Bend{0.35, 30, false}, Bend{-0.35, 30, false}));
 
 TEST(Crossing, OfASphereWithTheSideOfTwoPanels) {
-  // Two panels meet at right angles, their edge towards the sphere.
+  // Two panels meet at a right angle, with their edge towards the sphere.
   const std::vector<Barrier> barriers{standing({{13, -3, 0}, {10, 0, 0}, {13, 3, 0}}, 4, 0)};
   const auto crossing = first_crossing(barriers, {{0, 0.1, 2}, {5, 0, 0}, {0, 0, 0}}, 0.5, 0, 10, {});
   ASSERT_TRUE(crossing);

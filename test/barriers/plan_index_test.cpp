@@ -20,7 +20,7 @@ std::vector<PlanBounds> random_row(Dice& dice, std::size_t count) {
   return row;
 }
 
-TEST(PlanIndex, VisitsAllThatMeetAndOnlyThoseInOrder) {
+TEST(PlanIndex, VisitsExactlyTheRectanglesThatMeetInOrder) {
   Dice dice(41);
   std::size_t met = 0;
   for (int k = 0; k < 500; ++k) {
@@ -52,7 +52,7 @@ TEST(PlanIndex, FindsTheNearest) {
   }
 }
 
-TEST(PlanIndex, OfNothingMeetsNothing) {
+TEST(PlanIndex, WithoutRectanglesVisitsNone) {
   int visits = 0;
   PlanBounds everywhere;
   everywhere.grow(Vec2(-1e9, -1e9));

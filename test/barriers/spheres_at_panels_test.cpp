@@ -1,4 +1,4 @@
-// Where a sphere meets a panel, against closed forms and against the distance from the panel itself.
+// Where a sphere meets a panel, compared to closed forms and to the distance from the panel.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Barrier standing(const std::vector<Vec3>& foot, double height, double inclinatio
 
 // ---- rolling on a slope ----
 
-/// A slope that falls towards +x, through the origin, where a barrier stands.
+/// A slope that falls towards +x, with a barrier at the origin.
 struct Slope {
   double angle;
   [[nodiscard]] Vec3 down() const { return {std::cos(angle), 0, -std::sin(angle)}; }
@@ -43,7 +43,7 @@ struct Slope {
 
 Barrier across(double height, double inclination) { return standing({{0, -50, 0}, {0, 50, 0}}, height, inclination); }
 
-/// Rolls towards the barrier from 20 m above it, or from 20 m below.
+/// A sphere that rolls towards the barrier from 20 m above it, or from 20 m below.
 Followed roll(const Slope& slope, const Rock& rock, bool downhill, const std::vector<Barrier>& barriers) {
   Laws laws;
   laws.model = RockModel::rigid_sphere;
@@ -56,8 +56,8 @@ Followed roll(const Slope& slope, const Rock& rock, bool downhill, const std::ve
   return follow(slope.surface(), ground_of({.rn = 0, .mu = 5, .rolling = 0}), laws, release, barriers);
 }
 
-/// How far down the slope the centre of a sphere that rolls on it is when it first touches a segment from the origin.
-/// The distance from a convex set is a convex function of the way.
+/// The position along the slope of a rolling sphere's centre when it first touches a segment from the origin. The
+/// distance from a convex set is a convex function of the position.
 double first_touch(const Slope& slope, double radius, bool downhill, const Vec3& top) {
   const auto distance = [&](double s) {
     const Vec3 centre = s * slope.down() + radius * slope.normal();
@@ -65,7 +65,7 @@ double first_touch(const Slope& slope, double radius, bool downhill, const Vec3&
     return (centre - share * top).norm();
   };
   double outside = downhill ? -20 : 20, inside = outside;
-  while (distance(inside) > radius) inside += downhill ? 1e-3 : -1e-3;  // it is less than that from a touch
+  while (distance(inside) > radius) inside += downhill ? 1e-3 : -1e-3;  // to within a millimetre of the touch
   outside = inside - (downhill ? 1e-3 : -1e-3);
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (outside + inside);
@@ -74,7 +74,7 @@ double first_touch(const Slope& slope, double radius, bool downhill, const Vec3&
   return inside;
 }
 
-TEST(SphereAtAPanel, RollingItIsStoppedWhereItTouchesThePanel) {
+TEST(SphereAtAPanel, IsStoppedWhereItTouchesThePanelWhileRolling) {
   int at_the_top = 0;
   for (const double degrees : {5.0, 20.0, 35.0, 50.0, 65.0}) {
     const Slope slope{degrees * std::numbers::pi / 180};
@@ -84,7 +84,7 @@ TEST(SphereAtAPanel, RollingItIsStoppedWhereItTouchesThePanel) {
         for (const double inclination : {-0.4, -0.1, 0.0, 0.2, 0.5}) {
           for (const bool downhill : {true, false}) {
             const Vec3 top = height * Vec3(std::sin(inclination), 0, std::cos(inclination));
-            if (top.dot(slope.normal()) < 0.05) continue;  // a panel that lies down
+            if (top.dot(slope.normal()) < 0.05) continue;  // a panel that lies on the slope
             const Followed path = roll(slope, rock, downhill, {across(height, inclination)});
             SCOPED_TRACE(::testing::Message() << degrees << " degrees, radius " << radius << ", height " << height
                                               << ", inclination " << inclination << (downhill ? ", down" : ", up"));
@@ -105,7 +105,7 @@ TEST(SphereAtAPanel, RollingItIsStoppedWhereItTouchesThePanel) {
   EXPECT_GT(at_the_top, 50);
 }
 
-// The case of a report: the sphere touched the endless plane of the fence 2.75 m above its foot.
+// A reported case: the sphere touched the extended plane of the fence 2.75 m above its foot.
 TEST(SphereAtAPanel, IsStoppedByAFenceLowerThanWhereItTouchesItsPlane) {
   const Slope slope{50 * std::numbers::pi / 180};
   const double radius = 1, height = 2.7;
@@ -116,18 +116,18 @@ TEST(SphereAtAPanel, IsStoppedByAFenceLowerThanWhereItTouchesItsPlane) {
   EXPECT_DOUBLE_EQ(path.log.hits[0].height, height);
 }
 
-TEST(SphereAtACollector, RollingItIsAsHighAsItsCentre) {
+TEST(SphereAtACollector, ARollingSphereIsRecordedAtTheHeightOfItsCentre) {
   for (const double degrees : {0.0, 20.0, 35.0, 50.0, 65.0}) {
     const Slope slope{degrees * std::numbers::pi / 180};
     for (const double radius : {0.4, 1.0}) {
       for (const double height :
-           {10.0, 0.5 * radius}) {  // of the collector: that a sphere reaches into a low one counts
+           {10.0, 0.5 * radius}) {  // of the collector: a sphere that reaches into a low one is recorded
         for (const bool downhill : {true, false}) {
           std::vector<Barrier> barriers{across(height, 0)};
           barriers[0].is_collector = true;
           const Followed path = roll(slope, sphere_of_diameter(2 * radius, 2700), downhill, barriers);
           ASSERT_FALSE(path.log.hits.empty()) << degrees << ' ' << radius << ' ' << height << downhill;
-          EXPECT_TRUE(!downhill || path.log.hits.size() == 1);  // the other one comes back
+          EXPECT_TRUE(!downhill || path.log.hits.size() == 1);  // uphill, it rolls back through the collector
           EXPECT_TRUE(path.log.passed_above.empty());
           EXPECT_NEAR(path.log.hits[0].motion.position.x(), 0, 1e-9);
           EXPECT_NEAR(path.log.hits[0].height, radius / std::cos(slope.angle), 1e-6);
@@ -137,8 +137,8 @@ TEST(SphereAtACollector, RollingItIsAsHighAsItsCentre) {
   }
 }
 
-// A collector less than a radius before a barrier records what arrives, though its centre never gets there.
-TEST(SphereAtACollector, CountsWhenABarrierStopsItThere) {
+// A collector less than a radius before a barrier records the arrival, even if the centre never reaches it.
+TEST(SphereAtACollector, IsRecordedIfABarrierStopsItThere) {
   const Slope slope{0.3};
   const Rock rock = sphere_of_diameter(1, 2700);
   for (const double distance : {0.0, 0.1, 0.4, 0.49}) {
@@ -168,22 +168,22 @@ TEST(SphereAtACollector, CountsWhenABarrierStopsItThere) {
 
 // ---- grazing ----
 
-TEST(SphereAtAPanel, GrazesTheTopOrPassesAboveIt) {
+TEST(SphereAtAPanel, TouchesTheTopOrPassesAboveIt) {
   const double radius = 0.5, height = 4, near = 1e-6;
   for (const double inclination : {-0.4, 0.0, 0.4}) {
     const std::vector<Barrier> barriers{standing({{10, -5, 1}, {10, 5, 1}}, height, inclination)};
     const Vec3 top(10 + height * std::sin(inclination), 0, 1 + height * std::cos(inclination));
     for (const double fall : {-0.5, 0.0, 1.0}) {
       for (const double side : {1.0, -1.0}) {
-        // A straight way that passes the top at a distance.
+        // A straight path that passes the top at a distance.
         const Vec3 way = Vec3(side, 0, -fall).normalized(), aside = Vec3(side * fall, 0, 1).normalized();
         const auto crossing_at = [&](double distance) {
           const Parabola path{top + distance * aside - 3 * way, way, Vec3::Zero()};
           RecentCrossings met;
           auto crossing = first_crossing(barriers, path, radius, 0, 6, met);
           if (!crossing || !crossing->above || distance > radius) return crossing;
-          // Steeply down, its centre is over the top before it touches it.
-          met.note_passage(*crossing, crossing->t, crossing->t + radius / std::abs(way.x()));
+          // On a steep path, the centre is over the top before the sphere touches it.
+          met.record_passage(*crossing, crossing->t, crossing->t + radius / std::abs(way.x()));
           crossing = first_crossing(barriers, path, radius, 0, 6, met);
           EXPECT_TRUE(crossing && met.is_over(crossing->barrier, crossing->t));
           return crossing;
@@ -197,7 +197,7 @@ TEST(SphereAtAPanel, GrazesTheTopOrPassesAboveIt) {
         const auto passed = crossing_at(radius + near);
         ASSERT_TRUE(passed);
         EXPECT_TRUE(passed->above);
-        // Upright above the top.
+        // Vertically above the top.
         EXPECT_NEAR(passed->clearance, (radius + near) / aside.z() - radius, 1e-9);
         EXPECT_NEAR(passed->height, height + (radius + near) / aside.z() * std::cos(inclination), 1e-9);
       }
@@ -205,7 +205,7 @@ TEST(SphereAtAPanel, GrazesTheTopOrPassesAboveIt) {
   }
 }
 
-TEST(SphereAtAPanel, GrazesItsEndPostsOrGoesBesideThem) {
+TEST(SphereAtAPanel, TouchesItsEndPostsOrPassesNextToThem) {
   const double radius = 0.5, near = 1e-6;
   for (const double inclination : {-0.4, 0.0, 0.4}) {
     const std::vector<Barrier> barriers{standing({{10, -5, 0}, {10, 5, 0}}, 4, inclination)};
@@ -229,9 +229,9 @@ TEST(SphereAtAPanel, GrazesItsEndPostsOrGoesBesideThem) {
 
 // ---- panels that lean ----
 
-// High above the ground the plane of a panel that leans uphill is above the slope no more: who bounces there goes
-// through it, and has not come to the panel.
-TEST(Crossing, ThroughThePlaneOfALeaningPanelFarAboveItIsNone) {
+// The plane of a panel that leans uphill continues above its top: a rock that bounces through it there does not meet
+// the panel.
+TEST(Crossing, OfTheExtendedPlaneOfALeaningPanelIsNone) {
   const std::vector<Barrier> barriers{standing({{0, -5, 0}, {0, 5, 0}}, 4, -0.9)};
   const Panel& panel = barriers[0].panels()[0];
   const Parabola path{{-15, 0, 5}, {3, 0, 14}, {0, 0, -9.81}};
@@ -240,7 +240,7 @@ TEST(Crossing, ThroughThePlaneOfALeaningPanelFarAboveItIsNone) {
   for (const double radius : {0.0, 0.4}) EXPECT_FALSE(first_crossing(barriers, path, radius, 0, 3, {}));
 }
 
-TEST(BarrierOnAPath, WhatPassesTheTopOfALeaningPanelAndComesDownOnItIsHeld) {
+TEST(BarrierOnAPath, ARockThatPassesTheTopOfALeaningPanelAndComesDownOnItIsStopped) {
   // Its top is 3.1 m before its foot; the rock falls steeply, just beyond the top.
   const std::vector<Barrier> barriers{standing({{0, -5, 0}, {0, 5, 0}}, 4, -0.9)};
   const Profile level(std::vector<Vec2>{{-100, 0}, {100, 0}});
@@ -265,9 +265,9 @@ TEST(BarrierOnAPath, WhatPassesTheTopOfALeaningPanelAndComesDownOnItIsHeld) {
   }
 }
 
-// ---- against the distance ----
+// ---- compared to the distance ----
 
-/// From the panels themselves.
+/// The distance from the panels.
 double distance_from(const Barrier& barrier, const Vec3& p) {
   double nearest = infinite;
   for (const Panel& panel : barrier.panels()) {
@@ -281,7 +281,7 @@ double distance_from(const Barrier& barrier, const Vec3& p) {
   return nearest;
 }
 
-TEST(SphereAtAPanel, ComesAsNearAsItsRadiusAndNoNearer) {
+TEST(SphereAtAPanel, ComesNoNearerThanItsRadius) {
   Dice dice(77);
   int hits = 0, above = 0, beside = 0;
   for (int k = 0; k < 20000; ++k) {
@@ -298,7 +298,7 @@ TEST(SphereAtAPanel, ComesAsNearAsItsRadiusAndNoNearer) {
                         dice.chance(0.5) ? Vec3(0, 0, -9.81) : Vec3(Vec3::Zero())};
     if (distance_from(barriers[0], path.p) < radius + 1e-3) continue;
     double t_end = 2;
-    // Only above the foot: what is below it, is ground.
+    // Only above the foot: below it is ground.
     while (path.z(t_end) < 2 + radius + 0.1 && t_end > 0.02) t_end -= 0.02;
     if (path.z(0.5 * t_end) < 2 + radius + 0.1) continue;
 
@@ -309,9 +309,9 @@ TEST(SphereAtAPanel, ComesAsNearAsItsRadiusAndNoNearer) {
       has_passed = true;
       EXPECT_GE(crossing->clearance, 0);
       EXPECT_GT(crossing->height, barriers[0].panels()[0].height);
-      met.note_passage(*crossing, crossing->t, crossing->t);
+      met.record_passage(*crossing, crossing->t, crossing->t);
       crossing = first_crossing(barriers, path, radius, 0, t_end, met);
-      if (crossing && crossing->above) continue;  // around a corner, above it again
+      if (crossing && crossing->above) continue;  // above it again, around a corner
     }
     const double last = crossing ? crossing->t : t_end;
     for (int i = 0; i < 400; ++i) {
@@ -328,7 +328,7 @@ TEST(SphereAtAPanel, ComesAsNearAsItsRadiusAndNoNearer) {
       ++(has_passed ? above : beside);
     }
 
-    // The same, turned about the vertical and moved.
+    // The same, rotated about the vertical and shifted.
     const double turn = dice.between(0, 6.28);
     const Mat3 turned = Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
     const Vec3 moved(dice.between(-500, 500), dice.between(-500, 500), dice.between(-500, 500));
@@ -340,12 +340,12 @@ TEST(SphereAtAPanel, ComesAsNearAsItsRadiusAndNoNearer) {
     auto other = first_crossing(others, other_path, radius, 0, t_end, other_met);
     if (has_passed) {
       ASSERT_TRUE(other && other->above) << k;
-      other_met.note_passage(*other, other->t, other->t);
+      other_met.record_passage(*other, other->t, other->t);
       other = first_crossing(others, other_path, radius, 0, t_end, other_met);
     }
     ASSERT_EQ(other.has_value(), crossing.has_value()) << k;
     if (!crossing) continue;
-    // A touch in passing moves with the root of rounding.
+    // The time of a tangential touch varies with the square root of rounding.
     ASSERT_NEAR(other->t, crossing->t, 1e-5) << k;
     ASSERT_NEAR(other->height, crossing->height, 1e-4) << k;
     ASSERT_NEAR(other->station, crossing->station, 1e-4) << k;

@@ -1,5 +1,5 @@
-// A sphere that a barrier has stopped goes on spinning on the ground, which drives it against the barrier until
-// friction has taken the spin.
+// A sphere that a barrier has stopped still spins on the ground, which drives it against the barrier until friction has
+// removed the spin.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using namespace testing_tools;
 constexpr double g = standard_gravity, radius = 0.5, at = 10;
 const Rock rock = sphere_of_diameter(2 * radius, 2700);
 
-/// Ground that rises towards a fence, or is level. The sphere comes with so much speed, and spin of its own.
+/// Ground that rises towards a fence, or is level. The sphere arrives with a speed and a spin.
 struct Approach {
   double rise, speed, spin;
   Soil soil{.rn = 0, .rt = 1, .mu = 0.5, .rolling = 0.02};
@@ -28,7 +28,7 @@ struct Approach {
   [[nodiscard]] double slope() const { return std::atan(rise); }
   [[nodiscard]] Vec3 up() const { return {std::cos(slope()), 0, std::sin(slope())}; }
   [[nodiscard]] Vec3 normal() const { return {-std::sin(slope()), 0, std::cos(slope())}; }
-  /// Where the sphere on the ground touches the fence: upright, over the middle of the model.
+  /// Where the sphere on the ground touches the vertical fence in the middle of the model.
   [[nodiscard]] Vec3 touching() const {
     const double x = at - radius;
     return {x, 0, rise * x + radius / std::cos(slope())};
@@ -54,9 +54,9 @@ double nearest_to_the_fence(const Followed& path) {
   return x;
 }
 
-// Held where it is, it slips: friction mu m g and the moment of rolling resistance take its spin, I dw/dt = -(mu +
-// mu_r) m g r with I = 2/5 m r^2.
-TEST(SphereAtABarrier, OnLevelGroundStaysUntilItsSpinIsGone) {
+// It slips in place: friction mu m g and the moment of rolling resistance brake its spin, I dw/dt = -(mu + mu_r) m g r
+// with I = 2/5 m r^2.
+TEST(SphereAtABarrier, OnLevelGroundStaysUntilItNoLongerSpins) {
   for (const double spin : {10.0, 25.0, 60.0}) {
     for (const double rt : {0.0, 1.0}) {
       const Approach level{0, 5, spin};
@@ -67,13 +67,13 @@ TEST(SphereAtABarrier, OnLevelGroundStaysUntilItsSpinIsGone) {
       const Motion& hit = path.log.hits[0].motion;
       const double braking = 2.5 * (level.soil.mu + level.soil.rolling) * g;
       const double time = hit.spin.y() * radius / braking;
-      // It counts as standing when what is left of the slip is slower than what stops: a part of the last step, or two.
+      // It stops when the remaining slip is below the stopping velocity: within the last step or two.
       EXPECT_NEAR(path.outcome.end.time - hit.time, time, Laws{}.stopped_velocity / braking + 0.02) << "spin " << spin;
     }
   }
 }
 
-TEST(SphereAtABarrier, OnASlopeRollsBackWhenItsSpinIsGone) {
+TEST(SphereAtABarrier, OnASlopeRollsBackWhenItNoLongerSpins) {
   for (const double rise : {0.1, 0.3}) {
     for (const double rn : {0.0, 0.05, 0.2, 0.6}) {
       for (const double spin : {10.0, 60.0}) {
@@ -83,7 +83,7 @@ TEST(SphereAtABarrier, OnASlopeRollsBackWhenItsSpinIsGone) {
         EXPECT_LT(path.outcome.end.position.x(), -39.9);
         EXPECT_LT(nearest_to_the_fence(path), at - radius + 1e-6);
         ASSERT_FALSE(path.log.hits.empty());
-        EXPECT_LT(path.log.hits.size(), 12U);  // of bounces, each of which is rn times as high or less
+        EXPECT_LT(path.log.hits.size(), 12U);  // bounces, each at most rn times as fast as the last
         for (std::size_t k = 1; k < path.log.rows.size(); ++k) {
           const auto energy = [&](std::size_t row) {
             return total_energy(path.log.rows[row].motion, rock, {0, 0, -g});

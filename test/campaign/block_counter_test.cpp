@@ -41,7 +41,7 @@ TEST(BlockCounter, HandsOutEveryRockOnceInOrder) {
   }
 }
 
-TEST(BlockCounter, KeepsARankBusyAndNoMore) {
+TEST(BlockCounter, LimitsTheBlocksOfARank) {
   const int threads[] = {1, 3};
   BlockCounter counter({0, 1'000'000}, threads);
   int first = 0, second = 0;
@@ -54,8 +54,8 @@ TEST(BlockCounter, KeepsARankBusyAndNoMore) {
   EXPECT_TRUE(counter.take(1));
 }
 
-// What a rank has done is held there while a block before it is under way on another: so much, and no more.
-TEST(BlockCounter, LetsARankGoAheadOfTheOthersByAFewBlocks) {
+// A rank's finished blocks are kept in memory while another rank works on a block before them: their number is limited.
+TEST(BlockCounter, LetsARankBeAheadOfTheOthersByAFewBlocks) {
   const int threads[] = {1, 1};
   BlockCounter counter({0, 1'000'000}, threads);
   ASSERT_TRUE(counter.take(0));
@@ -67,12 +67,12 @@ TEST(BlockCounter, LetsARankGoAheadOfTheOthersByAFewBlocks) {
   EXPECT_TRUE(counter.take(1));
 }
 
-TEST(BlockCounter, GivesSmallBlocksOfRocksThatTakeLong) {
+TEST(BlockCounter, GivesSmallBlocksOfSlowRocks) {
   const int threads[] = {1, 1};
   BlockCounter counter({0, 1'000'000}, threads);
   EXPECT_EQ(counter.take(0)->count(), 16U);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  counter.came_back(0, 2);  // at most 5 rocks a second and thread: a quarter of a second has one
+  counter.came_back(0, 2);  // at most 5 rocks per second and thread: one in a quarter of a second
   EXPECT_EQ(counter.take(0)->count(), 1U);
 }
 
@@ -85,10 +85,10 @@ TEST(BlockCounter, GivesSmallBlocksTowardsTheEnd) {
     const auto block = counter.take(rank);
     ASSERT_TRUE(block);
     sizes.push_back(block->count());
-    counter.came_back(rank, 1'000'000'000);  // in no time: that is no reason for small ones
+    counter.came_back(rank, 1'000'000'000);  // fast rocks, so that these are no reason for small blocks
     counter.is_in_order(rank);
   }
-  EXPECT_EQ(sizes.front(), 16U);  // nothing is known of the rocks
+  EXPECT_EQ(sizes.front(), 16U);  // the speed is not known yet
   EXPECT_EQ(sizes[1], max_rocks_per_block);
   EXPECT_LE(sizes.back(), 16U);
   for (std::size_t k = 2; k < sizes.size(); ++k) EXPECT_LE(sizes[k], sizes[k - 1]);
@@ -99,7 +99,7 @@ BlockOfRank block(std::uint64_t first, std::uint64_t last) {
   return {first, {{first, last}, {std::to_string(first) + "\n", ""}}};
 }
 
-TEST(BlockOrder, GivesBlocksInTheOrderOfTheirRocks) {
+TEST(BlockOrder, ReturnsBlocksInTheOrderOfTheirRocks) {
   BlockOrder order(10);
   EXPECT_FALSE(order.next());
   order.add(block(30, 35));

@@ -21,7 +21,7 @@ Model tutorial_model() {
   return project::build_model(project::read_project(file, {{}, 2000, {}}).project, warnings);
 }
 
-/// Writes the numbers of the rocks that it saw; fails at one of them.
+/// Writes the numbers of the rocks that it sees; throws at one of them.
 struct Numbers : Observer {
   struct Part : ObserverPart {
     explicit Part(std::uint64_t bad) : bad_rock(bad) {}
@@ -45,7 +45,7 @@ std::string numbers_of(const RockRange& rocks) {
   return text;
 }
 
-TEST(BlockWorker, GivesTheRowsOfEachBlockApart) {
+TEST(BlockWorker, ReturnsTheRowsOfEachBlockSeparately) {
   const Model model = tutorial_model();
   for (const int threads : {1, 2, 8}) {
     Numbers numbers;
@@ -53,7 +53,7 @@ TEST(BlockWorker, GivesTheRowsOfEachBlockApart) {
                        [&] { return std::vector<std::string>{std::exchange(numbers.text, {})}; });
     std::vector<RockRange> given;
     std::vector<DoneBlock> done;
-    for (int round = 0; round < 3; ++round) {  // it works, rests and works again
+    for (int round = 0; round < 3; ++round) {  // work, wait, work again
       for (std::uint64_t k = 0; k < 6; ++k) {
         given.push_back({300 * k + 7 * static_cast<std::uint64_t>(round), 300 * k + 50});
         worker.give(given.back());
@@ -70,7 +70,7 @@ TEST(BlockWorker, GivesTheRowsOfEachBlockApart) {
   }
 }
 
-TEST(BlockWorker, SaysWhatWentWrong) {
+TEST(BlockWorker, RethrowsAnException) {
   const Model model = tutorial_model();
   for (const int threads : {1, 4}) {
     Numbers numbers;
@@ -109,7 +109,7 @@ struct Count : SummingObserver {
   std::uint64_t rocks = 0;
 };
 
-TEST(BlockWorker, LeavesSumsToWhoTakesItsBlocks) {
+TEST(BlockWorker, DoesNotCommitSums) {
   const Model model = tutorial_model();
   Count count;
   SummingObserver* const sums[] = {&count};
@@ -133,7 +133,7 @@ TEST(BlockWorker, StopsInTheMiddleOfABlock) {
   const Model model = project::build_model(project::read_project_text(text, "endless.toml", {}).project, warnings);
   Count count;
   SummingObserver* const sums[] = {&count};
-  // One thread waits for more blocks and one follows the long rocks: others must be there to hand on what is done.
+  // One thread waits for more blocks and one simulates the long rocks: others are needed to return finished blocks.
   BlockWorker worker(model, {}, {&count}, 4, [] { return std::vector<std::string>(); });
   for (std::uint64_t k = 0; k < 100; k += 20) worker.give({k, k + 20});
   worker.give({100, 103});
@@ -144,7 +144,7 @@ TEST(BlockWorker, StopsInTheMiddleOfABlock) {
   const auto asked = std::chrono::steady_clock::now();
   worker.stop();
   while (!worker.has_ended()) EXPECT_TRUE(worker.take(1ms).empty());
-  EXPECT_LT(std::chrono::steady_clock::now() - asked, 1min);  // each of the rocks takes minutes
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, 1min);  // each of these rocks takes minutes
 }
 
 }  // namespace

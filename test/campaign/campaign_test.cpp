@@ -34,7 +34,7 @@ std::uint64_t bits_of(const RockOutcome& outcome) {
   return hash;
 }
 
-TEST(Campaign, ComputesARockTheSameInAnyOrder) {
+TEST(Campaign, SimulatesARockTheSameInAnyOrder) {
   for (const char* model_kind : {"lumped_mass", "rigid_sphere"}) {
     const Model model = tutorial_model("3d", 200, {std::string("analysis.model=") + model_kind});
     Simulator forwards(model), backwards(model);
@@ -45,8 +45,9 @@ TEST(Campaign, ComputesARockTheSameInAnyOrder) {
   }
 }
 
-// Rocks side by side give the bits, the rows and the pieces of rocks one by one, in the order of their numbers.
-TEST(Campaign, ComputesRocksTogetherAsAlone) {
+// Rocks simulated together have the bits, rows and pieces of rocks simulated alone, and come in the order of their
+// numbers.
+TEST(Campaign, SimulatesRocksTogetherAsAlone) {
   for (const char* dimensions : {"2d", "3d"}) {
     for (const char* model_kind : {"lumped_mass", "rigid_sphere"}) {
       const Model model = tutorial_model(dimensions, 500, {std::string("analysis.model=") + model_kind});
@@ -77,7 +78,7 @@ TEST(Campaign, ComputesRocksTogetherAsAlone) {
   }
 }
 
-TEST(Campaign, SummarisesTheSameBitsOnAnyNumberOfThreads) {
+TEST(Campaign, HasTheSameSumsOnAnyNumberOfThreads) {
   const Model model = tutorial_model("2d", 3000);
   std::vector<Descriptive> seen;
   for (const int threads : {1, 2, 8}) {
@@ -94,7 +95,7 @@ TEST(Campaign, SummarisesTheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
-// Ranges that together are all rocks, on other borders than those of blocks: each rock is seen once and in its order.
+// Ranges with other borders than those of blocks: each rock is seen once, in order.
 TEST(Campaign, RunsTheRocksOfARange) {
   struct Numbers : Observer {
     struct Part : ObserverPart {
@@ -123,8 +124,8 @@ TEST(Campaign, RunsTheRocksOfARange) {
   for (std::uint64_t rock = 0; rock < 2000; ++rock) EXPECT_EQ(seen.rocks[rock], rock);
 }
 
-// What goes wrong while blocks are committed, a full disk for example, ends the campaign and reaches the caller.
-TEST(Campaign, EndsWithWhatProgressThrows) {
+// An error while blocks are committed, such as a full disk, ends the campaign and reaches the caller.
+TEST(Campaign, EndsWithAnExceptionFromProgress) {
   const Model model = tutorial_model("2d", 1'000'000'000);
   const CampaignOptions options{2, nullptr, [](std::uint64_t done) {
                                   if (done > 1000) throw BadInput(Problem{.what = "the disk is full"});
@@ -143,7 +144,7 @@ TEST(Campaign, CountsEveryRockOnceAndLosesNone) {
   EXPECT_EQ(summary.summary().ends[static_cast<std::size_t>(EndReason::lost)], 0U);
 }
 
-TEST(Campaign, StopsWhenAskedAndKeepsAPrefix) {
+TEST(Campaign, StopsOnRequestAndKeepsTheFirstRocks) {
   const Model model = tutorial_model("2d", 1'000'000);
   SummaryObserver summary(model.rocks(), model.barriers.size(), model.frame);
   Observer* const observers[] = {&summary};
@@ -156,8 +157,8 @@ TEST(Campaign, StopsWhenAskedAndKeepsAPrefix) {
   EXPECT_EQ(summary.summary().done, outcome.done);
 }
 
-TEST(Campaign, LatinHypercubeNarrowsTheMean) {
-  // Over several seeds the mean start speed scatters far less when it is stratified.
+TEST(Campaign, LatinHypercubeReducesTheScatterOfTheMean) {
+  // Over several seeds, the mean release velocity scatters far less if it is stratified.
   const auto scatter = [](const char* method) {
     double squares = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -174,7 +175,7 @@ TEST(Campaign, LatinHypercubeNarrowsTheMean) {
   EXPECT_LT(scatter("latin_hypercube"), 0.002);
 }
 
-// A section of which every rock has its own, with a barrier between two collectors.
+// A section that varies from rock to rock, with a barrier between two collectors.
 Model uncertain_model(const char* deviations) {
   Problems warnings;
   const std::string text = std::string(R"(
@@ -223,12 +224,12 @@ TEST(Campaign, BarriersStandOnTheSlopeOfEachRock) {
     lowest = std::min(lowest, foot);
     highest = std::max(highest, foot);
   }
-  // Three hundred normal values spread over five deviations.
+  // Three hundred normal values extend over about five standard deviations.
   EXPECT_GT(highest - lowest, 2);
   EXPECT_LE(highest - lowest, 3);
 }
 
-TEST(Campaign, BarriersOnASlopeThatIsCertainAfterAllStandWhereTheyStood) {
+TEST(Campaign, BarriersOnAVaryingSectionWithoutVariationDoNotMove) {
   const Model model = uncertain_model("[[0, 0], [0, 0], [0, 0], [0, 0]]");
   Model certain = uncertain_model("[[0, 0], [0, 0], [0, 0], [0, 0]]");
   certain.varying.reset();
@@ -240,7 +241,7 @@ TEST(Campaign, BarriersOnASlopeThatIsCertainAfterAllStandWhereTheyStood) {
   }
 }
 
-TEST(Campaign, DrawsMaterialsOncePerRockIfAskedTo) {
+TEST(Campaign, DrawsMaterialsOncePerRockOnRequest) {
   const Model per_rock = tutorial_model("2d", 1, {"sampling.materials=per_rock"});
   const Model per_impact = tutorial_model("2d", 1);
   EXPECT_NE(bits_of(Simulator(per_rock).simulate(0, false).outcome),

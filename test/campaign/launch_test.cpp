@@ -7,7 +7,7 @@
 namespace talus {
 namespace {
 
-/// Sets what launchers set, for one test.
+/// Sets the environment variables of launchers, for one test.
 class Launched : public testing::Test {
  protected:
   void SetUp() override { forget(); }
@@ -21,8 +21,8 @@ class Launched : public testing::Test {
   static void set(const char* name, const char* value) { setenv(name, value, 1); }
 };
 
-TEST_F(Launched, ByNobodyIsAlone) {
-  set("SLURM_STEP_NUM_TASKS", "8");  // a job's script, too, has such
+TEST_F(Launched, WithoutALauncherIsAlone) {
+  set("SLURM_STEP_NUM_TASKS", "8");  // also set in a job's script
   EXPECT_FALSE(find_launch());
   EXPECT_EQ(join_ranks(), nullptr);
 }
@@ -51,7 +51,7 @@ TEST_F(Launched, AsTheOnlyOneIsAlone) {
   EXPECT_EQ(join_ranks(), nullptr);
 }
 
-TEST_F(Launched, WithWhatIsNoNumberIsAlone) {
+TEST_F(Launched, WithAnInvalidNumberIsAlone) {
   set("PMI_RANK", "first");
   EXPECT_FALSE(find_launch());
 }

@@ -8,7 +8,7 @@
 namespace talus {
 namespace {
 
-TEST(Shard, TogetherTheyHaveEveryRockOnce) {
+TEST(Shard, AllShardsHaveEveryRockOnce) {
   for (const std::uint64_t total : {0U, 1U, 2U, 49U, 50U, 51U, 1000U, 4'000'000'000U}) {
     for (const std::uint64_t of : {1U, 2U, 3U, 7U, 64U, 1000U}) {
       std::uint64_t next = 0, least = total, most = 0;
@@ -26,13 +26,13 @@ TEST(Shard, TogetherTheyHaveEveryRockOnce) {
   }
 }
 
-TEST(Shard, AreAsTheContractSays) {
+TEST(Shard, RangesAreThoseOfTheFormula) {
   EXPECT_EQ(rocks_of({1, 3}, 10), (RockRange{0, 3}));
   EXPECT_EQ(rocks_of({2, 3}, 10), (RockRange{3, 6}));
   EXPECT_EQ(rocks_of({3, 3}, 10), (RockRange{6, 10}));
 }
 
-TEST(Shard, ProductsOfLargeNumbersDoNotWrapAround) {
+TEST(Shard, ProductsOfLargeNumbersDoNotOverflow) {
   constexpr std::uint64_t total = std::numeric_limits<std::uint64_t>::max(), of = 1'000'000'000;
   EXPECT_EQ(rocks_of({of, of}, total).last, total);
   EXPECT_EQ(rocks_of({of / 2, of}, total).last, total / 2);

@@ -1,4 +1,4 @@
-// A campaign that is stopped leaves the rocks that are on their way, however long those take, and keeps all before.
+// A stopped campaign drops the rocks in progress at once, however long they take, and keeps all before them.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/// On an endless slope that friction just about holds: 20 rocks that rest at once, then one that goes on and on.
+/// On an endless slope that friction barely holds: 20 rocks that rest at once, then one that moves for very long.
 std::string endless(const char* analysis, const char* material, const std::string& width) {
   const std::string place = width.empty() ? "[0, \"surface\"]" : "[0, 50, \"surface\"]";
   return std::string(R"(
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
                                           "")}),
     [](const auto& each) { return each.param.name; });
 
-TEST_P(LongRocks, AreLeftAtOnce) {
+TEST_P(LongRocks, AreDroppedAtOnce) {
   const Model model = model_of(GetParam().text);
   SummaryObserver summary(model.rocks(), model.barriers.size(), model.frame);
   Observer* const observers[] = {&summary};
@@ -93,13 +93,13 @@ TEST_P(LongRocks, AreLeftAtOnce) {
   auto running = std::async(std::launch::async, [&] {
     return run_campaign(model, observers, {2, &stop, [&](std::uint64_t now) { done = now; }});
   });
-  ASSERT_EQ(running.wait_for(2s), std::future_status::timeout) << "the rock is not as long as it should be";
+  ASSERT_EQ(running.wait_for(2s), std::future_status::timeout) << "the rock ended too early";
   stop = true;
   const auto begin = Clock::now();
   const CampaignOutcome outcome = running.get();
   EXPECT_LT(Clock::now() - begin, 1min);  // long for any machine, and far less than the rock takes
   EXPECT_TRUE(outcome.interrupted);
-  EXPECT_EQ(outcome.done, 20U);  // all before the first one that was left
+  EXPECT_EQ(outcome.done, 20U);  // all before the first one that was dropped
   EXPECT_EQ(done, 20U);
   EXPECT_EQ(summary.summary().done, 20U);
 
@@ -108,7 +108,7 @@ TEST_P(LongRocks, AreLeftAtOnce) {
   EXPECT_THROW((void)simulator.simulate(20, true), Stopped);  // as for a replay
 }
 
-TEST(Stop, LeavesNothingBehindInASimulator) {
+TEST(Stop, DoesNotAffectTheNextUseOfASimulator) {
   const Model model = model_of(endless("rotation = false\n",
                                        "normal_restitution = 0.3\ntangential_restitution = 0.8\n"
                                        "friction_angle_deg = 30\n",
@@ -126,7 +126,7 @@ TEST(Stop, LeavesNothingBehindInASimulator) {
   };
   order.stop = &scope;
   const std::uint64_t next = stopped.simulate(order);
-  EXPECT_GE(next, 7U);  // those that were done at once are seen together
+  EXPECT_GE(next, 7U);  // rocks that end at once are seen together
   EXPECT_EQ(next, seen.size());
   stop = false;
   order.rocks.first = next;

@@ -254,15 +254,15 @@ TEST(Ranks, ThatDoNotFindEachOtherAreRefused) {
   const std::string first = launched + "PMI_RANK=0 ", second = launched + "PMI_RANK=1 ";
 #ifdef TALUS_HAS_MPI
   const std::string why =
-      "(started by a launcher that this program's MPI does not know, each is alone). Start them with the mpirun of "
-      "that MPI, or with srun --mpi=pmix, or ";
+      "(this program's MPI does not recognize the launcher that started them). Start them with the mpirun of that MPI, "
+      "or with srun --mpi=pmix, or ";
 #else
   const std::string why = "(this program was built without MPI). Build it with TALUS_MPI=ON, or ";
 #endif
   const Said said = talus_says(run, first);
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_TRUE(has_text(said.text, "mpirun: cannot share the rocks between 3 processes " + why +
-                                      "let each process do a run of its own (--alone)\n"))
+                                      "run each process on its own (--alone)\n"))
       << said.text;
   EXPECT_EQ(talus_says(run, second).text, "");
   EXPECT_FALSE(fs::exists(work / "out"));

@@ -94,7 +94,7 @@ TEST(RefusedByTheProgram, MoreThreadsThanTheSystemAllows) {
   const std::string run = "run " + place.write("slope.toml", good) + " -q -o " + (place / "out").string();
   const std::string alone = "setpriv --reuid=54321 --clear-groups prlimit --nproc=1 ";
   EXPECT_EQ(said(place, run + " --threads 8", alone),
-            "2 --threads: 8 threads cannot be had (Resource temporarily unavailable). Try --threads 1\n");
+            "2 --threads: 8 threads are not available (Resource temporarily unavailable). Try --threads 1\n");
   EXPECT_EQ(said(place, run + " --threads 1", alone), "0 ");
   EXPECT_EQ(said(place, "replay " + (place / "slope.toml").string() + " --rock 0 > /dev/null", alone), "0 ");
 }

@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-TEST(Bytes, ComeBackAsTheyWere) {
+TEST(Bytes, AreReadAsTheyWereWritten) {
   ByteWriter out;
   out.put(std::int8_t{-3});
   out.put(std::numeric_limits<std::uint64_t>::max());
@@ -51,7 +51,7 @@ TEST(Bytes, AreLittleEndian) {
   EXPECT_EQ(out.bytes(), "\x04\x03\x02\x01");
 }
 
-TEST(Bytes, OfASinkAreTheSameAsOfMemory) {
+TEST(Bytes, WrittenToASinkEqualThoseInMemory) {
   ByteWriter memory;
   std::string sunk;
   std::size_t pieces = 0;
@@ -65,7 +65,7 @@ TEST(Bytes, OfASinkAreTheSameAsOfMemory) {
     out->flush();
   }
   EXPECT_EQ(sunk, memory.bytes());
-  EXPECT_GE(pieces, 3U);  // 4 MB are not kept until the end
+  EXPECT_GE(pieces, 3U);  // 4 MB are not buffered until the end
   EXPECT_TRUE(streaming.bytes().empty());
 }
 
@@ -79,16 +79,17 @@ std::string why(const std::string& bytes, const std::function<void(ByteReader&)>
   return "nothing was refused";
 }
 
-TEST(ByteReader, RefusesWhatIsCutShort) {
+TEST(ByteReader, RefusesTruncatedData) {
   EXPECT_EQ(why("abc", [](ByteReader& in) { (void)in.get<std::uint32_t>(); }), "the data end too early");
   EXPECT_EQ(why("", [](ByteReader& in) { (void)in.flag(); }), "the data end too early");
   EXPECT_EQ(why("abc", [](ByteReader& in) { (void)in.bytes(4); }), "the data end too early");
-  EXPECT_EQ(why("abc", [](ByteReader& in) { (void)in.bytes(2), in.expect_end(); }), "there are data left over");
-  EXPECT_EQ(why("\x02", [](ByteReader& in) { (void)in.flag(); }), "a yes or no is neither");
+  EXPECT_EQ(why("abc", [](ByteReader& in) { (void)in.bytes(2), in.expect_end(); }),
+            "there are unexpected data at the end");
+  EXPECT_EQ(why("\x02", [](ByteReader& in) { (void)in.flag(); }), "a flag is neither 0 nor 1");
 }
 
-// A length of 2^64 - 1, or one whose product with the size wraps around, must neither be read nor allocated.
-TEST(ByteReader, RefusesLengthsThatCannotBe) {
+// A length of 2^64 - 1, or one whose product with the size overflows, must neither be read nor allocated.
+TEST(ByteReader, RefusesImpossibleLengths) {
   for (const std::uint64_t length : {~std::uint64_t{0}, std::uint64_t{1} << 61, (std::uint64_t{1} << 61) + 1,
                                      std::uint64_t{1} << 40, std::uint64_t{4}}) {
     ByteWriter out;

@@ -14,13 +14,13 @@ TEST(Nearest, DistanceCountsEdits) {
   EXPECT_EQ(edit_distance("", "abc"), 3u);
   EXPECT_EQ(edit_distance("abc", "abc"), 0u);
   EXPECT_EQ(edit_distance("abc", "abd"), 1u);   // replaced
-  EXPECT_EQ(edit_distance("abc", "ab"), 1u);    // taken out
-  EXPECT_EQ(edit_distance("abc", "abxc"), 1u);  // put in
+  EXPECT_EQ(edit_distance("abc", "ab"), 1u);    // deleted
+  EXPECT_EQ(edit_distance("abc", "abxc"), 1u);  // inserted
   EXPECT_EQ(edit_distance("abc", "acb"), 1u);   // swapped
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
 }
 
-TEST(Nearest, DistanceIsTheSameBothWays) {
+TEST(Nearest, DistanceIsSymmetric) {
   EXPECT_EQ(edit_distance("std_dev", "stddev"), edit_distance("stddev", "std_dev"));
   EXPECT_EQ(edit_distance("position", "points"), edit_distance("points", "position"));
 }
@@ -40,7 +40,7 @@ TEST(Nearest, FindsAKeyWithoutItsUnit) {
   EXPECT_EQ(nearest("mass", known), "mass_kg");
 }
 
-TEST(Nearest, IsSilentWhereNothingIsNear) {
+TEST(Nearest, ReturnsNothingIfNoWordIsNear) {
   EXPECT_EQ(nearest("wind", known), std::nullopt);
   EXPECT_EQ(nearest("", known), std::nullopt);
   EXPECT_EQ(nearest("x", {}), std::nullopt);

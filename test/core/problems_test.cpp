@@ -31,7 +31,7 @@ TEST(ProblemText, HasAllPartsInTheOrderFileLineWhereWhatWhyHint) {
             "expected 0 to 1). Did you mean 0.13?");
 }
 
-TEST(ProblemText, LeavesOutWhatIsNotKnown) {
+TEST(ProblemText, OmitsUnknownParts) {
   EXPECT_EQ(saying("the disk is full").text(), "the disk is full");
   Problem without_line = whole_problem();
   without_line.line = 0;
@@ -40,16 +40,16 @@ TEST(ProblemText, LeavesOutWhatIsNotKnown) {
   EXPECT_EQ(without_line.text(), "tutorial.toml: material \"Type One\": normal_restitution mean is 1.3");
   Problem without_file = whole_problem();
   without_file.file.clear();
-  EXPECT_EQ(without_file.text().find("31"), std::string::npos) << "a line without a file says nothing";
+  EXPECT_EQ(without_file.text().find("31"), std::string::npos) << "a line number without a file is useless";
 }
 
-TEST(ProblemText, NamesAWarning) {
+TEST(ProblemText, MarksAWarning) {
   Problem warning = saying("two triangles were dropped", Severity::warning);
   warning.file = "bowl.obj";
   EXPECT_EQ(warning.text(), "bowl.obj: warning: two triangles were dropped");
 }
 
-TEST(ProblemList, KeepsTheOrderAndPutsOneOnALine) {
+TEST(ProblemList, KeepsTheOrderWithOnePerLine) {
   Problems first, second;
   first.add(saying("one"));
   second.add(saying("two"));
@@ -60,7 +60,7 @@ TEST(ProblemList, KeepsTheOrderAndPutsOneOnALine) {
   EXPECT_EQ(Problems().text(), "");
 }
 
-TEST(ProblemList, AWarningAloneIsNoError) {
+TEST(ProblemList, AWarningIsNotAnError) {
   Problems problems;
   EXPECT_FALSE(problems.has_errors());
   problems.add(saying("odd", Severity::warning));
@@ -69,7 +69,7 @@ TEST(ProblemList, AWarningAloneIsNoError) {
   EXPECT_TRUE(problems.has_errors());
 }
 
-TEST(ProblemList, IsPutInTheOrderOfAFile) {
+TEST(ProblemList, IsSortedByTheLinesOfAFile) {
   Problems problems;
   const auto add = [&](const char* file, int line, const char* what) {
     problems.add({.file = file, .line = line, .what = what});
@@ -78,14 +78,14 @@ TEST(ProblemList, IsPutInTheOrderOfAFile) {
   add("a.toml", 9, "late");
   add("b.csv", 1, "another file");
   add("a.toml", 4, "early");
-  add("a.toml", 9, "late, too");
-  std::string said;
+  add("a.toml", 9, "also late");
+  std::string text;
   const Problems sorted = problems.in_order_of("a.toml");
-  for (const Problem& problem : sorted.list()) said += problem.what + "; ";
-  EXPECT_EQ(said, "early; late; late, too; an option; another file; ");
+  for (const Problem& problem : sorted.list()) text += problem.what + "; ";
+  EXPECT_EQ(text, "early; late; also late; an option; another file; ");
 }
 
-TEST(BadInputException, CarriesEveryProblem) {
+TEST(BadInputException, HasEveryProblem) {
   Problems problems;
   problems.add(saying("one"));
   problems.add(saying("two"));

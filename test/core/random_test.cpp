@@ -35,8 +35,8 @@ TEST(RandomUniform, IsMadeOfTheKnownAnswer) {
   EXPECT_EQ(u[1], (static_cast<double>(0xbc57ac4c9b00du) + 0.5) * 0x1p-52);
 }
 
-// counter = (rock low, rock high, stream, index), key = (seed low, seed high): what a seed means must not change.
-TEST(RandomUniform, PutsSeedRockStreamAndIndexWhereTheyBelong) {
+// counter = (rock low, rock high, stream, index), key = (seed low, seed high): the results of a seed must not change.
+TEST(RandomUniform, UsesRockStreamAndIndexAsCounterAndTheSeedAsKey) {
   const auto u =
       uniform_pair(0x299f31d0'a4093822u, 0x85a308d3'243f6a88u, static_cast<Stream>(0x13198a2eu), 0x03707344u);
   EXPECT_EQ(u[0], (static_cast<double>(0xd16cfe0994fdcu) + 0.5) * 0x1p-52);
@@ -56,7 +56,7 @@ TEST(RandomUniform, FillsTheIntervalEvenly) {
   }
   for (double& u : first) u = std::pow(u, 1.02);
   EXPECT_LT(kolmogorov_probability(kolmogorov_distance(first, identity), first.size()), 1e-3)
-      << "a test that lets this pass is none";
+      << "the test must be able to fail";
 }
 
 TEST(RandomUniform, IsNeverZeroOrOne) {
@@ -68,7 +68,7 @@ TEST(RandomUniform, IsNeverZeroOrOne) {
   }
 }
 
-// Two sequences side by side in a 30 x 30 chequerboard: independent ones fill it evenly.
+// Two sequences as coordinates in a 30 x 30 chequerboard: independent ones fill it evenly.
 double chequerboard_probability(const std::vector<double>& a, const std::vector<double>& b) {
   constexpr int cells = 30;
   std::vector<double> square;
@@ -79,7 +79,7 @@ double chequerboard_probability(const std::vector<double>& a, const std::vector<
   return chi_square_probability(square, identity, cells * cells);
 }
 
-TEST(RandomUniform, StreamsIndicesSeedsRocksAndTheTwoOfAPairAreIndependent) {
+TEST(RandomUniform, StreamsIndicesSeedsRocksAndBothNumbersOfAPairAreIndependent) {
   std::vector<double> base, partner, stream, index, seed, high_seed, rock, high_rock;
   for (std::uint64_t i = 0; i < 90'000; ++i) {
     const auto u = uniform_pair(1, i, Stream::friction, 0);
@@ -102,7 +102,7 @@ TEST(RandomUniform, StreamsIndicesSeedsRocksAndTheTwoOfAPairAreIndependent) {
 
   std::vector<double> dependent = partner;
   for (std::size_t i = 0; i < base.size(); i += 20) dependent[i] = base[i];
-  EXPECT_LT(chequerboard_probability(base, dependent), 1e-6) << "one in twenty copied must be seen";
+  EXPECT_LT(chequerboard_probability(base, dependent), 1e-6) << "one copied value in twenty must be detected";
 }
 
 TEST(RandomPermutation, IsABijectionForEveryCount) {
@@ -133,8 +133,8 @@ TEST(RandomPermutation, StaysInRangeForHugeCounts) {
   }
 }
 
-TEST(RandomPermutation, DependsOnItsKeyAndMovesEveryElementAnywhere) {
-  // Where element 17 of 100 goes under 10,000 keys: each place as often as any other.
+TEST(RandomPermutation, DependsOnItsKeyAndUsesAllPlacesEqually) {
+  // The place of element 17 of 100 with 10,000 keys.
   std::vector<double> places;
   for (std::uint32_t key = 0; key < 10'000; ++key) {
     places.push_back((static_cast<double>(permuted(17, 100, {key, 0})) + 0.5) / 100);

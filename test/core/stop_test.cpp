@@ -1,4 +1,4 @@
-// Work that is left on request.
+// Work that is stopped on request.
 
 #include "talus/core/stop.hpp"
 
@@ -12,12 +12,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(StopPoints, AreNothingWithoutAScope) {
+TEST(StopPoints, DoNothingWithoutAScope) {
   EXPECT_EQ(StopScope::current(), nullptr);
   EXPECT_NO_THROW(stop_point());
 }
 
-TEST(StopPoints, LeaveTheWorkOfAScopeThatIsAskedToEnd) {
+TEST(StopPoints, StopTheWorkOfTheirScope) {
   std::atomic<bool> outer_stop{false}, inner_stop{false};
   const StopScope outer(&outer_stop);
   EXPECT_NO_THROW(stop_point());
@@ -27,14 +27,14 @@ TEST(StopPoints, LeaveTheWorkOfAScopeThatIsAskedToEnd) {
     inner_stop = true;
     EXPECT_THROW(stop_point(), Stopped);
   }
-  EXPECT_NO_THROW(stop_point()) << "the inner work alone was to end";
+  EXPECT_NO_THROW(stop_point()) << "only the inner work was stopped";
   outer_stop = true;
   inner_stop = false;
   const StopScope inner(&inner_stop);
-  EXPECT_THROW(stop_point(), Stopped) << "all within the outer work is to end";
+  EXPECT_THROW(stop_point(), Stopped) << "the outer work was stopped, and all within it";
 }
 
-TEST(StopPoints, OfALoopLookNowAndThen) {
+TEST(StopPoints, OfALoopCheckAtIntervals) {
   const std::atomic<bool> stop{true};
   const StopScope scope(&stop);
   EXPECT_THROW(stop_point(0), Stopped);
@@ -42,12 +42,12 @@ TEST(StopPoints, OfALoopLookNowAndThen) {
   EXPECT_THROW(stop_point(1024), Stopped);
 }
 
-TEST(StopPoints, AreTakenAlongToOtherThreads) {
+TEST(StopPoints, StopOtherThreadsThroughAScopeOfTheirOwn) {
   const std::atomic<bool> stop{true};
   const StopScope here(&stop);
   bool without = false, with = false;
   std::thread([&] {
-    const auto is_left = [] {
+    const auto is_stopped = [] {
       try {
         stop_point();
       } catch (const Stopped&) {
@@ -55,15 +55,15 @@ TEST(StopPoints, AreTakenAlongToOtherThreads) {
       }
       return false;
     };
-    without = is_left();
+    without = is_stopped();
     const StopScope there(&here);
-    with = is_left();
+    with = is_stopped();
   }).join();
   EXPECT_FALSE(without);
   EXPECT_TRUE(with);
 }
 
-TEST(StopPoints, LeaveWorkWhoseTimeIsOver) {
+TEST(StopPoints, StopWorkWhoseTimeIsOver) {
   const TimeLimit none(0s), much(1h), little(50ms);
   EXPECT_TRUE(none.is_over());
   EXPECT_FALSE(much.is_over());

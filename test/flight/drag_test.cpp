@@ -1,4 +1,4 @@
-// Linear drag: pieces against its closed form.
+// Linear drag: pieces against the closed form.
 
 #include "talus/flight/drag.hpp"
 
@@ -16,7 +16,7 @@ using testing_tools::Dice;
 
 const Vec3 gravity(0, 0, -standard_gravity);
 
-// The closed form in time, as texts give it; with more digits, since it takes large numbers from each other.
+// The closed form in time, as in textbooks; in long double, since it subtracts large numbers.
 Vec3 exact_velocity(const Vec3& v0, double rate, double t) {
   const double kept = std::exp(-rate * t);
   return kept * v0 - std::expm1(-rate * t) / rate * gravity;
@@ -27,7 +27,7 @@ Vec3 exact_place(const Vec3& p0, const Vec3& v0, double rate, double t) {
   return p0 + static_cast<double>(gone) * v0 + fallen * gravity;
 }
 
-TEST(LinearDrag, BendIsItsSeriesAndItsLogarithm) {
+TEST(LinearDrag, BendAgreesWithSeriesAndLogarithm) {
   EXPECT_EQ(bend_of_drag(0), 1);
   EXPECT_NEAR(bend_of_drag(1e-9), 1 + 2e-9 / 3, 1e-18);
   for (const double q : {0.01, 0.05, 0.0999, 0.1, 0.1001, 0.2, 0.25, 0.5, 0.9}) {
@@ -37,14 +37,14 @@ TEST(LinearDrag, BendIsItsSeriesAndItsLogarithm) {
   }
 }
 
-// Piece after piece, thrown and falling: position, velocity and time are the closed form's, whatever the pieces'
-// length.
+// Piece after piece, rising and falling: position, velocity and time are those of the closed form, for any length of
+// the pieces.
 TEST(LinearDrag, PiecesEndOnTheClosedForm) {
   Dice dice(1);
   for (int number = 0; number < 200; ++number) {
     const LinearDrag drag{dice.magnitude(1e-4, 100), gravity};
     const Vec3 p0 = dice.in_cube(100), v0 = dice.in_cube(30);
-    const double part = dice.between(0.1, 3);  // of the length that keeps the tolerance
+    const double part = dice.between(0.1, 3);  // of the length within the tolerance
     Vec3 p = p0, v = v0;
     double t = 0;
     for (int k = 0; k < 50; ++k) {
@@ -60,7 +60,7 @@ TEST(LinearDrag, PiecesEndOnTheClosedForm) {
   }
 }
 
-// How far below the closed form a piece runs between its ends; to the sides it is exact.
+// The maximum depth of a piece below the closed form, between its ends; on plan it is exact.
 double farthest_below(const LinearDrag& drag, const Vec3& v, double length) {
   const Parabola piece = drag.piece(Vec3::Zero(), v, length);
   double farthest = 0;
@@ -79,20 +79,20 @@ TEST(LinearDrag, PiecesKeepTheirTolerance) {
     const LinearDrag drag{rate, gravity};
     const double farthest = farthest_below(drag, {20, -5, 8}, drag.longest_piece());
     EXPECT_LE(farthest, tolerance::drag_piece) << rate;
-    // Short enough, and no shorter than needed where the tolerance and not the rate decides.
+    // Short enough; and if the tolerance limits the length and not the rate, not much shorter than needed.
     if (rate <= 1) {
       EXPECT_GT(farthest, 0.5 * tolerance::drag_piece) << rate;
     }
   }
 }
 
-// Third order: half the length, an eighth of the error.
+// Third order: half the length gives an eighth of the error.
 TEST(LinearDrag, PiecesConvergeInTheThirdOrder) {
   const LinearDrag drag{0.5, gravity};
   double before = farthest_below(drag, {20, 0, 8}, 0.2);
   for (double length = 0.1; length > 0.01; length /= 2) {
     const double now = farthest_below(drag, {20, 0, 8}, length);
-    EXPECT_NEAR(before / now, 8, 6 * length) << length;  // and higher orders
+    EXPECT_NEAR(before / now, 8, 6 * length) << length;  // except for higher orders
     before = now;
   }
 }
@@ -112,8 +112,7 @@ TEST(LinearDrag, TerminalSpeedIsWeightOverDrag) {
   EXPECT_LT((v - Vec3(0, 0, -mass * standard_gravity / b)).norm(), 1e-12);
 }
 
-// Anywhere on a piece, not only at its end: what kinetic and potential energy have lost is the work of the drag, at
-// least.
+// Anywhere on a piece, not only at its end: kinetic and potential energy have lost at least the work of the drag.
 TEST(LinearDrag, EnergyNeverGrows) {
   Dice dice(2);
   for (int number = 0; number < 2000; ++number) {

@@ -12,7 +12,7 @@ TEST(Parabola, FirstFlightOfTheManual) {
   EXPECT_LT((path.velocity(1.100246) - Vec3(3, 0, -10.7934)).norm(), 2e-5);
 }
 
-TEST(Parabola, KeepsTheVerticalVelocityTerm) {
+TEST(Parabola, IncludesTheVerticalVelocityTerm) {
   const Parabola path{{1, 2, 3}, {4, 5, 6}, {0, 0, -10}};
   EXPECT_EQ(path.at(2), Vec3(9, 12, -5));
   EXPECT_EQ(path.z(2), -5);

@@ -20,29 +20,29 @@ TEST(FallingRoot, OfAFallFromRest) {
   EXPECT_DOUBLE_EQ(*t, 1);
 }
 
-TEST(FallingRoot, TakesTheLaterRootOfARisingRock) {
-  const auto t = falling_root(0, 5, -10, 0);  // thrown up from the plane: it leaves, and comes back after a second
+TEST(FallingRoot, IsTheLaterRootOfARisingRock) {
+  const auto t = falling_root(0, 5, -10, 0);  // launched up from the plane: it leaves, and returns after a second
   ASSERT_TRUE(t);
   EXPECT_DOUBLE_EQ(*t, 1);
 }
 
-TEST(FallingRoot, IsNoneForARockThatNeverFallsBack) {
+TEST(FallingRoot, DoesNotExistForARockThatNeverFallsBack) {
   EXPECT_FALSE(falling_root(1, 1, 0, 0));
   EXPECT_FALSE(falling_root(1, 0, 0, 0));
-  EXPECT_FALSE(falling_root(1, -1, 2, 0));  // pulled away, it turns half a metre above the plane
+  EXPECT_FALSE(falling_root(1, -1, 2, 0));  // pulled away, it turns above the plane
   EXPECT_FALSE(falling_root(0, 1, 1, 0));
   EXPECT_FALSE(falling_root(0, 0, 1, 0));
 }
 
-TEST(FallingRoot, AtTheSurfaceOnlyIfItMovesIn) {
+TEST(FallingRoot, IsZeroAtTheSurfaceOnlyIfTheRockMovesIn) {
   EXPECT_EQ(falling_root(0, -1, 0, 0), 0.0);
   EXPECT_EQ(falling_root(0, 0, -1, 0), 0.0);
   EXPECT_EQ(falling_root(-1e-10, -1, 0, 1e-9), 0.0);
   EXPECT_FALSE(falling_root(-1e-8, -1, 0, 1e-9));
-  EXPECT_FALSE(falling_root(-1, 1, -1, 1e-9));  // from below it comes up to half a metre under the plane and sinks
+  EXPECT_FALSE(falling_root(-1, 1, -1, 1e-9));  // from below it rises to half a metre under the plane and sinks
 }
 
-// Without the stable form a slow fall onto a near plane would lose half its digits.
+// With the unstable formula a slow fall onto a near plane loses half its digits.
 TEST(FallingRoot, AgreesWithLongDouble) {
   Dice dice(31);
   int compared = 0;
@@ -52,7 +52,7 @@ TEST(FallingRoot, AgreesWithLongDouble) {
     const double an = dice.chance(0.1) ? 0.0 : (dice.chance(0.8) ? -1.0 : 1.0) * dice.magnitude(1e-6, 10);
     const auto t = falling_root(h0, vn, an, 0);
     const long double h = h0, v = vn, a = an, discriminant = v * v - 2 * a * h;
-    // A curve that all but misses has a root that no rounding can pin down.
+    // The root of a curve that almost misses is not defined within rounding.
     if (std::abs(discriminant) < 1e-10L * (v * v + std::abs(2 * a * h))) continue;
     if (a == 0 && v == 0) {
       ASSERT_FALSE(t);
@@ -64,7 +64,7 @@ TEST(FallingRoot, AgreesWithLongDouble) {
     }
     const long double root = v <= 0 ? 2 * h / (-v + std::sqrt(discriminant)) : (v + std::sqrt(discriminant)) / -a;
     ASSERT_TRUE(t) << h0 << ' ' << vn << ' ' << an;
-    // The discriminant itself is rounded; near a double root that shows.
+    // The discriminant is rounded, which matters near a double root.
     const long double sharp = 4e-16L * (1 + (v * v + std::abs(2 * a * h)) / discriminant);
     ASSERT_NEAR(static_cast<double>(*t / root), 1.0, static_cast<double>(sharp));
     ++compared;
@@ -74,7 +74,7 @@ TEST(FallingRoot, AgreesWithLongDouble) {
 
 // ---- polynomials ----
 
-TEST(FallsThroughZero, OfAQuarticWithKnownRoots) {
+TEST(Falls, OfAQuarticWithKnownRoots) {
   Dice dice(32);
   for (int i = 0; i < 100'000; ++i) {
     std::array<double, 4> root;
@@ -98,7 +98,7 @@ TEST(FallsThroughZero, OfAQuarticWithKnownRoots) {
     for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
       if (root[k] > 0 && root[k] < 5) expected[static_cast<std::size_t>(count++)] = root[k];
     }
-    // Beneath zero and rising it may top out beneath: that is a touch at the top.
+    // From below zero it may rise to a maximum below zero: that is a touch at the maximum.
     if (c[0] <= 0 && c[1] > 0) continue;
     ASSERT_EQ(found.count, count) << root[0] << ' ' << root[1] << ' ' << root[2] << ' ' << root[3];
     for (int k = 0; k < count; ++k) {
@@ -107,7 +107,7 @@ TEST(FallsThroughZero, OfAQuarticWithKnownRoots) {
   }
 }
 
-TEST(FallsThroughZero, LowDegrees) {
+TEST(Falls, OfLowDegrees) {
   EXPECT_EQ(falls({1, 0, 0, 0, 0}, 10, 0).count, 0);
   const Falls line = falls({1, -2, 0, 0, 0}, 10, 0);
   ASSERT_EQ(line.count, 1);
@@ -118,22 +118,22 @@ TEST(FallsThroughZero, LowDegrees) {
   EXPECT_DOUBLE_EQ(parabola.t[0], 2);
 }
 
-// A rock that rests on an edge: rounding has it a hair inside and rising a hair, gravity presses it back.
-TEST(FallsThroughZero, AHairInsideAndRisingIsStillTouching) {
+// A rock that rests on an edge: by rounding it is slightly inside and rises slightly, and gravity presses it back.
+TEST(Falls, SlightlyInsideAndRisingIsStillTouching) {
   const Falls found = falls({-1e-16, 1e-16, -5, 0, 24}, 1, 1e-9);
   ASSERT_GE(found.count, 1);
   EXPECT_LT(found.t[0], 1e-15);
 }
 
-TEST(FallsThroughZero, ARockThatLeavesIsNotHeld) {
+TEST(Falls, ARockThatLeavesIsNotHeld) {
   EXPECT_EQ(falls({0, 1, 0, 0, 0}, 10, 1e-9).count, 0);
   const Falls found = falls({-1e-12, 1, -0.1, 0, 0}, 20, 1e-9);  // it rises by 2.5 and comes back
   ASSERT_EQ(found.count, 1);
   EXPECT_NEAR(found.t[0], 10, 1e-9);
 }
 
-// Over an edge faster than sqrt(g r): rounding has it move in at first, but it comes free.
-TEST(FallsThroughZero, AHairOfSpeedInwardsIsNoContact) {
+// Over an edge faster than sqrt(g r): by rounding it moves in at first, but it takes off.
+TEST(Falls, ATinySpeedInwardsIsNoContact) {
   EXPECT_EQ(falls({-1e-16, -1e-15, 5, 0, 24}, 1, 1e-9).count, 0);
   EXPECT_EQ(falls({1e-16, -1e-15, 5, 0, 24}, 1, 1e-9).count, 0);
   EXPECT_EQ(falls({1e-16, -1e-3, 5, 0, 24}, 1, 1e-9).count, 1);
@@ -146,7 +146,7 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& e, double l
   return (p - a - s * e).norm();
 }
 
-// The first time at which `distance` falls through `radius`, by steps and bisection; none if it stays above.
+// The first time at which `distance` falls through `radius`, by steps and bisection; nullopt if it stays above.
 template <class Distance>
 std::optional<double> first_fall(const Distance& distance, double radius, double t_max, int steps) {
   double before = distance(0.0);
@@ -173,7 +173,7 @@ Parabola random_flight(Dice& dice, const Vec3& towards) {
   return {from, (goal - from) / t - 0.5 * t * gravity, gravity};
 }
 
-// The least distance over a flight, sampled.
+// The minimum distance over a flight, sampled.
 template <class Distance>
 double closest(const Distance& distance, double t_max, int steps) {
   double least = distance(0.0);
@@ -192,7 +192,7 @@ TEST(TouchPoint, AgreesWithBruteForce) {
     if (distance(0) <= radius * 1.001) continue;
     const auto expected = first_fall(distance, radius, 2.0, 1000);
     const auto t = touch_point(path, q, radius, {0, 2});
-    // Steps of 2 ms can pass by a touch that is shallower than what the path bends in one.
+    // Steps of 2 ms can miss a touch that is shallower than the curvature of the path in one.
     if (!expected && t) {
       ASSERT_NEAR(distance(*t), radius, 1e-9);
       ASSERT_GT(closest(distance, 2.0, 1000), radius);
@@ -217,7 +217,7 @@ TEST(TouchEdge, AgreesWithBruteForce) {
     const Parabola path = random_flight(dice, a + dice.unit() * length * e);
     const auto distance = [&](double t) { return distance_to_segment(path.at(t), a, e, length); };
     if (distance(0) <= radius * 1.001) continue;
-    // What touches the whole segment first touches its line or one of its ends first.
+    // The first touch of a segment is on its line or at one of its ends.
     auto t = touch_edge(path, a, e, length, radius, {0, 2});
     for (const Vec3& end : {a, Vec3(a + length * e)}) {
       const auto at_end = touch_point(path, end, radius, {0, 2});
@@ -238,7 +238,7 @@ TEST(TouchEdge, AgreesWithBruteForce) {
   EXPECT_GT(touched, 500);
 }
 
-TEST(TouchPoint, APartOfThePathHasTheTouchesOfThatPart) {
+TEST(TouchPoint, InAWindowIsThatOfTheWholePath) {
   Dice dice(35);
   int inside = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -260,7 +260,7 @@ TEST(TouchPoint, APartOfThePathHasTheTouchesOfThatPart) {
   EXPECT_GT(inside, 100);
 }
 
-TEST(TouchEdge, LeavesTheEndsToThePoints) {
+TEST(TouchEdge, DoesNotIncludeTheEnds) {
   const Parabola beside{{-0.5, 0, 2}, {0, 0, -1}, {0, 0, -9.81}};
   EXPECT_FALSE(touch_edge(beside, Vec3::Zero(), Vec3::UnitX(), 1, 1, {0, 10}));
   EXPECT_TRUE(touch_point(beside, Vec3::Zero(), 1, {0, 10}));
@@ -270,15 +270,15 @@ TEST(TouchEdge, LeavesTheEndsToThePoints) {
   EXPECT_DOUBLE_EQ(*t, 1);
 }
 
-TEST(TouchPoint, AtRestOnItIsATouchNow) {
+TEST(TouchPoint, AtRestOnItIsATouchAtOnce) {
   const Parabola path{{0, 0, 1}, {0, 0, 0}, {0, 0, -9.81}};
   const auto t = touch_point(path, Vec3::Zero(), 1, {0, 10});
   ASSERT_TRUE(t);
   EXPECT_LT(*t, 1e-12);
 }
 
-// Faster than sqrt(g r) over the top of a sphere a rock flies off; slower it stays on.
-TEST(TouchPoint, AFastRockFliesOffTheTop) {
+// Over the top of a sphere, a rock faster than sqrt(g r) takes off; a slower one stays on it.
+TEST(TouchPoint, AFastRockTakesOffAtTheTop) {
   const double limit = std::sqrt(9.81 * 1.0);
   const Parabola slow{{0, 0, 1}, {0.99 * limit, 0, 0}, {0, 0, -9.81}};
   EXPECT_TRUE(touch_point(slow, Vec3::Zero(), 1, {0, 10}));

@@ -32,7 +32,7 @@ TEST(Ground, OneMaterialIsEverywhere) {
   EXPECT_EQ(ground[MaterialId{0}].name, "test");
 }
 
-TEST(Ground, MaterialsByTheTerrainsNumbers) {
+TEST(Ground, MaterialsAreAssignedByTheNumbersOfTheTerrain) {
   Material a = material_of({}), b = material_of({});
   b.name = "other";
   const Ground ground({a, b}, {MaterialId{1}, MaterialId{0}, MaterialId{1}});
@@ -41,7 +41,7 @@ TEST(Ground, MaterialsByTheTerrainsNumbers) {
   EXPECT_EQ(ground.materials().size(), 2U);
 }
 
-TEST(Ground, CellsOfARasterTakeAByteEach) {
+TEST(Ground, CellsOfARasterNeedAByteEach) {
   Material a = material_of({}), b = material_of({});
   b.name = "other";
   const Ground ground({a, b}, std::vector<std::uint8_t>{1, 0, 1});
@@ -51,7 +51,7 @@ TEST(Ground, CellsOfARasterTakeAByteEach) {
   EXPECT_EQ(ground.bytes(), 3U);
 }
 
-TEST(Ground, OneMaterialEverywhereTakesNoMemory) {
+TEST(Ground, OneMaterialEverywhereNeedsNoMemory) {
   const std::vector<Material> three(3, material_of({}));
   for (const Ground& ground : {Ground(three, std::vector<std::uint8_t>(1000, 2)), Ground(three, MaterialId{2})}) {
     EXPECT_EQ(ground.material_of(0), MaterialId{2});
@@ -73,7 +73,7 @@ TEST(GroundDraw, ConstantsNeedNoDraw) {
   EXPECT_EQ(draw.roughness(material, 4)[0], 0);
 }
 
-TEST(GroundDraw, PerImpactEveryContactIsDrawnAfresh) {
+TEST(GroundDraw, PerImpactEveryContactIsANewDraw) {
   const Material material = varying();
   const Draws draws(SamplingPlan{}, 7);
   const auto rn = [&](std::uint32_t contact) {
@@ -83,7 +83,7 @@ TEST(GroundDraw, PerImpactEveryContactIsDrawnAfresh) {
   EXPECT_EQ(rn(1), rn(1));
 }
 
-TEST(GroundDraw, PerRockAMaterialIsTheSameWhereverItIsMet) {
+TEST(GroundDraw, PerRockAMaterialIsTheSameAtEveryContact) {
   const Material material = varying();
   const Draws draws(SamplingPlan{}, 7), other_rock(SamplingPlan{}, 8);
   const auto draw = [&](const Draws& d, std::uint32_t id, std::uint32_t contact) {
@@ -93,12 +93,13 @@ TEST(GroundDraw, PerRockAMaterialIsTheSameWhereverItIsMet) {
   EXPECT_EQ(draw(draws, 0, 1).friction_angle(material), draw(draws, 0, 5).friction_angle(material));
   EXPECT_NE(draw(draws, 0, 1).restitution(material), draw(draws, 1, 1).restitution(material));
   EXPECT_NE(draw(draws, 0, 1).restitution(material), draw(other_rock, 0, 1).restitution(material));
-  // The ground's shape is not a property of the material: it differs from place to place.
+  // Roughness is drawn at every contact.
   EXPECT_NE(draw(draws, 0, 1).roughness(material, 1), draw(draws, 0, 5).roughness(material, 5));
 }
 
-// Of the distribution itself ahead; aside of its mixture with its mirror image, or rocks would drift to one hand.
-TEST(GroundDraw, RoughGroundLeansToNeitherHand) {
+// Ahead, angles have the given distribution; aside, its mixture with its mirror image, or rocks would drift to one
+// side.
+TEST(GroundDraw, RoughGroundIsSymmetricAside) {
   Material material;
   Distribution tilt;
   tilt.kind = DistributionKind::normal;

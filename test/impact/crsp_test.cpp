@@ -24,7 +24,7 @@ TEST(Crsp, TheManualsRock) {
   EXPECT_NEAR(rock.inertia, 141.3717, 1e-4);
 }
 
-// Section 2.3, with its own numbers in.
+// Section 2.3, with the manual's numbers as input.
 TEST(Crsp, FactorsOfTheManual) {
   EXPECT_NEAR(crsp_scaling_factor(-6.047294534, {0.3, 0.7}), 0.65422, 5e-6);
   EXPECT_NEAR(crsp_friction_function(9.43017, 0.7), 0.78349, 5e-6);
@@ -40,8 +40,8 @@ TEST(Crsp, FirstImpactOfTheManual) {
   EXPECT_LT((after.spin - Vec3(-6.15741, -9.45478, -1.71143)).norm(), 5e-5);
 }
 
-// Tables 2-4 and 2-5, rows 3 to 4, on the same triangle: the rock arrives spinning, which turns the tangent frame. With
-// t1 along the velocity it would leave with (-2.955, 2.637, -9.334).
+// Tables 2-4 and 2-5, rows 3 to 4, on the same triangle: the rock arrives with spin, which turns the tangent frame.
+// With t1 along the velocity the result would be (-2.955, 2.637, -9.334).
 TEST(Crsp, SecondImpactOfTheManual) {
   struct Case {
     Vec3 v, w, v_after, w_after;
@@ -61,7 +61,7 @@ TEST(Crsp, SecondImpactOfTheManual) {
   }
 }
 
-// Table A-2, rows 1-2, 3-4 and 5-6. Its spin is counted as the section is drawn: positive about y here.
+// Table A-2, rows 1-2, 3-4 and 5-6. Its spin is positive about y here.
 TEST(Crsp, ImpactsOfTheTutorial) {
   const Rock tutorial = sphere_of_mass(1000, 2700);
   struct Case {
@@ -85,7 +85,7 @@ TEST(Crsp, ImpactsOfTheTutorial) {
   }
 }
 
-TEST(Crsp, WithoutNormalRestitutionNoSpeedIsLeft) {
+TEST(Crsp, WithoutNormalRestitutionNoSpeedRemains) {
   const Rebound after = crsp_rebound({3, 1, -5}, {1, 2, 3}, Vec3::UnitZ(), rock, {0, 0.8});
   EXPECT_EQ(after.velocity, Vec3::Zero());
   EXPECT_EQ(after.spin, Vec3(0, 0, 3));
@@ -103,7 +103,7 @@ TEST(Crsp, StraightDownLeavesStraightUp) {
   EXPECT_EQ(after.spin, Vec3(0, 0, 3));
 }
 
-// v1 = 0 with spin: the rock leaves the way its spin drives it.
+// v1 = 0 with spin: the rock leaves in the direction in which its spin drives it.
 TEST(Crsp, SpinAloneDrivesTheRock) {
   const Rebound after = crsp_rebound({0, 0, -5}, {0, 4, 0}, Vec3::UnitZ(), rock, {0.5, 0.8});
   EXPECT_GT(after.velocity.x(), 0.1);
@@ -111,8 +111,7 @@ TEST(Crsp, SpinAloneDrivesTheRock) {
   EXPECT_NEAR(after.spin.y(), after.velocity.x() / rock.radius, 1e-12);
 }
 
-// As the spin vanishes about the axis that rolling would have, the law goes over into that without spin.
-// A rock that is set down comes with what rounding has let it fall.
+// A rock that is set down arrives with a tiny velocity by rounding.
 TEST(Crsp, SpinDrivesARockThatHardlyMoves) {
   const Rebound still = crsp_rebound({0, 0, -1e-7}, {0, 12, 0}, Vec3::UnitZ(), rock, {0.3, 0.7});
   for (const double along : {1e-7, -1e-7}) {
@@ -122,7 +121,8 @@ TEST(Crsp, SpinDrivesARockThatHardlyMoves) {
   }
 }
 
-TEST(Crsp, VanishingSpinChangesNothing) {
+// As spin about the axis of rolling vanishes, the law approaches that without spin.
+TEST(Crsp, VanishingSpinHasNoEffect) {
   const Vec3 v(3, 0, -5);
   const Rebound none = crsp_rebound(v, Vec3::Zero(), Vec3::UnitZ(), rock, {0.5, 0.8});
   for (const double w : {1e-3, 1e-6, 1e-9, 1e-12, 1e-300}) {
@@ -134,7 +134,7 @@ TEST(Crsp, VanishingSpinChangesNothing) {
   }
 }
 
-TEST(Crsp, RandomImpactsKeepTheLaw) {
+TEST(Crsp, RandomImpactsObeyTheLaw) {
   Dice dice(1);
   for (int i = 0; i < 100'000; ++i) {
     const Rock r = sphere_of_diameter(dice.magnitude(0.01, 10), dice.between(1500, 3500));
@@ -150,11 +150,12 @@ TEST(Crsp, RandomImpactsKeepTheLaw) {
     const double speed = v.norm() + w.norm() * r.radius;
     ASSERT_NEAR(after.velocity.dot(n), -e.normal * v.dot(n), 1e-13 * speed);
     ASSERT_NEAR(after.spin.dot(n), w.dot(n), 1e-13 * speed / r.radius);
-    // It leaves rolling: the contact point stands still.
+    // The rock leaves rolling: the contact point is at rest.
     const Vec3 contact = tangential(after.velocity - r.radius * after.spin.cross(n), n);
     ASSERT_LT(contact.norm(), 1e-11 * speed);
 
-    // Turned, and mirrored in a plane through the origin (a spin is an axial vector), the impact is the same.
+    // The impact is invariant under rotation and under reflection in a plane through the origin (spin is an axial
+    // vector).
     const Mat3 turn = dice.turn();
     const Rebound turned_after = crsp_rebound(turn * v, turn * w, turn * n, r, e);
     const double tolerance = 1e-9 * speed;

@@ -9,13 +9,13 @@ namespace {
 
 using testing_tools::Dice;
 
-TEST(PlainImpact, ScalesEachPart) {
+TEST(PlainImpact, ScalesEachComponent) {
   const Rebound after = plain_rebound({3, -4, -5}, {1, 2, 3}, Vec3::UnitZ(), {0.4, 0.5});
   EXPECT_LT((after.velocity - Vec3(1.5, -2, 2)).norm(), 1e-15);
   EXPECT_EQ(after.spin, Vec3(1, 2, 3));
 }
 
-TEST(PlainImpact, RandomImpactsKeepTheLaw) {
+TEST(PlainImpact, RandomImpactsObeyTheLaw) {
   Dice dice(3);
   for (int i = 0; i < 100'000; ++i) {
     const Vec3 n = dice.direction(), w = dice.in_cube(10);
@@ -33,7 +33,7 @@ TEST(PlainImpact, RandomImpactsKeepTheLaw) {
   }
 }
 
-TEST(RestitutionScaling, FadesWithSpeedAndMass) {
+TEST(RestitutionScaling, DecreasesWithSpeedAndMass) {
   RestitutionScaling scaling;
   EXPECT_EQ(scaling.scaled(0.5, -20, 5000), 0.5);
   scaling.normal_speed = 9.144;

@@ -19,8 +19,8 @@ double energy(const Vec3& v, const Vec3& w, const Rock& r) {
 
 Vec3 contact_velocity(const Vec3& v, const Vec3& w, const Vec3& n, double radius) { return v - radius * w.cross(n); }
 
-// Rounding may have a sphere draw away already from what it touches.
-TEST(RigidSphere, AContactThatOpensTakesNoImpulse) {
+// By rounding, a sphere may already move away from what it touches.
+TEST(RigidSphere, ASeparatingContactHasNoImpulse) {
   const Rock rock = sphere_of_diameter(1.0, 2700);
   const Vec3 v(3, 0, 1e-3), w(1, 2, 3);
   const Rebound after = rigid_sphere_rebound(v, w, {0, 0, 1}, rock, {0.5, 0.3}, 0.5);
@@ -35,7 +35,7 @@ TEST(RigidSphere, SectionSevenThree) {
   const Vec3 t2(-0.542463033, -0.824036577, -0.163393933);
   const Vec3 v(3, 0, -9.9599);
   EXPECT_NEAR(v.dot(n), -5.76946, 2e-5);
-  EXPECT_NEAR(v.dot(t1), 8.65523, 2e-5);  // the manual prints 8.65552 and goes on with 0.7 times 8.65523
+  EXPECT_NEAR(v.dot(t1), 8.65523, 2e-5);  // the manual prints 8.65552 and continues with 0.7 times 8.65523
   EXPECT_NEAR(v.dot(t2), 0, 2e-5);
   const double slip_mass = 1 / (1 / rock.mass + rock.radius * rock.radius / rock.inertia);
   EXPECT_NEAR(slip_mass, 403.92, 0.005);
@@ -54,7 +54,7 @@ TEST(RigidSphere, SectionSevenThree) {
   EXPECT_LT((after.spin - Vec3(-2.0122, -3.0567, -0.6061)).norm(), 2e-4);
 }
 
-// Table 7-1, rows 3-4: another triangle, the rock spinning.
+// Table 7-1, rows 3-4: another triangle, with spin.
 TEST(RigidSphere, SecondImpactOfTableSevenOne) {
   const Rock rock = sphere_of_diameter(1.0, 2700);
   const Vec3 v(-2.9777, 3.3027, -16.8975), w(-2.0124, -3.0570, -0.6061);
@@ -66,7 +66,7 @@ TEST(RigidSphere, SecondImpactOfTableSevenOne) {
   EXPECT_LT((after.spin - spin).norm(), 3e-4) << after.spin.transpose();
 }
 
-// The first two impacts of tables C-1 (Rt = 0) and C-2 (Rt = 0.68). The manual's spin is counted against ours in C-1.
+// The first two impacts of tables C-1 (Rt = 0) and C-2 (Rt = 0.68). In C-1 the manual's spin has the opposite sign.
 TEST(RigidSphere, TablesOfAppendixC) {
   const Rock rock = sphere_of_mass(799.906, 2700);
   const Vec2 d = Vec2(3.1, -12.2).normalized();
@@ -90,15 +90,15 @@ TEST(RigidSphere, WithoutFrictionNothingTangentialChanges) {
   EXPECT_EQ(after.spin, w);
 }
 
-TEST(RigidSphere, StickingWithoutRestitutionLeavesRolling) {
+TEST(RigidSphere, SticksWithoutTangentialRestitutionAndRolls) {
   const Rock rock = sphere_of_diameter(1.0, 2700);
   const Rebound after = rigid_sphere_rebound({7, 0, -5}, Vec3::Zero(), Vec3::UnitZ(), rock, {0, 0}, 100);
-  EXPECT_NEAR(after.velocity.x(), 5, 1e-12);  // 5/7 of it is left to a sphere that begins to roll
+  EXPECT_NEAR(after.velocity.x(), 5, 1e-12);  // a sphere that begins to roll keeps 5/7 of its velocity
   EXPECT_NEAR(after.spin.y(), 10, 1e-12);
   EXPECT_NEAR(after.velocity.z(), 0, 1e-12);
 }
 
-TEST(RigidSphere, RandomImpactsKeepTheLaw) {
+TEST(RigidSphere, RandomImpactsObeyTheLaw) {
   Dice dice(2);
   int slipped = 0, stuck = 0;
   for (int i = 0; i < 100'000; ++i) {
@@ -117,8 +117,8 @@ TEST(RigidSphere, RandomImpactsKeepTheLaw) {
     ASSERT_NEAR(after.velocity.dot(n), -e.normal * v.dot(n), 1e-13 * speed);
     ASSERT_NEAR(after.spin.dot(n), w.dot(n), 1e-13 * speed / r.radius);
 
-    // Coulomb: the tangential impulse is at most mu of the normal one, against the slip, and less only where that is
-    // enough to leave Rt of the slip.
+    // Coulomb: the tangential impulse is at most mu times the normal one, against the slip, and less only if that
+    // suffices to leave Rt of the slip.
     const Vec3 impulse = r.mass * (after.velocity - v);
     const double jn = impulse.dot(n), jt = tangential(impulse, n).norm();
     const Vec3 before_slip = tangential(contact_velocity(v, w, n, r.radius), n);
@@ -131,7 +131,7 @@ TEST(RigidSphere, RandomImpactsKeepTheLaw) {
       ASSERT_GE(after_slip.norm(), e.tangential * before_slip.norm() - 1e-11 * speed);
       ++slipped;
     }
-    // The spin that the impulse gives: about the centre, I dw = rc x J.
+    // The change of spin by the impulse, about the centre: I dw = rc x J.
     ASSERT_LT((r.inertia * (after.spin - w) + r.radius * n.cross(impulse)).norm(), 1e-11 * r.mass * r.radius * speed);
 
     const Mat3 turn = dice.turn();
@@ -147,7 +147,7 @@ TEST(RigidSphere, RandomImpactsKeepTheLaw) {
   EXPECT_GT(stuck, 10'000);
 }
 
-TEST(RigidSphere, CrspDampingTakesAnEnergysShare) {
+TEST(RigidSphere, CrspDampingScalesTheEnergyOfSlip) {
   const Rock rock = sphere_of_diameter(1.0, 2700);
   const Restitution e{0.3, 0.7};
   const Vec3 v(3, 0, -6), w(0, 2, 0);

@@ -20,7 +20,7 @@ TEST(Roughness, TiltsByTheAngles) {
   EXPECT_EQ(tilted_normal(Vec3::UnitZ(), Vec3::UnitX(), 0, 0), Vec3::UnitZ());
 }
 
-// A positive angle raises the ground against the rock: it meets it more squarely.
+// A positive angle raises the ground against the rock.
 TEST(Roughness, AheadRisesAgainstTheRock) {
   const Vec3 v(5, 0, -1);
   EXPECT_LT(v.dot(tilted_normal(Vec3::UnitZ(), Vec3::UnitX(), 0.1, 0)), v.z());
@@ -37,12 +37,12 @@ TEST(Roughness, NeverTurnsTheGroundOver) {
   }
 }
 
-TEST(Roughness, KeptOutsideTakesAwayOnlyWhatEnters) {
+TEST(Roughness, KeptOutsideRemovesOnlyTheComponentIntoTheFacet) {
   EXPECT_EQ(kept_outside({1, 2, 3}, Vec3::UnitZ()), Vec3(1, 2, 3));
   EXPECT_EQ(kept_outside({1, 2, -3}, Vec3::UnitZ()), Vec3(1, 2, 0));
 }
 
-// The angle of a material with a normal roughness: its standard deviation, ahead and aside, and no correlation.
+// A material with a normal roughness: standard deviation of the angle, ahead and aside, without correlation.
 TEST(Roughness, AnglesHaveTheirStandardDeviation) {
   Soil soil;
   soil.roughness = 0.1;

@@ -14,7 +14,7 @@ double total(const std::vector<Density>& list) {
   return sum * (list[1].value - list[0].value);
 }
 
-TEST(Density, OfANormalIsGausss) {
+TEST(Density, OfANormalIsItsClosedForm) {
   const Distribution normal{10, DistributionKind::normal, 2, {}, {}};
   const auto list = density_of(normal, Bounds{}, 400);
   ASSERT_EQ(list.size(), 400U);
@@ -22,10 +22,10 @@ TEST(Density, OfANormalIsGausss) {
     const double z = (each.value - 10) / 2;
     EXPECT_NEAR(each.density, std::exp(-0.5 * z * z) / (2 * std::sqrt(2 * std::numbers::pi)), 2e-5);
   }
-  EXPECT_NEAR(total(list), 0.998, 1e-9);  // but for a thousandth at either end
+  EXPECT_NEAR(total(list), 0.998, 1e-9);  // without a thousandth at either end
 }
 
-TEST(Density, IsHigherByWhatTruncationLeaves) {
+TEST(Density, OfATruncatedDistributionIsRenormalized) {
   // From the mean to one standard deviation above it: 0.3413 of the whole.
   const Distribution cut{0, DistributionKind::normal, 1, 0, 1};
   const auto list = density_of(cut, Bounds{}, 200);
@@ -37,7 +37,7 @@ TEST(Density, IsHigherByWhatTruncationLeaves) {
   EXPECT_NEAR(bounded.front().density, list.front().density, 1e-12);
 }
 
-TEST(Density, OfEveryKindAddsUpToTheDrawsThatAreShown) {
+TEST(Density, OfEveryKindAddsUpToTheShareShown) {
   const std::vector<Distribution> all{
       {5, DistributionKind::uniform, {}, 2, 3},    {5, DistributionKind::triangular, {}, 2, 3},
       {5, DistributionKind::beta, 1, 2, 3},        {5, DistributionKind::exponential, {}, {}, {}},
@@ -54,7 +54,7 @@ TEST(Density, OfEveryKindAddsUpToTheDrawsThatAreShown) {
   }
 }
 
-TEST(Density, OfAConstantIsNone) { EXPECT_TRUE(density_of(Distribution{5}, Bounds{}, 100).empty()); }
+TEST(Density, OfAConstantIsEmpty) { EXPECT_TRUE(density_of(Distribution{5}, Bounds{}, 100).empty()); }
 
 }  // namespace
 }  // namespace talus

@@ -49,7 +49,7 @@ Function distribution_function(Law law) {
   return [law](double x) { return cdf(law, x); };
 }
 
-// A gamma or an exponential has no values below its start, and Boost refuses to be asked.
+// A gamma or an exponential distribution has no values below its start, where Boost refuses to evaluate it.
 template <class Law>
 Function starting_at(double start, Law law) {
   return [=](double x) { return x <= start ? 0.0 : cdf(law, x - start); };
@@ -145,7 +145,7 @@ std::vector<Fit> fits() {
 
 class DistributionFit : public testing::TestWithParam<Fit> {};
 
-TEST_P(DistributionFit, IsThatOfItsClosedForm) {
+TEST_P(DistributionFit, AgreesWithTheClosedForm) {
   const Fit& fit = GetParam();
   ASSERT_EQ(why_unusable(fit.given, fit.bounds), std::nullopt);
   const std::vector<double> draws = draws_of(Sampler(fit.given, fit.bounds));
@@ -153,7 +153,7 @@ TEST_P(DistributionFit, IsThatOfItsClosedForm) {
   EXPECT_GT(chi_square_probability(draws, fit.F, 100), 0.01);
 }
 
-TEST_P(DistributionFit, IsRefusedForASlightlyWrongSampler) {
+TEST_P(DistributionFit, FailsForASlightlyWrongSampler) {
   const Fit& fit = GetParam();
   ASSERT_EQ(why_unusable(fit.near, fit.bounds), std::nullopt);
   const std::vector<double> draws = draws_of(Sampler(fit.near, fit.bounds));
@@ -162,8 +162,8 @@ TEST_P(DistributionFit, IsRefusedForASlightlyWrongSampler) {
             0.001);
 }
 
-// Sharper than any sample: the quantile and the closed form undo each other.
-TEST_P(DistributionFit, UndoesItsClosedForm) {
+// More precise than any sample: the quantile is the inverse of the closed form.
+TEST_P(DistributionFit, IsTheInverseOfTheClosedForm) {
   const Fit& fit = GetParam();
   const Sampler sampler(fit.given, fit.bounds);
   for (int i = 1; i < 1000; ++i) {
@@ -172,7 +172,7 @@ TEST_P(DistributionFit, UndoesItsClosedForm) {
   }
 }
 
-TEST_P(DistributionFit, StaysInsideItsLimitsAndGrowsWithU) {
+TEST_P(DistributionFit, StaysInsideItsLimitsAndIncreasesWithU) {
   const Fit& fit = GetParam();
   const Sampler sampler(fit.given, fit.bounds);
   const double least = std::max(fit.bounds.least, fit.given.mean - fit.given.rel_min.value_or(1e300));
@@ -203,7 +203,7 @@ TEST_P(DistributionFit, IsMultipliedByItsScale) {
 INSTANTIATE_TEST_SUITE_P(AllKinds, DistributionFit, testing::ValuesIn(fits()),
                          [](const testing::TestParamInfo<Fit>& fit) { return fit.param.name; });
 
-// Mean and standard deviation by the midpoint rule over u, which is the integral of the draws themselves.
+// Mean and standard deviation of the draws by the midpoint rule over u.
 struct MeanAndDeviation {
   double mean, deviation;
 };
@@ -232,7 +232,7 @@ TEST(DistributionMoments, UntruncatedKindsHaveTheGivenMeanAndStandardDeviation) 
   EXPECT_NEAR(deviation, 3, 1e-5);
 }
 
-TEST(DistributionMoments, ATriangleKeepsItsMeanWhileTheModeFitsBetweenTheLimits) {
+TEST(DistributionMoments, ATriangleKeepsItsMeanIfTheModeFitsBetweenTheLimits) {
   const auto [mean, deviation] = integrated(Sampler(Distribution{5, triangular, {}, 2.0, 3.0}, Bounds{}));
   EXPECT_NEAR(mean, 5, 1e-6);
   // (a2 + b2 + c2 - ab - ac - bc) / 18 with a, c, b = 3, 4, 8
@@ -240,7 +240,7 @@ TEST(DistributionMoments, ATriangleKeepsItsMeanWhileTheModeFitsBetweenTheLimits)
 }
 
 // N. L. Johnson, S. Kotz and N. Balakrishnan, "Continuous univariate distributions" vol. 1 (1994), section 13.10.1.
-TEST(DistributionMoments, ATruncatedNormalHasItsClosedForms) {
+TEST(DistributionMoments, OfATruncatedNormalAreTheClosedForms) {
   const boost::math::normal_distribution<> standard;
   for (const auto& [rel_min, rel_max] : {std::pair{0.09, 0.09}, {0.01, 0.09}, {0.0, 0.05}, {0.002, 0.001}}) {
     const double alpha = -rel_min / 0.03, beta = rel_max / 0.03;
@@ -253,7 +253,7 @@ TEST(DistributionMoments, ATruncatedNormalHasItsClosedForms) {
   }
 }
 
-TEST(DistributionMoments, ATruncatedExponentialHasItsClosedMean) {
+TEST(DistributionMoments, TheMeanOfATruncatedExponentialIsTheClosedForm) {
   // Of mean 4 on [1, 10]: 4 + (1 e^(-1/4) - 10 e^(-10/4)) / (e^(-1/4) - e^(-10/4)).
   const double lower = std::exp(-0.25), upper = std::exp(-2.5);
   const auto [mean, deviation] = integrated(Sampler(Distribution{4, exponential, {}, 3.0, 6.0}, Bounds{}));
@@ -261,12 +261,12 @@ TEST(DistributionMoments, ATruncatedExponentialHasItsClosedMean) {
   EXPECT_LT(deviation, 4);
 }
 
-TEST(DistributionTails, TheUpperIsAsFineAsTheLower) {
+TEST(DistributionTails, TheUpperIsAsAccurateAsTheLower) {
   const Sampler whole(Distribution{0, normal, 1.0, {}, {}}, Bounds{});
   EXPECT_NEAR(whole.draw(smallest_u), -8.2095361516013875, 1e-14);
   EXPECT_EQ(whole.draw(largest_u), -whole.draw(smallest_u));
-  // Of the upper half [0, inf) the last 2^-53: the point that 2^-54 of the whole lies above. Without the complement
-  // u is carried to 1 and the draw is infinite.
+  // The last 2^-53 of the upper half [0, inf): the point with 2^-54 of the whole above it. Without the complement u
+  // becomes 1 and the draw is infinite.
   const Sampler half(Distribution{0, normal, 1.0, 0.0, {}}, Bounds{});
   const double expected = quantile(complement(boost::math::normal_distribution<>(), 0x1p-54));
   EXPECT_NEAR(half.draw(largest_u), expected, 1e-13);
@@ -274,7 +274,7 @@ TEST(DistributionTails, TheUpperIsAsFineAsTheLower) {
   EXPECT_EQ(mirrored.draw(smallest_u), -half.draw(largest_u));
 }
 
-TEST(DistributionTails, EveryUsableOneIsFiniteInsideAndMonotone) {
+TEST(DistributionTails, OfEveryUsableDistributionAreFiniteAndMonotone) {
   int usable = 0;
   for (const DistributionKind kind : {normal, uniform, triangular, beta, exponential, lognormal, gamma}) {
     for (const double mean : {1e-9, 0.05, 0.5, 0.999, 1.0, 40.0, 3e7}) {
@@ -321,7 +321,7 @@ TEST(NormalQuantile, AgreesWithBoostInBothTailsAndTheMiddle) {
   EXPECT_EQ(normal_quantile(1, 0), std::numeric_limits<double>::infinity());
 }
 
-TEST(DistributionNone, IsTheMeanWhateverU) {
+TEST(DistributionNone, IsTheMeanForAnyU) {
   const Sampler sampler(Distribution{.mean = 30, .kind = none, .std_dev = 5.0, .rel_min = 1.0, .rel_max = 1.0},
                         Bounds{0, 90}, 2.0);
   EXPECT_TRUE(sampler.is_constant());
@@ -337,7 +337,7 @@ struct Refusal {
   std::string message;
 };
 
-TEST(DistributionWhyUnusable, SaysWhatIsWrongInTheWordsOfTheProjectFile) {
+TEST(DistributionWhyUnusable, NamesTheFaultWithTheKeysOfTheProjectFile) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const Bounds any, restitution{0, 1}, not_negative{0, 1e300}, at_most_nine{-1e300, 9};
@@ -352,17 +352,15 @@ TEST(DistributionWhyUnusable, SaysWhatIsWrongInTheWordsOfTheProjectFile) {
       {{0.5, normal, nan, {}, {}}, restitution, "std_dev is nan (expected a finite number above 0)"},
       {{0.5, uniform, {}, -0.1, 0.1},
        restitution,
-       "rel_min is -0.1 (it is a distance from the mean: finite and not negative). For no limit leave it out"},
+       "rel_min is -0.1 (it is a distance from the mean: finite and not negative). For no limit, leave it out"},
       {{0.5, normal, 0.1, 0.1, infinity},
        restitution,
-       "rel_max is inf (it is a distance from the mean: finite and not negative). For no limit leave it out"},
+       "rel_max is inf (it is a distance from the mean: finite and not negative). For no limit, leave it out"},
       {{0.5, normal, {}, 0.1, 0.1}, restitution, "std_dev is missing (the normal distribution needs it)"},
       {{0.5, lognormal, {}, 0.1, 0.1}, restitution, "std_dev is missing (the lognormal distribution needs it)"},
       {{0.5, gamma, {}, 0.1, 0.1}, restitution, "std_dev is missing (the gamma distribution needs it)"},
       {{0.5, beta, {}, 0.1, 0.1}, restitution, "std_dev is missing (the beta distribution needs it)"},
-      {{0.5, beta, 0.1, {}, 0.1},
-       restitution,
-       "limits are missing (the beta distribution lies between rel_min and rel_max)"},
+      {{0.5, beta, 0.1, {}, 0.1}, restitution, "limits are missing (the beta distribution needs rel_min and rel_max)"},
       {{0.5, uniform, {}, 0.1, {}},
        restitution,
        "limits are missing (the uniform distribution needs rel_min and rel_max, or std_dev)"},
@@ -371,40 +369,40 @@ TEST(DistributionWhyUnusable, SaysWhatIsWrongInTheWordsOfTheProjectFile) {
        "limits are missing (the triangular distribution needs rel_min and rel_max, or std_dev)"},
       {{-2, exponential, {}, {}, {}},
        any,
-       "std_dev is missing (the exponential distribution takes the mean for it, which here is -2, not above 0)"},
+       "std_dev is missing (the exponential distribution then uses the mean, which is -2, not above 0)"},
       {{0.5, normal, 0.0, {}, {}},
        restitution,
-       "std_dev is 0 (the normal distribution needs one above 0). For a constant use distribution = \"none\""},
+       "std_dev is 0 (the normal distribution needs one above 0). For a constant, use distribution = \"none\""},
       {{0.5, uniform, 0.0, {}, {}},
        restitution,
-       "std_dev is 0 (the uniform distribution needs one above 0). For a constant use distribution = \"none\""},
+       "std_dev is 0 (the uniform distribution needs one above 0). For a constant, use distribution = \"none\""},
       {{0, lognormal, 1.0, {}, {}}, any, "mean is 0 (the lognormal distribution has positive values only)"},
       {{-1, gamma, 1.0, {}, {}}, any, "mean is -1 (the gamma distribution has positive values only)"},
       {{2, gamma, 30.0, {}, {}}, any, "std_dev is 30 (the gamma distribution expects at most 10 times the mean, 20)"},
       {{2, lognormal, 1e-5, {}, {}},
        any,
-       "std_dev is 1e-05 (the lognormal distribution expects at least 0.0001 times the mean, 0.0002). With less use "
+       "std_dev is 1e-05 (the lognormal distribution expects at least 0.0001 times the mean, 0.0002). For less, use "
        "\"normal\""},
       {{0.5, beta, 0.1, 0.0, 0.3},
        restitution,
-       "rel_min is 0 (the mean of a beta distribution lies between its limits, not on one)"},
+       "rel_min is 0 (the mean of a beta distribution is between its limits, not on one)"},
       {{0.5, beta, 0.1, 0.3, 0.0},
        restitution,
-       "rel_max is 0 (the mean of a beta distribution lies between its limits, not on one)"},
+       "rel_max is 0 (the mean of a beta distribution is between its limits, not on one)"},
       {{0.5, beta, 0.25, 0.2, 0.2},
        restitution,
        "std_dev is 0.25 (a beta distribution with these limits can have at most 0.199)"},
       {{0.5, beta, 1e-6, 0.2, 0.2},
        restitution,
-       "std_dev is 1e-06 (a beta distribution with these limits expects at least 2e-05). With less use \"normal\""},
+       "std_dev is 1e-06 (a beta distribution with these limits expects at least 2e-05). For less, use \"normal\""},
       {{0.5, normal, 0.1, 0.0, 0.0},
        restitution,
-       "rel_min and rel_max leave the one value 0.5 (a random property needs room). For a constant use distribution = "
-       "\"none\""},
+       "rel_min and rel_max allow only the value 0.5 (a random property needs a range). For a constant, use "
+       "distribution = \"none\""},
       {{1, uniform, {}, 0.0, 0.2},
        restitution,
-       "rel_min and rel_max leave the one value 1 (a random property needs room). For a constant use distribution = "
-       "\"none\""},
+       "rel_min and rel_max allow only the value 1 (a random property needs a range). For a constant, use distribution "
+       "= \"none\""},
       {{0.5, normal, 3e6, 0.25, 0.25},
        restitution,
        "the limits 0.25 to 0.75 leave less than a millionth of the normal distribution (its std_dev is 3000000). "

@@ -42,7 +42,7 @@ TEST(DrawsLatinHypercube, HitEachCellExactlyOnce) {
   }
 }
 
-TEST(DrawsLatinHypercube, StratifiesTheRocksOfASeederAndGivesSeedersDifferentPermutations) {
+TEST(DrawsLatinHypercube, StratifiesTheRocksOfASeederWithAPermutationPerSeeder) {
   const SamplingPlan first{.seed = 9, .method = SamplingMethod::latin_hypercube, .first = 0, .count = 100};
   const SamplingPlan second{.seed = 9, .method = SamplingMethod::latin_hypercube, .first = 100, .count = 100};
   std::vector<int> hits(100);
@@ -56,7 +56,7 @@ TEST(DrawsLatinHypercube, StratifiesTheRocksOfASeederAndGivesSeedersDifferentPer
   EXPECT_LT(agreements, 10) << "two permutations agree in one place on average";
 }
 
-// The reason to stratify: the mean of u over the rocks spreads as 1 / sqrt(12 n^3) and not as 1 / sqrt(12 n).
+// The reason to stratify: the standard error of the mean of u is 1 / sqrt(12 n^3) instead of 1 / sqrt(12 n).
 TEST(DrawsLatinHypercube, HasAMuchSmallerErrorOfTheMeanThanMonteCarlo) {
   constexpr std::uint64_t count = 1000;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -67,8 +67,8 @@ TEST(DrawsLatinHypercube, HasAMuchSmallerErrorOfTheMeanThanMonteCarlo) {
   }
 }
 
-// A rock's cells in different streams must not go together, or the hypercube is a diagonal.
-TEST(DrawsLatinHypercube, PairsTheCellsOfDifferentNumbersAtRandom) {
+// A rock's cells in different streams must be independent, or the hypercube is a diagonal.
+TEST(DrawsLatinHypercube, CombinesTheCellsOfDifferentNumbersAtRandom) {
   constexpr std::uint64_t count = 40'000;
   const SamplingPlan plan{.seed = 3, .method = SamplingMethod::latin_hypercube, .first = 0, .count = count};
   std::vector<double> with_partner, with_stream, with_index;

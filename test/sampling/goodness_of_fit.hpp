@@ -1,6 +1,6 @@
 #pragma once
-// Tests of whether draws come from a distribution, with the probability of being refused by chance. At the fixed seeds
-// of the tests the answer is always the same; the probability says how surprised one would have to be.
+// Tests whether draws come from a distribution; each returns a p-value. With the fixed seeds of the tests it is always
+// the same.
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -10,7 +10,7 @@
 
 namespace talus::testing_tools {
 
-/// The largest distance between the sample's distribution function and F.
+/// The largest difference between the sample's distribution function and F.
 inline double kolmogorov_distance(std::vector<double> draws, const std::function<double(double)>& F) {
   std::sort(draws.begin(), draws.end());
   const auto n = static_cast<double>(draws.size());
@@ -22,19 +22,19 @@ inline double kolmogorov_distance(std::vector<double> draws, const std::function
   return distance;
 }
 
-/// The probability that chance alone gives such a distance or a larger one. Kolmogorov's series with Stephens'
-/// correction for finite n (M. A. Stephens, JRSS B 32 (1970) 115-122), good to three digits from n = 5 on; for the
-/// 20,000 draws and more of these tests it is the exact one but for 1e-4.
+/// The probability of such a distance or a larger one by chance. Kolmogorov's series with Stephens' correction for
+/// finite n (M. A. Stephens, JRSS B 32 (1970) 115-122), accurate to three digits from n = 5 on; for the 20,000 draws
+/// and more of these tests to 1e-4.
 inline double kolmogorov_probability(double distance, std::size_t count) {
   const double root = std::sqrt(static_cast<double>(count));
   const double x = (root + 0.12 + 0.11 / root) * distance;
-  if (x < 0.3) return 1;  // less than 1e-5 short of it; the series converges slowly there
+  if (x < 0.3) return 1;  // within 1e-5; the series converges slowly there
   double sum = 0;
   for (int k = 1; k <= 100; ++k) sum += (k % 2 == 1 ? 2 : -2) * std::exp(-2.0 * k * k * x * x);
   return std::clamp(sum, 0.0, 1.0);
 }
 
-/// Pearson's chi-square of F(draw) in `cells` equally probable cells: the probability of so large a one by chance.
+/// The probability of so large a chi-square of F(draw) (Pearson), in `cells` equally probable cells, by chance.
 inline double chi_square_probability(const std::vector<double>& draws, const std::function<double(double)>& F,
                                      std::size_t cells) {
   std::vector<double> counts(cells);

@@ -13,13 +13,13 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-TEST(FallLine, OfASectionLeadsDownEitherSideOfARidge) {
+TEST(FallLine, OfASectionIsDownEitherSideOfARidge) {
   const Profile ridge(std::vector<Vec2>{{-4, 0}, {0, 3}, {12, -2}});
   EXPECT_LT((fall_line(ridge, {-1, 0, 9}) - Vec3(-4, 0, -3) / 5).norm(), rounding);
   EXPECT_LT((fall_line(ridge, {1, 0, 9}) - Vec3(12, 0, -5) / 13).norm(), rounding);
 }
 
-TEST(FallLine, IsThatOfThePlaneWhereverARasterIsCut) {
+TEST(FallLine, IsThatOfThePlaneForAnyDiagonalsOfARaster) {
   RasterGrid grid;
   grid.columns = grid.rows = 5;
   for (int j = 0; j < 5; ++j) {
@@ -44,7 +44,7 @@ TEST(FallLine, UnderAnOverhangIsThatOfTheFloor) {
   EXPECT_LT((fall_line(cave, {6, 0, 10}) - Vec3(3, 0, -1).normalized()).norm(), rounding);
 }
 
-TEST(FallLine, IsEastOnLevelGroundAndBesideTheTerrain) {
+TEST(FallLine, IsEastOnLevelGroundAndOffTheTerrain) {
   const Profile level(std::vector<Vec2>{{0, 3}, {10, 3}});
   EXPECT_EQ(fall_line(level, {5, 0, 4}), Vec3::UnitX());
   EXPECT_EQ(fall_line(level, {50, 0, 4}), Vec3::UnitX());

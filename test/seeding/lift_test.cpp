@@ -24,7 +24,7 @@ double distance_from(const Surface& surface, const Vec3& centre) {
   return least;
 }
 
-TEST(Lifted, SphereTouchesTheEdgeThatItIsBeside) {
+TEST(Lifted, SphereTouchesTheEdgeNextToIt) {
   const Profile ridge(std::vector<Vec2>{{0, 0}, {10, -4}, {20, -16}});
   const ClearPlace start = clear_place(ridge, {10.45, 0, -4.54}, 1.0);
   EXPECT_EQ(start.fit, Fit::moved);
@@ -38,7 +38,7 @@ TEST(Lifted, SphereOnAPlaneTouchesItsFace) {
   EXPECT_NEAR(start.z, -30 + 1.25, 1e-12);
 }
 
-// As low as it can be: it touches, and does not overlap.
+// As low as possible: it touches without overlap.
 TEST(Lifted, SphereTouchesRoughGround) {
   Dice dice(41);
   RasterGrid grid;
@@ -74,7 +74,7 @@ TEST(UnderACeiling, ASphereIsLoweredUntilItTouches) {
   expect_lowered_from_the_bulge(testing_tools::extruded(cave, 20, 5, dice).mesh(), 10.3);
 }
 
-TEST(UnderACeiling, ASphereThatIsTooBigForTheCaveStaysOutOfTheRock) {
+TEST(UnderACeiling, ASphereThatIsTooBigForTheCaveIsNotMovedIntoTheRock) {
   const Profile surface(cave);
   const double floor = *surface.elevation(4, 0, 12);
   for (const double z : {12.0, 14.5, floor, floor - 1}) {
@@ -84,7 +84,7 @@ TEST(UnderACeiling, ASphereThatIsTooBigForTheCaveStaysOutOfTheRock) {
   }
 }
 
-// From under the floor it is lifted into the cave, not onto the cliff, be it hardly high enough.
+// From under the floor it is lifted into the cave, even if that is hardly high enough, not onto the cliff.
 TEST(UnderACeiling, ASphereIsLiftedOntoTheFloor) {
   const Profile surface(cave);
   for (const double radius : {0.1, 1.0, 1.9}) {
@@ -104,7 +104,7 @@ void expect_none_in_the_rock(const Surface& surface, double y, Dice& dice) {
     const Vec3 open(place.x(), y, surface.ground_over(place).value_or(place.z()));
     const ClearPlace start = clear_place(surface, place, radius);
     const Vec3 centre(place.x(), y, start.z);
-    // The ground under it is the same as before.
+    // It has the same ground below it as before.
     ASSERT_EQ(surface.elevation(centre.x(), y, centre.z() + 1e-9), surface.elevation(open.x(), y, open.z() + 1e-9));
     if (start.fit == Fit::no_room) {
       EXPECT_EQ(start.z, open.z());

@@ -35,7 +35,7 @@ Seeder seeder_of(ReleaseCells cells, std::uint64_t rocks) {
   return seeder;
 }
 
-TEST(ReleaseCells, DealRocksOutEvenlyWhateverTheirNumbers) {
+TEST(ReleaseCells, DistributeAnyNumberOfRocksEvenly) {
   Dice dice(17);
   for (int round = 0; round < 200; ++round) {
     const auto cells = some_cells(1 + static_cast<std::uint32_t>(dice.below(300)));
@@ -56,7 +56,7 @@ TEST(ReleaseCells, DealRocksOutEvenlyWhateverTheirNumbers) {
   }
 }
 
-TEST(ReleaseCells, NumbersOfRocksBeyond64BitsOfProductAreRight) {
+TEST(ReleaseCells, ProductsBeyond64BitsDoNotOverflow) {
   ReleaseCells cells;
   cells.cells.resize(3'000'000'000 / 1000);  // 3e6 cells, 1e12 rocks: the product has 62 bits
   const std::uint64_t rocks = 1'000'000'000'000;
@@ -75,7 +75,7 @@ TEST(ReleaseCells, TheSourceOfACellIsThatOfItsRun) {
   EXPECT_EQ(cells.bytes(), 10 * 4 + 3 * 8U);
 }
 
-TEST(PlaceOf, ACellIsAPlaceInItAndItsMiddleIsTold) {
+TEST(PlaceOf, ACellIsAPlaceInItWithItsMiddle) {
   for (const PlaceInCell place : {PlaceInCell::random, PlaceInCell::centre}) {
     ReleaseCells cells = some_cells(5);
     cells.place = place;
@@ -96,8 +96,8 @@ TEST(PlaceOf, ACellIsAPlaceInItAndItsMiddleIsTold) {
   }
 }
 
-// Places within a cell are even in x and in y, each a Kolmogorov test of 20,000 rocks; and the test can fail.
-TEST(PlaceOf, PlacesInACellAreEven) {
+// Places within a cell are uniform in x and in y, by a Kolmogorov test of 20,000 rocks each; and the test can fail.
+TEST(PlaceOf, PlacesInACellAreUniform) {
   const Seeder seeder = seeder_of(some_cells(1), 20'000);
   std::vector<double> x, y, product;
   for (std::uint64_t rock = 1000; rock < 21'000; ++rock) {
@@ -108,10 +108,10 @@ TEST(PlaceOf, PlacesInACellAreEven) {
   const auto even = [](double u) { return std::clamp(u, 0.0, 1.0); };
   EXPECT_GT(kolmogorov_probability(kolmogorov_distance(x, even), x.size()), 1e-3);
   EXPECT_GT(kolmogorov_probability(kolmogorov_distance(y, even), y.size()), 1e-3);
-  // x and y do not depend on each other: counts in 10 by 10 squares.
+  // x and y are independent: counts in 10 by 10 squares.
   for (std::size_t i = 0; i < x.size(); ++i) product.push_back((std::floor(10 * x[i]) + y[i]) / 10);
   EXPECT_GT(chi_square_probability(product, even, 100), 1e-3);
-  // Places drawn a little to the west would be found.
+  // Places shifted slightly to the west are detected.
   for (double& u : x) u = std::pow(u, 1.06);
   EXPECT_LT(kolmogorov_probability(kolmogorov_distance(x, even), x.size()), 1e-3);
 }

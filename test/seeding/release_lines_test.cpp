@@ -10,8 +10,8 @@ namespace {
 
 ReleaseLines along(const std::vector<Vec3>& points) { return ReleaseLines(points); }
 
-TEST(ReleaseLines, HaveEqualChancesPerMetre) {
-  const ReleaseLines line = along({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 3, 0}});  // one metre, nothing, three metres
+TEST(ReleaseLines, HaveEqualProbabilityPerMetre) {
+  const ReleaseLines line = along({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 3, 0}});  // one metre, zero, three metres
   EXPECT_EQ(line.length(), 4);
   EXPECT_LT((line.at(0.125).point - Vec3(0.5, 0, 0)).norm(), 1e-15);
   EXPECT_LT((line.at(0.25).point - Vec3(1, 0, 0)).norm(), 1e-15);
@@ -19,7 +19,7 @@ TEST(ReleaseLines, HaveEqualChancesPerMetre) {
   EXPECT_LT((line.at(1 - 1e-16).point - Vec3(1, 3, 0)).norm(), 1e-12);
 }
 
-TEST(ReleaseLines, EqualPartsAreEquallyLong) {
+TEST(ReleaseLines, EqualSharesAreEquallyLong) {
   const ReleaseLines line = along({{0, 0, 10}, {4, 0, 7}, {4, 12, 2}, {-3, 12, 2}});
   const double length = 5 + 13 + 7;
   EXPECT_NEAR(line.length(), length, 1e-12);
@@ -28,14 +28,14 @@ TEST(ReleaseLines, EqualPartsAreEquallyLong) {
   for (int k = 1; k <= 5000; ++k) {
     const Vec3 here = line.at(std::min(k / 5000.0, 1 - 1e-16)).point;
     const double step = (here - previous).norm();
-    ASSERT_LE(step, length / 5000 + 1e-9);  // shorter only where it cuts a corner
+    ASSERT_LE(step, length / 5000 + 1e-9);  // shorter only across a corner
     travelled += step;
     previous = here;
   }
   EXPECT_NEAR(travelled, length, 2 * length / 5000);
 }
 
-TEST(ReleaseLines, SeveralShareTheChancesByTheirLengthsAndNothingStartsBetweenThem) {
+TEST(ReleaseLines, SeveralShareTheRocksByTheirLengths) {
   const std::vector<Vec3> near{{0, 0, 0}, {1, 0, 0}}, far{{100, 0, 5}, {100, 2, 5}, {100, 3, 5}};
   ReleaseLines lines;
   lines.add(near, SourceId{7});
@@ -57,7 +57,7 @@ TEST(ReleaseLines, SeveralShareTheChancesByTheirLengthsAndNothingStartsBetweenTh
   EXPECT_EQ(on_near, 250);
 }
 
-TEST(ReleaseLines, ManyVerticesCostLittleAndEndWhereTheyEnd) {
+TEST(ReleaseLines, MayHaveManyVertices) {
   std::vector<Vec3> points;
   for (int k = 0; k <= 100'000; ++k) points.emplace_back(0.25 * k, 0, 0);
   const ReleaseLines line = along(points);

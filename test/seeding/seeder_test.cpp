@@ -30,7 +30,7 @@ Release release_of(const Seeder& seeder, std::uint64_t rock = 0) {
 
 // ---- where ----
 
-// What is said of the rocks' sources beforehand is what they have when they start.
+// The sources computed in advance are those of the rocks at release.
 TEST(SourceRuns, AreTheSourcesOfTheRocks) {
   Seeder along_lines = point_seeder(), in_cells = point_seeder(), at_point = point_seeder();
   ReleaseLines lines;
@@ -68,7 +68,7 @@ TEST(SourceRuns, AreTheSourcesOfTheRocks) {
   }
 }
 
-TEST(PlaceOf, SeveralLinesGetTheirSharesOfTheRocks) {
+TEST(PlaceOf, SeveralLinesShareTheRocksByLength) {
   Seeder seeder = point_seeder();
   ReleaseLines lines;
   const std::vector<Vec3> left{{0, 0, 0}, {0, 30, 0}}, right{{10, 0, 0}, {10, 70, 0}};
@@ -135,7 +135,7 @@ TEST(ReleaseAt, EveryRockHasItsOwnSizeAndSpeed) {
   const double error = 5 / std::sqrt(3.0 * rocks);
   EXPECT_LT(std::abs(mass_sum / rocks), 500 * error);
   EXPECT_LT(std::abs(speed_sum / rocks), 1 * error);
-  EXPECT_LT(std::abs(product_sum / rocks), 500 * 5 / (3 * std::sqrt(1.0 * rocks)));  // they do not depend on each other
+  EXPECT_LT(std::abs(product_sum / rocks), 500 * 5 / (3 * std::sqrt(1.0 * rocks)));  // they are independent
 }
 
 // ---- how fast ----
@@ -161,11 +161,11 @@ TEST(ReleaseAt, PositiveSpinRollsForwards) {
   seeder.spin = Sampler(3.0);
   const Motion motion = release_of(seeder).motion;
   EXPECT_NEAR(motion.spin.norm(), 3, 1e-15);
-  // The top of the rock moves ahead.
+  // The top of the rock moves forwards.
   EXPECT_GT(motion.spin.cross(Vec3::UnitZ()).dot(*seeder.direction), 2.9);
 }
 
-TEST(ReleaseAt, ADropStraightDownHasAHeadingAllTheSame) {
+TEST(ReleaseAt, ADropStraightDownHasAHeading) {
   Seeder seeder = point_seeder();
   seeder.direction = -Vec3::UnitZ();
   seeder.speed = Sampler(4.0);
@@ -178,13 +178,13 @@ TEST(ReleaseAt, ADropStraightDownHasAHeadingAllTheSame) {
 
 // ---- lifting ----
 
-TEST(Lifted, LeavesWhatIsClearOfTheGround) {
+TEST(Lifted, LeavesARockThatIsClearOfTheGround) {
   const Profile flat(std::vector<Vec2>{{0, 0}, {10, 0}});
   EXPECT_EQ(clear_place(flat, {5, 0, 0.1}, 0).fit, Fit::as_given);
   EXPECT_EQ(clear_place(flat, {5, 0, 1.1}, 1).fit, Fit::as_given);
 }
 
-TEST(Lifted, PutsAPointOnTheGroundAndASphereItsRadiusAboveIt) {
+TEST(Lifted, PlacesAPointOnTheGroundAndASphereItsRadiusAboveIt) {
   const Profile flat(std::vector<Vec2>{{0, 0}, {10, 0}});
   EXPECT_NEAR(clear_place(flat, {5, 0, -3}, 0).z, 0, 1e-12);
   EXPECT_NEAR(clear_place(flat, {5, 0, -3}, 1).z, 1, 1e-8);

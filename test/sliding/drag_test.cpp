@@ -1,4 +1,4 @@
-// Drag along the ground: legs of each law against dv/dt = c - k v.
+// Drag along the ground: legs of each law, compared to dv/dt = c - k v.
 
 #include "talus/sliding/drag.hpp"
 
@@ -24,7 +24,7 @@ struct State {
   double time = 0;
 };
 
-// Leg after leg for `longest`, or until it stands; make(state, footing, timestep) is the law.
+// Leg after leg for `longest`, or to a standstill; make(state, footing, timestep) is the law.
 template <class Law>
 State go(const Law& law, State state, double rate, double timestep, double longest, bool rolls = false) {
   while (state.time < longest * (1 - 1e-12)) {
@@ -60,7 +60,7 @@ Exact exact(double c, double k, double v0, double t) {
 
 const double c_sliding = standard_gravity * (std::sin(slope) - mu * std::cos(slope));
 
-TEST(GroundDrag, VelocityOfASlideIsTheClosedForm) {
+TEST(GroundDrag, TheVelocityOfASlideIsTheClosedForm) {
   for (const double rate : {0.01, 0.3, 0.9, 5.0, 80.0}) {
     for (const double v0 : {0.5, 12.0}) {
       const State start{Vec3::Zero(), v0 * downhill, {1, 2, 3}, 0};
@@ -73,8 +73,8 @@ TEST(GroundDrag, VelocityOfASlideIsTheClosedForm) {
   }
 }
 
-// The stepped law moves with the velocity of the step's end: first order; the closed form is second order.
-TEST(GroundDrag, WayOfASlideConverges) {
+// The stepped law moves with the velocity at the end of the step: first order. The closed form is second order.
+TEST(GroundDrag, TheDistanceOfASlideConverges) {
   const State start{Vec3::Zero(), 12 * downhill, Vec3::Zero(), 0};
   const Exact wanted = exact(c_sliding, 0.9, 12, 3);
   const auto error = [&](const auto& law, double timestep) {
@@ -90,8 +90,8 @@ TEST(GroundDrag, TerminalSpeedDownAPlane) {
   EXPECT_NEAR(a.velocity.dot(downhill), c_sliding / 0.5, 1e-11);
 }
 
-// Up the slope friction and gravity brake, too: T = ln(1 + k v0/c)/k, way v0/k - c/k^2 ln(1 + k v0/c).
-TEST(GroundDrag, StopsInTheClosedFormsTimeAndWay) {
+// Uphill, friction and gravity also brake: T = ln(1 + k v0/c)/k, distance v0/k - c/k^2 ln(1 + k v0/c).
+TEST(GroundDrag, StopsInTheTimeAndDistanceOfTheClosedForm) {
   const double k = 0.7, v0 = 8, c = standard_gravity * (std::sin(slope) + mu * std::cos(slope));
   const double time = std::log1p(k * v0 / c) / k, way = v0 / k - c / (k * k) * std::log1p(k * v0 / c);
   const State start{Vec3::Zero(), -v0 * downhill, Vec3::Zero(), 0};
@@ -103,7 +103,7 @@ TEST(GroundDrag, StopsInTheClosedFormsTimeAndWay) {
   EXPECT_NEAR(-a.position.dot(downhill), way, 5e-3);
 }
 
-// Without slip the spin takes part: 7/5 dv/dt = c - k v.
+// Without slip the spin has a share: 7/5 dv/dt = c - k v.
 TEST(GroundDrag, ARollingSphereIsBrakedByFiveSevenths) {
   const Rock rock = sphere_of_diameter(1, 2700);
   const ContactFriction friction{0.6, 0.05};
@@ -121,7 +121,7 @@ TEST(GroundDrag, ARollingSphereIsBrakedByFiveSevenths) {
   EXPECT_LT((end.spin - rolling_spin(end.velocity, end.spin, normal, rock.radius)).norm(), 1e-9);
 }
 
-TEST(GroundDrag, NeverReversesHoweverStrong) {
+TEST(GroundDrag, NeverReversesTheMotion) {
   for (const double rate : {1.0, 50.0, 1e4}) {
     State state{Vec3::Zero(), Vec3(3, 2, 0), Vec3::Zero(), 0};
     const Footing level = Footing::on_plane(gravity, Vec3::UnitZ());

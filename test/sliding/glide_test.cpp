@@ -1,4 +1,4 @@
-// Glides: steps of a slide in the facet's own coordinates, one rock's alone or several in lanes.
+// Glides: steps of a slide in coordinates on the facet, of one rock alone or of several in lanes.
 
 #include "talus/sliding/glide.hpp"
 
@@ -17,7 +17,7 @@ using testing_tools::Dice;
 
 constexpr GlideLaws laws{0.01, 0.1, 600};
 
-/// On a triangle of some metres, with the rock inside it.
+/// A glide on a triangle of some metres, with the rock inside it.
 Glide random_glide(Dice& dice) {
   Glide glide;
   const double direction = dice.between(0, 6.3);
@@ -43,7 +43,7 @@ std::array<std::uint64_t, 6> bits_of(const Glide& glide) {
   return bits;
 }
 
-TEST(Glide, StepsAsAStepOfASlideDoes) {
+TEST(Glide, StepsLikeASlide) {
   Dice dice(1);
   int steps = 0;
   for (int k = 0; k < 2000; ++k) {
@@ -79,10 +79,10 @@ TEST(Glide, FollowsTheClosedFormDownTheLineOfFall) {
     EXPECT_NEAR(glide.x, 0.01 * (2 * k + 0.02 * k * (k + 1) / 2), 1e-10);
     EXPECT_EQ(glide.vy, 0);
   }
-  EXPECT_EQ(k, 904);  // the last before x = 100: 0.01 (2 k + 0.01 k (k + 1)) = 100 at k = 904.99
+  EXPECT_EQ(k, 904);  // the last step before x = 100: 0.01 (2 k + 0.01 k (k + 1)) = 100 at k = 904.99
 }
 
-TEST(Glide, EndsBeforeWhatItMustNotPass) {
+TEST(Glide, EndsBeforeItsLimits) {
   const auto steps_of = [](Glide glide) {
     int steps = 0;
     while (try_step(laws, glide)) ++steps;
@@ -90,7 +90,7 @@ TEST(Glide, EndsBeforeWhatItMustNotPass) {
   };
   Glide plain;
   plain.vx = plain.speed = 1;
-  plain.gain = plain.braking = 0.05;  // at constant speed: 1 cm a step
+  plain.gain = plain.braking = 0.05;  // at constant speed: 1 cm per step
   plain.sides[0] = {0.0951, -1, 0};
   EXPECT_EQ(steps_of(plain), 9);
   Glide short_way = plain;
@@ -101,12 +101,12 @@ TEST(Glide, EndsBeforeWhatItMustNotPass) {
   EXPECT_EQ(steps_of(late), 3);
   Glide braked = plain;
   braked.gain = 0;
-  braked.braking = 0.2;  // 1, 0.8, 0.6, 0.4, 0.2: the next would stop it
+  braked.braking = 0.2;  // 1, 0.8, 0.6, 0.4, 0.2: the next step would stop it
   EXPECT_EQ(steps_of(braked), 4);
 }
 
-// Glides of any length, begun whenever a lane is free, give the bits and the steps that each gives alone.
-TEST(GlideLanes, GiveTheBitsOfEachAlone) {
+// Glides of any length, started whenever a lane is free, have the same bits and steps as alone.
+TEST(GlideLanes, GiveTheSameBitsAsEachGlideAlone) {
   Dice dice(2);
   std::deque<Glide> glides;
   std::deque<std::vector<GlideStep>> traces;

@@ -40,7 +40,7 @@ TEST(Rolling, AcceleratesByFiveSeventhsDownAPlane) {
   const Vec3 n = normal_of_slope(angle), down(std::cos(angle), 0, -std::sin(angle));
   for (const double resistance : {0.0, 0.1}) {
     const double a = 5.0 / 7 * standard_gravity * (std::sin(angle) - resistance * std::cos(angle));
-    for (const double dt : {0.01, 0.37}) {  // constant acceleration: no step is too long
+    for (const double dt : {0.01, 0.37}) {  // constant acceleration: exact for any step
       const State end = roll({}, n, {0.6, resistance}, dt, 2);
       EXPECT_LT((end.velocity - 2 * a * down).norm(), 1e-12);
       EXPECT_LT((end.position - 2 * a * down).norm(), 1e-11);
@@ -49,7 +49,7 @@ TEST(Rolling, AcceleratesByFiveSeventhsDownAPlane) {
   }
 }
 
-TEST(Rolling, SlipsWhereFrictionIsTooSmall) {
+TEST(Rolling, SlipsIfFrictionIsTooSmall) {
   const double angle = 0.8, mu = 0.2;  // rolling needs 2/7 tan(angle) = 0.294
   const Vec3 n = normal_of_slope(angle), down(std::cos(angle), 0, -std::sin(angle));
   const State end = roll({}, n, {mu, 0}, 0.01, 1);
@@ -60,7 +60,7 @@ TEST(Rolling, SlipsWhereFrictionIsTooSmall) {
   EXPECT_GT(slip_velocity(end.velocity, end.spin, n, rock.radius).x(), 1);
 }
 
-// A sphere set down on the level without spin: it slips for 2 v0 / (7 mu g) and rolls on with 5/7 of its speed.
+// A sphere on level ground without spin: it slips for 2 v0 / (7 mu g) and then rolls with 5/7 of its speed.
 TEST(Rolling, BeginsAfterSlipping) {
   const double v0 = 6, mu = 0.3, t = 2 * v0 / (7 * mu * standard_gravity);
   const Vec3 n = Vec3::UnitZ();
@@ -87,7 +87,7 @@ TEST(Rolling, ComesToRestByItsResistance) {
   EXPECT_LT(tangential(end.spin, Vec3::UnitZ()).norm(), 1e-9);
 }
 
-// Resistance holds what creeps and does not drive it, be a step ever so long.
+// Resistance holds a slow sphere but does not drive it, for any length of the step.
 TEST(Rolling, IsNotPushedUphillByItsResistance) {
   const Vec3 n = normal_of_slope(0.17), down(std::cos(0.17), 0, -std::sin(0.17));
   for (const double speed : {0.0, 1e-12, 1e-10, 1e-9, 1e-6}) {

@@ -26,7 +26,7 @@ struct State {
 
 Vec3 velocity_at(const Leg& leg, double t) { return t >= leg.duration ? leg.end_velocity : leg.path.velocity(t); }
 
-// Leg after leg until it stands, or for `longest`.
+// Leg after leg to a standstill, or for `longest`.
 template <class Law>
 State slide(const Law& law, State state, const Footing& footing, double mu, double timestep, double longest) {
   while (state.time < longest * (1 - 1e-12)) {
@@ -74,7 +74,7 @@ TEST(ClosedForm, TurnsBackAsInTableB1) {
   EXPECT_NEAR(back.path.velocity(t).x(), -5.0485, 0.01);
 }
 
-TEST(ClosedForm, OfARockThatStandsBeginsDownThePull) {
+TEST(ClosedForm, StartsARockAtRestAlongThePull) {
   const double angle = 0.7;
   const Footing footing = Footing::on_plane(gravity, normal_of_slope(angle));
   const Leg leg = closed_form_leg(Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), footing, 0.5, 0.01);
@@ -83,8 +83,8 @@ TEST(ClosedForm, OfARockThatStandsBeginsDownThePull) {
   EXPECT_LT((leg.path.a - a * Vec3(std::cos(angle), 0, -std::sin(angle))).norm(), 1e-14);
 }
 
-// The exact hodograph, v(psi) = C tan(psi/2)^k / sin(psi), and the time that belongs to it. From d(psi)/dt =
-// -pull sin(psi) / v: t = integral of v / (pull sin(psi)) d(psi).
+// The exact hodograph, v(psi) = C tan(psi/2)^k / sin(psi), and its time. From d(psi)/dt = -pull sin(psi) / v: t =
+// integral of v / (pull sin(psi)) d(psi).
 TEST(ClosedForm, ObliqueConvergesToTheHodographAtSecondOrder) {
   const double angle = 0.6, mu = 0.4, psi0 = 1.9, v0 = 6, end = 0.8;
   const Vec3 n = normal_of_slope(angle);
@@ -93,7 +93,7 @@ TEST(ClosedForm, ObliqueConvergesToTheHodographAtSecondOrder) {
   const Vec3 down = footing.pull / pull, across = n.cross(down);
   const double c = v0 * std::sin(psi0) / std::pow(std::tan(psi0 / 2), k);
   const auto speed = [&](double psi) { return c * std::pow(std::tan(psi / 2), k) / std::sin(psi); };
-  // Simpson's rule from psi0 downwards until the time is up.
+  // Simpson's rule from psi0 downwards until the time has passed.
   double psi = psi0, t = 0;
   const double step = 1e-5;
   const auto rate = [&](double angle_now) { return speed(angle_now) / (pull * std::sin(angle_now)); };
@@ -117,7 +117,8 @@ TEST(ClosedForm, ObliqueConvergesToTheHodographAtSecondOrder) {
   EXPECT_NEAR(std::log2(middle / fine), 2, 0.15);
 }
 
-// Held by friction and moving across the slope: it comes to rest, in a bounded time, never having sped up.
+// Friction exceeds the pull, and the rock moves across the slope: it comes to rest in a bounded time without speeding
+// up.
 TEST(ClosedForm, ObliqueComesToRest) {
   Dice dice(61);
   for (int i = 0; i < 2000; ++i) {
@@ -156,10 +157,10 @@ TEST(Stepped, ConvergesToTheClosedFormAtFirstOrder) {
   const double coarse = error(0.01), fine = error(0.001), finest = error(0.0001);
   EXPECT_NEAR(coarse / fine, 10, 0.5);
   EXPECT_NEAR(fine / finest, 10, 0.5);
-  EXPECT_NEAR(finest, -0.5 * v * 0.0001, 1e-5);  // each step is one change of velocity short of the mean speed
+  EXPECT_NEAR(finest, -0.5 * v * 0.0001, 1e-5);  // each step is half a change of velocity short of the mean speed
 }
 
-// Semi-implicit Euler: after n steps from rest it has gone a n (n+1) dt^2 / 2, at n a dt.
+// Semi-implicit Euler: after n steps from rest the distance is a n (n+1) dt^2 / 2, the speed n a dt.
 TEST(Stepped, StepsAreSemiImplicit) {
   const double angle = 0.7, mu = 0.5, dt = 0.01;
   const Footing footing = Footing::on_plane(gravity, normal_of_slope(angle));
@@ -169,7 +170,7 @@ TEST(Stepped, StepsAreSemiImplicit) {
   EXPECT_NEAR(end.position.norm(), a * 100 * 101 / 2 * dt * dt, 1e-12);
 }
 
-// Table B-2, row 5: 16 whole steps and one of 0.00891 s that moves nothing.
+// Table B-2, row 5: 16 full steps and one of 0.00891 s without displacement.
 TEST(Stepped, TurnsBackAsInTableB2) {
   const Vec3 along = Vec3(73.0533 - 50, 0, 45.1624 - 30).normalized();
   const Footing footing = Footing::on_plane(gravity, Vec3(-along.z(), 0, along.x()));
@@ -179,7 +180,7 @@ TEST(Stepped, TurnsBackAsInTableB2) {
   EXPECT_LT((end.position - Vec3(73.1668, 0, 45.2371)).norm(), 2e-4);
 }
 
-TEST(Stepped, TheLastStepMovesNothing) {
+TEST(Stepped, TheLastStepHasNoDisplacement) {
   const Footing footing = Footing::on_plane(gravity, Vec3::UnitZ());
   const Leg leg = stepped_leg({1, 2, 3}, {0.01, 0, 0}, {4, 5, 6}, footing, 0.5, 0.01);
   EXPECT_DOUBLE_EQ(leg.duration, 0.01 / (0.5 * standard_gravity));
@@ -190,7 +191,7 @@ TEST(Stepped, TheLastStepMovesNothing) {
 
 // ---- both ----
 
-TEST(Sliding, HoldsWhereFrictionIsEnough) {
+TEST(Sliding, IsPreventedBySufficientFriction) {
   const double angle = 0.4;
   const Footing footing = Footing::on_plane(gravity, normal_of_slope(angle));
   EXPECT_NEAR(footing.pull.norm(), standard_gravity * std::sin(angle), 1e-13);

@@ -24,7 +24,7 @@ TEST(Supports, KeepsEqualNormalsOnce) {
   EXPECT_EQ(supports.count(), 2);
 }
 
-TEST(FootingOn, NothingIsFreeFall) {
+TEST(FootingOn, NoSupportIsFreeFall) {
   const Footing footing = footing_on(gravity, Supports());
   EXPECT_EQ(footing.pull, gravity);
   EXPECT_EQ(footing.normal_acceleration, 0);
@@ -37,31 +37,31 @@ TEST(FootingOn, OnePlane) {
   EXPECT_NEAR(one.normal_acceleration, plane.normal_acceleration, 1e-14);
 }
 
-// A V along y, dipping: what remains is gravity along the valley.
-TEST(FootingOn, AValleyLeadsAlongItself) {
+// A V-shaped valley that dips along y: the pull is gravity along the valley.
+TEST(FootingOn, AValleyPullsAlongIt) {
   const Vec3 e = Vec3(0, 1, -0.3).normalized();
   const Vec3 left = e.cross(Vec3(-0.5, 0, 1)).cross(e).normalized(), right(-left.x(), left.y(), left.z());
   const Footing footing = footing_on(gravity, supports_of({left, right}));
   EXPECT_LT((footing.pull - gravity.dot(e) * e).norm(), 1e-12);
-  const Vec3 carried = footing.pull - gravity;  // by both alike
+  const Vec3 carried = footing.pull - gravity;  // by both sides equally
   EXPECT_NEAR(footing.normal_acceleration, 2 * carried.norm() / (left + right).norm(), 1e-12);
 }
 
-TEST(FootingOn, APitHolds) {
+TEST(FootingOn, APitHasNoPull) {
   const Footing footing = footing_on(gravity, supports_of({{1, 0, 1}, {-0.5, 0.8, 1}, {-0.5, -0.8, 1}}));
   EXPECT_LT(footing.pull.norm(), 1e-12);
   EXPECT_GT(footing.normal_acceleration, standard_gravity);
 }
 
-// A steep plane and a wall that faces away from where the rock goes: the plane alone carries.
-TEST(FootingOn, WhatTheRockLeavesDoesNotCarry) {
+// A steep plane and a wall that the rock moves away from: only the plane carries it.
+TEST(FootingOn, ASupportThatTheRockLeavesDoesNotCarry) {
   const Vec3 plane = Vec3(1, 0, 1).normalized();
   const Footing footing = footing_on(gravity, supports_of({plane, {1, 0, 0.2}}));
   EXPECT_GE(footing.pull.dot(Vec3(1, 0, 0.2).normalized()), -1e-9);
 }
 
-// The projection on a convex cone: nearest to gravity, in the cone, and at right angles to what was taken away.
-TEST(FootingOn, IsTheProjectionOnTheCone) {
+// The projection onto a convex cone: nearest to gravity, in the cone, and at right angles to the removed part.
+TEST(FootingOn, IsTheProjectionOntoTheCone) {
   Dice dice(64);
   for (int i = 0; i < 20'000; ++i) {
     Supports supports;
@@ -78,13 +78,13 @@ TEST(FootingOn, IsTheProjectionOnTheCone) {
   }
 }
 
-TEST(CaughtBetween, InAValleyNotOnARidge) {
+TEST(CaughtBetween, AppliesInAValleyNotOnARidge) {
   const Vec3 left = Vec3(1, 0, 1).normalized(), right = Vec3(-1, 0, 1).normalized();
   const auto valley = caught_between(gravity, left, right, {0, 1, 0}, 0.1);
   ASSERT_TRUE(valley);
   EXPECT_NEAR(std::abs(valley->direction.y()), 1, 1e-14);
   EXPECT_LT(valley->footing.pull.norm(), 1e-12);
-  // Leaving the first side faster than the cutoff it is not caught.
+  // A rock that leaves the first side faster than the cutoff is not caught.
   const Vec3 up_the_second = right.cross(Vec3::UnitY());
   const Vec3 away = up_the_second.dot(left) > 0 ? up_the_second : Vec3(-up_the_second);
   EXPECT_FALSE(caught_between(gravity, left, right, 0.2 * away, 0.1));
@@ -101,8 +101,8 @@ TEST(CaughtBetween, SharesTheLoadBetweenTheSides) {
   EXPECT_LT((on_first * steep + on_second * gentle + gravity - valley->footing.pull).norm(), 1e-12);
 }
 
-TEST(CaughtBetween, NotWhereOneSideLeadsAway) {
-  // Both fall the same way: from the first the rock slides off over the second.
+TEST(CaughtBetween, DoesNotApplyIfOneSideLeadsAway) {
+  // Both sides fall in the same direction: the rock slides off the first over the second.
   EXPECT_FALSE(caught_between(gravity, Vec3(1, 0, 2).normalized(), Vec3(1, 0, 1).normalized(), {0, 0, 0}, 0.1));
   EXPECT_FALSE(caught_between(gravity, Vec3::UnitZ(), Vec3::UnitZ(), {0, 0, 0}, 0.1));
 }

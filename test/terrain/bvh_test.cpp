@@ -53,7 +53,7 @@ TEST(Bvh, EmptyMeetsNothing) {
 
 TEST(Bvh, TheSameBoxesGiveTheSameTree) {
   Dice a(122), b(122);
-  // More than one task's worth, so that threads take part.
+  // Enough for more than one task, so that threads are used.
   const Bvh first(random_boxes(a, 60'000)), second(random_boxes(b, 60'000));
   EXPECT_EQ(first.order(), second.order());
   EXPECT_EQ(first.bytes(), second.bytes());
@@ -82,7 +82,7 @@ TEST(Bvh, VisitBoxMissesNothing) {
       met.merge(numbers(bvh, first, last));
       visited += last - first;
     });
-    ASSERT_EQ(met.size(), visited);  // nobody twice
+    ASSERT_EQ(met.size(), visited);  // none twice
     for (std::uint32_t k = 0; k < boxes.size(); ++k) {
       if (overlap(boxes[k], query.low, query.high)) {
         ASSERT_TRUE(met.contains(k));
@@ -116,10 +116,10 @@ TEST(Bvh, VisitFlightMissesNothing) {
       }
     }
   }
-  EXPECT_LT(visited, 500 * boxes.size() / 4);  // and it does leave out most
+  EXPECT_LT(visited, 500 * boxes.size() / 4);  // and most are skipped
 }
 
-// The nearest in time come first, and what lies beyond a contact is not looked at.
+// Boxes are visited in order of time, and those after a contact are skipped.
 TEST(Bvh, VisitFlightStopsAtAContact) {
   std::vector<Box> boxes;
   for (int k = 0; k < 1000; ++k) {
@@ -140,7 +140,7 @@ TEST(Bvh, VisitFlightStopsAtAContact) {
   EXPECT_LT(leaves, 8);
 }
 
-TEST(FlightSlabs, EveryMomentNearABoxIsInItsWindow) {
+TEST(FlightSlabs, TheWindowOfABoxContainsEveryTimeNearIt) {
   Dice dice(129);
   int near = 0, far = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -165,7 +165,7 @@ TEST(FlightSlabs, EveryMomentNearABoxIsInItsWindow) {
   EXPECT_GT(far, 200);
 }
 
-TEST(Bvh, FromTheEndTheLastComesFirstAndNothingIsMissed) {
+TEST(Bvh, FromTheEndVisitsTheLastFirstAndMissesNothing) {
   Dice dice(125);
   const auto boxes = random_boxes(dice, 2000);
   const Bvh bvh(boxes);
@@ -175,7 +175,7 @@ TEST(Bvh, FromTheEndTheLastComesFirstAndNothingIsMissed) {
     path.v *= dice.between(5, 30);
     path.p.z() = 60;
     const double t_end = dice.between(1, 6);
-    // A box counts where the path is over it on plan, and nowhere below it, until that time.
+    // A box must be visited if the path is over it on plan, and not below it, until that time.
     const auto last_over = [&](const Box& box) {
       double last = -1;
       for (int k = 0; k <= 400; ++k) {
@@ -196,7 +196,7 @@ TEST(Bvh, FromTheEndTheLastComesFirstAndNothingIsMissed) {
     });
     ASSERT_EQ(last, expected);
   }
-  EXPECT_LT(visited, 500U * 40);  // what the path is over before, is left out
+  EXPECT_LT(visited, 500U * 40);  // boxes that the path passes before t_from are skipped
 }
 
 }  // namespace

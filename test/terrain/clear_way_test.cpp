@@ -1,4 +1,4 @@
-// Within the way that is said to be clear, the search for contacts finds none; and the way is worth having.
+// Within the clear way the search for contacts finds none; and the clear way is long enough to be useful.
 
 #include "talus/terrain/clear_way.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 using namespace testing_tools;
 
 struct Tried {
-  int legs = 0, clear = 0;  // in the middle of a facet; clear as far as the facet's sides
+  int legs = 0, clear = 0;  // in the middle of a facet; clear up to the facet's sides
 };
 
 template <class Surface>
@@ -34,7 +34,7 @@ Tried roll_about(const Surface& surface, Dice& dice, double radius) {
       nearest = std::min(nearest, distance);
       way = std::min(way, clear_way(n, centre, radius, surface.outline(other), distance));
     });
-    if (nearest < radius - 1e-9 || !(way > 0)) continue;  // no room for it here
+    if (nearest < radius - 1e-9 || !(way > 0)) continue;  // no room for the sphere
     ++tried.legs;
     tried.clear += way > 0.9 * room ? 1 : 0;
     for (int k = 0; k < 20; ++k) {

@@ -9,9 +9,9 @@ namespace {
 
 using testing_tools::Dice;
 
-// From anywhere, along the axes and the diagonals, too, over grids of any shape: the cells lie side by side in the grid
-// up to where the flight leaves it, and the flight is over each of them while the walk says so.
-TEST(GridWalk, VisitsTheCellsUnderAFlightAndNoneBesideTheGrid) {
+// From anywhere, also along axes and diagonals, over grids of any shape: consecutive cells are neighbours, up to where
+// the flight leaves the grid, and the flight is over each cell between its enter() and leave().
+TEST(GridWalk, VisitsTheCellsUnderAFlightAndNoneOutsideTheGrid) {
   Dice dice(5);
   std::size_t steps = 0, walks = 0;
   for (int trial = 0; trial < 20000; ++trial) {

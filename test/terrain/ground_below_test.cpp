@@ -1,4 +1,4 @@
-// Whether there is ground below a place, asked with a facet that is near or far from it.
+// Whether there is ground below a place, searched from a facet near to it or far away.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ void expect_agreement_with_elevations(const Surface& surface, Dice& dice, double
   EXPECT_GT(beside, 1000);
 }
 
-TEST(GroundBelow, IsThereWhereThereIsAnElevation) {
+TEST(GroundBelow, ExistsWhereThereIsAnElevation) {
   Dice dice(301);
   expect_agreement_with_elevations(random_slope(dice, 12, 20, 0.4, 1.5).mesh(), dice, -3, 23, 9);
   expect_agreement_with_elevations(random_boulder(dice, 2, 8, 0.3).mesh(), dice, -10, 10, 10);

@@ -14,7 +14,7 @@ namespace {
 
 using testing_tools::Dice;
 
-/// A tree over triangles, with the second bounds or without.
+/// A tree over triangles, with or without leaning bounds.
 struct Tree {
   Tree(const std::vector<Triangle>& triangles, bool leans) : bvh(boxes_of(triangles)) {
     if (leans) {
@@ -48,7 +48,7 @@ struct Tree {
   Bvh bvh;
 };
 
-/// Facets of any direction about a slope of 45 degrees: roofs and upright ones, too.
+/// Facets of any direction about a slope of 45 degrees, including roofs and vertical ones.
 std::vector<Triangle> broken_slope(Dice& dice, std::size_t count) {
   std::vector<Triangle> triangles(count);
   for (Triangle& triangle : triangles) {
@@ -59,7 +59,7 @@ std::vector<Triangle> broken_slope(Dice& dice, std::size_t count) {
   return triangles;
 }
 
-/// 100 x 100 m of a slope of 45 degrees, two facets a metre, rough by a tenth of a metre.
+/// 100 x 100 m of a slope of 45 degrees, two facets per square metre, rough by a tenth of a metre.
 std::vector<Triangle> slope(Dice& dice) {
   constexpr int side = 100;
   std::vector<Vec3> nodes;
@@ -77,7 +77,7 @@ std::vector<Triangle> slope(Dice& dice) {
   return triangles;
 }
 
-TEST(LeaningBounds, HideNothingThatAFlightComesNear) {
+TEST(LeaningBounds, SkipNoFacetThatAFlightComesNear) {
   Dice dice(271);
   const auto triangles = broken_slope(dice, 2000);
   const Tree tree(triangles, true);
@@ -99,7 +99,7 @@ TEST(LeaningBounds, HideNothingThatAFlightComesNear) {
   EXPECT_GT(near, 1000U);
 }
 
-TEST(LeaningBounds, HideNothingFarUnderAFlight) {
+TEST(LeaningBounds, SkipNoFacetFarUnderAFlight) {
   Dice dice(828);
   const auto triangles = broken_slope(dice, 2000);
   const Tree tree(triangles, true);
@@ -116,8 +116,8 @@ TEST(LeaningBounds, HideNothingFarUnderAFlight) {
   }
 }
 
-// A flight a metre above a slope passes through the boxes of all that lies under it, and near none of it.
-TEST(LeaningBounds, LeaveOutTheSlopeUnderAFlight) {
+// A flight a metre above a slope passes through the boxes of all facets under it, but near none of these.
+TEST(LeaningBounds, SkipTheSlopeUnderAFlight) {
   Dice dice(314);
   const auto triangles = slope(dice);
   const Tree leaning(triangles, true), boxes(triangles, false);

@@ -40,7 +40,7 @@ TEST(Profile, SegmentsOfTheTutorial) {
   EXPECT_FALSE(profile.outline(FacetId{4}).edges[1].beyond);
 }
 
-// Short profiles are searched one by one, long ones through a tree: both must be what the extruded mesh is.
+// Short profiles are searched one by one, long ones through a tree: both must agree with the extruded mesh.
 TEST(Profile, ContactsAreThoseOfTheExtrusion) {
   Dice dice(131);
   int contacts = 0;
@@ -58,7 +58,7 @@ TEST(Profile, ContactsAreThoseOfTheExtrusion) {
         const auto flat = profile.first_contact(path, radius, 1e3);
         path.p.y() = 21.7;
         const auto wide = mesh.first_contact(path, radius, 1e3);
-        // Where the sphere meets the slope's outermost end, the mesh has the rim of its last triangles.
+        // At the outermost end of the slope, the sphere meets the rim of the mesh's last triangles.
         ASSERT_EQ(flat.has_value(), wide.has_value()) << segments << ' ' << slope << ' ' << i;
         if (!flat) continue;
         ++contacts;
@@ -95,7 +95,7 @@ TEST(Profile, HeightsAndExitsAreThoseOfTheExtrusion) {
   }
 }
 
-TEST(Profile, GreatestHeightAgreesWithSampling) {
+TEST(Profile, MaximumHeightAgreesWithSampling) {
   Dice dice(133);
   for (int slope = 0; slope < 20; ++slope) {
     const Profile profile(random_section(dice, 20));
@@ -112,19 +112,19 @@ TEST(Profile, GreatestHeightAgreesWithSampling) {
   }
 }
 
-// An overhanging section: the ground lies on its right-hand side, also beneath the nose.
+// An overhanging section: the ground is on its right-hand side, also below the nose.
 TEST(Profile, Overhang) {
   const Profile profile(std::vector<Vec2>{{0, 10}, {6, 10}, {4, 5}, {12, 4}});
   EXPECT_DOUBLE_EQ(*profile.elevation(5), 10);
   EXPECT_NEAR(*profile.elevation(5, 0, 7), 4.875, 1e-12);
-  // Launched up from beneath the nose it hits the underside.
+  // Launched up from below the nose it hits the underside.
   const auto under = profile.first_contact({{5.6, 0, 5.5}, {0, 0, 20}, gravity}, 0, 10);
   ASSERT_TRUE(under);
   EXPECT_LT(under->normal.z(), 0);
   EXPECT_EQ(under->facet, FacetId{1});
 }
 
-TEST(Profile, MovedVerticesAreAProfileOfTheirOwn) {
+TEST(Profile, WithMovedVerticesEqualsANewOne) {
   Dice dice(134);
   Profile moved(random_section(dice, 12));
   const auto section = random_section(dice, 12);

@@ -1,4 +1,4 @@
-// A raster gives the contacts of the mesh that has the same triangles.
+// A raster has the same contacts as the mesh of its triangles.
 
 #include "talus/terrain/raster_surface.hpp"
 
@@ -35,7 +35,7 @@ RasterGrid random_grid(Dice& dice, std::uint32_t columns, std::uint32_t rows, do
   return grid;
 }
 
-// The mesh of all facets, in their order: facet i of the raster is triangle i of the mesh.
+// The mesh of all facets: facet i of the raster is triangle i of the mesh.
 TriangleMesh mesh_of(const RasterSurface& raster) {
   const RasterGrid& grid = raster.grid();
   Shape shape = net(
@@ -82,7 +82,7 @@ void expect_same(const std::optional<Contact>& raster, const std::optional<Conta
   ASSERT_LT((raster->normal - mesh->normal).norm(), 1e-6);
 }
 
-TEST(RasterSurface, APointMeetsWhatItMeetsOnTheMesh) {
+TEST(RasterSurface, HasTheContactsOfAPointOnTheMesh) {
   Dice dice(201);
   int met = 0;
   for (int k = 0; k < 100; ++k) {
@@ -93,7 +93,7 @@ TEST(RasterSurface, APointMeetsWhatItMeetsOnTheMesh) {
       expect_same(contact, ground.mesh.first_contact(path, 0, 100));
       if (contact) {
         ++met;
-        // And again from there, after a bounce.
+        // And the next contact, after a bounce.
         Vec3 v = path.velocity(contact->t);
         v -= 1.5 * v.dot(contact->normal) * contact->normal;
         const Parabola next{path.at(contact->t), v, path.a};
@@ -105,7 +105,7 @@ TEST(RasterSurface, APointMeetsWhatItMeetsOnTheMesh) {
   EXPECT_GT(met, 10'000);
 }
 
-TEST(RasterSurface, ASphereMeetsWhatItMeetsOnTheMesh) {
+TEST(RasterSurface, HasTheContactsOfASphereOnTheMesh) {
   Dice dice(202);
   std::array<int, 3> met{};
   for (int k = 0; k < 60; ++k) {
@@ -132,8 +132,8 @@ TEST(RasterSurface, ASphereMeetsWhatItMeetsOnTheMesh) {
   for (const int each : met) EXPECT_GT(each, 50);
 }
 
-// On ground so even that neighbouring facets are nearly one plane, where a sphere that bounces and rolls is close to
-// many of them at a time.
+// On ground so smooth that neighbouring facets are nearly one plane, where a bouncing or rolling sphere is close to
+// many of them at the same time.
 TEST(RasterSurface, ASphereBouncesDownSmoothGroundAsOnTheMesh) {
   Dice dice(205);
   std::array<int, 3> met{};
@@ -160,7 +160,7 @@ TEST(RasterSurface, ASphereBouncesDownSmoothGroundAsOnTheMesh) {
         ++met[static_cast<std::size_t>(contact->feature)];
         const Vec3& n = contact->normal;
         const Vec3 place = path.at(contact->t), arriving = path.velocity(contact->t);
-        if (arriving.dot(n) > -0.05) break;  // of bounces without end the times are rounding
+        if (arriving.dot(n) > -0.05) break;  // the times of endless small bounces are rounding
         const Vec3 along = 0.9 * tangential(arriving, n);
         const Parabola leg{place, along, 0.5 * tangential(path.a, n)};
         expect_same(raster.first_contact_on_leg(leg, radius, 0.05, SupportPlanes(n)),
@@ -174,7 +174,7 @@ TEST(RasterSurface, ASphereBouncesDownSmoothGroundAsOnTheMesh) {
   EXPECT_GT(met[1], 100);
 }
 
-TEST(RasterSurface, HeightsOutlinesAndExitsAreTheMeshs) {
+TEST(RasterSurface, HasTheHeightsOutlinesAndExitsOfTheMesh) {
   Dice dice(203);
   for (int k = 0; k < 50; ++k) {
     const Ground ground = random_ground(dice);
@@ -221,8 +221,8 @@ TEST(RasterSurface, HeightsOutlinesAndExitsAreTheMeshs) {
   }
 }
 
-// Whole paths, on both, until rounding has had time to grow.
-TEST(RasterSurface, RocksTakeTheSamePath) {
+// Whole paths on both, as long as rounding has not grown.
+TEST(RasterSurface, RocksFollowTheSamePathAsOnTheMesh) {
   Dice dice(204);
   int compared = 0;
   for (int k = 0; k < 40; ++k) {
@@ -247,12 +247,12 @@ TEST(RasterSurface, RocksTakeTheSamePath) {
       ASSERT_NE(a.outcome.reason, EndReason::lost);
     }
   }
-  EXPECT_GT(compared, 40);  // of 80: the others leave the model after an impact or two
+  EXPECT_GT(compared, 40);  // of 80; the others leave the model after one or two impacts
 }
 
 // ---- holes ----
 
-// Flat ground with a hole of four cells about the node (5, 5).
+// Flat ground with a hole of four cells around the node (5, 5).
 RasterSurface holed_plain() {
   RasterGrid grid;
   grid.columns = grid.rows = 11;
@@ -263,7 +263,7 @@ RasterSurface holed_plain() {
 
 TEST(RasterSurface, ARockThatFallsIntoAHoleEndsAtItsRim) {
   const RasterSurface plain = holed_plain();
-  const Parabola path{{2, 5, 1}, {2, 0, 0}, {0, 0, -1}};  // down at x = 4.83, past the rim at x = 4
+  const Parabola path{{2, 5, 1}, {2, 0, 0}, {0, 0, -1}};  // at z = 0 at x = 4.83, beyond the rim at x = 4
   EXPECT_FALSE(plain.first_contact(path, 0, 100));
   const Exit exit = plain.exit(path);
   EXPECT_DOUBLE_EQ(exit.t, 1);
@@ -273,7 +273,7 @@ TEST(RasterSurface, ARockThatFallsIntoAHoleEndsAtItsRim) {
 
 TEST(RasterSurface, ARockMayFlyOverAHole) {
   const RasterSurface plain = holed_plain();
-  const Parabola path{{2, 5, 1}, {4, 0, 0}, {0, 0, -1}};  // down at x = 7.66
+  const Parabola path{{2, 5, 1}, {4, 0, 0}, {0, 0, -1}};  // lands at x = 7.66
   const auto contact = plain.first_contact(path, 0, 100);
   ASSERT_TRUE(contact);
   EXPECT_DOUBLE_EQ(contact->t, std::sqrt(2.0));

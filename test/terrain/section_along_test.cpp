@@ -31,7 +31,7 @@ RasterSurface waves(std::uint32_t side) {
   return RasterSurface(std::move(grid));
 }
 
-TEST(SectionAlong, StepsWhereTheGroundDoes) {
+TEST(SectionAlong, HasTheStepsOfTheGround) {
   const TriangleMesh mesh = terraces();
   const std::vector<Vec2> line{{2, 5}, {18, 5}};
   const auto section = section_along(mesh, line, 100);
@@ -44,7 +44,7 @@ TEST(SectionAlong, StepsWhereTheGroundDoes) {
     }
     if (std::abs(*point.z - last_z) > 1) {
       ++steps;
-      EXPECT_DOUBLE_EQ(point.place.x(), 10);  // at once, not from one bend to the next
+      EXPECT_DOUBLE_EQ(point.place.x(), 10);  // the whole step is at one place
     }
     last_z = *point.z;
   }
@@ -94,7 +94,7 @@ TEST(SectionAlong, HasGapsOverHolesAndBeyondTheEdge) {
   EXPECT_FALSE(section.back().z);
 }
 
-TEST(SectionAlong, IsEvenlySpacedWhereItWouldBeTooLong) {
+TEST(SectionAlong, IsEvenlySpacedIfItWouldHaveTooManyPoints) {
   const RasterSurface surface = waves(100);
   const std::vector<Vec2> line{{0, 0}, {99, 99}, {0, 99}};
   ASSERT_GT(section_along(surface, line, 1000).size(), 150U);

@@ -19,7 +19,7 @@ double slope_at(Height&& height, double x, double y, double dx, double dy) {
   return slope_of_gradient_squared(horn_gradient_squared(z, dx, dy));
 }
 
-TEST(HornSlope, OfAPlaneIsItsOwn) {
+TEST(HornSlope, OfAPlaneIsExact) {
   Dice dice(4);
   for (int round = 0; round < 200; ++round) {
     const double a = dice.between(-3, 3), b = dice.between(-3, 3), c = dice.between(-1000, 1000);
@@ -30,7 +30,7 @@ TEST(HornSlope, OfAPlaneIsItsOwn) {
 }
 
 // On a sphere of radius R the slope at a distance r from the axis is asin(r / R); halving the cells quarters the error.
-TEST(HornSlope, OfASphereConvergesWithTheSquareOfTheCells) {
+TEST(HornSlope, OfASphereConvergesAtSecondOrder) {
   constexpr double radius = 100;
   const auto sphere = [](double x, double y) { return std::sqrt(radius * radius - x * x - y * y); };
   for (const double r : {20.0, 50.0, 70.0}) {
@@ -47,7 +47,7 @@ TEST(HornSlope, OfASphereConvergesWithTheSquareOfTheCells) {
   }
 }
 
-TEST(HornSlope, WithoutDataIsNone) {
+TEST(HornSlope, WithoutDataIsNaN) {
   for (std::size_t k = 0; k < 9; ++k) {
     std::array<double, 9> z{};
     z[k] = std::numeric_limits<double>::quiet_NaN();

@@ -19,14 +19,14 @@ using Long3 = Eigen::Matrix<long double, 3, 1>;
 
 const Vec3 gravity(0, 0, -standard_gravity);
 
-// ---- contacts against brute force ----
+// ---- contacts compared to brute force ----
 
-// The first time at which a point falls through a triangle from its outer side, by long double; none if the point
-// passes so near the triangle's border that rounding decides.
+// The first time at which a point falls through a triangle from its outer side, in long double. Undecided if the point
+// passes so near to the triangle's border that rounding decides.
 struct Brute {
   std::optional<double> t;
   std::size_t triangle = 0;
-  bool is_clear = true;  // no decision was close
+  bool is_clear = true;  // not decided by rounding
 };
 
 Brute point_by_brute_force(const Shape& shape, const Parabola& path) {
@@ -113,7 +113,7 @@ TEST(TriangleMeshContact, OfAPointAgreesWithBruteForce) {
   EXPECT_GT(clear, 7000);
 }
 
-// Until the contact a sphere is clear of everything, at the contact it touches, along the normal, and moves in.
+// Until the contact a sphere touches nothing; at the contact it touches along the normal, and moves in.
 TEST(TriangleMeshContact, OfASphereAgreesWithBruteForce) {
   Dice dice(102);
   int touched = 0;
@@ -129,7 +129,7 @@ TEST(TriangleMeshContact, OfASphereAgreesWithBruteForce) {
       if (distance_to(shape, path.p) < radius) continue;
       const auto contact = mesh.first_contact(path, radius, 1e6);
       const double end = contact ? contact->t : 3.0;
-      // Coming close without touching is allowed to come arbitrarily close; nothing may go deeper.
+      // It may come arbitrarily close without touching, but not deeper.
       for (int k = 0; k < 200; ++k) {
         ASSERT_GT(distance_to(shape, path.at(end * k / 200)), radius - 1e-7) << m << ' ' << i << ' ' << k;
       }
@@ -145,7 +145,7 @@ TEST(TriangleMeshContact, OfASphereAgreesWithBruteForce) {
   EXPECT_GT(touched, 500);
 }
 
-TEST(TriangleMeshContact, TiesGoToTheTriangleThatCameFirst) {
+TEST(TriangleMeshContact, TiesGoToTheFirstTriangleOfTheInput) {
   const Shape shape = box({-1, -1, -1}, {1, 1, 1});
   const TriangleMesh mesh = shape.mesh();
   // Straight down on the diagonal of the upper side, which is triangles 2 and 3.
@@ -171,11 +171,11 @@ TEST(TriangleMeshContact, FeaturesOfABox) {
   EXPECT_EQ(vertex->feature, Feature::vertex);
   EXPECT_LT((vertex->normal - Vec3(0.4, 0.4, std::sqrt(1 - 0.32))).norm(), 1e-12);
   EXPECT_FALSE(mesh.first_contact({{1.6, 0, 5}, {0, 0, -1}, {0, 0, 0}}, 0.5, 100));
-  // Facets are one-sided: from within, the rock leaves.
+  // Facets are one-sided: from inside, the rock leaves.
   EXPECT_FALSE(mesh.first_contact({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, 0, 100));
 }
 
-TEST(TriangleMeshContact, NotBeyondTheTimeAsked) {
+TEST(TriangleMeshContact, IsNotAfterTheMaximumTime) {
   const TriangleMesh mesh = box({-1, -1, -1}, {1, 1, 1}).mesh();
   const Parabola path{{0, 0, 5}, {0, 0, -1}, {0, 0, 0}};
   EXPECT_FALSE(mesh.first_contact(path, 0, 3.9));
@@ -184,7 +184,7 @@ TEST(TriangleMeshContact, NotBeyondTheTimeAsked) {
 
 // ---- facets and their neighbours ----
 
-TEST(TriangleMesh, OutlinesNameTheirNeighbours) {
+TEST(TriangleMesh, OutlinesHaveTheirNeighbours) {
   Dice dice(103);
   const Shape shape = random_slope(dice, 9, 30, 0.5, 1.0);
   const TriangleMesh mesh = shape.mesh();
@@ -204,7 +204,7 @@ TEST(TriangleMesh, OutlinesNameTheirNeighbours) {
         ++rims;
         continue;
       }
-      // The neighbour knows this facet, and shares two corners with it.
+      // This facet is the neighbour's neighbour, and both share two corners.
       const Outline other = mesh.outline(*edge.beyond);
       const bool knows = std::any_of(other.edges.begin(), other.edges.end(),
                                      [&](const OutlineEdge& e) { return e.beyond == FacetId{k}; });
@@ -273,7 +273,7 @@ TEST(TriangleMesh, ElevationOfAHeightField) {
   EXPECT_FALSE(mesh.elevation(10, 30.1));
 }
 
-// An overhang: a roof over a floor. Asked from below the roof, the floor is the ground.
+// An overhang: a roof over a floor. Below the roof, the floor is the ground.
 TEST(TriangleMesh, ElevationBelowAnOverhang) {
   Shape shape = box({-1, -1, 4}, {1, 1, 5});
   const std::uint32_t first = static_cast<std::uint32_t>(shape.vertices.size());
@@ -296,7 +296,7 @@ double greatest_by_sampling(const Surface& surface, const Parabola& path, double
   return greatest;
 }
 
-TEST(TriangleMesh, GreatestHeightAgreesWithSampling) {
+TEST(TriangleMesh, MaximumHeightAgreesWithSampling) {
   Dice dice(107);
   for (int m = 0; m < 6; ++m) {
     const TriangleMesh mesh = random_slope(dice, 15, 40, 0.6, 1.0).mesh();
@@ -309,12 +309,12 @@ TEST(TriangleMesh, GreatestHeightAgreesWithSampling) {
       const double expected = greatest_by_sampling(mesh, path, end), found = mesh.max_height(path, end, 0);
       ASSERT_GE(found, expected - 1e-9);
       ASSERT_NEAR(found, expected, 0.01);
-      EXPECT_EQ(mesh.max_height(path, end, 1e4), 1e4);  // what is known already is kept
+      EXPECT_EQ(mesh.max_height(path, end, 1e4), 1e4);  // a larger known height is returned
     }
   }
 }
 
-// ---- the way out ----
+// ---- exits ----
 
 TEST(TriangleMesh, ExitIsWhereTheCentreCrossesTheRim) {
   Dice dice(108);
@@ -330,14 +330,14 @@ TEST(TriangleMesh, ExitIsWhereTheCentreCrossesTheRim) {
   }
 }
 
-TEST(TriangleMesh, ExitBeneathTheSurfaceIsLost) {
+TEST(TriangleMesh, ExitBelowTheSurfaceIsLost) {
   Dice dice(109);
   const TriangleMesh mesh = random_slope(dice, 10, 40, 0.2, 0.2).mesh();
   const Exit exit = mesh.exit({{20, 20, mesh.bounds().low.z() - 1}, {0, 0, 0}, gravity});
   EXPECT_TRUE(exit.beneath);
 }
 
-TEST(TriangleMesh, ExitOfACentreBeyondTheRimIsNow) {
+TEST(TriangleMesh, ExitOfACentreBeyondTheRimIsAtOnce) {
   Dice dice(110);
   const TriangleMesh mesh = random_slope(dice, 10, 40, 0.2, 0.2).mesh();
   const Exit exit = mesh.exit({{40.2, 20, -5}, {1, 0, 0}, gravity});
@@ -358,7 +358,7 @@ TEST(TriangleMesh, DrapedFollowsTheGround) {
     ASSERT_LT((line.front().head<2>() - from).norm(), 1e-6);
     ASSERT_LT((line.back().head<2>() - to).norm(), 1e-6);
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-      // Between two bends the ground is straight.
+      // The ground is straight between two bends.
       for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const Vec3 q = line[k] + s * (line[k + 1] - line[k]);
         ASSERT_NEAR(*mesh.elevation(q.x(), q.y()), q.z(), 1e-6) << i << ' ' << k;

@@ -1,9 +1,9 @@
-// Ten million rocks aimed at edges and vertices, from where they must be stopped: none gets through.
+// Ten million rocks aimed at edges and vertices, where they must be stopped: none gets through.
 //
 // A closed body here is star-shaped about every point of a small cube inside it (checked). A rock aimed at a place on
-// its surface, flying towards a point of that cube, is inside the body right after that place, so it has to be stopped
-// there or before. In the same way a rock that falls on a height field more steeply than the steepest facet stands is
-// beneath the surface right after the place at which it is aimed.
+// its surface, and flying towards a point of that cube, is inside the body right after that place: it has to be stopped
+// there or before. Similarly, a rock that falls on a height field more steeply than its steepest facet is below the
+// surface right after the place at which it is aimed.
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,9 @@ namespace {
 
 using namespace testing_tools;
 
-constexpr double late = 1e-6;  // how much later than the aim a contact may be found [s]
+constexpr double late = 1e-6;  // maximum delay of a contact after the aim [s]
 
-// How far [m] a contact may be from touching: the slack of contacts and its growth at grazing incidence.
+// The maximum gap at a contact [m]: the slack of contacts and its growth at grazing incidence.
 constexpr double deep = 2e-5;
 
 struct Target {
@@ -38,7 +38,7 @@ Target random_target(Dice& dice, const Shape& shape) {
   return {a + s * (b - a), false};
 }
 
-// The flight that comes to `place` with `velocity` after `t`.
+// The flight that arrives at `place` with `velocity` at time `t`.
 Parabola flight_to(const Vec3& place, const Vec3& velocity, double t, double gravity) {
   const Vec3 a(0, 0, -gravity);
   return {place - t * velocity + 0.5 * t * t * a, velocity - t * a, a};
@@ -48,7 +48,7 @@ struct Body {
   Shape shape;
   Vec3 centre;
   double largest = 0;  // distance of a vertex from the centre
-  double cube = 0;     // half the side of the cube about the centre from which all of the surface is seen
+  double cube = 0;     // half the side of the cube about the centre from which the whole surface is visible
 };
 
 Body body_of(Shape shape, const Vec3& centre, double cube) {
@@ -74,7 +74,7 @@ Body random_body(Dice& dice, int number) {
       const Vec3 half = 0.5 * size * Vec3(dice.between(0.1, 1), dice.between(0.1, 1), dice.between(0.1, 1));
       return body_of(placed(box(-half, half)), shift, 0.2 * half.minCoeff());
     }
-    case 1: {  // drawn out into slivers
+    case 1: {  // stretched into slivers
       const Vec3 stretch(dice.magnitude(0.02, 20), dice.magnitude(0.02, 20), 1);
       const Shape shape =
           random_boulder(dice, 2, 1.0, 0.05).moved([&](const Vec3& v) { return Vec3(size * v.cwiseProduct(stretch)); });
@@ -100,7 +100,7 @@ TEST(Watertight, PointsAtClosedBodies) {
       double t = dice.between(1.1, 3) * 2 * body.largest / velocity.norm();
       if (gravity > 0) t = std::min(t, dice.magnitude(0.01, 10));
       const Parabola path = flight_to(target.place, velocity, t, gravity);
-      if ((path.p - body.centre).norm() < 1.0001 * body.largest) continue;  // perhaps inside
+      if ((path.p - body.centre).norm() < 1.0001 * body.largest) continue;  // may start inside
       ++thrown;
       const auto contact = mesh.first_contact(path, 0, 1e6);
       ASSERT_TRUE(contact) << "body " << number << " rock " << i << (target.is_vertex ? " at a vertex" : " at an edge");
@@ -130,7 +130,7 @@ TEST(Watertight, SpheresAtClosedBodies) {
       const auto contact = mesh.first_contact(path, radius, 1e6);
       ASSERT_TRUE(contact) << "body " << number << " rock " << i;
       ASSERT_LT(contact->t, t) << "body " << number << " rock " << i;
-      // It touches, and is in nothing.
+      // It touches, and has not sunk in.
       int touching = 0, inside = 0;
       const Vec3 centre = path.at(contact->t);
       mesh.supports(centre, radius, deep, [&](auto&&...) { ++touching; });
@@ -163,7 +163,7 @@ Field random_field(Dice& dice, int number) {
   return field;
 }
 
-// A velocity that leads beneath any facet: steeper than each of them.
+// A velocity steeper than every facet, so that it leads below the surface anywhere.
 Vec3 falling(Dice& dice, const Field& field) {
   Vec3 plan = dice.direction();
   plan.z() = 0;
@@ -180,14 +180,14 @@ TEST(Watertight, PointsOnHeightFields) {
     for (int i = 0; i < 40'000; ++i) {
       const Target target = random_target(dice, field.shape);
       const Vec3 velocity = falling(dice, field);
-      // Short enough to start above: flown backwards, the rock climbs faster than any facet for as long as that.
+      // Short enough to start above: backwards in time, the rock climbs faster than any facet.
       const double t = dice.magnitude(1e-6, 1) * std::abs(velocity.z()) / standard_gravity;
       const Parabola path = flight_to(target.place, velocity, dice.chance(0.5) ? t : 0.1 * t, 0);
       ++thrown;
       const auto contact = mesh.first_contact(path, 0, 1e6);
       const bool at_rim = target.place.x() <= mesh.bounds().low.x() || target.place.x() >= mesh.bounds().high.x() ||
                           target.place.y() <= mesh.bounds().low.y() || target.place.y() >= mesh.bounds().high.y();
-      if (at_rim && !contact) continue;  // past the model's edge by a rounding
+      if (at_rim && !contact) continue;  // beyond the model's edge by rounding
       ASSERT_TRUE(contact) << "field " << number << " rock " << i
                            << (target.is_vertex ? " at a vertex" : " at an edge");
       ASSERT_LE(contact->t, t + late) << "field " << number << " rock " << i;
@@ -205,7 +205,8 @@ TEST(Watertight, SpheresOnHeightFields) {
       const double radius = dice.magnitude(1e-4, 0.1) * field.width;
       const Target target = random_target(dice, field.shape);
       const Vec3 velocity = falling(dice, field);
-      // From where the sphere is clear of everything: the height at which its lowest point passes the highest ground.
+      // From where the sphere is clear of everything: where its lowest point passes the elevation of the highest
+      // ground.
       const double clear = (mesh.bounds().high.z() + radius - target.place.z()) / -velocity.z() + 1e-3;
       const Parabola path = flight_to(target.place, velocity, clear, 0);
       ++thrown;
@@ -219,8 +220,8 @@ TEST(Watertight, SpheresOnHeightFields) {
   }
 }
 
-// Grazing flights that need not go beneath: where nothing was met, the rock must be above the ground.
-TEST(Watertight, GrazingPointsAreNeverBeneath) {
+// Grazing flights, which may or may not have a contact: without one, the rock must be above the ground.
+TEST(Watertight, GrazingPointsAreNeverBelowTheGround) {
   Dice dice(55);
   for (int number = 0; number < 20; ++number) {
     const Field field = random_field(dice, number);
@@ -235,7 +236,7 @@ TEST(Watertight, GrazingPointsAreNeverBeneath) {
         const auto z = mesh.elevation(p.x(), p.y());
         return z && p.z() < *z - 1e-7 * (1 + field.steepest);
       };
-      // From outside the model a rock may come in beneath its rim.
+      // From outside the model a rock may arrive below its rim.
       if (under(path.p) || !mesh.elevation(path.p.x(), path.p.y())) continue;
       const auto contact = mesh.first_contact(path, 0, 1e6);
       const double end = contact ? contact->t : 2 * t;

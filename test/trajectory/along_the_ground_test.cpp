@@ -1,4 +1,4 @@
-// A rock that stays on the ground: over seams, into rising ground, off edges, along valleys, into corners.
+// A rock on the ground: over seams, into rising ground, off edges, along valleys, into corners.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ std::vector<PathState> states(const Followed& path) {
   return between;
 }
 
-// Set down on the slope with a speed along it.
+// Placed on the slope with a velocity along it.
 Release on_slope(const Vec3& place, const Vec3& velocity) { return {{place, velocity}, rock}; }
 
 TEST(Slide, OverASeamOfOnePlaneIsOneSlide) {
@@ -100,7 +100,7 @@ TEST(Slide, OffAConvexEdgeIsAFlight) {
   }
 }
 
-// Three facets of one slope meet the rim of the model: it leaves there, not before and not later.
+// Three facets of one slope end at the rim of the model: the rock leaves there, not earlier or later.
 TEST(Slide, OffTheRimLeavesTheModel) {
   Dice dice(141);
   const TriangleMesh mesh = irregular_field(dice, 10, 10, 20, 20, [](double x, double) { return -0.6 * x; }).mesh();
@@ -118,7 +118,7 @@ TEST(Slide, OffTheRimLeavesTheModel) {
   }
 }
 
-TEST(Slide, UphillTurnsBackAndIsNoted) {
+TEST(Slide, UphillTurnsBackAndIsLogged) {
   const double angle = 0.6;
   const Vec3 along(std::cos(angle), 0, std::sin(angle));
   const Profile slope(std::vector<Vec2>{{0, 0}, {50 * along.x(), 50 * along.z()}});
@@ -138,7 +138,7 @@ TEST(Slide, UphillTurnsBackAndIsNoted) {
   EXPECT_NEAR(path.outcome.end.velocity.norm(), std::sqrt(2 * way * down), 1e-6);
 }
 
-// A gutter of two planes that falls along x: once caught, the rock moves along its bottom.
+// A trough of two planes that falls along x: once caught, the rock moves along its bottom.
 TEST(Valley, ARockIsCaughtAndMovesAlongIt) {
   Dice dice(142);
   const auto height = [](double x, double y) { return 0.8 * std::abs(y - 20) - 0.5 * x; };
@@ -160,11 +160,11 @@ TEST(Valley, ARockIsCaughtAndMovesAlongIt) {
   }
 }
 
-// A gutter whose sides fall at `side` across and whose bottom falls at `dip`: the sides press with cos(dip) / cos(side)
-// of the weight, at cos(side) of the radius from the axis about which the sphere rolls.
-TEST(Valley, ASphereSlipsWhereFrictionCannotRollIt) {
+// A trough with sides at the angle `side` and a bottom that falls at `dip`: the sides press with cos(dip) / cos(side)
+// of the weight, at a distance of cos(side) times the radius from the axis about which the sphere rolls.
+TEST(Valley, ASphereSlipsIfFrictionIsTooSmall) {
   struct Case {
-    double dip, side, mu, acceleration;  // over that of gravity
+    double dip, side, mu, acceleration;  // acceleration: over that of gravity
   };
   const auto slips = [](double dip, double side, double mu) {
     return Case{dip, side, mu, std::sin(dip) - mu * std::cos(dip) / std::cos(side)};
@@ -175,7 +175,7 @@ TEST(Valley, ASphereSlipsWhereFrictionCannotRollIt) {
   };
   for (const auto& [dip, side, mu, acceleration] : {slips(0.35, 0.8, 0), slips(0.6, 0.8, 0.05), slips(0.6, 1.0, 0.1),
                                                     slips(0.9, 0.5, 0.2), rolls(0.35, 0.8), rolls(0.6, 0.5)}) {
-    // Turned so that its bottom falls along x.
+    // Rotated so that its bottom falls along x.
     const auto place = [dip = dip, side = side](std::uint32_t i, std::uint32_t j) {
       const double along = 60.0 * i, across = 10.0 * j - 10, up = std::tan(side) * std::abs(across);
       return Vec3(along * std::cos(dip) + up * std::sin(dip), across, up * std::cos(dip) - along * std::sin(dip));
@@ -198,10 +198,10 @@ TEST(Valley, ASphereSlipsWhereFrictionCannotRollIt) {
   }
 }
 
-TEST(Valley, InAPitItComesToRest) {
+TEST(Valley, ARockInAPitComesToRest) {
   const Profile pit(std::vector<Vec2>{{-10, 8}, {0, 0}, {10, 8}});
   Soil soil;
-  soil.phi = 0.1;  // neither side would hold it
+  soil.phi = 0.1;  // neither side alone would hold it
   soil.mu = 0.3;
   soil.rolling = 0.05;
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
@@ -242,7 +242,7 @@ TEST(Rolls, OffALedge) {
   soil.rolling = 0.01;
   const Followed path =
       follow(ledge, ground_of(soil), laws_of(RockModel::rigid_sphere), on_slope({2, 0, rock.radius}, {6, 0, 0}));
-  // Faster than sqrt(g r) it flies off where its centre passes the ledge.
+  // Faster than sqrt(g r), it takes off where its centre passes the ledge.
   const auto& rows = path.log.rows;
   std::size_t k = 0;
   while (k < rows.size() && rows[k].motion.position.x() < 9.999) ++k;
@@ -257,7 +257,7 @@ TEST(Rolls, OffALedge) {
   EXPECT_NEAR(landing, std::sqrt(2 * 5 / standard_gravity), 1e-6);
 }
 
-// Slower than that it rolls over the edge and keeps touching it as it turns: it falls close to the wall.
+// Slower than that, it turns about the edge in contact with it, and falls close to the wall.
 TEST(Rolls, SlowlyOverALedge) {
   const Profile ledge(std::vector<Vec2>{{0, 0}, {10, 0}, {10, -5}, {40, -5}});
   Soil soil;
@@ -267,7 +267,7 @@ TEST(Rolls, SlowlyOverALedge) {
   double first_below = 1e300;
   for (const PathRow& row : path.log.rows) {
     if (row.motion.position.z() < -4) first_below = std::min(first_below, row.motion.position.x());
-    // Never in the ground.
+    // It is never in the ground.
     const Vec3& p = row.motion.position;
     const double to_corner = std::hypot(p.x() - 10, p.z());
     EXPECT_GT(p.x() < 10 ? p.z() : p.z() > 0 ? to_corner : p.x() - 10, rock.radius - 1e-6);

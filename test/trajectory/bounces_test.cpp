@@ -1,4 +1,4 @@
-// Paths that a formula gives: bounces on a plane, rest, the model's edge, the limits of a run.
+// Paths with a closed form: bounces on a plane, rest, the edge of the model, the limits of a run.
 
 #include <gtest/gtest.h>
 
@@ -26,8 +26,8 @@ Laws plain_laws(RockModel model) {
 
 Release dropped(const Vec3& position, const Vec3& velocity = Vec3::Zero()) { return {{position, velocity}, rock}; }
 
-// Dropped from h it bounces to Rn^2 h, Rn^4 h ... until it leaves the ground more slowly than the cutoff.
-TEST(Bounces, OfABallOnTheLevel) {
+// Dropped from h, it bounces to Rn^2 h, Rn^4 h ... until it leaves the ground more slowly than the cutoff.
+TEST(Bounces, OfABallOnLevelGround) {
   const Profile ground = level_ground();
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
     for (const bool rotation : {true, false}) {
@@ -38,7 +38,7 @@ TEST(Bounces, OfABallOnTheLevel) {
       laws.rotation = rotation;
       const Followed path = follow(ground, ground_of(soil), laws, dropped({3, 0, h + reach}));
       const double g = standard_gravity, v0 = std::sqrt(2 * g * h);
-      // The k-th impact leaves v0 Rn^k; the first that leaves less than the cutoff is the last.
+      // The velocity after impact k is v0 Rn^k; the first below the cutoff is the last.
       const int impacts = static_cast<int>(std::ceil(std::log(laws.normal_velocity_cutoff / v0) / std::log(rn)));
       EXPECT_EQ(path.outcome.events, impacts);
       EXPECT_EQ(path.outcome.reason, EndReason::at_rest);
@@ -59,8 +59,8 @@ TEST(Bounces, OfABallOnTheLevel) {
   }
 }
 
-// Down a plane without losses along it the rock moves as if it fell freely along the plane.
-TEST(Bounces, DownAPlaneByThePlainLaw) {
+// Without tangential losses the motion along a plane is that of free fall.
+TEST(Bounces, DownAPlaneWithThePlainLaw) {
   const double angle = 0.5;
   const Vec3 along(std::cos(angle), 0, -std::sin(angle)), n(std::sin(angle), 0, std::cos(angle));
   const Profile slope(std::vector<Vec2>{{0, 0}, {500 * std::cos(angle), -500 * std::sin(angle)}});
@@ -91,7 +91,7 @@ TEST(Bounces, WithoutRestitutionItStaysDown) {
   const Followed path =
       follow(level_ground(), ground_of(soil), plain_laws(RockModel::lumped_mass), dropped({0, 0, 2}, {4, 0, 0}));
   EXPECT_EQ(path.outcome.reason, EndReason::at_rest);
-  EXPECT_EQ(path.outcome.events, 1);  // the seam between two level segments is none
+  EXPECT_EQ(path.outcome.events, 1);  // the seam between two level segments is no impact
 }
 
 TEST(Limits, MaximumTimeEndsInTheAir) {
@@ -120,7 +120,7 @@ TEST(Limits, LeavesTheModelAtItsEdge) {
   }
 }
 
-TEST(Release, RestingOnTheSurface) {
+TEST(Release, AtRestOnTheSurface) {
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
     const double reach = model == RockModel::rigid_sphere ? rock.radius : 0;
     const Followed path = follow(level_ground(), ground_of({}), plain_laws(model), dropped({3, 0, reach}));
@@ -130,8 +130,8 @@ TEST(Release, RestingOnTheSurface) {
   }
 }
 
-// On a slope it sets off by itself: it slides at g (sin - mu cos), or rolls at 5/7 g (sin - mu_r cos).
-TEST(Release, OnASlopeSetsOff) {
+// On a slope it starts to move: it slides with g (sin - mu cos), or rolls with 5/7 g (sin - mu_r cos).
+TEST(Release, OnASlopeStartsToMove) {
   const double angle = 0.6, length = 50;
   const Vec3 along(std::cos(angle), 0, -std::sin(angle)), n(std::sin(angle), 0, std::cos(angle));
   const Profile slope(std::vector<Vec2>{{0, 0}, {100 * along.x(), 100 * along.z()}});
@@ -146,7 +146,7 @@ TEST(Release, OnASlopeSetsOff) {
     const Followed path = follow(slope, ground_of(soil), laws, dropped(length * along + (rolls ? rock.radius : 0) * n));
     const double a = standard_gravity * (rolls ? 5.0 / 7 * (std::sin(angle) - 0.05 * std::cos(angle))
                                                : std::sin(angle) - std::tan(0.3) * std::cos(angle));
-    // The last row on the slope, at its end: 50 m further down.
+    // The last row on the slope, at its end, 50 m further down.
     const Motion& end = path.outcome.end;
     EXPECT_EQ(path.outcome.reason, EndReason::left_model);
     EXPECT_NEAR(end.velocity.norm(), std::sqrt(2 * a * 50), rolls ? 0.2 : 1e-6);
@@ -171,7 +171,7 @@ TEST(Outcome, AgreesWithItsRows) {
     EXPECT_DOUBLE_EQ(path.outcome.max_kinetic_energy, most);
     EXPECT_EQ(path.outcome.start.position, rows.front().motion.position);
     EXPECT_EQ(path.outcome.end.position, rows.back().motion.position);
-    // Without a list of rows the outcome is the same.
+    // The outcome is the same if no rows are kept.
     RockLog brief(false);
     const Ground ground = ground_of({});
     const Laws laws;

@@ -1,4 +1,4 @@
-// Rocks in forests and on soft ground: against the closed form, at the forest's borders, and what must be true of all.
+// Rocks in forests and on soft ground: compared to closed forms, and at the forest's borders.
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@
 #include "talus/flight/touch.hpp"
 #include "talus/terrain/profile.hpp"
 #include "talus/terrain/raster_surface.hpp"
+#include "trajectory/forest_scenes.hpp"
 
 namespace talus {
 namespace {
@@ -21,33 +22,16 @@ using namespace testing_tools;
 
 constexpr double g = standard_gravity;
 
-Material grown_over(const Soil& soil, double drag, double height) {
-  Material material = material_of(soil);
-  material.forest_drag = drag;
-  material.forest_height = height;
-  return material;
-}
-
-const Vec2 level[] = {{-500, 0}, {500, 0}};
-
-Release launched(double mass, const Vec3& from, const Vec3& velocity) {
-  Release release;
-  release.rock = sphere_of_mass(mass, 2700);
-  release.motion.position = from;
-  release.motion.velocity = velocity;
-  return release;
-}
-
 // The first arrival on the ground.
 Motion arrival(const Followed& path) {
   for (const PathRow& row : path.log.rows) {
     if (row.state == PathState::impact) return row.motion;
   }
-  ADD_FAILURE() << "it never arrives";
+  ADD_FAILURE() << "the rock never arrives";
   return {};
 }
 
-// Linear drag's closed form, and when it falls to a height.
+// The closed form of linear drag, and the time at which it falls to a height.
 struct Exact {
   double rate;
   Vec3 p, v;
@@ -67,7 +51,7 @@ struct Exact {
 };
 
 void expect_arrival(const Motion& found, const Exact& exact, double z) {
-  // Between its ends a piece runs up to a millimetre low, so that a rock arrives that much early.
+  // A piece runs up to a millimetre too low between its ends, so that a rock arrives that much too early.
   const double t = exact.falls_to(z), early = 1.1 * tolerance::drag_piece / std::abs(exact.velocity(t).z());
   EXPECT_LE(found.time, t + 1e-9);
   EXPECT_GE(found.time, t - early);
@@ -84,8 +68,8 @@ TEST(Forest, AFallInItIsTheClosedForm) {
   }
 }
 
-// Pebbles sink at their terminal speed; to a thousandth, they are then let sink.
-TEST(Forest, PebblesSinkInIt) {
+// Pebbles sink at terminal speed, to within a thousandth.
+TEST(Forest, PebblesSinkAtTerminalSpeed) {
   const Profile ground(level);
   const Motion end = arrival(follow(ground, Ground(grown_over({}, 750, 30)), {}, launched(2, {0, 0, 10}, {9, 0, 3})));
   const Exact exact{375, {0, 0, 10}, {9, 0, 3}};
@@ -103,8 +87,8 @@ TEST(Forest, AFlightInItIsTheClosedForm) {
   }
 }
 
-// The centre of a sphere is what the height is asked of, and what falls.
-TEST(Forest, ASphereFallsAsItsCentreDoes) {
+// A sphere is in the forest if its centre is.
+TEST(Forest, ASphereFallsLikeItsCentre) {
   const Profile ground(level);
   const Ground trees(grown_over({}, 500, 12));
   Laws laws;
@@ -124,7 +108,7 @@ TEST(Forest, BrakesFromWhereARockFallsIntoIt) {
   const Profile ground(level);
   const Ground trees(grown_over({}, 500, 10));
   const Motion end = arrival(follow(ground, trees, {}, launched(1000, {0, 0, 30}, {6, 0, 0})));
-  // 20 m of free fall, then the forest; where it comes in is found to a millimetre.
+  // 20 m of free fall, then the forest; its border is found to a millimetre.
   const double t_free = std::sqrt(2 * 20 / g);
   const Exact within{0.5, {6 * t_free, 0, 10}, {6, 0, -g * t_free}};
   const double t = within.falls_to(0);
@@ -133,7 +117,7 @@ TEST(Forest, BrakesFromWhereARockFallsIntoIt) {
   EXPECT_LT((end.position - within.place(t)).norm(), 3e-3);
 }
 
-TEST(Forest, LeavesARockAloneThatRisesOutOfIt) {
+TEST(Forest, DoesNotBrakeARockThatHasRisenOutOfIt) {
   const Profile ground(level);
   const Ground trees(grown_over({}, 500, 10));
   RockLog log(true, true);
@@ -141,7 +125,7 @@ TEST(Forest, LeavesARockAloneThatRisesOutOfIt) {
   const Draws draws(SamplingPlan{}, 0);
   const Laws laws;
   const RockOutcome outcome = follow_rock(Scene<Profile>{ground, trees, {}, laws}, release, draws, log);
-  // Leaves at 10 m with what drag has left, and rises by v^2/2g.
+  // It leaves at 10 m with the velocity v that remains, and rises by v^2/2g.
   const Exact within{0.5, {0, 0, 2}, {3, 0, 25}};
   double low = 0, high = 1;
   for (int k = 0; k < 100; ++k) (within.place(0.5 * (low + high)).z() < 10 ? low : high) = 0.5 * (low + high);
@@ -155,8 +139,8 @@ TEST(Forest, LeavesARockAloneThatRisesOutOfIt) {
   EXPECT_NEAR(free->path.v.x(), within.velocity(low).x(), 1e-3);
 }
 
-// A forest on the left half: a rock that passes above it is not braked, not even by a bit.
-TEST(Forest, DoesNothingAboveItsHeight) {
+// A forest on the left half: a rock that passes above it has the same bits as without it.
+TEST(Forest, HasNoEffectAboveItsHeight) {
   const Vec2 halves[] = {{-500, 0}, {0, 0}, {500, 0}};
   const Profile ground(halves);
   const std::vector<Material> materials{grown_over({}, 750, 15), material_of({})};
@@ -171,7 +155,7 @@ TEST(Forest, DoesNothingAboveItsHeight) {
   }
 }
 
-// From one side of a border between two forests to the other the drag changes where the ground below does.
+// Between two forests the drag changes where the ground below does.
 TEST(Forest, BelongsToTheGroundBelow) {
   const Vec2 halves[] = {{-500, 0}, {0, 0}, {500, 0}};
   const Profile ground(halves);
@@ -188,8 +172,8 @@ TEST(Forest, BelongsToTheGroundBelow) {
   EXPECT_LT((end.velocity - second.velocity(t)).norm(), 2e-3);
 }
 
-// A forest that grows nowhere makes the run ask for it, and must change no bit.
-TEST(Forest, ElsewhereChangesNothing) {
+// A forest material that is assigned nowhere makes the run search for it, and must not change a bit.
+TEST(Forest, ElsewhereHasNoEffect) {
   Dice dice(3);
   const TriangleMesh mesh = random_slope(dice, 20, 60, 0.8, 0.8).mesh();
   for (int number = 0; number < 60; ++number) {
@@ -210,7 +194,7 @@ TEST(Forest, ElsewhereChangesNothing) {
   }
 }
 
-TEST(Forest, TurnsWithTheModel) {
+TEST(Forest, IsInvariantUnderRotation) {
   Dice dice(4);
   const Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
   const TriangleMesh mesh = shape.mesh();
@@ -270,66 +254,8 @@ TEST(Forest, IsTheSameOnARasterAndOnItsMesh) {
   }
 }
 
-// ---- all of it together, on rough slopes ----
-
-// A rough slope that runs out on a plain where every rock stops.
-Shape slope_and_plain(Dice& dice) {
-  return irregular_field(dice, 40, 12, 400, 60,
-                         [&](double x, double) { return std::max(0.0, 70 - 0.7 * x) + dice.between(-0.4, 0.4); });
-}
-
-std::vector<double> runouts(const TriangleMesh& mesh, const Ground& ground, RockModel model) {
-  std::vector<double> list;
-  Dice dice(6);
-  for (std::uint64_t number = 0; number < 150; ++number) {
-    const double x = dice.between(3, 8), y = dice.between(10, 50);
-    const Release release =
-        launched(dice.magnitude(100, 3000), {x, y, *mesh.elevation(x, y) + 3}, {dice.between(0, 4), 0, 0});
-    Laws laws;
-    laws.model = model;
-    const RockOutcome outcome = follow(mesh, ground, laws, release, {}, number).outcome;
-    list.push_back((outcome.end.position - outcome.start.position).head<2>().norm());
-  }
-  std::sort(list.begin(), list.end());
-  return list;
-}
-
-TEST(Forest, StopsRocksEarlierInEveryPercentile) {
-  Dice dice(7);
-  const TriangleMesh mesh = slope_and_plain(dice).mesh();
-  const Soil soil{.rn = 0.35, .rt = 0.85, .phi = 0.5, .rolling = 0.3, .roughness = 0.05};
-  for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
-    std::vector<std::vector<double>> by_density;
-    for (const double drag : {0.0, 250.0, 500.0, 750.0}) {
-      by_density.push_back(runouts(mesh, Ground(grown_over(soil, drag, 15)), model));
-    }
-    for (std::size_t k = 1; k < by_density.size(); ++k) {
-      for (std::size_t percent = 5; percent < 100; percent += 5) {
-        const std::size_t at = percent * by_density[k].size() / 100;
-        EXPECT_LT(by_density[k][at], by_density[k - 1][at]) << k << ' ' << percent << " %";
-      }
-    }
-  }
-}
-
-TEST(SoftGround, StopsRocksEarlier) {
-  Dice dice(8);
-  const TriangleMesh mesh = slope_and_plain(dice).mesh();
-  Material material = material_of({.rn = 0.2, .rt = 0.85, .phi = 0.45, .rolling = 0.2});
-  for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
-    material.ground_drag = 0;
-    const auto hard = runouts(mesh, Ground(material), model);
-    material.ground_drag = 0.9;
-    const auto soft = runouts(mesh, Ground(material), model);
-    for (const std::size_t percent : {25U, 50U, 75U, 95U}) {
-      const std::size_t at = percent * hard.size() / 100;
-      EXPECT_LT(soft[at], hard[at]) << percent << " %";
-    }
-  }
-}
-
-// Slid onto the level from a standing start: v0/k - c/k^2 ln(1 + k v0/c), c = mu g.
-TEST(SoftGround, BrakesASlideAsTheClosedFormSays) {
+// The distance of a slide on level ground: v0/k - c/k^2 ln(1 + k v0/c), c = mu g.
+TEST(SoftGround, BrakesASlideByTheClosedForm) {
   Material material = material_of({.rn = 0, .rt = 1, .phi = 0.3});
   material.ground_drag = 0.6;
   Laws laws;
@@ -343,8 +269,8 @@ TEST(SoftGround, BrakesASlideAsTheClosedFormSays) {
   EXPECT_NEAR(path.outcome.end.time, t_fall + std::log1p(k * v0 / c) / k, 2e-4);
 }
 
-// A lumped mass that slides among trees is braked by them as well; a sphere higher than they are is not.
-TEST(Forest, BrakesWhatSlidesOrRollsBelowItsHeight) {
+// A forest also brakes a sliding lumped mass, but not a sphere whose centre is above it.
+TEST(Forest, BrakesSlidingAndRollingBelowItsHeight) {
   const Profile ground(level);
   Laws laws;
   laws.rotation = false;
@@ -362,89 +288,6 @@ TEST(Forest, BrakesWhatSlidesOrRollsBelowItsHeight) {
   };
   EXPECT_EQ(way(0.9 * release.rock.radius), way(0.1));
   EXPECT_LT(way(1.1 * release.rock.radius), 0.9 * way(0.1));
-}
-
-// Energy never grows, time never runs back, nobody is lost, in forests of any kind, with barriers in the way; and the
-// pieces of a path join.
-TEST(Forest, EveryPathIsSound) {
-  Dice dice(9);
-  std::size_t dragged = 0, hits = 0;
-  for (int slope = 0; slope < 6; ++slope) {
-    const TriangleMesh mesh = random_slope(dice, 20, 60, dice.between(0.3, 1), dice.between(0.2, 1)).mesh();
-    std::vector<MaterialId> of_facet;
-    for (std::size_t k = 0; k < mesh.facet_count(); ++k) of_facet.push_back({dice.chance(0.6) ? 1U : 0U});
-    std::vector<Barrier> barriers(2);
-    barriers[0].capacity = 40e3;
-    barriers[0].restitution = Restitution{0.4, 0.8};
-    barriers[0].set_panels(panels_over(mesh.draped({40, 0}, {40, 60}), 1.5, 0));
-    barriers[1].is_collector = true;
-    barriers[1].set_panels(panels_over(mesh.draped({30, 0}, {30, 60}), 4, 0));
-    for (std::uint64_t number = 0; number < 150; ++number) {
-      Laws laws;
-      laws.model = dice.chance(0.5) ? RockModel::lumped_mass : RockModel::rigid_sphere;
-      laws.rotation = dice.chance(0.5);
-      laws.sliding = dice.chance(0.5) ? SlidingMethod::stepped : SlidingMethod::closed_form;
-      const Soil soil{dice.between(0, 0.8), dice.between(0.1, 1), dice.between(0.1, 0.8), dice.between(0.1, 0.8), 0.1};
-      Material open = material_of(soil), wood = grown_over(soil, dice.magnitude(10, 5000), dice.between(0.3, 20));
-      wood.ground_drag = dice.chance(0.5) ? dice.magnitude(0.01, 30) : 0;
-      const Ground ground(std::vector<Material>{open, wood}, of_facet);
-      const double x = dice.between(5, 30), y = dice.between(10, 50);
-      const Release release =
-          launched(dice.magnitude(1, 1e4), {x, y, *mesh.elevation(x, y) + dice.between(1.5, 12)}, dice.in_cube(10));
-      RockLog log(true, true);
-      const Draws draws(SamplingPlan{}, number);
-      const RockOutcome outcome = follow_rock(Scene<TriangleMesh>{mesh, ground, barriers, laws}, release, draws, log);
-      const std::string who = "slope " + std::to_string(slope) + " rock " + std::to_string(number);
-      ASSERT_NE(outcome.reason, EndReason::lost) << who;
-      const double scale = 1e-10 * release.rock.mass * g * 100, slack = 64 * contact_slack * release.rock.mass * g;
-      for (std::size_t k = 1; k < log.rows.size(); ++k) {
-        const Motion &before = log.rows[k - 1].motion, &after = log.rows[k].motion;
-        ASSERT_TRUE(is_finite(after)) << who;
-        ASSERT_GE(after.time, before.time) << who;
-        ASSERT_LE(total_energy(after, release.rock, laws.gravity),
-                  total_energy(before, release.rock, laws.gravity) + scale + slack)
-            << who << " row " << k;
-      }
-      const std::vector<PathPiece> pieces = every_piece(log);
-      for (std::size_t k = 0; k < pieces.size(); ++k) {
-        const PathPiece& piece = pieces[k];
-        if (piece.drag.rate > 0) ++dragged;
-        const bool is_last = k + 1 == pieces.size();
-        const Motion& next = outcome.end;
-        const Vec3 begins = is_last ? next.position : pieces[k + 1].path.p;
-        // (A sphere that has sunk in a little is lifted onto the ground.)
-        ASSERT_LT((piece.path.at(piece.duration) - begins).norm(), piece.on_ground ? 1e-4 : 1e-9)
-            << who << " piece " << k;
-        ASSERT_NEAR(piece.time(piece.duration), is_last ? next.time : pieces[k + 1].start_time, 1e-9) << who;
-      }
-      // Each barrier is met once where it is met; but what it throws back may come again in the same moment, of a step
-      // that ends downhill, and stays there then.
-      for (std::size_t k = 1; k < log.hits.size(); ++k) {
-        const bool again = log.hits[k].barrier == log.hits[k - 1].barrier;
-        const bool leans = std::abs(log.hits[k].motion.velocity.x()) < 1e-3 ||  // on the barrier, which runs along y
-                           log.hits[k].outcome == BarrierOutcome::stopped;
-        ASSERT_FALSE(again && !leans && log.hits[k].motion.time - log.hits[k - 1].motion.time < 1e-7) << who;
-      }
-      hits += log.hits.size();
-    }
-  }
-  EXPECT_GT(dragged, 5000U);
-  EXPECT_GT(hits, 300U);
-}
-
-TEST(Forest, ThePathIsTheSameEveryTime) {
-  Dice dice(10);
-  const TriangleMesh mesh = random_slope(dice, 20, 60, 0.8, 0.8).mesh();
-  const Ground trees(grown_over({.roughness = 0.1}, 400, 8));
-  for (std::uint64_t number = 0; number < 20; ++number) {
-    const double x = dice.between(10, 30), y = dice.between(10, 50);
-    const Release release = launched(700, {x, y, *mesh.elevation(x, y) + 5}, dice.in_cube(6));
-    const Followed once = follow(mesh, trees, {}, release, {}, number),
-                   again = follow(mesh, trees, {}, release, {}, number);
-    ASSERT_EQ(once.log.rows.size(), again.log.rows.size());
-    EXPECT_EQ(once.outcome.end.position, again.outcome.end.position);
-    EXPECT_EQ(once.outcome.end.time, again.outcome.end.time);
-  }
 }
 
 }  // namespace

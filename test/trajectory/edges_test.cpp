@@ -1,5 +1,5 @@
-// Spheres over edges and vertices: they turn about what carries them, however long a timestep is, and what they left
-// does not let them through.
+// Spheres over edges and vertices: they turn about what carries them, for any timestep, and do not fall through what
+// they have left.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ Laws laws_of_a_sphere(double timestep = 0.01) {
   return laws;
 }
 
-/// Does not bounce, does not slip, has no rolling resistance.
+/// No bounce, no slip, no rolling resistance.
 Soil gear() {
   Soil soil;
   soil.rn = 0;
@@ -39,7 +39,7 @@ Soil gear() {
   return soil;
 }
 
-/// Where the sphere is for the last time on the ground before it falls below a height.
+/// Where the sphere is last on the ground before it falls below a height.
 const Motion& take_off_of(const Followed& path, double height) {
   std::size_t k = 0;
   while (k + 1 < path.log.rows.size() && path.log.rows[k + 1].motion.position.z() > height) ++k;
@@ -49,9 +49,9 @@ const Motion& take_off_of(const Followed& path, double height) {
 
 // ---- turning about an edge ----
 
-// Off the edge of a plateau, at v0 there: v^2 = v0^2 + 10/7 g r (1 - cos), and it parts where v^2 = g r cos, at
+// Off the edge of a plateau, with v0 there: v^2 = v0^2 + 10/7 g r (1 - cos), and it takes off where v^2 = g r cos, at
 // cos = (10 + 7 F) / 17 with F = v0^2 / (g r).
-TEST(OverAnEdge, ASpherePartsWhereItsWeightNoLongerTurnsIt) {
+TEST(OverAnEdge, ASphereTakesOffWhereItsWeightNoLongerTurnsIt) {
   const Profile cliff(std::vector<Vec2>{{0, 0}, {10, 0}, {10, -50}, {60, -50}});
   Dice dice(3);
   const TriangleMesh mesh = extruded(std::vector<Vec2>{{0, 0}, {10, 0}, {10, -50}, {60, -50}}, 20, 3, dice).mesh();
@@ -67,7 +67,7 @@ TEST(OverAnEdge, ASpherePartsWhereItsWeightNoLongerTurnsIt) {
         EXPECT_NEAR(parts.position.z() / r, cosine, 0.012) << froude << ' ' << timestep;
         EXPECT_NEAR(parts.velocity.squaredNorm() / (g * r), cosine, 0.012) << froude << ' ' << timestep;
         EXPECT_NEAR(parts.position.y(), y, 1e-9);
-        // It has kept its energy, but for the weight of a step that it fell short of.
+        // Its energy is constant, except for the potential energy of a step.
         EXPECT_NEAR(total_energy(parts, rock, {0, 0, -g}) / total_energy(start, rock, {0, 0, -g}), 1, 1e-9);
       };
       expect_parting(cliff, 0);
@@ -76,7 +76,7 @@ TEST(OverAnEdge, ASpherePartsWhereItsWeightNoLongerTurnsIt) {
   }
 }
 
-TEST(OverAnEdge, AFastSphereFliesOffAtOnce) {
+TEST(OverAnEdge, AFastSphereTakesOffAtOnce) {
   const Profile cliff(std::vector<Vec2>{{0, 0}, {10, 0}, {10, -50}, {60, -50}});
   const double v0 = 1.05 * std::sqrt(g * rock.radius);
   for (const double timestep : {0.01, 2.0}) {
@@ -87,8 +87,8 @@ TEST(OverAnEdge, AFastSphereFliesOffAtOnce) {
   }
 }
 
-// From a plane onto a steeper one: 5/7 of gravity along both, and at the edge nothing is lost.
-TEST(OverAnEdge, OntoAFacetBeyondASphereRollsOn) {
+// From a plane onto a steeper one: 5/7 of gravity along both, and no loss at the edge.
+TEST(OverAnEdge, ASphereRollsOnOverTheNextFacet) {
   const double first = 0.2, r = rock.radius;
   for (const double bend : {1e-7, 1e-6, 3e-6, 1e-5, 1e-4, 1e-2, 0.1, 0.3}) {
     const double second = first + bend;
@@ -104,12 +104,12 @@ TEST(OverAnEdge, OntoAFacetBeyondASphereRollsOn) {
       const Followed path = follow(slope, ground_of(gear()), laws, {start, rock});
       ASSERT_EQ(path.outcome.reason, EndReason::maximum_time) << bend << ' ' << timestep;
       EXPECT_EQ(path.outcome.events, 1) << bend << ' ' << timestep;
-      // Over a bend that is none (same_plane) a leg goes straight on.
+      // Over a bend below `same_plane` a leg continues straight.
       const double height = (bend < 1.5e-6 ? bend : 1e-9) * 10;
       EXPECT_NEAR(total_energy(path.outcome.end, rock, {0, 0, -g}), total_energy(start, rock, {0, 0, -g}),
                   rock.mass * g * height)
           << bend << ' ' << timestep;
-      // How long it takes, piece by piece: along the first plane, over the edge, along the second plane.
+      // The time of each part: along the first plane, over the edge, along the second plane.
       const double a = 5.0 / 7 * g * std::sin(first), b = 5.0 / 7 * g * std::sin(second);
       const double to_edge = std::sqrt(2 * 0.1 / a), v = a * to_edge;
       const auto speed_at = [&](double angle) {
@@ -124,7 +124,7 @@ TEST(OverAnEdge, OntoAFacetBeyondASphereRollsOn) {
   }
 }
 
-TEST(OverAnEdge, ItDoesNotMatterHowLongATimestepIs) {
+TEST(OverAnEdge, ThePathDoesNotDependOnTheTimestep) {
   Dice dice(8);
   const TriangleMesh mesh = irregular_field(dice, 12, 12, 30, 30, [&](double x, double y) {
                               return -0.3 * x - 0.004 * (y - 15) * (y - 15) - 0.004 * x * x;
@@ -141,7 +141,7 @@ TEST(OverAnEdge, ItDoesNotMatterHowLongATimestepIs) {
       laws.max_time = 2;
       ends.push_back(follow(mesh, ground_of(soil), laws, {start, rock}).outcome.end.position);
     }
-    // A tenth of its radius is what one touch more or less of an edge makes of a way of some metres.
+    // One touch of an edge more or less makes a tenth of its radius over a path of some metres.
     EXPECT_LT((ends[1] - ends[0]).norm(), 0.1 * rock.radius) << k;
     EXPECT_LT((ends[2] - ends[0]).norm(), 0.1 * rock.radius) << k;
   }
@@ -149,11 +149,11 @@ TEST(OverAnEdge, ItDoesNotMatterHowLongATimestepIs) {
 
 // ---- nothing falls through ----
 
-/// A plateau of 10 m by 10 m, 10 m high, its corner at (10, 10) lowered so that its facets make this angle. The ground
-/// falls away from it to all sides, and goes on further than any rock.
+/// A plateau of 10 m by 10 m, 10 m high, with the corner at (10, 10) lowered so that its facets make this angle. The
+/// ground falls away on all sides, and extends further than any rock gets.
 Shape plateau(double angle) {
   Shape shape;
-  // The edge from (0, 0) to (10, 10) is 5 sqrt(2) m from either corner beside it.
+  // The edge from (0, 0) to (10, 10) is 5 sqrt(2) m from the corners on either side.
   const double drop = angle * 5 * std::sqrt(2.0);
   shape.vertices = {{0, 0, 10},    {10, 0, 10 - drop}, {10, 10, 10}, {0, 10, 10},
                     {-30, -30, 0}, {40, -30, 0},       {40, 40, 0},  {-30, 40, 0}};
@@ -162,7 +162,7 @@ Shape plateau(double angle) {
   return shape;
 }
 
-/// Whether a rock's centre has been beneath the ground where it was.
+/// Whether a rock's centre has been below the ground.
 template <class Surface>
 bool has_been_beneath(const Surface& surface, const Followed& path, double reach) {
   if (path.outcome.reason == EndReason::lost) return true;
@@ -233,7 +233,7 @@ TEST(NothingFallsThrough, InASectionOfOnePlane) {
     release.rock = sphere_of_diameter(dice.magnitude(0.1, 2), 2700);
     const double reach = laws.model == RockModel::rigid_sphere ? release.rock.radius : 0;
     release.motion.position = {x, 0, *profile.elevation(x) + reach + dice.magnitude(1e-9, 1)};
-    release.motion.position.z() += reach * std::abs(angle);  // clear of what rises beside it
+    release.motion.position.z() += reach * std::abs(angle);  // clear of rising ground next to it
     if (dice.chance(0.5)) release.motion.velocity = Vec3(dice.between(-1, 1), 0, 0) * dice.magnitude(1e-6, 3);
     if (dice.chance(0.8)) release.motion.spin = Vec3(0, dice.between(-20, 20), 0);
     const Soil soil = random_soft_soil(dice);
@@ -247,11 +247,11 @@ TEST(NothingFallsThrough, InASectionOfOnePlane) {
   EXPECT_EQ(wrong, 0);
 }
 
-// ---- planes that were left ----
+// ---- planes that a rock has left ----
 
-/// A floor at height 0 in four facets about the vertex (0, 0), of which the one to the right ends along x = 0: beyond
-/// it is nothing, or what falls away.
-TEST(SupportPlanes, AreMetWhereTheyGoOn) {
+/// A floor at height 0 with four facets around the vertex (0, 0). The one to the right ends along x = 0: beyond is
+/// nothing, or ground that falls away.
+TEST(SupportPlanes, AreMetWhereTheyContinue) {
   const Shape shape = net(
       2, 2, [](std::uint32_t i, std::uint32_t j) { return Vec3(5.0 * i - 5, 5.0 * j - 5, 0); },
       [](std::uint32_t, std::uint32_t) { return true; });
@@ -272,15 +272,15 @@ TEST(SupportPlanes, AreMetWhereTheyGoOn) {
       EXPECT_LT(contact->t, 1e-3);
       EXPECT_EQ(contact->feature, Feature::facet);
     };
-    // The plane goes on beyond the vertex and beyond the edge.
+    // The plane continues beyond the vertex and beyond the edge.
     expect_met(mesh, {0, 0, 0}, {1, 0.3, 0});
     expect_met(mesh, {0, 0, 0}, {1, 1, 0});
     expect_met(mesh, {0, -2, 0}, {3, 0.01, 0});
     expect_met(profile, {0, 0, 0}, {2, 0, 0});
-    // At its end it does not.
+    // It does not continue beyond its end.
     EXPECT_FALSE(radius == 0 && contact_of(mesh, {5, 1, 0}, {2, 0, 0}, 0));
     EXPECT_FALSE(radius == 0 && contact_of(profile, {5, 0, 0}, {2, 0, 0}, 0));
-    // What rises from a plane has left it, and comes down on the very facet.
+    // A rock that rises from a plane has left it, and lands on the same facet.
     const auto back = contact_of(mesh, {-2, -2.5, 0}, {0.1, 0, 0}, 1);
     ASSERT_TRUE(back);
     EXPECT_NEAR(back->t, 2 / g, 1e-9);

@@ -1,4 +1,4 @@
-// What a flight ends in.
+// The end of a flight.
 
 #include "talus/trajectory/flying.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 using namespace testing_tools;
 
 constexpr double g = standard_gravity;
-constexpr double rounding = 1e-12;  // relative, of a few operations
+constexpr double rounding = 1e-12;  // relative error of a few operations
 
 const Profile& level() {
   static const Profile profile(std::vector<Vec2>{{0, 0}, {100, 0}});
@@ -24,7 +24,7 @@ const Profile& level() {
 }
 Motion launched(const Vec3& position, const Vec3& velocity) { return {position, velocity}; }
 
-TEST(Flying, EndsOnTheGroundWhenAParabolaDoes) {
+TEST(Flying, EndsOnTheGroundAtTheTimeOfTheParabola) {
   Laws laws = laws_of(RockModel::lumped_mass);
   laws.rotation = false;
   RockOn rock(level(), {.rn = 0.5, .rt = 0.8}, laws, launched({10, 0, 5}, {3, 0, 0}));
@@ -39,7 +39,7 @@ TEST(Flying, EndsOnTheGroundWhenAParabolaDoes) {
   EXPECT_NEAR(rock->outcome.max_bounce, 5, 5 * rounding);
 }
 
-TEST(Flying, StaysOnAFacetThatTakesAllOfItsNormalVelocity) {
+TEST(Flying, EndsOnAFacetWithoutNormalRestitution) {
   Laws laws = laws_of(RockModel::lumped_mass);
   laws.rotation = false;
   RockOn rock(level(), {.rn = 0, .rt = 0.8, .phi = 0.5}, laws, launched({10, 0, 5}, {3, 0, 0}));
@@ -48,12 +48,12 @@ TEST(Flying, StaysOnAFacetThatTakesAllOfItsNormalVelocity) {
   const OnFacet& state = std::get<OnFacet>(next);
   EXPECT_EQ(state.on.normal, Vec3::UnitZ());
   EXPECT_DOUBLE_EQ(state.friction.mu, std::tan(0.5));
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(state.beside));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(state.side_contact));
   EXPECT_EQ(rock->motion.velocity.z(), 0);
 }
 
-// The sine of its angle is below that of `grazing`: no impact, and of its speed friction takes mu times what led in.
-TEST(Flying, SlidesOnWhereASlideThatFlewOnlyGrazesTheGround) {
+// The sine of the angle is below `grazing`: no impact, and friction takes mu times the normal velocity.
+TEST(Flying, AfterASlideContinuesTheSlideIfItOnlyGrazesTheGround) {
   const double into = 1e-3, along = 10, phi = 0.4;
   for (const bool hops : {false, true}) {
     Laws laws = laws_of(RockModel::lumped_mass);
@@ -68,7 +68,7 @@ TEST(Flying, SlidesOnWhereASlideThatFlewOnlyGrazesTheGround) {
   }
 }
 
-TEST(Flying, EndsWhereTheModelOrItsTimeDoes) {
+TEST(Flying, EndsAtTheEdgeOfTheModelOrAtTheMaximumTime) {
   const Laws laws = laws_of(RockModel::lumped_mass);
   RockOn leaves(level(), {}, laws, launched({99, 0, 5}, {10, 0, 0}));
   const RockState beyond = fly(*leaves, Flying{});

@@ -31,7 +31,7 @@ TriangleMesh trough() {
 }
 const Vec3 along = Vec3(1, 0, -fall).normalized();
 
-/// The facets on both sides of the bottom at a place.
+/// The facets on both sides of the bottom.
 InValley valley_at(const TriangleMesh& mesh, const Vec3& place, double mu) {
   InValley state{};
   bool has_first = false;
@@ -73,7 +73,7 @@ TEST(InValley, SlidesBetweenBothSides) {
   EXPECT_NEAR(rock->motion.velocity.normalized().dot(along), 1, 1e-12);
 }
 
-TEST(InValley, EndsWhereTheModelDoes) {
+TEST(InValley, EndsAtTheEdgeOfTheModel) {
   const TriangleMesh mesh = trough();
   Laws laws = laws_of(RockModel::lumped_mass);
   laws.sliding = SlidingMethod::closed_form;
@@ -86,19 +86,19 @@ TEST(InValley, EndsWhereTheModelDoes) {
   EXPECT_NEAR(rock->motion.position.x(), 10, 1e-9);
 }
 
-TEST(InValley, TakesAwayWhatDoesNotGoAlongIt) {
+TEST(InValley, KeepsOnlyTheVelocityAlongIt) {
   const TriangleMesh mesh = trough();
   RockOn rock(mesh, {}, laws_of(RockModel::lumped_mass), in_the_bottom(1, 0));
   const InValley state = valley_at(mesh, rock->motion.position, 0.2);
   rock->motion.velocity = Vec3(3, 1, 2);
   keep_along_valley(*rock, state);
   EXPECT_NEAR((rock->motion.velocity - Vec3(3, 1, 2).dot(along) * along).norm(), 0, 1e-12);
-  EXPECT_NEAR((ground_beneath(state, state.valley.footing).kept(Vec3(3, 1, 2)) - rock->motion.velocity).norm(), 0,
-              1e-12);
+  EXPECT_NEAR((ground_beneath(state, state.valley.footing).along_ground(Vec3(3, 1, 2)) - rock->motion.velocity).norm(),
+              0, 1e-12);
 }
 
-// Left of a valley goes the one side that carries on: with its own friction, and the other touched for a moment yet.
-TEST(InValley, LeavesItForOneSide) {
+// If only one side continues, the rock moves on over it with its friction, and still touches the other for a moment.
+TEST(InValley, ContinuesOverOneSide) {
   const TriangleMesh mesh = trough();
   RockOn rock(mesh, {.phi = 0.3}, laws_of(RockModel::lumped_mass), in_the_bottom(1, 2));
   const InValley state = valley_at(mesh, rock->motion.position, 0.2);
@@ -106,8 +106,8 @@ TEST(InValley, LeavesItForOneSide) {
   ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
   EXPECT_EQ(std::get<OnFacet>(next).on.facet, state.on.facet);
   EXPECT_EQ(std::get<OnFacet>(next).friction.mu, 0.2);  // the same material on both sides
-  ASSERT_TRUE(std::holds_alternative<LeftFacet>(std::get<OnFacet>(next).beside));
-  EXPECT_EQ(std::get<LeftFacet>(std::get<OnFacet>(next).beside).normal, state.other.normal);
+  ASSERT_TRUE(std::holds_alternative<LeftFacet>(std::get<OnFacet>(next).side_contact));
+  EXPECT_EQ(std::get<LeftFacet>(std::get<OnFacet>(next).side_contact).normal, state.other.normal);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What must not matter: where the model lies, how it is turned, in which hand it is drawn, how a plane is cut into
-// facets, whether a slope is given in section or extruded.
+// Results must not depend on the position, rotation or handedness of the model, on how a plane is cut into facets, or
+// on whether a slope is given as a section or extruded.
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ namespace {
 
 using namespace testing_tools;
 
-// Rounding grows at every bounce on rough ground, a hundredfold at the worst: rows are compared, each ten times more
-// loosely, until nothing could be told any more.
+// Rounding grows at every bounce on rough ground, up to a hundredfold: rows are compared, each with ten times the
+// tolerance, until the comparison becomes meaningless.
 double tolerance(std::size_t row, double first) { return first * std::pow(10.0, static_cast<double>(row)); }
 constexpr double too_loose = 1e-3;
 
@@ -42,7 +42,7 @@ Launch random_launch(Dice& dice, const TriangleMesh& mesh) {
   return it;
 }
 
-// Compares two paths row by row; `point`, `vector` and `axial` carry the first into the second's frame.
+// Compares two paths row by row; `point`, `vector` and `axial` transform the first into the second's frame.
 template <class Point, class Vector, class Axial>
 void expect_alike(const Followed& first, const Followed& second, Point&& point, Vector&& vector, Axial&& axial,
                   double tight, const std::string& who) {
@@ -62,7 +62,7 @@ void expect_alike(const Followed& first, const Followed& second, Point&& point, 
   }
 }
 
-TEST(Invariance, TurningTheModelAboutTheVertical) {
+TEST(Invariance, UnderRotationAboutTheVertical) {
   Dice dice(91);
   const Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
   const TriangleMesh mesh = shape.mesh();
@@ -83,7 +83,7 @@ TEST(Invariance, TurningTheModelAboutTheVertical) {
   }
 }
 
-TEST(Invariance, MirroringTheModel) {
+TEST(Invariance, UnderReflection) {
   Dice dice(92);
   const Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
   const TriangleMesh mesh = shape.mesh();
@@ -104,9 +104,9 @@ TEST(Invariance, MirroringTheModel) {
   }
 }
 
-// Moved by as much as a local frame is wide. Model coordinates of 2,600,000 m are made local first, which is exact for
-// coordinates that are written with few digits; the last test shows it.
-TEST(Invariance, MovingTheModelWithinItsFrame) {
+// Shifted within the width of a local frame. Coordinates such as 2,600,000 m are made local first, which is exact for
+// coordinates with few digits (next test).
+TEST(Invariance, UnderTranslationWithinTheLocalFrame) {
   Dice dice(93);
   const Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
   const TriangleMesh mesh = shape.mesh();
@@ -124,8 +124,8 @@ TEST(Invariance, MovingTheModelWithinItsFrame) {
   }
 }
 
-TEST(Invariance, FromCoordinatesOfMillionsOfMetresNothingIsLost) {
-  // A survey with millimetres, at 2.6 and 1.2 million metres: taking the origin away gives back the same numbers.
+TEST(Invariance, CoordinatesOfMillionsOfMetresKeepTheirDigits) {
+  // A survey in millimetres, at 2.6 and 1.2 million metres: subtracting the origin gives the same numbers.
   Dice dice(94);
   const Vec3 origin(2'600'000, 1'200'000, 500);
   Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
@@ -142,8 +142,8 @@ TEST(Invariance, FromCoordinatesOfMillionsOfMetresNothingIsLost) {
   }
 }
 
-// The numbering of vertices and triangles is the user's business.
-TEST(Invariance, TheOrderOfTheTriangles) {
+// Users may number vertices and triangles in any order.
+TEST(Invariance, UnderTheOrderOfTriangles) {
   Dice dice(95);
   const Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
   Shape shuffled = shape;
@@ -161,8 +161,8 @@ TEST(Invariance, TheOrderOfTheTriangles) {
   }
 }
 
-// One plane in two facets, and in hundreds of irregular ones: bouncing, sliding across and rolling over seams.
-TEST(Invariance, SplittingAPlane) {
+// A plane of two facets, and of hundreds of irregular ones: rocks bounce on it, and slide and roll over its seams.
+TEST(Invariance, UnderTheDivisionOfAPlane) {
   Dice dice(96);
   for (int k = 0; k < 6; ++k) {
     const double grade = dice.between(0.1, 1.0), cross = dice.between(-0.3, 0.3);
@@ -185,8 +185,8 @@ TEST(Invariance, SplittingAPlane) {
   }
 }
 
-// A random slope in section and the same slope extruded, with the same draws.
-TEST(Invariance, ASectionEqualsItsExtrusion) {
+// A random slope as a section and extruded, with the same draws.
+TEST(Invariance, OfASectionUnderExtrusion) {
   Dice dice(97);
   for (int slope = 0; slope < 12; ++slope) {
     std::vector<Vec2> section{{0, 0}};

@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-/// A surface that counts how often it is asked; the outline's point tells which facet it was.
+/// A surface that counts its queries; the point of an outline contains the facet's number.
 struct CountingSurface {
   mutable int asked = 0;
   [[nodiscard]] Outline outline(FacetId facet) const {
@@ -16,7 +16,7 @@ struct CountingSurface {
   }
 };
 
-TEST(KeptOutlines, AskTheSurfaceOnceForTheLastFour) {
+TEST(KeptOutlines, QueryTheSurfaceOnceForTheLastFour) {
   const CountingSurface surface;
   KeptOutlines kept;
   for (int round = 0; round < 3; ++round) {
@@ -25,14 +25,14 @@ TEST(KeptOutlines, AskTheSurfaceOnceForTheLastFour) {
     }
   }
   EXPECT_EQ(surface.asked, 4);
-  EXPECT_EQ(kept.of(surface, FacetId{5}).point.x(), 5);  // in the place of the oldest
+  EXPECT_EQ(kept.of(surface, FacetId{5}).point.x(), 5);  // replaces the oldest
   EXPECT_EQ(kept.of(surface, FacetId{0}).point.x(), 0);
   EXPECT_EQ(surface.asked, 5);
   EXPECT_EQ(kept.of(surface, FacetId{7}).point.x(), 7);
   EXPECT_EQ(surface.asked, 6);
 }
 
-TEST(KeptOutlines, LastUntilFourOthersWereAsked) {
+TEST(KeptOutlines, AreValidUntilFourOthersAreRequested) {
   const CountingSurface surface;
   KeptOutlines kept;
   const Outline& first = kept.of(surface, FacetId{1});

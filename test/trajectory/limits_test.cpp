@@ -1,4 +1,4 @@
-// Every path ends: whatever a rock does, its steps are counted, however little time they take.
+// Every trajectory ends: steps are counted even if they take no time.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing_tools;
 
-/// Between barriers that throw everything back, nothing being slow enough to stop.
+/// Between barriers with full restitution, and without a velocity at which rocks stop.
 TEST(Limits, EndRocksThatReboundBetweenBarriersForEver) {
   Dice dice(22);
   int at_a_limit = 0;
@@ -65,7 +65,7 @@ TEST(Limits, EndRocksThatReboundBetweenBarriersForEver) {
     release.motion.velocity = dice.chance(0.2) ? Vec3(Vec3::Zero()) : Vec3(dice.in_cube(8));
     release.motion.spin = dice.chance(0.3) ? Vec3(Vec3::Zero()) : Vec3(dice.in_cube(40));
 
-    // (A path without end would let this test go on for ever.)
+    // (With an endless trajectory this test would never end.)
     const Followed path = follow(mesh, ground_of(soil), laws, release, barriers);
     at_a_limit +=
         path.outcome.reason == EndReason::maximum_steps || path.outcome.reason == EndReason::maximum_time ? 1 : 0;

@@ -23,21 +23,21 @@ Profile brow(double grade) { return Profile(std::vector<Vec2>{{-10, 0}, {0, 0}, 
 
 OnEdge on_the_brow(double mu) { return {{Vec3::UnitZ(), FacetId{0}}, {.sphere = {mu, 0}}, {}}; }
 
-// No step turns further than the tolerance says, energy is kept, and the contact stays where it is.
-TEST(OnEdge, TurnsAboutItInSmallStepsAndKeepsItsEnergy) {
+// A step turns by at most edge_step, energy is constant, and the contact does not move.
+TEST(OnEdge, TurnsInSmallStepsAtConstantEnergy) {
   const Profile profile = brow(1);
   const double speed = 0.3;
   RockOn<Profile> rock(profile, {.rn = 0, .mu = 1e6, .rolling = 0}, laws_of(RockModel::rigid_sphere),
                        {Vec3(0, 0, ball.radius), Vec3(speed, 0, 0)}, ball);
   rock->motion.spin = Vec3(0, speed / ball.radius, 0);
   const double energy = rock->kinetic_energy() + ball.mass * g * ball.radius;
-  OnEdge state = on_the_brow(1);  // at the end 2/7 g sin / N is 0.75: it does not slip
+  OnEdge state = on_the_brow(1);  // 2/7 g sin / N is at most 0.75: it does not slip
   int steps = 0;
   while (true) {
     const Vec3 before = state.on.normal;
     const auto next = take_leg(*rock, state);
     if (next) {
-      // The slope's plane carries on where the edge ends: within the same stretch.
+      // The plane of the slope carries the sphere after the edge, within the same stretch.
       EXPECT_TRUE(next->is_same_stretch);
       ASSERT_TRUE(std::holds_alternative<OnFacet>(next->state));
       EXPECT_EQ(std::get<OnFacet>(next->state).on.facet, FacetId{1});
@@ -52,24 +52,24 @@ TEST(OnEdge, TurnsAboutItInSmallStepsAndKeepsItsEnergy) {
   EXPECT_GT(steps, 0.9 * std::atan(1.0) / tolerance::edge_step);
 }
 
-TEST(OnEdge, FliesWhereItsWeightNoLongerTurnsIt) {
+TEST(OnEdge, TakesOffWhereItsWeightNoLongerTurnsIt) {
   const Profile profile = brow(20);
   const double froude = 0.2, speed = std::sqrt(froude * g * ball.radius);
   RockOn<Profile> rock(profile, {.rn = 0, .mu = 1e6, .rolling = 0}, laws_of(RockModel::rigid_sphere),
                        {Vec3(0, 0, ball.radius), Vec3(speed, 0, 0)}, ball);
   rock->motion.spin = Vec3(0, speed / ball.radius, 0);
-  OnEdge state = on_the_brow(1e6);  // never slips; what friction could do in a leg makes these short
+  OnEdge state = on_the_brow(1e6);  // never slips; legs are short because of the possible friction
   std::optional<NextState> next;
   for (int steps = 0; !next; ++steps) {
     ASSERT_LT(steps, 1'000'000);
     next = take_leg(*rock, state);
   }
   ASSERT_TRUE(std::holds_alternative<Flying>(next->state));
-  // cos = (10 + 7 F) / 17, within the angle of a step.
+  // cos = (10 + 7 F) / 17, to within the angle of a step.
   EXPECT_NEAR(std::acos(state.on.normal.z()), std::acos((10 + 7 * froude) / 17), 2 * tolerance::edge_step);
 }
 
-TEST(OnEdge, NothingPressesWhatCrossesItTooFast) {
+TEST(OnEdge, AFastSphereIsNotPressedOnIt) {
   const Profile profile = brow(1);
   for (const double froude : {0.25, 1.0, 4.0}) {
     const double speed = std::sqrt(froude * g * ball.radius);

@@ -1,4 +1,4 @@
-// A rock on a facet: its legs, and what comes at the end of its plane.
+// A rock on a facet: its legs, and the state at the end of its plane.
 
 #include "talus/trajectory/on_facet.hpp"
 
@@ -18,7 +18,7 @@ using namespace testing_tools;
 
 constexpr double g = standard_gravity;
 
-/// 3 down on 4 along to the origin, then on at `grade`.
+/// A slope of 3 in 4 down to the origin, then of `grade`.
 Profile bend(double grade) { return Profile(std::vector<Vec2>{{-40, 30}, {0, 0}, {40, 40 * grade}}); }
 const Vec3 down(0.8, 0, -0.6);  // the first plane's
 
@@ -32,7 +32,7 @@ OnFacet first_facet(const Profile& profile, double mu) {
   return {{profile.normal(FacetId{0}), FacetId{0}}, {.mu = mu}, {}};
 }
 
-/// From rest `way` above the bend, in one leg to its end.
+/// A rock at rest, `way` above the bend, with one leg to the end of its facet.
 RockState slide_to_the_bend(RockOn<Profile>& rock, const Profile& profile, double mu) {
   OnFacet state = first_facet(profile, mu);
   const auto next = take_leg(*rock, state);
@@ -41,7 +41,7 @@ RockState slide_to_the_bend(RockOn<Profile>& rock, const Profile& profile, doubl
 }
 
 // v^2 = 2 s g (sin - mu cos).
-TEST(OnFacet, ComesToItsEndAsFastAsEnergySays) {
+TEST(OnFacet, ReachesTheEndWithTheSpeedFromEnergy) {
   const double way = 20, mu = 0.25;
   const Profile profile = bend(-2);
   RockOn rock(profile, {}, closed_form(), {Vec3(-way * down), Vec3::Zero()});
@@ -49,13 +49,13 @@ TEST(OnFacet, ComesToItsEndAsFastAsEnergySays) {
   const double speed = std::sqrt(2 * way * g * (0.6 - mu * 0.8));
   EXPECT_NEAR(rock->motion.velocity.dot(down), speed, 1e-9);
   EXPECT_NEAR(rock->motion.position.norm(), 0, 1e-9);
-  // The ground falls away: it flies, and has left its facet.
+  // The ground falls away: it takes off from its facet.
   ASSERT_TRUE(std::holds_alternative<Flying>(next));
   EXPECT_EQ(std::get<Flying>(next).left.count, 1);
   EXPECT_TRUE(std::get<Flying>(next).hops());
 }
 
-TEST(OnFacet, StrikesGroundThatRisesAndSlidesOnOverThatOfOnePlane) {
+TEST(OnFacet, StrikesRisingGroundAndSlidesOnWithinAPlane) {
   const Profile rising = bend(0.5), straight = bend(-0.75);
   RockOn strikes(rising, {.rn = 0.5, .rt = 1}, closed_form(), {Vec3(-20 * down), Vec3::Zero()});
   const RockState flies = slide_to_the_bend(strikes, rising, 0.25);
@@ -63,7 +63,7 @@ TEST(OnFacet, StrikesGroundThatRisesAndSlidesOnOverThatOfOnePlane) {
   EXPECT_FALSE(std::get<Flying>(flies).hops());
   EXPECT_EQ(strikes->last_contact.with.facet, FacetId{1});
 
-  // Of one plane and one material nothing happens at the bend: the leg goes on to the end of the model.
+  // Within one plane and one material the leg continues past the vertex to the end of the model.
   RockOn slides(straight, {}, closed_form(), {Vec3(-20 * down), Vec3::Zero()});
   const RockState leaves = slide_to_the_bend(slides, straight, 0.25);
   ASSERT_TRUE(std::holds_alternative<Ended>(leaves));
@@ -71,9 +71,9 @@ TEST(OnFacet, StrikesGroundThatRisesAndSlidesOnOverThatOfOnePlane) {
   EXPECT_NEAR(slides->motion.position.x(), 40, 1e-9);
 }
 
-TEST(OnFacet, RestsWhereFrictionHoldsItAndNowhereElse) {
+TEST(OnFacet, RestsOnlyIfFrictionHoldsIt) {
   const Profile profile = bend(-2);
-  for (const double mu : {0.74, 0.76}) {  // tan of the slope: 0.75
+  for (const double mu : {0.74, 0.76}) {  // the slope is 0.75
     RockOn rock(profile, {}, closed_form(), {Vec3(-20 * down), Vec3::Zero()});
     OnFacet state = first_facet(profile, mu);
     const auto next = take_leg(*rock, state);
@@ -83,8 +83,8 @@ TEST(OnFacet, RestsWhereFrictionHoldsItAndNowhereElse) {
   }
 }
 
-// a = 5/7 g sin: after a step of 0.01 s it has 0.01 a, and its spin is that of rolling.
-TEST(OnFacet, ASphereRollsAsItsInertiaLetsIt) {
+// a = 5/7 g sin: the velocity after a step of 0.01 s is 0.01 a, and the spin that of rolling.
+TEST(OnFacet, ASphereRollsWithFiveSeventhsOfThePull) {
   const Profile profile = bend(-2);
   const Rock ball = sphere_of_diameter(1, 2700);
   const Vec3 n = profile.normal(FacetId{0});
@@ -95,11 +95,11 @@ TEST(OnFacet, ASphereRollsAsItsInertiaLetsIt) {
   const double speed = 0.01 * 5.0 / 7 * g * 0.6;
   EXPECT_NEAR(rock->motion.velocity.dot(down), speed, 1e-12);
   EXPECT_NEAR(rock->motion.spin.y(), speed / ball.radius, 1e-12);
-  EXPECT_NEAR(height_over(*rock, n, profile.point_of(FacetId{0})), 0, 1e-12);
+  EXPECT_NEAR(gap_to_plane(*rock, n, profile.point_of(FacetId{0})), 0, 1e-12);
 }
 
-// What it has left is not struck for a millimetre, and counts again then.
-TEST(OnFacet, AFacetThatWasLeftLimitsTheNextLegOnly) {
+// A facet that the rock has left is not struck for a millimetre, and then again.
+TEST(OnFacet, AFacetThatWasLeftOnlyLimitsTheNextLeg) {
   const Profile profile = bend(-2);
   const Rock ball = sphere_of_diameter(1, 2700);
   const Vec3 n = profile.normal(FacetId{0});
@@ -110,7 +110,7 @@ TEST(OnFacet, AFacetThatWasLeftLimitsTheNextLegOnly) {
   const Vec3 start = rock->motion.position;
   ASSERT_FALSE(take_leg(*rock, state));
   EXPECT_NEAR((rock->motion.position - start).norm(), tolerance::past_the_end, 1e-6);
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(state.beside));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(state.side_contact));
   const Vec3 then = rock->motion.position;
   ASSERT_FALSE(take_leg(*rock, state));
   EXPECT_GT((rock->motion.position - then).norm(), 0.04);

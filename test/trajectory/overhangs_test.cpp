@@ -1,4 +1,4 @@
-// Terrain that folds back over itself: what lies under an overhang is ground too, and what ends under one is a rim.
+// Terrain that folds back over itself: there is also ground under an overhang, and its end is a rim.
 
 #include <gtest/gtest.h>
 
@@ -44,30 +44,30 @@ template <class Surface>
 void expect_heights_as_sampled(const Surface& surface, Dice& dice, double y) {
   for (int k = 0; k < 300; ++k) {
     const double x = dice.between(0.5, 39);
-    // On top, or on the first or second floor.
+    // On top, or on one of both floors.
     const auto z = surface.elevation(x, y, std::array{100.0, 4.5, 0.0}[dice.below(3)]);
     if (!z) continue;
     const double start = *z + dice.magnitude(1e-3, 3);
-    if (surface.elevation(x, y, start) != z) continue;  // in the roof
+    if (surface.elevation(x, y, start) != z) continue;  // the start is in the roof
     const Parabola path{{x, y, start}, {dice.between(-12, 12), 0, dice.between(-2, 9)}, gravity};
     const auto contact = surface.first_contact(path, 0, 100);
     const double t_end = contact ? contact->t : surface.exit(path).t;
     const double sampled = greatest_by_sampling(surface, path, t_end);
     const double found = surface.max_height(path, t_end, 0);
     ASSERT_GE(found, sampled - 1e-6) << text(path.p) << text(path.v);
-    // Between two samples the rock and steep ground go up to 0.2 ms apart, at less than 100 m/s.
+    // Samples are up to 0.2 ms apart, at less than 100 m/s relative to steep ground.
     ASSERT_LE(found, sampled + 0.02) << text(path.p) << text(path.v);
   }
 }
 
-TEST(Overhang, HeightIsThatOverTheGroundInSight) {
+TEST(Overhang, HeightIsMeasuredFromVisibleGround) {
   Dice dice(201);
   expect_heights_as_sampled(Profile(folded), dice, 0);
   expect_heights_as_sampled(extruded(folded, 20, 5, dice).mesh(), dice, 10.3);
 }
 
-// Long enough for a tree of its segments.
-TEST(Overhang, HeightOverALongFoldedSectionIsThatOverTheGroundInSight) {
+// With enough segments for a tree.
+TEST(Overhang, HeightOverALongFoldedSectionIsMeasuredFromVisibleGround) {
   Dice dice(202);
   std::vector<Vec2> fine;
   for (std::size_t k = 0; k + 1 < folded.size(); ++k) {
@@ -77,7 +77,7 @@ TEST(Overhang, HeightOverALongFoldedSectionIsThatOverTheGroundInSight) {
   expect_heights_as_sampled(Profile(fine), dice, 0);
 }
 
-// The roof bends over the place where the floor does.
+// Roof and floor bend at the same place.
 const std::vector<Vec2> bent_together{{0, 30}, {5, 26}, {10, 25}, {2, 10}, {5, 8}, {30, 0}};
 
 template <class Surface>
@@ -89,7 +89,7 @@ void expect_floor_hidden_over_a_shared_edge(const Surface& surface, double y) {
       const double t_end = 1e-3;
       const double sampled = greatest_by_sampling(surface, from, t_end);
       EXPECT_NEAR(surface.max_height(from, t_end, 0), sampled, 1e-4) << height << ' ' << vx;
-      // The same way back ends there.
+      // The reverse path ends there.
       const Parabola back{from.at(t_end), -from.velocity(t_end), gravity};
       EXPECT_NEAR(surface.max_height(back, t_end, 0), sampled, 1e-4) << height << ' ' << vx;
     }
@@ -100,22 +100,22 @@ void expect_floor_hidden_over_a_shared_edge(const Surface& surface, double y) {
   }
 }
 
-TEST(Overhang, AFloorThatBendsUnderTheRoofsBendIsHiddenThere) {
+TEST(Overhang, AFloorThatBendsUnderABendOfTheRoofIsHidden) {
   Dice dice(206);
   expect_floor_hidden_over_a_shared_edge(Profile(bent_together), 0);
   expect_floor_hidden_over_a_shared_edge(extruded(bent_together, 20, 5, dice).mesh(), 10.3);
 }
 
-// Over a face of 10 m a rock that is thrown off its top is as high as the face and what it rose, less what it fell.
-TEST(Overhang, TheFootOfAVerticalFaceIsUnderTheRockAtOnce) {
+// The height of a rock launched off a face of 10 m is that of the face plus its rise and fall, at once.
+TEST(Overhang, TheFootOfAVerticalFaceCountsAtOnce) {
   const Profile cliff(std::vector<Vec2>{{0, 10}, {5, 10}, {5, 0}, {40, 0}});
   const Parabola path{{1, 0, 11}, {10, 0, 0}, gravity};
   EXPECT_NEAR(cliff.max_height(path, 1, 0), 11 - 0.5 * standard_gravity * 0.4 * 0.4, 1e-12);
 }
 
-// ---- the way out ----
+// ---- exits ----
 
-TEST(Overhang, ARockThatSlidesOverABrowWithNothingBeyondLeaves) {
+TEST(Overhang, ARockThatSlidesOverABrowWithoutGroundBeyondLeaves) {
   Dice dice(203);
   Soil soil;
   soil.phi = 0.05;
@@ -133,7 +133,7 @@ TEST(Overhang, ARockThatSlidesOverABrowWithNothingBeyondLeaves) {
   }
 }
 
-// A floor that falls to its rim at y = 10, under a roof that goes on beyond it.
+// A floor that falls to its rim at y = 10, under a roof that extends beyond it.
 TEST(Overhang, ASphereLeavesAtTheRimOfItsFloorUnderAWiderRoof) {
   for (const double roof : {10.0, 11.0, 13.0}) {
     Shape shape;
@@ -148,22 +148,22 @@ TEST(Overhang, ASphereLeavesAtTheRimOfItsFloorUnderAWiderRoof) {
   }
 }
 
-TEST(Overhang, WhatFallsThroughGroundIsLostUnderAnother) {
+TEST(Overhang, ARockBelowTheFloorIsLost) {
   Dice dice(204);
   const TriangleMesh mesh = extruded(folded, 20, 5, dice).mesh();
-  // Its start is between the lip and the floor under it; the flight begins below the floor.
+  // The release is between the lip and the floor under it; the flight starts below the floor.
   EXPECT_TRUE(mesh.exit({{7, 10, 4.2}, {1, 0, 0}, gravity}).beneath);
   EXPECT_FALSE(mesh.exit({{39.5, 10, 0}, {30, 0, 0}, gravity}).beneath);
 }
 
 // ---- lines on the ground ----
 
-TEST(Overhang, ALineStepsWhereTheGroundDoes) {
+TEST(Overhang, ALineHasTheStepsOfTheGround) {
   Dice dice(205);
   const TriangleMesh mesh = extruded(folded, 20, 5, dice).mesh();
   const auto line = mesh.draped({2, 10}, {30, 10});
   for (const Vec3& p : line) {
-    // What lies higher than the floors is what the line goes over.
+    // The line is on the highest ground.
     EXPECT_GE(p.z(), *mesh.elevation(p.x() + 1e-7, p.y()) - 1e-6);
   }
   const auto has = [&](double x, double z) {
@@ -173,7 +173,7 @@ TEST(Overhang, ALineStepsWhereTheGroundDoes) {
   EXPECT_TRUE(has(8, 9) && has(8, 4.125) && has(14, 3) && has(14, -1.0 / 7) && has(20, -1) && has(20, -4));
 }
 
-TEST(Overhang, ABarrierStandsAtTheFootOfAFaceToo) {
+TEST(Overhang, ABarrierCanStandAtTheFootOfAFace) {
   const std::array<Vec3, 4> foot{Vec3(2, 0, 10), Vec3(5, 0, 10), Vec3(5, 0, 0), Vec3(15, 0, 0)};
   const auto panels = panels_over(foot, 3, 0);
   ASSERT_EQ(panels.size(), 2U);

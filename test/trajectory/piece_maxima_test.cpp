@@ -1,4 +1,4 @@
-// What a piece of a path says of energies and heights is what the run says, and what closed forms say.
+// Energies and heights from the pieces of a path, compared to those of the run and to closed forms.
 
 #include "talus/trajectory/piece_maxima.hpp"
 
@@ -40,8 +40,8 @@ Profile slope_of_30_degrees() {
   return Profile(vertices);
 }
 
-// What a sphere that rolls without resistance has at the end of every leg is what it has fallen, m g h.
-TEST(PieceMaxima, TheEnergyOfARollingSphereIsThatAtTheEndOfItsLegs) {
+// The kinetic energy of a sphere that rolls without resistance is m g h at the end of every leg, h its fall.
+TEST(PieceMaxima, TheMaximumEnergyOfARollingSphereIsAtTheEndOfItsLegs) {
   const Profile slope = slope_of_30_degrees();
   Laws laws;
   laws.model = RockModel::rigid_sphere;
@@ -55,7 +55,7 @@ TEST(PieceMaxima, TheEnergyOfARollingSphereIsThatAtTheEndOfItsLegs) {
     const double fallen = release.motion.position.z() - piece.path.z(piece.duration);
     const double energy = max_motion(piece, release.rock, 0, piece.duration).energy_total;
     const double expected = release.rock.mass * standard_gravity * fallen;
-    ASSERT_NEAR(energy, expected, 1e-9 * expected + 1e-9);  // rounding, of a sum over some hundred legs
+    ASSERT_NEAR(energy, expected, 1e-9 * expected + 1e-9);  // rounding in a sum over some hundred legs
     ++legs;
   }
   EXPECT_GT(legs, 300U);
@@ -64,8 +64,8 @@ TEST(PieceMaxima, TheEnergyOfARollingSphereIsThatAtTheEndOfItsLegs) {
               1e-9 * path.outcome.max_kinetic_energy);
 }
 
-// Spin that turns into speed when the rock lands: it slides off faster than it came.
-TEST(PieceMaxima, ASlideHasTheSpeedWithWhichItBegins) {
+// A rock with spin lands and gains speed: its slide starts faster than it arrived.
+TEST(PieceMaxima, IncludeTheSpeedAtTheStartOfASlide) {
   const Vec2 level[] = {{0, 0}, {100, 0}};
   Laws laws;
   laws.timestep = 0.1;
@@ -85,7 +85,7 @@ TEST(PieceMaxima, ASlideHasTheSpeedWithWhichItBegins) {
   EXPECT_EQ(greatest, began);
 }
 
-/// Everything in a rock's path that can be checked against its pieces.
+/// Compares the rows and the outcome of a rock to its pieces.
 template <class Surface>
 void expect_agreement(const Surface& surface, const Followed& path, const Rock& rock, bool is_sphere, Dice& dice) {
   double energy = 0, height = 0, energy_in_parts = 0, height_in_parts = 0;
@@ -102,7 +102,7 @@ void expect_agreement(const Surface& surface, const Followed& path, const Rock& 
   }
   double rows = 0;
   for (const PathRow& row : path.log.rows) rows = std::max(rows, kinetic_energy(row.motion, rock));
-  // But for rounding, of places at 100 m and of energies.
+  // Except for rounding, of positions at 100 m and of energies.
   EXPECT_NEAR(path.outcome.max_bounce, height, 1e-9);
   EXPECT_NEAR(height_in_parts, height, 1e-9);
   EXPECT_NEAR(path.outcome.max_kinetic_energy, energy, 1e-12 * energy);
@@ -139,12 +139,12 @@ void expect_agreement_of_rocks(std::uint64_t seed, MakeSurface&& make_surface) {
   EXPECT_GT(legs, 1000U);
 }
 
-TEST(PieceMaxima, AreTheRunsOwnOverAMesh) {
+TEST(PieceMaxima, AreThoseOfTheRunOverAMesh) {
   expect_agreement_of_rocks(
       21, [](Dice& dice) { return random_slope(dice, 20, 60, dice.between(0.2, 0.8), dice.magnitude(0.1, 2)).mesh(); });
 }
 
-TEST(PieceMaxima, AreTheRunsOwnOverARaster) {
+TEST(PieceMaxima, AreThoseOfTheRunOverARaster) {
   expect_agreement_of_rocks(22, [](Dice& dice) {
     RasterGrid grid{.columns = 61, .rows = 61};
     const double grade = dice.between(0.2, 0.8), relief = dice.magnitude(0.05, 0.5);
@@ -153,7 +153,7 @@ TEST(PieceMaxima, AreTheRunsOwnOverARaster) {
   });
 }
 
-TEST(PieceMaxima, AreTheRunsOwnOverASection) {
+TEST(PieceMaxima, AreThoseOfTheRunOverASection) {
   expect_agreement_of_rocks(23, [](Dice& dice) {
     std::vector<Vec2> vertices;
     const double grade = dice.between(0.2, 0.8);
@@ -162,8 +162,8 @@ TEST(PieceMaxima, AreTheRunsOwnOverASection) {
   });
 }
 
-// All parts at once, walking along the surface once, or each alone: over borders of cells and within them.
-TEST(PieceMaxima, HeightsOfPartsAreThoseOfEachAlone) {
+// All parts in one walk along the surface, or each part alone: across borders of cells and within them.
+TEST(PieceMaxima, HeightsOfAllPartsAreThoseOfEachAlone) {
   Dice dice(24);
   RasterGrid grid{.columns = 31, .rows = 31};
   for (int k = 0; k < 31 * 31; ++k) grid.z.push_back(static_cast<float>(dice.between(0, 2)));
@@ -185,8 +185,8 @@ TEST(PieceMaxima, HeightsOfPartsAreThoseOfEachAlone) {
   }
 }
 
-// A facet below the whole leg answers for the surface; one that is not leaves it to the surface.
-TEST(PieceMaxima, OfALegOverOneFacetAreThoseOfTheSurface) {
+// If a facet is below the whole leg, the height is computed from it alone; if not, from the surface.
+TEST(PieceMaxima, HeightOfALegOverOneFacetIsThatOverTheSurface) {
   Dice dice(25);
   int over_one = 0;
   const auto expect = [&](const auto& surface, double size) {
@@ -214,8 +214,8 @@ TEST(PieceMaxima, OfALegOverOneFacetAreThoseOfTheSurface) {
   EXPECT_GT(over_one, 2000);
 }
 
-// A roof between a facet and the way over it is the ground below.
-TEST(PieceMaxima, OfALegAboveARoofAreMeasuredFromTheRoof) {
+// The ground below a leg is a roof above the given facet.
+TEST(PieceMaxima, HeightOfALegAboveARoofIsMeasuredFromTheRoof) {
   Shape shape = box({4, 4, 1}, {6, 6, 1.5});
   const auto first = static_cast<std::uint32_t>(shape.vertices.size());
   shape.vertices.insert(shape.vertices.end(), {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}});

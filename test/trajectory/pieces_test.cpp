@@ -1,4 +1,4 @@
-// The pieces of a path are the whole path: they join end to end in place and in time.
+// The pieces of a path make up the whole path: they join end to end in position and time.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ Release random_release(Dice& dice, const TriangleMesh& surface, const Laws& laws
   return release;
 }
 
-// Across the slope at x = 40: rocks break through it, bounce off it or pass above.
+// A barrier across the slope at x = 40: rocks break through it, bounce off it or pass above.
 Barrier fence(const TriangleMesh& surface) {
   Barrier barrier;
   barrier.name = "Fence";
@@ -43,10 +43,10 @@ Barrier fence(const TriangleMesh& surface) {
   return barrier;
 }
 
-// How a path's pieces fail to join, if they do.
+// A description of the first gap between pieces, if any.
 std::string what_is_wrong(const RockLog& log, const RockOutcome& outcome) {
-  // A sphere that sank in by more than rounding is lifted, at most by this; see RockRun::stand_on.
-  constexpr double near = 1e-9 * 60;  // the model's size
+  // A sphere that has sunk in by more than rounding is lifted, at most by this (correct_position() in ground_leg.hpp).
+  constexpr double near = 1e-9 * 60;  // relative to the model's size
   const std::vector<PathPiece> pieces = every_piece(log);
   if (pieces.empty()) return "there are none";
   if (pieces.front().path.p != outcome.start.position || pieces.front().path.v != outcome.start.velocity ||
@@ -102,8 +102,8 @@ TEST(PathPieces, JoinFromTheReleaseToTheEnd) {
   EXPECT_GT(glides, 500);
 }
 
-// In flight nothing happens: the path rows, where there are any, are the ends of pieces.
-TEST(PathPieces, EveryFlightEndsInARow) {
+// No event is inside a flight: the rows of a path are at the ends of pieces.
+TEST(PathPieces, EveryFlightEndsAtARow) {
   Dice dice(12);
   const TriangleMesh surface = random_slope(dice, 20, 60, 0.6, 0.5).mesh();
   for (int k = 0; k < 50; ++k) {
@@ -120,7 +120,7 @@ TEST(PathPieces, EveryFlightEndsInARow) {
   }
 }
 
-// A strike is an impact; sliding off an edge is none, though the path has a row for it.
+// Sliding off an edge is no impact, although the path has a row for it.
 TEST(PathPieces, ImpactsAreWhereTheRockStrikesTheGround) {
   Dice dice(13);
   // A plateau that ends at x = 10, 8 m above a plain.
@@ -141,7 +141,7 @@ TEST(PathPieces, ImpactsAreWhereTheRockStrikesTheGround) {
   EXPECT_EQ(outcome.events, 3);
 }
 
-TEST(PathPieces, AreKeptOnlyIfAskedFor) {
+TEST(PathPieces, AreKeptOnlyOnRequest) {
   Dice dice(14);
   const TriangleMesh surface = random_slope(dice, 20, 60, 0.6, 0.5).mesh();
   const Release release = random_release(dice, surface, {});

@@ -1,4 +1,4 @@
-// Whatever the slope and whatever the rock: energy never rises, nobody gets beneath the ground, every path ends.
+// For any slope and any rock: energy never rises, no rock gets below the ground, every trajectory ends.
 
 #include <gtest/gtest.h>
 
@@ -49,15 +49,15 @@ std::string describe(const Laws& laws, const Soil& soil, const Release& release,
          text(m.velocity) + " w " + text(m.spin) + " r " + std::to_string(release.rock.radius);
 }
 
-// What is wrong with a path, if anything is. The list of rows is whole: a contact gives its arrival and how the rock
-// leaves.
+// A description of what is wrong with a path; empty if nothing is. The rows are complete: an arrival and a departure
+// for each contact.
 std::string what_is_wrong(const Followed& path, const Rock& rock, const Laws& laws, const Soil& soil) {
   const auto& rows = path.log.rows;
   const EndReason reason = path.outcome.reason;
   if (rows.size() < 2 || rows.front().state != PathState::projectile || rows.back().state != PathState::ended) {
     return "the rows do not begin with the release and end with the end";
   }
-  // Where hardly any of its speed along the ground survives a contact, a rock may stop at every bend of its slope.
+  // If a contact leaves hardly any tangential speed, a rock may stop at every bend of the slope.
   const bool may_take_for_ever = laws.model == RockModel::lumped_mass && soil.rt < 0.02;
   if (reason == EndReason::lost || (reason == EndReason::maximum_steps && !may_take_for_ever)) {
     return name(reason) + rows_up_to(path, rows.size() - 1);
@@ -67,8 +67,8 @@ std::string what_is_wrong(const Followed& path, const Rock& rock, const Laws& la
     if (rows[i].motion.time < rows[i - 1].motion.time) return "time runs backwards" + rows_up_to(path, i);
     const double before = total_energy(rows[i - 1].motion, rock, laws.gravity);
     const double after = total_energy(rows[i].motion, rock, laws.gravity);
-    // Rounding: of the energies at hand, and of heights of the size of the model. And a rock may be lifted by the
-    // thickness within which it counts as being on the ground, once for every leg between two rows.
+    // Rounding of energies, and of heights of the size of the model. Also, a rock may be lifted by the thickness within
+    // which it counts as on the ground, once for every leg between two rows.
     const double weight = rock.mass * laws.gravity.norm();
     const double scale = kinetic_energy(rows[i].motion, rock) + weight * 100;
     if (after > before + 1e-11 * scale + 64 * contact_slack * weight) {
@@ -80,7 +80,7 @@ std::string what_is_wrong(const Followed& path, const Rock& rock, const Laws& la
   return "";
 }
 
-// Follows many rocks; the first few that go wrong are shown, all are counted.
+// Simulates many rocks; counts those with errors, and shows the first few.
 class Verdict {
  public:
   void add(const Followed& path, const Rock& rock, const Laws& laws, const Soil& soil, const std::string& who) {
@@ -88,7 +88,7 @@ class Verdict {
     if (wrong.empty()) return;
     if (++wrong_ <= 3) ADD_FAILURE() << who << '\n' << wrong;
   }
-  ~Verdict() { EXPECT_EQ(wrong_, 0) << "rocks went wrong"; }
+  ~Verdict() { EXPECT_EQ(wrong_, 0) << "rocks have errors"; }
 
  private:
   int wrong_ = 0;
@@ -102,7 +102,7 @@ Release random_release(Dice& dice, const Surface& surface, double x, double y, c
   const double reach = laws.model == RockModel::rigid_sphere ? radius : 0;
   const double height = dice.between(0, 5);
   release.motion.position = {x, y, *surface.elevation(x, y) + 4 * reach + height};
-  // Beside a wall it may be in it: lifted until it is clear.
+  // Next to a wall it may be in the wall: lifted until it is clear.
   bool is_clear = false;
   while (!is_clear) {
     is_clear = true;
@@ -118,7 +118,7 @@ Release random_release(Dice& dice, const Surface& surface, double x, double y, c
   return release;
 }
 
-// A kind of ground, where on plan rocks are released over it, and the largest radius.
+// A kind of terrain, the places of release on plan, and the largest radius.
 struct Scenery {
   const char* name;
   Shape (*make)(Dice&);
@@ -183,7 +183,7 @@ Launch random_launch(const Scenery& scenery, const TriangleMesh& mesh, int groun
   return it;
 }
 
-// `make soak` asks for many times the rocks that fit into every run of the tests.
+// `make soak` multiplies the number of rocks.
 int effort() {
   const char* wish = std::getenv("TALUS_TEST_EFFORT");
   return wish == nullptr ? 1 : std::max(1, std::atoi(wish));
@@ -191,7 +191,7 @@ int effort() {
 
 class RandomRocks : public testing::TestWithParam<Scenery> {};
 
-TEST_P(RandomRocks, PathsAreLawful) {
+TEST_P(RandomRocks, PathsObeyTheLaws) {
   const Scenery& scenery = GetParam();
   Verdict verdict;
   for (int ground = 0; ground < effort() * scenery.grounds; ++ground) {
@@ -214,7 +214,7 @@ const std::array sceneries{
 INSTANTIATE_TEST_SUITE_P(Everywhere, RandomRocks, testing::ValuesIn(sceneries),
                          [](const auto& family) { return std::string(family.param.name); });
 
-TEST(RandomRocksInSection, PathsAreLawful) {
+TEST(RandomRocksInSection, PathsObeyTheLaws) {
   Dice dice(16);
   Verdict verdict;
   for (int slope = 0; slope < 60; ++slope) {

@@ -1,5 +1,4 @@
-// What a slide's steps make of ground that is cut into many facets: nothing, where its plane and its properties stay
-// the same.
+// The division of ground into many facets does not affect a slide if plane and properties are the same.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +17,7 @@ using namespace testing_tools;
 
 constexpr double grade = 0.3, rim = 10;
 
-/// A disc of this many facets about a vertex at the origin, on a plane that falls along y.
+/// A disc of this many facets around a vertex at the origin, on a plane that falls along y.
 TriangleMesh fan(std::uint32_t facets) {
   Shape shape;
   shape.vertices.emplace_back(0, 0, 0);
@@ -30,16 +29,16 @@ TriangleMesh fan(std::uint32_t facets) {
   return shape.mesh();
 }
 
-/// One material everywhere, or two that are the same, by turns.
+/// One material everywhere, or two equal ones in alternation.
 Ground ground_of_fan(std::uint32_t facets, bool by_turns, const Soil& soil) {
   std::vector<std::uint8_t> of_facet(facets);
   for (std::uint32_t k = 0; k < facets; ++k) of_facet[k] = by_turns ? k % 2 : 0;
   return Ground({material_of(soil), material_of(soil)}, of_facet);
 }
 
-// The vertex is left over all facets between the one on which the rock starts and the one over which it goes on, each
-// in no time: a whole step's turn at each of them would be up to 36 steps.
-TEST(SlideOverAVertex, TurnsByTheTimeThatGoesAndNotByTheFacets) {
+// At the vertex the rock crosses all facets between its first and its last one, each in no time: if its velocity turned
+// by a whole step on each of them, that would be up to 36 steps.
+TEST(SlideOverAVertex, TurnsTheVelocityByTimeNotByFacets) {
   constexpr std::uint32_t facets = 72;
   const TriangleMesh mesh = fan(facets);
   const Soil soil{.rn = 0, .rt = 1, .phi = 0.05};
@@ -55,8 +54,8 @@ TEST(SlideOverAVertex, TurnsByTheTimeThatGoesAndNotByTheFacets) {
     const Followed cut = follow(mesh, ground_of_fan(facets, true, soil), laws, release);
     ASSERT_EQ(whole.outcome.reason, EndReason::left_model);
     ASSERT_EQ(cut.outcome.reason, EndReason::left_model);
-    // Where the rock is cut off at an edge in the middle of a step the next one begins there: a few hundredths of a
-    // second of the pull, 2.7 m/s2, over the 2.7 s to the rim.
+    // A step that an edge cuts short shifts the later ones: a few hundredths of a second of the pull, 2.7 m/s2, over
+    // the 2.7 s to the rim.
     EXPECT_LT((cut.outcome.end.position - whole.outcome.end.position).norm(), 0.1) << "heading " << heading;
     EXPECT_LT((cut.outcome.end.velocity - whole.outcome.end.velocity).norm(), 0.1) << "heading " << heading;
   }

@@ -1,4 +1,4 @@
-// Rocks that stand for a moment, or could seem to: what gravity or their own spin moves again.
+// Rocks that stand still for a moment, and that gravity or their spin moves again.
 
 #include <gtest/gtest.h>
 
@@ -22,14 +22,14 @@ Laws laws_of(RockModel model, double timestep = 0.01) {
   return laws;
 }
 
-/// Rises by `slope` to the right; a rock that is sent up slides back to the left.
+/// Rises by `slope` to the right; a rock launched uphill slides back to the left.
 Profile rising(double slope) { return Profile(std::vector<Vec2>{{-50, -50 * slope}, {50, 50 * slope}}); }
 
 Vec3 along(double slope, double speed) { return speed * Vec3(1, 0, slope).normalized(); }
 
-TEST(Standstill, OfASlideThatTurnsBackIsNoRestWhateverTheTimestep) {
+TEST(Standstill, OfASlideThatTurnsBackIsNoRestForAnyTimestep) {
   Soil soil;
-  soil.phi = 0.5;  // of 0.55, which the slope has
+  soil.phi = 0.5;  // the slope is 0.55
   const double slope = std::tan(0.55);
   for (const double timestep : {0.01, 1e-3, 1e-4}) {
     Laws laws = laws_of(RockModel::lumped_mass, timestep);
@@ -40,7 +40,7 @@ TEST(Standstill, OfASlideThatTurnsBackIsNoRestWhateverTheTimestep) {
   }
 }
 
-TEST(Standstill, OfASlippingSphereDoesNotSinkItIn) {
+TEST(Standstill, OfASlippingSphereDoesNotLetItSinkIn) {
   Soil soil;
   soil.rt = 1;
   soil.mu = 0.131;
@@ -50,14 +50,14 @@ TEST(Standstill, OfASlippingSphereDoesNotSinkItIn) {
   const double braking = standard_gravity * (std::sin(angle) + soil.mu * std::cos(angle));
   const double gain = standard_gravity * (std::sin(angle) - soil.mu * std::cos(angle));
   const double speed = 3, way_up = speed * speed / (2 * braking);
-  const double foot = (50 - rock.radius * std::sin(angle)) / std::cos(angle);  // from where it starts
+  const double foot = (50 - rock.radius * std::sin(angle)) / std::cos(angle);  // distance from the start
   for (const double timestep : {0.03, 0.01, 0.001}) {
     const Followed path = follow(rising(slope), ground_of(soil), laws_of(RockModel::rigid_sphere, timestep),
                                  {{rock.radius * normal, along(slope, speed)}, rock});
     for (const PathRow& row : path.log.rows) {
       EXPECT_GT(normal.dot(row.motion.position) - rock.radius, -1e-8) << timestep;
     }
-    // It slips down without rolling: its resistance is greater than friction.
+    // It slips without rolling: rolling resistance exceeds friction.
     const double expected = speed / braking + std::sqrt(2 * (way_up + foot) / gain);
     EXPECT_NEAR(path.outcome.end.time, expected, 1e-3 * expected) << timestep;
   }
@@ -72,11 +72,12 @@ TEST(Standstill, OfASphereThatSpinsIsNoRest) {
   const Followed path = follow(rising(0), ground_of(soil), laws_of(RockModel::rigid_sphere, 0.001),
                                {{{0, 0, rock.radius}, Vec3::Zero(), {0, spin, 0}}, rock});
   EXPECT_EQ(path.outcome.reason, EndReason::at_rest);
-  // Slipping, it gains mu g; its spin loses 5/2 (mu + mu_r) g / r. Then it rolls, and loses 5/7 mu_r g.
+  // While slipping, it accelerates with mu g; its spin decreases by 5/2 (mu + mu_r) g / r. Then it rolls, with 5/7 mu_r
+  // g of deceleration.
   const double g = standard_gravity, r = rock.radius;
   const double slips = spin * r / (g * (soil.mu + 2.5 * (soil.mu + soil.rolling)));
   const double v = soil.mu * g * slips;
-  // (It rests where it is slower than 0.1 m/s, the last centimetre before.)
+  // (It rests below 0.1 m/s, in the last centimetre.)
   EXPECT_NEAR(path.outcome.end.position.x(), 0.5 * v * slips + v * v / (2 * 5.0 / 7 * soil.rolling * g), 0.02);
 }
 
@@ -94,15 +95,15 @@ TEST(Standstill, IsRestWithoutFrictionInAValley) {
   }
 }
 
-TEST(Standstill, IsRestWhereNothingMayBeStoppedBefore) {
+TEST(Standstill, IsRestWithoutAStoppingVelocity) {
   Laws laws = laws_of(RockModel::lumped_mass);
   laws.stopped_velocity = 0;
   const Followed path = follow(rising(0.1), ground_of({}), laws, {{{0, 0, 0}, along(0.1, 3)}, rock});
   EXPECT_EQ(path.outcome.reason, EndReason::at_rest);
 }
 
-TEST(LeavingTheModel, EndsWhereTheCentreIsOverTheRim) {
-  // The sphere touches the rim again when its centre is beyond it.
+TEST(LeavingTheModel, IsWhereTheCentreIsOverTheRim) {
+  // The sphere still touches the rim when its centre is beyond it.
   const Profile slope(std::vector<Vec2>{{0, 20}, {20, 0}});
   Soil soil;
   soil.rn = 0.1;
@@ -119,7 +120,7 @@ TEST(LeavingTheModel, EndsWhereTheCentreIsOverTheRim) {
   }
 }
 
-TEST(Roughness, TiltsTheGroundUnderAVerticalFallToo) {
+TEST(Roughness, AlsoTiltsTheGroundUnderAVerticalFall) {
   Soil soil;
   soil.roughness = 0.1;
   Laws laws = laws_of(RockModel::lumped_mass);

@@ -1,4 +1,4 @@
-// What an impact leaves: flight, or one of the states on the ground.
+// The state after an impact: flight, or one of the states on the ground.
 
 #include "talus/trajectory/striking.hpp"
 
@@ -30,9 +30,8 @@ Contact on_facet(const Profile& profile, std::uint32_t facet) {
   return {0, profile.normal(FacetId{facet}), FacetId{facet}, Feature::facet};
 }
 
-// The impulse of every law acts at the contact: the rock leaves with Rn of its normal velocity, or stays below the
-// cutoff.
-TEST(Striking, LeavesTheGroundFasterThanTheCutoffOnly) {
+// With every law the rock leaves with Rn of its normal velocity, or stays on the ground if that is below the cutoff.
+TEST(Striking, LeavesTheGroundOnlyAboveTheCutoff) {
   for (const auto model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
     for (const double into : {0.1, 0.3}) {
       const Vec3 n = vee().normal(FacetId{0});
@@ -47,7 +46,7 @@ TEST(Striking, LeavesTheGroundFasterThanTheCutoffOnly) {
   }
 }
 
-TEST(Striking, ASecondContactInOnePlaceIsAValleyWhereGravityHoldsTheRockInIt) {
+TEST(Striking, ASecondContactInOnePlaceIsAValleyIfGravityHoldsTheRock) {
   const std::array normals{vee().normal(FacetId{0}), vee().normal(FacetId{1})};
   RockOn rock(vee(), {.rn = 0}, laws_of(RockModel::lumped_mass), {Vec3::Zero(), Vec3(0, 0, -1)});
   ASSERT_TRUE(std::holds_alternative<OnFacet>(strike(*rock, on_facet(vee(), 0))));
@@ -59,14 +58,14 @@ TEST(Striking, ASecondContactInOnePlaceIsAValleyWhereGravityHoldsTheRockInIt) {
   EXPECT_EQ(state.other.normal, normals[0]);
   EXPECT_TRUE(state.is_on_facet);
   EXPECT_NEAR(std::abs(state.valley.direction.y()), 1, 1e-15);
-  // Each side carries half: N = g / (2 cos 45) both.
+  // Each side carries half: N = g / (2 cos 45).
   EXPECT_NEAR(state.valley.footing.normal_acceleration, standard_gravity * std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(rock->motion.velocity.head<1>()[0], 0, 1e-15);
   EXPECT_NEAR(rock->motion.velocity.z(), 0, 1e-15);
 }
 
-// On top of a roof a sphere at rest is carried by the ridge, one that crosses it faster than v^2 = g r is not.
-TEST(Striking, ARidgeCarriesWhatItsWeightTurnsAboutIt) {
+// The ridge of a roof carries a sphere at rest, but not one that crosses it faster than v^2 = g r.
+TEST(Striking, ARidgeCarriesASlowSphere) {
   const Rock ball = sphere_of_diameter(1, 2700);
   for (const double froude : {0.5, 0.99, 1.01, 2.0}) {
     const double speed = std::sqrt(froude * standard_gravity * ball.radius);

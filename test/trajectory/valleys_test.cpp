@@ -1,5 +1,4 @@
-// Rocks between two facets that both carry them: along straight valleys, across their ends and over borders of
-// materials.
+// Rocks carried by two facets: along straight valleys, past their ends and across borders of materials.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +20,7 @@ using namespace testing_tools;
 constexpr double g = standard_gravity;
 const std::array both_methods{SlidingMethod::stepped, SlidingMethod::closed_form};
 
-/// z = fall (length - x) + side |y| on nodes `cell` apart.
+/// z = fall (length - x) + side |y|, on nodes `cell` apart.
 struct Channel {
   double fall, side, cell;
   std::uint32_t columns = 40, half_rows = 4;
@@ -53,7 +52,7 @@ struct Channel {
   }
   /// Gravity along the bottom.
   [[nodiscard]] double pull() const { return g * fall / std::sqrt(1 + fall * fall); }
-  /// What one side presses with; both the same, by symmetry.
+  /// The normal acceleration of one side; both are equal, by symmetry.
   [[nodiscard]] double pressure() const {
     return 0.5 * g * std::sqrt(1 + fall * fall + side * side) / (1 + fall * fall);
   }
@@ -68,7 +67,7 @@ Soil slippery(double mu) {
   return soil;
 }
 
-/// The material of each facet: the first one, or the second where `is_second` has its middle.
+/// The material of each facet: the second if `is_second` is true for its middle, else the first.
 template <class Surface, class IsSecond>
 Ground two_grounds(const Surface& surface, double first, double second, const IsSecond& is_second) {
   std::vector<std::uint8_t> of_facet(surface.facet_count());
@@ -81,8 +80,8 @@ Ground two_grounds(const Surface& surface, double first, double second, const Is
   return Ground({material_of(slippery(first)), material_of(slippery(second))}, of_facet);
 }
 
-// Heights in single precision bend the bottom a little at every node.
-TEST(Valleys, OnARasterLetARockSlideToTheirEnd) {
+// Elevations in single precision bend the bottom slightly at every node.
+TEST(Valleys, OnARasterAreSlidThroughToTheirEnd) {
   constexpr double mu = 0.07;
   for (const Channel& channel : {Channel{0.36, 1, 10}, Channel{0.30, 0.7, 1}, Channel{0.31, 0.83, 5}}) {
     const RasterSurface surface = channel.raster();
@@ -98,14 +97,14 @@ TEST(Valleys, OnARasterLetARockSlideToTheirEnd) {
         const Followed path = follow(surface, ground_of(slippery(mu)), laws, {at_rest, sphere_of_diameter(1.0, 2700)});
         ASSERT_EQ(path.outcome.reason, EndReason::left_model) << channel.cell;
         const double speed = std::sqrt(2 * (channel.pull() - 2 * mu * channel.pressure()) * length);
-        // The first step of a stepped slide has its speed from the beginning.
+        // In the first step of a stepped slide the rock already has the speed of its end.
         EXPECT_NEAR(path.outcome.end.velocity.norm(), speed, 0.005 * speed) << channel.cell;
       }
     }
   }
 }
 
-TEST(Valleys, OfRoundedHeightsLetRocksPass) {
+TEST(Valleys, OfRoundedElevationsDoNotStopRocks) {
   const Channel channel{0.37, 0.61, 5};
   const RasterSurface surface = channel.raster(0.1);
   for (std::uint64_t rock = 0; rock < 50; ++rock) {
@@ -125,12 +124,12 @@ TEST(Valleys, BetweenTwoMaterialsHaveTheFrictionOfBothSides) {
                                  std::sqrt(1 + channel.fall * channel.fall));
   Laws laws;
   laws.sliding = SlidingMethod::closed_form;
-  for (const double y : {-1e-6, 1e-6}) {  // it comes to the bottom from either side
+  for (const double y : {-1e-6, 1e-6}) {  // it reaches the bottom from either side
     Motion start = at_rest_in(channel, 4);
     start.position += Vec3(0, y, channel.side * std::abs(y));
     const Followed path = follow(surface, ground, laws, {start, sphere_of_diameter(1.0, 2700)});
     EXPECT_EQ(path.outcome.reason, EndReason::left_model);
-    EXPECT_NEAR(path.outcome.end.velocity.norm(), speed, 1e-6 * speed);  // it starts a millionth of a metre aside
+    EXPECT_NEAR(path.outcome.end.velocity.norm(), speed, 1e-6 * speed);  // it starts 1e-6 m beside the bottom
   }
 }
 
@@ -154,7 +153,7 @@ TEST(Valleys, ChangeTheirFrictionWhereTheirMaterialChanges) {
   EXPECT_NEAR(path.outcome.max_kinetic_energy, greatest, 1e-6 * greatest);
 }
 
-TEST(MaxKineticEnergy, IsThatAtABorderOfMaterialsWithinAPlane) {
+TEST(MaxKineticEnergy, CanBeAtABorderOfMaterialsWithinAPlane) {
   const Channel plane{0.5, 0, 10};
   const TriangleMesh surface = plane.mesh();
   const Ground ground = two_grounds(surface, 0.09, 1, [](const Vec3& middle) { return middle.x() > 200; });
@@ -167,8 +166,8 @@ TEST(MaxKineticEnergy, IsThatAtABorderOfMaterialsWithinAPlane) {
   EXPECT_NEAR(path.outcome.max_kinetic_energy, rock.mass * gain * 196 * slope, 1e-6 * rock.mass * gain * 196 * slope);
 }
 
-// Ground that falls towards +x and more gently towards -y, where a low step holds a sphere, up to x = 10 only.
-TEST(Valleys, AStepHoldsASphereOnlyAsFarAsItGoes) {
+// Ground that falls towards +x and more gently towards -y, where a low step up to x = 10 holds a sphere.
+TEST(Valleys, AStepHoldsASphereOnlyUpToItsEnd) {
   const auto floor = [](double x, double y) { return -0.3 * x + 0.1 * y; };
   Shape shape;
   const auto add = [&](std::array<Vec3, 4> corners) {
@@ -211,9 +210,9 @@ TEST(Valleys, AStepHoldsASphereOnlyAsFarAsItGoes) {
     const Vec3& p = piece.path.p;
     if (p.x() > 5 && p.x() < 9.5) held = std::max(held, std::abs(p.y() - 0.49));
   }
-  // The sphere of radius 0.5 touches the floor and the edge of the step, 0.4 high: its centre goes along y = 0.49.
-  EXPECT_LT(held, 0.05);  // the floor leans: seen across it, the edge is lower
-  EXPECT_LT(path.outcome.end.position.y(), -2) << "past the step it turns down the slope";
+  // The sphere of radius 0.5 touches the floor and the edge of the step, 0.4 high: its centre moves along y = 0.49.
+  EXPECT_LT(held, 0.05);  // the floor is inclined: at right angles to it, the edge is lower
+  EXPECT_LT(path.outcome.end.position.y(), -2) << "beyond the step it turns down the slope";
 }
 
 }  // namespace

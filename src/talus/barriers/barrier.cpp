@@ -24,7 +24,7 @@ const char* name(BarrierOutcome outcome) {
 
 namespace {
 
-/// How far a direction in a panel's plane goes along its foot for each metre up its face; nothing where it hardly
+/// The shift along a panel's foot per metre up its face, for a direction in its plane; nullopt if the direction hardly
 /// rises.
 std::optional<double> lean_of(const Panel& panel, const Vec3& direction) {
   const double c = panel.along.dot(panel.up), x = direction.dot(panel.along), y = direction.dot(panel.up);
@@ -33,16 +33,16 @@ std::optional<double> lean_of(const Panel& panel, const Vec3& direction) {
   return up > steep * direction.norm() ? std::optional((x - c * y) / (1 - c * c) / up) : std::nullopt;
 }
 
-/// One panel ends where the other begins: so do their sides, along the line in which their planes meet.
+/// Joins the sides of two panels of which one ends where the other begins, along the line in which their planes meet.
 void join(Panel& before, Panel& after) {
   Vec3 line = before.normal.cross(after.normal);
-  constexpr double flat = 1e-9;  // sine of the angle between planes that are one
+  constexpr double flat = 1e-9;  // sine of the angle below which two planes are one
   after.has_previous = true;
   if (line.norm() < flat) return;
   if (line.dot(before.up) < 0) line = -line;
   const auto lean_before = lean_of(before, line), lean_after = lean_of(after, line);
   after.has_previous = lean_before && lean_after;
-  if (!after.has_previous) return;  // of a hairpin, which leans away without end
+  if (!after.has_previous) return;  // a hairpin bend: the shared side would be nearly horizontal
   before.end_lean = *lean_before;
   after.start_lean = *lean_after;
 }
@@ -51,8 +51,8 @@ void join(Panel& before, Panel& after) {
 
 std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination) {
   std::vector<Panel> panels;
-  constexpr double step = 1e-9;  // on plan [m]: here the foot goes up or down a vertical face, where no panel stands
-  Vec3 foot_of_last = Vec3::Zero();  // where the last panel's foot ends
+  constexpr double step = 1e-9;      // on plan [m]: the foot climbs a vertical face, where there is no panel
+  Vec3 foot_of_last = Vec3::Zero();  // the end of the last panel's foot
   double station = 0;
   for (std::size_t k = 0; k + 1 < foot.size(); ++k) {
     const Vec3 d = foot[k + 1] - foot[k];
@@ -76,7 +76,7 @@ std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double
   return panels;
 }
 
-void Barrier::stand(std::vector<Panel> panels) {
+void Barrier::set_panels(std::vector<Panel> panels) {
   panels_ = std::move(panels);
   std::vector<PlanBounds> bounds(panels_.size());
   for (std::size_t k = 0; k < panels_.size(); ++k) {

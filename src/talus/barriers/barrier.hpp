@@ -1,10 +1,9 @@
 #pragma once
-// Barriers and collectors: a line on plan, draped over the ground, that stands up from it.
+// Barriers and collectors: faces that stand on a line on plan, draped over the ground.
 //
-// A barrier's face is a row of flat panels, one between each two bends of its foot; how a rock comes to it is in
-// crossing.hpp. Height is measured from the foot along the face.
-// Source: verification manual, section 4; physics of the break-through: a rock with more energy than the capacity goes
-// on with the excess, its velocity and spin in proportion.
+// A face is a row of flat panels, one between any two neighbouring bends of its foot; crossing.hpp finds where a rock
+// meets it. Height is measured from the foot along the face. Source: verification manual, section 4. Break-through: a
+// rock with more energy than the capacity keeps the excess; velocity and spin are reduced by the same factor.
 
 #include <algorithm>
 #include <cmath>
@@ -28,14 +27,13 @@ struct Panel {
   Vec3 up;                              // unit, up the face
   Vec3 normal;                          // unit, across the face
   double height = 0;                    // [m]
-  double station = 0, plan_length = 0;  // where its foot begins along the line as given, and its share of it [m]
-  // At a bend of the line, leaning panels meet where their planes do: by how much of the foot's direction their sides
-  // go on with each metre up the face.
+  double station = 0, plan_length = 0;  // start and length of its foot along the given line, on plan [m]
+  // At a bend, leaning panels meet in the line in which their planes meet: the shift of their sides along the foot per
+  // metre up the face.
   double start_lean = 0, end_lean = 0;
-  bool has_previous = false;  // another panel ends where it begins, and its side is the same
+  bool has_previous = false;  // another panel ends where it begins, and they share a side
 
-  /// Where its sides are at a height up the face [m], measured along the foot; as at the top from there on, as at the
-  /// foot below it.
+  /// The positions of its sides along the foot, at a height up the face [m]; constant above the top and below the foot.
   [[nodiscard]] double start_at(double level) const { return start_lean * std::clamp(level, 0.0, height); }
   [[nodiscard]] double end_at(double level) const { return length + end_lean * std::clamp(level, 0.0, height); }
 };
@@ -43,17 +41,17 @@ struct Panel {
 class Barrier {
  public:
   std::string name;
-  bool is_collector = false;               // it records and does not touch
-  double capacity = 0;                     // kinetic energy that it can take [J]; may be infinite
-  std::optional<Restitution> restitution;  // of what rebounds; without it, what is stopped stays
+  bool is_collector = false;               // records rocks without affecting them
+  double capacity = 0;                     // kinetic energy that it can absorb [J]; may be infinite
+  std::optional<Restitution> restitution;  // for rebounds; nullopt: rocks stop at the barrier
 
-  void stand(std::vector<Panel> panels);
-  /// Its foot at another height, all along: across a section that stands elsewhere. On plan nothing changes.
+  void set_panels(std::vector<Panel> panels);
+  /// Moves the whole foot to another elevation, when a section varies. Nothing changes on plan.
   void move_foot_to(double z) {
     for (Panel& panel : panels_) panel.foot.z() = z;
   }
   [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
-  /// Where on plan each panel can be met or passed above.
+  /// The bounds on plan of each panel, where it can be met or passed above.
   [[nodiscard]] const PlanIndex& on_plan() const { return on_plan_; }
 
  private:
@@ -61,18 +59,18 @@ class Barrier {
   PlanIndex on_plan_;
 };
 
-/// Panels over the bends of a foot line. `inclination` leans the face from the vertical [rad], positive to the right of
-/// the line's direction on plan: a right-handed turn about the line.
+/// The panels on a foot line. `inclination` of the face from the vertical [rad], positive to the right of the line's
+/// direction on plan: a right-handed turn about the line.
 [[nodiscard]] std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination);
 
-/// Which of many barriers are near, for BarrierList.
+/// The bounds of many barriers on plan, for BarrierList.
 [[nodiscard]] PlanIndex index_of(std::span<const Barrier> barriers);
 
-/// Barriers, and an index of them where there is one: without it all are asked, every time.
+/// Barriers, and optionally an index of them. Without the index every search visits all barriers.
 class BarrierList {
  public:
   BarrierList() = default;
-  /// Both are the caller's and stay.
+  /// Both must outlive the list.
   BarrierList(std::span<const Barrier> barriers, const PlanIndex& on_plan) : barriers_(barriers), on_plan_(&on_plan) {}
   template <class Range>
   requires std::convertible_to<const Range&, std::span<const Barrier>> BarrierList(const Range& barriers)
@@ -89,7 +87,7 @@ class BarrierList {
       for (std::size_t k = 0; k < barriers_.size(); ++k) visit(k);
     }
   }
-  /// On plan from a point to the nearest panel; infinite without barriers [m].
+  /// The distance on plan from a point to the nearest panel [m]; infinite without barriers.
   [[nodiscard]] double distance(const Vec2& p) const;
 
  private:
@@ -97,10 +95,11 @@ class BarrierList {
   const PlanIndex* on_plan_ = nullptr;
 };
 
-/// How far on plan [m] a rock may go from `p` before any of it can be at or above a barrier; infinite without barriers.
+/// The distance on plan [m] that a rock can move from `p` before any part of it can be at or above a barrier; infinite
+/// without barriers.
 [[nodiscard]] double free_way(const BarrierList& barriers, const Vec3& p, double radius);
 
-/// What becomes of a rock at a barrier.
+/// What a barrier does to a rock.
 enum class BarrierOutcome { stopped, rebounded, broke_through, passed };
 inline constexpr int barrier_outcome_count = 4;
 [[nodiscard]] const char* name(BarrierOutcome outcome);
@@ -109,13 +108,13 @@ inline constexpr int barrier_outcome_count = 4;
 struct BarrierHit {
   BarrierId barrier;
   Motion motion;      // as it arrives
-  double height = 0;  // above the foot, along the face: of the contact point; at a collector, of the centre [m]
+  double height = 0;  // of the contact above the foot, along the face; at a collector, of the centre [m]
   double angle = 0;   // between the velocity and the face's normal, positive towards the foot [rad]
   BarrierOutcome outcome = BarrierOutcome::passed;
-  double station = 0;  // where along the line, on plan [m]
+  double station = 0;  // position along the line, on plan [m]
 };
 
-/// What the barrier does to the rock, and how the rock leaves: as it came, if it passes; nothing, if it stays.
+/// What the barrier does to the rock, and how the rock leaves: unchanged if it passes, nullopt if it stops.
 struct BarrierResponse {
   BarrierOutcome outcome = BarrierOutcome::passed;
   std::optional<Rebound> leaving;

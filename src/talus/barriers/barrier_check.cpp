@@ -15,7 +15,7 @@ namespace {
 
 constexpr double service_share = 3;  // EAD 340059-00-0106: SEL is a third of MEL
 
-/// The first class that has this energy, the first of all being `lowest`.
+/// The first class with this energy, where the first of all is `lowest`.
 template <std::size_t count>
 int first_class(const std::array<double, count>& energies, int lowest, double energy) {
   return lowest + static_cast<int>(std::ranges::lower_bound(energies, energy) - energies.begin());

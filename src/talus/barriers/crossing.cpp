@@ -11,7 +11,7 @@ namespace {
 
 using tolerance::same_crossing;
 
-// A range that holds p + v t + a t^2 / 2 for all t in [0, t_max], widened by `margin`.
+// A range that contains p + v t + a t^2 / 2 for all t in [0, t_max], widened by `margin`.
 struct Range {
   Range(double p, double v, double a, double t_max, double margin)
       : low(p + std::min(v * t_max, 0.0) + std::min(0.5 * a * t_max * t_max, 0.0) - margin),
@@ -19,7 +19,7 @@ struct Range {
   double low, high;
 };
 
-// Both times at which the quadratic h0 + v t + a t^2/2 is zero, rising; fewer where there are fewer.
+// The times at which the quadratic h0 + v t + a t^2/2 is zero, in ascending order.
 struct Times {
   std::array<double, 2> t{};
   int count = 0;
@@ -36,8 +36,7 @@ Times zeros(double h0, double v, double a) {
   return {{std::min(t1, t2), std::max(t1, t2)}, 2};
 }
 
-// Where a point of the panel's plane lies on the panel: along its foot and up its face (which need not be at right
-// angles where the foot climbs).
+// The place of a point on a panel: along its foot and up its face (which are not at right angles if the foot climbs).
 struct Place {
   double along, up;
 };
@@ -57,7 +56,7 @@ Vec3 point_of(const Panel& panel, const Place& place) {
   return panel.foot + place.along * panel.along + place.up * panel.up;
 }
 
-/// What neither comes nearer nor is drawn nearer, stays where it is. (Less than this is rounding.)
+/// Whether a distance does not decrease: neither by the speed nor, at standstill, by the acceleration.
 bool draws_away(double speed, double acceleration) {
   using tolerance::no_pressing;
   return speed > no_pressing || (speed > -no_pressing && acceleration >= -no_pressing);
@@ -80,8 +79,8 @@ class Search {
     return {{x.low, y.low}, {x.high, y.high}};
   }
 
-  /// Whether the rock touches a barrier's panel, and where; and whether it passes above it.
-  void ask_barrier(BarrierId barrier, const Panel& panel) {
+  /// Where the rock touches a barrier's panel, and where it passes above it.
+  void search_barrier(BarrierId barrier, const Panel& panel) {
     if (radius_ > 0) {
       touch_face(barrier, panel);
       touch_outline(barrier, panel);
@@ -90,9 +89,9 @@ class Search {
     pass_over(barrier, panel, first_barrier_);
   }
 
-  /// Whether its centre passes through a collector, or above it; a sphere that is kept from it by a barrier counts
-  /// where it is, if it touches the collector there. To be asked after all barriers.
-  void ask_collector(BarrierId barrier, const Panel& panel) {
+  /// Where its centre passes through a collector, or above it. A sphere that a barrier keeps from the collector counts
+  /// where it is, if it touches the collector there. To be called after all barriers.
+  void search_collector(BarrierId barrier, const Panel& panel) {
     cross_face(barrier, panel, first_collector_);
     pass_over(barrier, panel, first_collector_);
     if (radius_ > 0 && is_met()) reach_over(barrier, panel, first_barrier_->t);
@@ -112,14 +111,14 @@ class Search {
   using First = std::optional<Crossing>;
 
   [[nodiscard]] bool is_met() const { return first_barrier_ && !first_barrier_->above; }
-  /// How long crossings of a kind are looked for. Of a barrier that ends the path a collector on its line may lie a
-  /// rounding beyond.
+  /// The end of the search for crossings of a kind. A collector on the line of a barrier that ends the path may be
+  /// beyond it by rounding.
   [[nodiscard]] double time_for(const First& first) const {
     return &first == &first_collector_ ? t_max_ + same_crossing : t_max_;
   }
 
-  /// Calls meets(t, side) for each time at which the path comes within `distance` of a plane: from either side, the
-  /// side being where it comes from at that time.
+  /// Calls meets(t, side) for each time at which the path comes within `distance` of a plane, from either side; `side`:
+  /// 1 if it comes from the side of the normal, -1 from the other.
   template <class Meets>
   void come_near(const Vec3& point, const Vec3& normal, double distance, double t_max, Meets&& meets) const {
     const double h0 = normal.dot(path_.p - point), v = normal.dot(path_.v), a = normal.dot(path_.a);
@@ -128,7 +127,7 @@ class Search {
     for (const double side : {1.0, -1.0}) {
       const Times times = zeros(h0 - side * distance, v, a);
       for (int i = 0; i < times.count; ++i) {
-        // A rock that starts at the barrier, or a rounding beyond it, meets it.
+        // A rock that starts at the barrier, or beyond it by rounding, meets it.
         const double t = times.t[static_cast<std::size_t>(i)];
         if (t < -0.5 * same_crossing || t > t_max) continue;
         if (!draws_away(side * (v + a * t), side * a)) meets(std::max(t, 0.0), side);
@@ -136,7 +135,7 @@ class Search {
     }
   }
 
-  /// A sphere comes to a panel's face, from its foot, or a little below, to its top.
+  /// A sphere touches a panel's face, from slightly below its foot to its top.
   void touch_face(BarrierId barrier, const Panel& panel) {
     come_near(panel.foot, panel.normal, radius_, t_max_, [&](double t, double side) {
       const Place place = place_on(panel, path_.at(t) - side * radius_ * panel.normal);
@@ -145,8 +144,7 @@ class Search {
     });
   }
 
-  /// It comes to the panel's top, to one of its sides or to where they meet. (Of sides that two panels share, to the
-  /// first one's.)
+  /// It touches the panel's top, one of its sides or a corner. (Shared sides belong to the first of both panels.)
   void touch_outline(BarrierId barrier, const Panel& panel) {
     const double h0 = panel.normal.dot(path_.p - panel.foot);
     const Range distance(h0, panel.normal.dot(path_.v), panel.normal.dot(path_.a), t_max_, margin_);
@@ -159,7 +157,7 @@ class Search {
     touch_edge_of(barrier, panel, {0, 0}, {top_start, panel.height});
     touch_corner(barrier, panel, {top_start, panel.height});
   }
-  /// Sides go on below the foot.
+  /// Sides continue below the foot.
   void touch_edge_of(BarrierId barrier, const Panel& panel, const Place& from, const Place& to) {
     const Vec3 start = point_of(panel, from), way = point_of(panel, to) - start;
     const double length = way.norm(), below = from.up == 0 ? margin_ : 0;
@@ -178,7 +176,7 @@ class Search {
   }
   void offer_edge(BarrierId barrier, const Panel& panel, double t, const Place& place) {
     const Vec3 away = path_.at(t) - point_of(panel, place);
-    // What begins within the outline is not held by it: its centre may yet come to the face.
+    // A path that begins within the outline does not meet it: the centre may still reach the face.
     if (away.norm() < 0.5 * radius_) return;
     Crossing crossing = hit(barrier, panel, t, place, away.dot(panel.normal) < 0 ? -1 : 1);
     crossing.normal = away.normalized();
@@ -186,7 +184,7 @@ class Search {
   }
   [[nodiscard]] double time_of_first() const { return first_barrier_ ? first_barrier_->t : t_max_; }
 
-  /// The centre comes to a panel's face.
+  /// The centre reaches a panel's face.
   void cross_face(BarrierId barrier, const Panel& panel, First& first) {
     come_near(panel.foot, panel.normal, 0, time_for(first), [&](double t, double side) {
       const Place place = place_on(panel, path_.at(t));
@@ -195,8 +193,8 @@ class Search {
     });
   }
 
-  /// The centre comes over a panel's top. What reaches down to it there meets it; a collector, what reaches down to it
-  /// anywhere on its way.
+  /// The centre comes over a panel's top. A rock that reaches down to the top there meets the panel; a collector, also
+  /// one that reaches down to it elsewhere on its path.
   void pass_over(BarrierId barrier, const Panel& panel, First& first) {
     const double top_start = panel.start_at(panel.height);
     const Vec3 start = point_of(panel, {top_start, panel.height});
@@ -225,7 +223,7 @@ class Search {
     });
   }
 
-  /// At a time, a sphere touches a collector or is above it, and its centre has not come to it.
+  /// At a time, a sphere touches a collector or is above it, and its centre has not reached it.
   void reach_over(BarrierId barrier, const Panel& panel, double t) {
     const Vec3 centre = path_.at(t);
     const double distance = panel.normal.dot(centre - panel.foot);
@@ -240,7 +238,7 @@ class Search {
     offer(first_collector_, crossing);
   }
 
-  /// From a side: 1 ahead of the panel, -1 behind it.
+  /// `side`: 1 from the side of the panel's normal, -1 from behind.
   [[nodiscard]] static Crossing hit(BarrierId barrier, const Panel& panel, double t, const Place& place, double side) {
     const double share = std::clamp(place.along / panel.length, 0.0, 1.0);
     Crossing crossing;
@@ -277,7 +275,7 @@ std::optional<Crossing> first_crossing(const BarrierList& barriers, const Parabo
       const BarrierId b{static_cast<std::uint32_t>(number)};
       barrier.on_plan().visit(passed, [&](std::size_t k) {
         const Panel& panel = barrier.panels()[k];
-        collectors ? search.ask_collector(b, panel) : search.ask_barrier(b, panel);
+        collectors ? search.search_collector(b, panel) : search.search_barrier(b, panel);
       });
     });
   }

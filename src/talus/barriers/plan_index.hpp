@@ -1,6 +1,6 @@
 #pragma once
-// Which rectangles of a row a rectangle on plan meets, and how far it is to the nearest: a tree over neighbours in the
-// row, since the panels of a barrier, one after the other, lie beside each other on plan.
+// An index of a row of rectangles on plan: which of them meet a rectangle, and the distance to the nearest. A tree over
+// neighbours in the row, since the panels of a barrier are next to each other on plan.
 
 #include <algorithm>
 #include <cstddef>
@@ -28,7 +28,7 @@ struct PlanBounds {
   [[nodiscard]] bool meet(const PlanBounds& other) const {
     return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
   }
-  /// From a point [m]; 0 within.
+  /// The distance from a point [m]; 0 inside.
   [[nodiscard]] double distance(const Vec2& p) const { return (low - p).cwiseMax(p - high).cwiseMax(0.0).norm(); }
 };
 
@@ -38,7 +38,7 @@ class PlanIndex {
   explicit PlanIndex(std::span<const PlanBounds> row) : count_(row.size()) {
     leaves_ = 1;
     while (leaves_ < count_) leaves_ *= 2;
-    nodes_.resize(2 * leaves_);  // children of k: 2 k and 2 k + 1; those beyond the row stay empty
+    nodes_.resize(2 * leaves_);  // children of k: 2 k and 2 k + 1; those beyond the row are empty
     std::copy(row.begin(), row.end(), nodes_.begin() + static_cast<std::ptrdiff_t>(leaves_));
     for (std::size_t k = leaves_ - 1; k > 0; --k) {
       nodes_[k] = nodes_[2 * k];
@@ -46,19 +46,19 @@ class PlanIndex {
     }
   }
 
-  /// Of the whole row.
+  /// The bounds of the whole row.
   [[nodiscard]] PlanBounds bounds() const { return count_ > 0 ? nodes_[1] : PlanBounds(); }
   /// Calls visit(k) for each rectangle that meets `bounds`, in the order of the row.
   template <class Visit>
   void visit(const PlanBounds& bounds, Visit&& visit) const {
     if (count_ > 0) visit_below(1, bounds, visit);
   }
-  /// From a point to the nearest rectangle, if that is less than `known`; otherwise `known` [m].
+  /// The distance from a point to the nearest rectangle [m], or `known` if that is smaller.
   [[nodiscard]] double distance(const Vec2& p, double known) const {
     return distance_to(p, known, [](std::size_t, double rectangle, double) { return rectangle; });
   }
-  /// The same to the nearest of things that lie within the rectangles: distance(k, rectangle, known) is how far it is
-  /// to that within the rectangle k, which is `rectangle` away, if that is less than `known`; otherwise `known`.
+  /// The distance to the nearest of several things inside the rectangles: distance(k, rectangle, known) returns the
+  /// distance to that in rectangle k, which is `rectangle` away, or `known` if that is smaller.
   template <class Distance>
   [[nodiscard]] double distance_to(const Vec2& p, double known, Distance&& distance) const {
     if (count_ > 0) look_below(1, p, known, distance);

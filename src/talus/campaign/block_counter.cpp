@@ -21,7 +21,7 @@ std::size_t bytes_of(const DoneBlock& block) {
 BlockCounter::BlockCounter(const RockRange& rocks, std::span<const int> threads)
     : left_(rocks), size_(std::accumulate(threads.begin(), threads.end(), 0)) {
   for (const int each : threads) {
-    ranks_.push_back({blocks_a_thread * static_cast<std::uint64_t>(std::max(1, each)), 0, 0});
+    ranks_.push_back({blocks_per_thread * static_cast<std::uint64_t>(std::max(1, each)), 0, 0});
     most_under_way_ += ranks_.back().most;
   }
 }
@@ -29,8 +29,8 @@ BlockCounter::BlockCounter(const RockRange& rocks, std::span<const int> threads)
 std::optional<RockRange> BlockCounter::take(std::size_t rank) {
   Rank& asking = ranks_[rank];
   if (asking.has == asking.most || left_.count() == 0) return std::nullopt;
-  if (asking.waiting >= blocks_that_wait * asking.most) return std::nullopt;
-  // Of what is left, a half is divided among all blocks that may be under way.
+  if (asking.waiting >= most_waiting * asking.most) return std::nullopt;
+  // Half of the remaining rocks are divided among all blocks that may be handed out at a time.
   const std::uint64_t share = left_.count() / (2 * most_under_way_);
   const std::uint64_t count =
       std::min({left_.count(), std::clamp(share, least_rocks, max_rocks_per_block), size_.next()});
@@ -42,7 +42,7 @@ std::optional<RockRange> BlockCounter::take(std::size_t rank) {
 }
 
 void BlockCounter::came_back(std::size_t rank, std::uint64_t rocks) {
-  TALUS_PROMISE(ranks_[rank].has > 0, "a block comes back that was not handed out");
+  TALUS_PROMISE(ranks_[rank].has > 0, "only a block that was handed out comes back");
   --ranks_[rank].has;
   ++ranks_[rank].waiting;
   --under_way_;
@@ -50,12 +50,12 @@ void BlockCounter::came_back(std::size_t rank, std::uint64_t rocks) {
 }
 
 void BlockCounter::is_in_order(std::size_t rank) {
-  TALUS_PROMISE(ranks_[rank].waiting > 0, "a block is in order that did not come back");
+  TALUS_PROMISE(ranks_[rank].waiting > 0, "only a block that came back is in order");
   --ranks_[rank].waiting;
 }
 
 void BlockOrder::add(BlockOfRank came) {
-  TALUS_PROMISE(came.block.rocks.first >= next_, "a block comes that was given before");
+  TALUS_PROMISE(came.block.rocks.first >= next_, "a block comes back once");
   bytes_ += bytes_of(came.block);
   const std::uint64_t first = came.block.rocks.first;
   waiting_.emplace(first, std::move(came));

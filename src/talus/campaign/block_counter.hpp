@@ -1,6 +1,6 @@
 #pragma once
-// Which process throws which rocks, where several do: a counter of rocks that all take their blocks from, and the order
-// in which their rows are written.
+// Distributes the rocks of a campaign among several processes: a counter from which all take their blocks, and the
+// order in which their rows are written.
 
 #include <cstdint>
 #include <map>
@@ -14,30 +14,30 @@
 
 namespace talus {
 
-/// Hands out the rocks from the first to the last, in blocks that grow smaller towards the end, so that all come to
-/// theirs at about the same time, and that hold no more than a moment's work. Each rank has a few blocks before it at a
-/// time: one for each of its threads to work on, and one to begin with while the next is on its way. Of blocks that
-/// came back before those that precede them it may have a few more.
+/// Hands out the rocks from the first to the last. Blocks take a fraction of a second, and become smaller towards the
+/// end so that all ranks finish at about the same time. A rank has at most two blocks per thread: one to work on, and
+/// one to start while the next is sent. It gets no new ones while too many of its finished blocks wait for blocks
+/// before them.
 class BlockCounter {
  public:
-  /// `threads` of each rank.
+  /// `threads`: of each rank.
   BlockCounter(const RockRange& rocks, std::span<const int> threads);
 
-  /// A block for this rank; nothing if it has enough, or none is left.
+  /// A block for this rank; nullopt if it has enough, or no rocks remain.
   [[nodiscard]] std::optional<RockRange> take(std::size_t rank);
-  /// With so many rocks done. Expects that the rank was given one that did not come back yet.
+  /// A rank has returned a block, with this many rocks done. Expects that it has one.
   void came_back(std::size_t rank, std::uint64_t rocks);
-  /// All blocks before one that came back have come back, too.
+  /// All blocks before one that this rank has returned have also been returned.
   void is_in_order(std::size_t rank);
 
-  /// Rocks that were not handed out.
+  /// Rocks that have not been handed out.
   [[nodiscard]] std::uint64_t left() const { return left_.count(); }
-  /// Every block that was handed out has come back.
+  /// Whether every block that was handed out has been returned.
   [[nodiscard]] bool is_quiet() const { return under_way_ == 0; }
 
  private:
-  static constexpr std::uint64_t blocks_a_thread = 2;
-  static constexpr std::uint64_t blocks_that_wait = 2;  // for others: so many times those of its threads
+  static constexpr std::uint64_t blocks_per_thread = 2;
+  static constexpr std::uint64_t most_waiting = 2;  // finished blocks that wait, as a multiple of `most`
   static constexpr std::uint64_t least_rocks = 16;
 
   struct Rank {
@@ -49,23 +49,23 @@ class BlockCounter {
   BlockSize size_;
 };
 
-/// A block that came from a rank.
+/// A finished block, and the rank that returned it.
 struct BlockOfRank {
   std::size_t rank = 0;
   DoneBlock block;
 };
 
-/// Blocks that came before those that precede them.
+/// Puts finished blocks back into the order of the rocks.
 class BlockOrder {
  public:
   explicit BlockOrder(std::uint64_t first_rock) : next_(first_rock) {}
 
   void add(BlockOfRank came);
-  /// The block that follows the last one given, if it is here. None follows a block that was cut short.
+  /// The block after the last one returned here, if it has arrived. There is none after a block that was cut short.
   [[nodiscard]] std::optional<BlockOfRank> next();
-  /// All rocks before this one were given.
+  /// All rocks before this one have been returned by next().
   [[nodiscard]] std::uint64_t next_rock() const { return next_; }
-  /// Held in rows of blocks that wait.
+  /// Of the rows of waiting blocks.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:

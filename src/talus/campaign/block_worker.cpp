@@ -6,7 +6,7 @@
 
 namespace talus {
 
-/// Stands for an observer of which nothing is committed yet.
+/// Keeps the part of an observer that is to be committed later.
 class BlockWorker::Held : public Observer {
  public:
   explicit Held(const SummingObserver& observer) : observer_(observer) {}
@@ -16,7 +16,7 @@ class BlockWorker::Held : public Observer {
     return std::make_unique<Part>(observer_.new_part());
   }
   void commit(ObserverPart& part) override { last_ = std::move(static_cast<Part&>(part).part); }
-  /// What was committed here since the last call.
+  /// The part committed here since the last call.
   [[nodiscard]] std::unique_ptr<ObserverPart> take() { return std::move(last_); }
 
  private:

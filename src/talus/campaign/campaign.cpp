@@ -19,14 +19,14 @@ namespace talus {
 namespace {
 
 struct Block {
-  RockRange rocks;  // that observers are to see, or have seen
+  RockRange rocks;  // for the observers
   std::vector<std::unique_ptr<ObserverPart>> parts;
-  bool is_cut = false;  // it was stopped before its last rock
+  bool is_cut = false;  // stopped before its last rock
 };
 
 }  // namespace
 
-int threads_for(int asked) { return asked > 0 ? asked : tbb::info::default_concurrency(); }
+int threads_for(int requested) { return requested > 0 ? requested : tbb::info::default_concurrency(); }
 
 void simulate_blocks(const Model& model, std::span<Observer* const> observers, int threads, const BlockFlow& flow) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
@@ -35,17 +35,18 @@ void simulate_blocks(const Model& model, std::span<Observer* const> observers, i
   bool pieces = false;
   for (const Observer* observer : observers) pieces = pieces || observer->wants_pieces();
 
-  // In the order of the rocks. (The pipeline itself forgets what is in it when something is thrown.)
-  std::deque<std::unique_ptr<Block>> under_way;
-  std::mutex under_way_mutex;
+  // In the order of the rocks. (After an exception the pipeline drops the pointers in it, so that blocks are owned
+  // here.)
+  std::deque<std::unique_ptr<Block>> in_progress;
+  std::mutex in_progress_mutex;
   const auto hand_out = [&](tbb::flow_control& control) -> Block* {
     const std::optional<RockRange> rocks = flow.next();
     if (!rocks) {
       control.stop();
       return nullptr;
     }
-    const std::lock_guard lock(under_way_mutex);
-    return under_way.emplace_back(std::make_unique<Block>(Block{*rocks, {}, false})).get();
+    const std::lock_guard lock(in_progress_mutex);
+    return in_progress.emplace_back(std::make_unique<Block>(Block{*rocks, {}, false})).get();
   };
   const auto compute = [&](Block* block) {
     try {
@@ -64,7 +65,7 @@ void simulate_blocks(const Model& model, std::span<Observer* const> observers, i
       const std::uint64_t next = simulators.local().simulate(order);
       block->is_cut = next < block->rocks.last;
       block->rocks.last = next;
-    } catch (const Stopped&) {  // an observer has left its work
+    } catch (const Stopped&) {  // thrown by an observer
       block->is_cut = true;
       block->rocks.last = block->rocks.first;
     } catch (...) {
@@ -81,8 +82,8 @@ void simulate_blocks(const Model& model, std::span<Observer* const> observers, i
         flow.committed(block->rocks);
       }
       is_cut = is_cut || block->is_cut;
-      const std::lock_guard lock(under_way_mutex);
-      under_way.pop_front();
+      const std::lock_guard lock(in_progress_mutex);
+      in_progress.pop_front();
     } catch (...) {
       if (flow.failed) flow.failed();
       throw;

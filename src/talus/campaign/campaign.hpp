@@ -1,6 +1,6 @@
 #pragma once
-// All rocks of a model, on all cores. Results do not depend on the number of threads or on the order in which rocks
-// are computed: rocks are handed out in blocks, and observers see the blocks in the order of the rocks.
+// Simulates all rocks of a model on all cores. Results do not depend on the number of threads or on the order in which
+// rocks are computed: rocks are handed out in blocks, and committed to the observers in their order.
 
 #include <atomic>
 #include <cstdint>
@@ -16,11 +16,11 @@ namespace talus {
 
 struct CampaignOptions {
   int threads = 0;                          // 0: as many as there are cores
-  const std::atomic<bool>* stop = nullptr;  // set from outside: rocks on their way are left, no more are begun
-  /// Called with the number that follows the last rock done, by one thread at a time and each time that all observers
-  /// have seen exactly the rocks before it. What it throws ends the campaign.
+  const std::atomic<bool>* stop = nullptr;  // set by the caller: rocks in progress are dropped, no more are started
+  /// Called with a rock's number each time that all observers have seen exactly the rocks before it; by one thread at a
+  /// time. An exception from it ends the campaign.
   std::function<void(std::uint64_t)> progress;
-  std::optional<RockRange> rocks;  // of the model's; nothing: all of them
+  std::optional<RockRange> rocks;  // nullopt: all rocks of the model
 };
 
 struct CampaignOutcome {
@@ -33,24 +33,23 @@ struct CampaignOutcome {
 
 CampaignOutcome run_campaign(const Model& model, std::span<Observer* const> observers, const CampaignOptions& options);
 
-/// Blocks of rocks that come from elsewhere, in any order.
+/// Where blocks of rocks come from, in any order, and who is informed about them.
 struct BlockFlow {
-  /// The next block; nothing if there will be no more. It may wait. Called by one thread at a time.
+  /// The next block; nullopt if there will be no more. May wait. Called by one thread at a time.
   std::function<std::optional<RockRange>()> next;
-  /// Observers have seen these rocks, and none other since the last call. Blocks come here in the order in which they
-  /// came from `next`; the last one without the rocks that were left, where it was stopped. Called by one thread at a
-  /// time.
+  /// Observers have seen these rocks, and no others since the last call. Called for blocks in the order of `next`, by
+  /// one thread at a time. After a stop, the last block is without the rocks that were dropped.
   std::function<void(const RockRange&)> committed;
-  /// The work ends with an exception, for which `next` must not keep it waiting. By any thread, at any time.
+  /// The work ends with an exception: a `next` that waits must return. Called by any thread, at any time.
   std::function<void()> failed;
-  /// Set from outside: rocks on their way are left, and nothing is committed that comes after one. Null: nobody asks.
+  /// Set by the caller: rocks in progress are dropped, and no rock after one of them is committed. Null: never.
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Throws blocks until there are no more.
+/// Simulates blocks until there are no more.
 void simulate_blocks(const Model& model, std::span<Observer* const> observers, int threads, const BlockFlow& flow);
 
-/// 0: as many as there are cores for this process.
-[[nodiscard]] int threads_for(int asked);
+/// `requested` threads; 0: as many as there are cores for this process.
+[[nodiscard]] int threads_for(int requested);
 
 }  // namespace talus

@@ -1,4 +1,4 @@
-// Reads what launchers tell the processes that they start.
+// Reads the environment variables that launchers set for the processes they start.
 
 #include <charconv>
 #include <cstdlib>
@@ -22,11 +22,11 @@ std::optional<int> number_in_environment(const char* name) {
 
 struct Launcher {
   const char* rank;
-  const char* size;  // null: it does not say
+  const char* size;  // null: not given
 };
 
-// Open MPI's mpirun; MPICH's and Intel's, and srun --mpi=pmi2; srun --mpi=pmix, whose number of tasks Slurm says; the
-// last is also in the environment of Open MPI, which is why it comes last.
+// Open MPI's mpirun; the mpirun of MPICH and Intel, and srun --mpi=pmi2; srun --mpi=pmix, where Slurm gives the number
+// of tasks. The last variable is also set by Open MPI, so it is looked up last.
 constexpr Launcher launchers[] = {
     {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, {"PMI_RANK", "PMI_SIZE"}, {"PMIX_RANK", "SLURM_STEP_NUM_TASKS"}};
 

@@ -1,5 +1,5 @@
 #pragma once
-// All that a campaign needs: the terrain, the ground, the barriers, the laws and the seeders, in the local frame.
+// Everything that a campaign needs: terrain, ground, barriers, laws and seeders, in the local frame.
 
 #include <optional>
 #include <span>
@@ -16,18 +16,18 @@
 
 namespace talus {
 
-/// A section whose vertices stand elsewhere for every rock: normal about their given places, within three standard
-/// deviations.
+/// A section whose vertices vary from rock to rock: normally distributed about their given positions, within three
+/// standard deviations.
 struct VaryingSection {
   std::vector<Vec2> vertices;                  // local
   std::vector<std::array<Sampler, 2>> shifts;  // of x and z [m]
 };
 
-/// How a project counts what its terrain is made of: the segments of a section, extruded or not, the triangles of a
-/// mesh before it was cleaned, the cells of a raster.
+/// The parts of a terrain as the project numbers them: the segments of a section, extruded or not, the triangles of a
+/// mesh before cleaning, the cells of a raster.
 struct TerrainParts {
   std::size_t count = 0;
-  std::vector<std::uint32_t> of_source;  // for each number that a surface's source() gives; empty: the same number
+  std::vector<std::uint32_t> of_source;  // by the surface's source(); empty: the same numbers
 
   [[nodiscard]] std::uint32_t of(std::uint32_t source) const { return of_source.empty() ? source : of_source[source]; }
 };
@@ -37,17 +37,17 @@ struct Model {
   std::optional<VaryingSection> varying;  // only with a Profile
   LocalFrame frame;
   TerrainParts parts;
-  std::string crs_wkt;         // of the user's coordinates; empty: not known
-  std::string terrain_report;  // what cleaning the mesh found and did, for the user
-  std::string seeder_report;   // from where seeders on lines and cells start rocks, a line each, for the user
+  std::string crs_wkt;         // of the user's coordinates; empty: unknown
+  std::string terrain_report;  // for the user: what cleaning the mesh found and changed
+  std::string seeder_report;   // for the user: where seeders on lines and cells release rocks, a line each
   Ground ground;
   std::vector<Barrier> barriers;
   Laws laws;
   std::uint64_t seed = 1;
   SamplingMethod sampling = SamplingMethod::monte_carlo;
   std::vector<Seeder> seeders;
-  std::vector<std::string> sources;  // the names that a SourceId stands for, each once
-  double energy_datum = 0;           // z at which potential energy is zero, the user's [m]
+  std::vector<std::string> sources;  // names, by SourceId
+  double energy_datum = 0;           // elevation of zero potential energy, in the user's coordinates [m]
 
   [[nodiscard]] std::uint64_t rocks() const {
     return seeders.empty() ? 0 : seeders.back().first_rock + seeders.back().rocks;

@@ -1,4 +1,4 @@
-// The only file that knows MPI. Without it ranks are refused.
+// The only file that uses MPI. A build without MPI refuses to run on several ranks.
 
 #ifdef TALUS_HAS_MPI
 #include <mpi.h>
@@ -23,11 +23,10 @@ namespace talus {
 namespace {
 
 [[noreturn]] void refuse(int processes, std::string why, std::string hint) {
-  throw BadInput(
-      Problem{.where = "mpirun",
-              .what = fmt::format("cannot share the rocks between {} processes", processes),
-              .why = std::move(why),
-              .hint = std::move(hint) + ", or let each process do a run of its own (--alone)"});
+  throw BadInput(Problem{.where = "mpirun",
+                         .what = fmt::format("cannot share the rocks between {} processes", processes),
+                         .why = std::move(why),
+                         .hint = std::move(hint) + ", or run each process on its own (--alone)"});
 }
 
 }  // namespace
@@ -36,17 +35,17 @@ namespace {
 
 namespace {
 
-// MPI counts bytes with an int: longer messages are sent in pieces, of which all but the last are marked so.
+// MPI counts bytes with an int: longer messages are sent in pieces, all but the last with tag_more.
 constexpr int tag_last = 1, tag_more = 2;
 constexpr std::size_t longest_piece = std::size_t{1} << 30;
 
-/// The cores that this rank may use, each divided between the ranks on its machine that may use it.
+/// The cores that this rank may use, each divided by the number of ranks on its machine that may use it.
 int fair_share_of_cores() {
   MPI_Comm machine = MPI_COMM_NULL;
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
   int neighbours = 1;
   MPI_Comm_size(machine, &neighbours);
-  constexpr int most_cores = CPU_SETSIZE;  // where there are more the system does not say which
+  constexpr int most_cores = CPU_SETSIZE;  // with more cores the system call fails
   cpu_set_t cores;
   CPU_ZERO(&cores);
   const bool is_known = sched_getaffinity(0, sizeof cores, &cores) == 0;
@@ -64,7 +63,7 @@ int fair_share_of_cores() {
 class MpiRanks : public Ranks {
  public:
   MpiRanks() {
-    // Only this thread speaks with MPI.
+    // Only this thread calls MPI.
     int level = MPI_THREAD_SINGLE;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
@@ -74,14 +73,14 @@ class MpiRanks : public Ranks {
   MpiRanks(const MpiRanks&) = delete;
   MpiRanks& operator=(const MpiRanks&) = delete;
   ~MpiRanks() override {
-    // A rank that comes here has nobody to speak with, but others may have sent it something, and cannot end before
-    // it was taken in. Waiting within MPI would keep a core busy.
-    while (unsent() > 0) take_in_and_rest();
-    MPI_Request everybody = MPI_REQUEST_NULL;
-    MPI_Ibarrier(MPI_COMM_WORLD, &everybody);
-    for (int is_here = 0; is_here == 0;) {
-      take_in_and_rest();
-      MPI_Test(&everybody, &is_here, MPI_STATUS_IGNORE);
+    // This rank has nothing more to exchange, but others may have sent it messages, and cannot end before they are
+    // received. A wait inside MPI would keep a core busy.
+    while (unsent() > 0) receive_or_sleep();
+    MPI_Request all_ranks = MPI_REQUEST_NULL;
+    MPI_Ibarrier(MPI_COMM_WORLD, &all_ranks);
+    for (int are_here = 0; are_here == 0;) {
+      receive_or_sleep();
+      MPI_Test(&all_ranks, &are_here, MPI_STATUS_IGNORE);
     }
     MPI_Finalize();
   }
@@ -131,13 +130,13 @@ class MpiRanks : public Ranks {
   }
 
  private:
-  /// MPI reads the bytes until the request is done; they must stay where they are.
+  /// MPI reads the bytes until the request is complete; until then they must not move.
   struct Sending {
     std::string bytes;
     MPI_Request request = MPI_REQUEST_NULL;
   };
 
-  void take_in_and_rest() {
+  void receive_or_sleep() {
     if (!receive()) std::this_thread::sleep_for(std::chrono::microseconds(100));
   }
 
@@ -164,7 +163,7 @@ class MpiRanks : public Ranks {
   int rank_ = 0, size_ = 1, threads_ = 1;
   std::list<Sending> sending_;
   std::size_t unsent_ = 0;
-  std::map<int, std::string> unfinished_;  // by sender: pieces of a message of which more will come
+  std::map<int, std::string> unfinished_;  // by sender: the pieces of a message received so far
 };
 
 }  // namespace
@@ -174,7 +173,7 @@ std::unique_ptr<Ranks> join_ranks() {
   if (!launch || launch->size == 1) return nullptr;
   auto ranks = std::make_unique<MpiRanks>();
   if (launch->size && ranks->size() != *launch->size) {
-    refuse(*launch->size, "started by a launcher that this program's MPI does not know, each is alone",
+    refuse(*launch->size, "this program's MPI does not recognize the launcher that started them",
            "Start them with the mpirun of that MPI, or with srun --mpi=pmix");
   }
   if (ranks->size() == 1) return nullptr;

@@ -1,6 +1,6 @@
 #pragma once
-// Processes that throw the rocks of one campaign together: `mpirun -n 8 talus run ...`. Here they are no more than
-// numbers that send each other bytes; what they say is run/rank_messages.hpp.
+// Processes that simulate the rocks of one campaign together: `mpirun -n 8 talus run ...`. Here they are numbers that
+// send each other bytes; the messages are in run/rank_messages.hpp.
 
 #include <memory>
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// This process among the others. All of it is for one thread: the one that joined.
+/// This process among the others. To be used only by the thread that joined.
 class Ranks {
  public:
   struct Message {
@@ -16,35 +16,35 @@ class Ranks {
     std::string bytes;
   };
 
-  /// Waits until all ranks are at this point: what is still on its way is taken in and forgotten.
+  /// Waits until all ranks are at this point. Messages that are still in transit are received and discarded.
   virtual ~Ranks() = default;
   /// From 0 to size() - 1.
   [[nodiscard]] virtual int rank() const = 0;
   [[nodiscard]] virtual int size() const = 0;
   /// The machine that this rank runs on.
   [[nodiscard]] virtual std::string machine() const = 0;
-  /// The cores that this rank may use, shared evenly with those on the same machine that may use them, too.
+  /// The cores that this rank may use, shared evenly with the other ranks on the same machine.
   [[nodiscard]] virtual int threads() const = 0;
 
-  /// Does not wait. What one rank sends another comes in the order in which it was sent.
+  /// Does not wait. Messages from one rank to another arrive in the order in which they were sent.
   virtual void send(int to, std::string bytes) = 0;
-  /// A message that has come, from anybody; nothing if there is none. Does not wait.
+  /// A message that has arrived, from any rank; nullopt if there is none. Does not wait.
   [[nodiscard]] virtual std::optional<Message> receive() = 0;
-  /// Bytes that were sent and are still here: they move on while send(), receive() or this is called.
+  /// Bytes passed to send() that have not left yet: they move on during calls of send(), receive() and this function.
   [[nodiscard]] virtual std::size_t unsent() = 0;
 };
 
-/// What the environment says of the launcher (mpirun, srun and their like) that this process was started by.
+/// What the launcher of this process (mpirun, srun and the like) has set in the environment.
 struct Launch {
   int rank = 0;
-  std::optional<int> size;  // not all say it
+  std::optional<int> size;  // not given by all launchers
 };
-/// Nothing: it was started as a single program.
+/// nullopt: started without a launcher.
 [[nodiscard]] std::optional<Launch> find_launch();
 
-/// Joins the others that the launcher started. Null where there are none: nothing is asked of MPI unless a launcher is
-/// there, so that a plain run is as quick and as sure as without MPI. Throws BadInput where others were started but
-/// cannot be reached: each of them would throw all rocks.
+/// Joins the other processes of the launcher; null if there are none. MPI is not initialized without a launcher, so
+/// that a plain run is as fast and reliable as without MPI. Throws BadInput if others were started but cannot be
+/// reached: each of them would simulate all rocks.
 [[nodiscard]] std::unique_ptr<Ranks> join_ranks();
 
 }  // namespace talus

@@ -1,5 +1,5 @@
 #pragma once
-// Where the rocks of a model start, without following them.
+// Checks the releases of a model without simulating its rocks.
 
 #include <cstdint>
 
@@ -7,15 +7,15 @@
 
 namespace talus {
 
-/// Of some rocks, spread evenly over all. A section whose vertices vary is taken as it is given.
+/// Of some rocks, evenly spaced among all. A section whose vertices vary is taken as given.
 struct ReleaseSurvey {
   std::uint64_t rocks = 0;
-  std::uint64_t in_ground = 0;  // were to start in the ground: they are lifted, lowered from a ceiling or caught
-  double highest_m = 0;         // the greatest height of a centre above the ground straight below it
-  SeederId highest_seeder;      // whose rock that is
+  std::uint64_t in_ground = 0;  // placed in the ground: lifted, lowered from a ceiling, or left there without room
+  double highest_m = 0;         // maximum height of a centre above the ground straight below it
+  SeederId highest_seeder;      // of that rock
 };
 
-/// Looks at `most` rocks, or at all where there are fewer.
+/// Checks `most` rocks, or all if there are fewer.
 [[nodiscard]] ReleaseSurvey survey_releases(const Model& model, std::uint64_t most);
 
 }  // namespace talus

@@ -12,7 +12,7 @@
 
 namespace talus {
 
-/// A rock's release, and what the record says of the rock before it moves.
+/// A rock's release; fills in what the record contains before the rock moves.
 template <class Surface>
 Release release_of(const Model& model, const Surface& surface, const Draws& draws, const Seeder& seeder,
                    RockRecord& record) {
@@ -34,7 +34,7 @@ Release release_of(const Model& model, const Surface& surface, const Draws& draw
   const ClearPlace clear = clear_place(surface, place, reach);
   if (clear.fit != Fit::as_given) {
     release.motion.position.z() = clear.z;
-    // A sphere put on the surface by its z or by its height above it is meant to touch it: no cause for a warning.
+    // A sphere placed at a height above the surface is meant to touch it when lifted: no cause for a warning.
     record.was_lifted = !seeder.above_surface;
   }
   if (clear.fit == Fit::no_room) {

@@ -14,14 +14,14 @@ std::optional<std::uint64_t> whole_number(std::string_view text) {
   return value;
 }
 
-/// total k / n, rounded down, for k <= n: whole shares and what is left over are divided apart, so that no product is
-/// larger than n^2.
+/// total k / n, rounded down, for k <= n. Quotient and remainder are multiplied separately, so that no product exceeds
+/// n^2 or the total.
 std::uint64_t share(std::uint64_t total, std::uint64_t k, std::uint64_t n) { return total / n * k + total % n * k / n; }
 
 }  // namespace
 
 std::optional<Shard> shard_from(std::string_view text) {
-  constexpr std::uint64_t most = 1'000'000'000;  // no cluster has so many, and their square is a number of 64 bits
+  constexpr std::uint64_t most = 1'000'000'000;  // more than any cluster needs; its square fits in 64 bits
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos) return std::nullopt;
   const auto number = whole_number(text.substr(0, slash)), of = whole_number(text.substr(slash + 1));

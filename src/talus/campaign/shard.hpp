@@ -1,5 +1,5 @@
 #pragma once
-// A campaign in independent pieces: which rocks belong to which.
+// A campaign divided into independent pieces.
 
 #include <compare>
 #include <cstdint>
@@ -16,17 +16,17 @@ struct RockRange {
   friend auto operator<=>(const RockRange&, const RockRange&) = default;
 };
 
-/// One of `of` pieces, `number` from 1.
+/// Piece `number`, from 1, of `of` pieces.
 struct Shard {
   std::uint64_t number = 1, of = 1;
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-/// "2/7"; nothing where the text is not a shard.
+/// From text such as "2/7"; nullopt if it is not a shard.
 [[nodiscard]] std::optional<Shard> shard_from(std::string_view text);
 
-/// The rocks of a shard: total (i - 1) / n up to, but without, total i / n, rounded down. Together the shards have
-/// every rock once; their sizes differ by one at most.
+/// The rocks of shard i of n: from total (i - 1) / n up to, but not including, total i / n, rounded down. Each rock is
+/// in exactly one shard; the sizes of shards differ by at most one.
 [[nodiscard]] RockRange rocks_of(const Shard& shard, std::uint64_t total);
 
 }  // namespace talus

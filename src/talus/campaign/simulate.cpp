@@ -11,7 +11,7 @@ namespace talus {
 
 namespace {
 
-/// The section of one rock, where it stands elsewhere for every rock, with the barriers on it.
+/// The section of one rock, if vertices vary from rock to rock, and the barriers on it.
 class OwnSection {
  public:
   explicit OwnSection(const Model& model)
@@ -30,7 +30,7 @@ class OwnSection {
     }
   }
   [[nodiscard]] const Profile& profile() const { return profile_; }
-  [[nodiscard]] std::span<const Barrier> barriers() const { return barriers_; }  // on plan where they were
+  [[nodiscard]] std::span<const Barrier> barriers() const { return barriers_; }  // unchanged on plan
 
  private:
   const VaryingSection& section_;
@@ -39,9 +39,9 @@ class OwnSection {
   std::vector<Vec2> vertices_;
 };
 
-/// A rock on its way, with everything that must last as long.
+/// A rock in progress, and everything that its run refers to.
 template <class Surface>
-class Walker {
+class RockInProgress {
  public:
   RockLog log{false};
   RockRecord record;
@@ -76,69 +76,69 @@ class Walker {
   std::optional<RockRun<Surface>> run_;
 };
 
-/// Rocks side by side: those that glide do so together, in lanes.
+/// Several rocks in progress. Those that glide are stepped together, in lanes.
 template <class Surface>
-class Party {
+class RocksInProgress {
  public:
-  Party(const Model& model, const Surface& surface)
+  RocksInProgress(const Model& model, const Surface& surface)
       : model_(model),
         surface_(surface),
         on_plan_(index_of(model.barriers)),
         lanes_(RockRun<Surface>::glide_laws(model.laws)) {}
 
-  /// Gives the number that follows the last rock seen.
+  /// Returns the number after the last rock passed to the order's `see`.
   std::uint64_t follow(const SimulationOrder& order) {
     next_ = seen_ = order.rocks.first;
     while (seen_ < order.rocks.last && !was_stopped_) {
       if (order.stop != nullptr && order.stop->is_requested()) break;
-      if (!lanes_.is_full() && may_go_on_ > 0) {
-        go_on(order, ready_[--may_go_on_]);
-      } else if (!lanes_.is_full() && next_ < order.rocks.last && next_ - seen_ < walkers_.size()) {
-        const std::size_t place = next_ % walkers_.size();
-        Walker<Surface>& walker = walkers_[place];
-        walker.log.keep_rows(order.keep_rows(next_));
-        walker.log.keep_pieces(order.keep_pieces);
-        walker.begin(model_, surface_, on_plan_, next_++);
+      if (!lanes_.is_full() && ready_count_ > 0) {
+        advance(order, ready_[--ready_count_]);
+      } else if (!lanes_.is_full() && next_ < order.rocks.last && next_ - seen_ < rocks_.size()) {
+        const std::size_t place = next_ % rocks_.size();
+        RockInProgress<Surface>& rock = rocks_[place];
+        rock.log.keep_rows(order.keep_rows(next_));
+        rock.log.keep_pieces(order.keep_pieces);
+        rock.begin(model_, surface_, on_plan_, next_++);
         is_done_[place] = false;
-        go_on(order, place);
+        advance(order, place);
       } else {
-        lanes_.run(order.stop, [&](std::size_t place) { ready_[may_go_on_++] = place; });
+        lanes_.run(order.stop, [&](std::size_t place) { ready_[ready_count_++] = place; });
       }
     }
     return seen_;
   }
 
  private:
-  void go_on(const SimulationOrder& order, std::size_t place) {
-    RockRun<Surface>& run = walkers_[place].run();
-    const auto pause = run.go_on(order.stop);
+  void advance(const SimulationOrder& order, std::size_t place) {
+    RockRun<Surface>& run = rocks_[place].run();
+    const auto pause = run.advance(order.stop);
     was_stopped_ = pause == RockRun<Surface>::Pause::stopped;
     if (was_stopped_) return;
-    if (pause == RockRun<Surface>::Pause::glides) {
+    if (pause == RockRun<Surface>::Pause::gliding) {
       lanes_.add(run.glide(), run.glide_trace(), place);
       return;
     }
-    walkers_[place].record.outcome = run.outcome();
+    rocks_[place].record.outcome = run.outcome();
     is_done_[place] = true;
-    for (; seen_ < next_ && is_done_[seen_ % walkers_.size()]; ++seen_) {
-      const Walker<Surface>& walker = walkers_[seen_ % walkers_.size()];
-      order.see(walker.record, walker.log);
+    for (; seen_ < next_ && is_done_[seen_ % rocks_.size()]; ++seen_) {
+      const RockInProgress<Surface>& rock = rocks_[seen_ % rocks_.size()];
+      order.see(rock.record, rock.log);
     }
   }
 
-  // So many that lanes are full although a rock whose turn it is to be seen takes its time.
-  static constexpr std::size_t side_by_side = 32;
+  // Enough to fill the lanes although finished rocks wait for slower ones before them.
+  static constexpr std::size_t slots = 32;
 
   const Model& model_;
   const Surface& surface_;
   PlanIndex on_plan_;  // of the barriers
   GlideLanes lanes_;
-  std::array<Walker<Surface>, side_by_side> walkers_;  // rock n has place n modulo their number
-  std::array<bool, side_by_side> is_done_{};
-  std::array<std::size_t, side_by_side> ready_{};  // whose glide has ended
-  std::size_t may_go_on_ = 0;
-  bool was_stopped_ = false;           // and is not to be used again
-  std::uint64_t next_ = 0, seen_ = 0;  // the first rock not begun, not seen
+  std::array<RockInProgress<Surface>, slots> rocks_;  // rock n has place n modulo their number
+  std::array<bool, slots> is_done_{};
+  std::array<std::size_t, slots> ready_{};  // whose glide has ended
+  std::size_t ready_count_ = 0;
+  bool was_stopped_ = false;           // then this object must not be used again
+  std::uint64_t next_ = 0, seen_ = 0;  // the first rock not yet started, and the first not yet passed on
 };
 
 }  // namespace
@@ -152,31 +152,33 @@ Vec3 start_of(const Model& model, std::uint64_t rock) {
       model.surface);
 }
 
-/// What a simulator has for the kind of surface that its model has.
+/// The rocks in progress, for the model's kind of surface.
 class Simulator::Rocks {
  public:
   explicit Rocks(const Model& model) : model_(model) { begin(); }
   std::uint64_t follow(const SimulationOrder& order) {
     const std::uint64_t next = std::visit(
-        [&]<class Each>(Each& party) {
+        [&]<class Each>(Each& rocks) {
           if constexpr (std::is_same_v<Each, std::monostate>)
             return order.rocks.first;
           else
-            return party.follow(order);
+            return rocks.follow(order);
         },
-        party_);
-    if (next < order.rocks.last) begin();  // without the rocks that were left on their way
+        in_progress_);
+    if (next < order.rocks.last) begin();  // drops the rocks in progress
     return next;
   }
 
  private:
   void begin() {
-    std::visit([&]<class Surface>(const Surface& surface) { party_.emplace<Party<Surface>>(model_, surface); },
-               model_.surface);
+    std::visit(
+        [&]<class Surface>(const Surface& surface) { in_progress_.emplace<RocksInProgress<Surface>>(model_, surface); },
+        model_.surface);
   }
 
   const Model& model_;
-  std::variant<std::monostate, Party<Profile>, Party<TriangleMesh>, Party<RasterSurface>> party_;
+  std::variant<std::monostate, RocksInProgress<Profile>, RocksInProgress<TriangleMesh>, RocksInProgress<RasterSurface>>
+      in_progress_;
 };
 
 Simulator::Simulator(const Model& model) : rocks_(std::make_unique<Rocks>(model)) {}

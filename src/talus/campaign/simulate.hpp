@@ -1,5 +1,6 @@
 #pragma once
-// Rocks of a campaign by their numbers: each is a pure function of (model, number). Replay and campaign share it.
+// Simulates the rocks of a campaign by their numbers: each trajectory is a pure function of (model, number). Replay and
+// campaign share it.
 
 #include <functional>
 #include <memory>
@@ -11,21 +12,21 @@
 
 namespace talus {
 
-/// Which rocks to simulate, what of their paths to keep, and who gets them.
+/// Which rocks to simulate, what to keep of their paths, and who receives them.
 struct SimulationOrder {
   RockRange rocks;
   std::function<bool(std::uint64_t rock)> keep_rows;
   bool keep_pieces = false;
-  /// Called in the order of the rocks; the log is good until it returns.
+  /// Called in the order of the rocks; the log is valid until it returns.
   std::function<void(const RockRecord&, const RockLog&)> see;
-  const StopScope* stop = nullptr;  // once it is asked to end, rocks on their way are left; null: nobody asks
+  const StopScope* stop = nullptr;  // when a stop is requested, rocks in progress are dropped; null: never
 };
 
-/// Where the centre of a rock is when it is released, for pictures of where rocks start; local [m]. Of a section whose
-/// vertices vary, on the one that is given.
+/// The centre of a rock at its release, for pictures of release points; local [m]. In a section whose vertices vary: on
+/// the given one.
 [[nodiscard]] Vec3 start_of(const Model& model, std::uint64_t rock);
 
-/// Simulates rocks of one model; each thread has its own.
+/// Simulates rocks of one model; each thread needs its own.
 class Simulator {
  public:
   explicit Simulator(const Model& model);
@@ -35,10 +36,10 @@ class Simulator {
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
-  /// Several rocks side by side, which is faster than one after the other and gives the same bits. Gives the number
-  /// that follows the last rock seen: any of the order's, where it was stopped.
+  /// Several rocks at the same time, which is faster than one after the other and gives the same bits. Returns the
+  /// number after the last rock passed to `see`, which is smaller than that of the order's last rock if it was stopped.
   std::uint64_t simulate(const SimulationOrder& order);
-  /// One rock. Rows and pieces of the path are kept only if asked for; the log is good until the next rock. Throws
+  /// One rock. Rows and pieces of the path are kept only on request; the log is valid until the next rock. Throws
   /// Stopped at the request of the thread's StopScope.
   RockRecord simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces = false);
   [[nodiscard]] const RockLog& log() const { return log_; }

@@ -34,7 +34,7 @@ ThreadSupply try_threads(int wanted) {
 
 void limit_threads(int most) {
   using Limit = tbb::global_control;
-  // Never taken back: the library would ask for the other threads at once, and end the program if it got none.
+  // Never destroyed: TBB would then request the other threads at once, and terminate the program if it got none.
   alignas(Limit) static std::byte place[sizeof(Limit)];
   static const auto* const limit = ::new (place) Limit(Limit::max_allowed_parallelism, static_cast<std::size_t>(most));
   (void)limit;
@@ -44,7 +44,7 @@ void take_threads(int wanted) {
   const ThreadSupply supply = try_threads(wanted);
   if (supply.why) {
     throw BadInput(Problem{.where = "--threads",
-                           .what = fmt::format("{} threads cannot be had", threads_for(wanted)),
+                           .what = fmt::format("{} threads are not available", threads_for(wanted)),
                            .why = supply.why.message(),
                            .hint = fmt::format("Try --threads {}", supply.threads)});
   }

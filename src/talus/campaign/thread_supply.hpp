@@ -1,26 +1,25 @@
 #pragma once
-// How many threads the system lets this program have: a limit of processes or of memory may leave it one.
+// The number of threads that the system grants this program: limits on processes or memory may leave it only one.
 
 #include <system_error>
 
 namespace talus {
 
 struct ThreadSupply {
-  int threads = 1;      // that there can be at a time, this one included; at most as many as were wanted
-  std::error_code why;  // there are no more
+  int threads = 1;      // available at a time, this one included; at most the number requested
+  std::error_code why;  // why there are no more
 };
 
-/// By trying. 0: as many as there are cores for this process.
+/// Finds out by starting threads. 0: as many as there are cores for this process.
 [[nodiscard]] ThreadSupply try_threads(int wanted);
 
-/// Whatever is computed from now on, to the end of the program, is computed by at most so many. With one, none is asked
-/// of the system.
+/// Limits all later work of the program to this many threads. With one, no thread is requested from the system.
 void limit_threads(int most);
 
-/// Limits them to those wanted; throws BadInput that names the option where they cannot be had.
+/// Limits threads to the number requested. Throws BadInput, naming the option, if they are not available.
 void take_threads(int wanted);
 
-/// Makes do with what there is, up to a thread a core.
+/// Limits threads to those available, up to one per core.
 void take_available_threads();
 
 }  // namespace talus

@@ -17,16 +17,16 @@ const char* ByteReader::take(std::size_t size) {
 
 bool ByteReader::flag() {
   const auto value = get<std::uint8_t>();
-  expect_bytes(value <= 1, "a yes or no is neither");
+  expect_bytes(value <= 1, "a flag is neither 0 nor 1");
   return value == 1;
 }
 
 std::size_t ByteReader::count(std::size_t least_size) {
-  const auto things = get<std::uint64_t>();
-  expect_bytes(things <= left_.size() / least_size, "a list is longer than the data");
-  return static_cast<std::size_t>(things);
+  const auto items = get<std::uint64_t>();
+  expect_bytes(items <= left_.size() / least_size, "a list is longer than the data");
+  return static_cast<std::size_t>(items);
 }
 
-void ByteReader::expect_end() const { expect_bytes(left_.empty(), "there are data left over"); }
+void ByteReader::expect_end() const { expect_bytes(left_.empty(), "there are unexpected data at the end"); }
 
 }  // namespace talus

@@ -1,6 +1,6 @@
 #pragma once
-// Numbers, text and lists as bytes and back: for what is kept on disk or sent to another process. The same content
-// gives the same bytes; numbers lie as this machine has them, which is little-endian.
+// Writes numbers, text and lists as bytes, and reads them back: for data on disk or sent to another process. The same
+// content gives the same bytes; numbers are in this machine's order, little-endian.
 
 #include <bit>
 #include <concepts>
@@ -18,25 +18,24 @@ namespace talus {
 
 static_assert(std::endian::native == std::endian::little, "saved bytes are little-endian");
 
-/// A number of a fixed size: of a bool not every byte is one, of an enumeration not every number. The caller says what
-/// those mean (flag(), or a number and a check).
+/// A number of a fixed size for which every bit pattern is valid. That excludes bool (use flag()) and enumerations
+/// (write a number, and check it).
 template <class T>
 concept PlainNumber = (std::integral<T> || std::floating_point<T>)&&!std::same_as<T, bool>;
 
-/// Saved bytes that are not what they should be: cut short, changed, or of something else.
+/// Saved bytes that are cut short, changed, or of something else.
 class BadBytes : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Appends to bytes in memory, or hands them on piece by piece.
+/// Appends to bytes in memory, or passes them on piece by piece.
 class ByteWriter {
  public:
   using Sink = std::function<void(std::string_view)>;
 
   ByteWriter() = default;
-  /// Nothing is kept: the sink is given all bytes in their order, about a megabyte at a time, the last of them by
-  /// flush().
+  /// Passes all bytes to the sink in order, about a megabyte at a time, the last of them in flush().
   explicit ByteWriter(Sink sink) : sink_(std::move(sink)) {}
 
   template <PlainNumber T>
@@ -44,12 +43,12 @@ class ByteWriter {
     append(&value, sizeof value);
   }
   void flag(bool value) { put(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  /// Numbers of which the reader knows how many there are.
+  /// Numbers without their count, which the reader must know.
   template <PlainNumber T, std::size_t extent>
   void numbers(std::span<const T, extent> values) {
     append(values.data(), values.size_bytes());
   }
-  /// Numbers, and before them how many.
+  /// Numbers, preceded by their count.
   template <PlainNumber T>
   void list(const std::vector<T>& values) {
     count(values.size());
@@ -59,12 +58,12 @@ class ByteWriter {
     count(value.size());
     append(value.data(), value.size());
   }
-  /// How many things follow.
-  void count(std::size_t things) { put(static_cast<std::uint64_t>(things)); }
+  /// The number of items that follow.
+  void count(std::size_t items) { put(static_cast<std::uint64_t>(items)); }
 
-  /// Hands the sink what it has not been given; without a sink nothing happens.
+  /// Passes the remaining bytes to the sink, if there is one.
   void flush();
-  /// All bytes, where there is no sink.
+  /// All bytes; only without a sink.
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
   [[nodiscard]] std::string take() { return std::exchange(bytes_, {}); }
 
@@ -75,11 +74,11 @@ class ByteWriter {
   }
 
   Sink sink_;
-  std::string bytes_;  // with a sink, those that it has not been given
+  std::string bytes_;  // with a sink, those not yet passed on
 };
 
-/// Reads what a ByteWriter wrote, and throws BadBytes where it cannot be that: it never reads past the end, and never
-/// takes more memory than the bytes that are left could fill.
+/// Reads what a ByteWriter has written, and throws BadBytes if it cannot be that. It never reads past the end, and
+/// never allocates more memory than the remaining bytes could fill.
 class ByteReader {
  public:
   /// The bytes must outlive the reader.
@@ -103,13 +102,13 @@ class ByteReader {
     return values;
   }
   [[nodiscard]] std::string text() { return std::string(bytes(count(1))); }
-  /// So many bytes, as they lie.
+  /// `size` bytes, as they are.
   [[nodiscard]] std::string_view bytes(std::size_t size) { return {take(size), size}; }
-  /// How many things follow, each of at least `least_size` bytes, above 0; refuses more than there can be.
+  /// The number of items that follow, each of at least `least_size` > 0 bytes; refuses more than can follow.
   [[nodiscard]] std::size_t count(std::size_t least_size);
 
   [[nodiscard]] std::size_t left() const { return left_.size(); }
-  /// Refuses bytes that are left over.
+  /// Refuses remaining bytes.
   void expect_end() const;
 
  private:
@@ -118,9 +117,9 @@ class ByteReader {
   std::string_view left_;
 };
 
-/// For readers: throws BadBytes with this reason if what was read breaks a rule of its writer.
-inline void expect_bytes(bool holds, const char* otherwise) {
-  if (!holds) throw BadBytes(otherwise);
+/// For readers: throws BadBytes with this message unless the condition is true.
+inline void expect_bytes(bool condition, const char* message) {
+  if (!condition) throw BadBytes(message);
 }
 
 }  // namespace talus

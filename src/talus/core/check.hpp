@@ -1,6 +1,6 @@
 #pragma once
-// A broken promise inside the program, found in debug builds only. Bad data from outside is a Problem (problems.hpp)
-// and a rock that leaves the model is a value (rocks/motion.hpp); neither belongs here.
+// Checks of the program's own assumptions, in debug builds only. Bad input is a Problem (problems.hpp), and a rock that
+// leaves the model is a value (rocks/motion.hpp); neither is checked here.
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 #pragma once
-// Typed indices: a facet's number is not a material's number, and the compiler says so.
+// Typed indices: the compiler refuses a material's number where a facet's is expected.
 
 #include <compare>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
-// Memory for large tables that are read here and there: in large pages where the system has them, so that the processor
-// need not look up the place of every page of 4 KiB anew.
+// Memory for large tables with random access: in large pages, if the system has them, so that the processor does not
+// have to look up the address of each page of 4 KiB.
 
 #include <sys/mman.h>
 
@@ -9,8 +9,8 @@
 
 namespace talus {
 
-/// An allocator for std::vector. Linux gives large pages to what asks for them (transparent_hugepage: madvise); where
-/// it does not, nothing is different.
+/// An allocator for std::vector. Linux provides large pages on request (transparent_hugepage: madvise); if it does not,
+/// only the speed differs.
 template <class T>
 struct LargePages {
   using value_type = T;

@@ -1,12 +1,12 @@
 #pragma once
-// How much memory there is to work with.
+// The memory available to this process.
 
 #include <cstdint>
 
 namespace talus {
 
-/// What this process may use at most: of the machine, of its container (control groups, versions 1 and 2), by its own
-/// limits (ulimit -v) [bytes]. What others use of it is not counted.
+/// The maximum that this process may use [bytes]: the least of the machine's memory, the container's (control groups,
+/// versions 1 and 2) and its own limits (ulimit -v). Memory in use by others is not subtracted.
 [[nodiscard]] std::uint64_t usable_memory();
 
 }  // namespace talus

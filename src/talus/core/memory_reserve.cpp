@@ -7,14 +7,14 @@ namespace talus {
 
 namespace {
 
-// Enough to write a checkpoint, or to unwind and say what is wrong; or less, where there is no more. It is never
-// touched: it costs addresses, no memory.
+// Enough to write a checkpoint, or to unwind and print a message; less, if there is no more. It is never written to: it
+// costs address space, not memory.
 constexpr std::size_t most_bytes = std::size_t{64} << 20, least_bytes = std::size_t{1} << 20;
 
 std::atomic<void*> reserve{nullptr};
 std::atomic<bool> is_short{false};
 
-/// Called where operator new finds nothing, by any thread: it tries again if this returns.
+/// Called by any thread when operator new fails: it tries again if this returns.
 void use_reserve() {
   is_short = true;
   void* const kept = reserve.exchange(nullptr);

@@ -1,8 +1,8 @@
 #pragma once
-// What happens when memory runs out. A program that finds none in the middle of something - in a destructor, in another
-// thread, while an error is on its way - cannot say so, and is ended. So some is put aside: the first request that
-// finds none is served from that, and the shortage is noted, for those who ask at a place where they can stop in good
-// order.
+// A reserve for when memory runs out. If an allocation fails in the middle of something - in a destructor, in another
+// thread, while an exception propagates - the program is terminated without a message. So some memory is reserved: the
+// first failing allocation is served from it, and the shortage is recorded, to be checked where the program can stop in
+// good order.
 
 #include <new>
 #include <string>
@@ -10,13 +10,14 @@
 
 namespace talus {
 
-/// Puts memory aside, where none is; takes back the note of a shortage. For those who begin a piece of work.
+/// Makes the reserve, if there is none, and clears the record of a shortage. To be called at the beginning of a piece
+/// of work.
 void keep_memory_reserve();
 
-/// Whether the memory that was put aside had to be used.
+/// Whether the reserve has been used.
 [[nodiscard]] bool memory_is_short();
 
-/// There is not enough memory, and this is what became of the work. (A bad_alloc says nothing.)
+/// Not enough memory; the message says what became of the work. (std::bad_alloc has no message.)
 class OutOfMemory : public std::bad_alloc {
  public:
   explicit OutOfMemory(std::string what) : what_(std::move(what)) {}

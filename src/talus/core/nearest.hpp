@@ -1,5 +1,5 @@
 #pragma once
-// The known word that a mistyped one was probably meant to be.
+// The known word that was probably meant by a mistyped one.
 
 #include <cstddef>
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace talus {
 
-/// How many letters must be put in, taken out, replaced or swapped with their neighbour to turn one word into the other
-/// (optimal string alignment distance; capitals count as small letters, '-' and ' ' as '_').
+/// The number of letters to insert, delete, replace or swap with their neighbour to turn one word into the other
+/// (optimal string alignment distance; case is ignored, '-' and ' ' count as '_').
 [[nodiscard]] std::size_t edit_distance(std::string_view one, std::string_view other);
 
-/// The nearest of the known words, if one is near enough to be worth a question: at most a third of its letters differ,
-/// or one begins with the other (`gravity` for `gravity_m_s2`).
+/// The nearest of the known words, if it is near enough for a hint: at most a third of its letters differ, or one of
+/// both words begins with the other (`gravity` for `gravity_m_s2`).
 [[nodiscard]] std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace talus

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with something that came from outside: collected, so that a user sees all of it at once.
+// Errors and warnings about input: collected, so that a user sees all of them at once.
 
 #include <stdexcept>
 #include <string>
@@ -9,17 +9,17 @@ namespace talus {
 
 enum class Severity { warning, error };
 
-/// One message. Printed as `file:line: where: problem (why). hint with option`, each part only where there is one.
+/// One message. Printed as `file:line: where: problem (why). hint with option`, without the parts that are empty.
 struct Problem {
   Severity severity = Severity::error;
   std::string file;    // as the user named it
-  int line = 0;        // 1-based; 0 where no line can be named
-  std::string where;   // the key or the thing, for example `material "Type One"`
+  int line = 0;        // 1-based; 0: unknown
+  std::string where;   // the key or object, for example `material "Type One"`
   std::string what;    // the problem
-  std::string why;     // why it is one, with what was expected
+  std::string why;     // the reason, with what was expected
   std::string hint;    // what would fix it
-  std::string path;    // of the setting of a project, for programs: `material.0.roughness_deg`; no part of the text
-  std::string option;  // of the command line by which the hint is followed, for example `-o`
+  std::string path;    // of the setting in a project, for programs: `material.0.roughness_deg`; not part of the text
+  std::string option;  // of the command line with which to follow the hint, for example `-o`
   [[nodiscard]] std::string text() const;
 };
 
@@ -31,14 +31,14 @@ class Problems {
   [[nodiscard]] const std::vector<Problem>& list() const { return list_; }
   [[nodiscard]] bool has_errors() const;
   [[nodiscard]] std::string text() const;  // one line each
-  /// Those of this file first, by line, then the others as they came.
+  /// Those of this file first, by line, then the others in their order.
   [[nodiscard]] Problems in_order_of(const std::string& file) const;
 
  private:
   std::vector<Problem> list_;
 };
 
-/// Bad input that stops the work; carries every problem found. The program answers it with exit code 2.
+/// Bad input that stops the work, with every problem found. The program ends with exit code 2.
 class BadInput : public std::runtime_error {
  public:
   explicit BadInput(Problems problems) : std::runtime_error(problems.text()), problems_(std::move(problems)) {}

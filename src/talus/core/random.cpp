@@ -8,7 +8,7 @@ namespace talus {
 
 namespace {
 
-// The middle of one of 2^52 equal cells of (0, 1): never 0, never 1, so that every quantile function accepts it.
+// The middle of one of 2^52 equal cells of (0, 1): never 0 or 1, so that every quantile function accepts it.
 double open_uniform(std::uint32_t high, std::uint32_t low) {
   const std::uint64_t bits = (static_cast<std::uint64_t>(high) << 32 | low) >> 12;
   return (static_cast<double>(bits) + 0.5) * 0x1p-52;

@@ -1,6 +1,6 @@
 #pragma once
-// Counter-based random numbers: each is a pure function of (seed, rock, stream, index), so a rock's path depends on
-// nothing but the project, the seed and its number. Generator: Philox 4x32-10, Salmon et al., "Parallel random
+// Counter-based random numbers: each is a pure function of (seed, rock, stream, index), so that a trajectory depends
+// only on the project, the seed and the rock's number. Generator: Philox 4x32-10, Salmon et al., "Parallel random
 // numbers: as easy as 1, 2, 3", SC11.
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace talus {
 
-/// What a random number is for. Each purpose has its own stream, so that asking for one more number of one kind moves
-/// no other. The numbers are part of what `seed` means: append, never renumber.
+/// The purpose of a random number. Each purpose has its own stream, so that one more number of one kind changes no
+/// other. Results for a given `seed` depend on these values: append, never renumber.
 enum class Stream : std::uint32_t {
   release_position = 0,
   horizontal_velocity = 1,
@@ -24,7 +24,7 @@ enum class Stream : std::uint32_t {
   slope_vertex = 10,  // first number: x, second: z
 };
 
-/// The generator itself: four words, a pure function of the arguments.
+/// The generator: four words, a pure function of the arguments.
 [[nodiscard]] std::array<std::uint32_t, 4> philox(std::uint64_t key, std::uint64_t counter, std::uint32_t high,
                                                   std::uint32_t highest);
 
@@ -32,8 +32,8 @@ enum class Stream : std::uint32_t {
 [[nodiscard]] std::array<double, 2> uniform_pair(std::uint64_t seed, std::uint64_t rock, Stream stream,
                                                  std::uint32_t index);
 
-/// The place of `i` in a random permutation of 0 ... count-1 that `key` chooses: a bijection, computed without storing
-/// it (a four-round Feistel network over Philox, walked until it lands inside the range).
+/// The place of `i` in the random permutation of 0 ... count-1 given by `key`. The permutation is not stored (a
+/// four-round Feistel network over Philox, repeated until the result is in the range).
 [[nodiscard]] std::uint64_t permuted(std::uint64_t i, std::uint64_t count, std::array<std::uint32_t, 2> key);
 
 }  // namespace talus

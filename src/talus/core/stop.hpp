@@ -1,6 +1,6 @@
 #pragma once
-// Long work that ends early on request: whoever begins it says what ends it, and the work asks at places where it can
-// be left without harm.
+// Long work that can be stopped on request: the caller sets up the condition, and the work checks it where it can end
+// without harm.
 
 #include <atomic>
 #include <chrono>
@@ -8,19 +8,20 @@
 
 namespace talus {
 
-/// Thrown where work is left. No std::exception: nothing has failed, and only who asked for the work catches it.
+/// Thrown to end stopped work. Not a std::exception: nothing has failed, and only the caller that set up the condition
+/// catches it.
 struct Stopped {};
 
-/// Null: nobody can ask.
+/// Null: never.
 [[nodiscard]] inline bool is_requested(const std::atomic<bool>* stop) {
   return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
 
-/// How long work may take: a time by the clock, but no less than the same time of the processor, so that a machine that
-/// is busy otherwise does not cut it short; thirty times as long by the clock in any case.
+/// A limit on the time of work: it is over when both the clock and the processor time of this process have reached it,
+/// so that a busy machine does not end the work early; or after thirty times the limit by the clock.
 class TimeLimit {
  public:
-  /// From now on.
+  /// Starts now.
   explicit TimeLimit(std::chrono::duration<double> limit);
   [[nodiscard]] bool is_over() const;
 
@@ -30,18 +31,19 @@ class TimeLimit {
   double processor_begin_;  // [s] of this process
 };
 
-/// While it lives, stop_point() in this thread throws Stopped once the scope, or one around it, is asked to end.
+/// During its lifetime, stop_point() in this thread throws Stopped once a stop is requested of it or of a scope around
+/// it.
 class StopScope {
  public:
-  /// Null: nothing of its own.
+  /// Null: no condition of its own.
   explicit StopScope(const std::atomic<bool>* stop, const TimeLimit* limit = nullptr);
-  /// In a thread that does a part of the work of another one, whose scope is `of` and outlives this; null: none.
+  /// In a thread that does part of the work of another, whose scope `of` outlives this one; null: no scope.
   explicit StopScope(const StopScope* of);
   StopScope(const StopScope&) = delete;
   StopScope& operator=(const StopScope&) = delete;
   ~StopScope();
 
-  /// The innermost of this thread; null: none.
+  /// The innermost scope of this thread; null if there is none.
   [[nodiscard]] static const StopScope* current();
   [[nodiscard]] bool is_requested() const;
 
@@ -52,10 +54,10 @@ class StopScope {
   const StopScope* before_;  // of this thread
 };
 
-/// A place where work can be left. Costs next to nothing: to be passed some hundred times a second at the least.
+/// A place where work can be stopped. Costs almost nothing; to be called at least some hundred times per second.
 void stop_point();
 
-/// The same in a loop of short steps: looks at the first and every 1024th.
+/// The same in a loop of short steps: checks at the first and at every 1024th step.
 inline void stop_point(std::size_t step) {
   constexpr std::size_t steps = 1024;
   if (step % steps == 0) stop_point();

@@ -1,131 +1,130 @@
 #pragma once
 // The thresholds of the kernel - contact, motion along the ground, barriers - each with its unit, its reason, and what
-// goes wrong when it is changed. They are lengths and angles below what anybody could measure on a slope, and above
-// what rounding makes of coordinates in the local frame (1e-11 m at 100 km). None of them is a property of ground or
-// rock: those are settings.
+// goes wrong if it is changed. They are smaller than anything measurable on a slope, and larger than the rounding of
+// coordinates in the local frame (1e-11 m at 100 km). None of them is a property of ground or rock: those are settings.
 
 namespace talus::tolerance {
 
 // ---- contact ----
 
-/// Thickness [m] within which a rock counts as being on a surface. Contacts are found as if every facet were this
-/// thick, so that no rock passes between two facets for want of digits. Smaller: rocks are lost through edges. Larger:
-/// a rock that leaves slowly counts as being on the ground.
+/// Thickness [m] within which a rock counts as on a surface. Contacts are found as if every facet were this thick, so
+/// that no rock passes between two facets by rounding. Smaller: rocks are lost through edges. Larger: a rock that
+/// leaves slowly counts as on the ground.
 inline constexpr double contact_slack = 1e-9;
 
-/// By how much boxes are widened, and how far above a facet a flight must stay to miss it for certain [m]. Smaller than
-/// the outlines' slack (terrain/facet_contact.hpp): contacts at edges are lost. Larger: only slower.
+/// Margin of bounding boxes, and the height above a facet at which a flight certainly misses it [m]. Smaller than the
+/// outlines' slack (terrain/facet_contact.hpp): contacts at edges are lost. Larger: only slower.
 inline constexpr double box_pad = 1e-6;
 
-/// Under how flat an approach, as a ratio of tangential to normal speed, a contact beside an outline still belongs to
-/// the facet: a rock cannot fall on a facet more flatly; only rounding can.
+/// The flattest approach, as a ratio of tangential to normal speed, for which the slack of an outline grows. A flatter
+/// approach is rounding.
 inline constexpr double flattest_approach = 1e4;
-/// More than a contact may ever lie outside the outline of its facet [m].
+/// An upper bound of the distance of a contact from the outline of its facet [m].
 inline constexpr double widest_slack = 2 * flattest_approach * contact_slack;
 
-/// Of a speed, so little along a direction is rounding.
+/// A component of a speed below this share of it is rounding.
 inline constexpr double share_by_rounding = 1e-9;
 
-/// Nearer to a facet than this, a place has the facet's own normal as the direction from it [m].
+/// For a place nearer to a facet than this, the facet's normal is used as the direction away from it [m].
 inline constexpr double no_distance = 1e-6;
 
-/// A path that is lower than this under a facet where it leaves the model fell through it [m].
+/// A path that leaves the model further below a facet than this fell through it [m].
 inline constexpr double fell_through = 1e-6;
 
-/// Shorter times over a facet are rounding, between it and the next [s].
+/// Shorter times over a facet are rounding at its border with the next [s].
 inline constexpr double no_time = 1e-9;
 
-/// An edge or a vertex is one that a sphere can touch if what meets there falls away by more than this share of its
+/// A sphere can touch an edge or a vertex before a facet if the facets there fall away by more than this share of their
 /// length.
 inline constexpr double sharp_bend = 1e-9;
 
-/// Two facets whose normals have a greater cosine than 1 minus this are one plane (1.4e-6 rad apart): so far from each
-/// other that rounding cannot confuse it, so near that no rock could tell. Smaller: heights rounded to float make
-/// creases in planes, and every crease an impact. Larger: real bends are slid over.
+/// Two facets are in one plane if the cosine between their normals is greater than 1 minus this (1.4e-6 rad apart):
+/// more than rounding, but far too little to affect a rock. Smaller: elevations rounded to float make creases in
+/// planes, and every crease an impact. Larger: real bends are slid over.
 inline constexpr double same_plane = 1e-12;
 
-/// Sine of the angle up to which a rock on the ground goes on over the next facet as if it were its own: a little above
-/// the angle of `same_plane`, so that nothing lies between the two.
+/// Sine of the bend up to which a rock on the ground moves on over the next facet as over its own: slightly more than
+/// the angle of `same_plane`, so that there is no gap between the two.
 inline constexpr double level_bend = 2e-6;
 
-/// A normal whose cosine with a facet's is greater than 1 minus this (4.5e-5 rad) is that of the facet itself, and not
-/// of one of its edges or vertices. Smaller: a sphere on a facet turns about its edges. Larger: an edge between nearly
+/// A support is the facet itself, not one of its edges or vertices, if the cosine between their normals is greater than
+/// 1 minus this (4.5e-5 rad). Smaller: a sphere on a facet turns about its edges. Larger: an edge between nearly
 /// coplanar facets carries like a plane.
 inline constexpr double facet_normal = 1e-9;
 
-/// So near a plane a rock is in it; and the trace by which it must sink before it can meet another facet of a plane
-/// that it has left [m]. Smaller than rounding on steep facets (1e-9): a rock strikes the plane it leaves. Larger: it
-/// strikes late where the plane goes on.
+/// A rock this near to a plane touches it; and a rock that has left a plane must sink by this before it can meet
+/// another facet of it [m]. Smaller than rounding on steep facets (1e-9): a rock strikes the plane that it leaves.
+/// Larger: it strikes late where the plane continues.
 inline constexpr double touching_plane = 1e-7;
 
-/// So near the point that carries a sphere, what it touches is that point [m]: wider than a facet's outline ever is for
-/// a contact, narrower than anything that could be ahead.
+/// A contact this near to the point that carries a sphere is that point [m]: more than the slack of any outline, less
+/// than the distance of any other contact.
 inline constexpr double at_pivot = 1e-4;
 
 // ---- motion along the ground ----
 
-/// Of friction's coefficient: by rounding alone a rock would never rest where nothing pulls.
+/// Added to the coefficient of friction: with rounding, a rock without pull would otherwise never rest.
 inline constexpr double friction_by_rounding = 1e-12;
 
-/// A pull with no more than this share across the heading keeps a rock on a straight line.
+/// A rock stays on a straight line if no more than this share of the pull is across its heading.
 inline constexpr double straight_pull = 1e-9;
 
-/// On cosines and on shares of gravity, where several facets carry a rock: supports that differ by less are one.
+/// On cosines and on shares of gravity, for a rock on several facets: supports that differ by less are one.
 inline constexpr double same_support = 1e-9;
 
-/// Reach within which a facet counts as touching a rock that may rest [m].
+/// Distance within which a facet counts as touching a rock that may rest [m].
 inline constexpr double support_reach = 1e-6;
 
-/// Slip slower than this is rounding [m/s]; and so is a velocity: it has no heading that could be trusted, which may
-/// lead out of the ground or into it.
+/// Slip slower than this is rounding [m/s]; and so is a velocity, whose heading is then meaningless.
 inline constexpr double no_slip = 1e-9;
 inline constexpr double standstill = 1e-9;
 /// Slip slower than this is shown as rolling [m/s].
 inline constexpr double shown_as_rolling = 1e-6;
 
-/// Where drag leaves a velocity that would be off by less way than this in a step, the step may be a whole one [m].
+/// If the velocity's difference from the terminal one makes less displacement than this in a step with drag, the step
+/// need not be shortened [m].
 inline constexpr double unseen_way = 1e-4;
 
-/// Contacts so near each other are one contact with both facets [m]. Smaller: a rock between two facets strikes one
-/// after the other, to the limit of steps. Larger: a hop of a pebble becomes a slide in a valley.
+/// Two contacts this near to each other are one contact with both facets [m]. Smaller: a rock between two facets
+/// strikes one after the other, up to the limit of steps. Larger: a hop of a pebble becomes a slide in a valley.
 inline constexpr double one_contact = 1e-5;
 
-/// So near a line, a point is on it: an edge under a sphere [m].
+/// A point this near to the line of an edge is on it, for an edge under a sphere [m].
 inline constexpr double on_edge_line = 1e-7;
 
-/// Cosines less than this below 1, and distances [m] less than this above a radius, say that an edge or a vertex still
-/// touches a sphere in a valley.
+/// An edge or a vertex still touches a sphere in a valley if the cosine between normals is greater than 1 minus this,
+/// and the distance less than this above the radius [m].
 inline constexpr double still_touching = 1e-6;
 
-/// How far ahead to look for the facets on which a valley goes on, or beyond the edges of very many facets [m]. Smaller
-/// than the outlines' slack: the facet behind is found. Larger: narrow facets are skipped.
+/// How far ahead to search for the facets on which a valley continues, or beyond the edges of very many facets [m].
+/// Smaller than the outlines' slack: the facet behind is found. Larger: narrow facets are skipped.
 inline constexpr double look_ahead = 1e-6;
 
-/// Sine of the angle within which a facet's side runs along a valley, and is not crossed.
+/// Sine of the angle below which a facet's side runs along a valley, and is not crossed.
 inline constexpr double along_valley = 1e-9;
 
-/// How far a sphere goes from a facet that it has left before that can be struck again [m]: of the length of a facet's
-/// end that still touches it. Smaller: it strikes what it has just rolled off. Larger: it may sink in by as much times
-/// the angle of the bend.
+/// How far a sphere moves from a facet that it has left before it can strike that facet again [m]. Smaller: it strikes
+/// what it has just rolled off. Larger: it may sink in by this times the angle of the bend.
 inline constexpr double past_the_end = 1e-3;
 
-/// By how much a sphere turns about an edge in one step [rad]. The way differs from the circle by second order in it.
+/// The angle by which a sphere turns about an edge in one step [rad]. The path differs from the circle by second order
+/// in it.
 inline constexpr double edge_step = 0.01;
 
-/// A rock that has not gone further than this since is where it was [m].
+/// A rock that has not moved further than this is in the same place [m].
 inline constexpr double same_place = 1e-3;
-/// And it spins as it did, if the speed of its surface by spin has not changed by more than this [m/s].
+/// And it has the same spin, if the speed of its surface by spin has not changed by more than this [m/s].
 inline constexpr double same_spin = 0.1;
-/// Contacts in one place after which a rock gets nowhere: forty, by which a bouncing rock has moved on (a restitution
-/// of 0.9 leaves a hundredth of its speed), and which fit 250 times into the usual limit of steps.
-inline constexpr double contacts_to_nowhere = 40;
-/// Contacts in one place after which a rock that is slower than where rocks stop is wedged, and rests.
+/// Contacts in one place after which a rock is stuck. After forty, a bouncing rock has moved on (with a restitution of
+/// 0.9 a hundredth of its speed remains); and the default limit of steps is 250 times as many.
+inline constexpr double contacts_to_stuck = 40;
+/// Contacts in one place after which a rock below the stopping velocity is wedged, and rests.
 inline constexpr double contacts_to_rest = 200;
 
-/// The model's end counts as reached if free flight comes to it within this time [s].
+/// The edge of the model counts as reached if free flight reaches it within this time [s].
 inline constexpr double at_once = 1e-9;
 
-/// Where drag or slowness would make a division by zero, this stands for it [m/s].
+/// Replaces a speed of zero in divisions [m/s].
 inline constexpr double least_speed = 1e-300;
 
 // ---- forests ----
@@ -133,23 +132,24 @@ inline constexpr double least_speed = 1e-300;
 /// How far below the exact path a piece of a flight with drag may run [m].
 inline constexpr double drag_piece = 1e-3;
 
-/// A forest is looked for at least once in so much of a flight [m]: shorter stays may be missed.
+/// A flight is checked for forest at least once in this distance [m]: shorter stretches may be missed.
 inline constexpr double forest_step = 0.5;
-/// To which its border is then found [m].
+/// Accuracy of a forest's border on the path [m].
 inline constexpr double forest_border = 1e-3;
 
 // ---- barriers ----
 
-/// By which ranges are widened in which a barrier may be met [m].
+/// Margin of the ranges in which a barrier may be met [m].
 inline constexpr double barrier_range = 1e-6;
-/// By which a place may lie beyond an end of a panel and still belongs to it [m].
+/// A place this far beyond an end of a panel still belongs to it [m].
 inline constexpr double panel_border = 1e-9;
-/// Crossings this close in time are one: what one part of a path ends with, the next one does not begin with [s].
+/// Crossings this close in time are one, so that a part of a path does not begin with the crossing that ended the last
+/// one [s].
 inline constexpr double same_crossing = 1e-8;
 
-/// What presses a rock against a barrier by less than this is rounding [m/s2], and so is a speed below it [m/s].
+/// An acceleration against a barrier below this is rounding [m/s2], and so is a speed [m/s].
 inline constexpr double no_pressing = 1e-9;
-/// What comes to a barrier more slowly counts as this fast when its passage is timed [m/s].
+/// Minimum speed when the passage of a rock through a barrier is timed [m/s].
 inline constexpr double least_passing_speed = 1e-3;
 
 }  // namespace talus::tolerance

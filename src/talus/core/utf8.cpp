@@ -7,7 +7,7 @@ namespace talus {
 
 namespace {
 
-/// How many bytes the letter has that the text begins with; 0 where it begins with none.
+/// The number of bytes of the first character; 0 if the text does not begin with one.
 std::size_t letter_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const unsigned first = byte(0);
@@ -19,7 +19,7 @@ std::size_t letter_length(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0U) != 0x80U) return 0;
   }
-  // Neither longer than need be, nor half of a pair, nor beyond the last letter.
+  // Overlong, half of a surrogate pair, or beyond U+10FFFF.
   const bool is_bad = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
                       (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F);
   return is_bad ? 0 : length;

@@ -13,7 +13,7 @@ double value(const Polynomial& c, double t) { return c[0] + t * (c[1] + t * (c[2
 
 Polynomial derivative(const Polynomial& c) { return {c[1], 2 * c[2], 3 * c[3], 4 * c[4], 0}; }
 
-// The root of a polynomial between a and b, where its values fa and fb have opposite signs: Newton steps kept inside a
+// The root of a polynomial between a and b, where its values have opposite signs (fa at a): Newton steps kept inside a
 // shrinking bracket.
 double bracketed_root(const Polynomial& c, double a, double fa, double b) {
   const Polynomial slope = derivative(c);
@@ -34,7 +34,7 @@ double bracketed_root(const Polynomial& c, double a, double fa, double b) {
   return t;
 }
 
-// All roots in (0, t_max), rising. Between two neighbouring roots of its derivative a polynomial is monotone.
+// All roots in (0, t_max), in ascending order. Between neighbouring roots of its derivative a polynomial is monotone.
 struct Roots {
   std::array<double, 4> t{};
   int count = 0;
@@ -42,7 +42,7 @@ struct Roots {
   [[nodiscard]] const double* end() const { return t.data() + count; }
 };
 
-// Of a quadratic, without a difference of nearly equal numbers.
+// The roots of a quadratic, without a difference of nearly equal numbers.
 Roots quadratic_roots_within(const Polynomial& c, double t_max) {
   Roots roots;
   const auto note = [&](double t) {
@@ -51,7 +51,7 @@ Roots quadratic_roots_within(const Polynomial& c, double t_max) {
   const double discriminant = c[1] * c[1] - 4 * c[2] * c[0];
   if (!(discriminant > 0)) return roots;  // a double root is not a change of sign
   const double q = -0.5 * (c[1] + std::copysign(std::sqrt(discriminant), c[1]));
-  const double first = q / c[2], second = c[0] / q;  // not finite where there is one root only
+  const double first = q / c[2], second = c[0] / q;  // not finite if there is only one root
   note(std::min(first, second));
   note(std::max(first, second));
   return roots;
@@ -72,22 +72,22 @@ Roots roots_within(const Polynomial& c, int degree, double t_max) {
   return roots;
 }
 
-// The squared distance from the path of what lies across some direction, less radius^2, as a polynomial of time.
+// The squared distance |d + v t + a t^2/2|^2, less radius^2, as a polynomial of time.
 Polynomial squared_distance(const Vec3& d, const Vec3& v, const Vec3& a, double radius) {
   return {d.squaredNorm() - radius * radius, 2 * d.dot(v), v.squaredNorm() + d.dot(a), v.dot(a),
           0.25 * a.squaredNorm()};
 }
 
-// The first time at which a polynomial takes a value, or never.
+// The first time at which a polynomial takes a value; infinity if it does not.
 double first_at(Polynomial c, double level, double t_max) {
   c[0] -= level;
   const Roots roots = roots_within(c, 4, t_max);
   return roots.count > 0 ? roots.t[0] : std::numeric_limits<double>::infinity();
 }
 
-// A polynomial between two times by its Bernstein coefficients: it lies between the least and the greatest of them, and
-// has as many roots there as they change sign, or fewer by an even number (Farin, "Curves and surfaces for CAGD", 5th
-// ed. 2002, sections 6.6 and 6.10).
+// A polynomial between two times, by its Bernstein coefficients. Its values are between the smallest and the largest of
+// them, and it has as many roots there as they change sign, or fewer by an even number (Farin, "Curves and surfaces for
+// CAGD", 5th ed. 2002, sections 6.6 and 6.10).
 struct BernsteinPart {
   std::array<double, 5> b;
   double from, to;
@@ -109,7 +109,7 @@ struct BernsteinPart {
     for (std::size_t k = 0; k < 4; ++k) changes += (b[k] < 0) != (b[k + 1] < 0) ? 1 : 0;
     return changes;
   }
-  // Becomes its second half, and gives the first.
+  // Reduces this part to its second half, and returns the first.
   BernsteinPart split_off_first_half() {
     BernsteinPart first = *this;
     for (std::size_t left = 4; left > 0; --left) {  // de Casteljau
@@ -122,11 +122,11 @@ struct BernsteinPart {
   }
 };
 
-// Calls meets(t) for each time in a window at which a polynomial, positive at its start, falls through zero, rising,
-// until it returns true; gives that time. Parts of the window with one change of sign have one root.
+// The first time in a window at which a polynomial, positive at its start, falls through zero and meets(t) is true.
+// Parts of the window with one change of sign have one root.
 template <class Meets>
 std::optional<double> first_fall(const Polynomial& c, const TimeWindow& window, Meets&& meets) {
-  constexpr std::size_t most_halvings = 40;  // two roots so near each other are none: it only touches zero
+  constexpr std::size_t most_halvings = 40;  // two roots that are closer are none: it only touches zero
   std::array<BernsteinPart, most_halvings + 2> waiting;
   std::array<std::size_t, most_halvings + 2> halvings;
   waiting[0] = BernsteinPart(c, window);
@@ -148,7 +148,7 @@ std::optional<double> first_fall(const Polynomial& c, const TimeWindow& window, 
   return std::nullopt;
 }
 
-// The first fall of a squared distance, less radius^2, in a window, that meets(t) accepts.
+// The first fall of a squared distance, less radius^2, in a window, for which meets(t) is true.
 template <class Meets>
 std::optional<double> first_touch(const Polynomial& c, double radius, const TimeWindow& window, Meets&& meets) {
   const double slack = 2 * radius * contact_slack;
@@ -167,8 +167,8 @@ Falls falls(const std::array<double, 5>& c, double t_max, double slack) {
   const auto note = [&](double t) { found.t[static_cast<std::size_t>(found.count++)] = t; };
   double free_from = 0;
   if (c[0] <= slack) {
-    // Of a rock that touches at the start, rounding alone cannot say whether it moves in or out. It is pressed in if
-    // it sinks by the slack before it has come free by as much; then the contact is where it begins to sink.
+    // For a rock that touches at the start, the derivative may be rounding. It is pressed in if it sinks by the slack
+    // before it rises by the slack; then the contact is where it begins to sink.
     free_from = first_at(c, slack, t_max);
     const double sunk = first_at(c, std::min(c[0], 0.0) - slack, t_max);
     if (sunk < free_from) {

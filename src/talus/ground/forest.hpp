@@ -1,10 +1,10 @@
 #pragma once
-// How strongly forests brake rocks, by their density.
+// The drag of forests on rocks, by density.
 //
-// RAMMS::ROCKFALL and RocFall offer an open, a medium and a dense forest, each with its drag b of the force -b v
-// (flight/drag.hpp); RocFall's help names Bartelt et al. 2016, the manual of RAMMS::ROCKFALL, for them. The numbers
-// below are those that are commonly quoted from it, for stands of 20, 35 and 50 m2/ha. They could not be checked
-// against the manual itself: where a result hangs on them, give the drag.
+// RAMMS::ROCKFALL and RocFall offer an open, a medium and a dense forest, each with a drag b for the force -b v
+// (flight/drag.hpp); RocFall's help cites Bartelt et al. 2016, the manual of RAMMS::ROCKFALL. The values below are
+// those commonly quoted from it, for stands of 20, 35 and 50 m2/ha. They could not be checked against the manual
+// itself: if a result depends on them, set the drag.
 
 namespace talus {
 

@@ -50,7 +50,7 @@ std::array<double, 2> GroundDraw::roughness(const Material& material, std::uint3
   const auto u = draws_.pair(Stream::roughness, 2 * contact);
   std::array<double, 2> tilt{0, 0};
   if (!material.roughness.is_constant()) {
-    // Ahead the ground may rise or fall on the average; aside it leans to neither hand.
+    // Ahead, the mean angle may be positive or negative; aside, both sides are equally likely.
     const bool is_left = u[1] < 0.5;
     const double aside = std::clamp(is_left ? 2 * u[1] : 2 * u[1] - 1, 0x1p-53, 1 - 0x1p-53);
     tilt = {material.roughness.draw(u[0]), (is_left ? -1 : 1) * material.roughness.draw(aside)};

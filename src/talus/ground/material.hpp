@@ -1,5 +1,5 @@
 #pragma once
-// What the ground is made of: its random properties, and which facet has which material.
+// The materials of the ground with their random properties, and the material of each facet.
 
 #include <algorithm>
 #include <cstdint>
@@ -18,33 +18,33 @@ struct Material {
   Sampler tangential_restitution;  // Rt, 0 to 1
   Sampler friction_angle;          // phi [rad], lumped mass
   Sampler roughness;               // angle that tilts the local normal [rad]
-  double roughness_spacing = 0;    // of points of the ground that stand off the facet [m]; rigid sphere, 0: off
-  double roughness_amplitude = 0;  // standard deviation of their heights [m]
+  double roughness_spacing = 0;    // distance of neighbouring points of rough ground [m]; rigid sphere, 0: off
+  double roughness_amplitude = 0;  // standard deviation of their heights above the facet [m]
   Sampler dynamic_friction;        // mu, rigid sphere
   Sampler rolling_friction;        // mu_r, rigid sphere
-  double forest_drag = 0;          // b of the force -b v among its trees [kg/s]; 0: no forest
-  double forest_height = 0;        // up to which the forest brakes, above the ground [m]
-  double ground_drag = 0;          // of a rock that slides or rolls on it, over mass and velocity [1/s]
+  double forest_drag = 0;          // b of the force -b v in its forest [kg/s]; 0: no forest
+  double forest_height = 0;        // height above the ground below which the forest brakes [m]
+  double ground_drag = 0;          // drag on a sliding or rolling rock, over mass and velocity [1/s]
 
   [[nodiscard]] bool is_rough() const { return !roughness.is_constant() || is_bumpy(); }
   [[nodiscard]] bool has_forest() const { return forest_drag > 0 && forest_height > 0; }
   [[nodiscard]] bool is_bumpy() const { return roughness_spacing > 0 && roughness_amplitude > 0; }
 };
 
-/// Materials and where they are.
+/// The materials, and where they are.
 class Ground {
  public:
   Ground() = default;
   /// One material everywhere.
   explicit Ground(Material material) : materials_{std::move(material)} {}
-  /// `of_facet[i]` is the material of the terrain's i-th segment or triangle, as the terrain's source numbers it.
+  /// `of_facet[i]` is the material of the terrain's segment or triangle i, as numbered by its source().
   Ground(std::vector<Material> materials, std::vector<MaterialId> of_facet)
       : materials_(std::move(materials)), of_facet_(std::move(of_facet)) {}
   /// One of several materials everywhere.
   Ground(std::vector<Material> materials, MaterialId everywhere)
       : materials_(std::move(materials)), everywhere_(everywhere) {}
-  /// The same in a byte a cell, for rasters: `of_cell[i]` is the number of the material of the terrain's i-th cell.
-  /// Where one material is everywhere, nothing is kept.
+  /// For rasters, a byte per cell: `of_cell[i]` is the material of the terrain's cell i. Not stored if all cells have
+  /// the same material.
   Ground(std::vector<Material> materials, std::vector<std::uint8_t> of_cell);
 
   [[nodiscard]] MaterialId material_of(std::uint32_t source) const {
@@ -56,12 +56,12 @@ class Ground {
   [[nodiscard]] bool has_forest() const {
     return std::any_of(materials_.begin(), materials_.end(), [](const Material& m) { return m.has_forest(); });
   }
-  /// Of everything that grows with the terrain.
+  /// Memory that grows with the terrain.
   [[nodiscard]] std::size_t bytes() const { return of_facet_.size() * sizeof(MaterialId) + of_cell_.size(); }
 
  private:
   std::vector<Material> materials_;
-  // At most one of these has entries; where none has, one material is everywhere.
+  // At most one of these has entries; if none has, `everywhere_` is the material.
   std::vector<MaterialId> of_facet_;
   std::vector<std::uint8_t> of_cell_;
   MaterialId everywhere_{0};
@@ -69,8 +69,8 @@ class Ground {
 
 enum class MaterialSampling { per_impact, per_rock };
 
-/// The properties that one contact draws. Per impact, every contact draws afresh; per rock, a rock finds the same
-/// properties wherever it meets the same material.
+/// Draws the ground's properties for one contact. Per impact, every contact draws new ones; per rock, a rock has the
+/// same properties at all contacts with the same material.
 class GroundDraw {
  public:
   GroundDraw(const Draws& draws, MaterialSampling sampling, MaterialId material, std::uint32_t contact)
@@ -80,8 +80,8 @@ class GroundDraw {
   [[nodiscard]] double friction_angle(const Material& material) const;
   [[nodiscard]] double dynamic_friction(const Material& material) const;
   [[nodiscard]] double rolling_friction(const Material& material) const;
-  /// Two independent angles that tilt the ground, ahead and aside [rad]. The ground's shape is drawn afresh at every
-  /// contact: `contact` tells them apart.
+  /// Two independent angles that tilt the ground, ahead and aside [rad]. They are drawn at every contact, numbered
+  /// `contact`, also with sampling per rock.
   [[nodiscard]] std::array<double, 2> roughness(const Material& material, std::uint32_t contact) const;
 
  private:

@@ -23,7 +23,7 @@ CrspImpact crsp_impact(const Vec3& velocity, const Vec3& spin, const Vec3& n, do
   const Vec3 vt = velocity - impact.vn * n, wt = spin - impact.wn * n;
   const double vt_length = vt.norm(), wt_length = wt.norm();
 
-  // The frame. Spin that moves the rock's skin less than a billionth of its speed is rounding, not spin.
+  // The frame. Spin whose surface speed is below a billionth of the rock's speed is rounding.
   const bool spins = wt_length * radius > 1e-9 * vt_length;
   if (!spins && vt_length == 0) {
     impact.t1 = impact.t2 = Vec3::Zero();
@@ -44,7 +44,7 @@ Rebound crsp_rebound(const CrspImpact& impact, const Rock& rock, Restitution res
   const double r = rock.radius;
   const double kept = r * r * crsp_friction_function(slip, restitution.tangential) *
                       crsp_scaling_factor(vn, restitution) / (rock.inertia + rock.mass * r * r);
-  // A velocity that is next to nothing beside the spin, as of a rock that is set down, has a sign by rounding.
+  // The sign of a velocity that is tiny compared to the spin, as of a spinning rock set down, is rounding.
   const double direction = std::abs(v1) > 1e-6 * w2 * r ? v1 : w2;
   const double v1_after = std::copysign(std::sqrt(kept * (rock.inertia * w2 * w2 + rock.mass * v1 * v1)), direction);
   const double v2_after = std::copysign(std::sqrt(kept * rock.mass * v2 * v2), v2);

@@ -1,5 +1,5 @@
 #pragma once
-// Impact of a lumped mass with rotation, in the form of the Colorado Rockfall Simulation Program.
+// Impact of a lumped mass with rotation: the law of the Colorado Rockfall Simulation Program (CRSP).
 //
 // Source: verification manual, section 2.3; Pfeiffer and Bowen, "Computer simulation of rockfalls", Bulletin of the
 // Association of Engineering Geologists 26 (1989). Symbols:
@@ -12,11 +12,10 @@
 //   v1'  = sign(v1) sqrt(r^2 (I w2^2 + m v1^2) f(F) SF / (I + m r^2)),  w2' =  v1'/r
 //   v2'  = sign(v2) sqrt(r^2 (I w1^2 + m v2^2) f(F) SF / (I + m r^2)),  w1' = -v2'/r
 //
-// The manual prints vn^2/(f2 Rn) in SF; its own number 0.65422 needs the square over the whole quotient.
-// The tangent frame is one in which a spinning rock has w1 = 0 (t2 along the tangential spin, t1 = t2 x n); a rock that
-// does not spin has t1 along its tangential velocity. The manual does not say so; its table 2-4 needs it.
-// With Rn = 0 the scaling factor is 0: the rock keeps no tangential speed.
-// Left out: nothing of the published law. Tested against tables 2-4 and 2-5.
+// The manual prints vn^2/(f2 Rn) in SF; its number 0.65422 requires the square of the whole quotient. In the tangent
+// frame a spinning rock has w1 = 0 (t2 along the tangential spin, t1 = t2 x n); a rock without spin has t1 along its
+// tangential velocity. The manual does not state this; its table 2-4 requires it. With Rn = 0 the scaling factor is 0:
+// the rock keeps no tangential speed. Nothing of the published law is left out. Tested against tables 2-4 and 2-5.
 
 #include "talus/impact/restitution.hpp"
 
@@ -25,12 +24,12 @@ namespace talus {
 inline constexpr double crsp_f1 = 6.096;  // [m/s], 20 ft/s
 inline constexpr double crsp_f2 = 76.2;   // [m/s], 250 ft/s
 
-/// CRSP's scaling factor for the normal speed of the impact.
+/// The scaling factor SF for the impact's normal speed.
 [[nodiscard]] double crsp_scaling_factor(double vn, Restitution restitution);
-/// CRSP's friction function for the slip speed at the contact point.
+/// The friction function f(F) for the slip speed of the contact point.
 [[nodiscard]] double crsp_friction_function(double slip_speed, double rt);
 
-/// How a rock comes to an impact, in the law's frame: what does not depend on the ground's restitution.
+/// A rock's motion before an impact, in the tangent frame: the part of the law that does not depend on restitution.
 struct CrspImpact {
   Vec3 n, t1, t2;
   double vn = 0, wn = 0;  // [m/s], [rad/s]
@@ -38,7 +37,7 @@ struct CrspImpact {
   double slip = 0;  // speed of the contact point along the ground [m/s]
 };
 
-/// `n` is the surface's unit normal out of the ground.
+/// `n`: unit normal, out of the ground.
 [[nodiscard]] CrspImpact crsp_impact(const Vec3& velocity, const Vec3& spin, const Vec3& n, double radius);
 
 [[nodiscard]] Rebound crsp_rebound(const CrspImpact& impact, const Rock& rock, Restitution restitution);

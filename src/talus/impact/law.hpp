@@ -1,11 +1,11 @@
 #pragma once
-// The impact laws there are, behind one door: a law is chosen once and asked at every impact.
+// The list of impact laws. The law is chosen once per run.
 //
 // A law is a type with
 //   rebound(approach, restitution, friction) -> Rebound
-// where restitution() draws the ground's coefficients and friction() its dynamic friction, each at most once: what a
-// law does not need is not drawn. To add one: a file here with its equations, a type here, its name in the list, and in
-// impact_law() when it is meant.
+// where restitution() draws the ground's coefficients and friction() its dynamic friction, each called at most once:
+// what a law does not need is not drawn. To add a law: a file with its equations, a type here and its name in the list,
+// and a line in Laws::impact_law() (trajectory/scene.hpp).
 
 #include <variant>
 
@@ -15,15 +15,15 @@
 
 namespace talus {
 
-/// How a rock comes to the ground.
+/// A rock's motion before an impact.
 struct Approach {
   const Vec3& velocity;  // [m/s]
   const Vec3& spin;      // [rad/s]
-  const Vec3& normal;    // unit, out of the ground as the rock meets it, roughness included
+  const Vec3& normal;    // unit, out of the ground, roughness included
   const Rock& rock;
 };
 
-/// A lumped mass without rotation (plain.hpp).
+/// Lumped mass without rotation (plain.hpp).
 struct PlainImpact {
   template <class DrawRestitution, class DrawFriction>
   [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&&) const {
@@ -31,17 +31,17 @@ struct PlainImpact {
   }
 };
 
-/// A lumped mass with rotation (crsp.hpp).
+/// Lumped mass with rotation (crsp.hpp).
 struct CrspLaw {
   template <class DrawRestitution, class DrawFriction>
   [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&&) const {
-    // Before the draws, which take as long as it does and do not wait for it.
+    // Computed before the draws, which take as long and do not depend on it: both can run at the same time.
     const CrspImpact impact = crsp_impact(a.velocity, a.spin, a.normal, a.rock.radius);
     return crsp_rebound(impact, a.rock, restitution());
   }
 };
 
-/// A rigid sphere (rigid_sphere.hpp).
+/// Rigid sphere (rigid_sphere.hpp).
 struct RigidSphereImpact {
   bool has_crsp_damping = false;  // of the tangential restitution
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a rebound law is given and what it returns; and the scalings of the normal restitution.
+// The input and the result of an impact law, and the scaling of the normal restitution.
 
 #include <optional>
 
@@ -14,15 +14,15 @@ struct Restitution {
   double tangential = 0;
 };
 
-/// How the rock leaves an impact.
+/// A rock's motion after an impact.
 struct Rebound {
   Vec3 velocity;  // [m/s]
   Vec3 spin;      // [rad/s]
 };
 
-/// Rn falls with the impact's speed and the rock's mass; both are off unless their scale is given.
+/// Rn decreases with the impact's normal speed and with the rock's mass; each only if its scale is given.
 ///  - by velocity: Rn / (1 + (|vn| / scale)^2); Pfeiffer and Bowen 1989, scale 9.144 m/s (30 ft/s);
-///  - by mass: Rn / (1 + (m / scale)^2), the same form in the rock's mass, as RocFall offers it.
+///  - by mass: Rn / (1 + (m / scale)^2), the same form in the rock's mass, as in RocFall.
 struct RestitutionScaling {
   std::optional<double> normal_speed;  // [m/s]
   std::optional<double> mass;          // [kg]

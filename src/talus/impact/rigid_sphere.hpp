@@ -7,19 +7,18 @@
 //   wanted: un' = -Rn un, ut' = Rt ut;  impulses Jn = (1 + Rn) m |un|,  Jt = -(1 - Rt) ut / (1/m + r^2/I)
 //   if |Jt| > mu Jn the contact slips and Jt is scaled to mu Jn
 //   v' = v + J/m,  w' = w + (rc x J)/I
-// RocFall3's table C-2 is this law with Rt = 0.68; RocFall2's table C-1 is it with Rt = 0.
+// RocFall3's table C-2 is this law with Rt = 0.68, RocFall2's table C-1 with Rt = 0.
 
 #include "talus/impact/restitution.hpp"
 
 namespace talus {
 
-/// `mu` is the coefficient of dynamic friction.
+/// `mu`: coefficient of dynamic friction.
 [[nodiscard]] Rebound rigid_sphere_rebound(const Vec3& velocity, const Vec3& spin, const Vec3& n, const Rock& rock,
                                            Restitution restitution, double mu);
 
-/// "Tangential CRSP damping" for the rigid sphere: the tangential restitution that leaves the contact point the speed
-/// sqrt(f(F) SF) of what it had, f(F) and SF as in crsp.hpp. The manual names the option without its equation; CRSP's
-/// product f(F) SF scales an energy, hence the root.
+/// "Tangential CRSP damping" for the rigid sphere: the tangential restitution sqrt(f(F) SF), with f(F) and SF of
+/// crsp.hpp. The manual names the option without an equation; CRSP's product f(F) SF scales an energy, hence the root.
 [[nodiscard]] double crsp_damped_tangential_restitution(const Vec3& velocity, const Vec3& spin, const Vec3& n,
                                                         const Rock& rock, Restitution restitution);
 

@@ -15,8 +15,7 @@ namespace talus {
 
 namespace {
 
-// In the kernel nothing throws and nothing sets errno: what Boost cannot evaluate comes back as it is, and the limits
-// of the draws catch it.
+// In the kernel nothing throws or sets errno: results that Boost cannot evaluate are limited to the range of the draws.
 using Quiet = boost::math::policies::policy<
     boost::math::policies::domain_error<boost::math::policies::ignore_error>,
     boost::math::policies::pole_error<boost::math::policies::ignore_error>,
@@ -32,7 +31,7 @@ using Gamma = boost::math::gamma_distribution<double, Quiet>;
 
 constexpr double no_limit = 1e300;
 
-// What the numbers of an Untruncated stand for:
+// The numbers of an Untruncated:
 //   normal       mean, standard deviation
 //   uniform      start, width
 //   triangular   start, mode, end
@@ -43,8 +42,8 @@ constexpr double no_limit = 1e300;
 Untruncated untruncated(const Distribution& given) {
   const double m = given.mean;
   const double s = given.std_dev.value_or(0);
-  const auto start = [&](double otherwise) { return m - given.rel_min.value_or(otherwise); };
-  const auto end = [&](double otherwise) { return m + given.rel_max.value_or(otherwise); };
+  const auto start = [&](double without_limit) { return m - given.rel_min.value_or(without_limit); };
+  const auto end = [&](double without_limit) { return m + given.rel_max.value_or(without_limit); };
   switch (given.kind) {
     case DistributionKind::none:
       break;
@@ -60,7 +59,7 @@ Untruncated untruncated(const Distribution& given) {
       return {given.kind, a, std::clamp(3 * m - a - b, a, b), b, 0};  // the mean of a triangle is (a + mode + b) / 3
     }
     case DistributionKind::beta: {
-      // By moments: mean and standard deviation as parts of the width give alpha + beta = mean (1 - mean) / var - 1.
+      // By moments: with mean and standard deviation as shares of the width, alpha + beta = mean (1 - mean) / var - 1.
       const double a = start(0), width = end(0) - a;
       const double mean = (m - a) / width, deviation = s / width;
       const double both = mean * (1 - mean) / (deviation * deviation) - 1;
@@ -80,7 +79,7 @@ Untruncated untruncated(const Distribution& given) {
   return {};
 }
 
-// The probabilities below and above x, each with its full relative precision.
+// The probabilities below and above x, each with full relative precision.
 struct Tails {
   double below, above;
 };
@@ -132,7 +131,7 @@ Tails tails(const Untruncated& base, double x) {
   return {0, 1};
 }
 
-// The x that has these probabilities below and above it; the smaller of the two decides.
+// The x with these probabilities below and above it; the smaller of the two is used.
 double quantile_of(const Untruncated& base, Tails at) {
   const bool is_left = at.below < at.above;
   switch (base.kind) {
@@ -163,7 +162,7 @@ double quantile_of(const Untruncated& base, Tails at) {
   return 0;
 }
 
-// Where the draws may lie: the relative limits and the bounds together.
+// The range of the draws: the relative limits and the bounds combined.
 Bounds limits_of(const Distribution& given, Bounds bounds) {
   return {std::max(given.rel_min ? given.mean - *given.rel_min : -no_limit, bounds.least),
           std::min(given.rel_max ? given.mean + *given.rel_max : no_limit, bounds.most)};
@@ -172,7 +171,7 @@ Bounds limits_of(const Distribution& given, Bounds bounds) {
 }  // namespace
 
 Sampler::Sampler(const Distribution& distribution, Bounds bounds, double scale) : scale_(scale) {
-  TALUS_PROMISE(!why_unusable(distribution, bounds), "an unusable distribution is refused before it comes here");
+  TALUS_PROMISE(!why_unusable(distribution, bounds), "the distribution has been checked");
   if (distribution.kind == DistributionKind::none) {
     value_ = distribution.mean * scale;
     return;
@@ -192,7 +191,7 @@ Sampler::Sampler(const Distribution& distribution, Bounds bounds, double scale) 
 double Sampler::draw_random(double u) const {
   const Tails at{below_low_ + span_below_ * u, above_high_ + span_above_ * (1 - u)};
   const double x = quantile_of(base_, at);
-  // In this order a NaN, should Boost ever give one, becomes the lower limit.
+  // In this order a NaN, if Boost ever returns one, becomes the lower limit.
   const double not_below = x > low_ ? x : low_;
   return (not_below < high_ ? not_below : high_) * scale_;
 }
@@ -203,12 +202,12 @@ std::vector<Density> density_of(const Distribution& distribution, Bounds bounds,
   const Bounds limits = limits_of(distribution, bounds);
   const Sampler sampler(distribution, bounds);
   constexpr double tail = 1e-3;
-  constexpr double near = 0.2;  // a limit that is so near, as a part of the width without tails, is shown
+  constexpr double near = 0.2;  // a limit this near, as a share of the width without tails, is shown
   const double first = sampler.draw(tail), last = sampler.draw(1 - tail), width = last - first;
   const double low = limits.least > first - near * width ? limits.least : first;
   const double high = limits.most < last + near * width ? limits.most : last;
 
-  // Of differences of probabilities the one with more digits: of those below in the lower half, above in the upper.
+  // The difference of probabilities with more digits: of those below x in the lower half, above x in the upper.
   const auto part = [](const Tails& left, const Tails& right) {
     return left.below < left.above ? right.below - left.below : left.above - right.above;
   };
@@ -231,10 +230,10 @@ Truncation truncation_of(const Distribution& distribution, Bounds bounds) {
   Truncation found{.kept = 1 - low.below - high.above,
                    .least = low.below > 0 ? limits.least : sampler.draw(1e-12),
                    .most = high.above > 0 ? limits.most : sampler.draw(1 - 1e-12)};
-  // What is all but uncut has its mean, which a sum over few parts of a long tail would miss.
-  const bool may_be_uneven =
+  // An almost untruncated distribution keeps its mean, which a sum over few parts of a long tail would miss.
+  const bool may_shift_mean =
       base.kind == DistributionKind::uniform || base.kind == DistributionKind::triangular || found.kept < 0.999;
-  if (!may_be_uneven) {
+  if (!may_shift_mean) {
     found.mean = distribution.mean;
     return found;
   }
@@ -274,7 +273,7 @@ std::string expected(Bounds bounds) {
 
 using Fault = std::optional<std::string>;
 
-Fault about_numbers(const Distribution& given, Bounds bounds) {
+Fault fault_in_numbers(const Distribution& given, Bounds bounds) {
   if (!std::isfinite(given.mean)) return fmt::format("mean is {} (expected a finite number)", given.mean);
   if (given.mean < bounds.least || given.mean > bounds.most) {
     return fmt::format("mean is {} ({})", given.mean, expected(bounds));
@@ -285,7 +284,7 @@ Fault about_numbers(const Distribution& given, Bounds bounds) {
   for (const auto& [name, value] : {std::pair{"rel_min", given.rel_min}, std::pair{"rel_max", given.rel_max}}) {
     if (value && !(std::isfinite(*value) && *value >= 0)) {
       return fmt::format(
-          "{} is {} (it is a distance from the mean: finite and not negative). For no limit leave it out", name,
+          "{} is {} (it is a distance from the mean: finite and not negative). For no limit, leave it out", name,
           *value);
     }
   }
@@ -301,7 +300,7 @@ bool is_given_by_its_limits(const Distribution& given) {
 
 namespace {
 
-Fault about_what_is_missing(const Distribution& given) {
+Fault missing_parameter(const Distribution& given) {
   const char* kind = name_of(given.kind);
   switch (given.kind) {
     case DistributionKind::none:
@@ -321,31 +320,31 @@ Fault about_what_is_missing(const Distribution& given) {
     case DistributionKind::beta:
       if (!given.std_dev) return "std_dev is missing (the beta distribution needs it)";
       if (!given.rel_min || !given.rel_max)
-        return "limits are missing (the beta distribution lies between rel_min and rel_max)";
+        return "limits are missing (the beta distribution needs rel_min and rel_max)";
       break;
     case DistributionKind::exponential:
       if (!given.std_dev && given.mean <= 0) {
         return fmt::format(
-            "std_dev is missing (the exponential distribution takes the mean for it, which here is {}, not above 0)",
+            "std_dev is missing (the exponential distribution then uses the mean, which is {}, not above 0)",
             given.mean);
       }
       break;
   }
   if (given.std_dev && *given.std_dev == 0) {
     return fmt::format(
-        "std_dev is 0 (the {} distribution needs one above 0). For a constant use distribution = \"none\"", kind);
+        "std_dev is 0 (the {} distribution needs one above 0). For a constant, use distribution = \"none\"", kind);
   }
   return {};
 }
 
-// The gamma and the beta are as good as normal below the smaller ratio, and Boost's quantiles slow or wrong; a larger
-// ratio than the other is taken for a slip of the pen.
+// Below the smaller ratio, gamma and beta are practically normal, and Boost's quantiles slow or wrong. A ratio above
+// the larger one is considered a mistake.
 constexpr double least_deviation = 1e-4;
 constexpr double most_deviation_of_mean = 10;
 constexpr double most_variance_of_beta = 0.99;
 constexpr double least_probability = 1e-6;
 
-Fault about_shape(const Distribution& given) {
+Fault fault_in_shape(const Distribution& given) {
   const char* kind = name_of(given.kind);
   if (given.kind == DistributionKind::lognormal || given.kind == DistributionKind::gamma) {
     if (given.mean <= 0) {
@@ -357,14 +356,14 @@ Fault about_shape(const Distribution& given) {
     }
     if (*given.std_dev < least_deviation * given.mean) {
       return fmt::format(
-          "std_dev is {} (the {} distribution expects at least {} times the mean, {}). With less use \"normal\"",
+          "std_dev is {} (the {} distribution expects at least {} times the mean, {}). For less, use \"normal\"",
           *given.std_dev, kind, least_deviation, least_deviation * given.mean);
     }
   }
   if (given.kind == DistributionKind::beta) {
     const double left = *given.rel_min, right = *given.rel_max, s = *given.std_dev;
     if (left == 0 || right == 0) {
-      return fmt::format("{} is 0 (the mean of a beta distribution lies between its limits, not on one)",
+      return fmt::format("{} is 0 (the mean of a beta distribution is between its limits, not on one)",
                          left == 0 ? "rel_min" : "rel_max");
     }
     const double most = std::sqrt(most_variance_of_beta * left * right);
@@ -374,7 +373,7 @@ Fault about_shape(const Distribution& given) {
     const double least = least_deviation * std::min(left, right);
     if (s < least) {
       return fmt::format(
-          "std_dev is {} (a beta distribution with these limits expects at least {:.4g}). With less use "
+          "std_dev is {} (a beta distribution with these limits expects at least {:.4g}). For less, use "
           "\"normal\"",
           s, least);
     }
@@ -382,16 +381,17 @@ Fault about_shape(const Distribution& given) {
   return {};
 }
 
-Fault about_limits(const Distribution& given, Bounds bounds) {
+Fault fault_in_limits(const Distribution& given, Bounds bounds) {
   const Bounds limits = limits_of(given, bounds);
   if (!(limits.least < limits.most)) {
     return fmt::format(
-        "rel_min and rel_max leave the one value {} (a random property needs room). For a constant use distribution = "
+        "rel_min and rel_max allow only the value {} (a random property needs a range). For a constant, use "
+        "distribution = "
         "\"none\"",
         limits.most);
   }
   const Untruncated base = untruncated(given);
-  // Not below: so that a NaN is refused too.
+  // Written so that NaN is also refused.
   if (!(tails(base, limits.most).below - tails(base, limits.least).below >= least_probability)) {
     return fmt::format(
         "the limits {} to {} leave less than a millionth of the {} distribution (its std_dev is {}). Compare the units "
@@ -404,11 +404,11 @@ Fault about_limits(const Distribution& given, Bounds bounds) {
 }  // namespace
 
 std::optional<std::string> why_unusable(const Distribution& distribution, Bounds bounds) {
-  if (Fault message = about_numbers(distribution, bounds)) return message;
+  if (Fault message = fault_in_numbers(distribution, bounds)) return message;
   if (distribution.kind == DistributionKind::none) return {};
-  if (Fault message = about_what_is_missing(distribution)) return message;
-  if (Fault message = about_shape(distribution)) return message;
-  return about_limits(distribution, bounds);
+  if (Fault message = missing_parameter(distribution)) return message;
+  if (Fault message = fault_in_shape(distribution)) return message;
+  return fault_in_limits(distribution, bounds);
 }
 
 }  // namespace talus

@@ -1,6 +1,6 @@
 #pragma once
-// Random properties: what the user gives (mean, distribution, standard deviation, relative minimum and maximum) and
-// the sampler made of it, which turns one uniform number into one draw by the inverse of the truncated distribution
+// Random properties: the user's settings (mean, distribution, standard deviation, relative minimum and maximum) and the
+// sampler made from them, which turns one uniform number into one draw by the inverse of the truncated distribution
 // function.
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace talus {
 
 enum class DistributionKind { none, normal, uniform, triangular, beta, exponential, lognormal, gamma };
 
-/// A property as the manual's tables give it. Units are those of the property.
+/// A property as in the manual's tables, in the property's unit.
 struct Distribution {
   double mean = 0;
   DistributionKind kind = DistributionKind::none;
@@ -21,20 +21,19 @@ struct Distribution {
   std::optional<double> rel_max{};  // draws are not above mean + rel_max
 };
 
-/// What a property may be at all, whatever its distribution says: restitution stays in [0, 1], friction is not
-/// negative.
+/// The range of a property for any distribution: restitution is in [0, 1], friction is not negative.
 struct Bounds {
   double least = -1e300;
   double most = 1e300;
 };
 
-/// A distribution before its truncation. What the numbers stand for depends on the kind, see distribution.cpp.
+/// A distribution before truncation. The meaning of the numbers depends on the kind, see distribution.cpp.
 struct Untruncated {
   DistributionKind kind = DistributionKind::none;
   double first = 0, second = 0, third = 0, fourth = 0;
 };
 
-/// Draws from a truncated distribution. Made once, used in the kernel: no allocation, no exceptions.
+/// Draws from a truncated distribution. Constructed once, used in the kernel: no allocation, no exceptions.
 ///
 /// Parameters of each kind, with m the mean, s the standard deviation, a = m - rel_min, b = m + rel_max:
 ///  - normal(m, s), lognormal and gamma with mean m and standard deviation s, each truncated to [a, b];
@@ -42,28 +41,29 @@ struct Untruncated {
 ///  - uniform on [a, b]; a side without a relative limit ends at m -+ sqrt(3) s;
 ///  - triangular on [a, b] with mode 3 m - a - b, kept inside [a, b]; a side without a limit ends at m -+ sqrt(6) s;
 ///  - beta on [a, b] with mean m and standard deviation s.
-/// All of them are then truncated to `bounds` too. Truncation renormalises (it does not pile up draws at the limits),
-/// so an asymmetric one moves the mean.
+/// All of them are then also truncated to `bounds`. Truncation renormalizes (draws do not accumulate at the limits), so
+/// that an asymmetric one shifts the mean.
 ///
-/// Method: u is carried to the part of (0, 1) that the distribution function F leaves between the limits, then through
-/// the inverse of F. Both tails, F and 1 - F, are carried along and the smaller is used, so that the upper tail is as
-/// fine as the lower one. A draw costs 30 ns for the normal, 0.6 us for the gamma, 5 us for the beta.
+/// Method: u is mapped to the range of the distribution function F between the limits, then through the inverse of F.
+/// Both tails, F and 1 - F, are computed and the smaller is used, so that the upper tail is as accurate as the lower
+/// one. A draw costs 30 ns for the normal, 0.6 us for the gamma, 5 us for the beta distribution.
 class Sampler {
  public:
   Sampler() = default;
   explicit Sampler(double constant) : value_(constant) {}
-  /// Expects a distribution that `why_unusable` accepts. `scale` multiplies the draws: a user's unit to SI.
+  /// Expects a distribution that `why_unusable` accepts. `scale` multiplies the draws, to convert the user's unit to
+  /// SI.
   Sampler(const Distribution& distribution, Bounds bounds, double scale = 1.0);
 
   [[nodiscard]] bool is_constant() const { return base_.kind == DistributionKind::none; }
-  /// The draw that belongs to the uniform number u in (0, 1). Grows with u.
+  /// The draw for the uniform number u in (0, 1). Increases with u.
   [[nodiscard]] double draw(double u) const { return is_constant() ? value_ : draw_random(u); }
 
  private:
   [[nodiscard]] double draw_random(double u) const;
 
   Untruncated base_;
-  double value_ = 0;                       // of none, scaled
+  double value_ = 0;                       // of a constant, scaled
   double low_ = 0, high_ = 0;              // limits of the draws, in the user's unit
   double below_low_ = 0, above_high_ = 0;  // F(low) and 1 - F(high)
   double span_below_ = 1;                  // F(high) - F(low) as a difference of lower tails,
@@ -71,29 +71,29 @@ class Sampler {
   double scale_ = 1;
 };
 
-/// How likely draws are near a value: the part of them in an interval around it, over the interval's width.
+/// Probability density near a value: the share of draws in an interval around it, over the interval's width.
 struct Density {
   double value, density;
 };
 
-/// Of so many equal intervals one beside the other, for a picture: from the least to the greatest draw, but for tails
-/// of up to a thousandth of all draws. Empty for a constant. Expects a distribution that `why_unusable` accepts.
+/// The density in this many equal intervals, for a figure: from the smallest to the largest draw, without tails of up
+/// to a thousandth of all draws. Empty for a constant. Expects a distribution that `why_unusable` accepts.
 [[nodiscard]] std::vector<Density> density_of(const Distribution& distribution, Bounds bounds, std::size_t intervals);
 
-/// What limits and bounds make of a distribution.
+/// The effect of limits and bounds on a distribution.
 struct Truncation {
-  double kept = 1;             // share of the probability that lies within them
+  double kept = 1;             // share of the probability within them
   double least = 0, most = 0;  // of the draws
-  double mean = 0;             // of the draws, to some thousandths of their spread
+  double mean = 0;             // of the draws, accurate to some thousandths of their spread
 };
-/// Expects a distribution that `why_unusable` accepts, and no constant.
+/// Expects a distribution that `why_unusable` accepts, not a constant.
 [[nodiscard]] Truncation truncation_of(const Distribution& distribution, Bounds bounds);
 
-/// Whether its limits alone say how wide it is, whatever its standard deviation.
+/// Whether its limits alone determine its width, so that its standard deviation has no effect.
 [[nodiscard]] bool is_given_by_its_limits(const Distribution& distribution);
 
-/// Why a sampler cannot be made of this distribution, or nothing: for example a beta without limits. In the form
-/// `problem (why). hint`, in the words and units of the project file.
+/// Why a sampler cannot be made from this distribution, for example a beta without limits; nullopt if it can. In the
+/// form `problem (why). hint`, with the keys and units of the project file.
 [[nodiscard]] std::optional<std::string> why_unusable(const Distribution& distribution, Bounds bounds);
 
 }  // namespace talus

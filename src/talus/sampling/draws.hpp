@@ -10,16 +10,16 @@ namespace talus {
 
 enum class SamplingMethod { monte_carlo, latin_hypercube };
 
-/// How the rocks of one seeder draw: a Latin hypercube stratifies over them.
+/// The sampling of one seeder's rocks, over which a Latin hypercube stratifies.
 struct SamplingPlan {
   std::uint64_t seed = 1;
   SamplingMethod method = SamplingMethod::monte_carlo;
   std::uint64_t first = 0;  // the number of the seeder's first rock
-  std::uint64_t count = 1;  // of the seeder's rocks
+  std::uint64_t count = 1;  // number of the seeder's rocks
 };
 
 /// One rock's draws. With Latin hypercube sampling, the k-th number of a stream is stratified over the rocks of the
-/// seeder: each of `count` equal cells of (0, 1) is hit by exactly one rock (McKay, Beckman, Conover 1979).
+/// seeder: exactly one rock is in each of `count` equal cells of (0, 1) (McKay, Beckman, Conover 1979).
 class Draws {
  public:
   Draws(const SamplingPlan& plan, std::uint64_t rock) : plan_(plan), rock_(rock) {}

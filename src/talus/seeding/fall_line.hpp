@@ -1,12 +1,12 @@
 #pragma once
-// Which way the ground falls.
+// The direction of steepest descent.
 
 #include "talus/core/vec.hpp"
 
 namespace talus {
 
-/// Down the facet below a place, or over it where the place is in the ground: unit, along the steepest descent. +x
-/// where that is level, or where there is none.
+/// The steepest descent on the facet below a place, or above it if the place is in the ground; unit. +x if the facet is
+/// level, or there is none.
 template <class Surface>
 [[nodiscard]] Vec3 fall_line(const Surface& surface, Vec3 place) {
   constexpr double level = 1e-9;  // of a slope

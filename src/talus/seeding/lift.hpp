@@ -1,5 +1,5 @@
 #pragma once
-// A release point in the ground, or too near to it for its rock, is moved up or down to where the rock has room.
+// Moves a release point that is in the ground, or too near to it for its rock, up or down to where the rock fits.
 
 #include <algorithm>
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace talus {
 
-/// What becomes of a rock at the place where it is to start.
+/// Whether a rock fits where it is to be released.
 enum class Fit {
   as_given,
   moved,   // lifted, or lowered from a ceiling
   no_room  // between floor and ceiling
 };
 
-/// The height at which a rock may start.
+/// The elevation at which a rock can be released.
 struct ClearPlace {
   double z;
   Fit fit = Fit::as_given;
@@ -27,7 +27,7 @@ namespace lift_detail {
 
 constexpr double by_rounding = 1e-9;  // [m]
 
-/// Raises a sphere that reaches into facets until it only touches; each round clears the deepest one.
+/// Raises a sphere that reaches into facets until it only touches them; each round clears the deepest one.
 template <class Surface>
 [[nodiscard]] Vec3 raised(const Surface& surface, Vec3 centre, double radius) {
   for (int round = 0; round < 64; ++round) {
@@ -41,15 +41,15 @@ template <class Surface>
   return centre;
 }
 
-/// Whether the way straight up or down from a place in the open to another height leads through no ground.
+/// Whether there is no ground between a place in the open and an elevation straight above or below it.
 template <class Surface>
 [[nodiscard]] bool is_open(const Surface& surface, const Vec3& place, double z) {
   const auto ground_at = [&](double height) { return surface.elevation(place.x(), place.y(), height + contact_slack); };
   return !surface.may_overhang() || ground_at(place.z()) == ground_at(z);
 }
 
-/// The first height at which a sphere is clear, straight up (`way` is 1) or down (-1) from a place in the open. No
-/// facet comes nearer than the way that the sphere goes.
+/// The first elevation at which a sphere fits, straight up (`way` is 1) or down (-1) from a place in the open. Each
+/// step is the depth of the nearest facet: the distance to a facet cannot change by more than the sphere moves.
 template <class Surface>
 [[nodiscard]] std::optional<double> clear_along(const Surface& surface, const Vec3& place, double radius, double way) {
   constexpr int most_steps = 1000;
@@ -68,8 +68,8 @@ template <class Surface>
 
 }  // namespace lift_detail
 
-/// Where a rock of this radius (0: a point) may start: above the ground that the place is beneath, and far enough from
-/// all ground for the rock to fit. It is never moved through a ceiling.
+/// Where a rock of this radius (0: a point) can be released: above the ground if the place is in it, and far enough
+/// from all ground for the rock to fit. It is never moved through a ceiling.
 template <class Surface>
 [[nodiscard]] ClearPlace clear_place(const Surface& surface, const Vec3& place, double radius) {
   using namespace lift_detail;
@@ -83,7 +83,7 @@ template <class Surface>
       if (!z) z = clear_along(surface, open, radius, -1);
       return z ? ClearPlace{*z, Fit::moved} : ClearPlace{open.z(), Fit::no_room};
     }
-    // Beside an edge or a corner that was too far. From there it is let down again until it touches.
+    // Next to an edge or a corner it was raised too far, and is lowered again until it touches.
     const double rise = centre.z() - place.z();
     const auto touched = surface.first_contact({centre, {0, 0, -1}, Vec3::Zero()}, radius, rise);
     const double down = touched ? touched->t : rise;

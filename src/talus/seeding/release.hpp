@@ -1,5 +1,5 @@
 #pragma once
-// How a rock starts.
+// A rock and its motion at release.
 
 #include "talus/rocks/motion.hpp"
 #include "talus/rocks/rock.hpp"
@@ -9,7 +9,7 @@ namespace talus {
 struct Release {
   Motion motion;
   Rock rock;
-  bool has_room = true;  // otherwise it is caught where it is, and stays there
+  bool has_room = true;  // if false, the rock does not fit where it is released, and rests there
 };
 
 }  // namespace talus

@@ -1,9 +1,9 @@
 #pragma once
-// How high above the ground rocks are released.
+// The usual height of releases above the ground.
 
 namespace talus {
 
-/// Higher above the ground no rock is released, unless an elevation was taken for a height [m].
+/// A release higher above the ground than this [m] is probably an elevation entered as a height.
 inline constexpr double highest_release_m = 300;
 
 }  // namespace talus

@@ -16,7 +16,8 @@ void ReleaseLines::add(std::span<const Vec3> points, SourceId source) {
 
 ReleaseLines::Place ReleaseLines::at(double u) const {
   const double way = u * length();
-  // The first point further along: the one before it is on the same line, since a new line begins where the last ended.
+  // The first point further along. The one before it is on the same line, since a new line begins at the length at
+  // which the last one ended.
   const auto after = std::upper_bound(way_.begin(), way_.end(), way);
   const auto k = static_cast<std::size_t>(after - way_.begin());
   Vec3 point = points_.back();

@@ -1,6 +1,6 @@
 #pragma once
-// Lines along which rocks start with equal chance per metre. Of several lines each gets its share of the rocks, in
-// their order, so that it is known beforehand which rocks come from which.
+// Lines along which rocks are released, with equal probability per metre. Each of several lines has its share of the
+// rocks, in order, so that the line of each rock is known in advance.
 
 #include <cstddef>
 #include <span>
@@ -14,21 +14,21 @@ namespace talus {
 class ReleaseLines {
  public:
   ReleaseLines() = default;
-  /// One line, whose rocks have the seeder's source.
+  /// One line, whose rocks have this source.
   explicit ReleaseLines(std::span<const Vec3> points, SourceId source = {}) { add(points, source); }
 
-  /// Another line, through two or more points (local coordinates), whose rocks are of this source.
+  /// Another line, through two or more points (local coordinates), whose rocks have this source.
   void add(std::span<const Vec3> points, SourceId source);
 
   struct Place {
     Vec3 point;
     SourceId source;
   };
-  /// What belongs to the uniform number u, all lines together. Expects a line.
+  /// The place for the uniform number u on all lines. Expects at least one line.
   [[nodiscard]] Place at(double u) const;
-  /// The same on one line.
+  /// The place on one line.
   [[nodiscard]] Place at(std::size_t line, double u) const;
-  /// The line that has this part of the length, in (0, 1), of all lines one after the other. Grows with it.
+  /// The line at this share, in (0, 1), of the length of all lines one after the other. Increases with it.
   [[nodiscard]] std::size_t line_at(double part) const;
   [[nodiscard]] std::size_t count() const { return lines_.size(); }
   [[nodiscard]] SourceId source_of(std::size_t line) const { return lines_[line].source; }
@@ -45,7 +45,7 @@ class ReleaseLines {
     SourceId source;
   };
   std::vector<Vec3> points_;
-  std::vector<double> way_;  // from the first point of all to each, along the lines and not between them [m]
+  std::vector<double> way_;  // the length of the lines up to each point, gaps between lines not included [m]
   std::vector<Line> lines_;
 };
 

@@ -6,15 +6,15 @@ namespace talus {
 
 namespace {
 
-/// Rocks are dealt out along all lines one after the other, one to each of as many equal parts: so the line never goes
-/// back with the rock's number.
+/// The lines are divided into as many equal parts as there are rocks, one rock per part, in order: the line's number
+/// never decreases with the rock's.
 std::size_t line_of(const Seeder& seeder, const ReleaseLines& lines, const Draws& draws) {
   const double number = static_cast<double>(draws.rock() - seeder.first_rock);
   return lines.line_at((number + draws.pair(Stream::release_position)[1]) / static_cast<double>(seeder.rocks));
 }
 
-/// The first rock of a seeder's, counted from 0, for which is_there(rock) holds, as it does for all after it; or their
-/// number.
+/// The first of a seeder's rocks, zero-based, for which is_there(rock) is true, as it is for all after it; the number
+/// of rocks if there is none.
 template <class IsThere>
 std::uint64_t first_rock_where(const Seeder& seeder, IsThere&& is_there) {
   std::uint64_t first = 0, last = seeder.rocks;

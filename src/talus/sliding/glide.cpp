@@ -2,8 +2,8 @@
 
 #include "talus/core/check.hpp"
 
-// Compiled twice, for processors with AVX2 and for all others; the same operations, so the same bits. (Not where a
-// sanitizer watches: which one to take is found out before it is ready.)
+// Compiled twice, for processors with AVX2 and for all others; the same operations, so the same bits. (Not with a
+// sanitizer: the version is selected before the sanitizer is initialized.)
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define TALUS_WIDE_LANES __attribute__((target_clones("avx2", "default")))
@@ -14,7 +14,7 @@
 namespace talus {
 
 GlideLanes::GlideLanes(const GlideLaws& laws) : laws_(laws) {
-  // Numbers that are harmless in every operation, and of which none stays.
+  // Empty lanes get numbers that are harmless in every operation, and that take no step.
   for (Lanes* each : {&x_, &y_, &vy_, &speed_, &time_, &gain_, &braking_, &squared_way_}) each->fill(0);
   vx_.fill(1);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -61,9 +61,9 @@ std::size_t GlideLanes::take(std::size_t lane) {
 
 namespace {
 
-/// `taken` where all bits of the mask are set, `left` where none is. By these bits: of a choice of numbers the compiler
-/// would make a write under a mask, which takes longer than all the rest of a step, since what is read next waits for
-/// it.
+/// `taken` if all bits of the mask are set, `left` if none is. With bit operations: the compiler would turn a
+/// conditional expression into a masked store, which takes longer than the rest of a step because the next load waits
+/// for it.
 inline double chosen(std::uint64_t mask, double taken, double left) {
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(taken) & mask) |
                                (std::bit_cast<std::uint64_t>(left) & ~mask));
@@ -71,8 +71,7 @@ inline double chosen(std::uint64_t mask, double taken, double left) {
 
 }  // namespace
 
-// One loop without branches, which the compiler turns into operations on several lanes at a time. Gives the lanes whose
-// step was taken.
+// One loop without branches, which the compiler vectorizes. Returns the lanes whose step was taken.
 TALUS_WIDE_LANES auto GlideLanes::step_all() -> LaneSet {
   constexpr std::array<LaneSet, width> bits = [] {
     std::array<LaneSet, width> each{};
@@ -113,13 +112,13 @@ void GlideLanes::note_step(LaneSet lanes) {
 
 auto GlideLanes::run_until_one_ends(const StopScope* stop) -> LaneSet {
   TALUS_PROMISE(!is_empty(), "there is a glide to run");
-  constexpr unsigned often = 4096;  // steps between two looks: below a millisecond
+  constexpr unsigned stop_interval = 4096;  // steps between two looks at `stop`: below a millisecond
   LaneSet staying;
   unsigned steps = 0;
   do {
     staying = step_all();
     note_step(staying & traced_);
-  } while (staying == occupied_ && (++steps % often != 0 || stop == nullptr || !stop->is_requested()));
+  } while (staying == occupied_ && (++steps % stop_interval != 0 || stop == nullptr || !stop->is_requested()));
   return occupied_ & ~staying;
 }
 

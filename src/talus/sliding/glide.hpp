@@ -1,6 +1,6 @@
 #pragma once
-// Many steps of a stepped slide (stepped.hpp) on one facet, with nothing near that could end them: the same law in the
-// facet's own two coordinates. Most of a long slide goes through here, one rock's alone or several rocks' in lanes.
+// A glide: many steps of a slide (stepped.hpp) on one facet, with nothing near that could end them. The same law, in
+// two coordinates on the facet. Most steps of a long slide are taken here, for one rock or for several in lanes.
 
 #include <array>
 #include <bit>
@@ -16,37 +16,37 @@
 
 namespace talus {
 
-/// What all glides of a run have in common.
+/// The settings that all glides of a run share.
 struct GlideLaws {
   double timestep;          // [s]
   double stopped_velocity;  // [m/s]
   double max_time;          // of a rock [s]
 };
 
-/// One rock's glide. Down is along the pull, aside to its left, seen from outside the ground.
+/// One rock's glide. `x` is down, along the pull; `y` is aside, to its left seen from outside the ground.
 struct Glide {
-  double x = 0, y = 0;           // way gone down and aside [m]
+  double x = 0, y = 0;           // displacement from the start [m]
   double vx = 0, vy = 0;         // [m/s]
   double speed = 0;              // [m/s]
-  double time = 0;               // of the rock [s]
-  double gain = 0, braking = 0;  // of speed in a step, by the pull and by friction [m/s]
-  double squared_way =
-      std::numeric_limits<double>::infinity();  // from the start, within which only the facet's sides are met [m2]
-  /// A line on the facet, on whose inner side the rock must stay.
+  double time = 0;               // since release [s]
+  double gain = 0, braking = 0;  // change of speed per step, by the pull and by friction [m/s]
+  // The square of the distance from the start within which there is no barrier [m2].
+  double squared_way = std::numeric_limits<double>::infinity();
+  /// A side of the facet, within which the rock must stay.
   struct Side {
-    double distance = 1, down = 0, aside = 0;  // of the start from it [m], and how that grows with the way gone
+    double distance = 1, down = 0, aside = 0;  // of the start from it [m], and its growth with x and y
   };
   std::array<Side, 3> sides;
 };
 
-/// Where a step has brought the rock, and how fast it went during the step.
+/// The displacement after a step, and the velocity during it.
 struct GlideStep {
   double x, y;    // [m]
   double vx, vy;  // [m/s]
 };
 
-/// Takes one step, if that stays on the facet and leaves the rock faster than where it may stop. What comes when it
-/// does not is the caller's.
+/// Takes one step, if the rock stays on the facet and above the velocity at which it may stop. If not, returns false
+/// and changes nothing.
 [[nodiscard]] inline bool try_step(const GlideLaws& laws, Glide& glide) {
   const double wx = glide.vx + glide.gain, vy = glide.vy, size = std::sqrt(wx * wx + vy * vy);
   const double kept = 1 - glide.braking / size, speed = size - glide.braking, time = glide.time + laws.timestep;
@@ -67,8 +67,8 @@ struct GlideStep {
   return true;
 }
 
-/// Several glides side by side: a step is one long chain of operations, and while one rock's waits for a root, others'
-/// go on. The same operations in the same order as try_step(), so the same bits.
+/// Several glides at the same time. A step is one long chain of operations; while one rock waits for a square root, the
+/// others proceed. The operations and their order are those of try_step(), so the bits are the same.
 class GlideLanes {
  public:
   static constexpr std::size_t width = 16;
@@ -77,11 +77,11 @@ class GlideLanes {
 
   [[nodiscard]] bool is_empty() const { return occupied_ == 0; }
   [[nodiscard]] bool is_full() const { return occupied_ == all_lanes; }
-  /// Expects a free lane. The glide is written to when it has ended; `trace`, if there is one, gets its steps. `name`
-  /// is the caller's.
+  /// Expects a free lane. The result is written to `glide` when it has ended; `trace`, unless null, receives its steps.
+  /// `name` identifies the glide in run().
   void add(Glide& glide, std::vector<GlideStep>* trace, std::size_t name);
-  /// Until one glide has ended at the least, or until it is to stop; null: nobody asks. Calls ended(name) for each that
-  /// has ended. Expects a glide.
+  /// Runs until at least one glide has ended, or a stop is requested (null: never). Calls ended(name) for each that has
+  /// ended. Expects at least one glide.
   template <class Ended>
   void run(const StopScope* stop, Ended&& ended) {
     for (LaneSet lanes = run_until_one_ends(stop); lanes != 0; lanes &= lanes - 1) {
@@ -91,7 +91,7 @@ class GlideLanes {
 
  private:
   using Lanes = std::array<double, width>;
-  using LaneSet = std::uint64_t;  // a bit each
+  using LaneSet = std::uint64_t;  // a bit per lane
   static constexpr LaneSet all_lanes = (LaneSet{1} << width) - 1;
 
   LaneSet run_until_one_ends(const StopScope* stop);
@@ -100,7 +100,7 @@ class GlideLanes {
   std::size_t take(std::size_t lane);
 
   GlideLaws laws_;
-  LaneSet occupied_ = 0, traced_ = 0;  // what a free lane has is what its last glide ended with: it does not stay
+  LaneSet occupied_ = 0, traced_ = 0;  // a free lane keeps the data of its last glide, which takes no further step
   std::array<Glide*, width> glides_{};
   std::array<std::vector<GlideStep>*, width> traces_{};
   std::array<std::size_t, width> names_{};

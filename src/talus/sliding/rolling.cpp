@@ -40,7 +40,7 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
   Vec3 slip_heading;
   if (slip.norm() <= no_slip) {
     const double resistance = friction.rolling * normal;
-    // What stands is held by it and not driven.
+    // Resistance holds a sphere at rest, but does not drive it.
     const double resisting = speed > standstill ? resistance : std::min(resistance, pull);
     const Vec3 a = rolling_share(rock) * (footing.pull - resisting * heading);
     const Vec3 needed = a - footing.pull;
@@ -57,7 +57,7 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
   const Vec3 spun_up = friction.dynamic * moment * n.cross(slip_heading);
   const Vec3 tangential_spin = tangential(spin, n);
   const double spin_rate = tangential_spin.norm();
-  // Rolling resistance brakes the spin there is; of a sphere that does not spin it takes from what would start it.
+  // Rolling resistance brakes the spin; without spin, it reduces the moment that would start it.
   const Vec3 resistance = spin_rate * r > no_slip ? Vec3(-friction.rolling * moment * tangential_spin / spin_rate)
                           : friction.rolling < friction.dynamic ? Vec3(-friction.rolling / friction.dynamic * spun_up)
                                                                 : Vec3(-spun_up);
@@ -66,7 +66,7 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
   const Vec3 slip_change = a + r * n.cross(angular);
   const double slip_rate = slip_change.dot(slip_heading);
   const double slip_speed = slip.norm();
-  // Resistance brakes the spin until there is none left; beyond it would drive it.
+  // Resistance brakes the spin to zero, and must not reverse it.
   const double spin_change = spin_rate * r > no_slip ? angular.dot(tangential_spin) / spin_rate : 0;
   if (spin_change < 0 && -spin_rate / spin_change <= timestep) {
     leg.duration = -spin_rate / spin_change;
@@ -77,7 +77,7 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
     leg.duration = -slip_speed / slip_rate;
     leg.end_velocity = velocity + leg.duration * a;
     leg.end_spin = spin + leg.duration * angular;
-    // Rolling begins: the spin is made to agree with the velocity to the last digit where it is close to it.
+    // Rolling begins: a spin that agrees with the velocity except for rounding is made to agree exactly.
     const Vec3 rolling = rolling_spin(leg.end_velocity, leg.end_spin, n, r);
     if ((rolling - leg.end_spin).norm() * r <= no_slip * (1 + leg.end_velocity.norm())) leg.end_spin = rolling;
   }

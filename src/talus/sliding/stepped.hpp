@@ -1,14 +1,14 @@
 #pragma once
-// Sliding of a lumped mass by steps: semi-implicit Euler, velocity first, then position. This is RocFall3 (verification
-// manual, tables A-2 and B-2). Acceleration: the pull along the facet, less tan(phi) times the normal acceleration
-// against the motion (section 3.3.3). A step in which the speed would change sign is cut short where it is zero and
-// moves nothing. Spin does not change while sliding.
+// Sliding of a lumped mass in steps: semi-implicit Euler, velocity first, then position. This is RocFall3 (verification
+// manual, tables A-2 and B-2). Acceleration: the pull along the facet, and tan(phi) times the normal acceleration
+// against the motion (section 3.3.3). A step in which the velocity would reverse ends when the speed is zero, and does
+// not move the rock. Spin does not change during sliding.
 
 #include "talus/sliding/leg.hpp"
 
 namespace talus {
 
-/// The next step. `mu` = tan(phi); a rock that stands still starts down the pull.
+/// The next step. `mu` = tan(phi). A rock at rest starts along the pull.
 [[nodiscard]] inline Leg stepped_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin,
                                      const Footing& footing, double mu, double timestep) {
   const double speed = velocity.norm(), pull = footing.pull.norm();
@@ -19,12 +19,12 @@ namespace talus {
   leg.end_spin = spin;
   if (speed > 0 && pulled.dot(heading) < timestep * drag) {
     leg.duration = speed / (drag - footing.pull.dot(heading));
-    leg.end_velocity = Vec3::Zero();  // what pulls across the motion would be speed without way
+    leg.end_velocity = Vec3::Zero();  // a pull across the motion would add speed without displacement
     leg.path = {position, Vec3::Zero(), Vec3::Zero()};
     return leg;
   }
-  // Friction acts against the motion at the end of the step. On a straight line that is its motion at the start; across
-  // it, friction of the start would make rounding grow a hundredfold a step where the rock is slow.
+  // Friction acts against the velocity at the end of the step. On a straight line it has the direction of that at the
+  // start; across it, friction against the start velocity would amplify rounding a hundredfold per step at low speed.
   const double size = pulled.norm();
   const Vec3 after = size > timestep * drag ? Vec3((1 - timestep * drag / size) * pulled) : Vec3(Vec3::Zero());
   leg.duration = timestep;

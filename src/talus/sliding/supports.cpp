@@ -62,7 +62,7 @@ std::optional<Valley> caught_between(const Vec3& gravity, const Vec3& first, con
   const double sine = edge.norm();
   if (sine < same_support) return std::nullopt;
   const Vec3 e = edge / sine;
-  // In each plane, straight away from the other one.
+  // In each plane, at right angles away from the other one.
   Vec3 out_on_second = e.cross(second), out_on_first = e.cross(first);
   if (out_on_second.dot(first) < 0) out_on_second = -out_on_second;
   if (out_on_first.dot(second) < 0) out_on_first = -out_on_first;
@@ -71,7 +71,7 @@ std::optional<Valley> caught_between(const Vec3& gravity, const Vec3& first, con
   Supports both;
   both.add(first);
   both.add(second);
-  // Gravity drives it from each onto the other: both carry.
+  // Gravity drives the rock from each onto the other: both carry it.
   const double c = first.dot(second), on_first = -gravity.dot(first), on_second = -gravity.dot(second);
   const double share = (on_first - c * on_second) / ((1 - c) * (on_first + on_second));
   return Valley{e, footing_on(gravity, both), std::clamp(share, 0.0, 1.0)};

@@ -1,5 +1,5 @@
 #pragma once
-// Where a rock that several facets touch can go: down one of them, along a valley between two, or nowhere.
+// Where a rock that touches several facets can move: down one of them, along a valley between two, or nowhere.
 
 #include <array>
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// Unit normals of what touches a rock; nearly equal ones are kept once.
+/// Unit normals of the facets that a rock touches; nearly equal ones are kept once.
 class Supports {
  public:
   void add(const Vec3& n);
@@ -20,20 +20,19 @@ class Supports {
   int count_ = 0;
 };
 
-/// What is left of gravity where the supports push back without friction, and the sum of their normal forces: the
-/// projection of gravity on the cone of directions that enter none of them, found by trying every one, two and three
-/// of them as the ones that carry.
+/// The pull and the sum of normal forces on frictionless supports: the projection of gravity onto the cone of
+/// directions that enter none of them, found by trying every one, two and three of them as the ones that carry.
 [[nodiscard]] Footing footing_on(const Vec3& gravity, const Supports& supports);
 
-/// Two supports between which a rock is caught: along which line it can move, and its footing there.
+/// Two supports between which a rock is caught: the line along which it can move, and its footing there.
 struct Valley {
   Vec3 direction;  // unit, along both
   Footing footing;
-  double first_share;  // of the normal forces, that of the first
+  double first_share;  // the first support's share of the normal forces
 };
 
-/// Whether a rock that leaves a contact with the second of two neighbouring supports at `velocity` stays between them:
-/// gravity drives it from each onto the other, and it parts from the first more slowly than `cutoff` [m/s].
+/// The valley between two neighbouring supports, if a rock that leaves a contact with the second at `velocity` stays in
+/// it: gravity drives it from each onto the other, and it moves away from the first more slowly than `cutoff` [m/s].
 [[nodiscard]] std::optional<Valley> caught_between(const Vec3& gravity, const Vec3& first, const Vec3& second,
                                                    const Vec3& velocity, double cutoff);
 

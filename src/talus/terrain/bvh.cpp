@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t bins = 16;
 constexpr std::uint32_t leaf_size = 4;            // measured: 2 to 6 differ by less than the noise
-constexpr int deepest_by_heuristic = 40;          // below that ranges are halved, so that no input makes a deep tree
-constexpr std::uint32_t parallel_size = 1 << 14;  // ranges below this are not worth a task
+constexpr int deepest_by_heuristic = 40;          // deeper ranges are halved, so that no input makes a deeper tree
+constexpr std::uint32_t parallel_size = 1 << 14;  // smaller ranges are not worth a task
 
 float rounded_down(double x) {
   const auto f = static_cast<float>(x);
@@ -36,7 +36,7 @@ struct Range {
 }  // namespace
 
 struct Bvh::Builder {
-  // The tree before it is flattened: a node with up to four ranges, each a leaf or a node of its own.
+  // The tree before it is flattened: a node with up to four ranges, each a leaf or another node.
   struct Draft {
     std::array<Range, 4> part;
     std::array<std::unique_ptr<Draft>, 4> child;
@@ -54,7 +54,7 @@ struct Bvh::Builder {
 
   static double centre(const Box& box, int axis) { return 0.5 * (box.low[axis] + box.high[axis]); }
 
-  // Splits a range in two where the surface-area heuristic expects the fewest tests; halves it where all centres agree.
+  // Splits a range in two where the surface-area heuristic expects the fewest tests; halves it if all centres agree.
   std::pair<Range, Range> split(const Range& range, bool halve) {
     Box centres;
     for (std::uint32_t k = range.first; k < range.last; ++k) {
@@ -118,7 +118,7 @@ struct Bvh::Builder {
     draft->part[0] = range;
     draft->count = 1;
     while (draft->count < 4) {
-      // Open the largest part that is not yet a leaf.
+      // Split the largest part that is not yet a leaf.
       std::size_t widest = 4;
       for (std::size_t k = 0; k < draft->count; ++k) {
         if (draft->part[k].size() <= leaf_size) continue;
@@ -135,11 +135,11 @@ struct Bvh::Builder {
     if (range.size() > parallel_size) {
       stop_point();
       const StopScope* const here = StopScope::current();
-      const auto apart = [&](std::size_t k) {
-        const StopScope there(here);
+      const auto task = [&](std::size_t k) {
+        const StopScope scope(here);
         descend(k);
       };
-      tbb::parallel_invoke([&] { apart(0); }, [&] { apart(1); }, [&] { apart(2); }, [&] { apart(3); });
+      tbb::parallel_invoke([&] { task(0); }, [&] { task(1); }, [&] { task(2); }, [&] { task(3); });
     } else {
       for (std::size_t k = 0; k < 4; ++k) descend(k);
     }

@@ -1,12 +1,11 @@
 #pragma once
-// A bounding volume hierarchy with four children a node, over boxes; it knows nothing of what is in them.
-// Built top-down by the binned surface-area heuristic (Wald, "On fast construction of SAH-based bounding volume
-// hierarchies", RT 2007), each node split until it has four children; flattened depth-first, so that the same boxes
-// always give the same tree, whatever the threads do.
+// A bounding volume hierarchy over boxes, with four children per node. Built top-down by the binned surface-area
+// heuristic (Wald, "On fast construction of SAH-based bounding volume hierarchies", RT 2007), each node split until it
+// has four children, and flattened depth-first. The same boxes always give the same tree, for any number of threads.
 //
-// The boxes are stored as floats rounded outwards; the tests are in double. Ground that slopes fills its boxes badly: a
-// flight close above a slope is in them all the way. So a node may have a second bound, planes that lean as what is in
-// it does (add_leaning_bounds in leaning_bounds.hpp), which such a flight stays above.
+// Boxes are stored as floats, rounded outwards; tests are in double. Boxes fit sloping ground badly: a flight close
+// above a slope is inside them all the way. A node may therefore have a second bound, planes with the mean slope of its
+// contents (add_leaning_bounds in leaning_bounds.hpp), and such a flight stays above them.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +20,7 @@
 
 namespace talus {
 
-/// Asks for the cache lines of something that will be read soon.
+/// Prefetches the cache lines of something that will be read soon.
 template <class Thing>
 inline void fetch_soon(const Thing& thing) {
   constexpr std::size_t line = 64;
@@ -32,7 +31,7 @@ inline void fetch_soon(const Thing& thing) {
 class Bvh {
  public:
   Bvh() = default;
-  /// Afterwards `order()[k]` is the number of the box that came to stand at place k; leaves are ranges of places.
+  /// Sorts the boxes: `order()[k]` is the number of the box at place k. Leaves are ranges of places.
   explicit Bvh(std::span<const Box> boxes);
 
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
@@ -40,12 +39,11 @@ class Bvh {
     return nodes_.size() * sizeof(Node) + leans_.size() * sizeof(Lean) + order_.size() * sizeof(order_[0]);
   }
 
-  /// Calls leaf(first, last) for the leaves whose bounds, grown by `pad` on all sides, the path may meet at times in
-  /// [0, t_max], the nearest in time first. `leaf` may lower t_max, which it gets by reference. The path's
-  /// acceleration must be vertical.
+  /// Calls leaf(first, last, t_max) for the leaves whose bounds, grown by `pad` on all sides, the path may meet in [0,
+  /// t_max], in order of time. `leaf` may lower t_max. The path's acceleration must be vertical.
   ///
-  /// Large trees do not fit in a processor's caches: ahead(first, last) is called for leaves as soon as they are known
-  /// to come up, so that what they hold can be fetched meanwhile.
+  /// Large trees do not fit into a processor's caches: ahead(first, last) is called for a leaf as soon as it is
+  /// scheduled, so that its contents can be prefetched.
   template <class Leaf, class Ahead>
   void visit_flight(const Parabola& path, double pad, double& t_max, Leaf&& leaf, Ahead&& ahead) const;
   template <class Leaf>
@@ -57,27 +55,27 @@ class Bvh {
   template <class Leaf>
   void visit_box(const Vec3& low, const Vec3& high, Leaf&& leaf) const;
 
-  /// Calls leaf(first, last) for the leaves that lie on plan under the path in [0, t_end] and whose lowest point is
-  /// more than `worth()` below the path's highest point above them; worth() may rise on the way.
+  /// Calls leaf(first, last) for the leaves that are below the path on plan in [0, t_end], and whose lowest point is
+  /// more than `worth()` below the path's highest point over them. worth() may grow during the search.
   template <class Leaf, class Worth>
   void visit_under(const Parabola& path, double t_end, Worth&& worth, Leaf&& leaf) const;
 
-  /// The same in [t_from, t_end], the last in time first. `leaf` may raise t_from, which it gets by reference.
+  /// The same in [t_from, t_end], in reverse order of time. `leaf` gets t_from by reference, and may raise it.
   template <class Leaf>
   void visit_under_from_the_end(const Parabola& path, double& t_from, double t_end, double worth, Leaf&& leaf) const;
 
  private:
   struct alignas(64) Node {
     FlightSlabs::Bounds bound;  // a column per child
-    // A child with count 0 is the node `first`; otherwise a leaf of `count` places from `first`. Absent children have
-    // empty boxes (low > high), which nothing meets.
+    // A child with count 0 is the node `first`; any other is a leaf of `count` places from `first`. Absent children
+    // have empty boxes (low > high), which nothing meets.
     std::array<std::uint32_t, 4> first;
     std::array<std::uint32_t, 4> count;
   };
-  // What lies in child k is nowhere above z = along_x x + along_y y + top[k], nor below bottom[k] on the same slope.
+  // The contents of child k are between the planes z = along_x x + along_y y + bottom[k] and + top[k].
   struct alignas(16) Lean {
     float along_x = 0, along_y = 0;
-    float slant = 1;  // heights over such a plane to distances from it; rounded up
+    float slant = 1;  // ratio of heights over such a plane to distances from it; rounded up
     float unused = 0;
     std::array<float, 4> top, bottom;
   };
@@ -90,8 +88,8 @@ class Bvh {
     double t;  // when the path enters it, or leaves it
   };
 
-  /// When a path is over a node's children on plan, and over which of them it is more than `least` above their lowest
-  /// points [m].
+  /// When a path is over a node's children on plan, and which of them have a lowest point more than `least` [m] below
+  /// it.
   struct Under {
     FlightSlabs::Passage passage;
     slabs_detail::FourMask met;
@@ -116,7 +114,7 @@ class Bvh {
   }
 
   std::vector<Node, LargePages<Node>> nodes_;
-  std::vector<Lean, LargePages<Lean>> leans_;  // a node each, or none at all
+  std::vector<Lean, LargePages<Lean>> leans_;  // one per node, or empty
   std::vector<std::uint32_t> order_;
 };
 
@@ -145,7 +143,7 @@ void Bvh::visit_flight(const Parabola& path, double pad, double& t_max, Leaf&& l
       const auto over = slabs.over_slope(lean.along_x, lean.along_y, passage);
       met = met & at_most(over.lowest, four(lean.top) + four(pad * lean.slant));
     }
-    // Pushed latest first, so that the nearest is taken next.
+    // Pushed latest first, so that the earliest is taken next.
     const int base = depth;
     for (int k = 0; k < 4; ++k) {
       if (!met[k]) continue;
@@ -225,7 +223,7 @@ void Bvh::visit_under_from_the_end(const Parabola& path, double& t_from, double 
     }
     const Node& node = nodes_[entry.node];
     const auto [passage, met] = under(slabs, entry.node, t_end, worth);
-    // Pushed earliest first, so that the last is taken next.
+    // Pushed earliest first, so that the latest is taken next.
     const std::size_t base = depth;
     for (std::size_t k = 0; k < 4; ++k) {
       if (!met[static_cast<int>(k)]) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// What a surface answers: a contact, the end of the model, the outline of a facet.
+// The results of queries on a surface: a contact, the exit from the model, the outline of a facet.
 
 #include <algorithm>
 #include <array>
@@ -12,32 +12,32 @@
 
 namespace talus {
 
-/// Which part of the surface a rock touches. A point touches facets only.
+/// The part of the surface that a rock touches. A point only touches facets.
 enum class Feature { facet, edge, vertex };
 
 /// The first contact of a rock with the surface.
 struct Contact {
-  double t = 0;   // on the path asked about [s]
+  double t = 0;   // parameter of the path [s]
   Vec3 normal;    // unit, out of the ground; at an edge or a vertex from there to the rock's centre
   FacetId facet;  // at an edge or a vertex: one of the facets that meet there
   Feature feature = Feature::facet;
 };
 
-/// What carries a rock, or has carried it until now: where a part of its path begins, the rock touches that, and what
-/// lies in the same plane, without meeting it.
+/// The planes that carry a rock, or carried it until now. At the start of a flight or leg the rock touches them, and
+/// what lies in the same plane; that is no new contact.
 ///
-/// On a leg along the ground nothing is ahead that lies in the planes, nor what is touched at the edge or the vertex
-/// that carries a sphere.
+/// On a leg along the ground nothing in these planes is a contact, nor anything touched at the edge or the vertex that
+/// carries a sphere.
 ///
-/// In flight it is what the rock has come to the end of. As long as it has not risen from the plane, it cannot meet the
-/// facet that it was on. Another facet of the plane it meets if it is over it when it has sunk in a trace, which is
-/// `touching_plane`: there the plane goes on.
+/// In flight they are the planes whose end the rock has reached. Until it has risen from a plane, it cannot meet the
+/// facet that it was on. It meets another facet of the plane if it is over that facet when it has sunk in by
+/// `touching_plane`: the plane continues there.
 struct SupportPlanes {
   std::array<Vec3, 2> normal;
-  std::array<FacetId, 2> facet;  // that it was on
+  std::array<FacetId, 2> facet;  // the facets that it was on; only in flight
   int count = 0;
-  bool has_facets = false;  // of a flight
-  // Of a leg of a sphere on an edge or a vertex: a point that carries it, and the edge's direction, or zero.
+  bool has_facets = false;
+  // For a sphere on an edge or a vertex: the point that carries it, and the direction of the edge; zero at a vertex.
   bool has_pivot = false;
   Vec3 pivot = Vec3::Zero(), axis = Vec3::Zero();
 
@@ -60,49 +60,47 @@ struct SupportPlanes {
     }
     return false;
   }
-  /// Whether a place on the surface is where the sphere is carried.
+  /// Whether a place on the surface is on the edge or vertex that carries the sphere.
   [[nodiscard]] bool is_at_pivot(const Vec3& place) const {
     return has_pivot && tangential(place - pivot, axis).squaredNorm() < tolerance::at_pivot * tolerance::at_pivot;
   }
-  /// Whether a rock does not meet a facet of unit normal `n` after all, whose plane it falls through, when it is h0 +
-  /// vn t
-  /// + an t^2/2 high over it. `is_over(t)`: whether it is over the facet at a time.
+  /// Whether the contact with a facet of unit normal `n` does not count. The rock is h0 + vn t + an t^2/2 above its
+  /// plane; `is_over(t)`: whether it is then over the facet.
   template <class IsOver>
-  [[nodiscard]] bool let_through(FacetId asked, const Vec3& n, double h0, double vn, double an,
-                                 IsOver&& is_over) const {
+  [[nodiscard]] bool excludes(FacetId contact, const Vec3& n, double h0, double vn, double an, IsOver&& is_over) const {
     if (count == 0 || h0 > tolerance::touching_plane || !contain(n, same_plane)) return false;
     const bool rises = vn > 0 && (an >= 0 || h0 - 0.5 * vn * vn / an > tolerance::touching_plane);
     if (rises) return false;
     if (!has_facets) return true;
     for (int i = 0; i < count; ++i) {
-      if (facet[static_cast<std::size_t>(i)] == asked) return true;
+      if (facet[static_cast<std::size_t>(i)] == contact) return true;
     }
     const auto sunk = falling_root(tolerance::touching_plane + std::max(h0, 0.0), vn, an, 0);
     return sunk && !is_over(*sunk);
   }
 };
 
-/// Where a path without contact leaves the model.
+/// Where a flight without contact leaves the model.
 struct Exit {
   double t = 0;          // when its centre crosses the edge of the terrain [s]
   bool beneath = false;  // it left below the surface: a lost rock
-  bool in_hole = false;  // where it left, the terrain has no data; otherwise it ends there
+  bool in_hole = false;  // it left over a part without data, not over the edge of the terrain
 };
 
-/// What lies straight below a place.
+/// The ground straight below a place.
 struct GroundBelow {
   double z;       // [m]
-  FacetId facet;  // one of those there
+  FacetId facet;  // one of the facets there
 };
 
 /// One side of a facet: points with (x - point) . inward >= 0 are on the facet's side of it.
 struct OutlineEdge {
   Vec3 point;                     // somewhere on the edge
   Vec3 inward;                    // unit, in the facet's plane
-  std::optional<FacetId> beyond;  // the facet on the other side; none at the surface's edge
+  std::optional<FacetId> beyond;  // the facet on the other side; nullopt at the edge of the surface
 };
 
-/// A facet as a law of sliding needs it: a plane and the lines that bound it.
+/// A facet for motion along the ground: a plane and the lines that bound it.
 struct Outline {
   Vec3 point;   // on the facet
   Vec3 normal;  // unit, out of the ground

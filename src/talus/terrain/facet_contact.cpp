@@ -5,7 +5,7 @@ namespace talus {
 void meet_point(const Parabola& path, const Triangle& corner, FacetName name, const SupportPlanes& left,
                 ContactCandidate& best) {
   const Vec3 first = corner[1] - corner[0], last = corner[2] - corner[0];
-  // The normal is not made a unit vector before that is needed: times do not depend on its length.
+  // The normal is normalized only when needed: times do not depend on its length.
   const Vec3 n = first.cross(last);
   const double vn = n.dot(path.v), an = n.dot(path.a);
   if (vn >= 0 && an >= 0) return;
@@ -14,7 +14,7 @@ void meet_point(const Parabola& path, const Triangle& corner, FacetName name, co
   const auto t = falling_root(h0, vn, an, contact_slack * n.lpNorm<1>());
   if (!t || !best.beaten_by(*t, Feature::facet, name.source)) return;
 
-  // Distances from the sides, times the lengths of n and of the side; they sum up to the square of n.
+  // Distances from the sides, times the lengths of n and of the side; their sum is the square of n.
   const double n2 = n.squaredNorm(), n_length = std::sqrt(n2);
   const auto is_over = [&](double at, auto&& slack_there) {
     const Vec3 q = from_corner + at * path.v + (0.5 * at * at) * path.a;
@@ -32,8 +32,8 @@ void meet_point(const Parabola& path, const Triangle& corner, FacetName name, co
   });
   if (!is_met) return;
   const double scale = 1 / n_length;
-  if (left.let_through(FacetId{name.facet}, unit, h0 * scale, vn * scale, an * scale,
-                       [&](double at) { return is_over(at, [] { return contact_slack; }); })) {
+  if (left.excludes(FacetId{name.facet}, unit, h0 * scale, vn * scale, an * scale,
+                    [&](double at) { return is_over(at, [] { return contact_slack; }); })) {
     return;
   }
   best = {*t, unit, name.facet, name.source, Feature::facet};

@@ -1,6 +1,6 @@
 #pragma once
-// When a flying point or sphere first touches one triangle, its sides and its corners. What a mesh and a raster do with
-// their triangles is the same; they differ in how they find the ones to ask.
+// The first contact of a point or a sphere with one triangle, its sides and its corners. Mesh and raster share this;
+// they differ in how they find the triangles to test.
 
 #include <array>
 #include <cstdint>
@@ -16,12 +16,12 @@ using Triangle = std::array<Vec3, 3>;
 
 inline constexpr std::array<std::size_t, 3> next_corner{1, 2, 0};
 
-/// Not of unit length: twice the area.
+/// Its length is twice the area.
 [[nodiscard]] inline Vec3 area_normal(const Triangle& corner) {
   return (corner[1] - corner[0]).cross(corner[2] - corner[0]);
 }
 
-/// The best contact so far. At equal times a facet comes before its sides and corners, then the lower source number.
+/// The first contact so far. At equal times a facet has priority over sides and corners, then the lower source number.
 struct ContactCandidate {
   static constexpr std::uint32_t none = 0xffffffffU;
 
@@ -43,45 +43,46 @@ struct ContactCandidate {
   }
 };
 
-/// Which triangle it is, for the contact.
+/// The numbers of a triangle, for the contact.
 struct FacetName {
   std::uint32_t facet, source;
 };
 
-/// Lets a point meet the triangle; `best` becomes the contact if that is earlier.
+/// The contact of a point with the triangle, written to `best` if it is earlier.
 void meet_point(const Parabola& path, const Triangle& corner, FacetName name, const SupportPlanes& left,
                 ContactCandidate& best);
 
-/// Whether a sphere rolls (along a leg) or flies. A leg's own plane is no contact ahead.
+/// Whether a sphere flies, or rolls along a leg. The plane on which it rolls is no contact.
 enum class SpherePath { flight, leg };
 
-/// Lets a sphere meet the triangle in `window`, which holds every time at which it may. Sides (0 to 2, from corner k to
-/// the next) and corners (3 to 5) are asked only where sharp(k, t) says that they may be touched before a facet: first
-/// with t < 0, to save the work, then for a contact at t.
+/// The contact of a sphere with the triangle, as meet_point(). `window` must contain every time at which it may touch
+/// the triangle. Sides (0 to 2, from corner k to the next) and corners (3 to 5) are tested only if sharp(k, t) is true,
+/// that is if they may be touched before a facet. It is called with t < 0 first, to save work, then for a contact at t.
 template <class Sharp>
 void meet_sphere(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
                  FacetName name, const SupportPlanes& left, Sharp&& sharp, ContactCandidate& best);
 
-/// The point of a triangle that is nearest to `p`.
+/// The point of a triangle nearest to `p`.
 [[nodiscard]] Vec3 closest_point(const Triangle& corner, const Vec3& p);
 
-/// How far outside a facet's outline [m] a contact may lie and still belong to it: what a facet of thickness
-/// contact_slack shows to a path that comes in under the given ratio of tangential to normal speed.
+/// How far outside a facet's outline [m] a contact may be and still belong to the facet: a path with this ratio of
+/// tangential to normal speed passes that far beyond the outline through a facet of thickness contact_slack.
 [[nodiscard]] inline double outline_slack(double tangential_speed, double normal_speed) {
   return contact_slack * (1 + std::min(tangential_speed / std::max(normal_speed, tolerance::least_speed),
                                        tolerance::flattest_approach));
 }
 
-/// Whether a sphere that touches a facet's plane where its path begins, beside the facet, goes further away from it: it
-/// leaves what it has been on. `inside` and `rate`: the distance from a side, and how fast that grows. (Not asked of a
-/// point, which may be beside a facet by rounding where a wall rises from it. A sphere keeps its distance from that.)
+/// Whether a sphere that touches a facet's plane at the start of its path, outside the facet, moves further away: it
+/// leaves what it was on. `inside`, `rate`: the distance from a side, positive inside, and its growth. (Not used for a
+/// point, which may be outside a facet by rounding where a wall rises from it. A sphere keeps its distance from the
+/// wall.)
 [[nodiscard]] inline bool leaves_side(double t, double inside, double rate, double speed) {
   return t == 0 && inside < 0 && rate < -tolerance::share_by_rounding * speed;
 }
-/// Which way a path begins: as it moves, or where it stands as it is driven.
+/// The direction in which a path begins: that of its velocity or, from standstill, of its acceleration.
 [[nodiscard]] inline const Vec3& first_way(const Parabola& path) { return path.v.isZero(0) ? path.a : path.v; }
 
-/// A triangle's sides, unit normal, and the height of a sphere over its plane, h0 + vn t + an t^2 / 2.
+/// A triangle's sides and unit normal, and the gap between a sphere and its plane, h0 + vn t + an t^2 / 2.
 struct SphereOverFacet {
   std::array<Vec3, 3> side;
   Vec3 n;
@@ -95,10 +96,10 @@ struct SphereOverFacet {
         an(n.dot(path.a)) {}
 };
 
-/// Lets a sphere meet the triangle's face, and neither its sides nor its corners.
+/// The contact of a sphere with the triangle's face only.
 inline void meet_face(const Parabola& path, double radius, const Triangle& corner, const SphereOverFacet& over,
                       FacetName name, const SupportPlanes& left, ContactCandidate& best) {
-  // A sphere that is in the facet already (its centre still above it) is not let any deeper.
+  // A sphere that has already sunk into the facet (its centre still above it) must not sink deeper.
   const auto t = falling_root(over.h0, over.vn, over.an, radius);
   if (!t || !best.beaten_by(*t, Feature::facet, name.source)) return;
   const auto is_over = [&](double at, double slack) {
@@ -118,21 +119,21 @@ inline void meet_face(const Parabola& path, double radius, const Triangle& corne
       if (leaves_side(0, inward.dot(foot - corner[c]), inward.dot(way), inward.norm() * way.norm())) return;
     }
   }
-  if (left.let_through(FacetId{name.facet}, over.n, over.h0, over.vn, over.an,
-                       [&](double at) { return is_over(at, contact_slack); }) ||
+  if (left.excludes(FacetId{name.facet}, over.n, over.h0, over.vn, over.an,
+                    [&](double at) { return is_over(at, contact_slack); }) ||
       left.is_at_pivot(path.at(*t) - radius * over.n)) {
     return;
   }
   best = {*t, over.n, name.facet, name.source, Feature::facet};
 }
 
-/// Lets a sphere meet the triangle's sides and corners.
+/// The contact of a sphere with the triangle's sides and corners.
 template <class Sharp>
 void meet_sides(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
                 FacetName name, const SupportPlanes& left, Sharp&& sharp, ContactCandidate& best) {
   const auto offer = [&](double t, const Vec3& away, Feature feature, std::size_t what) {
     const Vec3 out = away.normalized();
-    // A rock that rolls on a plane touches that plane's own edges from above, which is not a new contact.
+    // A rock that rolls on a plane touches the plane's own edges from above, which is no new contact.
     if (kind == SpherePath::leg && left.contain(out, tolerance::facet_normal)) return;
     if (!best.beaten_by(t, feature, name.source) || !sharp(what, t)) return;
     best = {t, out, name.facet, name.source, feature};
@@ -158,13 +159,13 @@ template <class Sharp>
 void meet_sphere(const Parabola& path, SpherePath kind, double radius, const TimeWindow& window, const Triangle& corner,
                  FacetName name, const SupportPlanes& left, Sharp&& sharp, ContactCandidate& best) {
   const SphereOverFacet over(path, radius, corner);
-  // What it rolls on carries it: at its face, and so at its sides and corners, there is nothing ahead.
+  // The sphere rolls on this plane: neither the face nor its sides and corners are new contacts.
   if (kind == SpherePath::leg && std::abs(over.h0) <= tolerance::touching_plane && left.contain(over.n, same_plane)) {
     return;
   }
   if (over.an <= 0) {
-    // The height over the plane is a concave function of time: above it at both ends of the window, the sphere is above
-    // it in between, and so above the sides and corners.
+    // The height over the plane is a concave function of time: a sphere above the plane at both ends of the window is
+    // above it in between, and so above the sides and corners.
     const auto height = [&](double t) { return over.h0 + t * (over.vn + 0.5 * over.an * t); };
     if (height(window.enter) > box_pad && height(window.leave) > box_pad) return;
   }

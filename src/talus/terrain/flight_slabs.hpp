@@ -1,5 +1,5 @@
 #pragma once
-// When a flight passes boxes: four of them at once, for a node of the tree, or one.
+// When a flight passes boxes: four at once, for a node of the tree, or one.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ struct Box {
   }
 };
 
-/// A box that holds a short leg with any acceleration until t_max, grown by `pad`.
+/// A box that contains a short leg with any acceleration until t_max, grown by `pad`.
 [[nodiscard]] inline Box swept_box(const Parabola& leg, double t_max, double pad) {
   Box swept;
   swept.grow(leg.p);
@@ -65,13 +65,13 @@ struct FourMask {
 
 }  // namespace slabs_detail
 
-/// A flight made ready for slab tests. Its acceleration must be vertical.
+/// A flight prepared for slab tests. Its acceleration must be vertical.
 class FlightSlabs {
  public:
-  /// When the flight is over (or in) four boxes on plan, and how high it is then.
+  /// When the flight is over (or in) four boxes on plan, and its heights during that time.
   struct Passage {
     slabs_detail::Four enter, leave;     // [s]
-    slabs_detail::Four lowest, highest;  // of the path in between [m]
+    slabs_detail::Four lowest, highest;  // z of the path in between [m]
   };
   using Bounds = std::array<std::array<float, 4>, 6>;  // rows: low x, low y, low z, high x, high y, high z
 
@@ -107,8 +107,8 @@ class FlightSlabs {
     return passage;
   }
 
-  /// Heights of the flight over slopes z = along_x x + along_y y, less the slope's at the origin, in four passages. A
-  /// flight is above such a plane most of all between two times, and least of all at one of them.
+  /// Minimum and maximum height of the flight over the plane z = along_x x + along_y y, in four passages. The height is
+  /// a concave function of time: its minimum is at an end.
   struct OverSlope {
     slabs_detail::Four lowest, highest;
   };
@@ -127,7 +127,7 @@ class FlightSlabs {
     return over;
   }
 
-  /// A part of [0, t_max] that holds every time at which the flight is within `pad` of one box.
+  /// A part of [0, t_max] that contains every time at which the flight is within `pad` of one box.
   [[nodiscard]] TimeWindow window(const Box& box, double pad, double t_max) const {
     const double x1 = (box.low.x() - pad - px_) * inverse_vx_, x2 = (box.high.x() + pad - px_) * inverse_vx_;
     const double y1 = (box.low.y() - pad - py_) * inverse_vy_, y2 = (box.high.y() + pad - py_) * inverse_vy_;

@@ -1,7 +1,7 @@
 #pragma once
-// The cells of a grid that a flight passes on plan, one after the other: a straight line, since only the height is
-// curved (J. Amanatides and A. Woo, "A fast voxel traversal algorithm", Eurographics 1987). Each border's time is
-// computed from the border itself, so that no error adds up over long flights.
+// The cells of a grid that a flight passes on plan, in order. On plan a flight is a straight line (J. Amanatides and A.
+// Woo, "A fast voxel traversal algorithm", Eurographics 1987). The time of each border is computed from the border
+// itself, so that errors do not add up over long flights.
 
 #include <algorithm>
 #include <cmath>
@@ -34,31 +34,30 @@ class GridWalk {
     look_ahead();
   }
 
-  /// Whether there is no cell left.
+  /// Whether the last cell has been passed.
   [[nodiscard]] bool is_over() const { return is_over_; }
   [[nodiscard]] std::int64_t column() const { return static_cast<std::int64_t>(cell_[0]); }
   [[nodiscard]] std::int64_t row() const { return static_cast<std::int64_t>(cell_[1]); }
-  /// The number of the cell's south-west node, where nodes are counted row by row.
+  /// The number of the cell's south-west node, counted row by row.
   [[nodiscard]] std::size_t node() const { return static_cast<std::size_t>(node_); }
   /// When the flight is over this cell [s].
   [[nodiscard]] double enter() const { return enter_; }
   [[nodiscard]] double leave() const { return leave_; }
-  /// Where it is in the cell at a time: 0 at its west and south sides, 1 at its east and north sides.
+  /// Where the flight is in the cell at a time: 0 at its west and south sides, 1 at its east and north sides.
   [[nodiscard]] double u(double t) const { return origin_[0] + t * speed_[0] - cell_[0]; }
   [[nodiscard]] double v(double t) const { return origin_[1] + t * speed_[1] - cell_[1]; }
-  /// How fast these grow [cells/s].
+  /// Their rates [cells/s].
   [[nodiscard]] double u_speed() const { return speed_[0]; }
   [[nodiscard]] double v_speed() const { return speed_[1]; }
-  /// Whether the flight's time, or the grid, ends in this cell.
+  /// Whether the flight, or the grid, ends in this cell.
   [[nodiscard]] bool is_last() const { return leave_ >= end_; }
-  /// Through which side it leaves: the east or west one, or the north or south one.
+  /// Whether it leaves through the east or west side, not through the north or south side.
   [[nodiscard]] bool leaves_along_x() const { return next_[0] <= next_[1]; }
   [[nodiscard]] bool goes_east() const { return step_[0] > 0; }
   [[nodiscard]] bool goes_north() const { return step_[1] > 0; }
 
-  // Which border comes first changes from cell to cell like the toss of a coin: both axes are worked out each time, so
-  // that there is nothing to guess. (It cannot step off the grid: the border that ends the grid has the same time here
-  // as in `end_`, to the bit.)
+  // Which border comes first cannot be predicted: both axes are computed each time, without a branch. (The walk cannot
+  // step off the grid: the border that ends the grid has the same time here as in `end_`, bit for bit.)
   void advance() {
     const PairMask axis = leaving_axis();
     cell_ += chosen(axis, step_);
@@ -70,8 +69,8 @@ class GridWalk {
   }
 
  private:
-  /// Sets what is the same in all cells; gives when it comes over the grid along this axis, and in `next_` when it
-  /// leaves it.
+  /// Sets what is the same in all cells. Returns when the flight enters the grid along this axis, and sets `next_` to
+  /// when it leaves.
   double begin(int axis, double distance, double speed, double size, std::int64_t cells) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     origin_[axis] = distance / size;
@@ -89,7 +88,7 @@ class GridWalk {
     border_[axis] = speed_[axis] > 0 ? 1 : 0;
     return std::min(t1, t2);
   }
-  /// All bits for the axis along which it leaves, none for the other one.
+  /// All bits set for the axis along which it leaves the cell, none for the other.
   [[nodiscard]] PairMask leaving_axis() const {
     const PairMask along_x = next_ <= swapped(next_);
     return PairMask{along_x[0], along_x[0]} ^ PairMask { 0, -1 };
@@ -99,14 +98,13 @@ class GridWalk {
     leave_ = std::max(enter_, std::min(std::min(next_[0], next_[1]), end_));
   }
 
-  // Along x and along y, in units of cells, which are counted in numbers with a fraction: all that is done with them
-  // is.
+  // Along x and along y, in units of cells. Cells are counted in floating point, like everything computed with them.
   Pair origin_{}, speed_{};
-  Pair inverse_{};   // of the speed; 0 where it stands still, which it does for
-  Pair standing_{};  // for ever then, and otherwise not at all
+  Pair inverse_{};   // of the speed; 0 for standstill
+  Pair standing_{};  // added to the time of the next border: infinite for standstill, else 0
   Pair cells_{}, cell_{}, step_{};
   Pair border_{};  // 1 where the border ahead is the upper one
-  Pair next_{};    // when it crosses that
+  Pair next_{};    // when it crosses the border ahead
   PairMask node_step_{};
   std::int64_t node_ = 0;
   double enter_ = 0, leave_ = 0, end_ = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The height of a flight over one plane of ground that other ground may hide from it, as an overhang hides what lies
+// The height of a flight over one plane of ground that other ground may hide from it, as an overhang hides the ground
 // under it.
 
 #include <algorithm>
@@ -11,27 +11,28 @@
 
 namespace talus {
 
-/// A flight over a plane: its height is h0 + h1 t + half_a t^2 [m] while it is over the ground that is there.
+/// A flight over a plane: its height is h0 + h1 t + half_a t^2 [m] while it is over the ground in that plane.
 struct OverPlane {
   TimeWindow window;
   double h0, h1;
 };
 
-/// The greatest height of a flight over a plane, whose vertical acceleration is 2 half_a [m/s2], not above 0.
-[[nodiscard]] inline double greatest_over(const OverPlane& ground, double half_a) {
+/// The maximum height of a flight over a plane. Its vertical acceleration is 2 half_a [m/s2], not positive.
+[[nodiscard]] inline double max_height_over(const OverPlane& ground, double half_a) {
   const auto [enter, leave] = ground.window;
   const double t = std::clamp(half_a < 0 ? -ground.h1 / (2 * half_a) : enter, enter, leave);
   const auto height = [&](double at) { return ground.h0 + at * (ground.h1 + half_a * at); };
   return std::max(height(t), height(leave));
 }
 
-/// All planes are under one flight: so one of two is nearer to it where a linear function of time says so.
+/// The parts of a flight in which it can see one plane of ground. All planes are below one flight, so the difference of
+/// their heights is linear in time.
 class HeightInSight {
  public:
-  /// `flight` is how long the whole flight is [s].
+  /// `flight`: the duration of the whole flight [s].
   HeightInSight(const OverPlane& ground, double half_a, double flight)
       : ground_(ground), half_a_(half_a), is_instant_(flight <= tolerance::no_time) {
-    // Ground that the flight is over for an instant only goes on beside it, or ends.
+    // Ground that the flight is over only for an instant continues next to it, or ends.
     if (is_instant_ || !lasts_an_instant(ground.window)) seen_.push_back(ground.window);
   }
 
@@ -47,7 +48,7 @@ class HeightInSight {
     } else if (d0 <= 0) {
       return;
     }
-    // At an instant only, where one ends and the other begins, neither hides the other.
+    // Ground that is nearer only for an instant, where one ends and the other begins, does not hide the other.
     if (is_instant_ ? nearer.is_empty() : lasts_an_instant(nearer)) return;
     const double middle = 0.5 * (nearer.enter + nearer.leave);
     if (other.h0 + middle * (other.h1 + half_a_ * middle) < -contact_slack) return;
@@ -58,13 +59,13 @@ class HeightInSight {
     }
   }
 
-  /// -infinity where it is hidden all the time.
-  [[nodiscard]] double greatest() const {
-    double greatest = -std::numeric_limits<double>::infinity();
+  /// The maximum height; -infinity if the ground is hidden all the time.
+  [[nodiscard]] double maximum() const {
+    double maximum = -std::numeric_limits<double>::infinity();
     for (const TimeWindow& seen : seen_) {
-      greatest = std::max(greatest, greatest_over({seen, ground_.h0, ground_.h1}, half_a_));
+      maximum = std::max(maximum, max_height_over({seen, ground_.h0, ground_.h1}, half_a_));
     }
-    return greatest;
+    return maximum;
   }
 
  private:

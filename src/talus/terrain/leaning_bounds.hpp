@@ -1,5 +1,5 @@
 #pragma once
-// The second bounds of a tree (bvh.hpp) over triangles: planes that lean as the ground in a node does on the whole.
+// The second bounds of a tree (bvh.hpp) over triangles: planes with the mean slope of the ground in a node.
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -11,12 +11,13 @@
 
 namespace talus {
 
-/// Adds them to a tree. `corners_at(place)` gives the three corners of what is at that place of the tree's order.
+/// Adds them to a tree. `corners_at(place)` returns the three corners of the triangle at that place of the tree's
+/// order.
 template <class CornersAt>
 void add_leaning_bounds(Bvh& tree, CornersAt&& corners_at) {
   struct Part {
     std::uint32_t first = std::numeric_limits<std::uint32_t>::max(), last = 0;  // places
-    Vec3 area = Vec3::Zero();                                                   // the sum of areas times normals
+    Vec3 area = Vec3::Zero();                                                   // the sum of 2 area times normal
     void add(const Part& other) {
       first = std::min(first, other.first);
       last = std::max(last, other.last);
@@ -30,7 +31,7 @@ void add_leaning_bounds(Bvh& tree, CornersAt&& corners_at) {
   };
   using Node = Bvh::Node;
   const auto& nodes = tree.nodes_;
-  // Children stand behind their parents.
+  // Children are stored after their parents.
   std::vector<Part> whole(nodes.size());
   const auto is_absent = [](const Node& node, std::size_t k) { return !(node.bound[0][k] <= node.bound[3][k]); };
   const auto child_of = [&](const Node& node, std::size_t k) {
@@ -50,7 +51,7 @@ void add_leaning_bounds(Bvh& tree, CornersAt&& corners_at) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size()), [&](const auto& range) {
     for (std::size_t n = range.begin(); n < range.end(); ++n) {
       Bvh::Lean& lean = tree.leans_[n];
-      // Where what is there stands upright on the whole, or hangs over, a level plane does.
+      // For contents that are nearly vertical on average, or overhang, a level plane is used.
       constexpr double steepest = 10;
       const Vec3& area = whole[n].area;
       if (area.z() * steepest > area.head<2>().norm()) {

@@ -1,5 +1,5 @@
 #pragma once
-// The kernel's own origin, near the terrain: coordinates of 2,600,000 m keep all their digits there.
+// The kernel's local origin, near the terrain, so that coordinates such as 2,600,000 m keep all their digits.
 
 #include <cmath>
 
@@ -10,8 +10,8 @@ namespace talus {
 struct LocalFrame {
   Vec3 origin = Vec3::Zero();  // in the user's coordinates [m]
 
-  /// An origin at a multiple of 1024 m next to `middle`: subtracting it from a nearby coordinate is exact, and a small
-  /// model near zero stays where it is.
+  /// The origin at the multiple of 1024 m nearest to `middle`: subtracting it from a nearby coordinate is exact, and a
+  /// small model near zero is not moved.
   [[nodiscard]] static LocalFrame near(const Vec3& middle) { return {(middle / 1024).array().round().matrix() * 1024}; }
   [[nodiscard]] Vec3 local_from_global(const Vec3& p) const { return p - origin; }
   [[nodiscard]] Vec3 global_from_local(const Vec3& p) const { return p + origin; }

@@ -14,7 +14,7 @@ static_assert(TerrainSurface<Profile>);
 
 namespace {
 
-// Folded profiles of fewer segments are searched one by one, which is faster than any tree.
+// Folded profiles with fewer segments are searched one by one, which is faster than a tree.
 constexpr std::size_t short_profile = 48;
 
 using tolerance::widest_slack;
@@ -76,7 +76,7 @@ void Profile::move_vertices(std::span<const Vec2> vertices) {
 template <class Visit>
 void Profile::visit_near(const Parabola& path, double pad, double& t_max, Visit&& visit) const {
   if (is_height_field_) {
-    // The segments lie in the order of x: those that the path passes, from where it starts.
+    // The segments are in order of x: visits those that the path passes, from its start.
     const auto start_x = [](const Segment& s) { return s.a.x(); };
     const auto end_x = [](const Segment& s) { return s.a.x() + s.length * s.along.x(); };
     const double x = path.p.x(), vx = path.v.x(), reach = 0.5 * t_max * t_max * std::abs(path.a.x());
@@ -121,7 +121,7 @@ void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t
         radius > 0 && (leaves_side(*t, along, rate, speed) || leaves_side(*t, segment.length - along, -rate, speed));
     const bool is_met =
         is_over(*t, slack) && !leaves && !left.is_at_pivot(path.at(*t) - radius * n) &&
-        !left.let_through(FacetId{k}, n, h0, vn, an, [&](double at) { return is_over(at, contact_slack); });
+        !left.excludes(FacetId{k}, n, h0, vn, an, [&](double at) { return is_over(at, contact_slack); });
     if (is_met) best.offer(*t, Feature::facet, k, n);
   }
   if (radius == 0) return;
@@ -131,10 +131,10 @@ void Profile::meet(const Parabola& path, Path kind, double radius, std::uint32_t
     if (!touch) return;
     const Vec3 out = (planar.at(*touch) - q).normalized();
     if (kind == Path::leg && left.contain(out, tolerance::facet_normal))
-      return;  // the plane that it rolls on ends there
+      return;  // the end of the plane that it rolls on
     best.offer(*touch, Feature::edge, owner, out);
   };
-  // Where two segments meet the corner belongs to the first, as the edges of a mesh do.
+  // The corner between two segments belongs to the first, as the edge between two facets of a mesh does.
   if (segment.sharp_start) corner(segment.a, k > 0 ? k - 1 : k);
   if (segment.sharp_end) corner(segment.a + segment.length * segment.along, k);
 }
@@ -164,9 +164,9 @@ Exit Profile::exit(const Parabola& path) const {
     const auto fallen = falling_root(path.p.z() - bounds_.low.z(), path.v.z(), path.a.z(), 1e300);
     return {fallen.value_or(0), path.p.x() > bounds_.low.x() && path.p.x() < bounds_.high.x()};
   }
-  // A disc may touch the end while its centre is beyond it: it has left already.
+  // A disc may still touch the end when its centre has left the model.
   if (path.p.x() <= bounds_.low.x() || path.p.x() >= bounds_.high.x()) return {0, false};
-  // A profile that overhangs beyond its own end can be left below that end; one that does not, cannot.
+  // A rock that leaves below the end of the profile is lost, unless the profile overhangs beyond its end.
   return {t, x_end == end && path.z(t) < z_end - tolerance::fell_through};
 }
 
@@ -186,7 +186,7 @@ double Profile::max_height(const Parabola& path, double t_end, double known) con
   const auto look = [&](std::uint32_t k) {
     const auto over = over_segment(segments_[k], path, t_end);
     if (!over) return;
-    const double half_g = 0.5 * path.a.z(), height = greatest_over(*over, half_g);
+    const double half_g = 0.5 * path.a.z(), height = max_height_over(*over, half_g);
     if (height <= known) return;
     if (is_height_field_) {
       known = height;
@@ -197,7 +197,7 @@ double Profile::max_height(const Parabola& path, double t_end, double known) con
       const auto other = over_segment(segment, path, t_end);
       if (other && &segment != &segments_[k]) in_sight.hide(*other);
     }
-    known = std::max(known, in_sight.greatest());
+    known = std::max(known, in_sight.maximum());
   };
   if (is_height_field_) {
     double t = t_end;

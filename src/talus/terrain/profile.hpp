@@ -1,6 +1,6 @@
 #pragma once
-// A slope in section: a polyline in the x-z plane, the ground on its right-hand side as it is walked. Its facets are
-// its segments, endless along y, so that a rock moving in the plane sees what it would see on the extruded slope.
+// A slope in section: a polyline in the x-z plane with the ground on its right. Its facets are its segments, extruded
+// without end along y, so that a rock in the plane moves as on the extruded slope.
 
 #include <optional>
 #include <span>
@@ -16,10 +16,10 @@ struct OverPlane;
 class Profile {
  public:
   Profile() = default;
-  /// Vertices (x, z) in the order in which the ground lies on the right: from left to right for an ordinary slope.
+  /// Vertices (x, z), in the order in which the ground is on the right: from left to right for an ordinary slope.
   explicit Profile(std::span<const Vec2> vertices);
 
-  /// The same number of vertices, elsewhere: a slope whose vertices vary from rock to rock. Reuses the memory.
+  /// Replaces the vertices by as many others, without allocation: for a slope whose vertices vary from rock to rock.
   void move_vertices(std::span<const Vec2> vertices);
 
   [[nodiscard]] std::size_t facet_count() const { return segments_.size(); }
@@ -27,8 +27,7 @@ class Profile {
   [[nodiscard]] bool may_overhang() const { return !is_height_field_; }
   [[nodiscard]] std::uint32_t source(FacetId facet) const { return facet.index; }
 
-  // What TerrainSurface says (surface.hpp); here a sphere is a disc in the plane y = 0, whose contacts are the
-  // sphere's.
+  // The queries of TerrainSurface (surface.hpp). A sphere is a disc in the plane y = 0, with the same contacts.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const SupportPlanes& left = {}) const;
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
@@ -50,18 +49,18 @@ class Profile {
 
  private:
   struct Segment {
-    Vec3 a;                    // its left end, y = 0
-    Vec3 along;                // unit, towards its right end
+    Vec3 a;                    // its first end, y = 0
+    Vec3 along;                // unit, towards its other end
     Vec3 normal;               // unit, out of the ground
     double length = 0;         // [m]
-    bool sharp_start = false;  // a disc can touch its left end before a segment: the slope is convex there or begins
+    bool sharp_start = false;  // a disc can touch its first end before a segment: the slope is convex there, or begins
     bool sharp_end = false;    // only ever true of the last segment
   };
   struct Candidate;
   [[nodiscard]] std::uint32_t index_of(const Segment& s) const {
     return static_cast<std::uint32_t>(&s - segments_.data());
   }
-  /// A flight over a segment that faces up, if it comes over it in [0, t_end].
+  /// A flight over a segment that faces up; nullopt if it is not over it in [0, t_end].
   [[nodiscard]] static std::optional<OverPlane> over_segment(const Segment& segment, const Parabola& path,
                                                              double t_end);
   template <class Visit>
@@ -73,7 +72,7 @@ class Profile {
             Candidate& best) const;
 
   std::vector<Segment> segments_;
-  Bvh bvh_;  // only of long profiles that fold back in x
+  Bvh bvh_;  // only for long profiles that fold back in x
   Box bounds_;
   bool is_height_field_ = true;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// A digital elevation model as a regular grid of points, as it comes from a file or a formula.
+// A digital elevation model as a regular grid of points, from a file or a formula.
 
 #include <cstdint>
 #include <vector>

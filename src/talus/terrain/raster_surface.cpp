@@ -14,10 +14,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Where a flight is highest.
+/// The highest point of a flight.
 struct Top {
   double t, z;
-  /// The greatest z of a part of it, given by its ends.
+  /// The maximum z of a part of it, given its ends.
   [[nodiscard]] double between(double t0, double z0, double t1, double z1) const {
     return t > t0 && t < t1 ? z : std::max(z0, z1);
   }
@@ -28,12 +28,12 @@ Top top_of(const Parabola& path) {
   return {t, path.z(t)};
 }
 
-// Which way a cell is cut is like the toss of a coin, and guessing it wrong costs more than all the rest of a facet: it
-// is looked up here. Rows are 2 (cut from south-west to north-east) + half; nodes are counted 0 south-west, 1 south-
-// east, 2 north-west, 3 north-east.
+// The cut of a cell cannot be predicted, and a mispredicted branch costs more than the rest of a facet: a table
+// instead. Rows are 2 (cut from south-west to north-east) + half; nodes are 0 south-west, 1 south-east, 2 north-west, 3
+// north-east.
 constexpr std::array<std::array<std::uint8_t, 3>, 4> nodes_of{{{0, 1, 2}, {1, 3, 2}, {0, 1, 3}, {0, 3, 2}}};
 
-/// Which sides of a facet lie to its south or north, to its east or west, and on the diagonal.
+/// The sides of a facet that are to its south or north, to its east or west, and on the diagonal.
 struct Sides {
   std::uint8_t along, aside, diagonal;
 };
@@ -88,7 +88,7 @@ Triangle RasterSurface::triangle(FacetId facet) const {
 RasterSurface::Cells RasterSurface::cells_within(double x_low, double x_high, double y_low, double y_high) const {
   const auto cells = [](double low, double high, double size, std::size_t count) {
     const double last = static_cast<double>(count) - 1;
-    // A place on a border belongs to the cells on both its sides.
+    // A place on a border belongs to the cells on both sides.
     return std::pair{static_cast<std::int64_t>(std::clamp(std::ceil((low - box_pad) / size) - 1, 0.0, last + 1)),
                      static_cast<std::int64_t>(std::clamp(std::floor((high + box_pad) / size), -1.0, last))};
   };
@@ -97,7 +97,7 @@ RasterSurface::Cells RasterSurface::cells_within(double x_low, double x_high, do
   return {first_column, last_column, first_row, last_row};
 }
 
-// ---- what lies beside a facet ----
+// ---- neighbours of a facet ----
 
 std::array<std::optional<FacetId>, 3> RasterSurface::neighbours(FacetId facet) const {
   const auto [column, row] = place(facet);
@@ -143,9 +143,9 @@ std::optional<Contact> RasterSurface::first_contact(const Parabola& path, double
   return flight(path, radius, t_max, left, infinite).contact;
 }
 
-// Over a facet the height of a flight is a concave function of time: a point that is above it where it comes over it
-// and where it goes is above it in between. So heights over the crossed borders and diagonals tell which facets are to
-// be asked, and hardly any is.
+// The height of a flight over a facet is a concave function of time: a point that is above the facet where it arrives
+// over it and where it leaves is above it in between. So the heights over the crossed borders and diagonals show which
+// facets must be tested, and few must.
 auto RasterSurface::flight_of_point(const Parabola& path, double t_max, const SupportPlanes& left, double known) const
     -> Flight {
   ContactCandidate best{t_max};
@@ -153,23 +153,23 @@ auto RasterSurface::flight_of_point(const Parabola& path, double t_max, const Su
   if (at.is_over()) return {best.contact(), known};
   const Top top = top_of(path);
   double z0 = path.z(at.enter());
-  double height_entering = 0;  // the first cell is always asked
+  double height_entering = 0;  // the first cell is always tested
   for (; !at.is_over() && at.enter() <= best.t; at.advance()) {
     const double t1 = at.leave(), z1 = path.z(t1);
     const auto [low, high] = range_at(at.node());
     const bool may_be_higher = top.between(at.enter(), z0, t1, z1) - low > known;
-    // Most flights are above most cells altogether.
+    // Most flights are entirely above most cells.
     const double lowest = std::min(std::exchange(z0, z1), z1);
     if (lowest > high + box_pad) {
       height_entering = infinite;
     } else {
       const auto [leaving, over_diagonal] = heights_over_lines(path, at);
-      // (Written so that a height which is not a number, beside a hole, is asked.)
+      // (Written so that NaN, next to a hole, is tested.)
       const bool is_clear = height_entering > box_pad && leaving > box_pad && over_diagonal > box_pad;
       if (!is_clear) meet_in_cell(path, at, left, best);
       height_entering = leaving;
     }
-    if (may_be_higher) known = greatest_height_in_cell(path, at, at.enter(), std::min(t1, best.t), known);
+    if (may_be_higher) known = max_height_in_cell(path, at, at.enter(), std::min(t1, best.t), known);
   }
   return {best.contact(), known};
 }
@@ -179,7 +179,7 @@ auto RasterSurface::heights_over_lines(const Parabola& path, const GridWalk& at)
   const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
   const Cell here = cell_at(at.node());
 
-  // The border's nodes are looked up: through which one it goes is like the toss of a coin.
+  // The border's nodes are found without branches: which border it crosses cannot be predicted.
   const std::size_t stride = columns_ + 1, east = at.goes_east() ? 1 : 0, north = at.goes_north() ? stride : 0;
   const bool along_x = at.leaves_along_x();
   const float* const border = grid_.z.data() + at.node() + (along_x ? east : north);
@@ -195,26 +195,26 @@ auto RasterSurface::heights_over_lines(const Parabola& path, const GridWalk& at)
   return {leaving, path.z(t0 + part * (t1 - t0)) - (from + u * (to - from))};
 }
 
-/// Asks the facets of a cell that a flight may touch while it is over it.
+/// Tests the facets of a cell that a flight may touch while it is over the cell.
 void RasterSurface::meet_in_cell(const Parabola& path, const GridWalk& at, const SupportPlanes& left,
                                  ContactCandidate& best) const {
   const Cell here = cell_at(at.node());
   if (!here.has_data()) return;
-  // From the diagonal, in cells: further than a facet's slack reaches (outline_slack), whatever the cell's size.
-  const double beside = 1e-4 + tolerance::widest_slack / std::min(grid_.dx, grid_.dy);
+  // A distance from the diagonal, in cells, beyond a facet's slack (outline_slack) for any cell size.
+  const double margin = 1e-4 + tolerance::widest_slack / std::min(grid_.dx, grid_.dy);
   const double t0 = at.enter(), t1 = at.leave();
   const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
-  // How far within the first facet it is on plan: rises across the diagonal to 1 at the far corner.
+  // The distance from the diagonal on plan, into the first facet: 1 at its far corner.
   const double toward = here.cut_north_east() ? 1 : -1;
   const double side0 = toward * here.side_of_diagonal(u0, v0), side1 = toward * here.side_of_diagonal(u1, v1);
   const auto may_touch = [&](std::uint32_t half) {
-    if ((half == 0 ? std::max(side0, side1) : std::max(-side0, -side1)) < -beside) return false;
+    if ((half == 0 ? std::max(side0, side1) : std::max(-side0, -side1)) < -margin) return false;
     const auto [z, along_u, along_v, corner] = here.plane(half);
     const auto height = [&, z = z, along_u = along_u, along_v = along_v, corner = corner](double t, double u,
                                                                                           double v) {
       return path.z(t) - (z + (u - corner) * along_u + (v - corner) * along_v);
     };
-    // Above it in the end, it is above it all the while if it rises from it at first, or is above it then.
+    // A flight that ends above the plane is above it all the time if it starts above it, or rises from it at first.
     if (!(height(t1, u1, v1) > box_pad)) return true;
     const double rise = path.v.z() + t0 * path.a.z() - along_u * at.u_speed() - along_v * at.v_speed();
     return !(rise > 0 || height(t0, u0, v0) > box_pad);
@@ -222,9 +222,9 @@ void RasterSurface::meet_in_cell(const Parabola& path, const GridWalk& at, const
   const std::uint32_t entered = side0 > 0 ? 0 : 1;
   for (const std::uint32_t half : {entered, 1 - entered}) {
     if (half != entered && best.found()) {
-      // It comes over this facet later than it met the other one.
+      // It reaches this facet after its contact with the other one.
       const double side = side0 + (best.t - t0) / (t1 - t0) * (side1 - side0);
-      if ((entered == 0 ? side : -side) > beside) break;
+      if ((entered == 0 ? side : -side) > margin) break;
     }
     if (!may_touch(half)) continue;
     const std::uint32_t facet = facet_of(at.column(), at.row(), half);
@@ -232,25 +232,25 @@ void RasterSurface::meet_in_cell(const Parabola& path, const GridWalk& at, const
   }
 }
 
-// ---- where a flight ends that meets nothing ----
+// ---- where a flight without contact leaves the model ----
 
 Exit RasterSurface::exit(const Parabola& path) const {
   GridWalk at = walk(path, infinite);
-  if (at.is_over()) return {0, false, false};  // beside the grid
+  if (at.is_over()) return {0, false, false};  // not over the grid
   const auto is_above = [&](double t, std::int64_t column, std::int64_t row) {
     const Vec3 q = path.at(t);
     const auto ground = height_in_cell(q.x(), q.y(), column, row);
     return ground && q.z() >= *ground - box_pad;
   };
   const auto start = elevation(path.p.x(), path.p.y());
-  std::optional<Exit> left;  // the last time it went off the terrain
+  std::optional<Exit> left;  // where it last left the terrain
   if (!start || path.p.z() >= *start - box_pad) left = Exit{0, false, true};
   bool is_over_ground = false;
   std::int64_t column = at.column(), row = at.row();
   for (; !at.is_over(); at.advance()) {
     const bool ground_here = has_data(static_cast<std::size_t>(at.column()), static_cast<std::size_t>(at.row()));
     if (ground_here && !is_over_ground && left) {
-      if (!is_above(at.enter(), at.column(), at.row())) return *left;  // it went down in the hole
+      if (!is_above(at.enter(), at.column(), at.row())) return *left;  // it fell into the hole
       left.reset();
     } else if (!ground_here && is_over_ground && is_above(at.enter(), column, row)) {
       left = Exit{at.enter(), false, true};
@@ -278,7 +278,7 @@ std::optional<double> RasterSurface::height_in_cell(double x, double y, std::int
 }
 
 std::optional<double> RasterSurface::elevation(double x, double y, double below) const {
-  // A place within the grid has the height of any cell that it lies in, where none is a hole.
+  // Without holes, a place within the grid has the elevation of any cell that it is in.
   const double u = (x - grid_.x0) / grid_.dx, v = (y - grid_.y0) / grid_.dy;
   if (!has_holes_ && u > 0 && v > 0 && u < static_cast<double>(columns_) && v < static_cast<double>(rows_)) {
     const auto column = static_cast<std::size_t>(u), row = static_cast<std::size_t>(v);
@@ -324,9 +324,9 @@ double RasterSurface::max_height(const Parabola& path, double t_end, double know
   double z0 = at.is_over() ? 0 : path.z(at.enter());
   for (; !at.is_over(); at.advance()) {
     const double t0 = at.enter(), t1 = at.leave(), z1 = path.z(t1);
-    // The flight's highest point over this cell, over the cell's lowest node.
+    // An upper bound: the flight's highest point over this cell, above the cell's lowest node.
     const double highest = top.between(t0, std::exchange(z0, z1), t1, z1);
-    if (highest - range_at(at.node()).first > known) known = greatest_height_in_cell(path, at, t0, t1, known);
+    if (highest - range_at(at.node()).first > known) known = max_height_in_cell(path, at, t0, t1, known);
   }
   return known;
 }
@@ -338,22 +338,21 @@ void RasterSurface::max_heights(const Parabola& path, std::span<const double> bo
   for (GridWalk at = walk(path, borders.back()); !at.is_over(); at.advance()) {
     for (;; ++k) {
       const double from = std::max(at.enter(), borders[k]), to = std::min(at.leave(), borders[k + 1]);
-      if (from < to || borders[k] == borders[k + 1])
-        heights[k] = greatest_height_in_cell(path, at, from, to, heights[k]);
+      if (from < to || borders[k] == borders[k + 1]) heights[k] = max_height_in_cell(path, at, from, to, heights[k]);
       if (borders[k + 1] >= at.leave() || k + 1 == heights.size()) break;
     }
   }
 }
 
-/// Over the cell where a flight is, of the time that it is over it.
-double RasterSurface::greatest_height_in_cell(const Parabola& path, const GridWalk& at, double from, double to,
-                                              double known) const {
+/// Over one cell, between two times at which the flight is over it.
+double RasterSurface::max_height_in_cell(const Parabola& path, const GridWalk& at, double from, double to,
+                                         double known) const {
   const Cell here = cell_at(at.node());
   if (!here.has_data()) return known;
   const double t0 = from, t1 = std::max(t0, to);
   const double side0 = here.side_of_diagonal(at.u(t0), at.v(t0)), side1 = here.side_of_diagonal(at.u(t1), at.v(t1));
-  // Over a facet's plane the height is greatest when the flight is as steep as the plane.
-  const auto greatest_over = [&](double side, double begin, double end) {
+  // The height over a plane has its maximum where the flight is as steep as the plane.
+  const auto highest_over = [&](double side, double begin, double end) {
     const Plane plane = here.plane((side > 0) == here.cut_north_east() ? 0 : 1);
     const double rise = plane.along_u * at.u_speed() + plane.along_v * at.v_speed();
     const double t = path.a.z() < 0      ? std::clamp((rise - path.v.z()) / path.a.z(), begin, end)
@@ -361,9 +360,9 @@ double RasterSurface::greatest_height_in_cell(const Parabola& path, const GridWa
                                          : begin;
     return path.z(t) - plane.z - (at.u(t) - plane.corner) * plane.along_u - (at.v(t) - plane.corner) * plane.along_v;
   };
-  if (!(side0 * side1 < 0)) return std::max(known, greatest_over(side0 + side1, t0, t1));
+  if (!(side0 * side1 < 0)) return std::max(known, highest_over(side0 + side1, t0, t1));
   const double cut = t0 + side0 / (side0 - side1) * (t1 - t0);
-  return std::max({known, greatest_over(side0, t0, cut), greatest_over(side1, cut, t1)});
+  return std::max({known, highest_over(side0, t0, cut), highest_over(side1, cut, t1)});
 }
 
 std::vector<Vec3> RasterSurface::draped(const Vec2& from, const Vec2& to) const {

@@ -1,11 +1,11 @@
 #pragma once
-// A digital elevation model as a surface: between four neighbouring nodes lie two triangles, which are made when they
-// are asked for and stored nowhere. Coordinates are local on plan; elevations are the grid's own.
+// A digital elevation model as a surface: two triangles between four neighbouring nodes, computed on demand and not
+// stored. Coordinates are local on plan; elevations are those of the grid.
 //
-// Every cell is cut along the diagonal whose ends differ less in height, the one from south-west to north-east where
-// they agree: the surface then follows contours, with ridges and valleys that are nearly level, and mirroring or
-// turning the grid by quarter turns changes nothing else. (A gully that falls steeply along the diagonals is cut
-// across: docs/terrain.md.) A cell with a node without data is a hole.
+// Every cell is cut along the diagonal whose ends differ less in height, from south-west to north-east at ties. The
+// surface then follows contours, with nearly level ridges and valleys, and does not depend on the orientation of the
+// grid. (A gully that falls steeply along the diagonals is cut across: docs/terrain.md.) A cell with a node without
+// data is a hole.
 
 #include <algorithm>
 #include <array>
@@ -30,9 +30,9 @@ class RasterSurface {
 
   [[nodiscard]] const RasterGrid& grid() const { return grid_; }
   [[nodiscard]] std::size_t cell_count() const { return columns_ * rows_; }
-  /// Facets 2 c and 2 c + 1 lie in cell c.
+  /// Cell c has the facets 2 c and 2 c + 1.
   [[nodiscard]] std::size_t facet_count() const { return 2 * cell_count(); }
-  /// The cell, row by row from the south-west.
+  /// The cell, counted row by row from the south-west.
   [[nodiscard]] std::uint32_t source(FacetId facet) const { return facet.index / 2; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }
   [[nodiscard]] static bool may_overhang() { return false; }
@@ -40,11 +40,11 @@ class RasterSurface {
   /// Whether all four nodes have data.
   [[nodiscard]] bool has_data(std::size_t column, std::size_t row) const;
 
-  // What TerrainSurface says (surface.hpp), and what a walk over the grid finds on its way.
+  // The queries of TerrainSurface (surface.hpp), and those that a walk over the grid can answer at the same time.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const SupportPlanes& left = {}) const;
-  /// The first contact, and where there is one, how high above the ground the centre is until then at the most, if that
-  /// is more than `known` [m].
+  /// The first contact; and if there is one, the maximum height [m] of the centre above the ground until then, or
+  /// `known` if that is larger.
   struct Flight {
     std::optional<Contact> contact;
     double max_height;
@@ -57,7 +57,7 @@ class RasterSurface {
                                                             const SupportPlanes& on) const;
   [[nodiscard]] Exit exit(const Parabola& path) const;
   [[nodiscard]] double max_height(const Parabola& path, double t_end, double known) const;
-  /// The same of each part of a flight between two of `borders`, which ascend: 0 where there is no ground below.
+  /// The maximum height in each part of a flight between two of `borders`, in ascending order; 0 without ground below.
   void max_heights(const Parabola& path, std::span<const double> borders, std::span<double> heights) const;
   [[nodiscard]] std::optional<double> elevation(double x, double y,
                                                 double below = std::numeric_limits<double>::infinity()) const;
@@ -76,25 +76,25 @@ class RasterSurface {
   [[nodiscard]] Triangle triangle(FacetId facet) const;
 
  private:
-  // A plane over the cells, in units of cells on plan: z where (u, v) is (corner, corner) in some cell.
+  // A plane, in units of cells on plan: its height is z where (u, v) = (corner, corner) in a cell.
   struct Plane {
     double z, along_u, along_v, corner = 0;
   };
-  // The elevations of a cell's nodes.
+  // A cell: the elevations of its nodes.
   struct Cell {
     double sw, se, nw, ne;
     [[nodiscard]] bool has_data() const { return !std::isnan(sw + se + nw + ne); }
     /// Whether it is cut from south-west to north-east.
     [[nodiscard]] bool cut_north_east() const { return std::abs(sw - ne) <= std::abs(se - nw); }
-    /// On which side of its diagonal a place in it is: more than 0 to the south-east or to the north-east of it.
+    /// The side of the diagonal on which a place is: positive to the south-east, or to the north-east, of it.
     [[nodiscard]] double side_of_diagonal(double u, double v) const { return cut_north_east() ? u - v : u + v - 1; }
-    /// That of a facet.
+    /// The plane of a facet.
     [[nodiscard]] Plane plane(std::uint32_t half) const {
       const bool north_east = cut_north_east(), is_by_sw = half == 0 || north_east;
       return {is_by_sw ? sw : ne, half == 0 ? se - sw : ne - nw, (half == 0) == north_east ? ne - se : nw - sw,
               is_by_sw ? 0.0 : 1.0};
     }
-    /// The height of the ground at a place in it: 0 at its west and south sides, 1 at its east and north sides.
+    /// The elevation at a place in the cell; u and v are 0 at its west and south sides, 1 at its east and north sides.
     [[nodiscard]] double ground(double u, double v) const {
       u = std::clamp(u, 0.0, 1.0);
       v = std::clamp(v, 0.0, 1.0);
@@ -109,15 +109,14 @@ class RasterSurface {
   };
 
   [[nodiscard]] Cell cell(std::size_t column, std::size_t row) const { return cell_at(node(column, row)); }
-  /// The number of a cell's south-west node, and the cell that has it.
+  /// The number of a cell's south-west node, and the cell with that node.
   [[nodiscard]] std::size_t node(std::size_t column, std::size_t row) const { return row * (columns_ + 1) + column; }
   [[nodiscard]] Cell cell_at(std::size_t node) const {
     const float* south = grid_.z.data() + node;
     const float* north = south + columns_ + 1;
     return {south[0], south[1], north[0], north[1]};
   }
-  /// The least and the greatest elevation of a cell's nodes; where one has no data, not a number or those of the
-  /// others.
+  /// The minimum and maximum elevation of a cell's nodes; if one has no data, NaN or those of the others.
   [[nodiscard]] std::pair<double, double> range_at(std::size_t node) const {
     const float* south = grid_.z.data() + node;
     const float* north = south + columns_ + 1;
@@ -134,7 +133,7 @@ class RasterSurface {
             static_cast<std::int64_t>(columns_),
             static_cast<std::int64_t>(rows_)};
   }
-  /// Column and row of a facet's cell. (Divided as 32-bit numbers, which is several times as fast.)
+  /// Column and row of a facet's cell. (A division of 32-bit numbers is several times as fast.)
   [[nodiscard]] std::pair<std::int64_t, std::int64_t> place(FacetId facet) const {
     const std::uint32_t c = source(facet), width = static_cast<std::uint32_t>(columns_);
     return {c % width, c / width};
@@ -144,13 +143,15 @@ class RasterSurface {
     return static_cast<std::uint32_t>(
         2 * (static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)) + half);
   }
-  /// Which of four kinds a facet is, by the cut of its cell and its half of it.
+  /// The kind of a facet, 0 to 3, by the cut of its cell and its half.
   [[nodiscard]] static std::size_t kind_of(const Cell& cell, std::uint32_t half) {
     return 2 * static_cast<std::size_t>(cell.cut_north_east()) + half;
   }
   [[nodiscard]] Triangle triangle(std::int64_t column, std::int64_t row, std::size_t kind) const;
   [[nodiscard]] std::array<Triangle, 2> triangles(std::int64_t column, std::int64_t row, const Cell& cell) const;
   [[nodiscard]] std::array<std::optional<FacetId>, 3> neighbours(FacetId facet) const;
+  class SpherePart;
+  class SphereSides;
   class SphereSearch;
   [[nodiscard]] bool is_sharp_edge(FacetId facet, std::size_t side) const;
   [[nodiscard]] bool is_sharp_vertex(const Vec3& vertex) const;
@@ -160,15 +161,15 @@ class RasterSurface {
                                         double known) const;
   template <class Visit>
   void visit_cells(const Cells& cells, Visit&& visit) const;
-  /// How high a flight is over the border through which it leaves a cell, 0 where it goes no further, and over the
-  /// cell's diagonal, where it crosses it.
+  /// The height of a flight over the border through which it leaves a cell, 0 if it ends there, and over the cell's
+  /// diagonal, infinite if it does not cross it.
   struct HeightsOverLines {
     double leaving, over_diagonal;
   };
   [[nodiscard]] HeightsOverLines heights_over_lines(const Parabola& path, const GridWalk& at) const;
   void meet_in_cell(const Parabola& path, const GridWalk& at, const SupportPlanes& left, ContactCandidate& best) const;
-  [[nodiscard]] double greatest_height_in_cell(const Parabola& path, const GridWalk& at, double from, double to,
-                                               double known) const;
+  [[nodiscard]] double max_height_in_cell(const Parabola& path, const GridWalk& at, double from, double to,
+                                          double known) const;
   [[nodiscard]] std::optional<double> height_in_cell(double x, double y, std::int64_t column, std::int64_t row) const;
 
   RasterGrid grid_;

@@ -1,6 +1,5 @@
 #pragma once
-// The ground along a line on plan, as a section is drawn: a point wherever it bends, two where it steps, none over
-// holes.
+// The ground along a line on plan, as drawn in a section: a point at each bend, two at each step, none over holes.
 
 #include <cmath>
 #include <optional>
@@ -14,16 +13,16 @@ namespace talus {
 struct SectionPoint {
   double distance = 0;      // along the line, on plan [m]
   Vec2 place;               // on plan
-  std::optional<double> z;  // the highest ground there; none: from here to the next point there is none
+  std::optional<double> z;  // the highest ground there; nullopt: no ground from here to the next point
 };
 
-/// Through two or more points on plan. Has at most `most` points: of a line along which the ground bends more often,
-/// evenly spaced ones, and the bends of the line.
+/// Along a line through two or more points on plan. Has at most `most` points: if the ground bends more often, they are
+/// evenly spaced, in addition to the points of the line.
 template <class Surface>
 [[nodiscard]] std::vector<SectionPoint> section_along(const Surface& surface, std::span<const Vec2> line,
                                                       std::size_t most) {
-  // So far inside a piece that has no bends its heights are taken, as a part of its length: where it ends, the ground
-  // may step.
+  // The elevations at the ends of a straight piece are taken this far inside it, as a share of its length: the ground
+  // may step at its ends.
   constexpr double inside = 1e-6;
   constexpr double same_height = 1e-6;  // [m]
   std::vector<SectionPoint> section;

@@ -14,8 +14,8 @@ static_assert(TerrainSurface<TriangleMesh>);
 
 namespace {
 
-// When a point that goes from `from` at `velocity` on plan is over a triangle, or not further from it than the slack,
-// in [0, t_end]: three lines cut its way.
+// When a point that moves from `from` at `velocity` on plan is over a triangle, or within the slack of it, in [0,
+// t_end].
 TimeWindow time_over(const Triangle& corner, const Vec2& from, const Vec2& velocity, double t_end, double slack = 0) {
   TimeWindow over{0, t_end};
   const double turn = area_normal(corner).z() > 0 ? 1 : -1;
@@ -220,19 +220,19 @@ Exit TriangleMesh::exit(const Parabola& path) const {
   const double floor = bounds_.low.z(), half_g = 0.5 * path.a.z();
   const double t_floor = falling_root(path.p.z() - floor, path.v.z(), path.a.z(), 1e300).value_or(0);
   const double t_end = falling_root(path.p.z() - floor + 1, path.v.z(), path.a.z(), 1e300).value_or(0);
-  // Since it meets nothing, it has left where it is above ground for the last time: at a rim, or at a brow with nothing
+  // A flight without contact leaves where it is above ground for the last time: at a rim, or at a brow with nothing
   // beyond. If that is within a facet, it fell through.
   using tolerance::fell_through;
   double last = -1;
   bool falls_through = false;
   const auto look = [&](const OverPlane& over, std::uint32_t k) {
-    if (greatest_over(over, half_g) < -fell_through) return;  // the facet is above the path
+    if (max_height_over(over, half_g) < -fell_through) return;  // the facet is above the path
     double end = over.window.leave;
     const bool crosses = over.h0 + end * (over.h1 + half_g * end) < -fell_through;
     if (crosses) {
       end = falling_root(over.h0 + fell_through, over.h1, path.a.z(), 1e300).value_or(end);
     } else {
-      // The slack tells over what it is, and not when it is there no more.
+      // The slack decides which facets it is over, not when it leaves them.
       const double without = time_over(facets_[k].corner, path.p.head<2>(), path.v.head<2>(), t_end).leave;
       if (without >= 0) end = std::min(end, without);
     }
@@ -240,7 +240,7 @@ Exit TriangleMesh::exit(const Parabola& path) const {
     falls_through = crosses || (end == last && falls_through);
     last = end;
   };
-  // (Within the slack beside a steep facet its plane may be lower than the facet: by less than this.)
+  // (Within the slack of a steep facet, its plane may be lower than the facet: by less than this.)
   constexpr double worth = -1;
   bvh_.visit_under_from_the_end(path, last, t_end, worth, [&](std::uint32_t first, std::uint32_t end, double&) {
     visit_under_among(first, end, path, t_end, contact_slack, look);
@@ -249,8 +249,8 @@ Exit TriangleMesh::exit(const Parabola& path) const {
   return falls_through ? Exit{t_floor, true} : Exit{last, false};
 }
 
-double TriangleMesh::greatest_in_sight(const Parabola& path, double flight, const TimeWindow& window,
-                                       std::uint32_t facet) const {
+double TriangleMesh::max_height_in_sight(const Parabola& path, double flight, const TimeWindow& window,
+                                         std::uint32_t facet) const {
   const Parabola part{path.at(window.enter), path.velocity(window.enter), path.a};
   const double t_end = window.leave - window.enter;
   const Triangle& corner = facets_[facet].corner;
@@ -260,7 +260,7 @@ double TriangleMesh::greatest_in_sight(const Parabola& path, double flight, cons
   visit_under(part, t_end, 0, [&](const OverPlane& other, std::uint32_t k) {
     if (k != facet) height.hide(other);
   });
-  return height.greatest();
+  return height.maximum();
 }
 
 double TriangleMesh::max_height(const Parabola& path, double t_end, double known) const {
@@ -273,9 +273,9 @@ double TriangleMesh::max_height(const Parabola& path, double t_end, double known
           if (n.z() <= 0) continue;
           const OverPlane over = over_facet(facets_[k].corner, n, path, t_end);
           if (over.window.is_empty()) continue;
-          const double height = greatest_over(over, half_g);
+          const double height = max_height_over(over, half_g);
           if (height <= known) continue;
-          known = is_height_field_ ? height : std::max(known, greatest_in_sight(path, t_end, over.window, k));
+          known = is_height_field_ ? height : std::max(known, max_height_in_sight(path, t_end, over.window, k));
         }
       });
   return known;
@@ -311,7 +311,7 @@ std::optional<double> TriangleMesh::elevation(double x, double y, double below) 
 }
 
 bool TriangleMesh::has_ground_below(const Vec3& place, FacetId near) const {
-  // The facet over which it is, is a step or two from there, over sides.
+  // The facet below is a step or two away, across sides.
   constexpr int most_steps = 8;
   std::uint32_t k = near.index;
   for (int step = 0; step < most_steps && k != no_neighbour; ++step) {
@@ -373,7 +373,8 @@ std::vector<Vec3> TriangleMesh::draped(const Vec2& from, const Vec2& to) const {
     }
   });
   std::sort(bends.begin(), bends.end());
-  // Between two bends lies one facet: its heights at both, since at a vertical or overhanging face the ground steps.
+  // Between two bends there is one facet. Its elevations at both are used, since the ground steps at vertical and
+  // overhanging faces.
   constexpr double same = 1e-6;  // [m]
   std::vector<Vec3> line;
   const auto put = [&](const Vec3& p) {

@@ -1,6 +1,6 @@
 #pragma once
-// A triangulated surface: any shape, overhangs and vertical faces too; cleaned and oriented before it comes here
-// (cleaning.hpp). Coordinates are local (see local_frame.hpp).
+// A triangulated surface of any shape, including overhangs and vertical faces. The mesh must be clean and oriented
+// (cleaning.hpp). Coordinates are local (local_frame.hpp).
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@ struct OverPlane;
 class TriangleMesh {
  public:
   using Corners = std::array<std::uint32_t, 3>;
-  /// Stands for "no triangle beyond this edge".
+  /// No triangle beyond this edge.
   static constexpr std::uint32_t no_neighbour = 0xffffffffU;
 
   /// `neighbours[i][k]` is the triangle beyond the edge from corner k to corner k+1 of triangle i. Windings are
@@ -27,17 +27,17 @@ class TriangleMesh {
   TriangleMesh(std::span<const Vec3> vertices, std::span<const Corners> triangles, std::span<const Corners> neighbours);
 
   [[nodiscard]] std::size_t facet_count() const { return facets_.size(); }
-  /// Facets are numbered as the tree stores them; this is the number that the triangle had when the mesh was made.
+  /// Facets are numbered in the order of the tree; this is the triangle's number in the constructor.
   [[nodiscard]] std::uint32_t source(FacetId facet) const { return facets_[facet.index].source; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }
   [[nodiscard]] bool may_overhang() const { return !is_height_field_; }
-  /// Of everything that grows with the number of triangles.
+  /// Memory that grows with the number of triangles.
   [[nodiscard]] std::size_t bytes() const;
 
-  // What TerrainSurface says (surface.hpp).
+  // The queries of TerrainSurface (surface.hpp).
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
                                                      const SupportPlanes& left = {}) const;
-  /// How many facets this search looks at, for benchmarks.
+  /// The number of facets that this search tests, for benchmarks.
   [[nodiscard]] std::uint32_t facets_tested(const Parabola& path, double radius, double t_max) const;
   [[nodiscard]] std::optional<Contact> first_contact_on_leg(const Parabola& leg, double radius, double t_max,
                                                             const SupportPlanes& on) const;
@@ -48,14 +48,14 @@ class TriangleMesh {
   [[nodiscard]] bool has_ground_below(const Vec3& place, FacetId near) const;
   [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
-  /// The highest surface along a straight line on plan, a point wherever it bends and two where it steps; pieces where
-  /// there is no ground are missing.
+  /// The highest surface along a straight line on plan: a point at each bend, two at each step; stretches without
+  /// ground are missing.
   [[nodiscard]] std::vector<Vec3> draped(const Vec2& from, const Vec2& to) const;
 
   [[nodiscard]] Vec3 normal(FacetId facet) const;
   [[nodiscard]] const Vec3& point_of(FacetId facet) const { return facets_[facet.index].corner[0]; }
   [[nodiscard]] Outline outline(FacetId facet) const;
-  /// Its corners; those of neighbours are equal to the last bit.
+  /// Its corners; shared corners of neighbours are equal bit for bit.
   [[nodiscard]] const Triangle& triangle(FacetId facet) const { return facets_[facet.index].corner; }
 
   template <class Touch>
@@ -66,8 +66,8 @@ class TriangleMesh {
     Triangle corner;
     Corners neighbour;     // facets here
     std::uint32_t source;  // triangle of the input
-    // Edges (bits 0 to 2) and corners (bits 3 to 5) that a sphere can touch before a facet does, because the surface
-    // is convex there or ends. Each belongs to one of the facets that share it.
+    // Edges (bits 0 to 2) and corners (bits 3 to 5) that a sphere can touch before a facet, because the surface is
+    // convex there or ends. Each belongs to one of the facets that share it.
     std::uint32_t sharp;
   };
   [[nodiscard]] auto sharp_of(std::uint32_t k) const {
@@ -78,18 +78,19 @@ class TriangleMesh {
   std::optional<Contact> search_flight(const Parabola& path, double radius, double t_max, const SupportPlanes& left,
                                        EachFacet&& each_facet) const;
   void find_sharp_features(std::span<const Corners> triangles);
-  /// Calls visit(flight over its plane, facet) for each facet that faces up and lies, on plan, under the path in [0,
-  /// t_end].
+  /// Calls visit(over, facet) for each facet that faces up and is below the path on plan in [0, t_end]; `over` is the
+  /// flight over its plane.
   template <class Visit>
   void visit_under(const Parabola& path, double t_end, double slack, Visit&& visit) const;
-  /// The same among some of them.
+  /// The same for facets `first` to `last` - 1.
   template <class Visit>
   void visit_under_among(std::uint32_t first, std::uint32_t last, const Parabola& path, double t_end, double slack,
                          Visit&& visit) const;
-  /// Of a flight over one facet in a part of its time, while no other ground lies between.
-  [[nodiscard]] double greatest_in_sight(const Parabola& path, double flight, const TimeWindow& window,
-                                         std::uint32_t facet) const;
-  /// Calls visit(z, n_z, facet) for each facet over or under a place on plan that is not vertical, between two heights.
+  /// The maximum height of a flight over one facet in a window of time, while no other ground is between them.
+  /// `flight`: the duration of the whole flight [s].
+  [[nodiscard]] double max_height_in_sight(const Parabola& path, double flight, const TimeWindow& window,
+                                           std::uint32_t facet) const;
+  /// Calls visit(z, n_z, facet) for each facet at a place on plan that is not vertical, between two elevations.
   template <class Visit>
   void visit_column(double x, double y, double z_low, double z_high, Visit&& visit) const;
 

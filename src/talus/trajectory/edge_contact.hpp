@@ -1,11 +1,11 @@
 #pragma once
-// A sphere on an edge or a vertex: which line carries it, and what presses it against that.
+// A sphere on an edge or a vertex: the line that carries it, and the normal acceleration.
 
 #include "talus/trajectory/ground_friction.hpp"
 
 namespace talus {
 
-/// The direction of the edge that carries a sphere; zero at a vertex.
+/// The direction of the edge that carries a sphere, unit; zero at a vertex.
 template <class Surface>
 [[nodiscard]] Vec3 edge_under(MovingRock<Surface>& rock, const Support& on) {
   const Vec3 point = rock.motion.position - rock.reach * on.normal;
@@ -21,15 +21,15 @@ template <class Surface>
   return sides == 1 ? direction : Vec3(Vec3::Zero());
 }
 
-/// N = -g.n - v^2/r, v being the speed across the edge: the normal force over the sphere's mass, less what the turn
-/// about the edge takes [m/s2]. Below 0 it flies off.
+/// N = -g.n - v^2/r, with v the speed across the edge: the normal force over the sphere's mass, gravity less the
+/// centripetal acceleration of the turn about the edge [m/s2]. Below 0 the sphere takes off.
 template <class Surface>
 [[nodiscard]] double normal_acceleration_on_edge(MovingRock<Surface>& rock, const Support& on) {
   const Vec3 across = tangential(tangential(rock.motion.velocity, on.normal), edge_under(rock, on));
   return -rock.laws.gravity.dot(on.normal) - across.squaredNorm() / rock.reach;
 }
 
-/// How long a leg may be of a sphere that turns about an edge by no more than a small angle [s].
+/// The duration [s] of a leg in which a sphere turns about an edge by at most `edge_step`.
 template <class Surface>
 [[nodiscard]] double longest_leg_on_edge(const MovingRock<Surface>& rock, const GroundFriction& friction,
                                          const Footing& footing) {

@@ -1,22 +1,22 @@
 #pragma once
-// A rock in the air: it flies until it meets the ground, a barrier or the model's end.
+// A rock in the air: it flies until it meets the ground, a barrier or the edge of the model.
 
 #include "talus/trajectory/at_barriers.hpp"
 #include "talus/trajectory/striking.hpp"
 
 namespace talus {
 
-/// How a flight ends: on the ground, at the end of the model, or - where it has neither - only in time.
+/// How a flight ends: on the ground, at the edge of the model, or, with neither, when its time is over.
 struct FlightEnd {
   double t;  // [s]
   std::optional<Contact> contact;
   std::optional<Exit> exit;
-  // How high above the ground the rock has been when it ends, in this flight or before [m]; known only where the search
-  // for the contact came by it.
+  // Maximum bounce height of the rock until then, in this flight or before [m], if the search for the contact also
+  // gives it.
   std::optional<double> max_height = {};
 };
 
-/// With a contact, or as long as asked.
+/// At the first contact, or at t_max.
 template <class Surface>
 [[nodiscard]] FlightEnd first_contact(const MovingRock<Surface>& rock, const Parabola& path, double t_max,
                                       const SupportPlanes& left) {
@@ -35,7 +35,7 @@ template <class Surface>
                                       const SupportPlanes& left) {
   const FlightEnd end = first_contact(rock, path, t_max, left);
   if (end.contact) {
-    // A sphere may touch the rim once more when its centre has left already.
+    // A sphere may still touch the rim after its centre has left the model.
     if (rock.reach == 0 || rock.surface.has_ground_below(path.at(end.t), end.contact->facet)) return end;
     const Exit before = rock.surface.exit(path);
     return before.t < end.t && !before.beneath ? FlightEnd{before.t, {}, before} : end;
@@ -44,14 +44,14 @@ template <class Surface>
   return edge.t < t_max ? FlightEnd{edge.t, {}, edge} : end;
 }
 
-/// Flies to the end, or to what a barrier makes of it before; nothing where the rock is still flying then.
+/// Flies to `flight_end`, or to a barrier before it, and returns the next state; nullopt if the rock is still flying.
 template <class Surface>
 [[nodiscard]] std::optional<RockState> fly_along(MovingRock<Surface>& rock, const Flying& state, const Parabola& path,
                                                  const LinearDrag& drag, const FlightEnd& flight_end) {
   Motion& motion = rock.motion;
   double& max_bounce = rock.outcome.max_bounce;
   const double start = motion.time;
-  // Barriers know the parabola's own clock.
+  // Barriers record times by the parabola's parameter.
   const auto retime = [&] {
     if (drag.rate > 0) rock.crossed.retime(start, [&](double t) { return drag.time(t); });
   };
@@ -63,15 +63,15 @@ template <class Surface>
       continue;
     }
     const AtBarrier then = meet_barrier(rock, *crossing, start + crossing->t, rock.laws.gravity);
-    if (then == AtBarrier::untouched) {
+    if (then == AtBarrier::unaffected) {
       motion = before;
       continue;
     }
     retime();
     rock.log.flight(path, crossing->t, before, drag);
     max_bounce = max_height_of_flight(rock.surface, path, 0, crossing->t, max_bounce);
-    if (then == AtBarrier::held) return Ended{EndReason::stopped_by_barrier};
-    rock.note_row(PathState::projectile);
+    if (then == AtBarrier::stopped) return Ended{EndReason::stopped_by_barrier};
+    rock.log_row(PathState::projectile);
     return Flying{};
   }
 

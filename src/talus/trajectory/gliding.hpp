@@ -1,14 +1,13 @@
 #pragma once
-// What most of a long slide goes through: many steps on one facet, with nothing near that could end them. Between the
-// glide that prepare_glide() gives and end_glide(), whoever drives the rock takes the steps, alone or with other
-// rocks'.
+// Most of a long slide is a glide: many steps on one facet, with nothing near that could end them. The caller of the
+// run takes these steps between prepare_glide() and end_glide(), for one rock or for several together.
 
 #include "talus/sliding/glide.hpp"
 #include "talus/trajectory/on_facet.hpp"
 
 namespace talus {
 
-/// A glide under way, from where the rock's motion is.
+/// A glide that starts at the rock's present motion.
 struct GlideOnFacet {
   Glide glide;
   Vec3 down = Vec3::Zero(), aside = Vec3::Zero();  // unit, on the facet
@@ -16,7 +15,7 @@ struct GlideOnFacet {
   std::size_t first_step = 0;  // in the log
 };
 
-/// The glide that there is to be taken from where the rock is.
+/// The glide from the rock's present motion; nullopt if it cannot glide.
 template <class Surface>
 [[nodiscard]] std::optional<GlideOnFacet> prepare_glide(MovingRock<Surface>& rock, const OnFacet& state) {
   const Laws& laws = rock.laws;
@@ -58,7 +57,7 @@ void end_glide(MovingRock<Surface>& rock, const GlideOnFacet& on) {
   motion.position += glide.x * on.down + glide.y * on.aside;
   motion.velocity = glide.vx * on.down + glide.vy * on.aside;
   motion.time = glide.time;
-  rock.note_energy();
+  rock.update_max_energy();
 }
 
 }  // namespace talus

@@ -1,11 +1,11 @@
 #pragma once
-// How the ground brakes a rock: what its material draws, and what two sides of a valley share.
+// Friction and drag of the ground: drawn from its material, or shared by the two sides of a valley.
 
 #include "talus/trajectory/moving_rock.hpp"
 
 namespace talus {
 
-/// `rt` is the tangential restitution of the same draw.
+/// `rt`: the tangential restitution of the same draw.
 template <class Surface>
 [[nodiscard]] GroundFriction friction_of(MovingRock<Surface>& rock, const GroundDraw& draw, const Material& material,
                                          double rt) {
@@ -31,7 +31,7 @@ template <class Surface>
   return friction;
 }
 
-/// Of a facet that the rock comes to.
+/// On a facet that the rock comes to.
 template <class Surface>
 [[nodiscard]] GroundFriction friction_at(MovingRock<Surface>& rock, FacetId facet) {
   const Material& material = rock.ground[rock.material_at(facet)];
@@ -39,29 +39,28 @@ template <class Surface>
   return friction_of(rock, draw, material, draw.restitution(material)[1]);
 }
 
-/// Of two materials each brakes a rock in a valley by what its side carries of it. `own` is that of its facet.
+/// In a valley between two materials each brakes the rock in proportion to the normal force of its side. `own`: that of
+/// the rock's facet.
 template <class Surface>
 [[nodiscard]] GroundFriction shared_friction(MovingRock<Surface>& rock, GroundFriction own, const InValley& state) {
   if (rock.material_at(state.other.facet) == rock.material_at(state.on.facet)) return own;
   const GroundFriction other = friction_at(rock, state.other.facet);
-  const auto take = [share = state.valley.first_share](double& mine, double others) {
-    mine += share * (others - mine);
-  };
-  take(own.mu, other.mu);
-  take(own.drag, other.drag);
-  take(own.sphere.dynamic, other.sphere.dynamic);
-  take(own.sphere.rolling, other.sphere.rolling);
+  const auto mix = [share = state.valley.first_share](double& mine, double others) { mine += share * (others - mine); };
+  mix(own.mu, other.mu);
+  mix(own.drag, other.drag);
+  mix(own.sphere.dynamic, other.sphere.dynamic);
+  mix(own.sphere.rolling, other.sphere.rolling);
   return own;
 }
 
-/// For the two sides that carry the rock now.
+/// Drawn for both sides of a valley.
 template <class Surface>
 [[nodiscard]] GroundFriction friction_in(MovingRock<Surface>& rock, const InValley& state) {
   const GroundFriction own = friction_at(rock, state.on.facet);
   return shared_friction(rock, own, state);
 }
 
-/// How long it takes at the least to go a way [m] at a speed that grows by no more than `acceleration` [s].
+/// The least time [s] in which a rock moves by `way` [m], from `speed`, with at most this acceleration.
 [[nodiscard]] inline double time_for_way(double way, double speed, double acceleration) {
   return 2 * way / (speed + std::sqrt(speed * speed + 2 * acceleration * way));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A rock in a valley: the line in which two supports meet, between which gravity holds it.
+// A rock in a valley: gravity holds it between two supports, and it moves along the line in which they meet.
 
 #include "talus/trajectory/on_facet.hpp"
 
@@ -19,8 +19,8 @@ template <class Surface>
   return {state.on.normal, state.valley.direction, state.friction.sphere, footing};
 }
 
-/// It is guided by its other side already.
-inline void be_guided(const InValley&, const Guide&) {}
+/// Its other side already guides it.
+inline void set_guide(const InValley&, const Guide&) {}
 
 template <class Surface>
 [[nodiscard]] SupportPlanes carrying(const MovingRock<Surface>&, const InValley& state) {
@@ -28,7 +28,7 @@ template <class Surface>
 }
 
 template <class Surface>
-void pass_beside(const MovingRock<Surface>&, const InValley&, const Leg&, double) {}
+void apply_side_contact(const MovingRock<Surface>&, const InValley&, const Leg&, double) {}
 
 template <class Surface>
 [[nodiscard]] std::optional<OutlineEdge> outline_ahead(MovingRock<Surface>& rock, const InValley& state,
@@ -41,7 +41,7 @@ template <class Surface>
   return side;
 }
 
-/// An edge or a vertex holds a sphere against its facet only as long as it touches it.
+/// Whether the other side still holds the rock: an edge or a vertex holds a sphere only as long as it touches it.
 template <class Surface>
 [[nodiscard]] bool is_held(const MovingRock<Surface>& rock, const InValley& state) {
   if (rock.is_facet(state.other)) return true;
@@ -53,7 +53,7 @@ template <class Surface>
   return is_held;
 }
 
-/// On one side of a valley alone, which is `kept`.
+/// The friction after the rock has left one side of a valley and moves on along the other, `kept`.
 template <class Surface>
 [[nodiscard]] GroundFriction friction_on_one_side(MovingRock<Surface>& rock, const InValley& state,
                                                   const Support& kept) {
@@ -61,45 +61,45 @@ template <class Surface>
   return friction_at(rock, kept.facet);
 }
 
-/// On the ground, having left a support that it touches for a moment yet.
+/// On the ground next to a support that the rock has left, but still touches.
 [[nodiscard]] inline RockState on_ground(const Support& on, bool is_on_facet, const GroundFriction& friction,
                                          const Support& left) {
   if (is_on_facet) return OnFacet{on, friction, LeftFacet{left.normal}};
   return OnEdge{on, friction, LeftFacet{left.normal}};
 }
 
-/// The rock goes on over its own support alone.
+/// The rock moves on over its own support alone.
 template <class Surface>
 [[nodiscard]] RockState leave_other_side(MovingRock<Surface>& rock, const InValley& state) {
   return on_ground(state.on, state.is_on_facet, friction_on_one_side(rock, state, state.on), state.other);
 }
 
-/// Rounding must not lift a rock off the bottom of its valley, or press it in, leg after leg.
+/// Puts the rock back on the bottom of its valley, so that rounding does not add up from leg to leg.
 template <class Surface>
-void stand_on(MovingRock<Surface>& rock, const InValley& state) {
+void remove_drift(MovingRock<Surface>& rock, const InValley& state) {
   if (!state.is_on_facet || !rock.is_facet(state.other)) return;
   const Vec3 &n = state.on.normal, &m = state.other.normal;
-  Vec3 shift = -height_over(rock, n, rock.outline_of(state.on.facet).point) * n;
-  // To where the rock touches both planes, the shortest way.
-  const Vec3 across = tangential(m, n);  // towards the first plane's side of the second one, in the first plane
+  Vec3 shift = -gap_to_plane(rock, n, rock.outline_of(state.on.facet).point) * n;
+  // The shortest shift to where the rock touches both planes.
+  const Vec3 across = tangential(m, n);  // in the first plane, away from the second
   shift -=
-      (height_over(rock, m, rock.surface.point_of(state.other.facet)) + m.dot(shift)) / across.squaredNorm() * across;
-  lift(rock, shift);
+      (gap_to_plane(rock, m, rock.surface.point_of(state.other.facet)) + m.dot(shift)) / across.squaredNorm() * across;
+  correct_position(rock, shift);
 }
 
-/// What the rock flies off.
+/// The facets that the rock takes off from.
 template <class Surface>
-[[nodiscard]] SupportPlanes left_behind(const MovingRock<Surface>& rock, const InValley& state) {
+[[nodiscard]] SupportPlanes planes_left(const MovingRock<Surface>& rock, const InValley& state) {
   SupportPlanes left;
   if (state.is_on_facet) left.add(state.on.normal, state.on.facet);
   if (rock.is_facet(state.other)) left.add(state.other.normal, state.other.facet);
   return left;
 }
 
-/// What goes on at the end of a valley's facets.
+/// The ground beyond the end of a valley's facets.
 struct AheadInValley {
-  std::optional<FacetId> on, other;  // of the planes of its two sides
-  std::optional<FacetId> rising;     // that which rises most against the rock
+  std::optional<FacetId> on, other;  // facets in the planes of its two sides
+  std::optional<FacetId> rising;     // the facet that rises most steeply against the rock
 };
 
 template <class Surface>
@@ -110,8 +110,8 @@ template <class Surface>
   double on_depth = 0, other_depth = 0, least_parting = std::numeric_limits<double>::infinity();
   rock.surface.supports(place, rock.reach, 0.1 * tolerance::look_ahead,
                         [&](const Vec3& n, const Vec3&, double, FacetId facet) {
-                          // Several facets of one plane may touch there: the rock goes on over the one in whose outline
-                          // it will be.
+                          // Of several facets in one plane the rock moves on over the one whose outline it will be
+                          // in.
                           const Outline& outline = rock.outline_of(facet);
                           double depth = std::numeric_limits<double>::infinity();
                           for (int k = 0; k < outline.edge_count; ++k) {
@@ -134,9 +134,9 @@ template <class Surface>
   return ahead;
 }
 
-/// The valley goes on between the next facets of both its planes.
+/// The valley continues between the next facets of both its planes.
 template <class Surface>
-[[nodiscard]] InValley go_on_along(MovingRock<Surface>& rock, InValley state, FacetId on, FacetId other) {
+[[nodiscard]] InValley continue_along(MovingRock<Surface>& rock, InValley state, FacetId on, FacetId other) {
   const auto materials = [&] {
     return std::pair(rock.material_at(state.on.facet), rock.material_at(state.other.facet));
   };
@@ -145,7 +145,7 @@ template <class Surface>
   state.other.facet = other;
   state.is_on_facet = rock.is_facet(state.on);
   if (state.is_on_facet && rock.is_facet(state.other)) {
-    // The same planes but for rounding, which would add up along the valley.
+    // The planes are the same but for rounding, which would add up along the valley.
     const Vec3 n = rock.surface.normal(on), m = rock.surface.normal(other);
     const auto caught = caught_between(rock.laws.gravity, m, n, rock.motion.velocity, rock.leaving_speed);
     if (caught) {
@@ -159,13 +159,13 @@ template <class Surface>
   return state;
 }
 
-/// At the end of a valley's facets others may go on, both or one of them.
+/// The state of a rock that has reached the end of its valley's facets. Both planes may continue, or one of them.
 template <class Surface>
 [[nodiscard]] RockState leave_valley(MovingRock<Surface>& rock, const InValley& state) {
   const AheadInValley ahead = look_along_valley(rock, state);
-  if (ahead.on && ahead.other) return go_on_along(rock, state, *ahead.on, *ahead.other);
+  if (ahead.on && ahead.other) return continue_along(rock, state, *ahead.on, *ahead.other);
   if (ahead.on || ahead.other) {
-    // The other facet ends here. The sphere touches its end for a moment yet, and must not strike it again at once.
+    // The other plane ends here. The sphere still touches its end, and must not strike it again at once.
     const Support &kept = ahead.on ? state.on : state.other, &left = ahead.on ? state.other : state.on;
     const Support on{kept.normal, ahead.on ? *ahead.on : *ahead.other};
     GroundFriction friction = friction_on_one_side(rock, state, kept);
@@ -174,39 +174,39 @@ template <class Surface>
     return on_ground(on, is_on_facet, friction, left);
   }
   if (rock.reach == 0 && ahead.rising) {
-    // Heights that are rounded bend a straight valley at every facet. Whatever lies to the side of the facet that rises
-    // most is found when the rock is driven there.
+    // Rounded heights bend a straight valley at every facet. The rock moves on over the facet that rises most steeply;
+    // what lies next to it is found when the rock is driven there.
     const Support rising{rock.surface.normal(*ahead.rising), *ahead.rising};
     if (rock.is_level(rising.normal) || rock.grazes(rising.normal)) {
-      return go_on_over(rock, state.on, friction_on_one_side(rock, state, state.on), rising);
+      return continue_over(rock, state.on, friction_on_one_side(rock, state, state.on), rising);
     }
     if (rock.motion.velocity.dot(rising.normal) < 0) {
       rock.remember_contact(state.on);
       return strike(rock, {0, rising.normal, rising.facet, Feature::facet});
     }
   }
-  return take_off(rock, left_behind(rock, state));
+  return take_off(rock, planes_left(rock, state));
 }
 
 template <class Surface>
 [[nodiscard]] std::optional<NextState> finish_leg(MovingRock<Surface>& rock, InValley& state, const Leg& leg,
                                                   const LegEnd& end) {
-  go_to_end(rock, state.on.facet, leg, end);
+  move_to_end(rock, state.on.facet, leg, end);
   if (end.rim) return NextState{leave_over_rim(rock, *end.rim)};
-  stand_on(rock, state);
+  remove_drift(rock, state);
   if (end.ahead) return NextState{strike(rock, *end.ahead)};
   if (end.edge) {
-    rock.note_energy();
+    rock.update_max_energy();
     if (const auto exit = exit_at(rock, *end.edge)) return NextState{leave_over_rim(rock, *exit)};
     return NextState{leave_valley(rock, state)};
   }
   if (!state.is_on_facet) {
-    // Between an edge and something else: after a while it is in the air again, if barely. (Not after a leg: where slip
-    // ends at once and rolling begins, that would be for ever.)
+    // Between an edge and another support: after a short while the rock is in the air again, if barely. (Not after each
+    // leg: legs have no duration where slip ends at once, and the rock would take off and land forever.)
     rock.stretch.past_edge += end.t;
-    const double a_while =
+    const double short_while =
         std::min(rock.laws.timestep, time_for_way(tolerance::edge_step * rock.reach, rock.motion.velocity.norm(), 0));
-    if (rock.stretch.past_edge >= 0.5 * a_while) return NextState{take_off(rock)};
+    if (rock.stretch.past_edge >= 0.5 * short_while) return NextState{take_off(rock)};
   }
   return std::nullopt;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The outlines of the facets that a rock asked for last: the one it is on, two in a valley, what lies beyond an edge.
+// A cache of the outlines that a rock used last: of its facet, of both in a valley, of the one beyond an edge.
 
 #include <array>
 #include <bit>
@@ -17,10 +17,10 @@ class KeptOutlines {
 
   KeptOutlines() { facets_.fill(std::numeric_limits<std::uint32_t>::max()); }
 
-  /// That of a facet, asked of the surface if it is not here. Good until `count` others were asked for.
+  /// The outline of a facet, from the cache or from the surface. Valid until `count` others have been requested.
   template <class Surface>
   const Outline& of(const Surface& surface, FacetId facet) {
-    // All places are looked at together: in which of them it is could not be guessed.
+    // All slots are compared at once: a branch per slot could not be predicted.
     std::uint32_t places = 0;
     for (std::size_t k = 0; k < count; ++k) places |= static_cast<std::uint32_t>(facets_[k] == facet.index) << k;
     if (places != 0) return outlines_[static_cast<std::size_t>(std::countr_zero(places))];

@@ -1,6 +1,6 @@
 #pragma once
-// One rock on its way, as all states of it see it: the scene, the rock, how it moves, what it has met and what is noted
-// of it. What only one state knows stands in that state (states.hpp). Private to trajectory/.
+// The data that all states of a rock share: the scene, the rock, its motion, its recent contacts and its log. Data of
+// one state are in that state (states.hpp). Private to trajectory/.
 
 #include <algorithm>
 #include <cmath>
@@ -18,15 +18,15 @@
 
 namespace talus {
 
-/// Whether a rock gets anywhere: where it was for its last contacts and how it spun - friction may yet take that from a
-/// sphere that stands -, and how many these were.
+/// Detects a rock that makes no progress: counts its contacts in the same place and with the same spin. (Spin counts
+/// because friction may still turn it into motion, even if a sphere stands.)
 class Progress {
  public:
   /// `reach`: a sphere's radius; 0 for a point, whose spin does not count.
   explicit Progress(double reach) : reach_(reach) {}
-  /// Noted once a phase, for one contact more, and once a leg, for as many as it lasts hundredths of a second: a small
-  /// timestep is no contact.
-  void note(const Motion& motion, double contacts = 1) {
+  /// Called once per flight or stretch, for one contact, and once per leg, for its share of 0.01 s: legs with a small
+  /// timestep count for less than a contact.
+  void record(const Motion& motion, double contacts = 1) {
     if (!is_same(motion)) {
       place_ = motion.position;
       spin_ = motion.spin;
@@ -34,11 +34,11 @@ class Progress {
     }
     contacts_ += contacts;
   }
-  /// Contact upon contact in the same place.
-  [[nodiscard]] bool gets_nowhere(const Motion& motion) const {
-    return contacts_ > tolerance::contacts_to_nowhere && is_same(motion);
+  /// Whether contact follows contact in the same place.
+  [[nodiscard]] bool is_stuck(const Motion& motion) const {
+    return contacts_ > tolerance::contacts_to_stuck && is_same(motion);
   }
-  /// Caught between what it touches, if it is as good as stopped: every contact has taken of its energy.
+  /// Whether a slow rock is caught between what it touches: every contact has taken some of its energy.
   [[nodiscard]] bool is_wedged() const { return contacts_ > tolerance::contacts_to_rest; }
 
  private:
@@ -52,20 +52,20 @@ class Progress {
   double contacts_ = 0;
 };
 
-/// The contact with the ground before the present one.
+/// The previous contact with the ground.
 struct LastContact {
   Vec3 position = Vec3::Constant(std::numeric_limits<double>::infinity());
   Support with{Vec3::Zero(), {}};
 };
 
-/// Of the stretch along the ground that lasts until something happens.
+/// The present stretch along the ground: its legs up to the next event.
 struct Stretch {
-  bool has_turned = false;  // it stood, and slides back
-  double past_edge = 0;     // time spent in a valley that is an edge on one side [s]
+  bool has_turned = false;  // the rock stood still and slides back
+  double past_edge = 0;     // time in a valley that has an edge or a vertex on one side [s]
 };
 
-/// A sphere that rolls on a plane of this normal can go so far from a place, whichever way, and touches nothing but
-/// that plane; and until it has gone so far, that is not asked again.
+/// A sphere that rolls on a plane of this normal can move by `way` from `from`, in any direction, and touch nothing but
+/// the plane. If that is not enough, the search is repeated after it has moved by `until`.
 struct ClearWay {
   Vec3 normal = Vec3::Zero(), from = Vec3::Zero();
   double way = 0, until = 0;  // [m]
@@ -89,7 +89,7 @@ class MovingRock {
         progress(reach),
         draws_(draws) {}
 
-  // ---- what it is, and where ----
+  // ---- the rock and its motion ----
   const Surface& surface;
   const Ground& ground;
   const BarrierList barriers;
@@ -98,8 +98,8 @@ class MovingRock {
   RockLog& log;
   const Rock rock;
   const double reach;  // from the centre to the contact: the radius of a sphere, 0 for the lumped mass [m]
-  // A rock that parts from the ground more slowly stays on it [m/s]: without a cutoff it is one that would not rise by
-  // the thickness within which it counts as being on the ground.
+  // A rock that leaves an impact with a smaller normal velocity stays on the ground [m/s]. Without a cutoff in the
+  // settings, that is a rock that would not rise above the thickness of a facet (contact_slack).
   const double leaving_speed;
   const bool has_forest;
   Motion motion;
@@ -114,7 +114,7 @@ class MovingRock {
   [[nodiscard]] double kinetic_energy() const {
     return 0.5 * rock.mass * motion.velocity.squaredNorm() + 0.5 * rock.inertia * motion.spin.squaredNorm();
   }
-  /// Whether it is wedged, and as good as stopped.
+  /// Whether it is caught, and slower than a rock that may stop.
   [[nodiscard]] bool is_wedged() const {
     return progress.is_wedged() && motion.velocity.norm() < laws.stopped_velocity;
   }
@@ -126,14 +126,14 @@ class MovingRock {
   }
 
   // ---- the ground ----
-  /// Good until a few others were asked for.
+  /// The reference is valid until KeptOutlines::count other outlines have been requested.
   [[nodiscard]] const Outline& outline_of(FacetId facet) { return outlines_.of(surface, facet); }
   [[nodiscard]] MaterialId material_at(FacetId facet) const { return ground.material_of(surface.source(facet)); }
-  /// Whether a support is its facet itself and not one of the facet's edges or vertices.
+  /// Whether a support is the facet itself, not one of its edges or vertices.
   [[nodiscard]] bool is_facet(const Support& support) const {
     return surface.normal(support.facet).dot(support.normal) > 1 - tolerance::facet_normal;
   }
-  /// The properties of the ground, drawn afresh at every contact.
+  /// Draws the ground's properties for a new contact.
   [[nodiscard]] GroundDraw draw_at(FacetId facet) {
     return GroundDraw(draws_, laws.material_sampling, material_at(facet), contacts_++);
   }
@@ -145,20 +145,21 @@ class MovingRock {
     }
     return tangent_;
   }
-  /// Whether it goes on at its velocity over a facet of this normal as if it were the one it is on.
+  /// Whether a facet of this normal continues the one that the rock moves along, but for rounding.
   [[nodiscard]] bool is_level(const Vec3& n) const {
     const Vec3& v = motion.velocity;
     return std::abs(v.dot(n)) <= tolerance::level_bend * v.norm() && laws.gravity.dot(n) < 0;
   }
-  /// Whether a rock that slides, or has slid until a moment ago, only grazes a facet, so that it is not struck and
-  /// slides on. (CRSP takes a share of the speed along the ground however flat an impact is: over a bend in many facets
-  /// a slide would lose all of it. What a sphere loses tends to nothing by its own law.)
+  /// Whether a sliding rock, or one that has just slid, meets a facet at so small an angle that it slides on without an
+  /// impact. (CRSP takes a share of the tangential speed however small the angle is: over a bend made of many facets a
+  /// slide would lose all of it. A sphere needs no such rule: its loss tends to zero with the angle.)
   [[nodiscard]] bool grazes(const Vec3& n) const {
     const double into = -motion.velocity.dot(n);
     return !is_sphere() && into >= 0 && into < laws.grazing * motion.velocity.norm() && laws.gravity.dot(n) < 0;
   }
-  /// A lumped mass grazes the ground: it keeps nothing of what leads into it, and the impulse of that has its friction.
-  void settle_onto(const Vec3& n, double mu) {
+  /// A lumped mass grazes the ground: its velocity into the ground is removed, and friction acts on that impulse,
+  /// |v_t|' = |v_t| - mu |v_n|.
+  void apply_grazing(const Vec3& n, double mu) {
     const double into = -motion.velocity.dot(n);
     const Vec3 along = tangential(motion.velocity, n);
     motion.velocity = std::max(0.0, 1 - mu * into / std::max(along.norm(), tolerance::least_speed)) * along;
@@ -168,23 +169,23 @@ class MovingRock {
     const Vec3 slip = slip_velocity(motion.velocity, motion.spin, normal, rock.radius);
     return slip.norm() < tolerance::shown_as_rolling ? PathState::rolling : PathState::sliding;
   }
-  /// How it leaves the model that goes on in free flight from a place, if it does at once.
+  /// How a rock in free flight from a place leaves the model, if it does so at once.
   [[nodiscard]] std::optional<Exit> exit_from(const Vec3& position, const Vec3& velocity) const {
     const Exit exit = surface.exit({position, velocity, laws.gravity});
     return exit.t <= tolerance::at_once && !exit.beneath ? std::optional(exit) : std::nullopt;
   }
 
-  // ---- what is noted of it ----
-  void note_energy() { outcome.max_kinetic_energy = std::max(outcome.max_kinetic_energy, kinetic_energy()); }
-  void note_row(PathState state) { log.row(state, motion); }
-  /// An arrival: the moments at which a rock is fastest.
+  // ---- its log ----
+  void update_max_energy() { outcome.max_kinetic_energy = std::max(outcome.max_kinetic_energy, kinetic_energy()); }
+  void log_row(PathState state) { log.row(state, motion); }
+  /// An arrival at the ground or a barrier: the moments at which a rock is fastest.
   void arrive(PathState state) {
     ++outcome.events;
-    note_energy();
-    note_row(state);
+    update_max_energy();
+    log_row(state);
   }
-  /// A part of a leg that it has gone, coming to `arrived` on a facet, or an edge or a vertex of it.
-  void note_leg(FacetId facet, const Parabola& leg, double t, const Motion& before, const Motion& arrived) {
+  /// The first `t` of a leg, from `before` to `arrived`, on a facet or one of its edges or vertices.
+  void log_leg(FacetId facet, const Parabola& leg, double t, const Motion& before, const Motion& arrived) {
     log.leg(leg, t, before, arrived, facet);
     if (reach == 0) return;
     outcome.max_bounce = max_height_of_leg(surface, outline_of(facet), leg, t, 0, t, outcome.max_bounce);
@@ -192,8 +193,8 @@ class MovingRock {
 
  private:
   const Draws& draws_;
-  std::uint32_t contacts_ = 0;      // how often the ground's properties were drawn
-  double angle_ = 0, tangent_ = 0;  // of friction, the last one: often it is the same everywhere
+  std::uint32_t contacts_ = 0;      // for which the ground's properties were drawn
+  double angle_ = 0, tangent_ = 0;  // the last friction angle, which often does not change
   KeptOutlines outlines_;
 };
 
@@ -201,25 +202,25 @@ class MovingRock {
   return exit.beneath ? EndReason::lost : exit.in_hole ? EndReason::no_data : EndReason::left_model;
 }
 
-/// The ground falls away, or ends. The path shows the place: the rock arrives there and leaves in flight.
+/// The ground falls away, or ends. The path has two rows for it: the rock arrives here and leaves in flight.
 template <class Surface>
 [[nodiscard]] RockState take_off(MovingRock<Surface>& rock, const SupportPlanes& left = {}) {
   rock.arrive(PathState::impact);
-  rock.note_row(PathState::projectile);
+  rock.log_row(PathState::projectile);
   return Flying{left};
 }
 
 template <class Surface>
 [[nodiscard]] RockState come_to_rest(MovingRock<Surface>& rock) {
   rock.motion.velocity.setZero();
-  if (rock.is_sphere()) rock.motion.spin.setZero();  // RocFall leaves a lumped mass its spin
+  if (rock.is_sphere()) rock.motion.spin.setZero();  // a lumped mass keeps its spin, as in RocFall
   return Ended{EndReason::at_rest};
 }
 
 template <class Surface>
 [[nodiscard]] RockState leave_over_rim(MovingRock<Surface>& rock, const Exit& exit) {
   rock.arrive(PathState::impact);
-  rock.note_row(PathState::projectile);
+  rock.log_row(PathState::projectile);
   return Ended{reason_of(exit)};
 }
 

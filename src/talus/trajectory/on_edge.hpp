@@ -1,11 +1,11 @@
 #pragma once
-// A sphere on an edge or a vertex: it rolls about the point that carries it, in steps of a small angle.
+// A sphere on an edge or a vertex: it turns about the point that carries it, in steps of a small angle.
 //
-// The contact stays where it is while the normal turns, so that the laws of rolling and slipping hold as on a plane,
-// with the normal acceleration of edge_contact.hpp. A step goes along the tangent plane, which is outside of the circle
-// about the contact; at its end the sphere is let down onto what is nearest to it, and keeps the energy. That may be a
-// facet, and it rolls on there. Where nothing presses it any more it flies. Left out: what the way along the tangent
-// differs from the circle in time, second order in the angle of a step.
+// The contact point stays where it is while the normal turns, so that the laws of rolling and slipping apply as on a
+// plane, with the normal acceleration of edge_contact.hpp. A step runs along the tangent plane, outside the circle
+// about the contact. At its end the sphere is lowered onto the nearest ground, at constant energy; if that is a facet,
+// it rolls on there. If nothing presses it on any more, it takes off. Left out: the difference in time between tangent
+// and circle, second order in the angle of a step.
 
 #include "talus/trajectory/on_facet.hpp"
 
@@ -32,37 +32,37 @@ template <class Surface>
   return {state.on.normal, {}, state.friction.sphere, footing};
 }
 
-inline void be_guided(OnEdge& state, const Guide& guide) { state.beside = guide; }
+inline void set_guide(OnEdge& state, const Guide& guide) { state.side_contact = guide; }
 
 template <class Surface>
 [[nodiscard]] SupportPlanes carrying(MovingRock<Surface>& rock, const OnEdge& state) {
   SupportPlanes on;
-  if (const Vec3* const beside = normal_of(state.beside)) on = {state.on.normal, *beside};
+  if (const Vec3* const side_contact = normal_of(state.side_contact)) on = {state.on.normal, *side_contact};
   on.turn_about(rock.motion.position - rock.reach * state.on.normal, edge_under(rock, state.on));
   return on;
 }
 
 template <class Surface>
-void pass_beside(const MovingRock<Surface>& rock, OnEdge& state, Leg& leg, double& t) {
-  pass_beside(rock, state.on, state.beside, leg, t);
+void apply_side_contact(const MovingRock<Surface>& rock, OnEdge& state, Leg& leg, double& t) {
+  apply_side_contact(rock, state.on, state.side_contact, leg, t);
 }
 
-/// It is at the end of a facet already.
+/// It is already at the end of a facet.
 template <class Surface>
 [[nodiscard]] std::optional<OutlineEdge> outline_ahead(const MovingRock<Surface>&, const OnEdge&, const Parabola&,
                                                        double&) {
   return std::nullopt;
 }
 
-/// Where a sphere is that went along a leg over its edge.
+/// Where a sphere is after a leg over its edge.
 enum class OverEdge { on_facet, on_edge, in_air };
 
-/// Lets the sphere down onto what is nearest to it.
+/// Lowers the sphere onto the nearest ground, at constant energy.
 template <class Surface>
 [[nodiscard]] OverEdge settle_over_edge(MovingRock<Surface>& rock, OnEdge& state) {
   Motion& motion = rock.motion;
   Support& on = state.on;
-  // What is as near as the nearest, but for rounding, is the facet that it had, if that is among them.
+  // At equal distance, but for rounding, its own facet has priority.
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     Support on{Vec3::Zero(), {}};
@@ -84,7 +84,7 @@ template <class Surface>
   const bool is_other_ground = rock.material_at(on.facet) != rock.material_at(nearest.on.facet);
   on.facet = nearest.on.facet;
   if (kept > 0) {
-    // The velocity turns with the tangent plane, and with it the spin of what rolls.
+    // The velocity turns with the tangent plane, and with it the spin of a sphere that rolls.
     motion.position += shift;
     const Vec3 along = tangential(motion.velocity, on.normal);
     motion.velocity = along - next.dot(along) / (1 + on.normal.dot(next)) * between;
@@ -117,22 +117,22 @@ template <class Surface>
                                                   const LegEnd& end) {
   const double t = end.t;
   if (end.rim || end.ahead) {
-    go_to_end(rock, state.on.facet, leg, end);
+    move_to_end(rock, state.on.facet, leg, end);
     if (end.rim) return NextState{leave_over_rim(rock, *end.rim)};
     rock.remember_contact(state.on);
     return NextState{strike(rock, *end.ahead)};
   }
   const Motion before = rock.motion;
-  go_along(rock, leg, t, Vec3::Zero());
-  const OverEdge then = settle_over_edge(rock, state);
-  // The way is bent to where the sphere has come.
+  move_along(rock, leg, t, Vec3::Zero());
+  const OverEdge place = settle_over_edge(rock, state);
+  // The logged path is bent so that it ends where the sphere is.
   if (t > 0) leg.path.a = 2 / (t * t) * (rock.motion.position - leg.path.p - t * leg.path.v);
-  rock.note_leg(state.on.facet, leg.path, t, before, rock.motion);
-  rock.note_energy();
-  if (then == OverEdge::in_air) return NextState{take_off(rock)};
-  if (then == OverEdge::on_edge) return std::nullopt;
+  rock.log_leg(state.on.facet, leg.path, t, before, rock.motion);
+  rock.update_max_energy();
+  if (place == OverEdge::in_air) return NextState{take_off(rock)};
+  if (place == OverEdge::on_edge) return std::nullopt;
   const OnFacet facet{state.on, state.friction, {}};
-  stand_on(rock, facet);
+  remove_drift(rock, facet);
   return within_stretch(facet);
 }
 

@@ -1,10 +1,11 @@
 #pragma once
-// The greatest values of a rock over a part of one piece of its path: what a run's own maxima, envelopes and maps are
-// made of, so that they agree.
+// Maximum velocity, energy and bounce height over a part of one piece of a path. The maxima of a run, its envelopes and
+// its maps all come from here, so that they agree.
 //
-// Bounce height is the height of the rock's centre above the ground below it, vertically: in flight, and of a sphere on
-// the ground, too. A lumped mass on the ground has none. It is exact along a flight. A leg on the ground is taken as
-// straight: it is, but where a sphere curves on a facet; its ends are, and what lies below the chord is the same plane.
+// Bounce height is the vertical height of the rock's centre above the ground below it: in flight, and also of a sphere
+// on the ground; of a lumped mass on the ground it is 0. It is exact along a flight. A leg on the ground is taken as
+// straight, which it is unless a sphere curves on a facet; then its ends are exact, and the ground below its chord is
+// the same plane.
 //
 // Checked by test/trajectory/piece_maxima_test.cpp.
 
@@ -24,21 +25,20 @@ struct MaxMotion {
   double energy_total;          // translational and rotational [J]
 };
 
-/// Of the piece's parameter from `from` to `to`. Velocity and spin are linear in it, so that all of these are convex
-/// and greatest at an end. Not of a glide: of its steps.
+/// Over the piece's parameter from `from` to `to`. Velocity and spin are linear in it, so that speed and energies are
+/// convex, with their maximum at an end. A glide must be passed step by step.
 [[nodiscard]] inline MaxMotion max_motion(const PathPiece& piece, const Rock& rock, double from, double to) {
   const double start = piece.velocity(from).squaredNorm(), end = piece.velocity(to).squaredNorm();
-  const double greatest = std::max(start, end), half_mass = 0.5 * rock.mass, half_inertia = 0.5 * rock.inertia;
+  const double largest = std::max(start, end), half_mass = 0.5 * rock.mass, half_inertia = 0.5 * rock.inertia;
   if (!piece.on_ground) {
-    return {greatest, half_mass * greatest, half_mass * greatest + half_inertia * piece.spin.squaredNorm()};
+    return {largest, half_mass * largest, half_mass * largest + half_inertia * piece.spin.squaredNorm()};
   }
-  return {greatest, half_mass * greatest,
+  return {largest, half_mass * largest,
           std::max(half_mass * start + half_inertia * piece.spin_at(from).squaredNorm(),
                    half_mass * end + half_inertia * piece.spin_at(to).squaredNorm())};
 }
 
-/// The greatest bounce height [m] of a flight from `from` to `to` of its parameter, if that is above `known`; else
-/// `known`.
+/// The maximum bounce height [m] of a flight, its parameter from `from` to `to`, or `known` if that is larger.
 template <class Surface>
 [[nodiscard]] double max_height_of_flight(const Surface& surface, const Parabola& path, double from, double to,
                                           double known) {
@@ -46,8 +46,8 @@ template <class Surface>
   return surface.max_height({path.at(from), path.velocity(from), path.a}, to - from, known);
 }
 
-/// How high a place is vertically over a facet [m]; nothing where it is not over it on plan, or the facet does not face
-/// up.
+/// The vertical height of a place over a facet [m]; nullopt if it is not over the facet on plan, or the facet does not
+/// face up.
 [[nodiscard]] inline std::optional<double> height_over(const Outline& facet, const Vec3& place) {
   if (!(facet.normal.z() > 0)) return std::nullopt;
   const double height = facet.normal.dot(place - facet.point) / facet.normal.z();
@@ -58,9 +58,9 @@ template <class Surface>
   return height;
 }
 
-/// The same of a leg of a sphere, which is `duration` long. `facet` is one that may be below it: facets are convex, and
-/// where no ground can lie above other ground, what is over one at both ends of a straight way is over nothing else on
-/// the way, and highest at an end.
+/// The maximum bounce height of a sphere on a leg of `duration`. `facet`: one that may be below it. Facets are convex:
+/// if no ground overhangs and a straight path is over a facet at both ends, it is over that facet all the way, and
+/// highest at an end.
 template <class Surface>
 [[nodiscard]] double max_height_of_leg(const Surface& surface, const Outline& facet, const Parabola& leg,
                                        double duration, double from, double to, double known) {
@@ -72,13 +72,13 @@ template <class Surface>
   const double first = share(from), last = std::max(first, share(to));
   const Vec3 start = leg.p + first * chord;
   if (!surface.may_overhang()) {
-    const auto height = height_over(facet, start), then = height_over(facet, leg.p + last * chord);
-    if (height && then) return std::max({known, *height, *then});
+    const auto at_start = height_over(facet, start), at_end = height_over(facet, leg.p + last * chord);
+    if (at_start && at_end) return std::max({known, *at_start, *at_end});
   }
   return surface.max_height({start, chord, Vec3::Zero()}, last - first, known);
 }
 
-/// The same of any piece but a glide, of a sphere or of a lumped mass.
+/// The maximum bounce height on any piece except a glide.
 template <class Surface>
 [[nodiscard]] double max_height(const Surface& surface, const PathPiece& piece, bool is_sphere, double from, double to,
                                 double known) {
@@ -87,11 +87,12 @@ template <class Surface>
   return max_height_of_leg(surface, surface.outline(piece.facet), piece.path, piece.duration, from, to, known);
 }
 
-/// The same of each part of a piece between two of `borders` of its parameter, which ascend; 0 at the least.
+/// The maximum bounce height in each part of a piece between two of `borders`, which are values of its parameter in
+/// ascending order; at least 0.
 template <class Surface>
 void max_heights(const Surface& surface, const PathPiece& piece, bool is_sphere, std::span<const double> borders,
                  std::span<double> heights) {
-  // Where the surface is walked along, it is walked along once.
+  // A surface that is searched by walking along it is walked once for all parts.
   if constexpr (requires { surface.max_heights(piece.path, borders, heights); }) {
     if (!piece.on_ground) return surface.max_heights(piece.path, borders, heights);
   }

@@ -1,6 +1,6 @@
 #pragma once
-// What a rock's path leaves behind while it is computed. One log serves one rock after the other without allocating,
-// once its lists have grown.
+// The record of a trajectory while it is computed. A log is reused for rock after rock, and does not allocate once its
+// lists have grown.
 
 #include <cstdint>
 #include <vector>
@@ -19,29 +19,30 @@ struct PathRow {
   Motion motion;
 };
 
-/// A part of a path with constant acceleration, as it was computed: a flight until something ends it, or as much of a
-/// leg along the ground as was gone. The pieces of a path join end to end, but for what rounding moves a rock on the
-/// ground; the first begins at the release, the last ends where the path does. A piece may last no time at all.
+/// A part of a path with constant acceleration, as it was computed: a flight until something ends it, or the part of a
+/// leg along the ground that the rock has covered. The pieces of a path join end to end, except for corrections of
+/// rounding on the ground; the first begins at the release, the last ends where the path does. A piece may have no
+/// duration.
 ///
-/// On the ground `path` is the way, and velocity and spin change evenly with time between the piece's ends. (The way of
-/// a step of a slide has the velocity of the step's end.)
+/// On the ground, `path` gives positions; velocity and spin are linear in time between the piece's ends. (In a step of
+/// a slide, `path` has the velocity of the step's end.)
 ///
-/// Where drag brakes a flight, `path` is what it goes along and its parameter runs slower than time (flight/drag.hpp):
-/// ask the piece, and not its path, for velocities and times.
+/// In a flight with drag, `path` gives positions, and its parameter runs slower than time (flight/drag.hpp): take
+/// velocities and times from the piece, not from its path.
 struct PathPiece {
-  Parabola path;          // of the centre, from parameter 0 of the piece, which is time where there is no drag
+  Parabola path;          // of the centre; the parameter starts at 0, and is time unless there is drag
   double duration = 0;    // in that parameter [s]
   double start_time = 0;  // since release [s]
   Vec3 spin;              // at its start; constant in flight and in a slide's steps [rad/s]
   bool on_ground = false;
-  FacetId facet;  // on the ground: that which carries the rock at its end, or one of those at the edge or the vertex
+  FacetId facet;  // on the ground: the one that carries the rock at the end, or one of those at the edge or vertex
   LinearDrag drag;
 
-  /// Where it is a glide: a row of straight steps of equal time, which the log keeps in the facet's two directions.
+  /// Of a glide: straight steps of equal duration, which the log keeps in two directions on the facet.
   struct Steps {
-    std::size_t first = 0, count = 0;                // in the log's list
+    std::size_t first = 0, count = 0;                // in RockLog::glide_steps
     double timestep = 0;                             // [s]
-    Vec3 down = Vec3::Zero(), aside = Vec3::Zero();  // unit; steps are measured from the start of the piece
+    Vec3 down = Vec3::Zero(), aside = Vec3::Zero();  // unit; steps are relative to the start of the piece
   };
   Steps steps;
 
@@ -60,7 +61,7 @@ struct PathPiece {
   [[nodiscard]] double time(double s) const { return start_time + drag.time(s); }
 
  private:
-  /// To the bit what it is at the ends.
+  /// Equal to `start` and `end`, bit for bit, at the piece's ends.
   [[nodiscard]] Vec3 between(const Vec3& start, const Vec3& end, double s) const {
     const double share = duration > 0 ? s / duration : 0;
     return (1 - share) * start + share * end;
@@ -71,7 +72,7 @@ struct PathPiece {
 struct PassedAbove {
   BarrierId barrier;
   double clearance;    // of the rock's underside above the top [m]
-  Motion motion{};     // there
+  Motion motion{};     // where it passes
   double height = 0;   // of the centre above the foot, along the face [m]
   double station = 0;  // where along the line, on plan [m]
 };
@@ -95,25 +96,25 @@ class RockLog {
   void row(PathState state, const Motion& motion) {
     if (keep_rows_) rows.push_back({state, motion});
   }
-  /// A rock that slid uphill stands still before it slides back: not a row of the path, but worth showing.
+  /// A rock that slid uphill stands still before it slides back: not a row of the path, but shown in pictures of it.
   void turn(const Motion& motion) {
     if (keep_rows_) turns.push_back(motion);
   }
-  /// The rock is at the piece's start in `motion`, and goes `duration` along `path`.
+  /// A flight that starts with `motion` and covers `duration` of `path`.
   void flight(const Parabola& path, double duration, const Motion& motion, const LinearDrag& drag = {}) {
     if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, {}, drag, {}, {}});
   }
-  /// On the ground: at the piece's start in `motion`, and after `duration` along `path` in `then`, on `facet`.
+  /// A leg along the ground, from `motion` to `then` in `duration` along `path`, on `facet`.
   void leg(const Parabola& path, double duration, const Motion& motion, const Motion& then, FacetId facet) {
     if (!keep_pieces_) return;
     pieces.push_back(
         {path, duration, motion.time, motion.spin, true, facet, {}, {}, {motion.velocity, then.velocity, then.spin}});
   }
-  /// On the ground for no time: how it comes from an impact, of which the ground leaves it less to go on with.
+  /// A piece of no duration on the ground: the motion right after an impact, part of which the ground takes away.
   void moment(const Motion& motion, FacetId facet) {
     leg({motion.position, Vec3::Zero(), Vec3::Zero()}, 0, motion, motion, facet);
   }
-  /// The rock glided from where `motion` has it: the last steps of the list, from `first` on.
+  /// A glide that starts with `motion`: the steps of the list from `first` to its end.
   void glide(const Motion& motion, std::size_t first, double timestep, const Vec3& down, const Vec3& aside,
              FacetId facet) {
     const std::size_t count = glide_steps.size() - first;
@@ -129,7 +130,7 @@ class RockLog {
                       {first, count, timestep, down, aside},
                       {motion.velocity, velocity(glide_steps.back()), motion.spin}});
   }
-  /// One step of a glide as a piece of its own.
+  /// One step of a glide as a piece.
   [[nodiscard]] PathPiece step_of(const PathPiece& glide, std::size_t number) const {
     const auto& [first, count, timestep, down, aside] = glide.steps;
     const GlideStep& step = glide_steps[first + number];
@@ -150,7 +151,7 @@ class RockLog {
             {},
             {start_velocity, velocity, glide.spin}};
   }
-  /// Calls visit(piece) for each piece, with the steps of glides in their place.
+  /// Calls visit(piece) for each piece; for a glide, for each of its steps.
   template <class Visit>
   void for_each_piece(Visit&& visit) const {
     for (const PathPiece& piece : pieces) {
@@ -158,19 +159,19 @@ class RockLog {
       double time = piece.start_time;
       for (std::size_t k = 0; k < piece.steps.count; ++k, time += piece.steps.timestep) {
         PathPiece step = step_of(piece, k);
-        step.start_time = time;  // as the rock's own is added up
+        step.start_time = time;  // added up as the rock's time is
         visit(step);
       }
     }
   }
-  /// The rock strikes the ground, its centre being here.
+  /// The rock strikes the ground; `position` of its centre.
   void impact(const Vec3& position) {
     if (keep_pieces_) impacts.push_back(position);
   }
 
   std::vector<PathRow> rows;
   std::vector<Motion> turns;
-  std::vector<PathPiece> pieces;  // and impacts: only if asked for
+  std::vector<PathPiece> pieces;  // like glide_steps and impacts: only if requested
   std::vector<GlideStep> glide_steps;
   std::vector<Vec3> impacts;
   std::vector<BarrierHit> hits;

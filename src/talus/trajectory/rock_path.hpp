@@ -1,6 +1,6 @@
 #pragma once
-// The path of one rock from release to rest: the only place where flight, impact, motion along the ground and barriers
-// meet. A path is a pure function of (scene, release, draws).
+// The trajectory of one rock from release to rest: the only room in which flight, impact, motion along the ground and
+// barriers meet. A trajectory is a pure function of (scene, release, draws).
 
 #include "talus/sampling/draws.hpp"
 #include "talus/seeding/release.hpp"
@@ -9,16 +9,16 @@
 
 namespace talus {
 
-/// How a rock's path came out.
+/// What a trajectory comes to.
 struct RockOutcome {
   Motion start, end;
   EndReason reason = EndReason::at_rest;
   std::int64_t events = 0;        // impacts, arrivals at barriers
   double max_kinetic_energy = 0;  // translational and rotational [J]
-  double max_bounce = 0;          // greatest height of the centre above the ground below it [m]
+  double max_bounce = 0;          // maximum height of the centre above the ground below it [m]
 };
 
-/// Follows one rock; rows, turns and barrier hits go to the log.
+/// Simulates one rock. Its rows, turns, barrier hits and, on request, the pieces of its path are written to the log.
 template <class Surface>
 [[nodiscard]] RockOutcome follow_rock(const Scene<Surface>& scene, const Release& release, const Draws& draws,
                                       RockLog& log);

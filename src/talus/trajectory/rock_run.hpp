@@ -1,6 +1,6 @@
 #pragma once
-// One rock from release to rest, for those who drive several rocks at the same time: it can be left where it glides and
-// taken up again, so that glides are done together. follow_rock() (rock_path.hpp) follows one alone.
+// One rock from release to rest, for callers that run several rocks at the same time. The run pauses where the rock
+// glides, so that the glides of several rocks can be stepped together. follow_rock() (rock_path.hpp) runs one rock.
 
 #include <optional>
 
@@ -22,50 +22,74 @@ class RockRun {
   RockRun(const Scene<Surface>& scene, const Release& release, const Draws& draws, RockLog& log)
       : rock_(scene, release, draws, log), has_room_(release.has_room) {}
 
-  /// What a run has come to.
+  /// Why advance() returned.
   enum class Pause {
-    glides,  // along a facet; to go on, the steps of glide() are to be taken
+    gliding,  // along a facet: the caller takes the steps of glide(), then calls advance() again
     ended,
-    stopped  // on request, on its way: it has no end, and is not to be gone on with
+    stopped  // by `stop`, without an end: the run must not be resumed
   };
-  /// Follows the rock until it glides or ends, or until it is to stop; null: nobody asks for that.
-  Pause go_on(const StopScope* stop = nullptr);
+  /// Follows the rock until it glides or ends, or until a stop is requested (null: never).
+  Pause advance(const StopScope* stop = nullptr);
+  /// The glide of a rock that pauses in one.
   [[nodiscard]] Glide& glide() { return glide_->glide; }
-  /// Takes one of its steps; whether there was one to take.
-  bool step_alone();
-  /// Where the steps of the glide are wanted, the list for them.
+  /// Takes one step of the glide; false if the glide has ended.
+  bool step_glide();
+  /// The list that receives the steps of the glide; null if the log keeps none.
   [[nodiscard]] std::vector<GlideStep>* glide_trace() {
     return rock_.log.keeps_pieces() ? &rock_.log.glide_steps : nullptr;
   }
   [[nodiscard]] static GlideLaws glide_laws(const Laws& laws) {
     return {laws.timestep, laws.stopped_velocity, laws.max_time};
   }
-  /// From release to rest, alone.
+  /// Follows the rock from release to rest, glides included.
   RockOutcome follow();
-  /// Of a rock that has come to its end.
+  /// Of a rock whose run has ended.
   [[nodiscard]] const RockOutcome& outcome() const { return rock_.outcome; }
 
  private:
-  void begin(RockState state);
-  void go_on_from_state();
-  void take(std::optional<NextState> next, double start);
+  void release();
+  void proceed();
+  void end();
+  void enter(RockState state);
+  void count_short_leg(double start);
   bool begin_glide();
+  [[nodiscard]] bool has_ended() const { return std::holds_alternative<Ended>(state_); }
 
   MovingRock<Surface> rock_;
   RockState state_ = Flying{};
-  std::optional<GlideOnFacet> glide_;  // under way
-  std::int64_t steps_ = 0;             // flights and stretches so far, and a part of the legs
+  std::optional<GlideOnFacet> glide_;  // while the run pauses in one
+  std::int64_t steps_ = 0;             // flights and stretches so far, and one for every hundred short legs
   std::int64_t short_legs_ = 0;        // so far
-  bool has_room_, has_begun_ = false;
+  bool has_room_, is_released_ = false;
 };
 
-/// Each state knows what comes after it. A state that is not handled here does not compile.
+/// The life of a rock: from one state to the next until it ends.
 template <TerrainSurface Surface>
-void RockRun<Surface>::go_on_from_state() {
-  struct Proceed {
+auto RockRun<Surface>::advance(const StopScope* stop) -> Pause {
+  constexpr unsigned stop_interval = 64;  // flights and legs between two looks at `stop`: well below a millisecond
+  if (!std::exchange(is_released_, true)) {
+    release();
+  } else if (glide_) {
+    end_glide(rock_, *glide_);
+    glide_.reset();
+    proceed();
+  }
+  for (unsigned passes = 1; !has_ended(); ++passes) {
+    if (passes % stop_interval == 0 && stop != nullptr && stop->is_requested()) return Pause::stopped;
+    if (begin_glide()) return Pause::gliding;
+    proceed();
+  }
+  end();
+  return Pause::ended;
+}
+
+/// One flight, or one leg along the ground, and the state after it. A state that is not handled here does not compile.
+template <TerrainSurface Surface>
+void RockRun<Surface>::proceed() {
+  struct Transition {
     MovingRock<Surface>& rock;
     std::optional<NextState> operator()(const Flying& state) const {
-      return NextState{rock.has_forest ? fly_where_forests_are(rock, state) : fly(rock, state)};
+      return NextState{rock.has_forest ? fly_with_forests(rock, state) : fly(rock, state)};
     }
     std::optional<NextState> operator()(OnFacet& state) const { return take_leg(rock, state); }
     std::optional<NextState> operator()(OnEdge& state) const { return take_leg(rock, state); }
@@ -76,33 +100,52 @@ void RockRun<Surface>::go_on_from_state() {
     state_ = leave_other_side(rock_, *valley);
   }
   const double start = rock_.motion.time;
-  take(std::visit(Proceed{rock_}, state_), start);
+  std::optional<NextState> next = std::visit(Transition{rock_}, state_);
+  if (next && !next->is_same_stretch) return enter(std::move(next->state));
+  if (next) state_ = std::move(next->state);
+  count_short_leg(start);
 }
 
-/// Legs that last as long as their timestep are limited by the time that a rock may take; of shorter ones a hundred
-/// count as a step, so that what takes no time has an end as well.
+/// A rock that does not fit between floor and ceiling where it is released rests there.
 template <TerrainSurface Surface>
-void RockRun<Surface>::take(std::optional<NextState> next, double start) {
-  constexpr std::int64_t legs_a_step = 100;
-  if (next && !next->is_same_stretch) return begin(std::move(next->state));
-  if (next) state_ = std::move(next->state);
-  if (rock_.motion.time - start < 0.5 * rock_.laws.timestep && ++short_legs_ % legs_a_step == 0 &&
+void RockRun<Surface>::release() {
+  rock_.outcome.start = rock_.motion;
+  rock_.outcome.max_kinetic_energy = rock_.kinetic_energy();
+  rock_.log_row(PathState::projectile);
+  enter(has_room_ ? RockState(Flying{}) : Ended{EndReason::at_rest});
+}
+
+/// A flight or a stretch along the ground begins, which counts as a step: the limit of steps, and rocks that do not
+/// move on, are checked here.
+template <TerrainSurface Surface>
+void RockRun<Surface>::enter(RockState state) {
+  state_ = std::move(state);
+  rock_.stretch = {};
+  if (has_ended()) return;
+  if (steps_++ >= rock_.laws.max_steps) {
+    state_ = Ended{EndReason::maximum_steps};
+  } else if (rock_.progress.record(rock_.motion); rock_.is_wedged()) {
+    state_ = come_to_rest(rock_);
+  }
+}
+
+/// Legs of about a timestep are limited by the maximum time of a rock. A hundred shorter ones count as a step, so that
+/// legs of no duration also reach a limit.
+template <TerrainSurface Surface>
+void RockRun<Surface>::count_short_leg(double start) {
+  constexpr std::int64_t legs_per_step = 100;
+  if (rock_.motion.time - start < 0.5 * rock_.laws.timestep && ++short_legs_ % legs_per_step == 0 &&
       steps_++ >= rock_.laws.max_steps) {
     state_ = Ended{EndReason::maximum_steps};
   }
 }
 
-/// What is checked before anything happens in a flight or a stretch along the ground.
 template <TerrainSurface Surface>
-void RockRun<Surface>::begin(RockState state) {
-  state_ = std::move(state);
-  rock_.stretch = {};
-  if (std::holds_alternative<Ended>(state_)) return;
-  if (steps_++ >= rock_.laws.max_steps) {
-    state_ = Ended{EndReason::maximum_steps};
-  } else if (rock_.progress.note(rock_.motion); rock_.is_wedged()) {
-    state_ = come_to_rest(rock_);
-  }
+void RockRun<Surface>::end() {
+  rock_.outcome.reason = std::get<Ended>(state_).reason;
+  rock_.update_max_energy();
+  rock_.outcome.end = rock_.motion;
+  rock_.log_row(PathState::ended);
 }
 
 template <TerrainSurface Surface>
@@ -114,32 +157,7 @@ bool RockRun<Surface>::begin_glide() {
 }
 
 template <TerrainSurface Surface>
-auto RockRun<Surface>::go_on(const StopScope* stop) -> Pause {
-  if (!std::exchange(has_begun_, true)) {
-    rock_.outcome.start = rock_.motion;
-    rock_.outcome.max_kinetic_energy = rock_.kinetic_energy();
-    rock_.note_row(PathState::projectile);
-    begin(has_room_ ? RockState(Flying{}) : Ended{EndReason::at_rest});
-  } else if (glide_) {
-    end_glide(rock_, *glide_);
-    glide_.reset();
-    go_on_from_state();
-  }
-  constexpr unsigned often = 64;  // legs and flights between two looks: well below a millisecond
-  for (unsigned passages = 1; !std::holds_alternative<Ended>(state_); ++passages) {
-    if (passages % often == 0 && stop != nullptr && stop->is_requested()) return Pause::stopped;
-    if (begin_glide()) return Pause::glides;
-    go_on_from_state();
-  }
-  rock_.outcome.reason = std::get<Ended>(state_).reason;
-  rock_.note_energy();
-  rock_.outcome.end = rock_.motion;
-  rock_.note_row(PathState::ended);
-  return Pause::ended;
-}
-
-template <TerrainSurface Surface>
-bool RockRun<Surface>::step_alone() {
+bool RockRun<Surface>::step_glide() {
   const GlideLaws laws = glide_laws(rock_.laws);
   Glide& glide = glide_->glide;
   if (!try_step(laws, glide)) return false;
@@ -149,8 +167,8 @@ bool RockRun<Surface>::step_alone() {
 
 template <TerrainSurface Surface>
 RockOutcome RockRun<Surface>::follow() {
-  while (go_on() == Pause::glides) {
-    while (step_alone()) {
+  while (advance() == Pause::gliding) {
+    while (step_glide()) {
     }
   }
   return outcome();

@@ -1,7 +1,6 @@
 #pragma once
-// What a rock is doing: the states of its life. Each is a type that holds what that state knows and nothing else; what
-// all have in common - where the rock is, how it moves - is in MovingRock. How a rock comes from one to the next stands
-// in the file of the state that it leaves.
+// The states of a rock's life. Each is a type with the data of that state alone; what all states share - position,
+// velocity, spin - is in MovingRock. The transition out of a state is in the file of that state.
 
 #include <optional>
 #include <variant>
@@ -13,60 +12,60 @@
 
 namespace talus {
 
-/// In the air, from where the rock is (flying.hpp).
+/// In the air (flying.hpp).
 struct Flying {
-  SupportPlanes left;  // what it has just slid or rolled off
-  /// Whether it slid until it flew: landing flat enough, it slides on without an impact.
+  SupportPlanes left;  // the facets that it has just slid or rolled off
+  /// Whether it slid until it took off: if it lands at a small enough angle, it slides on without an impact.
   [[nodiscard]] bool hops() const { return left.count > 0; }
 };
 
-/// How the ground brakes what moves along it.
+/// Friction and drag of the ground on a rock that moves along it.
 struct GroundFriction {
   double mu = 0;           // lumped mass: tangent of the friction angle
   ContactFriction sphere;  // rigid sphere
-  double drag = 0;         // of soft ground and of trees, over mass and velocity [1/s]
+  double drag = 0;         // of soft ground and trees: force over mass and velocity [1/s]
 };
 
-/// What carries a rock: a facet; or an edge or a vertex, of which it is one of the facets that meet there.
+/// What carries a rock: a facet, an edge or a vertex.
 struct Support {
-  Vec3 normal;  // unit, out of the ground; at an edge or a vertex from there to the rock's centre
-  FacetId facet;
+  Vec3 normal;    // unit, out of the ground; at an edge or a vertex from there to the rock's centre
+  FacetId facet;  // at an edge or a vertex: one of the facets that meet there
 };
 
-/// A facet of this normal that the rock touches yet but has left: for the next bit of way it is not ahead.
+/// The rock has left a facet of this normal, but still touches it: the next short leg does not collide with it.
 struct LeftFacet {
   Vec3 normal;
 };
-/// Something of this normal that the rock touches, too - a facet that keeps striking it, a barrier against which its
-/// spin drives it: the next leg goes along both.
+/// The rock also touches something of this normal - a facet that it strikes again and again, a barrier that its spin
+/// drives it against: the next leg runs along both.
 struct Guide {
   Vec3 normal;
 };
-/// What a rock touches, for one leg, besides what carries it.
-using Beside = std::variant<std::monostate, LeftFacet, Guide>;
+/// What a rock touches in addition to its support, for one leg.
+using SideContact = std::variant<std::monostate, LeftFacet, Guide>;
 
 /// On a facet: the lumped mass slides, the rigid sphere rolls or slips (on_facet.hpp).
 struct OnFacet {
   Support on;
   GroundFriction friction;
-  Beside beside;
+  SideContact side_contact;
 };
 
-/// A sphere on an edge or a vertex, about which it turns (on_edge.hpp).
+/// A sphere that turns about an edge or a vertex (on_edge.hpp).
 struct OnEdge {
   Support on;
   GroundFriction friction;
-  Beside beside;
+  SideContact side_contact;
 };
 
-/// In the line in which two supports meet, between which gravity holds the rock (in_valley.hpp). The first of them is
-/// `other`, which the rock was on when it came to `on`.
+/// Held by gravity between two supports, so that it can only move along the line in which they meet (in_valley.hpp).
+/// The rock was on `other` when it came to `on`.
 struct InValley {
   Support on;
-  bool is_on_facet;  // and not on an edge or a vertex of it
+  bool is_on_facet;  // `on` is a facet, not one of its edges or vertices
   GroundFriction friction;
   Support other;
-  Valley valley;
+  Valley valley;  // its first support is `other`
 };
 
 struct Ended {
@@ -75,10 +74,10 @@ struct Ended {
 
 using RockState = std::variant<Flying, OnFacet, OnEdge, InValley, Ended>;
 
-/// What comes after a leg along the ground, where that is not more of the same.
+/// The state after a leg along the ground, if it has changed.
 struct NextState {
   RockState state;
-  bool is_same_stretch = false;  // otherwise a stretch, flight or end begins, which counts as a step
+  bool is_same_stretch = false;  // if false, a flight or a new stretch along the ground begins, which counts as a step
 };
 [[nodiscard]] inline NextState within_stretch(RockState state) { return {std::move(state), true}; }
 

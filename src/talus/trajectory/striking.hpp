@@ -1,5 +1,5 @@
 #pragma once
-// The rock strikes the ground: the impact law, and whether the rock stays on the ground after it.
+// The rock strikes the ground: the impact law, and whether the rock stays on the ground afterwards.
 
 #include "talus/impact/roughness.hpp"
 #include "talus/trajectory/edge_contact.hpp"
@@ -8,23 +8,23 @@
 
 namespace talus {
 
-/// The normal of the ground as a rock meets it: that of the facet, tilted by the ground's roughness.
+/// The normal of the ground that a rock strikes: that of the facet, tilted by the ground's roughness.
 template <class Surface>
-[[nodiscard]] Vec3 normal_met(const MovingRock<Surface>& rock, const Vec3& n, const Material& material,
-                              const GroundDraw& draw, std::uint32_t contact) {
+[[nodiscard]] Vec3 rough_normal(const MovingRock<Surface>& rock, const Vec3& n, const Material& material,
+                                const GroundDraw& draw, std::uint32_t contact) {
   if (!material.is_rough()) return n;
   const Vec3 vt = tangential(rock.motion.velocity, n);
   const Vec3 down = tangential(rock.laws.gravity, n);
-  // Straight down on level ground it comes from anywhere.
+  // A rock that falls straight down on level ground has no heading: any will do.
   const Vec3 across = vt.squaredNorm() > 0 ? vt : down.squaredNorm() > 0 ? down : tangential(Vec3::UnitX(), n);
   auto [ahead, aside] = draw.roughness(material, contact);
   if (rock.laws.in_section) aside = 0;
   const Vec3 tilted = tilted_normal(n, across.normalized(), ahead, aside);
-  return rock.motion.velocity.dot(tilted) < 0 ? tilted : n;  // otherwise the bump is turned away from the rock
+  return rock.motion.velocity.dot(tilted) < 0 ? tilted : n;  // a bump that faces away is not struck
 }
 
-/// The impact left the rock on the ground: on a facet, on an edge or, where it goes from one support to the other and
-/// back, between both.
+/// The state of a rock that stays on the ground after an impact: on a facet or an edge or, if it goes back and forth
+/// between two supports, in the valley between them.
 template <class Surface>
 [[nodiscard]] RockState stay_on_ground(MovingRock<Surface>& rock, const Contact& contact,
                                        const GroundFriction& friction) {
@@ -33,7 +33,7 @@ template <class Surface>
   const LastContact before = rock.last_contact;
   const Vec3& n = on.normal;
   std::optional<InValley> valley;
-  Beside beside;
+  SideContact side_contact;
   const bool struck_here =
       (rock.motion.position - before.position).squaredNorm() < tolerance::one_contact * tolerance::one_contact;
   if (struck_here && before.with.normal.dot(n) < 1 - tolerance::facet_normal) {
@@ -41,38 +41,38 @@ template <class Surface>
         caught_between(rock.laws.gravity, before.with.normal, n, rock.motion.velocity, rock.leaving_speed);
     if (caught) {
       valley = InValley{on, is_on_facet, friction, before.with, *caught};
-    } else if (rock.progress.gets_nowhere(rock.motion)) {
-      // What drives it from one to the other is not gravity: friction, or a third contact. It goes along both.
-      beside = Guide{before.with.normal};
+    } else if (rock.progress.is_stuck(rock.motion)) {
+      // Friction or a third contact drives it from one to the other, not gravity. It moves along both.
+      side_contact = Guide{before.with.normal};
     }
   }
   rock.remember_contact(on);
 
-  // RocFall3 lists the small normal velocity in the row in which a slide begins, RocFall2 does not (tables,
-  // row 14). Along the slope they agree, and that is what slides.
+  // In the row in which a slide begins, RocFall3 includes the small normal velocity and RocFall2 does not (tables A-2
+  // and A-1, row 14). The tangential velocity, with which the slide begins, agrees.
   const Vec3 along = tangential(rock.motion.velocity, n);
   if (!rock.is_sphere() && rock.laws.sliding == SlidingMethod::stepped) {
-    rock.note_row(PathState::sliding);
+    rock.log_row(PathState::sliding);
     rock.log.moment(rock.motion, on.facet);
     rock.motion.velocity = along;
   } else {
     rock.motion.velocity = along;
-    rock.note_row(rock.state_on(n));
+    rock.log_row(rock.state_on(n));
   }
   if (valley) {
     valley->friction = shared_friction(rock, friction, *valley);
     keep_along_valley(rock, *valley);
     return *valley;
   }
-  if (const auto* guide = std::get_if<Guide>(&beside)) {
+  if (const auto* guide = std::get_if<Guide>(&side_contact)) {
     const Vec3 e = n.cross(guide->normal).normalized();
     rock.motion.velocity = rock.motion.velocity.dot(e) * e;
   }
-  if (is_on_facet) return OnFacet{on, friction, beside};
-  return OnEdge{on, friction, beside};
+  if (is_on_facet) return OnFacet{on, friction, side_contact};
+  return OnEdge{on, friction, side_contact};
 }
 
-/// `hops`: the rock slid until it flew to here.
+/// The impact of a rock on the ground, and its state afterwards. `hops`: it slid until it took off (Flying::hops).
 template <class Surface>
 [[nodiscard]] RockState strike(MovingRock<Surface>& rock, const Contact& contact, bool hops = false) {
   Motion& motion = rock.motion;
@@ -83,11 +83,11 @@ template <class Surface>
   const GroundDraw draw = rock.draw_at(contact.facet);
   if (hops && rock.grazes(contact.normal)) {
     const GroundFriction friction = friction_of(rock, draw, material, draw.restitution(material)[1]);
-    rock.settle_onto(contact.normal, friction.mu);
+    rock.apply_grazing(contact.normal, friction.mu);
     return stay_on_ground(rock, contact, friction);
   }
 
-  const Vec3 n = normal_met(rock, contact.normal, material, draw, number);
+  const Vec3 n = rough_normal(rock, contact.normal, material, draw, number);
   double rt = 0;
   const auto draw_restitution = [&] {
     const auto [rn, tangential] = draw.restitution(material);
@@ -100,15 +100,15 @@ template <class Surface>
       [&](const auto& law) { return law.rebound(approach, draw_restitution, draw_friction); }, rock.impact_law);
   motion.velocity = kept_outside(rebound.velocity, contact.normal);
   motion.spin = rebound.spin;
-  rock.note_energy();
+  rock.update_max_energy();
 
   const Support with{contact.normal, contact.facet};
   const bool leaves = motion.velocity.dot(contact.normal) >= rock.leaving_speed;
-  const bool is_carried = contact.feature == Feature::facet ? rock.laws.gravity.dot(contact.normal) < 0
-                                                            : normal_acceleration_on_edge(rock, with) > 0;
-  if (leaves || !is_carried) {
+  const bool is_pressed_on = contact.feature == Feature::facet ? rock.laws.gravity.dot(contact.normal) < 0
+                                                               : normal_acceleration_on_edge(rock, with) > 0;
+  if (leaves || !is_pressed_on) {
     rock.remember_contact(with);
-    rock.note_row(PathState::projectile);
+    rock.log_row(PathState::projectile);
     return Flying{};
   }
   return stay_on_ground(rock, contact, friction_of(rock, draw, material, rt));

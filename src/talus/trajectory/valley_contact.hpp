@@ -1,5 +1,5 @@
 #pragma once
-// What a valley makes of a rock's motion: it can only go along it.
+// A rock in a valley can only move along it.
 
 #include "talus/trajectory/moving_rock.hpp"
 
@@ -12,8 +12,8 @@ struct RollingPlane {
   ContactFriction friction;
 };
 
-/// Along a valley it does on both sides at once: as on a plane across the middle of the normals, with the distance of
-/// the contacts from the axis as its radius.
+/// In a valley a sphere rolls on both sides at once: as on a plane whose normal is the middle of both normals, with the
+/// distance of the contacts from the axis as its radius.
 template <class Surface>
 [[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const InValley& state) {
   const Vec3 middle = (state.on.normal + state.other.normal).normalized();
@@ -23,8 +23,8 @@ template <class Surface>
   return {middle, narrower, {state.friction.sphere.dynamic, state.friction.sphere.rolling / share}};
 }
 
-/// What a valley leaves of the rock's motion: the part along it, and of a sphere's spin the part about the axis across
-/// it. Slip between them is left to friction.
+/// Keeps the velocity along the valley and, of a sphere's spin, the part about the axis across it. Slip
+/// between the two is left to friction.
 template <class Surface>
 void keep_along_valley(MovingRock<Surface>& rock, const InValley& state) {
   const Vec3& e = state.valley.direction;

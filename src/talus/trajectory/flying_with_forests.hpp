@@ -1,15 +1,15 @@
 #pragma once
-// A rock in the air where there are forests.
+// Flight in a model with forests.
 //
-// A forest stands on the facets of its material, up to its height above them. Whether a rock is in one is asked of the
-// place of its centre, at least once in `forest_step` of its way; where it comes in or out is then found to
-// `forest_border`. A stay in, or out of, a forest that is shorter than that step may be missed.
+// A forest covers the facets of its material, up to its height above them. A rock is in it if its centre is. This is
+// checked at least once per `forest_step` of the path; the place where the rock enters or leaves is then found to
+// `forest_border`. Shorter stretches inside or outside a forest may be missed.
 
 #include "talus/trajectory/flying.hpp"
 
 namespace talus {
 
-/// The rate k = b/m [1/s] at which a forest brakes a rock whose centre is here; 0 outside.
+/// The drag rate k = b/m [1/s] of a rock whose centre is at a place; 0 outside forests.
 template <class Surface>
 [[nodiscard]] double forest_drag_at(const MovingRock<Surface>& rock, const Vec3& place) {
   const auto ground = rock.surface.ground_below(place);
@@ -18,13 +18,12 @@ template <class Surface>
   return place.z() - ground->z < material.forest_height ? material.forest_drag / rock.rock.mass : 0;
 }
 
-/// How long a rock at this velocity is sure not to fly further than `forest_step`, whatever gravity adds [s].
+/// A time [s] in which a rock flies no further than `forest_step`, gravity included.
 [[nodiscard]] inline double forest_step_time(const Laws& laws, const Vec3& velocity) {
   return tolerance::forest_step / (velocity.norm() + std::sqrt(tolerance::forest_step * laws.gravity.norm()));
 }
 
-/// The first parameter in (from, to] at which the forest at the path's place is not what it is at `from`, where it is
-/// different at `to`.
+/// Where between `from` and `to` the drag rate changes from `rate`, by bisection: just beyond the border.
 template <class Surface>
 [[nodiscard]] double forest_border_between(const MovingRock<Surface>& rock, const Parabola& path, double from,
                                            double to, double rate) {
@@ -35,9 +34,9 @@ template <class Surface>
   return to;
 }
 
-/// A flight outside forests, up to where one begins.
+/// A flight outside forests, up to the first one.
 template <class Surface>
-[[nodiscard]] std::optional<RockState> fly_to_the_trees(MovingRock<Surface>& rock, const Flying& state) {
+[[nodiscard]] std::optional<RockState> fly_to_forest(MovingRock<Surface>& rock, const Flying& state) {
   const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
   FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, state.left);
   for (double t = 0; t < end.t;) {
@@ -51,14 +50,14 @@ template <class Surface>
   return fly_along(rock, state, path, {}, end);
 }
 
-/// A piece of a flight in a forest.
+/// One piece of a flight in a forest.
 template <class Surface>
-[[nodiscard]] std::optional<RockState> fly_among_trees(MovingRock<Surface>& rock, const Flying& state, double rate) {
+[[nodiscard]] std::optional<RockState> fly_in_forest(MovingRock<Surface>& rock, const Flying& state, double rate) {
   const Motion& motion = rock.motion;
   const Laws& laws = rock.laws;
   LinearDrag drag{rate, laws.gravity};
   double length = std::min(drag.longest_piece(), forest_step_time(laws, motion.velocity));
-  // Pebbles in a dense forest sink slowly, in pieces that would be very short: they go on as they do.
+  // Pebbles in a dense forest sink slowly, in very short pieces: at terminal velocity they move on a straight line.
   const bool sinks =
       length * motion.velocity.norm() < 0.01 * tolerance::forest_step && drag.sinks_evenly(motion.velocity);
   if (sinks) {
@@ -81,13 +80,13 @@ template <class Surface>
 }
 
 template <class Surface>
-[[nodiscard]] RockState fly_where_forests_are(MovingRock<Surface>& rock, const Flying& state) {
+[[nodiscard]] RockState fly_with_forests(MovingRock<Surface>& rock, const Flying& state) {
   while (true) {
     const double rate = forest_drag_at(rock, rock.motion.position);
-    const auto next = rate > 0 ? fly_among_trees(rock, state, rate) : fly_to_the_trees(rock, state);
+    const auto next = rate > 0 ? fly_in_forest(rock, state, rate) : fly_to_forest(rock, state);
     if (next) return *next;
     if (rock.motion.time >= rock.laws.max_time) return Ended{EndReason::maximum_time};
-    rock.note_energy();
+    rock.update_max_energy();
   }
 }
 
