@@ -27,7 +27,7 @@ class OneFolder : public testing::Test {
     EXPECT_EQ(said.exit_code, 2) << command;
     EXPECT_EQ(said.text, folder() +
                              ": cannot write results here (another program is writing results into this folder). Wait "
-                             "for its end, or write elsewhere with -o\n");
+                             "until it has ended, or write elsewhere with -o\n");
   }
   const Workplace work;
 };

@@ -29,7 +29,7 @@ TEST(FolderLock, OfAnotherProcessPreventsWriting) {
   } catch (const BadInput& bad) {
     EXPECT_EQ(bad.what(), folder.path.string() +
                               ": cannot write results here (another program is writing results into this folder). Wait "
-                              "for its end, or write elsewhere with -o");
+                              "until it has ended, or write elsewhere with -o");
   }
 }
 

@@ -247,7 +247,7 @@ TEST_F(RasterProject, ErrorsInFilesAndSeedersAreReportedTogetherByLine) {
   EXPECT_EQ(refusal(text),
             "slope.toml:8: seeder \"Crest\": (400210, 300050) is off the terrain (on plan the terrain lies within x = "
             "400002.5 to 400197.5, y = 300002.5 to 300097.5)\n"
-            "slope.toml:17: [ground]: raster ground.tif: has 1.5 as a class (a class is a whole number of at most 32 "
+            "slope.toml:17: [ground]: raster ground.tif: has the class 1.5 (a class is a whole number of at most 32 "
             "bits). Round them: gdal_translate -ot Int32 ground.tif ground_classes.tif");
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string rest = R"(
+const std::string tables_after_terrain = R"(
 [[material]]
 name = "Rock"
 [[seeder]]
@@ -42,7 +42,8 @@ void PrintTo(const BadTerrain& bad, std::ostream* out) { *out << bad.name; }
 class BadSurveyTest : public ::testing::TestWithParam<BadTerrain> {};
 
 TEST_P(BadSurveyTest, IsRefusedWithThisText) {
-  EXPECT_EQ(testing_tools::refusal_of_reading("[terrain]\n" + GetParam().terrain + rest), GetParam().message);
+  EXPECT_EQ(testing_tools::refusal_of_reading("[terrain]\n" + GetParam().terrain + tables_after_terrain),
+            GetParam().message);
 }
 
 const std::vector<BadTerrain> bad_terrains{
@@ -123,7 +124,7 @@ std::string plane_of_points() {
 
 TEST_F(SurveyProject, TrajectoriesAreAsOnTheSamePlaneOfTriangles) {
   write("p.csv", plane_of_points());
-  const Model survey = model("[terrain]\npoints = \"p.csv\"\ncrs = \"local\"\n" + rest);
+  const Model survey = model("[terrain]\npoints = \"p.csv\"\ncrs = \"local\"\n" + tables_after_terrain);
   EXPECT_EQ(warnings_.text(), "");
   EXPECT_THAT(
       survey.terrain_report,
@@ -131,7 +132,7 @@ TEST_F(SurveyProject, TrajectoriesAreAsOnTheSamePlaneOfTriangles) {
                 "side 5 m, longest 7.071 m, at (2.500, 2.500, 1498.750)\n"));
   const Model mesh = model(
       "[terrain]\nvertices = [[0,0,1500],[200,0,1400],[200,100,1400],[0,100,1500]]\ntriangles = [[0,1,2],[0,2,3]]\n" +
-      rest);
+      tables_after_terrain);
   Simulator on_survey(survey), on_mesh(mesh);
   for (std::uint64_t rock = 0; rock < 10; ++rock) {
     const Vec3 a = survey.frame.global_from_local(on_survey.simulate(rock, false).outcome.end.position);
@@ -227,7 +228,7 @@ horizontal_velocity_m_s = 3
     return slide.frame.global_from_local(one.log().rows.back().motion.position).x();
   };
   const Model joined = model(slope + rocks);
-  EXPECT_THAT(joined.terrain_report, HasSubstr("joined: 1 corner that lies on the side of another facet"));
+  EXPECT_THAT(joined.terrain_report, HasSubstr("joined: 1 corner on the side of another facet"));
   EXPECT_NEAR(end_x(joined), 20, 1e-6);
   const Model cracked = model(slope + "merge_tolerance_m = 0\n" + rocks);
   EXPECT_THAT(cracked.terrain_report, HasSubstr("warning: 3 boundary edges lie within 0.01 m of another facet"));
@@ -236,28 +237,31 @@ horizontal_velocity_m_s = 3
 
 TEST_F(SurveyProject, RefusesPolylinesThatCrossThemselves) {
   EXPECT_EQ(
-      refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 4, 0], [0, 0, 0]]]\n" + rest),
+      refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 4, 0], [0, 0, 0]]]\n" +
+              tables_after_terrain),
       "slope.toml: terrain: polylines[0] crosses itself at (2.857, 2.857, 0.000) (it cannot be triangulated). Are "
       "its vertices in order?");
   // Two halves with opposite areas define no plane in which to find the crossing.
-  EXPECT_EQ(refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 10, 0], [0, 0, 0]]]\n" + rest),
+  EXPECT_EQ(refusal("[terrain]\npolylines = [[[0, 0, 0], [10, 10, 0], [10, 0, 0], [0, 10, 0], [0, 0, 0]]]\n" +
+                    tables_after_terrain),
             "slope.toml: terrain: polylines[0] has no area (its corners lie on one line, its border doubles back, or "
             "its sides cross)");
 }
 
 TEST_F(SurveyProject, RefusesMissingFiles) {
-  EXPECT_EQ(refusal("[terrain]\npoints = \"p.csv\"\nlines = \"l.gpkg\"\nboundary = \"b.gpkg\"\n" + rest),
-            "slope.toml:2: [terrain]: points is \"p.csv\" (there is no file p.csv). The path is relative to the "
-            "project file\n"
-            "slope.toml:3: [terrain]: lines is \"l.gpkg\" (there is no file l.gpkg). The path is relative to the "
-            "project file\n"
-            "slope.toml:4: [terrain]: boundary is \"b.gpkg\" (there is no file b.gpkg). The path is relative to the "
-            "project file");
+  EXPECT_EQ(
+      refusal("[terrain]\npoints = \"p.csv\"\nlines = \"l.gpkg\"\nboundary = \"b.gpkg\"\n" + tables_after_terrain),
+      "slope.toml:2: [terrain]: points is \"p.csv\" (there is no file p.csv). The path is relative to the "
+      "project file\n"
+      "slope.toml:3: [terrain]: lines is \"l.gpkg\" (there is no file l.gpkg). The path is relative to the "
+      "project file\n"
+      "slope.toml:4: [terrain]: boundary is \"b.gpkg\" (there is no file b.gpkg). The path is relative to the "
+      "project file");
 }
 
 TEST_F(SurveyProject, RefusesAnUnknownCoordinateSystem) {
   write("p.csv", plane_of_points());
-  EXPECT_EQ(refusal("[terrain]\npoints = \"p.csv\"\ncrs = \"EPSG:99999999\"\n" + rest),
+  EXPECT_EQ(refusal("[terrain]\npoints = \"p.csv\"\ncrs = \"EPSG:99999999\"\n" + tables_after_terrain),
             "slope.toml: [terrain]: crs is \"EPSG:99999999\" (this coordinate system is not known). Use for example "
             "\"EPSG:31287\", or \"local\"");
 }

@@ -31,38 +31,38 @@ using test::files_of;
 using test::Workplace;
 using testing_tools::with_ranks;
 
-struct Loaded {
+struct LoadedRun {
   Project project;
   Problems warnings;
   Model model;
 };
 
 /// In 3D with a barrier, maps by source and all paths.
-Loaded load(const Workplace& work, const std::string& seed = "1") {
+LoadedRun load_run(const Workplace& work, const std::string& seed = "1") {
   const std::string file = test::write_slope_with_barrier(work);
   Reading reading =
       read_project(file, {{"output.maps_by_source=true", "output.percentiles=[95]", "output.raster_cell_m=4",
                            "output.report=false", "output.paths=\"all\"", "sampling.seed=" + seed},
                           2000,
                           {}});
-  Loaded loaded{std::move(reading.project), std::move(reading.warnings), {}};
+  LoadedRun loaded{std::move(reading.project), std::move(reading.warnings), {}};
   loaded.model = build_model(loaded.project, loaded.warnings);
   return loaded;
 }
 
-RunResult run(const Loaded& loaded, const fs::path& folder, const RunOptions& options) {
+RunResult run_alone(const LoadedRun& loaded, const fs::path& folder, const RunOptions& options) {
   return run_into(folder, loaded.project, loaded.model, loaded.warnings, options);
 }
 
 /// Runs on several ranks; returns the exit codes of the helpers.
-RunResult run_on(int ranks, const Loaded& loaded, const fs::path& folder, RunOptions options) {
+RunResult run_on(int ranks, const LoadedRun& loaded, const fs::path& folder, RunOptions options) {
   std::optional<RunResult> result;
   std::atomic<int> let_go{0};
   with_ranks(
       ranks,
       [&](Ranks& mine) {
         options.ranks = &mine;
-        result.emplace(run(loaded, folder, options));
+        result.emplace(run_alone(loaded, folder, options));
         dismiss_ranks(mine, 0);
       },
       [&](Ranks& mine) {
@@ -76,9 +76,9 @@ RunResult run_on(int ranks, const Loaded& loaded, const fs::path& folder, RunOpt
 
 TEST(RunOnRanks, GivesTheBytesOfOneProcess) {
   const Workplace work;
-  const Loaded loaded = load(work);
+  const LoadedRun loaded = load_run(work);
   RunOptions options{.campaign = {.threads = 1}};
-  run(loaded, work / "whole", options);
+  run_alone(loaded, work / "whole", options);
   const auto whole = files_of(work / "whole");
   ASSERT_GT(whole.size(), 8U);
   for (const int ranks : {2, 3, 8}) {
@@ -96,8 +96,8 @@ TEST(RunOnRanks, GivesTheBytesOfOneProcess) {
 
 TEST(RunOnRanks, ResumesWithAnyNumberOfRanks) {
   const Workplace work;
-  const Loaded loaded = load(work);
-  run(loaded, work / "whole", {.campaign = {.threads = 2}});
+  const LoadedRun loaded = load_run(work);
+  run_alone(loaded, work / "whole", {.campaign = {.threads = 2}});
   const auto whole = files_of(work / "whole");
   std::uint64_t done = 0;
   std::vector<int> sizes{3, 1, 2, 4};
@@ -113,7 +113,7 @@ TEST(RunOnRanks, ResumesWithAnyNumberOfRanks) {
     };
     const int size = sizes[k % sizes.size()];
     const RunResult result =
-        size == 1 ? run(loaded, work / "stopped", options) : run_on(size, loaded, work / "stopped", options);
+        size == 1 ? run_alone(loaded, work / "stopped", options) : run_on(size, loaded, work / "stopped", options);
     is_interrupted = result.outcome.interrupted;
     EXPECT_EQ(result.done_before, done);
     EXPECT_GT(result.summary.done, done);
@@ -125,9 +125,9 @@ TEST(RunOnRanks, ResumesWithAnyNumberOfRanks) {
 
 TEST(RunOnRanks, MayBeAShard) {
   const Workplace work;
-  const Loaded loaded = load(work);
+  const LoadedRun loaded = load_run(work);
   RunOptions options{.campaign = {.threads = 1}, .shard = Shard{2, 3}};
-  run(loaded, work / "whole", options);
+  run_alone(loaded, work / "whole", options);
   run_on(3, loaded, work / "ranks", options);
   auto expected = files_of(work / "whole"), found = files_of(work / "ranks");
   for (auto* files : {&expected, &found}) {
@@ -140,7 +140,8 @@ TEST(RunOnRanks, MayBeAShard) {
 }
 
 /// What rank 0 reports; the others end with its exit code.
-std::string message(int ranks, const Loaded& loaded, const fs::path& folder, const std::function<int(Ranks&)>& other) {
+std::string message(int ranks, const LoadedRun& loaded, const fs::path& folder,
+                    const std::function<int(Ranks&)>& other) {
   std::string said = "nothing";
   with_ranks(
       ranks,
@@ -149,7 +150,7 @@ std::string message(int ranks, const Loaded& loaded, const fs::path& folder, con
         options.ranks = &mine;
         int code = 0;
         try {
-          run(loaded, folder, options);
+          run_alone(loaded, folder, options);
         } catch (const BadInput& bad) {
           said = bad.problems().text();
           code = 2;
@@ -165,12 +166,12 @@ std::string message(int ranks, const Loaded& loaded, const fs::path& folder, con
 
 TEST(RunOnRanks, RefusesRanksWithAnotherProject) {
   const Workplace work;
-  const Loaded loaded = load(work), other = load(work, "7");
+  const LoadedRun loaded = load_run(work), other = load_run(work, "7");
   work.write("kept", "");
   fs::create_directory(work / "out");
   work.write("out/run.state", "of an earlier run");
   const auto help = [&](Ranks& mine) {
-    const Loaded& own = mine.rank() == 2 ? other : loaded;
+    const LoadedRun& own = mine.rank() == 2 ? other : loaded;
     return help_run(mine, own.project, own.model, own.warnings, {});
   };
   EXPECT_EQ(message(4, loaded, work / "out", help),
@@ -184,7 +185,7 @@ TEST(RunOnRanks, RefusesRanksWithAnotherProject) {
 
 TEST(RunOnRanks, RefusesAnotherVersion) {
   const Workplace work;
-  const Loaded loaded = load(work);
+  const LoadedRun loaded = load_run(work);
   const auto help = [&](Ranks& mine) {
     mine.send(0, message_of(Hello{"0.0.7", mine.machine(), 1, {}}));
     return cannot_help(mine, "", 4);
@@ -195,7 +196,7 @@ TEST(RunOnRanks, RefusesAnotherVersion) {
 
 TEST(RunOnRanks, ReportsAllErrorsOfOtherRanks) {
   const Workplace work;
-  const Loaded loaded = load(work);
+  const LoadedRun loaded = load_run(work);
   const auto help = [&](Ranks& mine) {
     if (mine.rank() == 2) return help_run(mine, loaded.project, loaded.model, loaded.warnings, {});
     return cannot_help(mine, "a.toml:3: no file\na.toml:4: no number " + std::to_string(mine.rank()), 2);
@@ -207,7 +208,7 @@ TEST(RunOnRanks, ReportsAllErrorsOfOtherRanks) {
 
 TEST(RunOnRanks, EndsIfOneFailsDuringTheRun) {
   const Workplace work;
-  const Loaded loaded = load(work);
+  const LoadedRun loaded = load_run(work);
   const auto help = [&](Ranks& mine) {
     if (mine.rank() != 1) return help_run(mine, loaded.project, loaded.model, loaded.warnings, {});
     mine.send(0, message_of(Hello{TALUS_VERSION, mine.machine(), 1,
@@ -219,7 +220,7 @@ TEST(RunOnRanks, EndsIfOneFailsDuringTheRun) {
 
 TEST(RunOnRanks, AnySignalledRankStopsAll) {
   const Workplace work;
-  const Loaded loaded = load(work);
+  const LoadedRun loaded = load_run(work);
   std::atomic<bool> stop{false};
   with_ranks(
       3,
@@ -227,7 +228,7 @@ TEST(RunOnRanks, AnySignalledRankStopsAll) {
         RunOptions options{.campaign = {.threads = 1}};
         options.ranks = &mine;
         options.campaign.progress = [&](std::uint64_t done) { stop = stop || done > 100; };
-        const RunResult result = run(loaded, work / "out", options);
+        const RunResult result = run_alone(loaded, work / "out", options);
         dismiss_ranks(mine, 3);
         EXPECT_EQ(result.outcome.interrupted, result.summary.done < loaded.model.rocks());
         EXPECT_EQ(result.summary.done, result.outcome.done);
@@ -244,7 +245,7 @@ TEST(RunOnRanks, StopsDuringLongRocks) {
   // None of the sample rocks at the beginning of a run is a long one.
   const std::string file = work.write("endless.toml", testing_tools::endless_slope(650, 3, 947));
   Reading reading = read_project(file, {{"output.paths=\"all\"", "output.report=false"}, {}, {}});
-  Loaded loaded{std::move(reading.project), std::move(reading.warnings), {}};
+  LoadedRun loaded{std::move(reading.project), std::move(reading.warnings), {}};
   loaded.model = build_model(loaded.project, loaded.warnings);
   const auto files_when_stopped = [&](int ranks) {
     const std::string folder = std::to_string(ranks);
@@ -257,7 +258,7 @@ TEST(RunOnRanks, StopsDuringLongRocks) {
     });
     RunOptions options{.campaign = {.threads = 1, .stop = &stop}};
     const RunResult result =
-        ranks == 1 ? run(loaded, work / folder, options) : run_on(ranks, loaded, work / folder, options);
+        ranks == 1 ? run_alone(loaded, work / folder, options) : run_on(ranks, loaded, work / folder, options);
     EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::minutes(1));  // each of the rocks takes minutes
     EXPECT_TRUE(result.outcome.interrupted);
     EXPECT_EQ(result.outcome.done, 650U);
@@ -271,14 +272,14 @@ TEST(RunOnRanks, StopsDuringLongRocks) {
 
 TEST(RunOnRanks, AnyRankStopsAllBeforeTheFirstRock) {
   const Workplace work;
-  const Loaded loaded = load(work);
+  const LoadedRun loaded = load_run(work);
   const std::atomic<bool> stop{true};
   with_ranks(
       3,
       [&](Ranks& mine) {
         RunOptions options{.campaign = {.threads = 1}};
         options.ranks = &mine;
-        EXPECT_THROW(run(loaded, work / "out", options), Stopped);
+        EXPECT_THROW(run_alone(loaded, work / "out", options), Stopped);
         dismiss_ranks(mine, 3);
       },
       [&](Ranks& mine) {
