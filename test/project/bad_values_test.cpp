@@ -125,8 +125,8 @@ diameter_m = 1)"}},
      "0 or more). Did you mean 0.1?"},
     {"BetaWithoutLimits",
      {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 0.4, distribution = "beta", std_dev = 0.03 })"}},
-     "slope.toml:11: material \"Rock\": normal_restitution limits are missing (the beta distribution lies between "
-     "rel_min and rel_max)"},
+     "slope.toml:11: material \"Rock\": normal_restitution limits are missing (the beta distribution needs rel_min "
+     "and rel_max)"},
     {"SpreadWithoutDistribution",
      {{"normal_restitution = 0.4", "normal_restitution = { mean = 0.4, std_dev = 0.03 }"}},
      "slope.toml:11: material \"Rock\": normal_restitution has std_dev but no distribution (it would have no effect). "
