@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -68,17 +69,23 @@ struct MapCellSlot {
   std::optional<double>* size;  // "terrain" (nullopt) or a number of metres
 };
 
-/// The member that a setting fills, in one row of its table.
-using Slot =
-    std::variant<bool*, double*, std::optional<double>*, std::int64_t*, std::optional<std::int64_t>*, std::uint64_t*,
-                 std::string*, std::filesystem::path*, std::array<double, 3>*, Distribution*,
-                 std::optional<Distribution>*, std::vector<std::array<double, 2>>*, std::vector<std::array<double, 3>>*,
-                 std::vector<std::array<std::int64_t, 3>>*, std::vector<std::vector<std::array<double, 3>>>*,
-                 std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*,
-                 std::map<std::int32_t, std::string>*, std::map<std::string, std::string>*, MapSubjects*, RockModel*,
-                 SlidingMethod*, FrictionSource*, MaterialSampling*, SamplingMethod*, SeederType*, Forest*,
-                 DistributionKind*, PlaceInCell*, DesignStandard*, DesignLevel*, DesignEnergy*, PositionSlot,
-                 PointsSlot, PlanLineSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, RockLimitSlot, MapCellSlot>;
+template <class Enumerations>
+struct SlotWith;
+template <class... Listed>
+struct SlotWith<const std::tuple<Listed...>> {
+  using Type =
+      std::variant<bool*, double*, std::optional<double>*, std::int64_t*, std::optional<std::int64_t>*, std::uint64_t*,
+                   std::string*, std::filesystem::path*, std::array<double, 3>*, Distribution*,
+                   std::optional<Distribution>*, std::vector<std::array<double, 2>>*,
+                   std::vector<std::array<double, 3>>*, std::vector<std::array<std::int64_t, 3>>*,
+                   std::vector<std::vector<std::array<double, 3>>>*, std::vector<std::string>*,
+                   std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
+                   std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*..., PositionSlot,
+                   PointsSlot, PlanLineSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, RockLimitSlot, MapCellSlot>;
+};
+
+/// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.
+using Slot = SlotWith<decltype(enumerations)>::Type;
 
 /// One row of a table: the struct that its settings are members of.
 using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Area*, Seeder*, Barrier*,

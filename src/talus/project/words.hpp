@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 
 #include "talus/maps/map_subjects.hpp"
@@ -15,38 +16,47 @@
 
 namespace talus::project {
 
-template <std::size_t count>
-using Words = std::array<std::string_view, count>;
+/// An enumeration and its words, in the order of its enumerators.
+template <class Enum, std::size_t count>
+struct Worded {
+  using Enumeration = Enum;
+  std::array<std::string_view, count> words;
+};
 
-/// The words of each enumeration; an enumeration without words cannot be a setting.
+template <class Enumeration, class... Text>
+[[nodiscard]] consteval Worded<Enumeration, sizeof...(Text)> worded(Text... words) {
+  return {{words...}};
+}
+
+/// Every enumeration that a setting can be. Readers, schema and echo of a setting (`Slot` in settings.hpp) follow from
+/// this list.
+inline constexpr std::tuple enumerations{
+    worded<RockModel>("lumped_mass", "rigid_sphere"),
+    worded<SlidingMethod>("stepped", "closed_form"),
+    worded<FrictionSource>("material", "tangential_restitution", "zero"),
+    worded<MaterialSampling>("per_impact", "per_rock"),
+    worded<SamplingMethod>("monte_carlo", "latin_hypercube"),
+    worded<SeederType>("point", "line", "polygon", "raster"),
+    worded<PlaceInCell>("random", "centre"),
+    worded<Forest>("none", "open", "medium", "dense"),
+    worded<DistributionKind>("none", "normal", "uniform", "triangular", "beta", "exponential", "lognormal", "gamma"),
+    worded<DesignStandard>("UNI 11211-4", "none"),
+    worded<DesignLevel>("MEL", "SEL"),
+    worded<DesignEnergy>("translational", "total"),
+};
+
+template <class Enumeration, class... Listed>
+[[nodiscard]] consteval std::size_t place_in_list(const std::tuple<Listed...>&) {
+  std::size_t place = 0;
+  static_cast<void>(((std::is_same_v<Enumeration, typename Listed::Enumeration> || (++place, false)) || ...));
+  return place;
+}
+
+/// The words of an enumeration of the list.
 template <class Enumeration>
-inline constexpr auto words_of = nullptr;
+inline constexpr auto words_of = std::get<place_in_list<Enumeration>(enumerations)>(enumerations).words;
 
-template <>
-inline constexpr Words<2> words_of<RockModel>{"lumped_mass", "rigid_sphere"};
-template <>
-inline constexpr Words<2> words_of<SlidingMethod>{"stepped", "closed_form"};
-template <>
-inline constexpr Words<3> words_of<FrictionSource>{"material", "tangential_restitution", "zero"};
-template <>
-inline constexpr Words<2> words_of<MaterialSampling>{"per_impact", "per_rock"};
-template <>
-inline constexpr Words<2> words_of<SamplingMethod>{"monte_carlo", "latin_hypercube"};
-template <>
-inline constexpr Words<4> words_of<SeederType>{"point", "line", "polygon", "raster"};
-template <>
-inline constexpr Words<2> words_of<PlaceInCell>{"random", "centre"};
-template <>
-inline constexpr Words<4> words_of<Forest>{"none", "open", "medium", "dense"};
-template <>
-inline constexpr Words<8> words_of<DistributionKind>{"none", "normal",      "uniform",   "triangular",
-                                                     "beta", "exponential", "lognormal", "gamma"};
-template <>
-inline constexpr Words<2> words_of<DesignStandard>{"UNI 11211-4", "none"};
-template <>
-inline constexpr Words<2> words_of<DesignLevel>{"MEL", "SEL"};
-template <>
-inline constexpr Words<2> words_of<DesignEnergy>{"translational", "total"};
+/// A setting is a set of these, never one of them.
 template <>
 inline constexpr auto words_of<MapSubject> = map_subject_names;
 
