@@ -91,6 +91,7 @@ template <class Surface>
   material.rolling_friction = Sampler(0.2);
   model.ground = Ground(material);
   model.laws.model = rock_model;
+  if (rock_model == RockModel::rigid_sphere) model.laws.impact = RigidSphereImpact{};
   Seeder seeder;
   seeder.name = "crest";
   seeder.rocks = rocks;

@@ -274,8 +274,7 @@ Profile level_ground() { return Profile(std::vector<Vec2>{{-100, 0}, {100, 0}});
 
 Laws plain_laws(RockModel model = RockModel::lumped_mass) {
   Laws laws;
-  laws.model = model;
-  laws.rotation = false;
+  set_model(laws, model, false);
   return laws;
 }
 

@@ -37,7 +37,7 @@ Soil slippery() {
 
 Laws laws_of(RockModel model, SlidingMethod sliding) {
   Laws laws;
-  laws.model = model;
+  set_model(laws, model);
   laws.sliding = sliding;
   return laws;
 }

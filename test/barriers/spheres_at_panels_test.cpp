@@ -46,7 +46,7 @@ Barrier across(double height, double inclination) { return standing({{0, -50, 0}
 /// A sphere that rolls towards the barrier from 20 m above it, or from 20 m below.
 Followed roll(const Slope& slope, const Rock& rock, bool downhill, const std::vector<Barrier>& barriers) {
   Laws laws;
-  laws.model = RockModel::rigid_sphere;
+  set_model(laws, RockModel::rigid_sphere);
   const double side = downhill ? 1 : -1;
   Release release;
   release.rock = rock;
@@ -247,7 +247,7 @@ TEST(BarrierOnAPath, ARockThatPassesTheTopOfALeaningPanelAndComesDownOnItIsStopp
   const Vec3 top(4 * std::sin(-0.9), 0, 4 * std::cos(-0.9));
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
     Laws laws;
-    laws.model = model;
+    set_model(laws, model);
     Release release;
     release.rock = sphere_of_diameter(0.2, 2700);
     release.motion.position = top + Vec3(-0.1, 0, 2);

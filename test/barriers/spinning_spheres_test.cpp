@@ -39,7 +39,7 @@ struct Approach {
     fence.restitution = Restitution{rn, rt};
     fence.set_panels(panels_over(std::vector<Vec3>{{at, -50, rise * at}, {at, 50, rise * at}}, 5, 0));
     Laws laws;
-    laws.model = RockModel::rigid_sphere;
+    set_model(laws, RockModel::rigid_sphere);
     Release release;
     release.rock = rock;
     release.motion = {touching() - up(), speed * up(), {0, spin, 0}};

@@ -47,7 +47,7 @@ TEST(MapsOfRuns, HaveTheMaximumHeightAndEnergyOfTheRun) {
     for (int k = 0; k < 41 * 41; ++k) grid.z.push_back(static_cast<float>(-grade * (k % 41) + dice.between(0, relief)));
     const RasterSurface surface(grid);
     Laws laws;
-    laws.model = trial % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere;
+    set_model(laws, trial % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere);
     laws.timestep = dice.magnitude(0.01, 0.2);
     Release release;
     release.rock = sphere_of_diameter(dice.between(0.3, 1.5), 2700);
@@ -89,7 +89,7 @@ TEST(MapsOfRuns, CountARockThatStartsOnACornerInTheCellThatItEnters) {
     for (const double y : {-1.0, 1.0}) {
       for (const double z : {0.0, 1.0}) {
         Laws laws;
-        laws.rotation = false;
+        laws.impact = PlainImpact{};
         Release release;
         release.rock = sphere_of_mass(1000, 2700);
         release.motion.position = {20, 20, z};

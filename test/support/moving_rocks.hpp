@@ -28,7 +28,7 @@ class RockOn {
 
 [[nodiscard]] inline Laws laws_of(RockModel model, double timestep = 0.01) {
   Laws laws;
-  laws.model = model;
+  set_model(laws, model);
   laws.timestep = timestep;
   return laws;
 }

@@ -40,6 +40,18 @@ struct Soil {
 
 [[nodiscard]] inline Ground ground_of(const Soil& soil) { return Ground(material_of(soil)); }
 
+/// The model with the impact law that a project has for it; `rotates`: of a lumped mass.
+inline void set_model(Laws& laws, RockModel model, bool rotates = true) {
+  laws.model = model;
+  if (model == RockModel::rigid_sphere) {
+    laws.impact = RigidSphereImpact{};
+  } else if (rotates) {
+    laws.impact = CrspLaw{};
+  } else {
+    laws.impact = PlainImpact{};
+  }
+}
+
 struct Followed {
   RockOutcome outcome;
   RockLog log{true};

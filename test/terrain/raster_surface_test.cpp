@@ -229,7 +229,7 @@ TEST(RasterSurface, RocksFollowTheSamePathAsOnTheMesh) {
     const Ground ground = random_ground(dice);
     for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
       Laws laws;
-      laws.model = model;
+      set_model(laws, model);
       Soil soil;
       soil.rn = 0.3;
       Release release;
@@ -290,7 +290,7 @@ TEST(RasterSurface, ARockThatRollsIntoAHoleEndsThere) {
   const RasterSurface plain = holed_plain();
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
     Laws laws;
-    laws.model = model;
+    set_model(laws, model);
     Release release;
     release.rock = sphere_of_diameter(0.4, 2700);
     release.motion.position = {1, 5, model == RockModel::rigid_sphere ? 0.2 : 0};

@@ -19,8 +19,7 @@ const Rock rock = sphere_of_diameter(1.0, 2700);
 
 Laws laws_of(RockModel model, SlidingMethod sliding = SlidingMethod::closed_form) {
   Laws laws;
-  laws.model = model;
-  laws.rotation = false;
+  set_model(laws, model, false);
   laws.sliding = sliding;
   return laws;
 }

@@ -19,8 +19,7 @@ Profile level_ground() { return Profile(std::vector<Vec2>{{-100, 0}, {0, 0}, {40
 
 Laws plain_laws(RockModel model) {
   Laws laws;
-  laws.model = model;
-  laws.rotation = false;
+  set_model(laws, model, false);
   return laws;
 }
 
@@ -35,7 +34,7 @@ TEST(Bounces, OfABallOnLevelGround) {
       Soil soil;
       soil.rn = rn;
       Laws laws = plain_laws(model);
-      laws.rotation = rotation;
+      set_model(laws, model, rotation);
       const Followed path = follow(ground, ground_of(soil), laws, dropped({3, 0, h + reach}));
       const double g = standard_gravity, v0 = std::sqrt(2 * g * h);
       // The velocity after impact k is v0 Rn^k; the first below the cutoff is the last.

@@ -92,7 +92,7 @@ TEST(Forest, ASphereFallsLikeItsCentre) {
   const Profile ground(level);
   const Ground trees(grown_over({}, 500, 12));
   Laws laws;
-  laws.model = RockModel::rigid_sphere;
+  set_model(laws, RockModel::rigid_sphere);
   const Release release = launched(2000, {0, 0, 11}, {5, 0, 0});
   expect_arrival(arrival(follow(ground, trees, laws, release)), {0.25, {0, 0, 11}, {5, 0, 0}}, release.rock.radius);
 }
@@ -178,7 +178,7 @@ TEST(Forest, ElsewhereHasNoEffect) {
   const TriangleMesh mesh = random_slope(dice, 20, 60, 0.8, 0.8).mesh();
   for (int number = 0; number < 60; ++number) {
     Laws laws;
-    laws.model = number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere;
+    set_model(laws, number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere);
     laws.sliding = number % 4 < 2 ? SlidingMethod::stepped : SlidingMethod::closed_form;
     const double x = dice.between(10, 30), y = dice.between(10, 50);
     Release release = launched(dice.magnitude(10, 5000), {x, y, *mesh.elevation(x, y) + 3}, dice.in_cube(4));
@@ -201,7 +201,7 @@ TEST(Forest, IsInvariantUnderRotation) {
   const Ground trees(grown_over({}, 400, 8));
   for (int number = 0; number < 60; ++number) {
     Laws laws;
-    laws.model = number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere;
+    set_model(laws, number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere);
     const double x = dice.between(10, 30), y = dice.between(10, 50);
     Release release = launched(dice.magnitude(50, 5000), {x, y, *mesh.elevation(x, y) + 5}, dice.in_cube(6));
     const Mat3 turn = Eigen::AngleAxisd(dice.between(0, 2 * std::numbers::pi), Vec3::UnitZ()).toRotationMatrix();
@@ -244,7 +244,7 @@ TEST(Forest, IsTheSameOnARasterAndOnItsMesh) {
   const Ground trees(grown_over({}, 300, 6));
   for (int number = 0; number < 60; ++number) {
     Laws laws;
-    laws.model = number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere;
+    set_model(laws, number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere);
     const double x = dice.between(3, 20), y = dice.between(10, 50);
     const Release release =
         launched(dice.magnitude(50, 3000), {x, y, *mesh.elevation(x, y) + 4}, dice.in_cube(5) + Vec3(4, 0, 0));
@@ -259,7 +259,7 @@ TEST(SoftGround, BrakesASlideByTheClosedForm) {
   Material material = material_of({.rn = 0, .rt = 1, .phi = 0.3});
   material.ground_drag = 0.6;
   Laws laws;
-  laws.rotation = false;
+  laws.impact = PlainImpact{};
   laws.sliding = SlidingMethod::closed_form;
   const Profile ground(level);
   const Followed path = follow(ground, Ground(material), laws, launched(1000, {0, 0, 0.5}, {10, 0, 0}));
@@ -273,7 +273,7 @@ TEST(SoftGround, BrakesASlideByTheClosedForm) {
 TEST(Forest, BrakesSlidingAndRollingBelowItsHeight) {
   const Profile ground(level);
   Laws laws;
-  laws.rotation = false;
+  laws.impact = PlainImpact{};
   laws.sliding = SlidingMethod::closed_form;
   const Release release = launched(1000, {0, 0, 0}, {10, 0, -1e-3});
   const Soil soil{.rn = 0, .rt = 1, .phi = 0.3};
@@ -281,7 +281,7 @@ TEST(Forest, BrakesSlidingAndRollingBelowItsHeight) {
   const double c = g * std::tan(0.3), k = 0.4;
   EXPECT_NEAR(path.outcome.end.position.x(), 10 / k - c / (k * k) * std::log1p(k * 10 / c), 2e-3);
 
-  laws.model = RockModel::rigid_sphere;
+  set_model(laws, RockModel::rigid_sphere);
   const Release sphere = launched(1000, {0, 0, release.rock.radius}, {10, 0, -1e-3});
   const auto way = [&](double height) {
     return follow(ground, Ground(grown_over(soil, 400, height)), laws, sphere).outcome.end.position.x();

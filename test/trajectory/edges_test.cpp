@@ -24,7 +24,7 @@ const Rock rock = sphere_of_diameter(0.9, 2700);
 
 Laws laws_of_a_sphere(double timestep = 0.01) {
   Laws laws;
-  laws.model = RockModel::rigid_sphere;
+  set_model(laws, RockModel::rigid_sphere);
   laws.timestep = timestep;
   return laws;
 }
@@ -227,7 +227,7 @@ TEST(NothingFallsThrough, InASectionOfOnePlane) {
     const double x = std::array{0.0, 5.0, 10.0}[static_cast<std::size_t>(dice.between(0, 3))] +
                      (dice.chance(0.3) ? 0.0 : dice.magnitude(1e-13, 1e-6) * (dice.chance(0.5) ? 1 : -1));
     Laws laws = laws_of_a_sphere(std::array{1e-3, 0.01, 0.5}[static_cast<std::size_t>(dice.between(0, 3))]);
-    if (dice.chance(0.3)) laws.model = RockModel::lumped_mass;
+    if (dice.chance(0.3)) set_model(laws, RockModel::lumped_mass);
     laws.max_time = 20;
     Release release;
     release.rock = sphere_of_diameter(dice.magnitude(0.1, 2), 2700);
@@ -299,8 +299,7 @@ TEST(WithoutACutoff, ARockThatDoesNotBounceStaysOnTheGround) {
     for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
       for (const bool rotates : {false, true}) {
         Laws laws = laws_of_a_sphere();
-        laws.model = model;
-        laws.rotation = rotates;
+        set_model(laws, model, rotates);
         laws.normal_velocity_cutoff = 0;
         for (const Profile* ground : {&level, &slope, &pit}) {
           const Release release{{{-3, 0, *ground->elevation(-3) + 3}, {1, 0, 0}}, rock};

@@ -26,7 +26,7 @@ Motion launched(const Vec3& position, const Vec3& velocity) { return {position, 
 
 TEST(Flying, EndsOnTheGroundAtTheTimeOfTheParabola) {
   Laws laws = laws_of(RockModel::lumped_mass);
-  laws.rotation = false;
+  laws.impact = PlainImpact{};
   RockOn rock(level(), {.rn = 0.5, .rt = 0.8}, laws, launched({10, 0, 5}, {3, 0, 0}));
   const RockState next = fly(*rock, Flying{});
   const double time = std::sqrt(2 * 5 / g), speed = g * time;
@@ -41,7 +41,7 @@ TEST(Flying, EndsOnTheGroundAtTheTimeOfTheParabola) {
 
 TEST(Flying, EndsOnAFacetWithoutNormalRestitution) {
   Laws laws = laws_of(RockModel::lumped_mass);
-  laws.rotation = false;
+  laws.impact = PlainImpact{};
   RockOn rock(level(), {.rn = 0, .rt = 0.8, .phi = 0.5}, laws, launched({10, 0, 5}, {3, 0, 0}));
   const RockState next = fly(*rock, Flying{});
   ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
@@ -57,7 +57,7 @@ TEST(Flying, AfterASlideContinuesTheSlideIfItOnlyGrazesTheGround) {
   const double into = 1e-3, along = 10, phi = 0.4;
   for (const bool hops : {false, true}) {
     Laws laws = laws_of(RockModel::lumped_mass);
-    laws.rotation = false;
+    laws.impact = PlainImpact{};
     RockOn rock(level(), {.rn = 0, .rt = 0.5, .phi = phi}, laws, launched({10, 0, 0}, {along, 0, -into}));
     Flying state;
     if (hops) state.left.add(Vec3(0.6, 0, 0.8), FacetId{7});

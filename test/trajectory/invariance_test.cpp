@@ -30,8 +30,8 @@ struct Launch {
 
 Launch random_launch(Dice& dice, const TriangleMesh& mesh) {
   Launch it;
-  it.laws.model = dice.chance(0.5) ? RockModel::lumped_mass : RockModel::rigid_sphere;
-  it.laws.rotation = dice.chance(0.7);
+  const RockModel model = dice.chance(0.5) ? RockModel::lumped_mass : RockModel::rigid_sphere;
+  set_model(it.laws, model, dice.chance(0.7));
   it.laws.sliding = dice.chance(0.5) ? SlidingMethod::stepped : SlidingMethod::closed_form;
   it.soil = {dice.between(0.1, 0.6), dice.between(0.3, 1), dice.between(0.2, 0.7), dice.between(0.1, 0.8), 0.1, 0};
   it.release.rock = sphere_of_diameter(dice.between(0.2, 2), 2700);
@@ -208,8 +208,7 @@ TEST(Invariance, OfASectionUnderExtrusion) {
     int alike = 0;
     for (int number = 0; number < 40; ++number) {
       Laws laws;
-      laws.model = number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere;
-      laws.rotation = number % 3 != 0;
+      set_model(laws, number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere, number % 3 != 0);
       laws.sliding = number % 5 < 2 ? SlidingMethod::stepped : SlidingMethod::closed_form;
       laws.in_section = true;
       Release release;

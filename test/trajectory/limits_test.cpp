@@ -44,7 +44,7 @@ TEST(Limits, EndRocksThatReboundBetweenBarriersForEver) {
                                                            : dice.between(0, 1),
                                         dice.between(0, 1)};
     Laws laws;
-    laws.model = dice.chance(0.7) ? RockModel::rigid_sphere : RockModel::lumped_mass;
+    set_model(laws, dice.chance(0.7) ? RockModel::rigid_sphere : RockModel::lumped_mass);
     laws.sliding = dice.chance(0.5) ? SlidingMethod::stepped : SlidingMethod::closed_form;
     laws.stopped_velocity = 0;
     laws.max_steps = 300;

@@ -25,7 +25,7 @@ const Vec3 down(0.8, 0, -0.6);  // the first plane's
 Laws closed_form() {
   Laws laws = laws_of(RockModel::lumped_mass);
   laws.sliding = SlidingMethod::closed_form;
-  laws.rotation = false;
+  laws.impact = PlainImpact{};
   return laws;
 }
 OnFacet first_facet(const Profile& profile, double mu) {

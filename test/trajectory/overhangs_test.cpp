@@ -20,8 +20,7 @@ const Rock rock = sphere_of_diameter(0.8, 2700);
 
 Laws laws_of(RockModel model) {
   Laws laws;
-  laws.model = model;
-  laws.rotation = false;
+  set_model(laws, model, false);
   laws.sliding = SlidingMethod::closed_form;
   return laws;
 }

@@ -44,7 +44,7 @@ Profile slope_of_30_degrees() {
 TEST(PieceMaxima, TheMaximumEnergyOfARollingSphereIsAtTheEndOfItsLegs) {
   const Profile slope = slope_of_30_degrees();
   Laws laws;
-  laws.model = RockModel::rigid_sphere;
+  set_model(laws, RockModel::rigid_sphere);
   const Vec3 normal(0.5, 0, std::sqrt(0.75));
   Release release = start_at(Vec3(10, 0, -10 / std::sqrt(3.0)), Vec3::Zero());
   release.motion.position += release.rock.radius * normal;
@@ -118,7 +118,7 @@ void expect_agreement_of_rocks(std::uint64_t seed, MakeSurface&& make_surface) {
     const auto surface = make_surface(dice);
     for (int k = 0; k < 40; ++k) {
       Laws laws;
-      laws.model = k % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere;
+      set_model(laws, k % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere);
       laws.sliding = dice.chance(0.5) ? SlidingMethod::stepped : SlidingMethod::closed_form;
       laws.timestep = dice.chance(0.5) ? 0.01 : 0.1;
       const bool is_sphere = laws.model == RockModel::rigid_sphere;

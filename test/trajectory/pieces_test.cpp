@@ -81,7 +81,7 @@ TEST(PathPieces, JoinFromTheReleaseToTheEnd) {
       for (const SlidingMethod sliding : {SlidingMethod::stepped, SlidingMethod::closed_form}) {
         for (int k = 0; k < 20; ++k) {
           Laws laws;
-          laws.model = model;
+          set_model(laws, model);
           laws.sliding = sliding;
           const Soil soil{.rn = dice.between(0, 0.8), .rt = dice.between(0.3, 1), .phi = dice.between(0.1, 0.8)};
           const Release release = random_release(dice, surface, laws);
@@ -132,7 +132,7 @@ TEST(PathPieces, ImpactsAreWhereTheRockStrikesTheGround) {
   release.motion.velocity = {8, 0, 0};
   RockOutcome outcome;
   Laws laws;
-  laws.rotation = false;
+  laws.impact = PlainImpact{};
   const RockLog log = log_of_pieces(surface, {.rn = 0, .rt = 1, .phi = 0.1}, laws, release, {}, outcome);
   ASSERT_EQ(log.impacts.size(), 2U);  // on the plateau, over whose edge it slides, and on the plain
   EXPECT_NEAR(log.impacts[0].z(), 8, 1e-9);

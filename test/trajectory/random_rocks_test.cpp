@@ -21,10 +21,11 @@ using namespace testing_tools;
 
 Laws random_laws(Dice& dice) {
   Laws laws;
-  laws.model = dice.chance(0.5) ? RockModel::lumped_mass : RockModel::rigid_sphere;
-  laws.rotation = dice.chance(0.5);
+  const RockModel model = dice.chance(0.5) ? RockModel::lumped_mass : RockModel::rigid_sphere;
+  set_model(laws, model, dice.chance(0.5));
   laws.sliding = dice.chance(0.5) ? SlidingMethod::stepped : SlidingMethod::closed_form;
-  laws.tangential_crsp_damping = dice.chance(0.2);
+  const bool is_damped = dice.chance(0.2);
+  if (auto* sphere = std::get_if<RigidSphereImpact>(&laws.impact)) sphere->has_crsp_damping = is_damped;
   return laws;
 }
 
@@ -41,9 +42,11 @@ Soil random_soil(Dice& dice) {
 
 std::string describe(const Laws& laws, const Soil& soil, const Release& release, int number) {
   const Motion& m = release.motion;
+  const bool is_plain = std::holds_alternative<PlainImpact>(laws.impact);
+  const auto* const sphere = std::get_if<RigidSphereImpact>(&laws.impact);
   return "rock " + std::to_string(number) + (laws.model == RockModel::rigid_sphere ? " sphere" : " lumped") +
-         (laws.rotation ? " rotating" : " plain") + (laws.sliding == SlidingMethod::stepped ? " stepped" : " closed") +
-         (laws.tangential_crsp_damping ? " damped" : "") + " rn " + std::to_string(soil.rn) + " rt " +
+         (is_plain ? " plain" : "") + (laws.sliding == SlidingMethod::stepped ? " stepped" : " closed") +
+         (sphere && sphere->has_crsp_damping ? " damped" : "") + " rn " + std::to_string(soil.rn) + " rt " +
          std::to_string(soil.rt) + " phi " + std::to_string(soil.phi) + " mu " + std::to_string(soil.mu) + " rolling " +
          std::to_string(soil.rolling) + " rough " + std::to_string(soil.roughness) + " p " + text(m.position) + " v " +
          text(m.velocity) + " w " + text(m.spin) + " r " + std::to_string(release.rock.radius);

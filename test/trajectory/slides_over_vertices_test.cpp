@@ -44,7 +44,7 @@ TEST(SlideOverAVertex, TurnsTheVelocityByTimeNotByFacets) {
   const Soil soil{.rn = 0, .rt = 1, .phi = 0.05};
   Laws laws;
   laws.sliding = SlidingMethod::stepped;
-  laws.rotation = false;
+  laws.impact = PlainImpact{};
   for (int k = 0; k < 24; ++k) {
     const double heading = 0.1 + 2 * std::numbers::pi * k / 24;
     Release release;

@@ -17,7 +17,7 @@ const Rock rock = sphere_of_diameter(0.8, 2700);
 
 Laws laws_of(RockModel model, double timestep = 0.01) {
   Laws laws;
-  laws.model = model;
+  set_model(laws, model);
   laws.timestep = timestep;
   return laws;
 }
@@ -124,7 +124,7 @@ TEST(Roughness, AlsoTiltsTheGroundUnderAVerticalFall) {
   Soil soil;
   soil.roughness = 0.1;
   Laws laws = laws_of(RockModel::lumped_mass);
-  laws.rotation = false;
+  laws.impact = PlainImpact{};
   laws.in_section = true;
   int aside = 0;
   for (std::uint64_t k = 0; k < 50; ++k) {

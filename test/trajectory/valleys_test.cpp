@@ -203,7 +203,7 @@ TEST(Valleys, AStepHoldsASphereOnlyUpToItsEnd) {
   soil.rolling = 0.01;
   const Rock rock = sphere_of_diameter(1.0, 2700);
   Laws laws;
-  laws.model = RockModel::rigid_sphere;
+  set_model(laws, RockModel::rigid_sphere);
   const Followed path = follow(surface, ground_of(soil), laws, {{at(0, 0.55, 0.53), Vec3::Zero(), Vec3::Zero()}, rock});
   double held = 0;
   for (const PathPiece& piece : path.log.pieces) {

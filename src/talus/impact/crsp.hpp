@@ -47,4 +47,14 @@ struct CrspImpact {
   return crsp_rebound(crsp_impact(velocity, spin, n, rock.radius), rock, restitution);
 }
 
+/// The impact law (law.hpp) of a lumped mass with rotation.
+struct CrspLaw {
+  template <class DrawRestitution, class DrawFriction>
+  [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&&) const {
+    // Before the draws, which take as long as it does and do not wait for it.
+    const CrspImpact impact = crsp_impact(a.velocity, a.spin, a.normal, a.rock.radius);
+    return crsp_rebound(impact, a.rock, restitution());
+  }
+};
+
 }  // namespace talus

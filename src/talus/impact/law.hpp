@@ -1,11 +1,10 @@
 #pragma once
-// The list of impact laws. The law is chosen once per run.
+// The list of impact laws. A model chooses one when it is built; every impact of its rocks uses it.
 //
 // A law is a type with
 //   rebound(approach, restitution, friction) -> Rebound
-// where restitution() draws the ground's coefficients and friction() its dynamic friction, each called at most once:
-// what a law does not need is not drawn. To add a law: a file with its equations, a type here and its name in the list,
-// and a line in Laws::impact_law() (trajectory/scene.hpp).
+// where restitution() draws the ground's coefficients and friction() its dynamic friction, each at most once: what a
+// law does not need is not drawn. To add one: a file here with its equations and its type, and its name in the list.
 
 #include <variant>
 
@@ -14,46 +13,6 @@
 #include "talus/impact/rigid_sphere.hpp"
 
 namespace talus {
-
-/// A rock's motion before an impact.
-struct Approach {
-  const Vec3& velocity;  // [m/s]
-  const Vec3& spin;      // [rad/s]
-  const Vec3& normal;    // unit, out of the ground, roughness included
-  const Rock& rock;
-};
-
-/// Lumped mass without rotation (plain.hpp).
-struct PlainImpact {
-  template <class DrawRestitution, class DrawFriction>
-  [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&&) const {
-    return plain_rebound(a.velocity, a.spin, a.normal, restitution());
-  }
-};
-
-/// Lumped mass with rotation (crsp.hpp).
-struct CrspLaw {
-  template <class DrawRestitution, class DrawFriction>
-  [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&&) const {
-    // Computed before the draws, which take as long and do not depend on it: both can run at the same time.
-    const CrspImpact impact = crsp_impact(a.velocity, a.spin, a.normal, a.rock.radius);
-    return crsp_rebound(impact, a.rock, restitution());
-  }
-};
-
-/// Rigid sphere (rigid_sphere.hpp).
-struct RigidSphereImpact {
-  bool has_crsp_damping = false;  // of the tangential restitution
-
-  template <class DrawRestitution, class DrawFriction>
-  [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&& friction) const {
-    Restitution drawn = restitution();
-    if (has_crsp_damping) {
-      drawn.tangential = crsp_damped_tangential_restitution(a.velocity, a.spin, a.normal, a.rock, drawn);
-    }
-    return rigid_sphere_rebound(a.velocity, a.spin, a.normal, a.rock, drawn, friction());
-  }
-};
 
 using ImpactLaw = std::variant<CrspLaw, PlainImpact, RigidSphereImpact>;
 

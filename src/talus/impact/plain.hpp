@@ -12,4 +12,12 @@ namespace talus {
   return {-restitution.normal * vn + restitution.tangential * (velocity - vn), spin};
 }
 
+/// The impact law (law.hpp) of a lumped mass without rotation.
+struct PlainImpact {
+  template <class DrawRestitution, class DrawFriction>
+  [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&&) const {
+    return plain_rebound(a.velocity, a.spin, a.normal, restitution());
+  }
+};
+
 }  // namespace talus

@@ -22,4 +22,18 @@ namespace talus {
 [[nodiscard]] double crsp_damped_tangential_restitution(const Vec3& velocity, const Vec3& spin, const Vec3& n,
                                                         const Rock& rock, Restitution restitution);
 
+/// The impact law (law.hpp) of a rigid sphere.
+struct RigidSphereImpact {
+  bool has_crsp_damping = false;  // of the tangential restitution
+
+  template <class DrawRestitution, class DrawFriction>
+  [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&& friction) const {
+    Restitution drawn = restitution();
+    if (has_crsp_damping) {
+      drawn.tangential = crsp_damped_tangential_restitution(a.velocity, a.spin, a.normal, a.rock, drawn);
+    }
+    return rigid_sphere_rebound(a.velocity, a.spin, a.normal, a.rock, drawn, friction());
+  }
+};
+
 }  // namespace talus

@@ -45,11 +45,17 @@ talus::Material material_of(const Material& m, RockModel model) {
   return material;
 }
 
+ImpactLaw impact_law_of(const Analysis& a) {
+  if (a.model == RockModel::rigid_sphere) return RigidSphereImpact{a.tangential_crsp_damping};
+  if (a.rotation) return CrspLaw{};
+  return PlainImpact{};
+}
+
 Laws laws_of(const Project& project) {
   const Analysis& a = project.analysis;
   Laws laws;
   laws.model = a.model;
-  laws.rotation = a.rotation;
+  laws.impact = impact_law_of(a);
   laws.gravity = {0, 0, -a.gravity_m_s2};
   laws.sliding = a.sliding;
   laws.timestep = a.max_timestep_s;
@@ -61,7 +67,6 @@ Laws laws_of(const Project& project) {
   laws.friction_source = a.friction_angle;
   if (a.scale_rn_by_velocity) laws.restitution_scaling.normal_speed = a.rn_velocity_scale_m_s;
   if (a.scale_rn_by_mass) laws.restitution_scaling.mass = a.rn_mass_scale_kg;
-  laws.tangential_crsp_damping = a.tangential_crsp_damping;
   laws.material_sampling = project.sampling.materials;
   laws.in_section = project.is_2d();
   return laws;

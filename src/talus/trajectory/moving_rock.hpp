@@ -79,7 +79,7 @@ class MovingRock {
         ground(scene.ground),
         barriers(scene.barriers),
         laws(scene.laws),
-        impact_law(scene.laws.impact_law()),
+        impact_law(scene.laws.impact),
         log(rock_log),
         rock(release.rock),
         reach(scene.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0),

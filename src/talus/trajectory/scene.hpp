@@ -18,7 +18,7 @@ enum class FrictionSource {
 
 struct Laws {
   RockModel model = RockModel::lumped_mass;
-  bool rotation = true;  // lumped mass: CRSP's impact law; if false, the plain one
+  ImpactLaw impact = CrspLaw{};  // one for `model`
   Vec3 gravity{0, 0, -standard_gravity};
   SlidingMethod sliding = SlidingMethod::stepped;
   double timestep = 0.01;                // of stepped motion along the ground [s]
@@ -29,15 +29,8 @@ struct Laws {
   double max_time = 600;                 // [s]
   FrictionSource friction_source = FrictionSource::material;
   RestitutionScaling restitution_scaling;
-  bool tangential_crsp_damping = false;  // rigid sphere
   MaterialSampling material_sampling = MaterialSampling::per_impact;
-  bool in_section = false;  // 2D: roughness tilts the ground only about y
-
-  [[nodiscard]] ImpactLaw impact_law() const {
-    if (model == RockModel::rigid_sphere) return RigidSphereImpact{tangential_crsp_damping};
-    if (rotation) return CrspLaw{};
-    return PlainImpact{};
-  }
+  bool in_section = false;  // 2D: roughness tilts the ground about y only
 };
 
 template <class Surface>
