@@ -1,6 +1,9 @@
 // Names in requests stay in the folder; uploads are complete; drafts and saved texts do not overwrite each other.
 
 #include "workplace.hpp"
+
+#include <map>
+
 #include "server/served.hpp"
 
 namespace talus {
@@ -97,6 +100,17 @@ TEST_F(Place, SavesUploads) {
   EXPECT_EQ(files[0]["name"], "data/dem.tif");
   EXPECT_EQ(files[0]["bytes"], 5);
   EXPECT_EQ(files[0]["kind"], "raster");
+}
+
+TEST_F(Place, ListsTheKindOfEachFile) {
+  const std::map<std::string, std::string> kinds{{"a.flt", "raster"},  {"b.ply", "mesh"},   {"c.DAT", "points"},
+                                                 {"d.las", "points"},  {"e.dxf", "vector"}, {"f.dem", "other"},
+                                                 {"g.toml", "project"}};
+  for (const auto& [name, kind] : kinds) upload(name, "x");
+  std::map<std::string, std::string> listed;
+  for (const Json& file : get("/api/files").json()["files"])
+    listed[file["name"].get<std::string>()] = file["kind"].get<std::string>();
+  EXPECT_EQ(listed, kinds);
 }
 
 TEST_F(Place, DoesNotMixUploadsOfTheSameName) {

@@ -3,12 +3,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <mutex>
 
 #include "routes/routes.hpp"
+#include "talus/files/file_formats.hpp"
 #include "talus/files/output_file.hpp"
 
 namespace talus::server {
@@ -19,22 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_listed = 2'000;  // files in the list
 
-struct Kind {
-  std::string_view kind;
-  std::array<std::string_view, 6> endings;
-};
-constexpr std::array kinds{
-    Kind{"project", {".toml"}}, Kind{"raster", {".tif", ".tiff", ".asc", ".vrt", ".img", ".dem"}},
-    Kind{"mesh", {".obj", ".stl", ".ply"}}, Kind{"points", {".csv", ".xyz", ".txt", ".las", ".laz"}},
-    Kind{"vector", {".gpkg", ".geojson", ".shp", ".dxf", ".json"}}};
-
 std::string_view kind_of(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  for (const Kind& kind : kinds)
-    if (!ending.empty() && std::find(kind.endings.begin(), kind.endings.end(), ending) != kind.endings.end())
-      return kind.kind;
-  return "other";
+  if (ending_of(file) == ".toml") return "project";
+  const FileFormat* format = format_of(file);
+  return format ? name_of(format->kind) : "other";
 }
 
 /// Folders of results contain no input; the server lists its runs separately.

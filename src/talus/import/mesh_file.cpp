@@ -2,27 +2,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <string>
 #include <system_error>
 
+#include "talus/files/file_formats.hpp"
 #include "talus/import/mesh_formats.hpp"
-#include "talus/import/mesh_text.hpp"
 
 namespace talus {
 namespace {
 
-using Reader = RawMesh (*)(std::string_view, MeshProblems&);
+static_assert(std::ranges::all_of(file_formats,
+                                  [](const FileFormat& format) {
+                                    return format.kind != FileKind::mesh ||
+                                           std::ranges::find(mesh_formats, format.ending, &MeshFormat::ending) !=
+                                               mesh_formats.end();
+                                  }),
+              "every mesh ending of file_formats.hpp needs a reader in mesh_formats.hpp");
 
-Reader reader_for(const std::filesystem::path& path, MeshProblems& problems) {
-  const std::string ending = lower(path.extension().string());
-  if (ending == ".obj") return read_obj;
-  if (ending == ".stl") return read_stl;
-  if (ending == ".ply") return read_ply;
+const MeshFormat& mesh_format_of(const std::filesystem::path& path, MeshProblems& problems) {
+  const std::string ending = ending_of(path);
+  const auto* const found = std::ranges::find(mesh_formats, ending, &MeshFormat::ending);
+  if (found != mesh_formats.end()) return *found;
   problems.stop({}, "is not a mesh that Talus can read",
                 (ending.empty() ? "its name has no extension" : "its extension is " + in_quotes(ending)) +
-                    "; expected .obj, .stl or .ply",
+                    "; expected " + endings_in_words(FileKind::mesh),
                 "Convert it, or give the file the extension of its format");
 }
 
@@ -58,8 +64,8 @@ std::string read_bytes(const std::filesystem::path& path, MeshProblems& problems
 
 RawMesh read_mesh_file(const std::filesystem::path& path, Problems& warnings) {
   MeshProblems problems{path.string()};
-  const Reader read = reader_for(path, problems);
-  RawMesh mesh = read(read_bytes(path, problems), problems);
+  const MeshFormat& format = mesh_format_of(path, problems);
+  RawMesh mesh = format.read(read_bytes(path, problems), problems);
   warnings.append(problems.warnings());
   return mesh;
 }

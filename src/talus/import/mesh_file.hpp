@@ -1,5 +1,5 @@
 #pragma once
-// Triangle meshes from files. The extension gives the format: .obj, .stl or .ply.
+// Triangle meshes from files. The extension gives the format (mesh_formats.hpp).
 
 #include <filesystem>
 

@@ -2,6 +2,7 @@
 // The mesh formats, each read from the bytes of a whole file. They throw BadInput and add warnings to `problems`. Any
 // bytes are safe: declared counts are checked against the length of the file.
 
+#include <array>
 #include <string_view>
 
 #include "talus/files/mesh_problems.hpp"
@@ -24,5 +25,12 @@ inline constexpr std::uint64_t largest_mesh_file_bytes = 0xFFFFFFFF;
 /// PLY 1.0, text or binary in either byte order (G. Turk, The PLY polygon file format, 1994): the elements `vertex` and
 /// `face`; others are ignored. Numbers of a text file are read as doubles, whatever their type in the header.
 [[nodiscard]] RawMesh read_ply(std::string_view bytes, MeshProblems& problems);
+
+struct MeshFormat {
+  std::string_view ending;  // one of files/file_formats.hpp
+  RawMesh (*read)(std::string_view bytes, MeshProblems& problems);
+};
+inline constexpr std::array mesh_formats{MeshFormat{".obj", read_obj}, MeshFormat{".stl", read_stl},
+                                         MeshFormat{".ply", read_ply}};
 
 }  // namespace talus

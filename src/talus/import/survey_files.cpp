@@ -10,6 +10,7 @@
 #include <limits>
 #include <string_view>
 
+#include "talus/files/file_formats.hpp"
 #include "talus/files/first_problems.hpp"
 #include "talus/files/mesh_problems.hpp"
 #include "talus/import/las_file.hpp"
@@ -223,12 +224,10 @@ class SurveyReader {
 
   void read_points() {
     const std::filesystem::path& file = sources_.points;
-    const std::string ending = lower(file.extension().string());
-    static constexpr std::array<std::string_view, 5> texts{".csv", ".xyz", ".txt", ".pts", ".dat"};
-    if (ending == ".las" || ending == ".laz") {
+    if (is_of_kind(file, FileKind::las)) {
       kind_ = SurveyKind::las;
       read_las();
-    } else if (std::find(texts.begin(), texts.end(), ending) != texts.end()) {
+    } else if (is_of_kind(file, FileKind::point_text)) {
       kind_ = SurveyKind::text;
       files_.survey.points = read_point_file(file);
       report(file, fmt::format("{} points", files_.survey.points.size()));

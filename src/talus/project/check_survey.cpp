@@ -6,23 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "talus/files/file_formats.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/values.hpp"
 
 namespace talus::project {
-namespace {
-
-std::string ending_of(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  for (char& letter : ending) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return ending;
-}
-
-bool is_las(const std::filesystem::path& file) { return ending_of(file) == ".las" || ending_of(file) == ".laz"; }
-
-}  // namespace
 
 void SurveyRules::check() const {
   check_files();
@@ -45,7 +33,7 @@ void SurveyRules::check_files() const {
            Severity::error);
   }
   if (!accepted("points")) return;
-  if (const auto* classes = accepted("point_classes"); classes && !is_las(terrain.points)) {
+  if (const auto* classes = accepted("point_classes"); classes && !is_of_kind(terrain.points, FileKind::las)) {
     report(classes, fmt::format("point_classes is given for {}", terrain.points.filename().string()),
            "only LAS points have classes", "Leave it out", Severity::error);
   }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "talus/files/file_formats.hpp"
 #include "talus/meshing/cleaning.hpp"
 #include "talus/meshing/plan_polygon.hpp"
 #include "talus/project/check_survey.hpp"
@@ -118,10 +119,9 @@ void TerrainRules::check_deviations(Node deviations) const {
 }
 
 void TerrainRules::check_mesh_file(Node mesh) const {
-  std::string ending = project.terrain.mesh.extension().string();
-  for (char& letter : ending) letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  if (ending != ".obj" && ending != ".stl" && ending != ".ply") {
-    refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)), "expected a file that ends in .obj, .stl or .ply");
+  if (!is_of_kind(project.terrain.mesh, FileKind::mesh)) {
+    refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)),
+           "expected a file that ends in " + endings_in_words(FileKind::mesh));
     return;
   }
   // A project without a file has no folder that could hold its mesh.

@@ -1,5 +1,6 @@
 #include "talus/project/schema_module.hpp"
 
+#include "talus/files/file_formats.hpp"
 #include "talus/project/schema.hpp"
 
 namespace talus::project {
@@ -44,12 +45,16 @@ void write(const Json& node, const std::string& indent, std::string& out) {
 
 std::string schema_module() {
   std::string out =
-      R"(// Generated from the declaration of the settings (src/talus/project/settings) by schema_module.cpp;
-// do not edit. To renew it: TALUS_RENEW_REFERENCE=1 and run the test SchemaModule.IsNotStale.
+      R"(// Generated from the declarations of the settings (src/talus/project/settings) and of the file formats
+// (src/talus/files/file_formats.hpp) by schema_module.cpp; do not edit.
+// To renew it: TALUS_RENEW_REFERENCE=1 and run the test SchemaModule.IsNotStale.
 
 export const schema = )";
   write(schema(), "", out);
-  return out + " as const;\n";
+  out += " as const;\n\n/// The files that Talus reads, by their endings.\nexport const fileFormats = [\n";
+  for (const FileFormat& format : file_formats)
+    out += "  " + Json{{"ending", format.ending}, {"kind", name_of(format.kind)}}.dump() + ",\n";
+  return out + "] as const;\n";
 }
 
 }  // namespace talus::project

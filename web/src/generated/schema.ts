@@ -1,5 +1,6 @@
-// Generated from the declaration of the settings (src/talus/project/settings) by schema_module.cpp;
-// do not edit. To renew it: TALUS_RENEW_REFERENCE=1 and run the test SchemaModule.IsNotStale.
+// Generated from the declarations of the settings (src/talus/project/settings) and of the file formats
+// (src/talus/files/file_formats.hpp) by schema_module.cpp; do not edit.
+// To renew it: TALUS_RENEW_REFERENCE=1 and run the test SchemaModule.IsNotStale.
 
 export const schema = {
   "$schema": "http://json-schema.org/draft-07/schema#",
@@ -274,3 +275,29 @@ export const schema = {
   "additionalProperties": false,
   "required": ["terrain","material","seeder"],
 } as const;
+
+/// The files that Talus reads, by their endings.
+export const fileFormats = [
+  {"ending":".tif","kind":"raster"},
+  {"ending":".tiff","kind":"raster"},
+  {"ending":".asc","kind":"raster"},
+  {"ending":".flt","kind":"raster"},
+  {"ending":".bil","kind":"raster"},
+  {"ending":".img","kind":"raster"},
+  {"ending":".vrt","kind":"raster"},
+  {"ending":".obj","kind":"mesh"},
+  {"ending":".stl","kind":"mesh"},
+  {"ending":".ply","kind":"mesh"},
+  {"ending":".csv","kind":"points"},
+  {"ending":".xyz","kind":"points"},
+  {"ending":".txt","kind":"points"},
+  {"ending":".pts","kind":"points"},
+  {"ending":".dat","kind":"points"},
+  {"ending":".las","kind":"points"},
+  {"ending":".laz","kind":"points"},
+  {"ending":".dxf","kind":"vector"},
+  {"ending":".shp","kind":"vector"},
+  {"ending":".gpkg","kind":"vector"},
+  {"ending":".geojson","kind":"vector"},
+  {"ending":".json","kind":"vector"},
+] as const;

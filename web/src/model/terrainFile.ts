@@ -4,31 +4,38 @@ import { edit, file } from '../state/document';
 import { notify, reportFailure } from '../state/messages';
 import { chosen, sidePanel } from '../state/view';
 import { uploadFiles } from './files';
+import { fileFormats } from '../generated/schema';
+import { type FileKind } from './fileEndings';
 import { tableAt } from './place';
 import { changeTo, kindOf, terrainKinds } from './terrainKinds';
 import type { KeyOf } from './names';
 
-const endings: [RegExp, string, KeyOf<'terrain'>][] = [
-  [/\.(tiff?|asc|vrt|img|dem)$/i, 'raster', 'raster'],
-  [/\.(obj|stl|ply)$/i, 'mesh', 'mesh'],
-  [/\.(csv|xyz|txt|pts|dat|las)$/i, 'survey', 'points'],
-  [/\.dxf$/i, 'survey', 'lines'],
-  [/\.(shp|gpkg|geojson)$/i, 'survey', 'lines'],
-];
-/// Files that may also be something else, such as areas of the ground or release points.
-const isAmbiguous = /\.(shp|gpkg|geojson)$/i;
+/// What a file can be, the likeliest terrain first: the kind and the key of the terrain. A vector file is as often
+/// something else, an area of the ground or a place where rocks start; a drawing is not.
+const terrains: Record<FileKind | 'drawing', { kind: string; key: KeyOf<'terrain'> }> = {
+  raster: { kind: 'raster', key: 'raster' },
+  mesh: { kind: 'mesh', key: 'mesh' },
+  points: { kind: 'survey', key: 'points' },
+  drawing: { kind: 'survey', key: 'lines' },
+  vector: { kind: 'survey', key: 'lines' },
+};
+
+function kindOfFile(name: string): keyof typeof terrains | null {
+  const format = fileFormats.find(({ ending }) => name.toLowerCase().endsWith(ending));
+  return format?.ending === '.dxf' ? 'drawing' : (format?.kind ?? null);
+}
 
 /// The kind of terrain and the key for a file, by its name; null if it cannot be a terrain.
 export function terrainOfFile(name: string): { kind: string; key: KeyOf<'terrain'> } | null {
-  const found = endings.find(([ending]) => ending.test(name));
-  return found ? { kind: found[1], key: found[2] } : null;
+  const kind = kindOfFile(name);
+  return kind && terrains[kind];
 }
 
 /// The one of several files that is most likely a terrain.
 export function terrainAmong(names: readonly string[]) {
-  for (const [ending, kind, key] of endings) {
-    const name = names.find((one) => ending.test(one));
-    if (name !== undefined) return { name, kind, key };
+  for (const kind of Object.keys(terrains)) {
+    const name = names.find((one) => kindOfFile(one) === kind);
+    if (name !== undefined) return { name, ...terrains[kind as keyof typeof terrains] };
   }
   return null;
 }
@@ -47,7 +54,7 @@ export async function takeFiles(list: readonly File[]) {
   const uploaded = await uploadFiles(project, list);
   if (file.value !== project) return;
   const hasTerrain = kindOf(tableAt(['terrain'])) !== undefined;
-  const taken = terrainAmong(hasTerrain ? uploaded.filter((name) => !isAmbiguous.test(name)) : uploaded);
+  const taken = terrainAmong(hasTerrain ? uploaded.filter((name) => kindOfFile(name) !== 'vector') : uploaded);
   if (taken) {
     useTerrainFile(taken.name, taken.kind, taken.key);
     chosen.value = ['terrain'];

@@ -3,6 +3,7 @@
 import type { Edit, KeyOf, Row } from './names';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { applies } from './applies';
+import { endingsOf } from './fileEndings';
 import { fieldOf } from './settings';
 
 export interface TerrainKind {
@@ -29,7 +30,7 @@ export const terrainKinds: TerrainKind[] = [
     what: 'A GeoTIFF or another grid in projected metres',
     keys: ['raster'],
   },
-  { name: 'mesh', title: 'Triangle mesh', what: 'A file of triangles: .obj, .stl or .ply', keys: ['mesh'] },
+  { name: 'mesh', title: 'Triangle mesh', what: `A file of triangles: ${endingsOf('mesh')}`, keys: ['mesh'] },
   {
     name: 'survey',
     title: 'Survey',

@@ -2,6 +2,7 @@
 
 import { useRef, useState } from 'preact/hooks';
 import { chosenFiles, files, uploadFiles } from '../model/files';
+import { endingsOf } from '../model/fileEndings';
 import { terrainAmong, terrainOfFile } from '../model/terrainFile';
 import { api } from '../api/client';
 import { localDrafts } from '../state/localDrafts';
@@ -34,7 +35,7 @@ export async function beginWith(list: readonly File[], name = '') {
   else if (uploaded.length > 0)
     notify(
       'note',
-      'Talus cannot read this file as terrain. It reads rasters (.tif, .asc), meshes (.obj, .stl, .ply), points (.csv, .xyz, .las) and lines (.dxf, .shp, .gpkg, .geojson).',
+      `Talus cannot read this file as terrain. It reads rasters (${endingsOf('raster')}), meshes (${endingsOf('mesh')}), points (${endingsOf('points')}) and lines (${endingsOf('vector')}).`,
     );
 }
 

@@ -1,3 +1,4 @@
+#include "talus/files/file_formats.hpp"
 #include "talus/project/settings/conditions.hpp"
 #include "talus/project/settings/limits.hpp"
 #include "talus/project/settings/slots.hpp"
@@ -19,6 +20,8 @@ Need fixed_with(std::string_view key, std::string_view what, std::string_view wh
 
 Table terrain_table() {
   auto [add, rows] = one_row(&Project::terrain);
+  static const std::string mesh_meaning = "A file of triangles in metres (" + endings_in_words(FileKind::mesh) +
+                                          "). The path is relative to the project file.";
   return {
       .key = "terrain",
       .required = true,
@@ -59,8 +62,7 @@ Table terrain_table() {
                .slot = member(&Terrain::mesh),
                .without_it = one_terrain,
                .group = "Surface",
-               .meaning =
-                   "A file of triangles in metres (.obj, .stl or .ply). The path is relative to the project file.",
+               .meaning = mesh_meaning,
                .source = "Talus"},
               {.key = "vertices",
                .slot = member(&Terrain::vertices),
