@@ -26,14 +26,14 @@ TEST(PlanIndex, VisitsExactlyTheRectanglesThatMeetInOrder) {
   for (int k = 0; k < 500; ++k) {
     const auto row = random_row(dice, dice.below(40));
     const PlanIndex index(row);
-    PlanBounds asked;
-    asked.grow(Vec2(dice.between(-10, 60), dice.between(-20, 20)));
-    asked.grow(Vec2(asked.low + Vec2(dice.between(0, 30), dice.between(0, 20))));
+    PlanBounds query;
+    query.grow(Vec2(dice.between(-10, 60), dice.between(-20, 20)));
+    query.grow(Vec2(query.low + Vec2(dice.between(0, 30), dice.between(0, 20))));
     std::vector<std::size_t> expected, found;
     for (std::size_t i = 0; i < row.size(); ++i) {
-      if (row[i].meet(asked)) expected.push_back(i);
+      if (row[i].meet(query)) expected.push_back(i);
     }
-    index.visit(asked, [&](std::size_t i) { found.push_back(i); });
+    index.visit(query, [&](std::size_t i) { found.push_back(i); });
     ASSERT_EQ(found, expected);
     met += found.size();
   }

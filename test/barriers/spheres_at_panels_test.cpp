@@ -211,8 +211,8 @@ TEST(SphereAtAPanel, TouchesItsEndPostsOrPassesNextToThem) {
     const std::vector<Barrier> barriers{standing({{10, -5, 0}, {10, 5, 0}}, 4, inclination)};
     for (const double end : {-1.0, 1.0}) {
       for (const double way : {-1.0, 1.0}) {
-        const auto crossing_at = [&](double beside) {
-          const Parabola path{{10 - 9 * way, end * (5 + beside), 2}, {9 * way, 0, 0}, Vec3::Zero()};
+        const auto crossing_at = [&](double offset) {
+          const Parabola path{{10 - 9 * way, end * (5 + offset), 2}, {9 * way, 0, 0}, Vec3::Zero()};
           return first_crossing(barriers, path, radius, 0, 2, {});
         };
         const auto touched = crossing_at(radius - near);
@@ -283,7 +283,7 @@ double distance_from(const Barrier& barrier, const Vec3& p) {
 
 TEST(SphereAtAPanel, ComesNoNearerThanItsRadius) {
   Dice dice(77);
-  int hits = 0, above = 0, beside = 0;
+  int hits = 0, above = 0, past = 0;
   for (int k = 0; k < 20000; ++k) {
     std::vector<Vec3> foot{{dice.between(-2, 2), -10, dice.between(0, 2)}};
     for (std::size_t bends = dice.below(3); bends-- > 0;)
@@ -325,7 +325,7 @@ TEST(SphereAtAPanel, ComesNoNearerThanItsRadius) {
       ASSERT_NEAR(distance_from(barriers[0], path.at(crossing->t) - radius * crossing->normal), 0, 1e-6) << k;
       ASSERT_LE(crossing->height, barriers[0].panels()[0].height * (1 + 1e-12));
     } else {
-      ++(has_passed ? above : beside);
+      ++(has_passed ? above : past);
     }
 
     // The same, rotated about the vertical and shifted.
@@ -352,7 +352,7 @@ TEST(SphereAtAPanel, ComesNoNearerThanItsRadius) {
   }
   EXPECT_GT(hits, 2000);
   EXPECT_GT(above, 500);
-  EXPECT_GT(beside, 200);
+  EXPECT_GT(past, 200);
 }
 
 }  // namespace

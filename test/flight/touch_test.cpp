@@ -261,9 +261,9 @@ TEST(TouchPoint, InAWindowIsThatOfTheWholePath) {
 }
 
 TEST(TouchEdge, DoesNotIncludeTheEnds) {
-  const Parabola beside{{-0.5, 0, 2}, {0, 0, -1}, {0, 0, -9.81}};
-  EXPECT_FALSE(touch_edge(beside, Vec3::Zero(), Vec3::UnitX(), 1, 1, {0, 10}));
-  EXPECT_TRUE(touch_point(beside, Vec3::Zero(), 1, {0, 10}));
+  const Parabola off_the_end{{-0.5, 0, 2}, {0, 0, -1}, {0, 0, -9.81}};
+  EXPECT_FALSE(touch_edge(off_the_end, Vec3::Zero(), Vec3::UnitX(), 1, 1, {0, 10}));
+  EXPECT_TRUE(touch_point(off_the_end, Vec3::Zero(), 1, {0, 10}));
   const Parabola above{{0.5, 0, 2}, {0, 0, -1}, {0, 0, 0}};
   const auto t = touch_edge(above, Vec3::Zero(), Vec3::UnitX(), 1, 1, {0, 10});
   ASSERT_TRUE(t);

@@ -64,10 +64,10 @@ TEST(GroundDrag, TheVelocityOfASlideIsTheClosedForm) {
   for (const double rate : {0.01, 0.3, 0.9, 5.0, 80.0}) {
     for (const double v0 : {0.5, 12.0}) {
       const State start{Vec3::Zero(), v0 * downhill, {1, 2, 3}, 0};
-      const Exact wanted = exact(c_sliding, rate, v0, 3);
+      const Exact expected = exact(c_sliding, rate, v0, 3);
       const State a = go(stepped, start, rate, 0.01, 3), b = go(closed, start, rate, 0.01, 3);
-      EXPECT_NEAR(a.velocity.dot(downhill), wanted.speed, 1e-12 * (1 + v0)) << rate;
-      EXPECT_NEAR(b.velocity.dot(downhill), wanted.speed, 1e-12 * (1 + v0)) << rate;
+      EXPECT_NEAR(a.velocity.dot(downhill), expected.speed, 1e-12 * (1 + v0)) << rate;
+      EXPECT_NEAR(b.velocity.dot(downhill), expected.speed, 1e-12 * (1 + v0)) << rate;
       EXPECT_EQ(a.spin, Vec3(1, 2, 3));
     }
   }
@@ -76,9 +76,9 @@ TEST(GroundDrag, TheVelocityOfASlideIsTheClosedForm) {
 // The stepped law moves with the velocity at the end of the step: first order. The closed form is second order.
 TEST(GroundDrag, TheDistanceOfASlideConverges) {
   const State start{Vec3::Zero(), 12 * downhill, Vec3::Zero(), 0};
-  const Exact wanted = exact(c_sliding, 0.9, 12, 3);
+  const Exact expected = exact(c_sliding, 0.9, 12, 3);
   const auto error = [&](const auto& law, double timestep) {
-    return std::abs(go(law, start, 0.9, timestep, 3).position.dot(downhill) - wanted.way);
+    return std::abs(go(law, start, 0.9, timestep, 3).position.dot(downhill) - expected.way);
   };
   EXPECT_NEAR(error(stepped, 0.02) / error(stepped, 0.01), 2, 0.05);
   EXPECT_NEAR(error(closed, 0.02) / error(closed, 0.01), 4, 0.05);
@@ -114,10 +114,10 @@ TEST(GroundDrag, ARollingSphereIsBrakedByFiveSevenths) {
   State start{Vec3::Zero(), v0 * downhill, Vec3::Zero(), 0};
   start.spin = rolling_spin(start.velocity, start.spin, normal, rock.radius);
   const double c = 5.0 / 7 * standard_gravity * (std::sin(slope) - friction.rolling * std::cos(slope));
-  const Exact wanted = exact(c, 5.0 / 7 * rate, v0, 2);
+  const Exact expected = exact(c, 5.0 / 7 * rate, v0, 2);
   const State end = go(rolling, start, rate, 0.01, 2, true);
-  EXPECT_NEAR(end.velocity.dot(downhill), wanted.speed, 1e-11);
-  EXPECT_NEAR(end.position.dot(downhill), wanted.way, 2e-4);
+  EXPECT_NEAR(end.velocity.dot(downhill), expected.speed, 1e-11);
+  EXPECT_NEAR(end.position.dot(downhill), expected.way, 2e-4);
   EXPECT_LT((end.spin - rolling_spin(end.velocity, end.spin, normal, rock.radius)).norm(), 1e-9);
 }
 

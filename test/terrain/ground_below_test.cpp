@@ -13,16 +13,16 @@ using namespace testing_tools;
 
 template <class Surface>
 void expect_agreement_with_elevations(const Surface& surface, Dice& dice, double low, double high, double top) {
-  int over = 0, beside = 0;
+  int over = 0, off_terrain = 0;
   for (int k = 0; k < 20'000; ++k) {
     const Vec3 place(dice.between(low, high), dice.between(low, high), dice.between(-top, top));
     const FacetId near{static_cast<std::uint32_t>(dice.below(surface.facet_count()))};
     const bool expected = surface.elevation(place.x(), place.y(), place.z()).has_value();
     ASSERT_EQ(surface.has_ground_below(place, near), expected) << place.transpose() << ", facet " << near.index;
-    ++(expected ? over : beside);
+    ++(expected ? over : off_terrain);
   }
   EXPECT_GT(over, 1000);
-  EXPECT_GT(beside, 1000);
+  EXPECT_GT(off_terrain, 1000);
 }
 
 TEST(GroundBelow, ExistsWhereThereIsAnElevation) {

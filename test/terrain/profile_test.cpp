@@ -84,11 +84,11 @@ TEST(Profile, HeightsAndExitsAreThoseOfTheExtrusion) {
       const auto contact = profile.first_contact(path, 0, 1e3);
       const double end = contact ? contact->t : profile.exit(path).t;
       const double height = profile.max_height(path, end, 0);
-      Parabola beside = path;
-      beside.p.y() = 11.3;
-      ASSERT_NEAR(height, mesh.max_height(beside, end, 0), 1e-9);
+      Parabola shifted = path;
+      shifted.p.y() = 11.3;
+      ASSERT_NEAR(height, mesh.max_height(shifted, end, 0), 1e-9);
       if (!contact) {
-        ASSERT_NEAR(end, mesh.exit(beside).t, 1e-9);
+        ASSERT_NEAR(end, mesh.exit(shifted).t, 1e-9);
         EXPECT_FALSE(profile.exit(path).beneath);
       }
     }

@@ -152,11 +152,11 @@ TEST(RasterSurface, ASphereBouncesDownSmoothGroundAsOnTheMesh) {
       Parabola path = random_flight(dice, raster.bounds(), radius);
       for (int bounce = 0; bounce < 20; ++bounce) {
         const double known = dice.chance(0.5) ? 0 : dice.between(0, 5);
-        const auto [contact, greatest] = raster.flight(path, radius, 100, {}, known);
+        const auto [contact, highest] = raster.flight(path, radius, 100, {}, known);
         expect_same(contact, mesh.first_contact(path, radius, 100));
         if (HasFatalFailure()) return;
         if (!contact) break;
-        ASSERT_EQ(greatest, raster.max_height(path, contact->t, known));
+        ASSERT_EQ(highest, raster.max_height(path, contact->t, known));
         ++met[static_cast<std::size_t>(contact->feature)];
         const Vec3& n = contact->normal;
         const Vec3 place = path.at(contact->t), arriving = path.velocity(contact->t);
@@ -202,9 +202,9 @@ TEST(RasterSurface, HasTheHeightsOutlinesAndExitsOfTheMesh) {
       if (const auto sphere = ground.raster.flight(of_sphere, radius, 100, {}, known); sphere.contact) {
         ASSERT_EQ(sphere.max_height, ground.raster.max_height(of_sphere, sphere.contact->t, known));
       }
-      const auto [contact, greatest] = ground.raster.flight(path, 0, 100, {}, known);
+      const auto [contact, highest] = ground.raster.flight(path, 0, 100, {}, known);
       if (contact) {
-        ASSERT_EQ(greatest, ground.raster.max_height(path, contact->t, known));
+        ASSERT_EQ(highest, ground.raster.max_height(path, contact->t, known));
         continue;
       }
       const Exit a = ground.raster.exit(path), b = ground.mesh.exit(path);

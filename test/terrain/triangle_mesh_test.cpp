@@ -288,12 +288,12 @@ TEST(TriangleMesh, ElevationBelowAnOverhang) {
 
 template <class Surface>
 double greatest_by_sampling(const Surface& surface, const Parabola& path, double t_end) {
-  double greatest = 0;
+  double highest = 0;
   for (int k = 0; k <= 20'000; ++k) {
     const Vec3 q = path.at(t_end * k / 20'000);
-    if (const auto z = surface.elevation(q.x(), q.y(), q.z() + 1e-9)) greatest = std::max(greatest, q.z() - *z);
+    if (const auto z = surface.elevation(q.x(), q.y(), q.z() + 1e-9)) highest = std::max(highest, q.z() - *z);
   }
-  return greatest;
+  return highest;
 }
 
 TEST(TriangleMesh, MaximumHeightAgreesWithSampling) {

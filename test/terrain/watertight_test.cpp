@@ -87,8 +87,8 @@ Body random_body(Dice& dice, int number) {
 
 TEST(Watertight, PointsAtClosedBodies) {
   Dice dice(51);
-  int thrown = 0;
-  for (int number = 0; thrown < 4'000'000; ++number) {
+  int launched = 0;
+  for (int number = 0; launched < 4'000'000; ++number) {
     const Body body = random_body(dice, number);
     ASSERT_TRUE(is_seen_from_its_cube(body)) << number;
     const TriangleMesh mesh = body.shape.mesh();
@@ -101,7 +101,7 @@ TEST(Watertight, PointsAtClosedBodies) {
       if (gravity > 0) t = std::min(t, dice.magnitude(0.01, 10));
       const Parabola path = flight_to(target.place, velocity, t, gravity);
       if ((path.p - body.centre).norm() < 1.0001 * body.largest) continue;  // may start inside
-      ++thrown;
+      ++launched;
       const auto contact = mesh.first_contact(path, 0, 1e6);
       ASSERT_TRUE(contact) << "body " << number << " rock " << i << (target.is_vertex ? " at a vertex" : " at an edge");
       ASSERT_LE(contact->t, t + late) << "body " << number << " rock " << i
@@ -112,8 +112,8 @@ TEST(Watertight, PointsAtClosedBodies) {
 
 TEST(Watertight, SpheresAtClosedBodies) {
   Dice dice(52);
-  int thrown = 0;
-  for (int number = 0; thrown < 1'000'000; ++number) {
+  int launched = 0;
+  for (int number = 0; launched < 1'000'000; ++number) {
     const Body body = random_body(dice, number);
     const TriangleMesh mesh = body.shape.mesh();
     for (int i = 0; i < 10'000; ++i) {
@@ -126,7 +126,7 @@ TEST(Watertight, SpheresAtClosedBodies) {
       if (gravity > 0) t = std::min(t, dice.magnitude(0.01, 10));
       const Parabola path = flight_to(target.place, velocity, t, gravity);
       if ((path.p - body.centre).norm() < 1.0001 * (body.largest + radius)) continue;
-      ++thrown;
+      ++launched;
       const auto contact = mesh.first_contact(path, radius, 1e6);
       ASSERT_TRUE(contact) << "body " << number << " rock " << i;
       ASSERT_LT(contact->t, t) << "body " << number << " rock " << i;
@@ -173,8 +173,8 @@ Vec3 falling(Dice& dice, const Field& field) {
 
 TEST(Watertight, PointsOnHeightFields) {
   Dice dice(53);
-  int thrown = 0;
-  for (int number = 0; thrown < 4'000'000; ++number) {
+  int launched = 0;
+  for (int number = 0; launched < 4'000'000; ++number) {
     const Field field = random_field(dice, number);
     const TriangleMesh mesh = field.shape.mesh();
     for (int i = 0; i < 40'000; ++i) {
@@ -183,7 +183,7 @@ TEST(Watertight, PointsOnHeightFields) {
       // Short enough to start above: backwards in time, the rock climbs faster than any facet.
       const double t = dice.magnitude(1e-6, 1) * std::abs(velocity.z()) / standard_gravity;
       const Parabola path = flight_to(target.place, velocity, dice.chance(0.5) ? t : 0.1 * t, 0);
-      ++thrown;
+      ++launched;
       const auto contact = mesh.first_contact(path, 0, 1e6);
       const bool at_rim = target.place.x() <= mesh.bounds().low.x() || target.place.x() >= mesh.bounds().high.x() ||
                           target.place.y() <= mesh.bounds().low.y() || target.place.y() >= mesh.bounds().high.y();
@@ -197,8 +197,8 @@ TEST(Watertight, PointsOnHeightFields) {
 
 TEST(Watertight, SpheresOnHeightFields) {
   Dice dice(54);
-  int thrown = 0;
-  for (int number = 0; thrown < 1'000'000; ++number) {
+  int launched = 0;
+  for (int number = 0; launched < 1'000'000; ++number) {
     const Field field = random_field(dice, number);
     const TriangleMesh mesh = field.shape.mesh();
     for (int i = 0; i < 10'000; ++i) {
@@ -209,7 +209,7 @@ TEST(Watertight, SpheresOnHeightFields) {
       // ground.
       const double clear = (mesh.bounds().high.z() + radius - target.place.z()) / -velocity.z() + 1e-3;
       const Parabola path = flight_to(target.place, velocity, clear, 0);
-      ++thrown;
+      ++launched;
       const auto contact = mesh.first_contact(path, radius, 1e6);
       ASSERT_TRUE(contact) << "field " << number << " rock " << i;
       ASSERT_LT(contact->t, clear) << "field " << number << " rock " << i;

@@ -31,7 +31,7 @@ std::vector<double> runouts(const TriangleMesh& mesh, const Ground& ground, Rock
     const Release release =
         launched(dice.magnitude(100, 3000), {x, y, *mesh.elevation(x, y) + 3}, {dice.between(0, 4), 0, 0});
     Laws laws;
-    laws.model = model;
+    set_model(laws, model);
     const RockOutcome outcome = follow(mesh, ground, laws, release, {}, number).outcome;
     list.push_back((outcome.end.position - outcome.start.position).head<2>().norm());
   }
@@ -90,8 +90,8 @@ TEST(Forest, EveryPathIsConsistent) {
     barriers[1].set_panels(panels_over(mesh.draped({30, 0}, {30, 60}), 4, 0));
     for (std::uint64_t number = 0; number < 150; ++number) {
       Laws laws;
-      laws.model = dice.chance(0.5) ? RockModel::lumped_mass : RockModel::rigid_sphere;
-      laws.rotation = dice.chance(0.5);
+      const RockModel model = dice.chance(0.5) ? RockModel::lumped_mass : RockModel::rigid_sphere;
+      set_model(laws, model, dice.chance(0.5));
       laws.sliding = dice.chance(0.5) ? SlidingMethod::stepped : SlidingMethod::closed_form;
       const Soil soil{dice.between(0, 0.8), dice.between(0.1, 1), dice.between(0.1, 0.8), dice.between(0.1, 0.8), 0.1};
       Material open = material_of(soil), wood = grown_over(soil, dice.magnitude(10, 5000), dice.between(0.3, 20));
@@ -103,16 +103,16 @@ TEST(Forest, EveryPathIsConsistent) {
       RockLog log(true, true);
       const Draws draws(SamplingPlan{}, number);
       const RockOutcome outcome = follow_rock(Scene<TriangleMesh>{mesh, ground, barriers, laws}, release, draws, log);
-      const std::string who = "slope " + std::to_string(slope) + " rock " + std::to_string(number);
-      ASSERT_NE(outcome.reason, EndReason::lost) << who;
+      const std::string label = "slope " + std::to_string(slope) + " rock " + std::to_string(number);
+      ASSERT_NE(outcome.reason, EndReason::lost) << label;
       const double scale = 1e-10 * release.rock.mass * g * 100, slack = 64 * contact_slack * release.rock.mass * g;
       for (std::size_t k = 1; k < log.rows.size(); ++k) {
         const Motion &before = log.rows[k - 1].motion, &after = log.rows[k].motion;
-        ASSERT_TRUE(is_finite(after)) << who;
-        ASSERT_GE(after.time, before.time) << who;
+        ASSERT_TRUE(is_finite(after)) << label;
+        ASSERT_GE(after.time, before.time) << label;
         ASSERT_LE(total_energy(after, release.rock, laws.gravity),
                   total_energy(before, release.rock, laws.gravity) + scale + slack)
-            << who << " row " << k;
+            << label << " row " << k;
       }
       const std::vector<PathPiece> pieces = every_piece(log);
       for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -123,8 +123,8 @@ TEST(Forest, EveryPathIsConsistent) {
         const Vec3 begins = is_last ? next.position : pieces[k + 1].path.p;
         // (A sphere that has sunk in slightly is lifted onto the ground.)
         ASSERT_LT((piece.path.at(piece.duration) - begins).norm(), piece.on_ground ? 1e-4 : 1e-9)
-            << who << " piece " << k;
-        ASSERT_NEAR(piece.time(piece.duration), is_last ? next.time : pieces[k + 1].start_time, 1e-9) << who;
+            << label << " piece " << k;
+        ASSERT_NEAR(piece.time(piece.duration), is_last ? next.time : pieces[k + 1].start_time, 1e-9) << label;
       }
       // A rock meets a barrier once at a time; but after a rebound uphill it may return within the same step, and then
       // stops there.
@@ -132,7 +132,7 @@ TEST(Forest, EveryPathIsConsistent) {
         const bool again = log.hits[k].barrier == log.hits[k - 1].barrier;
         const bool leans = std::abs(log.hits[k].motion.velocity.x()) < 1e-3 ||  // along the barrier, which is along y
                            log.hits[k].outcome == BarrierOutcome::stopped;
-        ASSERT_FALSE(again && !leans && log.hits[k].motion.time - log.hits[k - 1].motion.time < 1e-7) << who;
+        ASSERT_FALSE(again && !leans && log.hits[k].motion.time - log.hits[k - 1].motion.time < 1e-7) << label;
       }
       hits += log.hits.size();
     }

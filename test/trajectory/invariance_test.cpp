@@ -45,7 +45,7 @@ Launch random_launch(Dice& dice, const TriangleMesh& mesh) {
 // Compares two paths row by row; `point`, `vector` and `axial` transform the first into the second's frame.
 template <class Point, class Vector, class Axial>
 void expect_alike(const Followed& first, const Followed& second, Point&& point, Vector&& vector, Axial&& axial,
-                  double tight, const std::string& who) {
+                  double tight, const std::string& label) {
   const std::size_t rows = std::min(first.log.rows.size(), second.log.rows.size());
   ASSERT_GE(rows, 2U);
   for (std::size_t i = 0; i < rows; ++i) {
@@ -54,11 +54,11 @@ void expect_alike(const Followed& first, const Followed& second, Point&& point, 
     const double allowed = tolerance(i, tight);
     if (allowed > too_loose) break;
     ASSERT_LT((point(a.position) - b.position).norm(), allowed)
-        << who << " row " << i << rows_up_to(first, i) << rows_up_to(second, i);
-    ASSERT_LT((vector(a.velocity) - b.velocity).norm(), 10 * allowed) << who << " row " << i;
-    ASSERT_LT((axial(a.spin) - b.spin).norm(), 100 * allowed) << who << " row " << i;
-    ASSERT_NEAR(a.time, b.time, 10 * allowed) << who << " row " << i;
-    ASSERT_EQ(name(state), name(other_state)) << who << " row " << i;
+        << label << " row " << i << rows_up_to(first, i) << rows_up_to(second, i);
+    ASSERT_LT((vector(a.velocity) - b.velocity).norm(), 10 * allowed) << label << " row " << i;
+    ASSERT_LT((axial(a.spin) - b.spin).norm(), 100 * allowed) << label << " row " << i;
+    ASSERT_NEAR(a.time, b.time, 10 * allowed) << label << " row " << i;
+    ASSERT_EQ(name(state), name(other_state)) << label << " row " << i;
   }
 }
 
@@ -174,13 +174,13 @@ TEST(Invariance, UnderTheDivisionOfAPlane) {
       it.release.motion.position = {60, 100, height(60, 100) + 3};
       const Followed a = follow(whole, ground_of(it.soil), it.laws, it.release);
       const Followed b = follow(split, ground_of(it.soil), it.laws, it.release);
-      const std::string who = "plane " + std::to_string(k) + " rock " + std::to_string(number) +
-                              (it.laws.model == RockModel::rigid_sphere ? " sphere" : " lumped") +
-                              (it.laws.sliding == SlidingMethod::stepped ? " stepped" : " closed form");
-      ASSERT_EQ(name(a.outcome.reason), name(b.outcome.reason)) << who;
-      ASSERT_EQ(a.outcome.events, b.outcome.events) << who;
-      ASSERT_LT((a.outcome.end.position - b.outcome.end.position).norm(), 1e-6) << who;
-      ASSERT_NEAR(a.outcome.end.time, b.outcome.end.time, 1e-6) << who;
+      const std::string label = "plane " + std::to_string(k) + " rock " + std::to_string(number) +
+                                (it.laws.model == RockModel::rigid_sphere ? " sphere" : " lumped") +
+                                (it.laws.sliding == SlidingMethod::stepped ? " stepped" : " closed form");
+      ASSERT_EQ(name(a.outcome.reason), name(b.outcome.reason)) << label;
+      ASSERT_EQ(a.outcome.events, b.outcome.events) << label;
+      ASSERT_LT((a.outcome.end.position - b.outcome.end.position).norm(), 1e-6) << label;
+      ASSERT_NEAR(a.outcome.end.time, b.outcome.end.time, 1e-6) << label;
     }
   }
 }

@@ -7,9 +7,9 @@ namespace {
 
 /// A surface that counts its queries; the point of an outline contains the facet's number.
 struct CountingSurface {
-  mutable int asked = 0;
+  mutable int queries = 0;
   [[nodiscard]] Outline outline(FacetId facet) const {
-    ++asked;
+    ++queries;
     Outline outline;
     outline.point = Vec3(facet.index, 0, 0);
     return outline;
@@ -24,12 +24,12 @@ TEST(KeptOutlines, QueryTheSurfaceOnceForTheLastFour) {
       EXPECT_EQ(kept.of(surface, FacetId{facet}).point.x(), facet);
     }
   }
-  EXPECT_EQ(surface.asked, 4);
+  EXPECT_EQ(surface.queries, 4);
   EXPECT_EQ(kept.of(surface, FacetId{5}).point.x(), 5);  // replaces the oldest
   EXPECT_EQ(kept.of(surface, FacetId{0}).point.x(), 0);
-  EXPECT_EQ(surface.asked, 5);
+  EXPECT_EQ(surface.queries, 5);
   EXPECT_EQ(kept.of(surface, FacetId{7}).point.x(), 7);
-  EXPECT_EQ(surface.asked, 6);
+  EXPECT_EQ(surface.queries, 6);
 }
 
 TEST(KeptOutlines, AreValidUntilFourOthersAreRequested) {

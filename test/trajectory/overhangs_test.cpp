@@ -30,13 +30,13 @@ const std::vector<Vec2> folded{{0, 10}, {8, 9}, {7, 5}, {6, 4.5}, {14, 3}, {13, 
 
 template <class Surface>
 double greatest_by_sampling(const Surface& surface, const Parabola& path, double t_end) {
-  double greatest = 0;
+  double highest = 0;
   constexpr int samples = 20000;
   for (int k = 0; k <= samples; ++k) {
     const Vec3 p = path.at(t_end * k / samples);
-    if (const auto z = surface.elevation(p.x(), p.y(), p.z() + 1e-9)) greatest = std::max(greatest, p.z() - *z);
+    if (const auto z = surface.elevation(p.x(), p.y(), p.z() + 1e-9)) highest = std::max(highest, p.z() - *z);
   }
-  return greatest;
+  return highest;
 }
 
 template <class Surface>

@@ -149,8 +149,8 @@ TEST(Valleys, ChangeTheirFrictionWhereTheirMaterialChanges) {
   const Followed path = follow(surface, ground, laws, {at_rest_in(channel, 4), rock});
   EXPECT_EQ(path.outcome.reason, EndReason::at_rest);
   EXPECT_NEAR(path.outcome.end.position.x(), stops_at, 1e-6);
-  const double greatest = rock.mass * gain * 196 * slope;
-  EXPECT_NEAR(path.outcome.max_kinetic_energy, greatest, 1e-6 * greatest);
+  const double maximum = rock.mass * gain * 196 * slope;
+  EXPECT_NEAR(path.outcome.max_kinetic_energy, maximum, 1e-6 * maximum);
 }
 
 TEST(MaxKineticEnergy, CanBeAtABorderOfMaterialsWithinAPlane) {

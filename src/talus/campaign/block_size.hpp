@@ -20,11 +20,11 @@ class BlockSize {
   void done(std::uint64_t rocks) { done_ += rocks; }
   /// 1 to max_rocks_per_block.
   [[nodiscard]] std::uint64_t next() const {
-    constexpr double wanted = 0.25;      // [s]
+    constexpr double duration = 0.25;    // [s]
     constexpr std::uint64_t first = 16;  // before the speed is known
     if (done_ == 0) return first;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    const double rocks = wanted * static_cast<double>(done_) / std::max(seconds * threads_, 1e-9);
+    const double rocks = duration * static_cast<double>(done_) / std::max(seconds * threads_, 1e-9);
     return static_cast<std::uint64_t>(std::clamp(rocks, 1.0, static_cast<double>(max_rocks_per_block)));
   }
 

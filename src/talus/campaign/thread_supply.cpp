@@ -14,13 +14,13 @@
 
 namespace talus {
 
-ThreadSupply try_threads(int wanted) {
+ThreadSupply try_threads(int requested) {
   ThreadSupply supply;
   std::promise<void> all_are_there;
   const std::shared_future<void> end = all_are_there.get_future().share();
   std::vector<std::thread> others;
   try {
-    while (supply.threads < threads_for(wanted)) {
+    while (supply.threads < threads_for(requested)) {
       others.emplace_back([end] { end.wait(); });
       ++supply.threads;
     }
@@ -40,11 +40,11 @@ void limit_threads(int most) {
   (void)limit;
 }
 
-void take_threads(int wanted) {
-  const ThreadSupply supply = try_threads(wanted);
+void take_threads(int requested) {
+  const ThreadSupply supply = try_threads(requested);
   if (supply.why) {
     throw BadInput(Problem{.where = "--threads",
-                           .what = fmt::format("{} threads are not available", threads_for(wanted)),
+                           .what = fmt::format("{} threads are not available", threads_for(requested)),
                            .why = supply.why.message(),
                            .hint = fmt::format("Try --threads {}", supply.threads)});
   }

@@ -11,13 +11,13 @@ struct ThreadSupply {
 };
 
 /// Finds out by starting threads. 0: as many as there are cores for this process.
-[[nodiscard]] ThreadSupply try_threads(int wanted);
+[[nodiscard]] ThreadSupply try_threads(int requested);
 
 /// Limits all later work of the program to this many threads. With one, no thread is requested from the system.
 void limit_threads(int most);
 
 /// Limits threads to the number requested. Throws BadInput, naming the option, if they are not available.
-void take_threads(int wanted);
+void take_threads(int requested);
 
 /// Limits threads to those available, up to one per core.
 void take_available_threads();

@@ -14,15 +14,15 @@ struct Restitution {
   double tangential = 0;
 };
 
-/// How a rock comes to the ground.
+/// A rock's motion before an impact.
 struct Approach {
   const Vec3& velocity;  // [m/s]
   const Vec3& spin;      // [rad/s]
-  const Vec3& normal;    // unit, out of the ground as the rock meets it, roughness included
+  const Vec3& normal;    // unit, out of the ground, roughness included
   const Rock& rock;
 };
 
-/// How the rock leaves an impact.
+/// A rock's motion after an impact.
 struct Rebound {
   Vec3 velocity;  // [m/s]
   Vec3 spin;      // [rad/s]

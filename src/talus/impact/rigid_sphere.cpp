@@ -23,8 +23,8 @@ Rebound rigid_sphere_rebound(const Vec3& velocity, const Vec3& spin, const Vec3&
   const Vec3 ut = u - un * n;
   const double jn = (1 + restitution.normal) * m * std::max(-un, 0.0);
   Vec3 jt = -(1 - restitution.tangential) * ut / (1 / m + r * r / rock.inertia);
-  const double wanted = jt.norm();
-  if (wanted > mu * jn) jt *= mu * jn / wanted;
+  const double unlimited = jt.norm();
+  if (unlimited > mu * jn) jt *= mu * jn / unlimited;
   return {velocity + (jn * n + jt) / m, spin - r / rock.inertia * n.cross(jt)};
 }
 

@@ -4,7 +4,7 @@
 // Source: verification manual, section 7.3, its matrix form written for a sphere, with the dynamic friction limit.
 //   rc = -r n           from the centre to the contact point
 //   u  = v + w x rc     velocity of the contact point; un = u . n, ut = u - un n
-//   wanted: un' = -Rn un, ut' = Rt ut;  impulses Jn = (1 + Rn) m |un|,  Jt = -(1 - Rt) ut / (1/m + r^2/I)
+//   target: un' = -Rn un, ut' = Rt ut;  impulses Jn = (1 + Rn) m |un|,  Jt = -(1 - Rt) ut / (1/m + r^2/I)
 //   if |Jt| > mu Jn the contact slips and Jt is scaled to mu Jn
 //   v' = v + J/m,  w' = w + (rc x J)/I
 // RocFall3's table C-2 is this law with Rt = 0.68, RocFall2's table C-1 with Rt = 0.

@@ -18,7 +18,7 @@ enum class FrictionSource {
 
 struct Laws {
   RockModel model = RockModel::lumped_mass;
-  ImpactLaw impact = CrspLaw{};  // one for `model`
+  ImpactLaw impact = CrspLaw{};  // must fit `model`
   Vec3 gravity{0, 0, -standard_gravity};
   SlidingMethod sliding = SlidingMethod::stepped;
   double timestep = 0.01;                // of stepped motion along the ground [s]
@@ -30,7 +30,7 @@ struct Laws {
   FrictionSource friction_source = FrictionSource::material;
   RestitutionScaling restitution_scaling;
   MaterialSampling material_sampling = MaterialSampling::per_impact;
-  bool in_section = false;  // 2D: roughness tilts the ground about y only
+  bool in_section = false;  // 2D: roughness tilts the ground only about y
 };
 
 template <class Surface>
