@@ -8,6 +8,7 @@
 #include "talus/archive/column_statistics.hpp"
 #include "talus/archive/design_tables.hpp"
 #include "talus/archive/table_columns.hpp"
+#include "talus/maps/map_list.hpp"
 
 namespace talus {
 
@@ -73,6 +74,13 @@ std::string columns_module() {
   for (const DesignQuantity& quantity : design_quantities)
     members.emplace_back(key_of(quantity), Json{{"unit", std::string(quantity.unit)}});
   add_object("designQuantities", members, out);
+  out += "\n// What maps and envelopes.csv show, along a section (src/talus/maps/map_subjects.hpp).\n";
+  members.clear();
+  for (const SectionFigure& figure : section_figures())
+    members.emplace_back(
+        std::string(figure.name),
+        Json{{"title", std::string(figure.title)}, {"unit", std::string(figure.unit)}, {"per", figure.per}});
+  add_object("sectionFigures", members, out);
   return out;
 }
 

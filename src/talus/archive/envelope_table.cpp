@@ -17,7 +17,7 @@ std::vector<ColumnText> EnvelopeRow::family_texts() {
 
 std::string envelope_table(const Maps& maps, const MapSelection& selection, bool has_heights) {
   MapSelection shown = selection;
-  if (!has_heights) shown.subjects.reset(static_cast<std::size_t>(MapSubject::bounce_height));
+  if (!has_heights) shown.subjects = without(MapQuantity::bounce_height, shown.subjects);
   const std::vector<MapGroup> groups = map_groups(maps.rocks(), shown);
   std::vector<MapKind> kinds;
   for (const MapGroup& group : groups) kinds.insert(kinds.end(), group.kinds.begin(), group.kinds.end());

@@ -8,85 +8,64 @@ namespace talus {
 
 namespace {
 
-constexpr ClassLimits counts{10, 100, 1000, 10'000, 100'000}, shares{1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
-constexpr ClassLimits energies{30, 100, 300, 1000, 3000};  // [kJ]
+double value_of(MapCount count, const MapTally& cell, double rocks) {
+  switch (count) {
+    case MapCount::passages:
+      return static_cast<double>(cell.passages());
+    case MapCount::reach_share:
+      return static_cast<double>(cell.passages()) / rocks;
+    case MapCount::deposits:
+      return static_cast<double>(cell.deposits());
+    case MapCount::impacts:
+      return static_cast<double>(cell.impacts());
+  }
+  return 0;
+}
 
-struct Count {
-  MapSubject subject;
-  const char* meaning;
-  const ClassLimits& limits;
-  bool is_whole;
-  double (*value)(const MapTally& cell, double rocks);
-};
+bool is_share(const MapSubjectRow& row) { return row.count == MapCount::reach_share; }
 
-constexpr Count counted[] = {
-    {MapSubject::passages, "rocks that were in the cell", counts, true,
-     [](const MapTally& cell, double) { return static_cast<double>(cell.passages()); }},
-    {MapSubject::reach_share, "share of all rocks that were in the cell", shares, false,
-     [](const MapTally& cell, double rocks) { return static_cast<double>(cell.passages()) / rocks; }},
-    {MapSubject::deposits, "rocks that came to rest in the cell", counts, true,
-     [](const MapTally& cell, double) { return static_cast<double>(cell.deposits()); }},
-    {MapSubject::impacts, "impacts on the ground of the cell", counts, true,
-     [](const MapTally& cell, double) { return static_cast<double>(cell.impacts()); }},
-};
-
-struct Quantity {
-  MapSubject subject;
-  MapQuantity quantity;
-  const char* meaning;
-  const char* unit;
-  const char* unit_in_name;
-  double per;  // the unit, in that of MapQuantity
-  ClassLimits limits;
-};
-
-constexpr Quantity quantities[] = {
-    {MapSubject::energy_total, MapQuantity::energy_total, "total kinetic energy", "kJ", "kJ", 1000, energies},
-    {MapSubject::energy_translational, MapQuantity::energy_translational, "translational kinetic energy", "kJ", "kJ",
-     1000, energies},
-    {MapSubject::velocity, MapQuantity::velocity, "velocity", "m/s", "m_s", 1, {5, 10, 15, 20, 30}},
-    {MapSubject::bounce_height, MapQuantity::bounce_height, "bounce height", "m", "m", 1, {0.5, 1, 2, 5, 10}},
-};
-
-MapKind kind_of(const Count& count) {
-  return {std::string(name_of(count.subject)), count.meaning, "", count.limits, count.is_whole, MapOverview::greatest};
+MapKind kind_of_count(const MapSubjectRow& row) {
+  return {std::string(row.name), std::string(row.meaning), "", row.limits, !is_share(row), MapOverview::greatest};
 }
 
 /// `part`: max, mean or a percentile.
-MapKind kind_of(const Quantity& q, const std::string& part, const std::string& meaning, MapOverview overview) {
-  return {fmt::format("{}_{}_{}", name_of(q.subject), part, q.unit_in_name),
-          fmt::format("{}: {}", q.meaning, meaning),
-          q.unit,
-          q.limits,
+MapKind kind_of_quantity(const MapSubjectRow& row, const std::string& part, const std::string& meaning,
+                         MapOverview overview) {
+  return {fmt::format("{}_{}_{}", row.name, part, row.unit_in_name),
+          fmt::format("{}: {}", row.meaning, meaning),
+          std::string(row.unit),
+          row.limits,
           false,
           overview};
 }
 
 MapGroup counts_of(std::uint64_t rocks, const MapSubjects& subjects) {
   MapGroup group;
-  std::vector<const Count*> chosen;
-  for (const Count& count : counted) {
-    if (!holds(subjects, count.subject)) continue;
-    chosen.push_back(&count);
-    group.kinds.push_back(kind_of(count));
+  std::vector<MapCount> chosen;
+  for (std::size_t k = 0; k < map_subjects.size(); ++k) {
+    const MapSubjectRow& row = map_subjects[k];
+    if (!row.count || !subjects[k]) continue;
+    chosen.push_back(*row.count);
+    group.kinds.push_back(kind_of_count(row));
   }
   group.values = [rocks, chosen = std::move(chosen)](const MapTally& cell, std::span<double> values) {
-    for (std::size_t k = 0; k < chosen.size(); ++k) values[k] = chosen[k]->value(cell, static_cast<double>(rocks));
+    for (std::size_t k = 0; k < chosen.size(); ++k) values[k] = value_of(chosen[k], cell, static_cast<double>(rocks));
   };
   return group;
 }
 
-MapGroup group_of(const Quantity& q, const std::vector<double>& percentiles) {
+MapGroup group_of(const MapSubjectRow& row, const std::vector<double>& percentiles) {
   MapGroup group;
   const auto add = [&](const std::string& part, const std::string& meaning, MapOverview overview) {
-    group.kinds.push_back(kind_of(q, part, meaning, overview));
+    group.kinds.push_back(kind_of_quantity(row, part, meaning, overview));
   };
   add("max", "greatest of all rocks", MapOverview::greatest);
   add("mean", "mean over the rocks", MapOverview::mean);
   for (const double percent : percentiles) {
     add(fmt::format("p{}", percent), fmt::format("percentile {} of the rocks", percent), MapOverview::greatest);
   }
-  group.values = [quantity = q.quantity, per = q.per, percentiles](const MapTally& cell, std::span<double> values) {
+  group.values = [quantity = *row.quantity, per = row.per, percentiles](const MapTally& cell,
+                                                                        std::span<double> values) {
     values[0] = cell.maximum(quantity);
     values[1] = cell.mean(quantity);
     if (!percentiles.empty()) cell.percentiles(quantity, percentiles, values.subspan(2));
@@ -99,10 +78,11 @@ MapGroup group_of(const Quantity& q, const std::vector<double>& percentiles) {
 
 MapContents contents_of(const MapSelection& selection) {
   MapContents::Choice gathered{}, with_percentiles{};
-  for (const Quantity& q : quantities) {
-    const auto place = static_cast<std::size_t>(q.quantity);
-    gathered[place] = holds(selection.subjects, q.subject);
-    with_percentiles[place] = gathered[place] && !selection.percentiles.empty();
+  for (std::size_t k = 0; k < map_subjects.size(); ++k) {
+    if (!map_subjects[k].quantity || !selection.subjects[k]) continue;
+    const auto place = static_cast<std::size_t>(*map_subjects[k].quantity);
+    gathered[place] = true;
+    with_percentiles[place] = !selection.percentiles.empty();
   }
   return {gathered, with_percentiles};
 }
@@ -110,18 +90,37 @@ MapContents contents_of(const MapSelection& selection) {
 std::vector<MapGroup> map_groups(std::uint64_t rocks, const MapSelection& selection) {
   std::vector<MapGroup> groups;
   if (MapGroup group = counts_of(rocks, selection.subjects); !group.kinds.empty()) groups.push_back(std::move(group));
-  for (const Quantity& q : quantities) {
-    if (holds(selection.subjects, q.subject)) groups.push_back(group_of(q, selection.percentiles));
+  for (std::size_t k = 0; k < map_subjects.size(); ++k) {
+    const MapSubjectRow& row = map_subjects[k];
+    if (row.quantity && selection.subjects[k]) groups.push_back(group_of(row, selection.percentiles));
   }
   return groups;
 }
 
 std::vector<MapKind> map_families() {
   std::vector<MapKind> kinds;
-  for (const Count& count : counted) kinds.push_back(kind_of(count));
-  for (const Quantity& q : quantities)
-    kinds.push_back(kind_of(q, "…", "`max`, `mean` and the percentiles", MapOverview::greatest));
+  for (const MapSubjectRow& row : map_subjects) {
+    kinds.push_back(row.count ? kind_of_count(row)
+                              : kind_of_quantity(row, "…", "`max`, `mean` and the percentiles", MapOverview::greatest));
+  }
   return kinds;
+}
+
+std::vector<SectionFigure> section_figures() {
+  std::vector<SectionFigure> quantities, shares, counts;
+  for (const MapSubjectRow& row : map_subjects) {
+    if (row.quantity) {
+      quantities.push_back({row.name, row.title, row.unit});
+    } else if (is_share(row)) {
+      shares.push_back({row.name, row.title, "%", 0.01});
+    } else {
+      counts.push_back({row.name, row.title});
+    }
+  }
+  std::vector<SectionFigure> all = std::move(quantities);
+  all.insert(all.end(), shares.begin(), shares.end());
+  all.insert(all.end(), counts.begin(), counts.end());
+  return all;
 }
 
 std::vector<MapKind> map_kinds(const MapSelection& selection) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "talus/maps/map_style.hpp"
@@ -45,6 +46,15 @@ struct MapSelection {
 
 /// One for each subject, with … in the name for max, mean or a percentile.
 [[nodiscard]] std::vector<MapKind> map_families();
+
+/// How the page shows a subject along a section.
+struct SectionFigure {
+  std::string_view name;  // of the subject
+  std::string_view title, unit{};
+  double per = 1;  // the unit, in that of envelopes.csv
+};
+/// One for each subject: quantities, shares, counts.
+[[nodiscard]] std::vector<SectionFigure> section_figures();
 
 /// All of them, in their order.
 [[nodiscard]] std::vector<MapKind> map_kinds(const MapSelection& selection);

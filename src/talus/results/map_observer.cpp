@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace talus {
 
@@ -41,7 +42,12 @@ class GlideOnPlan {
   const Vec3 &start_, &down_, &aside_;
 };
 
-float& greatest_of(MapVisit& visit, MapQuantity quantity) { return visit.greatest[static_cast<std::size_t>(quantity)]; }
+void raise(MapVisit& visit, const MaxMotion& motion, double height) {
+  const auto each = [&]<std::size_t... k>(std::index_sequence<k...>) {
+    (raise(visit.greatest[k], value_of(static_cast<MapQuantity>(k), motion, height)), ...);
+  };
+  each(std::make_index_sequence<map_quantity_count>());
+}
 
 }  // namespace
 
@@ -113,11 +119,7 @@ class MapObserver::Part : public ObserverPart {
     note(visit, piece, rock, 0, piece.duration, height);
   }
   void note(MapVisit& visit, const PathPiece& piece, const Rock& rock, double enter, double leave, double height) {
-    const MaxMotion motion = max_motion(piece, rock, enter, leave);
-    raise(greatest_of(visit, MapQuantity::velocity), std::sqrt(motion.squared_velocity));
-    raise(greatest_of(visit, MapQuantity::energy_translational), motion.energy_translational);
-    raise(greatest_of(visit, MapQuantity::energy_total), motion.energy_total);
-    raise(greatest_of(visit, MapQuantity::bounce_height), height);
+    raise(visit, max_motion(piece, rock, enter, leave), height);
   }
 
   /// The visit to the cell that contains a place. For a place on a border, if the rock was not in that cell: the visit
@@ -171,9 +173,8 @@ class MapObserver::Part : public ObserverPart {
 
   static void raise_motion(MapVisit& visit, double squared_velocity, const Rock& rock, double rotational) {
     const double translational = 0.5 * rock.mass * squared_velocity;
-    raise(greatest_of(visit, MapQuantity::velocity), std::sqrt(squared_velocity));
-    raise(greatest_of(visit, MapQuantity::energy_translational), translational);
-    raise(greatest_of(visit, MapQuantity::energy_total), translational + rotational);
+    // A glide is a lumped mass's, which has no bounce height on the ground.
+    raise(visit, {squared_velocity, translational, translational + rotational}, 0);
   }
 
   MapGrid grid_;

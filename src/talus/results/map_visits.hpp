@@ -11,25 +11,16 @@
 #include <vector>
 
 #include "talus/results/map_grid.hpp"
+#include "talus/results/map_quantity.hpp"
 
 namespace talus {
-
-/// Quantities of the rocks' motion that maps show. A rock counts once in a cell, with its maximum over all its stays
-/// there. Each quantity has its own maximum.
-enum class MapQuantity : std::uint32_t {
-  energy_total,          // translational and rotational [J]
-  energy_translational,  // [J]
-  velocity,              // [m/s]
-  bounce_height          // of the centre above the ground below it [m]
-};
-inline constexpr std::size_t map_quantity_count = 4;
 
 /// Which quantities are gathered, and for which of them percentiles: others take no time and no memory.
 class MapContents {
  public:
   using Choice = std::array<bool, map_quantity_count>;  // by MapQuantity
   /// Everything.
-  MapContents() : MapContents({true, true, true, true}, {true, true, true, true}) {}
+  MapContents() : MapContents(all(), all()) {}
   /// Expects percentiles of gathered quantities only.
   MapContents(const Choice& gathered, const Choice& with_percentiles);
 
@@ -46,6 +37,11 @@ class MapContents {
   friend bool operator==(const MapContents&, const MapContents&) = default;
 
  private:
+  static constexpr Choice all() {
+    Choice choice{};
+    choice.fill(true);
+    return choice;
+  }
   static std::size_t index(MapQuantity quantity) { return static_cast<std::size_t>(quantity); }
   std::uint32_t quantities_ = 0, with_percentiles_ = 0;
   std::array<MapQuantity, map_quantity_count> list_{};

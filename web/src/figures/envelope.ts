@@ -1,6 +1,7 @@
 // Envelopes along a section, from envelopes.csv: energy, velocity, bounce height and counts, cell by cell. For two runs
 // only the first curve of each is drawn.
 
+import { sectionFigures } from '../generated/columns';
 import type { Cell } from './files';
 import {
   extentOf,
@@ -22,16 +23,10 @@ export interface EnvelopeQuantity extends Quantity {
   key: string;
 }
 
-export const envelopeQuantities: readonly EnvelopeQuantity[] = [
-  { key: 'energy_total', title: 'Total kinetic energy', unit: 'kJ', per: 1 },
-  { key: 'energy_translational', title: 'Translational kinetic energy', unit: 'kJ', per: 1 },
-  { key: 'velocity', title: 'Velocity', unit: 'm/s', per: 1 },
-  { key: 'bounce_height', title: 'Bounce height', unit: 'm', per: 1 },
-  { key: 'reach_share', title: 'Reach probability', unit: '%', per: 0.01 },
-  { key: 'passages', title: 'Passages', unit: '', per: 1 },
-  { key: 'deposits', title: 'Deposits', unit: '', per: 1 },
-  { key: 'impacts', title: 'Impacts', unit: '', per: 1 },
-];
+export const envelopeQuantities: readonly EnvelopeQuantity[] = Object.entries(sectionFigures).map(([key, figure]) => ({
+  key,
+  ...figure,
+}));
 
 export interface Curve {
   column: string;

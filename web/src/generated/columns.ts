@@ -98,3 +98,16 @@ export const designQuantities = {
   velocity_m_s: {"unit":"m/s"},
   height_m: {"unit":"m"},
 } as const;
+
+// What maps and envelopes.csv show, along a section (src/talus/maps/map_subjects.hpp).
+
+export const sectionFigures = {
+  energy_total: {"title":"Total kinetic energy","unit":"kJ","per":1.0},
+  energy_translational: {"title":"Translational kinetic energy","unit":"kJ","per":1.0},
+  velocity: {"title":"Velocity","unit":"m/s","per":1.0},
+  bounce_height: {"title":"Bounce height","unit":"m","per":1.0},
+  reach_share: {"title":"Reach probability","unit":"%","per":0.01},
+  passages: {"title":"Passages","unit":"","per":1.0},
+  deposits: {"title":"Deposits","unit":"","per":1.0},
+  impacts: {"title":"Impacts","unit":"","per":1.0},
+} as const;
