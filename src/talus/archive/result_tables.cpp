@@ -24,48 +24,96 @@ double rotational_energy(const Rock& rock, const Motion& motion) {
 }
 
 /// The text of the rows of a block.
-struct TextPart : ObserverPart {
-  explicit TextPart(const TableContext& c) : context(c) {}
-  const TableContext& context;
-  std::string text;
-};
 template <class Row>
-struct RowsPart : TextPart {
-  using TextPart::TextPart;
+class RowsText {
+ public:
+  explicit RowsText(const TableContext& context) : context_(context) {}
   template <class... Seen>
   void add(const Seen&... seen) {
-    fill(row, context, seen...);
-    append_row(text, row, &memory);
+    fill(row_, context_, seen...);
+    append_row(text_, row_, &memory_);
   }
-  Row row;
-  CsvMemory memory;
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  const TableContext& context_;
+  std::string text_;
+  Row row_;
+  CsvMemory memory_;
 };
 
-struct EndpointsPart : RowsPart<EndpointRow> {
-  EndpointsPart(const TableContext& c, const TableRocks& r) : RowsPart(c), rocks(r) {}
-  void see(const RockRecord& record, const RockLog&) override {
-    if (rocks.has_endpoint(record.rock)) add(record);
+/// The rows of one rock in a table: `add`s them, and says whether the rock's log must have its path for that.
+template <class Row>
+struct RowsOfRock;
+
+template <>
+struct RowsOfRock<EndpointRow> {
+  static bool need_path(const TableRocks&, std::uint64_t) { return false; }
+  static void add(RowsText<EndpointRow>& text, const TableRocks& rocks, const RockRecord& record, const RockLog&) {
+    if (rocks.has_endpoint(record.rock)) text.add(record);
   }
-  const TableRocks& rocks;
 };
 
-struct PathsPart : RowsPart<PathEventRow> {
-  PathsPart(const TableContext& c, const PathsTable& t) : RowsPart(c), table(t) {}
-  void see(const RockRecord& record, const RockLog& log) override {
-    if (!table.wants_rows(record.rock)) return;
-    for (std::size_t k = 0; k < log.rows.size(); ++k) add(record, k, log.rows[k]);
+template <>
+struct RowsOfRock<PathEventRow> {
+  static bool need_path(const TableRocks& rocks, std::uint64_t rock) { return rocks.has_path(rock); }
+  static void add(RowsText<PathEventRow>& text, const TableRocks& rocks, const RockRecord& record, const RockLog& log) {
+    if (!rocks.has_path(record.rock)) return;
+    for (std::size_t k = 0; k < log.rows.size(); ++k) text.add(record, k, log.rows[k]);
   }
-  const PathsTable& table;
 };
 
-struct BarriersPart : RowsPart<HitRow> {
-  using RowsPart::RowsPart;
-  void see(const RockRecord& record, const RockLog& log) override {
-    for (const BarrierHit& hit : log.hits) add(record, hit);
+template <>
+struct RowsOfRock<HitRow> {
+  static bool need_path(const TableRocks&, std::uint64_t) { return false; }
+  static void add(RowsText<HitRow>& text, const TableRocks&, const RockRecord& record, const RockLog& log) {
+    for (const BarrierHit& hit : log.hits) text.add(record, hit);
   }
 };
+
+template <class Row>
+class TableObserver : public Observer {
+ public:
+  TableObserver(const TableContext& context, const TableRocks& rocks, TextSink& sink)
+      : context_(context), rocks_(rocks), sink_(sink) {}
+  [[nodiscard]] bool wants_rows(std::uint64_t rock) const override { return RowsOfRock<Row>::need_path(rocks_, rock); }
+  [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override {
+    return std::make_unique<Part>(context_, rocks_);
+  }
+  void commit(ObserverPart& part) override { sink_.write(static_cast<Part&>(part).text.text()); }
+
+ private:
+  struct Part : ObserverPart {
+    Part(const TableContext& context, const TableRocks& r) : rocks(r), text(context) {}
+    void see(const RockRecord& record, const RockLog& log) override { RowsOfRock<Row>::add(text, rocks, record, log); }
+    const TableRocks& rocks;
+    RowsText<Row> text;
+  };
+
+  TableContext context_;
+  TableRocks rocks_;
+  TextSink& sink_;
+};
+
+template <class Row>
+ResultTable table_of() {
+  return {Row::file_name, header_of<Row>(),
+          [](const TableContext& context, const TableRocks& rocks, TextSink& sink) -> std::unique_ptr<Observer> {
+            return std::make_unique<TableObserver<Row>>(context, rocks, sink);
+          }};
+}
+
+template <class... Row>
+auto tables_of(const std::tuple<Row...>*) {
+  return std::array{table_of<Row>()...};
+}
 
 }  // namespace
+
+std::span<const ResultTable> result_tables() {
+  static const auto tables = tables_of(static_cast<const ResultRows*>(nullptr));
+  return tables;
+}
 
 void fill(EndpointRow& row, const TableContext& context, const RockRecord& record) {
   const RockOutcome& outcome = record.outcome;
@@ -113,19 +161,5 @@ void fill(HitRow& row, const TableContext& context, const RockRecord& record, co
   row.ke_total_J = row.ke_translational_J + row.ke_rotational_J;
   row.outcome = hit.outcome;
 }
-
-void TableObserver::commit(ObserverPart& part) { sink_.write(static_cast<TextPart&>(part).text); }
-
-EndpointsTable::EndpointsTable(TableContext context, TextSink& sink, const TableRocks& rocks)
-    : TableObserver(std::move(context), sink), rocks_(rocks) {}
-std::unique_ptr<ObserverPart> EndpointsTable::new_part() const {
-  return std::make_unique<EndpointsPart>(context(), rocks_);
-}
-
-PathsTable::PathsTable(TableContext context, TextSink& sink, const TableRocks& rocks)
-    : TableObserver(std::move(context), sink), rocks_(rocks) {}
-std::unique_ptr<ObserverPart> PathsTable::new_part() const { return std::make_unique<PathsPart>(context(), *this); }
-
-std::unique_ptr<ObserverPart> BarriersTable::new_part() const { return std::make_unique<BarriersPart>(context()); }
 
 }  // namespace talus

@@ -138,6 +138,10 @@ struct HitRow {
   }
 };
 
+/// The rows of the tables to which rocks add while they are simulated, in the order of the files: a new table's row is
+/// added here, and result_tables.cpp says which rows a rock has there.
+using ResultRows = std::tuple<EndpointRow, HitRow, PathEventRow>;
+
 inline constexpr const auto& endpoint_columns = column_names<EndpointRow>;
 inline constexpr const auto& path_columns = column_names<PathEventRow>;
 inline constexpr const auto& barrier_columns = column_names<HitRow>;

@@ -69,46 +69,37 @@ std::filesystem::path find_marked(const std::filesystem::path& folder, const Tab
   return file;
 }
 
-std::array<std::unique_ptr<TableObserver>, table_count> make_tables(const TableContext& context,
-                                                                    const TableRocks& rocks,
-                                                                    const std::array<TextSink*, table_count>& sinks) {
-  return {std::make_unique<EndpointsTable>(context, *sinks[0], rocks),
-          std::make_unique<BarriersTable>(context, *sinks[1]), std::make_unique<PathsTable>(context, *sinks[2], rocks)};
-}
-
 TableFiles::TableFiles(std::filesystem::path folder, const TableContext& context, const TableRocks& rocks)
     : folder_(std::move(folder)) {
-  std::array<TextSink*, table_count> sinks{};
-  for (TextSink*& sink : sinks) {
-    entries_.push_back({std::make_unique<Sink>(), nullptr});
-    sink = entries_.back().sink.get();
+  for (const ResultTable& table : result_tables()) {
+    auto sink = std::make_unique<Sink>();
+    auto observer = table.make(context, rocks, *sink);
+    entries_.push_back({&table, std::move(sink), std::move(observer)});
   }
-  auto tables = make_tables(context, rocks, sinks);
-  for (std::size_t k = 0; k < table_count; ++k) entries_[k].table = std::move(tables[k]);
 }
 
 void TableFiles::begin() {
   for (Entry& entry : entries_) {
-    entry.sink->file = std::make_unique<OutputFile>(folder_ / entry.table->file_name());
-    entry.sink->write(entry.table->header());
+    entry.sink->file = std::make_unique<OutputFile>(folder_ / entry.table->file_name);
+    entry.sink->write(entry.table->header);
   }
 }
 
 void TableFiles::resume(std::span<const TableMark> marks) {
   for (Entry& entry : entries_) {
-    const auto mark = std::ranges::find(marks, entry.table->file_name(), &TableMark::file_name);
-    if (mark == marks.end()) refuse(folder_ / entry.table->file_name(), "the state has no mark of this table", "");
+    const auto mark = std::ranges::find(marks, entry.table->file_name, &TableMark::file_name);
+    if (mark == marks.end()) refuse(folder_ / entry.table->file_name, "the state has no mark of this table", "");
     (void)find_marked(folder_, *mark);
   }
   for (Entry& entry : entries_) {
-    const auto mark = std::ranges::find(marks, entry.table->file_name(), &TableMark::file_name);
-    entry.sink->file = std::make_unique<OutputFile>(folder_ / entry.table->file_name(), mark->bytes);
+    const auto mark = std::ranges::find(marks, entry.table->file_name, &TableMark::file_name);
+    entry.sink->file = std::make_unique<OutputFile>(folder_ / entry.table->file_name, mark->bytes);
   }
 }
 
 std::vector<Observer*> TableFiles::observers() const {
   std::vector<Observer*> list;
-  for (const Entry& entry : entries_) list.push_back(entry.table.get());
+  for (const Entry& entry : entries_) list.push_back(entry.observer.get());
   return list;
 }
 
@@ -123,7 +114,7 @@ std::vector<TableMark> TableFiles::sync() {
   for (const Entry& entry : entries_) {
     OutputFile& file = *entry.sink->file;
     file.sync();
-    const std::string_view name = entry.table->file_name();
+    const std::string_view name = entry.table->file_name;
     marks.push_back(mark_of(OutputFile::part_of(folder_ / name), name, file.position()));
   }
   return marks;

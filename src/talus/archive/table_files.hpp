@@ -1,9 +1,9 @@
 #pragma once
 // The files of the tables during a campaign: created or resumed, and marked for checkpoints.
 
-#include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,13 +35,7 @@ struct TableMark {
 /// another file.
 [[nodiscard]] std::filesystem::path find_marked(const std::filesystem::path& folder, const TableMark& mark);
 
-inline constexpr std::size_t table_count = 3;
-
-/// The tables of a run, always in the same order. Add new tables here.
-[[nodiscard]] std::array<std::unique_ptr<TableObserver>, table_count> make_tables(
-    const TableContext& context, const TableRocks& rocks, const std::array<TextSink*, table_count>& sinks);
-
-/// The tables of a run folder, as NAME.part until they are finished.
+/// The tables of one run folder as NAME.part, until they are finished.
 class TableFiles {
  public:
   TableFiles(std::filesystem::path folder, const TableContext& context, const TableRocks& rocks);
@@ -66,8 +60,9 @@ class TableFiles {
     void write(std::string_view text) override { file->write(text); }
   };
   struct Entry {
+    const ResultTable* table;
     std::unique_ptr<Sink> sink;
-    std::unique_ptr<TableObserver> table;
+    std::unique_ptr<Observer> observer;
   };
 
   std::filesystem::path folder_;

@@ -1,26 +1,29 @@
 #pragma once
 // The tables of a run as text that another process writes.
 
-#include <array>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "talus/archive/table_files.hpp"
+#include "talus/archive/result_tables.hpp"
 
 namespace talus {
 
-/// Collects the rows of the tables, in the order of `make_tables`.
+/// Collects the rows of the tables, in the order of `result_tables`.
 class TableTexts {
  public:
-  TableTexts(const TableContext& context, const TableRocks& rocks)
-      : tables_(make_tables(context, rocks, {&sinks_[0], &sinks_[1], &sinks_[2]})) {}
+  TableTexts(const TableContext& context, const TableRocks& rocks) : sinks_(result_tables().size()) {
+    for (std::size_t k = 0; k < sinks_.size(); ++k)
+      observers_.push_back(result_tables()[k].make(context, rocks, sinks_[k]));
+  }
   TableTexts(const TableTexts&) = delete;
   TableTexts& operator=(const TableTexts&) = delete;
 
   [[nodiscard]] std::vector<Observer*> observers() const {
     std::vector<Observer*> list;
-    for (const auto& table : tables_) list.push_back(table.get());
+    for (const auto& observer : observers_) list.push_back(observer.get());
     return list;
   }
   /// The rows of each table since the last call.
@@ -36,8 +39,8 @@ class TableTexts {
     void write(std::string_view rows) override { text += rows; }
   };
 
-  std::array<Sink, table_count> sinks_;
-  std::array<std::unique_ptr<TableObserver>, table_count> tables_;
+  std::vector<Sink> sinks_;  // by table, as are the observers
+  std::vector<std::unique_ptr<Observer>> observers_;
 };
 
 }  // namespace talus

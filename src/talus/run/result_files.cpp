@@ -10,8 +10,8 @@
 
 #include "talus/archive/design_tables.hpp"
 #include "talus/archive/envelope_table.hpp"
+#include "talus/archive/result_tables.hpp"
 #include "talus/archive/run_state.hpp"
-#include "talus/archive/table_columns.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/export/vector_out.hpp"
 #include "talus/export/vtk_paths.hpp"
@@ -59,17 +59,18 @@ bool is_name_of_result(const std::filesystem::path& name) {
   if (first == "maps") return is_name_of_map_file(name) || name.filename() == SourceRow::file_name;
   std::string plain = name.string();
   if (plain.ends_with(".part")) plain.erase(plain.size() - std::string_view(".part").size());
-  constexpr std::array<std::string_view, 12> names{
-      EndpointRow::file_name, HitRow::file_name,      PathEventRow::file_name, DesignRow::file_name,
-      RankingRow::file_name,  EnvelopeRow::file_name, geopackage_name,         vtk_paths_name,
-      run_state_name,         file_record_name,       "summary.json",          "report.html"};
-  return std::ranges::find(names, plain) != names.end();
+  constexpr auto names = std::to_array<std::string_view>(
+      {DesignRow::file_name, RankingRow::file_name, EnvelopeRow::file_name, geopackage_name, vtk_paths_name,
+       run_state_name, file_record_name, "summary.json", "report.html"});
+  return std::ranges::find(names, plain) != names.end() ||
+         std::ranges::find(result_tables(), plain, &ResultTable::file_name) != result_tables().end();
 }
 
 }  // namespace
 
 std::vector<std::string> result_files(const RunDescription& description, const std::optional<Shard>& shard) {
-  std::vector<std::string> names{EndpointRow::file_name, HitRow::file_name, PathEventRow::file_name};
+  std::vector<std::string> names;
+  for (const ResultTable& table : result_tables()) names.emplace_back(table.file_name);
   if (!shard) {
     if (description.wants_maps && description.maps && can_write_maps() && description.rocks > 0)
       names.push_back("maps/" + map_kinds(description.maps->selection).front().name + ".tif");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string_view>
 
 #include "talus/archive/result_tables.hpp"
 #include "talus/campaign/simulate.hpp"
@@ -39,24 +40,25 @@ struct Counter : TextSink {
 };
 
 /// Measures the text of a table in which all rocks have rows.
-template <class Table>
 class Sized {
  public:
-  template <class... Rocks>
-  explicit Sized(const Model& model, const Rocks&... rocks)
-      : table_(TableContext::of(model), counter_, rocks...), part_(table_.new_part()) {}
+  Sized(std::string_view file_name, const Model& model) {
+    const auto table = std::ranges::find(result_tables(), file_name, &ResultTable::file_name);
+    table_ = table->make(TableContext::of(model), TableRocks(model.rocks()), counter_);
+    part_ = table_->new_part();
+  }
   void see(const RockRecord& record, const RockLog& log) {
     seconds_ += seconds_of([&] { part_->see(record, log); });
   }
   double bytes() {
-    table_.commit(*part_);
+    table_->commit(*part_);
     return counter_.bytes;
   }
   [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
   Counter counter_;
-  Table table_;
+  std::unique_ptr<Observer> table_;
   std::unique_ptr<ObserverPart> part_;
   double seconds_ = 0;  // for making the text
 };
@@ -140,10 +142,9 @@ RunSize expected_size(const Project& project, const Model& model, const RockRang
   const std::uint64_t simulated = std::min(most_simulated, rocks.count() / part_of_run);
   if (simulated == 0) return {};
   const auto is_stopped = [&] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
-  const TableRocks all(model.rocks()), tables = table_rocks(project, model.rocks());
-  Sized<EndpointsTable> endpoints(model, all);
-  Sized<PathsTable> paths(model, all);
-  Sized<BarriersTable> barriers(model);
+  const TableRocks tables = table_rocks(project, model.rocks());
+  Sized endpoints(EndpointRow::file_name, model), paths(PathEventRow::file_name, model);
+  Sized barriers(HitRow::file_name, model);
   SizedMaps maps(project, model);
   Simulator simulator(model);
   const auto rock = [&](std::uint64_t k) { return rocks.first + (rocks.count() / simulated) * k; };
