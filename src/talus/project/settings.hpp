@@ -133,9 +133,9 @@ struct Setting {
   std::size_t most_entries = 0;      // of a list; 0: no limit
   std::vector<Need> applies_when{};  // it has an effect if all of them are met; the first unmet one is reported
   std::vector<std::string_view> always_accepted{};  // values, as in the file, that are always accepted: `false`
-  std::string_view title{};                      // of its field in forms; empty: made from the key
-  std::string_view group{};                      // of fields in forms: one of the table's
-  Topic topic{};                                 // empty: the table's
+  std::string_view title{};                         // of its field in forms; empty: made from the key
+  std::string_view group{};                         // of fields in forms: one of the table's
+  Topic topic{};                                    // empty: the table's
   std::string_view meaning{};  // follows "Lumped mass: " or "Rigid sphere: " if it is for one model only
   std::string_view source{};
   std::function<std::optional<double>(double)> slip{};  // the probable intention of a number out of range
