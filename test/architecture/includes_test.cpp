@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 const std::set<std::string> rooms_of_formats{"gdal", "import", "maps", "export"};
 constexpr std::array file_format_libraries{"gdal", "ogr", "cpl_", "proj.h", "assimp/", "httplib"};
 
-constexpr std::size_t longest_file = 550;  // lines
+constexpr std::size_t longest_file = 450;  // lines
 
 struct Include {
   std::string name;

@@ -23,7 +23,7 @@ using sample_run::Folder;
 
 #ifdef TALUS_HAS_GDAL
 
-const MapSelection selection{.percentiles = {50, 9, 99.5}};
+const MapSelection three_percentiles{.percentiles = {50, 9, 99.5}};
 
 /// Rocks on cells of 2 x 2 m in national coordinates: each in one of `cells`, with its number plus one as its velocity.
 Maps rocks_in(const std::vector<MapCell>& cells) {
@@ -47,7 +47,7 @@ MapFile named(const std::vector<MapFile>& maps, const std::string& name) {
 TEST(MapsOfARun, AreListedWithTheirMeaning) {
   const Folder work("map-reading");
   const Maps maps = rocks_in({{0, 0}, {1, 0}, {1, 0}, {2, 1}});
-  const auto names = write_maps(maps, selection, "", work.path / "maps");
+  const auto names = write_maps(maps, three_percentiles, "", work.path / "maps");
   const auto found = maps_of_run(work.path);
   ASSERT_EQ(found.size(), names.size());
   EXPECT_EQ(found.front().name, "passages");
@@ -70,7 +70,7 @@ TEST(MapsOfARun, AreListedWithTheirMeaning) {
 
 TEST(MapsOfARun, AreListedWithoutARangeIfTheStyleIsAPipe) {
   const Folder work("map-reading");
-  (void)write_maps(rocks_in({{0, 0}}), selection, "", work.path / "maps");
+  (void)write_maps(rocks_in({{0, 0}}), three_percentiles, "", work.path / "maps");
   const auto style = work.path / "maps/velocity_max_m_s.qml";
   ASSERT_TRUE(std::filesystem::remove(style));
   ASSERT_EQ(::mkfifo(style.c_str(), 0600), 0);  // without a writer
@@ -84,8 +84,8 @@ TEST(MapsOfARun, ListThoseOfEachSourceAfterThoseOfAll) {
   by_source.push_back(rocks_in({{0, 0}}));
   by_source.push_back(rocks_in({{0, 0}, {3, 3}}));
   const std::vector<std::string> sources{"Crest", "a/b, c"};
-  (void)write_maps(by_source[1], selection, "", work.path / "maps");
-  write_source_maps(by_source, sources, selection, "", work.path / "maps" / "by_source");
+  (void)write_maps(by_source[1], three_percentiles, "", work.path / "maps");
+  write_source_maps(by_source, sources, three_percentiles, "", work.path / "maps" / "by_source");
   const auto found = maps_of_run(work.path);
   EXPECT_EQ(found.front().source, "");
   EXPECT_EQ(named(found, "by_source/Crest/passages").source, "Crest");
@@ -96,7 +96,7 @@ TEST(MapsOfARun, ListThoseOfEachSourceAfterThoseOfAll) {
 
 TEST(AMap, IsReadFromTheSouth) {
   const Folder work("map-reading");
-  (void)write_maps(rocks_in({{0, 0}, {1, 0}, {2, 1}}), selection, "", work.path / "maps");
+  (void)write_maps(rocks_in({{0, 0}, {1, 0}, {2, 1}}), three_percentiles, "", work.path / "maps");
   const auto found = maps_of_run(work.path);
   const MapValues map = read_map(work.path, named(found, "velocity_max_m_s"), least_pixels);
   EXPECT_EQ(map.origin, (std::array<double, 2>{2'600'000, 1'200'000}));
@@ -116,7 +116,7 @@ TEST(AMap, IsReadFromTheSouth) {
 TEST(AMap, IsReadAtTheRequestedResolution) {
   const Folder work("map-reading");
   const std::vector<MapCell> cells{{0, 0}, {699, 299}, {351, 10}, {350, 11}};
-  (void)write_maps(rocks_in(cells), selection, "", work.path / "maps");
+  (void)write_maps(rocks_in(cells), three_percentiles, "", work.path / "maps");
   const MapFile velocity = named(maps_of_run(work.path), "velocity_max_m_s");
   EXPECT_EQ(read_map(work.path, velocity, 700).columns, 700);
   const MapValues half = read_map(work.path, velocity, 699);
@@ -134,7 +134,7 @@ TEST(AMap, IsReadAtTheRequestedResolution) {
 // With an odd number of rows the coarser map reaches further south, where it has no cells; its northern edge stays.
 TEST(AMap, KeepsItsPlaceAtACoarserResolution) {
   const Folder work("map-reading");
-  (void)write_maps(rocks_in({{0, 0}, {600, 300}}), selection, "", work.path / "maps");
+  (void)write_maps(rocks_in({{0, 0}, {600, 300}}), three_percentiles, "", work.path / "maps");
   const MapFile velocity = named(maps_of_run(work.path), "velocity_max_m_s");
   const MapValues half = read_map(work.path, velocity, 600);
   EXPECT_EQ(half.columns, 301);
@@ -145,7 +145,7 @@ TEST(AMap, KeepsItsPlaceAtACoarserResolution) {
 
 TEST(AMap, IsRefusedIfDamaged) {
   const Folder work("map-reading");
-  (void)write_maps(rocks_in({{0, 0}}), selection, "", work.path / "maps");
+  (void)write_maps(rocks_in({{0, 0}}), three_percentiles, "", work.path / "maps");
   work.write("maps/passages.tif", "no picture");
   EXPECT_THROW((void)maps_of_run(work.path), BadInput);
 }

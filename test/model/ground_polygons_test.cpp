@@ -15,7 +15,7 @@ namespace {
 using namespace testing_tools;
 using ::testing::HasSubstr;
 
-const std::string head = R"([terrain]
+const std::string terrain_and_ground = R"([terrain]
 raster = "dem.tif"
 [[material]]
 name = "Rock"
@@ -49,7 +49,7 @@ class GroundPolygons : public GisProject {
 TEST_F(GroundPolygons, ACellHasTheMaterialAtItsCentre) {
   // The centres of the cells are at 5, 10, 15 ... m.
   layer("ground.gpkg", "kind", {{box(0, 0, 100.1, 200), "Rock"}, {box(100.1, 0, 300, 200), "Scree"}});
-  const Model built = model(head);
+  const Model built = model(terrain_and_ground);
   EXPECT_EQ(warnings(), "");
   for (double x = 5; x < 297; x += 5) {
     for (double y = 5; y < 197; y += 5) EXPECT_EQ(material_at(built, x, y), x < 100.1 ? 0U : 1U) << x << ' ' << y;
@@ -58,7 +58,8 @@ TEST_F(GroundPolygons, ACellHasTheMaterialAtItsCentre) {
 
 TEST_F(GroundPolygons, ValuesMayBeMappedToMaterials) {
   layer("ground.gpkg", "kind", {{box(0, 0, 100, 200), "Fels"}, {box(100, 0, 300, 200), "Schutt, grob"}});
-  const Model built = model(head + "values = { Fels = \"Rock\", \"Schutt, grob\" = \"Scree\", Fles = \"Rock\" }\n");
+  const Model built =
+      model(terrain_and_ground + "values = { Fels = \"Rock\", \"Schutt, grob\" = \"Scree\", Fles = \"Rock\" }\n");
   EXPECT_EQ(material_at(built, 50, 50), 0U);
   EXPECT_EQ(material_at(built, 150, 50), 1U);
   EXPECT_EQ(warnings(),
@@ -68,7 +69,7 @@ TEST_F(GroundPolygons, ValuesMayBeMappedToMaterials) {
 TEST_F(GroundPolygons, OverlapsAndGapsAreReportedAndTheLaterPolygonApplies) {
   layer("ground.gpkg", "kind",
         {{box(0, 0, 150, 200), "Rock"}, {box(0, 0, 20, 20), "Rock"}, {box(101, 0, 250, 100), "Scree"}});
-  const Model built = model(head);
+  const Model built = model(terrain_and_ground);
   EXPECT_EQ(material_at(built, 100, 50), 0U);
   EXPECT_EQ(material_at(built, 105, 50), 1U);
   EXPECT_EQ(material_at(built, 105, 150), 0U);
@@ -101,7 +102,7 @@ TEST_F(GroundPolygons, PolygonsMayHaveHolesAndPartsAndBeInDegrees) {
   geometry->exportToWkt(&in_degrees);
   layer("ground.gpkg", "kind", {{in_degrees, "Rock"}}, "EPSG:4326");
   CPLFree(in_degrees);
-  const Model built = model(head);
+  const Model built = model(terrain_and_ground);
   for (double x = 5; x < 297; x += 5) {
     for (double y = 5; y < 197; y += 5) {
       const bool outer = x > 21 && x < 99 && y > 21 && y<179, hole = x> 41 && x < 79 && y > 41 && y < 159;
@@ -150,7 +151,7 @@ TEST_F(GroundPolygons, ATriangleHasTheMaterialAtItsCentre) {
         {{fmt::format("POLYGON (({0} {1}, {2} {1}, {0} {3}, {0} {1}))", west - 500, south - 500, west + 601.2345,
                       south + 601.2345),
           "Rock"}});
-  std::string text = head;
+  std::string text = terrain_and_ground;
   text.replace(text.find("raster = \"dem.tif\""), 18, "vertices = [" + vertices + "]\ntriangles = [" + triangles + "]");
   const Model built = model(text);
   for (std::size_t k = 0; k < centres.size(); ++k) {
@@ -170,7 +171,7 @@ TEST_F(GroundPolygons, HolesOfTheTerrainAreNeitherGapsNorOverlaps) {
   }
   make("dem.tif", holed);
   layer("ground.gpkg", "kind", {{box(0, 0, 200, 200), "Rock"}, {box(150, 0, 200, 200), "Scree"}});
-  static_cast<void>(model(head));
+  static_cast<void>(model(terrain_and_ground));
   EXPECT_EQ(warnings(), "");
 }
 
@@ -180,51 +181,53 @@ TEST_F(GroundPolygons, ValuesWithoutAMaterialAreRefused) {
          {box(50, 0, 90, 50), "Rocks"},
          {box(0, 50, 50, 90), "Bog"},
          {box(9, 90, 50, 99), ""}});
-  EXPECT_EQ(refusal(head),
+  EXPECT_EQ(refusal(terrain_and_ground),
             "slope.toml:15: [ground]: 1 of 4 polygons have no kind (feature 4 of polygons \"ground.gpkg\"). Give each "
             "a value, or remove it from the file\n"
             "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not materials (\"Bog\" in "
             "1, \"Rocks\" in 2 of 4 polygons). Assign a material: values = { \"Bog\" = \"Rock\" }");
   layer("ground.gpkg", "kind", {{box(0, 0, 50, 50), "Rocks"}});
-  EXPECT_EQ(refusal(head),
+  EXPECT_EQ(refusal(terrain_and_ground),
             "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not materials (\"Rocks\" in "
             "1 of 1 polygons). Did you mean \"Rock\" instead of \"Rocks\"?");
-  EXPECT_EQ(refusal(head + "values = { Moor = \"Meadow\" }\n"),
+  EXPECT_EQ(refusal(terrain_and_ground + "values = { Moor = \"Meadow\" }\n"),
             "slope.toml:15: [ground]: polygons \"ground.gpkg\" has values of kind that are not in values (\"Rocks\" in "
             "1 of 1 polygons). Add \"Rocks\" = \"...\" to values");
 }
 
 TEST_F(GroundPolygons, UnsuitableFilesAreRefused) {
   layer("ground.gpkg", "kind", {{box(9000, 0, 9050, 50), "Rock"}});
-  EXPECT_EQ(refusal(head),
+  EXPECT_EQ(refusal(terrain_and_ground),
             "slope.toml:15: [ground]: polygons \"ground.gpkg\" do not reach the terrain (they lie within x = 1766000 "
             "to 1766050, y = 5917000 to 5917050; the terrain within x = 1757002.5 to 1757297.5, y = 5917002.5 to "
             "5917197.5). Check their extent and coordinate system with ogrinfo");
   layer("ground.gpkg", "kind", {{box(0, 0, 50, 50), "Rock"}, {box(9000, 0, 9050, 50), "Rock"}});
-  static_cast<void>(model(head));
+  static_cast<void>(model(terrain_and_ground));
   EXPECT_THAT(warnings(),
               HasSubstr("slope.toml:15: warning: [ground]: 1 of 2 polygons do not reach the terrain (polygons "
                         "\"ground.gpkg\" covers more than is needed, or some polygons are misplaced)"));
   layer("ground.gpkg", "sort", {{box(0, 0, 50, 50), "Rock"}});
   EXPECT_EQ(
-      refusal(head),
+      refusal(terrain_and_ground),
       "slope.toml:15: [ground]: polygons ground.gpkg: layer \"layer\" has no attribute \"kind\" (it has \"sort\")");
-  EXPECT_EQ(refusal(head + "layer = \"leyer\"\n"),
+  EXPECT_EQ(refusal(terrain_and_ground + "layer = \"leyer\"\n"),
             "slope.toml:15: [ground]: polygons ground.gpkg: has no layer \"leyer\" (it has \"layer\"). Did you mean "
             "\"layer\"?");
   layer("ground.gpkg", "kind", {{"LINESTRING (0 0, 1 1)", "Rock"}});
-  EXPECT_EQ(refusal(head), "slope.toml:15: [ground]: polygons ground.gpkg: feature 1 is a line (expected polygons)");
+  EXPECT_EQ(refusal(terrain_and_ground),
+            "slope.toml:15: [ground]: polygons ground.gpkg: feature 1 is a line (expected polygons)");
   std::filesystem::remove(path("ground.gpkg"));
-  EXPECT_EQ(refusal(head), without_folder(fmt::format("slope.toml:15: [ground]: polygons is \"ground.gpkg\" (there is "
-                                                      "no file {}). The path is relative to the project file",
-                                                      path("ground.gpkg").string())));
-  std::string without = head;
+  EXPECT_EQ(refusal(terrain_and_ground),
+            without_folder(fmt::format("slope.toml:15: [ground]: polygons is \"ground.gpkg\" (there is "
+                                       "no file {}). The path is relative to the project file",
+                                       path("ground.gpkg").string())));
+  std::string without = terrain_and_ground;
   without.erase(without.find("attribute"));
   layer("ground.gpkg", "kind", {{box(0, 0, 50, 50), "Rock"}});
   EXPECT_EQ(refusal(without),
             "slope.toml:15: [ground]: attribute is missing (the materials of the polygons are not given). Write "
             "attribute = \"...\"; ogrinfo -so lists the attributes");
-  EXPECT_EQ(refusal(head + "values = { Fels = \"Rok\" }\n"),
+  EXPECT_EQ(refusal(terrain_and_ground + "values = { Fels = \"Rok\" }\n"),
             "slope.toml:17: [ground]: values.Fels is \"Rok\" (no material has this name; the project has \"Rock\", "
             "\"Scree\", \"Meadow\"). Did you mean \"Rock\"?");
 }

@@ -33,6 +33,30 @@ std::vector<std::string_view> end_reason_names() {
   return names;
 }
 
+SampleQuantity sample_in(Fields& fields) {
+  const std::string word = fields.text("sample");
+  const toml::node* node = fields.from().get("sample");
+  if (!node || word.empty()) return {};
+  return fields.one_of(word, "sample", sample_quantity_of, sample_quantity_names(), *node).value_or(SampleQuantity{});
+}
+
+std::vector<Statistic> statistics_in(Fields& fields, std::string_view key) {
+  std::vector<Statistic> list;
+  for (const std::string& word : fields.texts(key, true)) {
+    if (const auto s = fields.one_of(word, key, statistic_of, statistic_names(), *fields.from().get(key))) {
+      list.push_back(*s);
+    }
+  }
+  return list;
+}
+
+void check_column(Fields& fields, const PublishedTable& published, std::string_view column, const toml::node& node) {
+  if (published.column(column)) return;
+  const std::vector<std::string_view> known(published.columns().begin(), published.columns().end());
+  fields.report(node, fmt::format("{} has no column {}", published.file(), column),
+                fmt::format("its columns are {}", fmt::join(known, ", ")), suggestion(column, known));
+}
+
 class CaseReader {
  public:
   CaseReader(const Files& files, const std::string& case_name)
@@ -155,28 +179,6 @@ class CaseReader {
     fields.report(*node, fmt::format("tolerance is {}", project::quoted(*node)),
                   "expected a table, for example { units = 1, relative = 0.001 }");
     return std::nullopt;
-  }
-
-  SampleQuantity sample_in(Fields& fields) {
-    const std::string word = fields.text("sample");
-    const toml::node* node = fields.from().get("sample");
-    if (!node || word.empty()) return {};
-    return fields.one_of(word, "sample", sample_quantity_of, sample_quantity_names(), *node).value_or(SampleQuantity{});
-  }
-  std::vector<Statistic> statistics_in(Fields& fields, std::string_view key) {
-    std::vector<Statistic> list;
-    for (const std::string& word : fields.texts(key, true)) {
-      if (const auto s = fields.one_of(word, key, statistic_of, statistic_names(), *fields.from().get(key))) {
-        list.push_back(*s);
-      }
-    }
-    return list;
-  }
-  void check_column(Fields& fields, const PublishedTable& published, std::string_view column, const toml::node& node) {
-    if (published.column(column)) return;
-    const std::vector<std::string_view> known(published.columns().begin(), published.columns().end());
-    fields.report(node, fmt::format("{} has no column {}", published.file(), column),
-                  fmt::format("its columns are {}", fmt::join(known, ", ")), suggestion(column, known));
   }
 
   PathTable read_path(Fields& fields, PublishedTable published) {
