@@ -108,8 +108,8 @@ TEST_F(Place, ListsTheKindOfEachFile) {
                                                  {"g.toml", "project"}};
   for (const auto& [name, kind] : kinds) upload(name, "x");
   std::map<std::string, std::string> listed;
-  for (const Json& file : get("/api/files").json()["files"])
-    listed[file["name"].get<std::string>()] = file["kind"].get<std::string>();
+  const Json files = get("/api/files").json()["files"];
+  for (const Json& file : files) listed[file["name"].get<std::string>()] = file["kind"].get<std::string>();
   EXPECT_EQ(listed, kinds);
 }
 
