@@ -59,7 +59,7 @@ test('a design, ground, barrier and area of a real terrain', async ({ workbench:
   await page.getByLabel('Where materials are').selectOption('raster');
   await page.getByLabel('Raster', { exact: true }).selectOption('maungawhau.asc');
   const classes = page.getByRole('group', { name: /^Classes/ });
-  await expect(classes.getByText(/nothing says which class of the raster/)).toBeVisible();
+  await expect(classes.getByText(/the materials of its classes are not given/)).toBeVisible();
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(classes).toHaveCount(0);
   await backToModel(page);
