@@ -1,7 +1,7 @@
 import { defineConfig } from 'vitest/config';
 import { fileURLToPath } from 'node:url';
 
-// Tests stand beside what they test, in web/src, whose own libraries they use.
+// Tests are next to the tested files in web/src and use its libraries.
 const web = fileURLToPath(new URL('../../web/', import.meta.url));
 
 export default defineConfig({

@@ -36,7 +36,7 @@ test('an example can be opened, changed and run by the keyboard', async ({ workb
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`no serious findings, ${colorScheme}`, async ({ workbench: page }) => {
     test.setTimeout(120_000);
-    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    await page.emulateMedia({ colorScheme });
     await expect(page.getByRole('button', { name: /^Tutorial 1, a section/ })).toBeVisible();
     expect(await seriousFindings(page)).toEqual([]);
     await openExample(page, 'Tutorial 1, in 3D');

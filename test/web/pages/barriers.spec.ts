@@ -40,7 +40,6 @@ test('a long collector needs few draw calls', async ({ workbench: page }) => {
       spyOn(name, () => (draws.most = Math.max(draws.most, ++draws.now)));
     spyOn('clear', () => (draws.now = 0));
   });
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.reload();
   await openExample(page, 'Maungawhau');
   await page.getByRole('button', { name: '+ Add collector' }).click();

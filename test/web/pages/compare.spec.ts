@@ -8,7 +8,6 @@ import { expect, test } from '../support/workbench';
 
 /// Opens an example with 50 rocks, and compares it with a run of 300 rocks with a higher restitution.
 async function compareTwo(page: Page, example: string) {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, example);
   await openForm(page, /^Type One/);
   await fillField(page, 'Normal restitution: mean', '0.7');
@@ -91,7 +90,7 @@ async function pixelsLike(page: Page, colours: Rgb[]): Promise<number[]> {
 }
 
 test('trajectories of two compared runs have two colours', async ({ workbench: page }) => {
-  await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
+  await page.emulateMedia({ colorScheme: 'light' });
   await compareTwo(page, 'Tutorial 1, a section');
   const legend = page.locator('.legend').filter({ hasText: 'Trajectories of two runs' });
   await expect(legend.locator('li')).toHaveText([/Lively/, /Tutorial 1, section/]);

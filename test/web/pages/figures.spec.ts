@@ -7,7 +7,6 @@ import { expect, test } from '../support/workbench';
 const tip = (page: Page) => page.locator('#tip');
 
 test('bars and boxes show their numbers under the pointer', async ({ workbench: page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Distributions' }).click();
   const bars = page.locator('.drawing .bar');
@@ -20,7 +19,6 @@ test('bars and boxes show their numbers under the pointer', async ({ workbench: 
 });
 
 test('the legend of envelopes switches curves, and the tooltip shows all of them', async ({ workbench: page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Envelopes' }).click();
   const mean = page.locator('path.envelope.mean');
@@ -35,7 +33,6 @@ test('the legend of envelopes switches curves, and the tooltip shows all of them
 });
 
 test('the energies of a rock add up in the tooltip', async ({ workbench: page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Rock' }).click();
   await page.getByRole('button', { name: 'First' }).click();

@@ -2,7 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import { rowsOf } from '../support/table';
-import { viewShot } from '../support/pixels';
+import { stillShot, viewShot } from '../support/pixels';
 import { openExample, toStartPage } from '../support/steps';
 import { expect, test, type Server } from '../support/workbench';
 
@@ -26,18 +26,16 @@ async function folderOf(page: Page): Promise<string> {
 const endsOf = (server: Server, folder: string) => rowsOf(server.read(`${folder}/endpoints.csv`));
 
 test('a filter that no rock passes hides all trajectories and end points in 3D', async ({ workbench: page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
   await tick(page, 'Layers', 'Trajectories', false);
   await tick(page, 'Layers', 'End points', false);
   await page.mouse.move(0, 0);
-  await page.waitForTimeout(500);
-  const bare = await viewShot(page);
+  const bare = await stillShot(page);
   await tick(page, 'Layers', 'Trajectories', true);
   await tick(page, 'Layers', 'End points', true);
   await page.mouse.move(0, 0);
   await expect.poll(async () => (await viewShot(page)).equals(bare)).toBe(false);
-  const full = await viewShot(page);
+  const full = await stillShot(page);
   await filterByEnergy(page, '1000000');
   await page.mouse.move(0, 0);
   await expect(page.getByText('0 of 50 trajectories')).toBeVisible();
@@ -48,7 +46,6 @@ test('a filter that no rock passes hides all trajectories and end points in 3D',
 });
 
 test('the overview is of the filtered rocks and shows their number', async ({ workbench: page, server }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
   const ends = endsOf(server, await folderOf(page));
   const energies = ends.map(({ max_ke_J }) => Number(max_ke_J)).sort((a, b) => a - b);
@@ -71,7 +68,6 @@ test('the overview is of the filtered rocks and shows their number', async ({ wo
 });
 
 test('display settings belong to a project', async ({ workbench: page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
   await tick(page, 'Trajectories', 'Show trajectories', false);
   await filterByEnergy(page, '1000000');
@@ -91,13 +87,11 @@ test('display settings belong to a project', async ({ workbench: page }) => {
 });
 
 test('moving rocks are shown without trajectories', async ({ workbench: page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
   await tick(page, 'Layers', 'Trajectories', false);
   await page.getByRole('slider', { name: 'Time' }).press('PageDown');
   await page.mouse.move(0, 0);
-  await page.waitForTimeout(300);
-  const one = await viewShot(page);
+  const one = await stillShot(page);
   await page.getByRole('slider', { name: 'Time' }).press('PageDown');
   await expect.poll(async () => (await viewShot(page)).equals(one)).toBe(false);
 });

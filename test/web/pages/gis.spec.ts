@@ -74,7 +74,7 @@ test('areas of the ground are drawn, listed, undone, and marked if they are inva
     await page.getByRole('button', { name: `Draw an area of ${material}` }).click();
     for (const [x, y] of places) await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
     await page.keyboard.press('Enter');
-    await expect(page.getByText(/overrides? the settings above\./)).toBeVisible();
+    await expect(page.getByText(/overrides? the settings above\. Where/)).toBeVisible();
     await backToModel(page);
   };
   const built = page.waitForResponse(async (response) => {

@@ -3,8 +3,19 @@
 import { openExample } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
-test('a click on a trajectory in the section selects its rock', async ({ workbench: page }) => {
+test('the rocks of a new run are played, unless the user prefers reduced motion', async ({ workbench: page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+  await openExample(page, 'Tutorial 1, in 3D');
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
   await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.getByRole('button', { name: 'Compute', exact: true }).click();
+  await expect(page.getByRole('banner').getByRole('status')).toHaveText(/: Done$/);
+  await expect(page.getByRole('slider', { name: 'Time' })).toHaveAttribute('aria-valuetext', /^([\d.]+) of \1 s$/);
+  await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
+});
+
+test('a click on a trajectory in the section selects its rock', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   const box = (await page.getByRole('img', { name: /^The slope in section/ }).boundingBox())!;
   // All rocks pass the upper face, so a row of clicks across it hits a trajectory.
@@ -17,7 +28,7 @@ test('a click on a trajectory in the section selects its rock', async ({ workben
 });
 
 test('the theme follows the system or the choice', async ({ workbench: page }) => {
-  await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
+  await page.emulateMedia({ colorScheme: 'light' });
   await openExample(page, 'Tutorial 1, a section');
   const grounds = { light: 'rgb(244, 242, 238)', dark: 'rgb(20, 25, 28)' };
   const expectGround = (shade: keyof typeof grounds) =>
@@ -26,7 +37,7 @@ test('the theme follows the system or the choice', async ({ workbench: page }) =
   await page.getByRole('tab', { name: 'Distributions' }).click();
   await expectGround('light');
   await expect.poll(plotText).toBe('rgb(29, 35, 38)');
-  await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
+  await page.emulateMedia({ colorScheme: 'dark' });
   await expectGround('dark');
   await expect.poll(plotText).toBe('rgb(232, 236, 238)');
   await page.getByRole('button', { name: 'Theme: system' }).click();
@@ -39,7 +50,6 @@ test('the theme follows the system or the choice', async ({ workbench: page }) =
 });
 
 test('the filter of the view applies to the figures', async ({ workbench: page, server }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
   await page.locator('summary', { hasText: 'Filter' }).click();
   await page.getByRole('checkbox', { name: 'Line at 15 m' }).check();
@@ -53,7 +63,6 @@ test('the filter of the view applies to the figures', async ({ workbench: page, 
 });
 
 test('distances are measured on the ground', async ({ workbench: page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('button', { name: 'Distance' }).click();
   const picture = page.getByRole('img', { name: /^The slope in section/ });

@@ -59,7 +59,6 @@ test('pasting more columns than the table has opens the dialog', async ({ workbe
 
 test('a decimal comma in a list is reported with the correct form', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, in 3D');
-  await page.getByRole('button', { name: 'Pause' }).click();
   await openForm(page, /^Output/);
   const percentiles = page.getByLabel('Percentiles', { exact: true });
   await fillField(page, 'Percentiles', '50, 97,5');

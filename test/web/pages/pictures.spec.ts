@@ -58,7 +58,6 @@ for (const [title, what] of [
 ] as const)
   test(`a saved picture of ${what} is an opaque page for print with title and legend`, async ({ workbench: page }) => {
     test.setTimeout(180_000);
-    await page.emulateMedia({ reducedMotion: 'reduce' });
     await openExample(page, title);
     const bytes = await savedBy(page, page.getByRole('button', { name: 'Picture', exact: true }));
     const { width, height, density } = readPng(bytes);
@@ -72,7 +71,6 @@ for (const [title, what] of [
   });
 
 test('a saved plot has 300 dpi and its title', async ({ workbench: page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('tab', { name: 'Distributions' }).click();
   const group = page.getByRole('group', { name: 'Save: Histogram' });
@@ -85,7 +83,6 @@ test('a saved plot has 300 dpi and its title', async ({ workbench: page }) => {
 
 test('a map shows classes, range and the value under the pointer, and hides trajectories', async ({ workbench: page }) => {
   test.setTimeout(180_000);
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Maungawhau');
   await page.getByRole('tab', { name: 'Maps' }).click();
   await expect(page.getByText('Speed, m/s')).toBeVisible();
@@ -108,7 +105,7 @@ test('a map shows classes, range and the value under the pointer, and hides traj
   const seen = new Set<string>();
   for (let k = 0; k < 60 && seen.size < 2; ++k) {
     await page.mouse.move(x + width * (0.4 + 0.2 * ((k % 6) / 6)), y + height * (0.94 - 0.08 * Math.floor(k / 6)));
-    await page.waitForTimeout(60);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     const text = (await value.count()) > 0 ? await value.textContent() : null;
     if (text) seen.add(/[\d.,]+ kJ$/.test(text) ? 'value' : text.replace(/.*: /, ''));
   }
@@ -116,7 +113,6 @@ test('a map shows classes, range and the value under the pointer, and hides traj
 });
 
 test('after a run the slope still fills the free part of the view', async ({ workbench: page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, a section');
   const { height } = await boxOf(page.locator('.picture'));
   expect(height).toBeGreaterThan(390); // of 768
@@ -134,7 +130,6 @@ test('after a run the slope still fills the free part of the view', async ({ wor
 });
 
 test('the hint of a tool does not cover the ground', async ({ workbench: page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   await openExample(page, 'Tutorial 1, in 3D');
   await page.getByRole('button', { name: 'Distance' }).click();
   const [hint, status, bar] = [page.locator('.tool-hint'), page.locator('.status-line'), page.locator('.view-bar')];

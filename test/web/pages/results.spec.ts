@@ -10,7 +10,6 @@ const oldResults = (page: Page) => page.getByText('These results are from an ear
 
 test('outdated results are marked until the project matches them again', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
-  await page.getByRole('button', { name: 'Pause' }).click();
   await expect(oldResults(page)).toHaveCount(0);
   await openForm(page, /^Type One/);
   await fillField(page, 'Roughness: mean', '9');
@@ -62,7 +61,6 @@ test('energies are shown in kJ with all digits and saved in J', async ({ workben
 test('statistics of a barrier state their population', async ({ workbench: page, server }) => {
   test.setTimeout(180_000);
   await openExample(page, 'A barrier, designed');
-  await page.getByRole('button', { name: 'Pause' }).click();
   const runs = await page.evaluate(async () => (await fetch('/api/runs')).json());
   const { barriers, design } = JSON.parse(server.read(`${runs.runs[0].folder}/summary.json`)) as {
     barriers: { name: string; hits: number; passed_above: number }[];

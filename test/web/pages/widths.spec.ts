@@ -15,7 +15,6 @@ async function rename(page: Page, thing: RegExp, name: string) {
 
 test('long names fit into narrow windows', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, in 3D');
-  await page.getByRole('button', { name: 'Pause' }).click();
   await rename(page, /^Project/, 'N'.repeat(300));
   await page.getByRole('button', { name: 'Compute', exact: true }).click();
   await expect(page.locator('.results-run')).toHaveText('N'.repeat(300));
@@ -44,7 +43,6 @@ test('a popover stays within the view', async ({ workbench: page }) => {
 
 test('in a small window, as at 200 % zoom, the page scrolls and stays usable', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, in 3D');
-  await page.getByRole('button', { name: 'Pause' }).click();
   await page.setViewportSize({ width: 683, height: 384 });
   const heightOf = async (selector: string) => (await page.locator(selector).boundingBox())!.height;
   await expect.poll(() => heightOf('.picture')).toBeGreaterThanOrEqual(260);

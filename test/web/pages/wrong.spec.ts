@@ -51,7 +51,6 @@ test('an invalid value is marked until it is undone', async ({ workbench: page }
 test('a design, ground, barrier and area of a real terrain', async ({ workbench: page }) => {
   test.setTimeout(300_000);
   await openExample(page, 'A barrier, designed');
-  await page.getByRole('button', { name: 'Pause' }).click(); // drawing rocks in motion is slow without a graphics card
   await expectMarks(page, onTheVolcano);
 
   // A raster of classes without its classes.

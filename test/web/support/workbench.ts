@@ -1,4 +1,4 @@
-// A server of its own for each test, on an empty folder, and a page that has come in by its address.
+// A server for each test, on an empty folder, and a page that is logged in.
 
 import { test as base, expect, type Page } from '@playwright/test';
 import { spawn, type ChildProcess } from 'node:child_process';
@@ -16,7 +16,7 @@ export class Server {
 
   constructor(public port = 0) {}
 
-  /// Starts it; again on the port that it had, where a page that is open goes on once its browser has come in again.
+  /// Starts the server, again on its previous port after a restart.
   async start(...more: string[]): Promise<string> {
     const arguments_ = ['serve', ...(more.length > 0 ? more : [this.folder]), '--port', String(this.port)];
     const child = spawn(program, arguments_, {
@@ -24,27 +24,27 @@ export class Server {
       stdio: ['ignore', 'pipe', 'inherit'],
     });
     this.child = child;
-    let said = '';
+    let output = '';
     this.address = await new Promise<string>((resolve, reject) => {
       child.stdout!.on('data', (bytes: Buffer) => {
-        said += bytes.toString();
-        const found = /http:\/\/127\.0\.0\.1:(\d+)\/\?token=\w+/.exec(said);
+        output += bytes.toString();
+        const found = /http:\/\/127\.0\.0\.1:(\d+)\/\?token=\w+/.exec(output);
         if (!found) return;
         this.port = Number(found[1]);
         resolve(found[0]);
       });
-      child.once('exit', (code) => reject(new Error(`talus serve ended with ${code}: ${said}`)));
+      child.once('exit', (code) => reject(new Error(`talus serve ended with ${code}: ${output}`)));
     });
     return this.address;
   }
 
-  /// Starts it again, and lets the browser of a page that is open come in: sessions end with their server.
+  /// Restarts the server and logs in the browser of an open page, because sessions end with their server.
   async startFor(page: Page) {
     await this.start();
     await page.request.get(this.address);
   }
 
-  /// SIGKILL is a crash, SIGTERM a request.
+  /// Ends the server: SIGKILL as in a crash, SIGTERM on request.
   async end(signal: NodeJS.Signals = 'SIGTERM') {
     const child = this.child;
     this.child = undefined;
@@ -86,7 +86,7 @@ export const test = base.extend<{ server: Server; workbench: Page }>({
     await use(server);
     await server.remove();
   },
-  /// The start page. What the page says against itself in the console fails the test.
+  /// The start page. Errors in the console fail the test.
   workbench: async ({ page, server }, use) => {
     const faults: string[] = [];
     page.on('pageerror', (error) => faults.push(error.message));
