@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
   fmt::print("on waves: {} rocks, {} threads, {:.2f} s without maps, hash {:016x}\n", rocks, threads, bare,
              ends.hash());
 
-  MapObserver maps(MapGrid::around_nodes({0, 0}, {1, 1}, {}), greatest_height_over(surface, RockModel::lumped_mass));
+  MapObserver maps(MapGrid::around_nodes({0, 0}, {1, 1}, {}), max_height_over(surface, RockModel::lumped_mass));
   Observer* const with[] = {&maps};
   const double mapped = bench::seconds([&] {
     (void)run_campaign(model, with, {threads, nullptr, {}});

@@ -106,7 +106,7 @@ Speed talus_run(const Model& model, const char* what, int threads, MapObserver* 
 }
 
 Speed mapped_run(const Model& model, const RasterSurface& surface, const char* what) {
-  MapObserver maps(MapGrid({0, 0}, 1, {}), greatest_height_over(surface, RockModel::lumped_mass));
+  MapObserver maps(MapGrid({0, 0}, 1, {}), max_height_over(surface, RockModel::lumped_mass));
   const Speed speed = talus_run(model, what, 1, &maps);
   const auto cells = static_cast<double>(maps.maps().touched_cells());
   fmt::print("  {:.0f} cells touched, {:.0f} bytes each\n", cells, static_cast<double>(maps.maps().bytes()) / cells);

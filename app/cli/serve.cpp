@@ -64,7 +64,7 @@ class OpeningPage {
   std::filesystem::path folder_;
 };
 
-/// Uses the system's default browser. The server goes on without one.
+/// Uses the system's default browser. The server works without one.
 void open_in_browser(const OpeningPage& page) {
   std::string program = "xdg-open", argument = page.file();
   if (argument.empty()) return to_stderr("cannot open a browser: there is no folder for temporary files\n");

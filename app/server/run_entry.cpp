@@ -6,7 +6,7 @@ void save_and_publish(Run& run, const std::filesystem::path& base, EventHub& eve
   try {
     save(run);
   } catch (const BadInput& bad) {
-    // A full disk: the run itself goes on until it fails, and its state is known here in any case.
+    // A full disk: the run itself continues until it fails, and its state is known here in any case.
     for (const Json& problem : as_json(bad.problems())) run.problems.push_back(problem);
   }
   events.publish("run", run.id, json_of(run, base));

@@ -132,7 +132,7 @@ TEST(MapFiles, AreReadBackAsWritten) {
   EXPECT_EQ(energy.type, GDT_Float32);
   EXPECT_EQ(energy.nodata, -9999);
   EXPECT_EQ(energy.unit, "kJ");
-  EXPECT_EQ(energy.description, "total kinetic energy: greatest of all rocks");
+  EXPECT_EQ(energy.description, "total kinetic energy: maximum over all rocks");
   EXPECT_EQ(energy.values, (std::vector<double>{-9999, -9999, 0.2F, 0.04F, 0.08F, -9999}));
   EXPECT_EQ(read_back(work / "maps/energy_translational_mean_kJ.tif").values[2], 0.12F);
   EXPECT_NEAR(read_back(work / "maps/velocity_p50_m_s.tif").values[2], 80, 0.8);

@@ -60,7 +60,7 @@ TEST(MapsOfRuns, HaveTheMaximumHeightAndEnergyOfTheRun) {
         follow_rock(Scene<RasterSurface>{surface, ground, {}, laws}, release, Draws(SamplingPlan{}, 0), log);
 
     MapObserver observer(MapGrid({dice.between(-1, 0), 0}, dice.magnitude(0.2, 30), {}),
-                         greatest_height_over(surface, laws.model));
+                         max_height_over(surface, laws.model));
     const auto part = observer.new_part();
     part->see(record_of(release, outcome), log);
     observer.commit(*part);
@@ -98,7 +98,7 @@ TEST(MapsOfRuns, CountARockThatStartsOnACornerInTheCellThatItEnters) {
         const Ground ground = ground_of({.rn = 0, .rt = 1, .phi = 0.1});
         const RockOutcome outcome =
             follow_rock(Scene<RasterSurface>{surface, ground, {}, laws}, release, Draws(SamplingPlan{}, 0), log);
-        MapObserver observer(MapGrid({0, 0}, 1, {}), greatest_height_over(surface, laws.model));
+        MapObserver observer(MapGrid({0, 0}, 1, {}), max_height_over(surface, laws.model));
         const auto part = observer.new_part();
         part->see(record_of(release, outcome), log);
         observer.commit(*part);
@@ -122,7 +122,7 @@ TEST(MapsOfRuns, CountARockThatStaysOnACornerInTheCellThatContainsIt) {
   release.motion.position = {20, 20, 0};
   RockOutcome outcome;
   outcome.end = release.motion;
-  MapObserver observer(MapGrid({0, 0}, 1, {}), greatest_height_over(surface, RockModel::lumped_mass));
+  MapObserver observer(MapGrid({0, 0}, 1, {}), max_height_over(surface, RockModel::lumped_mass));
   const auto part = observer.new_part();
   part->see(record_of(release, outcome), RockLog(false, true));
   observer.commit(*part);

@@ -34,7 +34,7 @@ Profile level_ground(double z = 0, double end = 1000) {
   return Profile(vertices);
 }
 const Profile flat_ground = level_ground();
-const GreatestHeights over_flat_ground = greatest_height_over(flat_ground, RockModel::lumped_mass);
+const MaxHeights over_flat_ground = max_height_over(flat_ground, RockModel::lumped_mass);
 
 /// A rock with these pieces, which need not join.
 Seen rock_of(std::vector<PathPiece> pieces, EndReason reason = EndReason::at_rest, double mass = 1000) {
@@ -51,7 +51,7 @@ PathPiece flight(const Vec3& p, const Vec3& v, double duration, const Vec3& spin
 }
 
 Maps maps_of(const std::vector<Seen>& rocks, RockModel model = RockModel::lumped_mass) {
-  MapObserver observer(unit_grid, greatest_height_over(flat_ground, model));
+  MapObserver observer(unit_grid, max_height_over(flat_ground, model));
   const auto part = observer.new_part();
   for (const Seen& seen : rocks) part->see(seen.record, seen.log);
   observer.commit(*part);
@@ -121,7 +121,7 @@ TEST(Maps, MeasureHeightAboveTheGroundBelow) {
   expect_single(tally_at(over_flat, {0, 0})->maximum(bounce_height), 2 + 5 * 0.25 - 5 * 0.25 * 0.25);
 
   const Profile terrace = level_ground(1, 0.9);
-  MapObserver observer(unit_grid, greatest_height_over(terrace, RockModel::lumped_mass));
+  MapObserver observer(unit_grid, max_height_over(terrace, RockModel::lumped_mass));
   const auto part = observer.new_part();
   const Seen seen = rock_of({flight({0.5, 0.5, 2}, {2, 0, 0}, 0.5)});
   part->see(seen.record, seen.log);

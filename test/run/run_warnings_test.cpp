@@ -54,17 +54,17 @@ TEST(WarningsOfSources, NameSourcesWhoseRocksWereNotRun) {
   const RunDescription three = described(
       R"({"sources": [{"name": "West", "rocks": [[0, 10], [50, 10]]}, {"name": "Middle", "rocks": [[10, 20]]},
                       {"name": "East", "rocks": [[30, 20]]}]})");
-  const auto told = [&](std::uint64_t first_not_run) {
+  const auto warnings_of = [&](std::uint64_t first_not_run) {
     Problems warnings;
     warn_of_sources(three, first_not_run, warnings);
     return warnings.text();
   };
   const std::string hint = "). Go on with --resume; what there is says nothing of the whole";
-  EXPECT_EQ(told(20),
+  EXPECT_EQ(warnings_of(20),
             "warning: rocks: the run was stopped before \"East\" released any rock (rocks are run source after source; "
             "of \"West\", \"Middle\" not all were" +
                 hint);
-  EXPECT_EQ(told(35),
+  EXPECT_EQ(warnings_of(35),
             "warning: rocks: the run was stopped before all sources had released their rocks (rocks are run source "
             "after source; of \"West\", \"East\" not all were" +
                 hint);
@@ -76,7 +76,7 @@ TEST(WarningsOfSources, NameSourcesWhoseRocksWereNotRun) {
 TEST(WarningsOfCollectors, ReportHowManyRocksPassedAbove) {
   const RunDescription two =
       described(R"({"barriers": [{"name": "Net", "kind": "barrier"}, {"name": "Road", "kind": "collector"}]})");
-  const auto told = [&](std::uint64_t above) {
+  const auto warnings_of = [&](std::uint64_t above) {
     Summary summary(1000, 2);
     for (BarrierTally& tally : summary.barriers) {
       tally.rocks_hit = 990;
@@ -87,10 +87,10 @@ TEST(WarningsOfCollectors, ReportHowManyRocksPassedAbove) {
     return warnings.text();
   };
   EXPECT_EQ(
-      told(110),
+      warnings_of(110),
       "warning: collector \"Road\": 110 of 1100 rocks passed above it (its figures of energy, height and velocity "
       "are those of the others only). Raise its height_m");
-  EXPECT_EQ(told(10), "") << "one in a hundred";
+  EXPECT_EQ(warnings_of(10), "") << "one in a hundred";
 }
 
 DesignPlan two_lines() {

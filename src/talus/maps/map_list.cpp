@@ -25,7 +25,7 @@ double value_of(MapCount count, const MapTally& cell, double rocks) {
 bool is_share(const MapSubjectRow& row) { return row.count == MapCount::reach_share; }
 
 MapKind kind_of_count(const MapSubjectRow& row) {
-  return {std::string(row.name), std::string(row.meaning), "", row.limits, !is_share(row), MapOverview::greatest};
+  return {std::string(row.name), std::string(row.meaning), "", row.limits, !is_share(row), MapOverview::maximum};
 }
 
 /// `part`: max, mean or a percentile.
@@ -59,10 +59,10 @@ MapGroup group_of(const MapSubjectRow& row, const std::vector<double>& percentil
   const auto add = [&](const std::string& part, const std::string& meaning, MapOverview overview) {
     group.kinds.push_back(kind_of_quantity(row, part, meaning, overview));
   };
-  add("max", "greatest of all rocks", MapOverview::greatest);
+  add("max", "maximum over all rocks", MapOverview::maximum);
   add("mean", "mean over the rocks", MapOverview::mean);
   for (const double percent : percentiles) {
-    add(fmt::format("p{}", percent), fmt::format("percentile {} of the rocks", percent), MapOverview::greatest);
+    add(fmt::format("p{}", percent), fmt::format("percentile {} of the rocks", percent), MapOverview::maximum);
   }
   group.values = [quantity = *row.quantity, per = row.per, percentiles](const MapTally& cell,
                                                                         std::span<double> values) {
@@ -101,7 +101,7 @@ std::vector<MapKind> map_families() {
   std::vector<MapKind> kinds;
   for (const MapSubjectRow& row : map_subjects) {
     kinds.push_back(row.count ? kind_of_count(row)
-                              : kind_of_quantity(row, "…", "`max`, `mean` and the percentiles", MapOverview::greatest));
+                              : kind_of_quantity(row, "…", "`max`, `mean` and the percentiles", MapOverview::maximum));
   }
   return kinds;
 }

@@ -14,7 +14,7 @@
 namespace talus {
 
 /// The value of an overview cell: the maximum or the mean of the cells beneath it.
-enum class MapOverview { greatest, mean };
+enum class MapOverview { maximum, mean };
 
 struct MapKind {
   std::string name;     // of the file, including the unit
@@ -22,7 +22,7 @@ struct MapKind {
   std::string unit;     // empty: none
   ClassLimits limits{};
   bool is_count = false;  // a whole number, 0 in cells without a rock
-  MapOverview overview = MapOverview::greatest;
+  MapOverview overview = MapOverview::maximum;
 };
 
 /// Maps whose values in a cell are computed together.

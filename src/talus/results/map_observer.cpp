@@ -8,9 +8,9 @@ namespace talus {
 
 namespace {
 
-void raise(float& greatest, double value) {
+void raise(float& maximum, double value) {
   // The limit of a fixed-point sum; no rock exceeds it.
-  greatest = std::max(greatest, static_cast<float>(std::min(value, FixedSum::largest_term)));
+  maximum = std::max(maximum, static_cast<float>(std::min(value, FixedSum::largest_term)));
 }
 
 double squared_speed(const GlideStep& step) { return step.vx * step.vx + step.vy * step.vy; }
@@ -44,7 +44,7 @@ class GlideOnPlan {
 
 void raise(MapVisit& visit, const MaxMotion& motion, double height) {
   const auto each = [&]<std::size_t... k>(std::index_sequence<k...>) {
-    (raise(visit.greatest[k], value_of(static_cast<MapQuantity>(k), motion, height)), ...);
+    (raise(visit.maxima[k], value_of(static_cast<MapQuantity>(k), motion, height)), ...);
   };
   each(std::make_index_sequence<map_quantity_count>());
 }
@@ -54,7 +54,7 @@ void raise(MapVisit& visit, const MaxMotion& motion, double height) {
 /// Packs the visits of a block's rocks, for the maps when the block is committed.
 class MapObserver::Part : public ObserverPart {
  public:
-  Part(const Maps& maps, std::size_t number_of_maps, VisitMemory& memory, const GreatestHeights& heights)
+  Part(const Maps& maps, std::size_t number_of_maps, VisitMemory& memory, const MaxHeights& heights)
       : grid_(maps.grid()), heights_(heights), packer_(maps.contents(), memory), rocks_(number_of_maps) {}
 
   void see(const RockRecord& record, const RockLog& log) override {
@@ -178,7 +178,7 @@ class MapObserver::Part : public ObserverPart {
   }
 
   MapGrid grid_;
-  const GreatestHeights& heights_;
+  const MaxHeights& heights_;
   VisitPacker packer_;
   std::vector<std::uint64_t> rocks_;  // by map
   RockVisits cells_;
@@ -188,7 +188,7 @@ class MapObserver::Part : public ObserverPart {
   std::vector<double> borders_, heights_here_;
 };
 
-MapObserver::MapObserver(const MapGrid& grid, GreatestHeights heights, std::optional<std::size_t> sources,
+MapObserver::MapObserver(const MapGrid& grid, MaxHeights heights, std::optional<std::size_t> sources,
                          const MapContents& contents)
     : heights_(std::move(heights)), is_split_(sources.has_value()) {
   for (std::size_t k = 0; k < std::max<std::size_t>(1, sources.value_or(1)); ++k) maps_.emplace_back(grid, contents);

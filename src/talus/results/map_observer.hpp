@@ -16,11 +16,11 @@ namespace talus {
 
 /// The maximum bounce height [m] of each part of a piece between consecutive `borders` of its parameter
 /// (trajectory/piece_maxima.hpp). The piece is not a glide.
-using GreatestHeights =
+using MaxHeights =
     std::function<void(const PathPiece& piece, std::span<const double> borders, std::span<double> heights)>;
 
 template <class Surface>
-[[nodiscard]] GreatestHeights greatest_height_over(const Surface& surface, RockModel model) {
+[[nodiscard]] MaxHeights max_height_over(const Surface& surface, RockModel model) {
   return [&surface, is_sphere = model == RockModel::rigid_sphere](
              const PathPiece& piece, std::span<const double> borders, std::span<double> heights) {
     max_heights(surface, piece, is_sphere, borders, heights);
@@ -37,7 +37,7 @@ class MapObserver : public SummingObserver {
  public:
   /// `heights` is called by many threads at the same time. `sources`: the number of sources to split the maps by;
   /// nullopt for maps that are not split.
-  MapObserver(const MapGrid& grid, GreatestHeights heights, std::optional<std::size_t> sources = {},
+  MapObserver(const MapGrid& grid, MaxHeights heights, std::optional<std::size_t> sources = {},
               const MapContents& contents = {});
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] bool wants_pieces() const override { return true; }
@@ -66,7 +66,7 @@ class MapObserver : public SummingObserver {
   /// Updates the memory taken, and how much may wait, after the maps have changed.
   void update_memory();
 
-  GreatestHeights heights_;
+  MaxHeights heights_;
   bool is_split_;
   std::vector<Maps> maps_;      // one, or one for each source
   std::optional<Maps> total_;   // of split maps, once asked for

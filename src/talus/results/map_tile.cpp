@@ -15,7 +15,7 @@ std::uint64_t MapTally::impacts() const { return tile_->counts_[number_].impacts
 double MapTally::maximum(MapQuantity quantity) const {
   const auto place = tile_->contents_.place(quantity);
   TALUS_PROMISE(place, "only gathered quantities can be asked for");
-  return tile_->greatest_[number_ * tile_->contents_.quantities() + *place];
+  return tile_->maxima_[number_ * tile_->contents_.quantities() + *place];
 }
 
 double MapTally::mean(MapQuantity quantity) const {
@@ -29,13 +29,13 @@ void MapTally::percentiles(MapQuantity quantity, std::span<const double> percent
   TALUS_PROMISE(which, "only gathered quantities can be asked for");
   constexpr std::size_t at_once = 16;
   std::array<double, at_once> probabilities;
-  const double greatest = maximum(quantity);
+  const double maximum_value = maximum(quantity);
   for (std::size_t first = 0; first < percents.size(); first += at_once) {
     const std::size_t count = std::min(at_once, percents.size() - first);
     for (std::size_t k = 0; k < count; ++k) probabilities[k] = percents[first + k] / 100;
     const std::span<double> part = out.subspan(first, count);
     tile_->bins_.quantiles(number_, *which, passages(), std::span(probabilities).first(count), part);
-    for (double& value : part) value = std::min(value, greatest);
+    for (double& value : part) value = std::min(value, maximum_value);
   }
 }
 
@@ -45,7 +45,7 @@ bool operator==(const MapTally& a, const MapTally& b) {
   const std::size_t quantities = left.contents_.quantities();
   for (std::size_t k = 0; k < quantities; ++k) {
     const std::size_t at_left = a.number_ * quantities + k, at_right = b.number_ * quantities + k;
-    if (left.greatest_[at_left] != right.greatest_[at_right]) return false;
+    if (left.maxima_[at_left] != right.maxima_[at_right]) return false;
     if (!(left.sums_[at_left] == right.sums_[at_right])) return false;
   }
   if (left.contents_.with_percentiles() == 0) return true;
@@ -60,11 +60,11 @@ std::uint32_t MapTile::number_at(std::uint32_t place) {
     const std::size_t room = std::min<std::size_t>(map_tiles::cells, more);
     if (cells == counts_.capacity()) {
       counts_.reserve(room);
-      greatest_.reserve(room * contents_.quantities());
+      maxima_.reserve(room * contents_.quantities());
       sums_.reserve(room * contents_.quantities());
     }
     counts_.emplace_back();
-    greatest_.resize(greatest_.size() + contents_.quantities());
+    maxima_.resize(maxima_.size() + contents_.quantities());
     sums_.resize(sums_.size() + contents_.quantities());
     if (contents_.with_percentiles() > 0) bins_.new_place();
     there = static_cast<std::uint16_t>(counts_.size());
@@ -76,7 +76,7 @@ template <std::uint32_t quantities>
 void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
   Counts& counts = counts_[number];
   counts.passages += visits.size();
-  std::array<float, quantities> greatest{};
+  std::array<float, quantities> maxima{};
   std::array<std::uint64_t, quantities> units{};
   FixedSum* const sums = sums_.data() + std::size_t{number} * quantities;
   for (const PackedVisit& visit : visits) {
@@ -84,7 +84,7 @@ void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
     counts.impacts += visit.impacts();
     for (std::uint32_t k = 0; k < quantities; ++k) {
       const float value = visit.value(k);
-      greatest[k] = std::max(greatest[k], value);
+      maxima[k] = std::max(maxima[k], value);
       if (value < FixedSum::small_term) {
         units[k] += FixedSum::units_of(value);
       } else {
@@ -93,8 +93,8 @@ void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
     }
   }
   for (std::uint32_t k = 0; k < quantities; ++k) {
-    float& known = greatest_[std::size_t{number} * quantities + k];
-    known = std::max(known, greatest[k]);
+    float& known = maxima_[std::size_t{number} * quantities + k];
+    known = std::max(known, maxima[k]);
     sums[k].add_units(units[k]);
   }
   if (contents_.with_percentiles() == 0) return;
@@ -162,8 +162,8 @@ void MapTile::merge(const MapTile& other) {
     counts_[to].deposits += other.counts_[from].deposits;
     counts_[to].impacts += other.counts_[from].impacts;
     for (std::size_t k = 0; k < quantities; ++k) {
-      float& known = greatest_[to * quantities + k];
-      known = std::max(known, other.greatest_[from * quantities + k]);
+      float& known = maxima_[to * quantities + k];
+      known = std::max(known, other.maxima_[from * quantities + k]);
       sums_[to * quantities + k].merge(other.sums_[from * quantities + k]);
     }
     if (contents_.with_percentiles() > 0) bins_.merge(to, other.bins_, from);
@@ -182,7 +182,7 @@ void MapTile::save(ByteWriter& out) const {
     out.put(counts_[number].deposits);
     out.put(counts_[number].impacts);
     for (std::size_t k = 0; k < quantities; ++k) {
-      out.put(greatest_[number * quantities + k]);
+      out.put(maxima_[number * quantities + k]);
       sums_[number * quantities + k].save(out);
     }
     if (contents_.with_percentiles() > 0) bins_.save(number, out);
@@ -208,10 +208,10 @@ void MapTile::merge_saved(ByteReader& in, std::uint64_t rocks) {
     counts.impacts += in.get<std::uint64_t>();
     expect_bytes(counts.passages <= rocks, damaged);
     for (std::size_t k = 0; k < quantities; ++k) {
-      const auto greatest = in.get<float>();
-      expect_bytes(greatest >= 0 && std::isfinite(greatest), damaged);
-      float& known = greatest_[number * quantities + k];
-      known = std::max(known, greatest);
+      const auto maximum_value = in.get<float>();
+      expect_bytes(maximum_value >= 0 && std::isfinite(maximum_value), damaged);
+      float& known = maxima_[number * quantities + k];
+      known = std::max(known, maximum_value);
       sums_[number * quantities + k].merge_saved(in);
     }
     if (contents_.with_percentiles() == 0) continue;
@@ -220,7 +220,7 @@ void MapTile::merge_saved(ByteReader& in, std::uint64_t rocks) {
 }
 
 std::size_t MapTile::bytes() const {
-  return sizeof(*this) + counts_.capacity() * sizeof(Counts) + greatest_.capacity() * sizeof(float) +
+  return sizeof(*this) + counts_.capacity() * sizeof(Counts) + maxima_.capacity() * sizeof(float) +
          sums_.capacity() * sizeof(FixedSum) + bins_.bytes() + waiting_.capacity() * sizeof(VisitRun);
 }
 

@@ -94,7 +94,7 @@ class MapTile {
   std::array<std::uint16_t, map_tiles::cells> places_{};  // 1 + number of a touched cell, or 0
   // By the number of the cell, and within it by the place of the quantity among those gathered.
   std::vector<Counts> counts_;
-  std::vector<float> greatest_;
+  std::vector<float> maxima_;
   std::vector<FixedSum> sums_;
   BinCounts bins_;
   std::vector<VisitRun> waiting_;

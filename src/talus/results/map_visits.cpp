@@ -63,7 +63,7 @@ void VisitPacker::add(std::uint32_t map, std::span<const MapVisit> visits) {
     next_[0] = map_tiles::place_of(visit.cell) | (visit.is_deposit ? PackedVisit::deposit_bit : 0) |
                impacts << PackedVisit::impact_shift;
     for (std::uint32_t k = 0; k < contents_.quantities(); ++k) {
-      const float value = visit.greatest[static_cast<std::size_t>(contents_.quantity(k))];
+      const float value = visit.maxima[static_cast<std::size_t>(contents_.quantity(k))];
       next_[1 + k] = std::bit_cast<std::uint32_t>(value);
     }
     next_ += words;

@@ -73,9 +73,9 @@ inline constexpr std::size_t cells = std::size_t{side} * side;
 /// One rock in one cell.
 struct MapVisit {
   MapCell cell;
-  std::array<float, map_quantity_count> greatest{};  // by MapQuantity
-  std::uint32_t impacts = 0;                         // on the ground
-  bool is_deposit = false;                           // it ended here
+  std::array<float, map_quantity_count> maxima{};  // by MapQuantity
+  std::uint32_t impacts = 0;                       // on the ground
+  bool is_deposit = false;                         // it ended here
 };
 
 /// The visits of one rock, in the order in which it first reached the cells. A hash table with linear probing finds a

@@ -75,11 +75,11 @@ Found find_checkpoint(const std::filesystem::path& folder, const RunDescription&
   Found found{read_run_state_header(file), false, ""};
   const RunStateHeader& state = *found.state;
   if (const auto changed = difference(state.description, description)) {
-    refuse_to_go_on(file, "the project is not the one that this run began with", *changed);
+    refuse_to_resume(file, "the project is not the one that this run began with", *changed);
   }
   if (state.range != range || state.shard != shard) {
-    refuse_to_go_on(file, fmt::format("this is the state of {}", name_of(state.range, state.shard)),
-                    fmt::format("expected {}", name_of(range, shard)));
+    refuse_to_resume(file, fmt::format("this is the state of {}", name_of(state.range, state.shard)),
+                     fmt::format("expected {}", name_of(range, shard)));
   }
   found.is_complete = shard && state.is_complete() && find_finished_run(folder, description, range, shard).is_whole;
   return found;

@@ -75,7 +75,7 @@ std::string name_of(const RockRange& range, const std::optional<Shard>& shard) {
   return shard ? fmt::format("shard {}/{} with {}", shard->number, shard->of, rocks) : rocks;
 }
 
-void refuse_to_go_on(const std::filesystem::path& file, std::string what, std::string why) {
+void refuse_to_resume(const std::filesystem::path& file, std::string what, std::string why) {
   throw BadInput(Problem{.file = file.string(),
                          .what = std::move(what),
                          .why = std::move(why),
@@ -103,15 +103,15 @@ FinishedRun find_finished_run(const std::filesystem::path& folder, const RunDesc
   if (!run) return {};
   const std::filesystem::path file = folder / "summary.json";
   if (run->talus.version != TALUS_VERSION) {
-    refuse_to_go_on(file, "these are the results of another version of talus",
-                    fmt::format("it was {} and is {}", run->talus.version, TALUS_VERSION));
+    refuse_to_resume(file, "these are the results of another version of talus",
+                     fmt::format("it was {} and is {}", run->talus.version, TALUS_VERSION));
   }
   if (run->fingerprint != description.fingerprint) {
     const auto why = difference_of_projects(*run->project, run->fingerprint, description);
-    refuse_to_go_on(file, "these are the results of another project", why.value_or(""));
+    refuse_to_resume(file, "these are the results of another project", why.value_or(""));
   }
   if (const std::string theirs = rocks_of(*run), ours = name_of(range, shard); theirs != ours)
-    refuse_to_go_on(file, fmt::format("these are the results of {}", theirs), fmt::format("expected {}", ours));
+    refuse_to_resume(file, fmt::format("these are the results of {}", theirs), fmt::format("expected {}", ours));
   if (run->interrupted) return {};
   const auto lacks = lacking_file(folder, description, shard);
   return {!lacks, lacks.value_or("")};

@@ -36,6 +36,6 @@ void remove_finished_summary(const std::filesystem::path& folder);
 [[nodiscard]] std::string name_of(const RockRange& range, const std::optional<Shard>& shard);
 
 /// Refuses to resume from a file of another run.
-[[noreturn]] void refuse_to_go_on(const std::filesystem::path& file, std::string what, std::string why);
+[[noreturn]] void refuse_to_resume(const std::filesystem::path& file, std::string what, std::string why);
 
 }  // namespace talus::project

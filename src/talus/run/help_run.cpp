@@ -67,14 +67,14 @@ class Helper {
           block.texts.clear();
           work_->held.push_back(std::move(block));
         }
-        if (is_stopping_ && !has_said_stopped_ && work_->worker.has_ended()) say_stopped();
+        if (is_stopping_ && !has_sent_stopped_ && work_->worker.has_ended()) say_stopped();
         if (const auto lacks = work_->sums.lacking_memory()) throw OutOfMemory(*lacks);
       } else {
         std::this_thread::sleep_for(naps_.next(ranks_));
       }
-      if (!has_said_stop_ && is_requested(stop_)) {
+      if (!has_sent_stop_ && is_requested(stop_)) {
         ranks_.send(rank_0, message_of(MessageKind::stop));
-        has_said_stop_ = true;
+        has_sent_stop_ = true;
       }
     }
   }
@@ -110,7 +110,7 @@ class Helper {
 
   void say_stopped() {
     ranks_.send(rank_0, message_of(MessageKind::stopped));
-    has_said_stopped_ = true;
+    has_sent_stopped_ = true;
   }
 
   Work& work() {
@@ -128,8 +128,8 @@ class Helper {
   std::uint64_t maps_memory_;
   const std::atomic<bool>* stop_;
   Naps naps_;
-  bool has_said_stop_ = false;                           // told rank 0 that a stop was requested here
-  bool is_stopping_ = false, has_said_stopped_ = false;  // at the request of rank 0
+  bool has_sent_stop_ = false;                           // to rank 0: a stop was requested here
+  bool is_stopping_ = false, has_sent_stopped_ = false;  // at the request of rank 0
   GatherInbox inbox_;
   std::unique_ptr<Work> work_;  // created when there is work
 };

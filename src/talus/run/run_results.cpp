@@ -101,7 +101,7 @@ std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& m
         const MapGrid grid = map_grid(project, model.frame, surface);
         std::optional<std::size_t> sources;
         if (project.output.maps_by_source && !is_section) sources = model.sources.size();
-        return std::make_unique<MapObserver>(grid, greatest_height_over(surface, model.laws.model), sources,
+        return std::make_unique<MapObserver>(grid, max_height_over(surface, model.laws.model), sources,
                                              contents_of(selection_of(project)));
       },
       model.surface);
