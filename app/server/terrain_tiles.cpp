@@ -6,6 +6,7 @@
 
 #include "http/arrays.hpp"
 #include "model_description.hpp"
+#include "talus/terrain/cell_diagonal.hpp"
 
 namespace talus::server {
 
@@ -65,9 +66,20 @@ Answer TerrainTiles::tile(std::size_t level, std::uint32_t column, std::uint32_t
   heights.reserve(columns.size() * rows.size());
   for (const std::uint32_t j : rows)
     for (const std::uint32_t i : columns) heights.push_back(grid.z[grid.index(i, j)]);
+  // Cells are cut by the rule of the surface, those of a coarse level as if it were one.
+  const auto level_height = [&, dx = spacing(grid.columns, stride), dy = spacing(grid.rows, stride)](std::uint32_t i,
+                                                                                                     std::uint32_t j) {
+    return double{grid.z[grid.index(i * dx, j * dy)]};
+  };
+  std::vector<std::uint8_t> diagonals;
   std::vector<std::uint32_t> materials;
   for (std::size_t b = 0; b + 1 < rows.size(); ++b) {
     for (std::size_t a = 0; a + 1 < columns.size(); ++a) {
+      diagonals.push_back(
+          is_edge_north_east(level_height, steps(grid.columns, stride) + 1, steps(grid.rows, stride) + 1,
+                             column * side + static_cast<std::uint32_t>(a), row * side + static_cast<std::uint32_t>(b))
+              ? 1
+              : 0);
       // A coarse cell shows the material of the raster cell in its middle.
       const std::uint32_t i = (columns[a] + columns[a + 1]) / 2, j = (rows[b] + rows[b + 1]) / 2;
       materials.push_back(model_.ground.material_of(j * (grid.columns - 1) + i).index);
@@ -78,6 +90,7 @@ Answer TerrainTiles::tile(std::size_t level, std::uint32_t column, std::uint32_t
                      {"columns", columns.size()},
                      {"rows", rows.size()}});
   arrays.add("heights", std::span<const float>(heights));
+  arrays.add("diagonals", std::span<const std::uint8_t>(diagonals));
   arrays.add_smallest("materials", materials, model_.ground.materials().size());
   return arrays.answer();
 }

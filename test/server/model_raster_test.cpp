@@ -54,7 +54,8 @@ TEST_F(ModelOnRaster, HasTiles) {
   const Json model = model_of(text);
   EXPECT_EQ(model["kind"], "raster");
   const Model ours = built(text);
-  const RasterGrid& grid = std::get<RasterSurface>(ours.surface).grid();
+  const auto& surface = std::get<RasterSurface>(ours.surface);
+  const RasterGrid& grid = surface.grid();
   const Json tiles = get(at(model, "tiles")).json();
   EXPECT_EQ(tiles["columns"], columns);
   EXPECT_EQ(tiles["rows"], rows);
@@ -70,7 +71,7 @@ TEST_F(ModelOnRaster, HasTiles) {
     return std::pair(std::lround((x - grid.x0) / grid.dx), std::lround((y - grid.y0) / grid.dy));
   };
   std::set<std::pair<long, long>> seen;
-  std::vector<float> last_of_first;
+  int north_east = 0, south_east = 0;
   for (const std::string which : {"0/0/0", "0/1/0", "1/0/0"}) {
     const Reply reply = get(at(model, "tiles/" + which));
     ASSERT_EQ(reply.status, 200);
@@ -79,6 +80,17 @@ TEST_F(ModelOnRaster, HasTiles) {
     const auto heights = tile.get<float>("heights", "f32");
     ASSERT_EQ(heights.size(), static_cast<std::size_t>(wide * high));
     EXPECT_EQ(tile.get<std::uint8_t>("materials", "u8").size(), static_cast<std::size_t>((wide - 1) * (high - 1)));
+    const auto diagonals = tile.get<std::uint8_t>("diagonals", "u8");
+    ASSERT_EQ(diagonals.size(), static_cast<std::size_t>((wide - 1) * (high - 1)));
+    for (int row = 0; which[0] == '0' && row + 1 < high; ++row) {
+      for (int column = 0; column + 1 < wide; ++column) {
+        const auto [i, j] = node(tile, column, row);
+        const bool is_cut_north_east =
+            surface.is_cut_north_east(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+        EXPECT_EQ(diagonals[static_cast<std::size_t>(row * (wide - 1) + column)], is_cut_north_east ? 1 : 0);
+        (is_cut_north_east ? north_east : south_east) += 1;
+      }
+    }
     for (int row = 0; row < high; ++row) {
       for (int column = 0; column < wide; ++column) {
         const auto [i, j] = node(tile, column, row);
@@ -99,6 +111,8 @@ TEST_F(ModelOnRaster, HasTiles) {
     }
   }
   EXPECT_EQ(seen.size(), static_cast<std::size_t>(columns * rows));
+  EXPECT_GT(north_east, 0);
+  EXPECT_GT(south_east, 0);
   const ArraysOf first(get(at(model, "tiles/0/0/0"))), second(get(at(model, "tiles/0/1/0")));
   EXPECT_EQ(first.header["origin"][0].get<double>() + 256 * 10, second.header["origin"][0].get<double>());
   EXPECT_EQ(first.header["columns"], 257);  // neighbours share an edge

@@ -43,10 +43,7 @@ TriangleMesh mesh_of(const RasterSurface& raster) {
       [&](std::uint32_t i, std::uint32_t j) {
         return Vec3(grid.x0 + i * grid.dx, grid.y0 + j * grid.dy, static_cast<double>(grid.z[grid.index(i, j)]));
       },
-      [&](std::uint32_t i, std::uint32_t j) {
-        const auto z = [&](std::uint32_t a, std::uint32_t b) { return double{grid.z[grid.index(i + a, j + b)]}; };
-        return std::abs(z(0, 0) - z(1, 1)) <= std::abs(z(1, 0) - z(0, 1));
-      });
+      [&](std::uint32_t i, std::uint32_t j) { return raster.is_cut_north_east(i, j); });
   return shape.mesh();
 }
 

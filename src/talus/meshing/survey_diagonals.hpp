@@ -11,9 +11,9 @@ namespace talus {
 inline constexpr double cocircular_share = 0.01;
 
 /// Where the corners of two neighbouring triangles lie on one circle, as in a survey on a grid, both diagonals are
-/// Delaunay and rounding would decide. Takes the one whose ends differ less in height (after Dyn, Levin and Rippa
-/// 1990), as a raster does (raster_surface.hpp). Leaves fixed sides, and squares with a vertex of a line: between
-/// contours this would make level triangles. Returns the number of flipped sides.
+/// Delaunay and rounding would decide. Takes the one that a raster with these nodes has (cell_diagonal.hpp); the nodes
+/// beside a square are the corners of the next ones, if they continue its sides. Leaves fixed sides, and squares with a
+/// vertex of a line: between contours this would make level triangles. Returns the number of flipped sides.
 std::size_t choose_diagonals(Triangulation& triangulation, const SurveyPlaces& places);
 
 }  // namespace talus

@@ -166,7 +166,7 @@ class RasterSurface::SpherePart {
     const double v0 = start_.v - south + up_v * start_height, v1 = end_.v - south + up_v * end_height;
     const double u_slack = foot_slack + std::abs(bend_.u) + std::abs(up_u) * sag;
     const double v_slack = foot_slack + std::abs(bend_.v) + std::abs(up_v) * sag;
-    const bool north_east = facet.cell.cut_north_east();
+    const bool north_east = facet.cell.is_cut_north_east;
     const double side0 = north_east ? u0 - v0 : 1 - u0 - v0, side1 = north_east ? u1 - v1 : 1 - u1 - v1;
     return {std::min(u0, u1) - u_slack,
             std::max(u0, u1) + u_slack,

@@ -24,12 +24,12 @@ class RasterSurface::SphereSides {
     const std::int64_t column = own.column, row = own.row;
     if (!part_.is_inside({column, column, row, row})) return owned(column, row, own.cell, own.half);
     // A side is tested only if the ground falls away across it.
-    const bool north_east = own.cell.cut_north_east();
+    const bool north_east = own.cell.is_cut_north_east;
     const Feet here = part_.feet(own);
     std::uint32_t bits = 0;
     if ((own.half == 0) == north_east && here.u_high > 1) {  // it has the cell's east side
       const Cell east = part_.cell(column + 1, row);
-      const Facet beyond = part_.facet(column + 1, row, east, east.cut_north_east() ? 1 : 0);
+      const Facet beyond = part_.facet(column + 1, row, east, east.is_cut_north_east ? 1 : 0);
       if (beyond.plane.along_u < own.plane.along_u && !part_.is_above(beyond) && part_.feet(beyond).u_low < 0) {
         bits |= 1U << (north_east ? 1 : 0);
       }
@@ -82,7 +82,7 @@ class RasterSurface::SphereSides {
   // Every side and corner belongs to one of the facets around it: a side to the facet with the lower number, a corner
   // to the cell north-east of it, if that has data.
   [[nodiscard]] std::uint32_t owned(std::int64_t column, std::int64_t row, const Cell& here, std::uint32_t half) const {
-    const bool is_first = half == 0, north_east = here.cut_north_east();
+    const bool is_first = half == 0, north_east = here.is_cut_north_east;
     const auto data = [&](std::int64_t dx, std::int64_t dy) {
       const std::int64_t i = column + dx, j = row + dy;
       return i >= 0 && j >= 0 && i < static_cast<std::int64_t>(surface_.columns_) &&

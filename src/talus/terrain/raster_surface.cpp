@@ -1,9 +1,13 @@
 #include "talus/terrain/raster_surface.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "talus/core/check.hpp"
+#include "talus/terrain/cell_diagonal.hpp"
 #include "talus/terrain/surface.hpp"
 
 namespace talus {
@@ -58,6 +62,33 @@ RasterSurface::RasterSurface(RasterGrid grid) : grid_(std::move(grid)) {
   bounds_.low = {grid_.x0, grid_.y0, low};
   bounds_.high = {grid_.x0 + static_cast<double>(columns_) * grid_.dx, grid_.y0 + static_cast<double>(rows_) * grid_.dy,
                   high};
+  choose_cuts();
+}
+
+void RasterSurface::choose_cuts() {
+  cuts_.resize(grid_.z.size() / 64 + 1);
+  const auto z = [&](std::uint32_t column, std::uint32_t row) { return double{grid_.z[grid_.index(column, row)]}; };
+  const auto across = static_cast<std::ptrdiff_t>(grid_.columns);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cuts_.size(), 1024), [&](const auto& words) {
+    auto row = static_cast<std::uint32_t>(64 * words.begin() / grid_.columns);
+    auto column = static_cast<std::uint32_t>(64 * words.begin() % grid_.columns);
+    for (std::size_t word = words.begin(); word < words.end(); ++word) {
+      std::uint64_t bits = 0;
+      for (std::size_t k = 0; k < 64 && row < rows_; ++k) {
+        if (column < columns_) {
+          const bool is_inner = row > 0 && row + 1 < rows_ && column > 0 && column + 1 < columns_;
+          const float* const south_west = grid_.z.data() + 64 * word + k;
+          bits |=
+              std::uint64_t{is_inner
+                                ? is_edge_north_east([=](int i, int j) { return double{south_west[j * across + i]}; })
+                                : is_edge_north_east(z, grid_.columns, grid_.rows, column, row)}
+              << k;
+        }
+        if (++column == grid_.columns) column = 0, ++row;
+      }
+      cuts_[word] = bits;
+    }
+  });
 }
 
 bool RasterSurface::has_data(std::size_t column, std::size_t row) const { return cell(column, row).has_data(); }
@@ -114,7 +145,7 @@ std::array<std::optional<FacetId>, 3> RasterSurface::neighbours(FacetId facet) c
     beyond[sides_of[kind].along] = FacetId{facet_of(column, next, 1 - half)};
   }
   if (const std::int64_t next = column + 2 * std::int64_t{goes_east} - 1; is_there(next, row)) {
-    const bool north_east = cell(static_cast<std::size_t>(next), static_cast<std::size_t>(row)).cut_north_east();
+    const bool north_east = is_cut_north_east(static_cast<std::size_t>(next), static_cast<std::size_t>(row));
     beyond[sides_of[kind].aside] = FacetId{facet_of(next, row, goes_east == north_east ? 1 : 0)};
   }
   return beyond;
@@ -187,7 +218,7 @@ auto RasterSurface::heights_over_lines(const Parabola& path, const GridWalk& at)
   const double ground = border_from + (along_x ? v1 : u1) * (border_to - border_from);
   const double leaving = at.is_last() ? 0 : path.z(t1) - ground;
 
-  const bool north_east = here.cut_north_east();
+  const bool north_east = here.is_cut_north_east;
   const double side0 = here.side_of_diagonal(u0, v0), side1 = here.side_of_diagonal(u1, v1);
   if (!(side0 * side1 < 0)) return {leaving, infinite};
   const double part = side0 / (side0 - side1), u = u0 + part * (u1 - u0);
@@ -205,7 +236,7 @@ void RasterSurface::meet_in_cell(const Parabola& path, const GridWalk& at, const
   const double t0 = at.enter(), t1 = at.leave();
   const double u0 = at.u(t0), v0 = at.v(t0), u1 = at.u(t1), v1 = at.v(t1);
   // The distance from the diagonal on plan, into the first facet: 1 at its far corner.
-  const double toward = here.cut_north_east() ? 1 : -1;
+  const double toward = here.is_cut_north_east ? 1 : -1;
   const double side0 = toward * here.side_of_diagonal(u0, v0), side1 = toward * here.side_of_diagonal(u1, v1);
   const auto may_touch = [&](std::uint32_t half) {
     if ((half == 0 ? std::max(side0, side1) : std::max(-side0, -side1)) < -margin) return false;
@@ -308,7 +339,7 @@ std::optional<GroundBelow> RasterSurface::ground_below(const Vec3& place) const 
   const auto z = height_in_cell(place.x(), place.y(), column, row);
   if (!z || *z > place.z() + contact_slack) return std::nullopt;
   const double u = x - static_cast<double>(column), v = y - static_cast<double>(row);
-  const bool north_east = cell(static_cast<std::size_t>(column), static_cast<std::size_t>(row)).cut_north_east();
+  const bool north_east = is_cut_north_east(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
   const bool is_first = north_east ? u >= v : u + v <= 1;
   return GroundBelow{*z, FacetId{facet_of(column, row, is_first ? 0 : 1)}};
 }
@@ -353,7 +384,7 @@ double RasterSurface::max_height_in_cell(const Parabola& path, const GridWalk& a
   const double side0 = here.side_of_diagonal(at.u(t0), at.v(t0)), side1 = here.side_of_diagonal(at.u(t1), at.v(t1));
   // The height over a plane has its maximum where the flight is as steep as the plane.
   const auto highest_over = [&](double side, double begin, double end) {
-    const Plane plane = here.plane((side > 0) == here.cut_north_east() ? 0 : 1);
+    const Plane plane = here.plane((side > 0) == here.is_cut_north_east ? 0 : 1);
     const double rise = plane.along_u * at.u_speed() + plane.along_v * at.v_speed();
     const double t = path.a.z() < 0      ? std::clamp((rise - path.v.z()) / path.a.z(), begin, end)
                      : path.v.z() > rise ? end
@@ -382,7 +413,7 @@ std::vector<Vec3> RasterSurface::draped(const Vec2& from, const Vec2& to) const 
     if (!here.has_data()) continue;
     const double s0 = at.enter(), s1 = at.leave();
     put(s0);
-    const bool north_east = here.cut_north_east();
+    const bool north_east = here.is_cut_north_east;
     const double side0 = north_east ? at.u(s0) - at.v(s0) : at.u(s0) + at.v(s0) - 1;
     const double side1 = north_east ? at.u(s1) - at.v(s1) : at.u(s1) + at.v(s1) - 1;
     if (side0 * side1 < 0) put(s0 + side0 / (side0 - side1) * (s1 - s0));

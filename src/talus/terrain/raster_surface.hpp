@@ -2,10 +2,8 @@
 // A digital elevation model as a surface: two triangles between four neighbouring nodes, computed on demand and not
 // stored. Coordinates are local on plan; elevations are those of the grid.
 //
-// Every cell is cut along the diagonal whose ends differ less in height, from south-west to north-east at ties. The
-// surface then follows contours, with nearly level ridges and valleys, and does not depend on the orientation of the
-// grid. (A gully that falls steeply along the diagonals is cut across: docs/terrain.md.) A cell with a node without
-// data is a hole.
+// Every cell is cut along the diagonal along which the ground around it bends less (cell_diagonal.hpp), so that gullies
+// and ridges stay whole. The cuts are stored, a bit per cell. A cell with a node without data is a hole.
 
 #include <algorithm>
 #include <array>
@@ -36,9 +34,15 @@ class RasterSurface {
   [[nodiscard]] std::uint32_t source(FacetId facet) const { return facet.index / 2; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }
   [[nodiscard]] static bool may_overhang() { return false; }
-  [[nodiscard]] std::size_t bytes() const { return grid_.z.size() * sizeof(float); }
+  [[nodiscard]] std::size_t bytes() const {
+    return grid_.z.size() * sizeof(float) + cuts_.size() * sizeof(std::uint64_t);
+  }
   /// Whether all four nodes have data.
   [[nodiscard]] bool has_data(std::size_t column, std::size_t row) const;
+  /// Whether a cell with data is cut from south-west to north-east, not from south-east to north-west.
+  [[nodiscard]] bool is_cut_north_east(std::size_t column, std::size_t row) const {
+    return is_cut_north_east(node(column, row));
+  }
 
   // The queries of TerrainSurface (surface.hpp), and those that a walk over the grid can answer at the same time.
   [[nodiscard]] std::optional<Contact> first_contact(const Parabola& path, double radius, double t_max,
@@ -80,17 +84,16 @@ class RasterSurface {
   struct Plane {
     double z, along_u, along_v, corner = 0;
   };
-  // A cell: the elevations of its nodes.
+  // A cell: the elevations of its nodes, and whether it is cut from south-west to north-east.
   struct Cell {
     double sw, se, nw, ne;
+    bool is_cut_north_east;
     [[nodiscard]] bool has_data() const { return !std::isnan(sw + se + nw + ne); }
-    /// Whether it is cut from south-west to north-east.
-    [[nodiscard]] bool cut_north_east() const { return std::abs(sw - ne) <= std::abs(se - nw); }
     /// The side of the diagonal on which a place is: positive to the south-east, or to the north-east, of it.
-    [[nodiscard]] double side_of_diagonal(double u, double v) const { return cut_north_east() ? u - v : u + v - 1; }
+    [[nodiscard]] double side_of_diagonal(double u, double v) const { return is_cut_north_east ? u - v : u + v - 1; }
     /// The plane of a facet.
     [[nodiscard]] Plane plane(std::uint32_t half) const {
-      const bool north_east = cut_north_east(), is_by_sw = half == 0 || north_east;
+      const bool north_east = is_cut_north_east, is_by_sw = half == 0 || north_east;
       return {is_by_sw ? sw : ne, half == 0 ? se - sw : ne - nw, (half == 0) == north_east ? ne - se : nw - sw,
               is_by_sw ? 0.0 : 1.0};
     }
@@ -98,7 +101,7 @@ class RasterSurface {
     [[nodiscard]] double ground(double u, double v) const {
       u = std::clamp(u, 0.0, 1.0);
       v = std::clamp(v, 0.0, 1.0);
-      if (cut_north_east()) {
+      if (is_cut_north_east) {
         return u >= v ? sw + u * (se - sw) + v * (ne - se) : sw + v * (nw - sw) + u * (ne - nw);
       }
       return u + v <= 1 ? sw + u * (se - sw) + v * (nw - sw) : ne + (1 - u) * (nw - ne) + (1 - v) * (se - ne);
@@ -114,8 +117,10 @@ class RasterSurface {
   [[nodiscard]] Cell cell_at(std::size_t node) const {
     const float* south = grid_.z.data() + node;
     const float* north = south + columns_ + 1;
-    return {south[0], south[1], north[0], north[1]};
+    return {south[0], south[1], north[0], north[1], is_cut_north_east(node)};
   }
+  [[nodiscard]] bool is_cut_north_east(std::size_t node) const { return (cuts_[node / 64] >> (node % 64) & 1U) != 0; }
+  void choose_cuts();
   /// The minimum and maximum elevation of a cell's nodes; if one has no data, NaN or those of the others.
   [[nodiscard]] std::pair<double, double> range_at(std::size_t node) const {
     const float* south = grid_.z.data() + node;
@@ -145,7 +150,7 @@ class RasterSurface {
   }
   /// The kind of a facet, 0 to 3, by the cut of its cell and its half.
   [[nodiscard]] static std::size_t kind_of(const Cell& cell, std::uint32_t half) {
-    return 2 * static_cast<std::size_t>(cell.cut_north_east()) + half;
+    return 2 * static_cast<std::size_t>(cell.is_cut_north_east) + half;
   }
   [[nodiscard]] Triangle triangle(std::int64_t column, std::int64_t row, std::size_t kind) const;
   [[nodiscard]] std::array<Triangle, 2> triangles(std::int64_t column, std::int64_t row, const Cell& cell) const;
@@ -173,6 +178,7 @@ class RasterSurface {
   [[nodiscard]] std::optional<double> height_in_cell(double x, double y, std::int64_t column, std::int64_t row) const;
 
   RasterGrid grid_;
+  std::vector<std::uint64_t> cuts_;     // a bit for each cell, at the number of its south-west node
   std::size_t columns_ = 0, rows_ = 0;  // of cells
   bool has_holes_ = false;
   Box bounds_;

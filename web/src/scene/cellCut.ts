@@ -1,5 +1,5 @@
-// Cuts the cells of a raster into triangles by the engine's rule (docs/terrain.md), from the same single-precision
-// heights, so that the finest tiles are the simulated surface.
+// Cuts the cells of a raster into triangles along the diagonals that the engine has chosen (docs/terrain.md), so that
+// the finest tiles are the simulated surface.
 
 /// The diagonal towards the north-east or the south-east; a cell with a node without data is a hole.
 export type Cut = 'north-east' | 'south-east' | 'hole';
@@ -18,21 +18,26 @@ export const trianglesOf: Record<Exclude<Cut, 'hole'>, readonly [Corners, Corner
 };
 
 /// The cut of the cell north-east of a node; a row has `across` nodes.
-export function cut(heights: Float32Array, across: number, column: number, row: number): Cut {
+export function cut(heights: Float32Array, across: number, column: number, row: number, isNorthEast: boolean): Cut {
   const south = row * across + column;
   const [sw, se] = [heights[south]!, heights[south + 1]!];
   const [nw, ne] = [heights[south + across]!, heights[south + across + 1]!];
   if (Number.isNaN(sw + se + nw + ne)) return 'hole';
-  return Math.abs(sw - ne) <= Math.abs(se - nw) ? 'north-east' : 'south-east';
+  return isNorthEast ? 'north-east' : 'south-east';
 }
 
 /// The triangles of all cells of `across` x `along` nodes, as node indices.
-export function cutCells(heights: Float32Array, across: number, along: number): Uint32Array {
+export function cutCells(
+  heights: Float32Array,
+  across: number,
+  along: number,
+  isNorthEast: (column: number, row: number) => boolean,
+): Uint32Array {
   const index = new Uint32Array(6 * (across - 1) * (along - 1));
   let k = 0;
   for (let j = 0; j + 1 < along; ++j)
     for (let i = 0; i + 1 < across; ++i) {
-      const way = cut(heights, across, i, j);
+      const way = cut(heights, across, i, j, isNorthEast(i, j));
       if (way === 'hole') continue;
       for (const corners of trianglesOf[way])
         for (const corner of corners) index[k++] = (j + (corner >> 1)) * across + i + (corner % 2);

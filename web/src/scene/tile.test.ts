@@ -7,10 +7,11 @@ import { Tile } from './tile';
 const columns = 4;
 const rows = 3;
 const heights = Float32Array.from([10, 12.3, 9, 8, 12, 14, 13.7, 10, 9, 15, 12, NaN]);
+const diagonals = Uint8Array.from([1, 0, 0, 0, 1, 0]);
 const cell: [number, number] = [10, 5];
 const header = { origin: [1000, 2000, 0] as [number, number, number], cell, columns, rows };
 const tile = new Tile(
-  { header, arrays: { heights, materials: new Uint8Array((columns - 1) * (rows - 1)) } },
+  { header, arrays: { heights, diagonals, materials: new Uint8Array((columns - 1) * (rows - 1)) } },
   new Frame([1000, 2000, 0]),
   cell,
   new TerrainMaterial(true),
@@ -23,7 +24,7 @@ function engineHeight(x: number, y: number): number | null {
   const at = (i: number, j: number) => heights[(row + j) * columns + column + i]!;
   const [sw, se, nw, ne] = [at(0, 0), at(1, 0), at(0, 1), at(1, 1)];
   if (Number.isNaN(sw + se + nw + ne)) return null;
-  if (Math.abs(sw - ne) <= Math.abs(se - nw))
+  if (diagonals[row * (columns - 1) + column] === 1)
     return u >= v ? sw + u * (se - sw) + v * (ne - se) : sw + v * (nw - sw) + u * (ne - nw);
   return u + v <= 1 ? sw + u * (se - sw) + v * (nw - sw) : ne + (1 - u) * (nw - ne) + (1 - v) * (se - ne);
 }

@@ -64,6 +64,8 @@ export class Tile {
   readonly bytes: number;
   used = 0;
   private readonly heights: Float32Array;
+  /// Per cell, 1 if it is cut from south-west to north-east.
+  private readonly diagonals: NumberArray;
   private readonly grid: PlanGrid;
   private readonly z: number;
   /// The material of each cell.
@@ -77,6 +79,7 @@ export class Tile {
   ) {
     const { columns, rows } = header;
     this.heights = arrays.heights as Float32Array;
+    this.diagonals = arrays.diagonals!;
     const [x, y, z] = header.origin.map((value, k) => value - frame.base[k]!) as Point3;
     this.z = z;
     this.grid = { x, y, dx: cell[0], dy: cell[1], columns: columns - 1, rows: rows - 1 };
@@ -132,7 +135,7 @@ export class Tile {
     geometry.setAttribute('node', nodesOf(columns, rows));
     geometry.setAttribute('height', new BufferAttribute(height, 1));
     geometry.setAttribute('gradient', new BufferAttribute(gradient, 2));
-    geometry.setIndex(new BufferAttribute(cutCells(height, across, along), 1));
+    geometry.setIndex(new BufferAttribute(cutCells(height, across, along, (i, j) => this.isNorthEast(i - 1, j - 1)), 1));
     if (!(low <= high)) [low, high] = [0, 0];
     this.box = new Box3(
       new Vector3(x, y, z + low),
@@ -148,7 +151,12 @@ export class Tile {
       material.uniforms.cellKinds.value = this.kinds;
       material.uniformsNeedUpdate = true;
     };
-    this.bytes = 16 * height.length + 4 * geometry.index!.count + (columns - 1) * (rows - 1);
+    this.bytes = 16 * height.length + 4 * geometry.index!.count + 2 * (columns - 1) * (rows - 1);
+  }
+
+  /// Of a cell; of one in the skirt, any.
+  private isNorthEast(column: number, row: number): boolean {
+    return this.diagonals[row * this.grid.columns + column] === 1;
   }
 
   pick(ray: Ray): number | null {
@@ -156,7 +164,7 @@ export class Tile {
     const { x, y, dx, dy, columns } = this.grid;
     const corners = new Float64Array(12);
     return walk(ray, this.grid, (i, j) => {
-      const way = cut(this.heights, columns + 1, i, j);
+      const way = cut(this.heights, columns + 1, i, j, this.isNorthEast(i, j));
       if (way === 'hole') return null;
       for (let k = 0; k < 4; ++k) {
         const [c, r] = [i + (k % 2), j + (k >> 1)];
