@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "talus/results/summary.hpp"
+#include "talus/rocks/energy.hpp"
 
 namespace talus {
 
@@ -15,13 +16,6 @@ TableContext TableContext::of(const Model& model) {
 }
 
 namespace {
-
-double translational_energy(const Rock& rock, const Motion& motion) {
-  return 0.5 * rock.mass * motion.velocity.squaredNorm();
-}
-double rotational_energy(const Rock& rock, const Motion& motion) {
-  return 0.5 * rock.inertia * motion.spin.squaredNorm();
-}
 
 /// The text of the rows of a block.
 template <class Row>

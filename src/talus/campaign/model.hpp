@@ -32,8 +32,10 @@ struct TerrainParts {
   [[nodiscard]] std::uint32_t of(std::uint32_t source) const { return of_source.empty() ? source : of_source[source]; }
 };
 
+using ModelSurface = std::variant<Profile, TriangleMesh, RasterSurface>;
+
 struct Model {
-  std::variant<Profile, TriangleMesh, RasterSurface> surface;
+  ModelSurface surface;
   std::optional<VaryingSection> varying;  // only with a Profile
   LocalFrame frame;
   TerrainParts parts;

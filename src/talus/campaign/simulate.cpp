@@ -155,7 +155,7 @@ Vec3 start_of(const Model& model, std::uint64_t rock) {
 /// The rocks in progress, for the model's kind of surface.
 class Simulator::Rocks {
  public:
-  explicit Rocks(const Model& model) : model_(model) { begin(); }
+  Rocks(const Model& model, const ModelSurface& surface) : model_(model), surface_(surface) { begin(); }
   std::uint64_t follow(const SimulationOrder& order) {
     const std::uint64_t next = std::visit(
         [&]<class Each>(Each& rocks) {
@@ -173,15 +173,18 @@ class Simulator::Rocks {
   void begin() {
     std::visit(
         [&]<class Surface>(const Surface& surface) { in_progress_.emplace<RocksInProgress<Surface>>(model_, surface); },
-        model_.surface);
+        surface_);
   }
 
   const Model& model_;
+  const ModelSurface& surface_;
   std::variant<std::monostate, RocksInProgress<Profile>, RocksInProgress<TriangleMesh>, RocksInProgress<RasterSurface>>
       in_progress_;
 };
 
-Simulator::Simulator(const Model& model) : rocks_(std::make_unique<Rocks>(model)) {}
+Simulator::Simulator(const Model& model) : Simulator(model, model.surface) {}
+Simulator::Simulator(const Model& model, const ModelSurface& surface)
+    : rocks_(std::make_unique<Rocks>(model, surface)) {}
 Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
 

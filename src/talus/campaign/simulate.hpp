@@ -30,6 +30,9 @@ struct SimulationOrder {
 class Simulator {
  public:
   explicit Simulator(const Model& model);
+  /// On the surface of another model; that of `model` is not used. So models that differ in materials, laws or sizes of
+  /// rocks can share one surface.
+  Simulator(const Model& model, const ModelSurface& surface);
   ~Simulator();
   Simulator(Simulator&&) noexcept;
   Simulator& operator=(Simulator&&) = delete;

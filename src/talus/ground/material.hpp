@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "talus/core/id.hpp"
@@ -53,6 +54,8 @@ class Ground {
   }
   [[nodiscard]] const Material& operator[](MaterialId id) const { return materials_[id.index]; }
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
+  /// Replaces the properties of all materials; where they are does not change. Expects as many as there are.
+  void set_materials(std::vector<Material> materials) { materials_ = std::move(materials); }
   [[nodiscard]] bool has_forest() const {
     return std::any_of(materials_.begin(), materials_.end(), [](const Material& m) { return m.has_forest(); });
   }

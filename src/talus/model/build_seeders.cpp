@@ -52,6 +52,8 @@ class SeederBuilder {
     if (is_placed && seeder.rocks > 0) model_.seeders.push_back(std::move(seeder));
   }
 
+  static void set_size_and_speed(const Seeder& s, talus::Seeder& seeder);
+
  private:
   [[nodiscard]] Vec3 local(const std::array<double, 3>& p) const {
     return model_.frame.local_from_global({p[0], p[1], p[2]});
@@ -72,25 +74,6 @@ class SeederBuilder {
     const auto index = static_cast<std::uint32_t>(found - model_.sources.begin());
     if (found == model_.sources.end()) model_.sources.push_back(name);
     return SourceId{index};
-  }
-
-  static void set_size_and_speed(const Seeder& s, talus::Seeder& seeder) {
-    if (s.diameter_m) {
-      seeder.size_of = SizeOf::diameter;
-      seeder.size = sampler_of("diameter_m", *s.diameter_m);
-    } else if (s.volume_m3) {
-      seeder.size_of = SizeOf::volume;
-      seeder.size = sampler_of("volume_m3", *s.volume_m3);
-    } else {
-      seeder.size = sampler_of("mass_kg", s.mass_kg);
-    }
-    seeder.density = sampler_of("density_kg_m3", s.density_kg_m3);
-    seeder.direction.reset();
-    if (const auto& d = s.direction) seeder.direction = Vec3((*d)[0], (*d)[1], (*d)[2]).normalized();
-    if (s.speed_m_s) seeder.speed = sampler_of("speed_m_s", *s.speed_m_s);
-    seeder.horizontal = sampler_of("horizontal_velocity_m_s", s.horizontal_velocity_m_s);
-    seeder.vertical = sampler_of("vertical_velocity_m_s", s.vertical_velocity_m_s);
-    seeder.spin = sampler_of("rotational_velocity_deg_s", s.rotational_velocity_deg_s, radians);
   }
 
   bool place_at_point(const Seeder& s, talus::Seeder& seeder) {
@@ -238,6 +221,25 @@ class SeederBuilder {
   std::uint64_t off_terrain_ = 0;  // number of places
 };
 
+void SeederBuilder::set_size_and_speed(const Seeder& s, talus::Seeder& seeder) {
+  if (s.diameter_m) {
+    seeder.size_of = SizeOf::diameter;
+    seeder.size = sampler_of("diameter_m", *s.diameter_m);
+  } else if (s.volume_m3) {
+    seeder.size_of = SizeOf::volume;
+    seeder.size = sampler_of("volume_m3", *s.volume_m3);
+  } else {
+    seeder.size = sampler_of("mass_kg", s.mass_kg);
+  }
+  seeder.density = sampler_of("density_kg_m3", s.density_kg_m3);
+  seeder.direction.reset();
+  if (const auto& d = s.direction) seeder.direction = Vec3((*d)[0], (*d)[1], (*d)[2]).normalized();
+  if (s.speed_m_s) seeder.speed = sampler_of("speed_m_s", *s.speed_m_s);
+  seeder.horizontal = sampler_of("horizontal_velocity_m_s", s.horizontal_velocity_m_s);
+  seeder.vertical = sampler_of("vertical_velocity_m_s", s.vertical_velocity_m_s);
+  seeder.spin = sampler_of("rotational_velocity_deg_s", s.rotational_velocity_deg_s, radians);
+}
+
 /// The row as the reader names it: by name, or by number if it has none.
 std::string row_of(const Project& project, std::size_t i) {
   std::string by_name = fmt::format("seeder \"{}\"", project.seeders[i].name);
@@ -247,6 +249,10 @@ std::string row_of(const Project& project, std::size_t i) {
 }
 
 }  // namespace
+
+void set_sizes_and_velocities(const Seeder& given, talus::Seeder& seeder) {
+  SeederBuilder::set_size_and_speed(given, seeder);
+}
 
 void add_seeders(const Project& project, Model& model, Problems& problems, Problems& warnings) {
   for (std::size_t i = 0; i < project.seeders.size(); ++i) {

@@ -11,4 +11,7 @@ namespace talus::project {
 /// the terrain or a file reveals are added to `problems`, doubts to `warnings`.
 void add_seeders(const Project& project, Model& model, Problems& problems, Problems& warnings);
 
+/// Sets what a seeder of a model takes from numbers of the project alone.
+void set_sizes_and_velocities(const Seeder& given, talus::Seeder& seeder);
+
 }  // namespace talus::project

@@ -45,6 +45,12 @@ talus::Material material_of(const Material& m, RockModel model) {
   return material;
 }
 
+std::vector<talus::Material> materials_of(const Project& project) {
+  std::vector<talus::Material> materials;
+  for (const Material& material : project.materials) materials.push_back(material_of(material, project.analysis.model));
+  return materials;
+}
+
 ImpactLaw impact_law_of(const Analysis& a) {
   if (a.model == RockModel::rigid_sphere) return RigidSphereImpact{a.tangential_crsp_damping};
   if (a.rotation) return CrspLaw{};
@@ -82,6 +88,8 @@ TerrainParts parts_as_given(const Project& project, BuiltTerrain& terrain) {
   return parts;
 }
 
+double capacity_of(const Barrier& barrier) { return barrier.capacity_kJ * 1000; }  // [J]
+
 /// A line on plan, projected onto the ground.
 struct Foot {
   std::vector<Vec3> points;
@@ -112,12 +120,9 @@ class Builder {
     BuiltTerrain terrain =
         locating_problems(project_, "[terrain]", problems_, warnings_,
                           [&](Problems&, Problems& warnings) { return build_terrain(project_, warnings); });
-    std::vector<talus::Material> materials;
-    for (const Material& material : project_.materials)
-      materials.push_back(material_of(material, project_.analysis.model));
     model_.ground =
         locating_problems(project_, "[ground]", problems_, warnings_, [&](Problems& problems, Problems& warnings) {
-          return build_ground(project_, std::move(materials), terrain, problems, warnings);
+          return build_ground(project_, materials_of(project_), terrain, problems, warnings);
         });
     model_.parts = parts_as_given(project_, terrain);
     model_.surface = std::move(terrain.surface);
@@ -147,7 +152,7 @@ class Builder {
     talus::Barrier barrier;
     barrier.name = b.name;
     barrier.is_collector = b.is_collector;
-    barrier.capacity = b.capacity_kJ * 1000;
+    barrier.capacity = capacity_of(b);
     if (b.normal_restitution && b.tangential_restitution) {
       barrier.restitution = Restitution{*b.normal_restitution, *b.tangential_restitution};
     }
@@ -242,6 +247,17 @@ class Builder {
 };
 
 }  // namespace
+
+void set_properties(const Project& project, Model& model) {
+  model.ground.set_materials(materials_of(project));
+  model.laws = laws_of(project);
+  for (const Seeder& given : project.seeders) {
+    for (talus::Seeder& seeder : model.seeders) {
+      if (seeder.name == given.name) set_sizes_and_velocities(given, seeder);
+    }
+  }
+  for (std::size_t k = 0; k < model.barriers.size(); ++k) model.barriers[k].capacity = capacity_of(project.barriers[k]);
+}
 
 Model build_model(const Project& project, Problems& warnings) { return Builder(project, warnings).build(); }
 

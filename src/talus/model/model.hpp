@@ -11,4 +11,8 @@ namespace talus::project {
 /// a barrier off the terrain, a wrong number of materials); doubts are added to `warnings`.
 [[nodiscard]] Model build_model(const Project& project, Problems& warnings);
 
+/// Gives a model that was built from a project of the same terrain, places and names the materials, the laws, the
+/// barriers' capacities, and the sizes and velocities of releases of this one. What needs the terrain does not change.
+void set_properties(const Project& project, Model& model);
+
 }  // namespace talus::project

@@ -116,26 +116,6 @@ std::optional<int> line_of_overlong_key(std::string_view toml) {
   return std::nullopt;
 }
 
-/// The parts of a path such as `material."Type 1.5".roughness_deg`; nullopt if a quote is left open or a part is empty.
-std::optional<std::vector<std::string>> parts_of(std::string_view path) {
-  std::vector<std::string> parts(1);
-  bool quoted_part = false;
-  for (const char letter : path) {
-    if (letter == '"') {
-      quoted_part = !quoted_part;
-    } else if (letter == '.' && !quoted_part) {
-      parts.emplace_back();
-    } else {
-      parts.back() += letter;
-    }
-  }
-  if (quoted_part) return std::nullopt;
-  for (const std::string& part : parts) {
-    if (part.empty()) return std::nullopt;
-  }
-  return parts;
-}
-
 std::optional<std::size_t> whole_number(std::string_view text) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -10,69 +10,17 @@
 #include "talus/core/utf8.hpp"
 #include "talus/project/check.hpp"
 #include "talus/project/document.hpp"
+#include "talus/project/read_table.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/values.hpp"
 
 namespace talus::project {
 namespace {
 
-constexpr std::size_t most_entries = 100'000;  // of one table; each may have problems to report
-
 void note_line(Row row, int line) {
   if (auto* area = std::get_if<Area*>(&row)) (*area)->line = line;
   if (auto* seeder = std::get_if<Seeder*>(&row)) (*seeder)->line = line;
   if (auto* barrier = std::get_if<Barrier*>(&row)) (*barrier)->source_line = line;
-}
-
-void read_table(const Table& table, const Document& document, ValueReader& reader, Project& project,
-                Problems& problems) {
-  const toml::node* node = table.key.empty() ? &document.root() : document.root().get(table.key);
-  const auto refuse = [&](Problem problem, std::string what, std::string why) {
-    problem.what = std::move(what);
-    problem.why = std::move(why);
-    problems.add(std::move(problem));
-  };
-  if (!node) {
-    if (!table.required) return;
-    refuse(document.nowhere(table.key), fmt::format("{} is missing", table.heading()),
-           table.repeated ? "a project needs at least one" : "a project needs it");
-    return;
-  }
-  if (!table.repeated) {
-    if (const toml::table* from = node->as_table()) {
-      reader.read(table, *from, table.add(project), name_of_row(table, *from, 0));
-    } else {
-      refuse(document.at(*node),
-             node->is_array_of_tables() ? fmt::format("[[{}]] is a list of tables", table.key)
-                                        : fmt::format("{} is {}", table.key, quoted(*node)),
-             fmt::format("expected one table, {}", table.heading()));
-    }
-    return;
-  }
-  const toml::array* list = node->as_array();
-  if (!list || (list->empty() && table.required)) {
-    refuse(document.at(*node),
-           node->is_table() ? fmt::format("[{}] is a single table", table.key)
-                            : fmt::format("{} is {}", table.key, quoted(*node)),
-           fmt::format("there may be several; expected {}", table.heading()));
-    return;
-  }
-  if (list->size() > most_entries) {
-    refuse(document.at(*node), fmt::format("{} has {} entries", table.heading(), list->size()),
-           fmt::format("expected at most {}", most_entries));
-    return;
-  }
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const toml::node& entry = (*list)[i];
-    const Row row = table.add(project);
-    if (const toml::table* from = entry.as_table()) {
-      note_line(row, document.at(entry).line);
-      reader.read(table, *from, row, name_of_row(table, *from, i));
-    } else {
-      refuse(document.at(entry), fmt::format("{}[{}] is {}", table.key, i, quoted(entry)),
-             fmt::format("expected a table {}", table.heading()));
-    }
-  }
 }
 
 template <class Named>
@@ -155,7 +103,14 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
   Project& project = reading.project;
   project.file = file;
   ValueReader reader(document, problems);
-  for (const Table& table : tables()) read_table(table, document, reader, project, problems);
+  for (const Table& table : tables()) {
+    const auto add = [&](int line) {
+      const Row row = table.add(project);
+      note_line(row, line);
+      return row;
+    };
+    read_table(table, document, reader, add, "a project", problems);
+  }
 
   const Range& rocks = setting("seeder", "rocks").range;
   if (overrides.rocks && !rocks.contains(static_cast<double>(*overrides.rocks))) {

@@ -47,7 +47,7 @@ void RowKeys::refuse_unknown(const std::string& lead) const {
     const std::string_view name = key.str();
     if (table.find(name)) continue;
     if (table.key.empty() &&
-        std::any_of(tables().begin(), tables().end(), [&](const Table& other) { return other.key == name; })) {
+        std::any_of(tables.begin(), tables.end(), [&](const Table& other) { return other.key == name; })) {
       continue;
     }
     Problem problem = document.at(node);
@@ -63,21 +63,20 @@ void RowKeys::refuse_unknown(const std::string& lead) const {
     }
     if (table.key.empty()) {
       std::vector<std::string_view> names = known;
-      for (const Table& other : tables()) {
+      for (const Table& other : tables) {
         if (!other.key.empty()) names.push_back(other.key);
       }
       if (const auto near = nearest(name, names)) {
-        const auto meant =
-            std::find_if(tables().begin(), tables().end(), [&](const Table& t) { return t.key == *near; });
-        problem.hint = fmt::format("Did you mean {}?", meant == tables().end() ? std::string(*near) : meant->heading());
+        const auto meant = std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.key == *near; });
+        problem.hint = fmt::format("Did you mean {}?", meant == tables.end() ? std::string(*near) : meant->heading());
       } else {
         problem.why = fmt::format("expected one of {}", plain_list(names, " or "));
       }
     } else if (const auto near = nearest(name, known)) {
       problem.hint = fmt::format("Did you mean \"{}\"?", *near);
     } else {
-      const auto home = std::find_if(tables().begin(), tables().end(), [&](const Table& t) { return t.find(name); });
-      if (home != tables().end() && !home->key.empty()) {
+      const auto home = std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.find(name); });
+      if (home != tables.end() && !home->key.empty()) {
         problem.hint = fmt::format("It belongs to {}", home->heading());
       } else {
         problem.why = fmt::format("expected one of {}", plain_list(known, " or "));

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "talus/core/problems.hpp"
 #include "talus/project/document.hpp"
@@ -23,6 +24,7 @@ struct RowKeys {
   const toml::table& from;
   const std::string& where;  // names the row in messages
   Problems& problems;
+  const std::vector<Table>& tables;  // of the file
 
   /// `lead` precedes the keys of a value that is a table: "normal_restitution ".
   void refuse_unknown(const std::string& lead) const;

@@ -23,6 +23,25 @@ std::string_view key_of(const toml::table& table, const toml::node& value) {
 
 }  // namespace
 
+std::optional<std::vector<std::string>> parts_of(std::string_view path) {
+  std::vector<std::string> parts(1);
+  bool quoted_part = false;
+  for (const char letter : path) {
+    if (letter == '"') {
+      quoted_part = !quoted_part;
+    } else if (letter == '.' && !quoted_part) {
+      parts.emplace_back();
+    } else {
+      parts.back() += letter;
+    }
+  }
+  if (quoted_part) return std::nullopt;
+  for (const std::string& part : parts) {
+    if (part.empty()) return std::nullopt;
+  }
+  return parts;
+}
+
 SettingPaths::SettingPaths(const toml::table& root) : root_(root) {
   for (const auto& [key, node] : root) add(node, none, 0);
   by_address_.resize(entries_.size());

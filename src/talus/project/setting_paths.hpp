@@ -2,6 +2,7 @@
 // The path of each value of a project file, by which a form marks the field that a problem is about.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,5 +43,8 @@ class SettingPaths {
   std::vector<Entry> entries_;             // a table or list before its contents
   std::vector<std::uint32_t> by_address_;  // indices into entries_, sorted by the nodes' addresses
 };
+
+/// The parts of a path such as `material."Type 1.5".roughness_deg`; nullopt if a quote is left open or a part is empty.
+[[nodiscard]] std::optional<std::vector<std::string>> parts_of(std::string_view path);
 
 }  // namespace talus::project

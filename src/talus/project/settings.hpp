@@ -12,9 +12,11 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <typeinfo>
 #include <variant>
 #include <vector>
 
+#include "talus/core/check.hpp"
 #include "talus/project/project.hpp"
 #include "talus/project/words.hpp"
 #include "talus/sampling/distribution.hpp"
@@ -87,9 +89,26 @@ struct SlotWith<const std::tuple<Listed...>> {
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.
 using Slot = SlotWith<decltype(enumerations)>::Type;
 
+/// A row of a table in a file other than a project, whose settings are declared and read in the same way.
+class RowElsewhere {
+ public:
+  template <class Struct>
+  explicit RowElsewhere(Struct* row) : row_(row), type_(&typeid(Struct)) {}
+  /// Expects the struct that it was made of.
+  template <class Struct>
+  [[nodiscard]] Struct* of() const {
+    TALUS_PROMISE(*type_ == typeid(Struct), "the setting is one of the row's table");
+    return static_cast<Struct*>(row_);
+  }
+
+ private:
+  void* row_;
+  const std::type_info* type_;
+};
+
 /// One row of a table: the struct that its settings are members of.
 using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Area*, Seeder*, Barrier*,
-                         Design*, Output*, Distribution*>;
+                         Design*, Output*, Distribution*, RowElsewhere>;
 
 /// A condition on another setting: of the same row (its key), or of a table with one row ("terrain.raster").
 struct Condition {

@@ -97,9 +97,10 @@ std::string number_text(double value) {
   return fmt::format("{}", value);
 }
 
-ValueReader::ValueReader(const Document& document, Problems& problems)
+ValueReader::ValueReader(const Document& document, Problems& problems, const std::vector<Table>& tables)
     : document_(document),
       problems_(problems),
+      tables_(tables),
       dimension_is_known_(is_2d(document.root()).has_value()),
       two_dimensional_(is_2d(document.root()).value_or(false)) {}
 
@@ -109,7 +110,7 @@ void ValueReader::read(const Table& table, const toml::table& from, Row row, con
 
 void ValueReader::read_rows(const Table& table, const toml::table& from, Row row, const std::string& where,
                             const std::string& lead) {
-  const RowKeys keys{document_, table, from, where, problems_};
+  const RowKeys keys{document_, table, from, where, problems_, tables_};
   keys.refuse_unknown(lead);
   keys.refuse_exclusive();
   for (const Setting& setting : table.settings) {

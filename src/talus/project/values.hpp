@@ -37,7 +37,8 @@ inline constexpr std::size_t most_reported = 10;
 
 class ValueReader {
  public:
-  ValueReader(const Document& document, Problems& problems);
+  /// `tables` are those of the file, for hints; they must outlive the reader.
+  ValueReader(const Document& document, Problems& problems, const std::vector<Table>& tables = project::tables());
 
   /// Reads every key of `from` into `row`. `where` names the row in problems.
   void read(const Table& table, const toml::table& from, Row row, const std::string& where);
@@ -107,6 +108,7 @@ class ValueReader {
 
   const Document& document_;
   Problems& problems_;
+  const std::vector<Table>& tables_;
   // Without a terrain, the number of coordinates of a position is unknown: positions then count as refused, and only
   // the missing terrain is reported.
   bool dimension_is_known_;
