@@ -3,38 +3,54 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "commands.hpp"
 #include "talus/project/material_library.hpp"
 
 namespace talus::cli {
+namespace {
+
+/// The symbol of a key, as docs/laws.md has it.
+std::string heading(const std::string& key) {
+  static const std::map<std::string, std::string> symbols{
+      {"normal_restitution", "Rn"},        {"tangential_restitution", "Rt"}, {"friction_angle_deg", "phi, deg"},
+      {"roughness_deg", "roughness, deg"}, {"dynamic_friction", "mu"},       {"rolling_friction", "mu_r"}};
+  const auto found = symbols.find(key);
+  return found == symbols.end() ? key : found->second;
+}
+
+}  // namespace
 
 int materials() {
-  const auto& library = project::material_library();
-  std::size_t key_width = 0, meaning_width = 0;
-  for (const auto& entry : library) {
-    key_width = std::max(key_width, entry.key.size());
-    meaning_width = std::max(meaning_width, entry.meaning.size());
+  const project::MaterialLibrary& library = project::material_library();
+  std::vector<std::vector<std::string>> rows(library.materials.size() + 1);
+  rows.front().emplace_back("like");
+  for (std::size_t i = 0; i < library.materials.size(); ++i) rows[i + 1].push_back(library.materials[i].key);
+  for (const std::string& key : library.given()) {
+    rows.front().push_back(heading(key));
+    for (std::size_t i = 0; i < library.materials.size(); ++i) {
+      rows[i + 1].push_back(project::in_words(library.materials[i], key));
+    }
   }
-  const auto row = [&](std::string_view key, std::string_view meaning, std::string_view normal,
-                       std::string_view tangential, std::string_view source) {
-    fmt::print("{:<{}}  {:<{}}  {:<13}  {:<13}  {}\n", key, key_width, meaning, meaning_width, normal, tangential,
-               source);
-  };
-  row("like", "ground", "Rn", "Rt", "source");
-  std::vector<std::string> sources;
-  for (const auto& entry : library) {
-    auto source = std::find(sources.begin(), sources.end(), entry.source);
-    if (source == sources.end()) source = sources.insert(source, entry.source);
-    row(entry.key, entry.meaning, project::in_words(entry.material.normal_restitution),
-        project::in_words(entry.material.tangential_restitution), fmt::format("[{}]", source - sources.begin() + 1));
+  rows.front().emplace_back("ground");
+  for (std::size_t i = 0; i < library.materials.size(); ++i) rows[i + 1].push_back(library.materials[i].meaning);
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k + 1 < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
   }
-  fmt::print("\n");
-  for (std::size_t k = 0; k < sources.size(); ++k) fmt::print("[{}] {}\n", k + 1, sources[k]);
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k + 1 < row.size(); ++k) fmt::print("{:<{}}  ", row[k], widths[k]);
+    fmt::print("{}\n", row.back());
+  }
+  for (std::size_t k = 0; k < library.sources.size(); ++k) {
+    fmt::print("\n[{}] {}.\n    {}.\n", k + 1, library.sources[k].text, library.sources[k].limits);
+  }
   fmt::print(
       "\nTo use one: [[material]] name = \"Scree\" like = \"talus_cover\". Other keys of the material override its\n"
-      "values; keys without a value from the source keep their defaults. docs/materials.md describes how the numbers\n"
+      "values; keys without a value from a source keep their defaults. docs/materials.md describes how the numbers\n"
       "were checked.\n");
   return done;
 }

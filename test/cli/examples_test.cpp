@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "cli/program.hpp"
+#include "cli/run_files.hpp"
 
 namespace talus {
 namespace {
@@ -20,7 +20,8 @@ TEST(Examples, PassTheCheckAndRun) {
     ++count;
 #ifndef TALUS_HAS_GDAL
     const std::string stem = entry.path().stem().string();
-    if (stem == "maungawhau" || stem == "barrier-design" || stem == "first-gis-run") continue;  // on a raster
+    if (stem == "maungawhau" || stem == "barrier-design" || stem == "crater" || stem == "first-gis-run")
+      continue;  // on a raster
 #endif
     const std::string file = entry.path().string(), out = (place / entry.path().stem().string()).string();
     const Said checked = talus_says("check " + file);
@@ -31,6 +32,21 @@ TEST(Examples, PassTheCheckAndRun) {
   }
   EXPECT_GE(count, 5);
 }
+
+#ifdef TALUS_HAS_GDAL
+// Both models, with the values of the library.
+TEST(Examples, RocksFromTheCraterRimComeToRestInTheModel) {
+  const Workplace place;
+  for (const std::string model : {"lumped_mass", "rigid_sphere"}) {
+    const std::string out = (place / model).string();
+    const Said ran = talus_says("run " TALUS_SOURCE_DIR "/examples/maungawhau/crater.toml -o " + out +
+                                " --rocks 500 --set analysis.model=" + model);
+    EXPECT_EQ(ran.exit_code, 0) << ran.text;
+    const auto ends = nlohmann::json::parse(bytes_of(out + "/summary.json")).at("end_reasons");
+    EXPECT_GE(ends.value("at rest", 0), 475) << ran.text;
+  }
+}
+#endif
 
 }  // namespace
 }  // namespace talus

@@ -41,7 +41,8 @@ TEST(TalusNew, RefusesAnImpossibleFileName) {
 TEST(TalusMaterials, ListsTheLibraryWithItsSources) {
   const Said said = talus_says("materials");
   EXPECT_EQ(said.exit_code, 0);
-  for (const char* part : {"bedrock_outcrops", "talus_cover", "Rn", "[1] T. J. Pfeiffer"})
+  for (const char* part :
+       {"bedrock_outcrops", "talus_cover", "Rn", "mu_r", "[1] T. J. Pfeiffer", "0.37 to 0.67 [", "Kirkby"})
     EXPECT_THAT(said.text, HasSubstr(part));
 }
 

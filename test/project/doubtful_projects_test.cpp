@@ -124,12 +124,54 @@ vtk = true
      {{"mass_kg = 1000", "mass_kg = 1"}},
      "slope.toml:25: warning: seeder \"Crest\": mass_kg is 1 (masses are in kilograms, and this stone would fit in a "
      "hand). If it is in tonnes, write 1000"},
-    {"LibraryGroundUnderASphere",
+    {"SphereWithoutRollingFriction",
      {{"[analysis]", "[analysis]\nmodel = \"rigid_sphere\""},
-      {"name = \"Rock\"", "name = \"Rock\"\nlike = \"talus_cover\""}},
-     "slope.toml:12: warning: material \"Rock\": the friction of the rigid sphere is not given (the library only has "
-     "restitutions, published for lumped masses; dynamic_friction = 0.5 and rolling_friction = 0.1 apply, and spheres "
-     "go further and faster than points). Give both, and compare the results with what is known of the site"},
+      {"name = \"Rock\"", "name = \"Rock\"\nrolling_friction = 0.3"}},
+     "slope.toml:16: warning: material \"Talus\": rolling_friction is not given (the default 0.1 brings spheres to "
+     "rest "
+     "only on slopes of less than 5.7 degrees). Give the tangent of the slope on which such rocks keep rolling "
+     "(docs/laws.md, values of spheres), or like = a ground that has one (talus materials)"},
+    {"SphereOnLibraryGroundWithoutRollingFriction",
+     {{"[analysis]", "[analysis]\nmodel = \"rigid_sphere\""},
+      {"name = \"Rock\"", "name = \"Rock\"\nlike = \"asphalt\""},
+      {"name = \"Talus\"", "name = \"Talus\"\nlike = \"talus_cover\""}},
+     "slope.toml:12: warning: material \"Rock\": rolling_friction is not given (the library has none for \"asphalt\", "
+     "and the default 0.1 brings spheres to rest only on slopes of less than 5.7 degrees). Give the tangent of the "
+     "slope on which such rocks keep rolling (docs/laws.md, values of spheres), or like = a ground that has one "
+     "(talus materials)"},
+    {"SphereThatSkidsBeforeItRolls",
+     {{"[analysis]", "[analysis]\nmodel = \"rigid_sphere\""},
+      {"name = \"Rock\"", "name = \"Rock\"\nrolling_friction = 0.8"},
+      {"name = \"Talus\"", "name = \"Talus\"\nlike = \"talus_cover\""}},
+     "slope.toml:12: warning: material \"Rock\": rolling_friction is 0.8, but dynamic_friction only 0.5 (a sphere "
+     "skids "
+     "before it resists like that, and comes to rest only on slopes of less than 26.6 degrees instead of 38.7). Give "
+     "dynamic_friction = 0.8 or more"},
+    {"SphereThatNeverStops",
+     in_3d({{"[analysis]", "[analysis]\nmodel = \"rigid_sphere\""},
+            {section, "raster = \"dem.tif\""},
+            {segments, "default = \"Rock\""},
+            {"name = \"Rock\"", "name = \"Rock\"\nrolling_friction = 0"},
+            {"name = \"Talus\"", "name = \"Talus\"\nlike = \"talus_cover\""}}),
+     "slope.toml:12: warning: material \"Rock\": rolling_friction is 0 (a sphere on it rolls until it leaves the model "
+     "or lies in a pit). Give the tangent of the slope on which such rocks keep rolling (docs/laws.md, values of "
+     "spheres)"},
+    {"SmoothGroundIn3d",
+     in_3d({{section, "raster = \"dem.tif\""},
+            {segments, "default = \"Rock\""},
+            {"normal_restitution = 0.4",
+             "normal_restitution = { mean = 0.4, distribution = \"normal\", std_dev = 0.03 }"},
+            {"rocks = 10", "rocks = 500"}}),
+     "slope.toml:9: warning: no material has a roughness (on terrain in 3D all rocks from one place then follow almost "
+     "the same path: nothing turns them aside). Give roughness_deg (docs/laws.md, values of roughness), or like = a "
+     "ground that has one (talus materials)"},
+    {"RoughGroundOfTheLibraryIn3d",
+     in_3d({{section, "raster = \"dem.tif\""},
+            {segments, "default = \"Rock\""},
+            {"name = \"Rock\"", "name = \"Rock\"\nlike = \"talus_cover\""},
+            {"rocks = 10", "rocks = 500"}}),
+     ""},
+    {"FewRocksOnSmoothGroundIn3d", in_3d({{section, "raster = \"dem.tif\""}, {segments, "default = \"Rock\""}}), ""},
     {"StandardDeviationWithLimits",
      {{"normal_restitution = 0.4",
        R"(normal_restitution = { mean = 0.4, distribution = "uniform", std_dev = 0.03, rel_min = 0.1, rel_max = 0.1 })"}},
@@ -148,14 +190,18 @@ tangential_crsp_damping = true)"}},
      {{"[analysis]",
        R"([analysis]
 model = "rigid_sphere"
-rotation = false)"}},
+rotation = false)"},
+      {"name = \"Rock\"", "name = \"Rock\"\nrolling_friction = 0.3"},
+      {"name = \"Talus\"", "name = \"Talus\"\nrolling_friction = 0.3"}},
      "slope.toml:5: warning: [analysis]: rotation has no effect (it needs model = \"lumped_mass\")"},
     {"SlidingAndFrictionOfASphere",
      {{"[analysis]",
        R"([analysis]
 model = "rigid_sphere"
 sliding = "closed_form"
-friction_angle = "zero")"}},
+friction_angle = "zero")"},
+      {"name = \"Rock\"", "name = \"Rock\"\nrolling_friction = 0.3"},
+      {"name = \"Talus\"", "name = \"Talus\"\nrolling_friction = 0.3"}},
      "slope.toml:5: warning: [analysis]: sliding has no effect (it needs model = \"lumped_mass\")\n"
      "slope.toml:6: warning: [analysis]: friction_angle has no effect (it needs model = \"lumped_mass\")"},
     {"RotatedAboutAPointWithoutAngle",

@@ -1,3 +1,7 @@
+#include <map>
+#include <string>
+#include <vector>
+
 #include "routes/routes.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/echo.hpp"
@@ -17,19 +21,27 @@ void add_about_routes(Router& router, const Workplace& workplace, const std::str
   });
   router.get("/api/settings", [](const Call&) { return json_answer(project::schema()); });
   router.get("/api/materials", [](const Call&) {
+    const project::MaterialLibrary& library = project::material_library();
     Json list = Json::array();
-    for (const project::LibraryMaterial& entry : project::material_library()) {
+    for (const project::LibraryMaterial& entry : library.materials) {
       project::Material material = entry.material;
       Json values = Json::object();
-      for (const std::string& key : entry.given)
+      std::map<std::size_t, std::vector<std::string>> keys_of_source;
+      for (const auto& [key, source] : entry.given) {
         values[key] = *project::written(project::setting("material", key).slot(&material), false);
+        keys_of_source[source].push_back(key);
+      }
+      Json sources = Json::array();
+      for (const auto& [number, keys] : keys_of_source) {
+        const auto& [text, limits, checked] = library.sources[number];
+        sources.push_back({{"keys", keys}, {"text", text}, {"limits", limits}, {"checked", checked}});
+      }
       list.push_back({{"key", entry.key},
                       {"name", entry.meaning},
                       {"values", std::move(values)},
-                      {"source", entry.source},
-                      {"checked", entry.checked}});
+                      {"sources", std::move(sources)}});
     }
-    return json_answer({{"materials", list}});
+    return json_answer({{"materials", std::move(list)}});
   });
 }
 

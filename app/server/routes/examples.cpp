@@ -32,7 +32,10 @@ constexpr std::array examples{
             "maungawhau/maungawhau.toml"},
     Example{"barrier-design", "A barrier, designed",
             "The same volcano with possible lines of barriers, and the energy and height that they need",
-            "maungawhau/barrier-design.toml"}};
+            "maungawhau/barrier-design.toml"},
+    Example{"crater", "A crater",
+            "Rigid spheres roll from the rim of the same volcano into its crater and come to rest",
+            "maungawhau/crater.toml"}};
 
 }  // namespace
 

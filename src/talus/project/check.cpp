@@ -9,6 +9,7 @@
 #include "talus/project/applies.hpp"
 #include "talus/project/check_design.hpp"
 #include "talus/project/check_ground.hpp"
+#include "talus/project/check_materials.hpp"
 #include "talus/project/check_seeder.hpp"
 #include "talus/project/check_terrain.hpp"
 #include "talus/project/settings.hpp"
@@ -133,35 +134,15 @@ class Rules {
     for (const Material& material : project_.materials) names.push_back(material.name);
     const auto list = rows("material");
     check_unique("materials", list, names);
-    for (std::size_t i = 0; i < list.size() && i < project_.materials.size(); ++i) {
-      if (!list[i]) continue;
-      const std::string where = name_of_row(project::table("material"), *list[i], i);
-      check_forest(project_.materials[i], *list[i], where);
-      check_library_friction(*list[i], where);
-    }
-  }
-
-  /// Restitutions are published for lumped masses, whose impacts have no separate friction.
-  void check_library_friction(const toml::table& row, const std::string& where) {
-    const Node like = accepted(&row, "like");
-    if (!like || project_.analysis.model != RockModel::rigid_sphere) return;
-    if (row.contains("dynamic_friction") || row.contains("rolling_friction")) return;
-    const Material defaults;
-    report(like, where, "the friction of the rigid sphere is not given",
-           fmt::format("the library only has restitutions, published for lumped masses; dynamic_friction = {:g} and "
-                       "rolling_friction = {:g} apply, and spheres go further and faster than points",
-                       defaults.dynamic_friction.mean, defaults.rolling_friction.mean),
-           "Give both, and compare the results with what is known of the site", Severity::warning);
-  }
-
-  void check_forest(const Material& material, const toml::table& row, const std::string& where) {
-    const bool has_forest = material.forest != Forest::none || material.forest_drag_kg_s;
-    if (has_forest && !row.contains("forest_height_m")) {
-      const Node forest = row.get(material.forest_drag_kg_s ? "forest_drag_kg_s" : "forest");
-      report({forest, &row, "forest_height_m"}, where, "forest_height_m is missing",
-             "a forest slows rocks only up to its effective height",
-             "Give the height above the ground up to which trunks and branches slow rocks");
-    }
+    const toml::table* terrain = table("terrain");
+    const auto has = [&](std::string_view key) { return terrain && terrain->contains(key); };
+    MaterialRules{
+        project_, list, has("raster") || has("mesh") || has("points") || has("lines"),
+        [&](const toml::table* of, std::string_view key) { return accepted(of, key); },
+        [&](const Spot& at, std::string where, std::string what, std::string why, std::string hint, Severity severity) {
+          report(at, std::move(where), std::move(what), std::move(why), std::move(hint), severity);
+        }}
+        .check();
   }
 
   /// Names must be unique. An empty name is missing or was refused.

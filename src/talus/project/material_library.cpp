@@ -13,7 +13,7 @@ namespace talus::project {
 namespace {
 
 // The keys of an entry in addition to those of a [[material]].
-constexpr std::string_view own_keys[] = {"key", "meaning", "source"};
+constexpr std::string_view own_keys[] = {"key", "meaning", "source", "other_sources"};
 
 std::string text_of(const toml::table& from, std::string_view key) { return from[key].value_or(std::string()); }
 
@@ -24,22 +24,50 @@ const Table& material_table() {
   throw std::logic_error("no table [[material]] is declared");
 }
 
-std::vector<LibraryMaterial> read_library() {
+/// Numbers the sources in the order of their first use.
+class Sources {
+ public:
+  Sources(const toml::table& root, std::vector<LibrarySource>& list) : root_(root), list_(list) {}
+
+  std::size_t number(const std::string& name) {
+    const auto known = std::ranges::find(names_, name);
+    if (known != names_.end()) return static_cast<std::size_t>(known - names_.begin());
+    const toml::table* source = root_["source"][name].as_table();
+    if (!source) throw std::logic_error("materials.toml has no source " + name);
+    names_.push_back(name);
+    list_.push_back({text_of(*source, "text"), text_of(*source, "limits"), text_of(*source, "checked")});
+    return names_.size() - 1;
+  }
+
+ private:
+  const toml::table& root_;
+  std::vector<LibrarySource>& list_;
+  std::vector<std::string> names_;
+};
+
+MaterialLibrary read_library() {
   const Document document(material_library_text(), "materials.toml");
   const toml::table& root = document.root();
   Problems problems;
   ValueReader reader(document, problems);
-  std::vector<LibraryMaterial> library;
+  MaterialLibrary library;
+  Sources sources(root, library.sources);
   for (const toml::node& node : *root["material"].as_array()) {
     toml::table values = *node.as_table();
-    LibraryMaterial& entry = library.emplace_back();
+    LibraryMaterial& entry = library.materials.emplace_back();
     entry.key = text_of(values, "key");
     entry.meaning = text_of(values, "meaning");
-    const auto source = root["source"][text_of(values, "source")];
-    entry.source = source["text"].value_or(std::string());
-    entry.checked = source["checked"].value_or(std::string());
+    const std::string source = text_of(values, "source");
+    const toml::node* const other = values.get("other_sources");
+    const toml::table others = other ? *other->as_table() : toml::table();
     for (const std::string_view key : own_keys) values.erase(key);
-    for (const auto& [key, value] : values) entry.given.emplace_back(key.str());
+    for (const Setting& declared : material_table().settings) {
+      if (!values.contains(declared.key)) continue;
+      entry.given.push_back({std::string(declared.key), sources.number(others[declared.key].value_or(source))});
+    }
+    for (const auto& [key, name] : others) {
+      if (!entry.find(key.str())) throw std::logic_error(entry.key + " has a source for a value that it does not give");
+    }
     values.insert("name", entry.key);
     reader.read(material_table(), values, &entry.material, entry.key);
   }
@@ -48,18 +76,29 @@ std::vector<LibraryMaterial> read_library() {
   return library;
 }
 
-std::string property(const LibraryMaterial& entry, std::string_view key) {
-  const Setting& declared = setting("material", key);
-  Material copy = entry.material;  // slots are not const
-  const auto slot = declared.slot(&copy);
-  const auto* distribution = std::get_if<Distribution*>(&slot);
-  return distribution ? in_words(**distribution) : "";
-}
-
 }  // namespace
 
-const std::vector<LibraryMaterial>& material_library() {
-  static const std::vector<LibraryMaterial> library = read_library();
+const LibraryValue* LibraryMaterial::find(std::string_view setting_key) const {
+  const auto found = std::ranges::find(given, setting_key, &LibraryValue::key);
+  return found == given.end() ? nullptr : &*found;
+}
+
+const LibraryMaterial* MaterialLibrary::find(std::string_view key) const {
+  const auto found = std::ranges::find(materials, key, &LibraryMaterial::key);
+  return found == materials.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> MaterialLibrary::given() const {
+  std::vector<std::string> keys;
+  for (const Setting& declared : material_table().settings) {
+    const auto gives = [&](const LibraryMaterial& entry) { return entry.find(declared.key) != nullptr; };
+    if (std::ranges::any_of(materials, gives)) keys.emplace_back(declared.key);
+  }
+  return keys;
+}
+
+const MaterialLibrary& material_library() {
+  static const MaterialLibrary library = read_library();
   return library;
 }
 
@@ -71,6 +110,16 @@ std::string in_words(const Distribution& property) {
   const std::string_view kind = word(property.kind);
   if (!property.std_dev) return fmt::format("{} ({})", property.mean, kind);
   return fmt::format("{} ({}, sd {})", property.mean, kind, *property.std_dev);
+}
+
+std::string in_words(const LibraryMaterial& entry, std::string_view key) {
+  const LibraryValue* value = entry.find(key);
+  if (!value) return "";
+  Material copy = entry.material;  // slots are not const
+  const auto slot = setting("material", key).slot(&copy);
+  const auto* distribution = std::get_if<Distribution*>(&slot);
+  if (!distribution) throw std::logic_error(entry.key + " gives a value that is no distribution");
+  return fmt::format("{} [{}]", in_words(**distribution), value->source + 1);
 }
 
 std::string materials_page() {
@@ -88,44 +137,34 @@ like = "talus_cover"
 friction_angle_deg = 34
 ```
 
-`talus materials` prints this table. Where a source gives a range, all values in it are equally likely. What a source
-does not give (friction, roughness, a spread) has the default of [the project file](project-file.md).
+`talus materials` prints this table. The number behind a value is that of its source, below. Where a source gives a
+range, all values in it are equally likely. What no source gives (an empty cell) has the default of [the project
+file](project-file.md); a warning says so where a rigid sphere would roll by a default.
 
-These values are only a starting point: restitution depends on the speed, the angle and the size of the rock as much as
-on the ground, and the tables do not agree with each other. Calibrate them with what is known of the site.
+**Limits.** These values are only a starting point. Restitution depends on the speed, the angle and the size of the rock
+as much as on the ground, and the tables do not agree with each other; the sources say below for which rocks and which
+model their numbers hold. Few were measured. Rolling friction and roughness move the ends of trajectories most: [values
+of spheres](laws.md#values-of-spheres) and [values of roughness](laws.md#values-of-roughness) say how to choose them.
+Calibrate them with what is known of the site.
 
 )";
-  std::vector<std::string> given;
-  for (const Setting& declared : material_table().settings) {
-    for (const LibraryMaterial& entry : material_library()) {
-      if (std::find(entry.given.begin(), entry.given.end(), declared.key) == entry.given.end()) continue;
-      given.emplace_back(declared.key);
-      break;
-    }
-  }
-  std::vector<std::string> sources;
+  const MaterialLibrary& library = material_library();
+  const std::vector<std::string> given = library.given();
   page += "| `like` | ground |";
   for (const std::string& key : given) page += fmt::format(" {} |", key);
-  page += " source |\n| --- | --- |";
+  page += "\n| --- | --- |";
   for (std::size_t k = 0; k < given.size(); ++k) page += " --- |";
-  page += " --- |\n";
-  for (const LibraryMaterial& entry : material_library()) {
-    auto source = std::find(sources.begin(), sources.end(), entry.source);
-    if (source == sources.end()) source = sources.insert(source, entry.source);
+  page += '\n';
+  for (const LibraryMaterial& entry : library.materials) {
     page += fmt::format("| `{}` | {} |", entry.key, entry.meaning);
-    for (const std::string& key : given) {
-      const bool has = std::find(entry.given.begin(), entry.given.end(), key) != entry.given.end();
-      page += fmt::format(" {} |", has ? property(entry, key) : "");
-    }
-    page += fmt::format(" [{}] |\n", source - sources.begin() + 1);
+    for (const std::string& key : given) page += fmt::format(" {} |", in_words(entry, key));
+    page += '\n';
   }
   page += '\n';
-  for (std::size_t k = 0; k < sources.size(); ++k) {
-    for (const LibraryMaterial& entry : material_library()) {
-      if (entry.source != sources[k]) continue;
-      page += fmt::format("{}. {}. *{}.*\n", k + 1, entry.source, entry.checked);
-      break;
-    }
+  for (std::size_t k = 0; k < library.sources.size(); ++k) {
+    const LibrarySource& source = library.sources[k];
+    page += fmt::format("{}. {}.\n   - Limits: {}.\n   - Checked: {}.\n", k + 1, source.text, source.limits,
+                        source.checked);
   }
   return page;
 }

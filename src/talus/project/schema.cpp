@@ -85,7 +85,7 @@ struct Typed {
   Json operator()(PlanPolygonSlot) const { return list_of(tuple_of(number(), 2, 2), 3); }
   Json operator()(LibrarySlot) const {
     Json keys = Json::array();
-    for (const LibraryMaterial& entry : material_library()) keys.push_back(entry.key);
+    for (const LibraryMaterial& entry : material_library().materials) keys.push_back(entry.key);
     return {{"enum", std::move(keys)}};
   }
   template <class Enumeration>

@@ -423,16 +423,15 @@ bool ValueReader::into(const Value& value, MapSubjects* member) {
 bool ValueReader::into(const Value& value, LibrarySlot slot) {
   std::string key;
   if (!into(value, &key)) return false;
-  std::vector<std::string_view> known;
-  for (const LibraryMaterial& entry : material_library()) {
-    known.push_back(entry.key);
-    if (entry.key != key) continue;
+  if (const LibraryMaterial* entry = material_library().find(key)) {
     std::string name = std::move(slot.material->name);
-    *slot.material = entry.material;
+    *slot.material = entry->material;
     slot.material->name = std::move(name);
     slot.material->like = key;
     return true;
   }
+  std::vector<std::string_view> known;
+  for (const LibraryMaterial& entry : material_library().materials) known.push_back(entry.key);
   const auto near = nearest(key, known);
   return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)),
                 fmt::format("the library has {}", plain_list(known, " and ")),

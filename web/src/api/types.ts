@@ -30,12 +30,19 @@ export interface Example {
   file: string;
 }
 
+export interface LibrarySource {
+  /// The values that are from it.
+  keys: string[];
+  text: string;
+  /// For which rocks and which model its numbers hold.
+  limits: string;
+  checked: string;
+}
 export interface LibraryMaterial {
   key: string;
   name: string;
   values: Record<string, unknown>;
-  source: string;
-  checked: string;
+  sources: LibrarySource[];
 }
 
 export type FileKind = 'project' | 'raster' | 'mesh' | 'points' | 'vector' | 'other';

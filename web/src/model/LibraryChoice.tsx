@@ -12,6 +12,9 @@ const allColumns: [KeyOf<'material'>, string][] = [
   ['normal_restitution', 'Rn'],
   ['tangential_restitution', 'Rt'],
   ['friction_angle_deg', 'Friction angle, °'],
+  ['roughness_deg', 'Roughness, °'],
+  ['dynamic_friction', 'Dynamic friction'],
+  ['rolling_friction', 'Rolling friction'],
 ];
 
 function addMaterial({ key, name }: LibraryMaterial) {
@@ -49,7 +52,7 @@ export function LibraryChoice() {
               <tbody>
                 {library.value.map((material) => (
                   <tr key={material.key}>
-                    <th scope="row" title={material.source}>
+                    <th scope="row" title={material.sources.map(({ text }) => text).join('\n')}>
                       {material.name}
                     </th>
                     {columns.map(([key]) => (

@@ -4,11 +4,8 @@ import { useEffect } from 'preact/hooks';
 import { nameOf, put, tableAt } from './place';
 import { rowsOf } from '../state/document';
 import type { Path } from './names';
-import { library, loadLibrary } from './library';
+import { library, loadLibrary, titleOf } from './library';
 import { likeness } from './likeness';
-import { fieldOf } from './settings';
-
-const titleOf = (key: string) => fieldOf('material', key)?.title.toLowerCase() ?? key;
 
 /// "Coarse talus, changed", numbered if another material has that name.
 function changedName(name: string): string {
@@ -29,7 +26,7 @@ export function LibraryNotice({ path }: { path: Path }) {
     <div class="problem warning" role="status">
       <p>
         {isNamedLikeIt ? 'Named like' : 'Based on'} “{of.name}” of the library, with other values of:{' '}
-        {changed.map(titleOf).join(', ')}.
+        {changed.map((key) => titleOf(key).toLowerCase()).join(', ')}.
       </p>
       {isNamedLikeIt && (
         <button class="button" onClick={() => put([...path, 'name'], next, 'Name')}>

@@ -7,6 +7,7 @@ import { attempt } from '../state/messages';
 import type { Path } from './names';
 import type { TomlValue } from '../toml/format';
 import { tableAt } from './place';
+import { fieldOf } from './settings';
 import { valueText } from './words';
 
 export const library = signal<LibraryMaterial[]>([]);
@@ -14,6 +15,9 @@ export const library = signal<LibraryMaterial[]>([]);
 export function loadLibrary() {
   if (library.value.length === 0) void attempt('library', async () => (library.value = await api.materials()));
 }
+
+/// The title of a key of [[material]].
+export const titleOf = (key: string) => fieldOf('material', key)?.title ?? key;
 
 /// The value of a material's setting in the library, if the material names one.
 export function inheritedAt(path: Path): TomlValue | undefined {

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import type { LibraryMaterial } from '../api/types';
 import { likeness } from './likeness';
 
-const entry = (key: string, name: string, values: Record<string, unknown>): LibraryMaterial => ({ key, name, values, source: '', checked: '' });
+const entry = (key: string, name: string, values: Record<string, unknown>): LibraryMaterial => ({ key, name, values, sources: [] });
 const list = [
   entry('talus', 'Coarse talus', { normal_restitution: { mean: 0.3, distribution: 'normal', std_dev: 0.04 }, friction_angle_deg: 30 }),
   entry('rock', 'Bare rock', { normal_restitution: 0.5 }),

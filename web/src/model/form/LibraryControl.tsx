@@ -1,12 +1,12 @@
 import { useEffect } from 'preact/hooks';
 import { valueAt } from '../../state/document';
-import { library, loadLibrary } from '../library';
+import { library, loadLibrary, titleOf } from '../library';
 import { put } from '../place';
 import { absentText } from '../words';
 import { Choice } from './Choice';
 import type { Common, FieldProps } from './fieldProps';
 
-/// The choice of a library material, whose values are the defaults of a material, with its source.
+/// The choice of a library material, whose values are the defaults of a material, with its sources.
 export function LibraryControl({ field, path, ...common }: FieldProps & Common) {
   useEffect(loadLibrary, []);
   const value = valueAt(path);
@@ -23,11 +23,11 @@ export function LibraryControl({ field, path, ...common }: FieldProps & Common) 
         absent={absentText(field)}
         take={(next) => put(path, next, field.title)}
       />
-      {found && (
-        <p class="faint source">
-          {found.source}. <em>{found.checked}.</em>
+      {found?.sources.map(({ keys, text, limits, checked }) => (
+        <p key={text} class="faint source">
+          {keys.map(titleOf).join(', ')}: {text}. {limits}. <em>{checked}.</em>
         </p>
-      )}
+      ))}
     </>
   );
 }
